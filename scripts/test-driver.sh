@@ -28,12 +28,14 @@ none() {
     exit 3
 }
 
-# Unpacks Debian's packages of a release that are needed for one, into $folder/root.
+# Unpacks packages of a release of Debian, with all that they need, into $folder/root.
 unpack() {
+    release=$1
+    shift
     mkdir -p "$folder/lists/partial" "$folder/archives/partial" "$folder/root"
     : >"$folder/status"
     keys=/usr/share/keyrings/debian-archive-keyring.gpg
-    echo "deb [signed-by=$keys] http://deb.debian.org/debian $1 main" >"$folder/sources.list"
+    echo "deb [signed-by=$keys] http://deb.debian.org/debian $release main" >"$folder/sources.list"
     apt() {
         apt-get -q -o Dir::State="$folder" -o Dir::State::status="$folder/status" -o Dir::Cache="$folder" \
             -o Dir::Etc::sourcelist="$folder/sources.list" -o Dir::Etc::sourceparts=- -o APT::Sandbox::User=root \
@@ -41,7 +43,7 @@ unpack() {
     }
     command -v apt-get >/dev/null || none "it is made of Debian's packages"
     apt update
-    apt install -y --download-only --no-install-recommends "$2"
+    apt install -y --download-only --no-install-recommends "$@"
     for package in "$folder"/archives/*.deb; do
         dpkg-deb --extract "$package" "$folder/root"
     done
@@ -67,10 +69,9 @@ mesa-next)
     name=llvmpipe
     libraries=$folder/root/usr/lib/$(uname -m)-linux-gnu
     library=$libraries/libvulkan_lvp.so
-    [ -e "$library" ] || unpack "${CUTAWAY_NEXT_RELEASE:-trixie}" mesa-vulkan-drivers
+    # The tests open the loader of Vulkan by its name.
+    [ -e "$library" ] || unpack "${CUTAWAY_NEXT_RELEASE:-trixie}" mesa-vulkan-drivers libvulkan1
     loader=$(ls "$libraries"/ld-linux-*.so.*)
-    # The loader of Vulkan is Debian's too; the tests open it by its name.
-    [ -e "$libraries/libvulkan.so.1" ] || unpack "${CUTAWAY_NEXT_RELEASE:-trixie}" libvulkan1
     runner="['$loader', '--library-path', '$libraries']"
     ;;
 *)

@@ -200,6 +200,10 @@ impl Session {
     fn asked(&self, mut method: Method) -> Method {
         let wide_atomics = self.gpu.limits().wide_atomics;
         method.means.wide_atomics.get_or_insert(wide_atomics);
+        if method.means.rasteriser.unwrap_or_default() == Rasteriser::Hardware {
+            let measured = self.gpu.report().sub_pixel_bits;
+            method.means.sub_pixel_bits = method.means.sub_pixel_bits.or(measured);
+        }
         method
     }
 
@@ -234,17 +238,9 @@ impl Session {
         Ok(self.first_band(method)?.program.plan())
     }
 
-    /// How exactly triangles were placed in the last frame by a method: by the adapter where its rasteriser drew them.
-    pub fn precision(&self, method: impl Into<Method>) -> Result<Precision> {
-        let slopes_in_f32 = self.plan(method)?.draws_triangles();
-        let of_adapter = match slopes_in_f32 {
-            true => self.gpu.report().sub_pixel_bits,
-            false => None,
-        };
-        Ok(Precision {
-            sub_pixel_bits: of_adapter.unwrap_or(Precision::USUAL.sub_pixel_bits),
-            slopes_in_f32,
-        })
+    /// How exactly triangles are placed in frames by a method: by the adapter where its rasteriser draws them.
+    pub fn precision(&self, method: impl Into<Method>) -> Precision {
+        self.asked(method.into()).means.precision()
     }
 
     /// In how many bands the last frame by a method was drawn.

@@ -301,10 +301,10 @@ impl Case<'_> {
         let [near, far] = [i, j].map(|k| self.events[k].depth);
         scratch.events.clear();
         scratch.events.extend_from_slice(self.events);
-        // At one depth the tie rule decides; the other order is a hair apart.
-        let hair = f64::from(u8::from(near == far)) * rounding(self.view, near);
         self.put(scratch, i, far);
-        self.put(scratch, j, near - hair);
+        // At one depth the tie rule decides; the other order is a hair apart.
+        let hair = (near == far).then(|| rounding(self.view, near));
+        self.put(scratch, j, near - hair.unwrap_or(0.0));
         self.change(scratch, margin)
     }
 
@@ -312,8 +312,7 @@ impl Case<'_> {
     fn put(&self, scratch: &mut Scratch, event: usize, depth: f64) {
         let moved = &self.events[event];
         for (other, copy) in self.events.iter().zip(&mut scratch.events) {
-            let is_mesh = |e: &Event| matches!(e.cause, Cause::Mesh { .. });
-            if is_mesh(moved) && is_mesh(other) && self.share_triangle(moved, other) {
+            if self.share_triangle(moved, other) {
                 copy.depth = depth;
             }
         }
@@ -356,8 +355,10 @@ impl Case<'_> {
         of(a).any(|(_, by, place)| of(b).any(|(_, other, there)| by == other && place != there))
     }
 
+    /// Whether two events are crossings, at one depth, with triangles of the same corners.
     fn share_triangle(&self, a: &Event, b: &Event) -> bool {
-        if a.depth != b.depth {
+        let is_mesh = |e: &Event| matches!(e.cause, Cause::Mesh { .. });
+        if a.depth != b.depth || !is_mesh(a) || !is_mesh(b) {
             return false;
         }
         let points = [a, b].map(|e| {

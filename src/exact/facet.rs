@@ -8,6 +8,7 @@
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 
+use super::screen::Corner;
 use crate::scene::{Prepared, View};
 
 /// The plane of a triangle and the depths between which it lies.
@@ -77,40 +78,48 @@ impl Facet {
         across / along
     }
 
+    /// The same on the ray through a point of the plane.
+    pub(super) fn plane_change_at(&self, view: &View, point: DVec3) -> f64 {
+        let depth = view.depth_of(point);
+        let direction = match view.orthographic {
+            true => view.forward,
+            false => (point - view.eye) / depth,
+        };
+        self.plane_change(view, direction, depth)
+    }
+
     /// How far off a depth may be that is interpolated in f32. What is interpolated is the value of the depth buffer, over the piece of the
     /// triangle beyond the near plane, as triangles that share a corner. Its slopes in the picture are found by products of edges, each
     /// rounded to an ulp of the square of the length, and divided by the area. What that does to a value is the ratio of the two, times the
     /// range of values: with llvmpipe up to 0.02 px at the walls of a tube that are 1200 px long and 2 px wide; of a wall that passes the
     /// eye, which is thousands of pixels long where it meets the near plane, as much as the wall is wide.
     fn slope_rounding(&self, view: &View, depth: f64) -> f64 {
-        let corners = self.points.map(|p| view.project(p));
-        let mut piece = [(DVec2::ZERO, 0.0); 4];
+        let corners = self.points.map(|p| Corner::of(view, p));
+        let mut piece = [corners[0]; 4];
         let mut count = 0;
-        let mut add = |corner: (DVec2, f64)| {
+        let mut add = |corner: Corner| {
             piece[count] = corner;
             count += 1;
         };
         for (i, corner) in corners.iter().enumerate() {
-            let (next, depths) = ((i + 1) % 3, [corner.1, corners[(i + 1) % 3].1]);
-            let is_beyond = depths.map(|d| d > view.near);
+            let next = &corners[(i + 1) % 3];
+            let is_beyond = [corner, next].map(|c| c.depth > view.near);
             if is_beyond[0] {
                 add(*corner);
             }
             if is_beyond[0] != is_beyond[1] {
-                let share = (view.near - depths[0]) / (depths[1] - depths[0]);
-                let point = self.points[i].lerp(self.points[next], share);
-                add((view.project(point).0, view.near));
+                add(corner.at_depth(next, view.near));
             }
         }
         let Some((first, rest)) = piece[..count].split_first() else {
             return 0.0;
         };
         let worst = rest.array_windows().map(|[b, c]| {
-            let corners = [*first, *b, *c];
-            let values = corners.map(|(_, depth)| view.buffer_from_depth(depth));
+            let corners = [first, b, c];
+            let values = corners.map(|c| view.buffer_from_depth(c.depth));
             let range = values.into_iter().fold(f64::NEG_INFINITY, f64::max)
                 - values.into_iter().fold(f64::INFINITY, f64::min);
-            let [a, b, c] = corners.map(|(at, _)| at);
+            let [a, b, c] = corners.map(Corner::pixel);
             let longest = [b - a, c - b, a - c]
                 .map(DVec2::length_squared)
                 .into_iter()
@@ -131,22 +140,20 @@ impl Facet {
 /// vertices move by 0.7 of [`View::doubt_px`] at most. So it is where triangles are long and narrow.
 pub(super) fn slopes_matter(prepared: &Prepared, view: &View) -> bool {
     prepared.parts.par_iter().any(|part| {
-        let depth = |p: &DVec3| (*p - view.eye).dot(view.forward);
         part.triangles.par_iter().any(|corners| {
             let points = corners.map(|i| part.positions[i as usize].as_dvec3());
-            let depths = points.map(|p| depth(&p));
+            let depths = points.map(|p| view.depth_of(p));
+            // Farther off the first is more of the second: they are compared where the triangle is farthest.
+            let (far, depth) =
+                points
+                    .into_iter()
+                    .zip(depths)
+                    .fold((points[0], depths[0]), |far, other| {
+                        if other.1 > far.1 { other } else { far }
+                    });
             let facet = Facet::of(points, depths);
-            // Farther off the first is more of the second: it is asked about where the triangle is farthest.
-            let mut by_depth = points.map(|p| (depth(&p), p));
-            by_depth.sort_by(|a, b| b.0.total_cmp(&a.0));
-            let (depth, far) = by_depth[0];
-            let direction = match view.orthographic {
-                true => view.forward,
-                false => (far - view.eye) / depth,
-            };
             depth > view.near
-                && facet.slope_rounding(view, depth)
-                    > SPARE * facet.plane_change(view, direction, depth)
+                && facet.slope_rounding(view, depth) > SPARE * facet.plane_change_at(view, far)
         })
     })
 }

@@ -13,7 +13,7 @@
 //! Rasterisers snap vertices to a fraction of a pixel, 1/256 as a rule, and transforms in f32 move them too: a sample farther than
 //! [`View::doubt_px`] from every outline is hit alike by all of them.
 
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 
 use super::ambiguity::rounding;
@@ -83,7 +83,7 @@ pub(super) fn outlines(view: &View, rank: u16, projected: &Projected<'_>) -> Vec
         .collect();
     uses.par_sort_unstable_by_key(|u| (u.key, u.triangle));
     let fill = projected.fill;
-    let is_coarse = view.precision.coarseness() > 1.0;
+    let is_coarse = view.precision.is_coarse();
     let is_clipped = |(from, to): (u32, u32)| {
         let is_beyond = |i: u32| projected.corners[i as usize].depth > view.near;
         is_coarse && is_beyond(from) != is_beyond(to)
@@ -161,7 +161,7 @@ fn sliver_reach(view: &View, projected: &Projected<'_>, triangle: u32) -> Option
     }
     let facet = projected.facet(triangle);
     let candidates = [facet.extent(), plane_change(view, &facet)];
-    let least = match view.precision.coarseness() > 1.0 {
+    let least = match view.precision.is_coarse() {
         true => 0.0,
         false => view.pixel_size(corners[0].depth),
     };
@@ -170,23 +170,15 @@ fn sliver_reach(view: &View, projected: &Projected<'_>, triangle: u32) -> Option
 
 /// How much depth changes on the plane of a face within [`View::doubt_px`].
 fn plane_change(view: &View, facet: &Facet) -> f64 {
-    let centre = (facet.points[0] + facet.points[1] + facet.points[2]) / 3.0;
-    let depth = (centre - view.eye).dot(view.forward);
-    let direction = if view.orthographic {
-        view.forward
-    } else {
-        (centre - view.eye) / depth
-    };
-    facet.plane_change(view, direction, depth)
+    facet.plane_change_at(view, facet.points.iter().sum::<DVec3>() / 3.0)
 }
 
 /// The piece of an edge beyond a depth.
 fn beyond(near: f64, a: Corner, b: Corner) -> Option<[Corner; 2]> {
-    let cut = |a: &Corner, b: &Corner| a.lerp(b, (near - a.depth) / (b.depth - a.depth));
     match (a.depth > near, b.depth > near) {
         (true, true) => Some([a, b]),
-        (true, false) => Some([a, cut(&a, &b)]),
-        (false, true) => Some([cut(&a, &b), b]),
+        (true, false) => Some([a, a.at_depth(&b, near)]),
+        (false, true) => Some([a.at_depth(&b, near), b]),
         (false, false) => None,
     }
 }
@@ -251,6 +243,6 @@ impl Outline {
 }
 
 /// Length of a vector's part in the picture, per pixel at a depth.
-pub(super) fn change_per_px(view: &View, gradient: glam::DVec3, depth: f64) -> f64 {
+pub(super) fn change_per_px(view: &View, gradient: DVec3, depth: f64) -> f64 {
     lateral(view, gradient) * view.pixel_size(depth)
 }

@@ -30,7 +30,7 @@ impl Corner {
     /// Where a point of the scene lands.
     pub(super) fn of(view: &View, point: DVec3) -> Self {
         let d = point - view.eye;
-        let depth = d.dot(view.forward);
+        let depth = view.depth_of(point);
         let w = if view.orthographic { 1.0 } else { depth };
         let k = 0.5 * f64::from(view.size_px[1]) / view.half_height;
         let at = DVec3::new(
@@ -44,6 +44,11 @@ impl Corner {
     /// The point of the picture, in pixels; meaningless where `w` is 0.
     pub(super) fn pixel(&self) -> DVec2 {
         self.at.truncate() / self.at.z
+    }
+
+    /// The corner at a depth on the way to another.
+    pub(super) fn at_depth(&self, other: &Self, depth: f64) -> Self {
+        self.lerp(other, (depth - self.depth) / (other.depth - self.depth))
     }
 
     /// The corner a share of the way to another.

@@ -52,7 +52,7 @@ impl Drift {
         };
         // A corner of the scene that comes nearer than any did is not to be cut by the near plane.
         let corners = prepared.bounds.corners().into_iter();
-        let nearest = corners.map(|c| (c - turned.eye).dot(turned.forward));
+        let nearest = corners.map(|c| turned.depth_of(c));
         let nearest = nearest.fold(f64::INFINITY, f64::min) * 0.99;
         let turned = View {
             near: match nearest > 0.0 {

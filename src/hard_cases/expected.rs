@@ -217,7 +217,7 @@ impl Tally {
             self.undecided_px += judged.exact.undecided_px();
         }
         self.overflowed += usize::from(matches!(judged.outcome, Outcome::Overflowed(_)));
-        self.is_coarse |= judged.precision.coarseness() > 1.0;
+        self.is_coarse |= judged.precision.is_coarse();
         self.faults.extend(fault.map(|f| format!("{name}: {f}")));
     }
 

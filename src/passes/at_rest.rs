@@ -138,6 +138,6 @@ fn picture_height(prepared: &Prepared) -> f64 {
     let middle = (prepared.bounds.min + prepared.bounds.max) / 2.0;
     // An eye within the scene has no depth to speak of.
     let radius = prepared.bounds.size().length() / 2.0;
-    let depth = (middle - view.eye).dot(view.forward).max(radius);
+    let depth = view.depth_of(middle).max(radius);
     2.0 * view.half_height * if view.orthographic { 1.0 } else { depth } / prepared.scale
 }

@@ -157,7 +157,7 @@ fn cut_table(input: &Input<'_>) -> Contents {
     for (i, bits) in relevance.cuts.iter().enumerate() {
         table.surfaces_of_cut[i / 4][i % 4] = *bits;
     }
-    let reach = relevance.reach();
+    let reach = input.reach();
     for (slot, number) in table.surfaces.iter_mut().zip(&relevance.surfaces) {
         let surface = &model.prepared.surfaces[*number];
         *slot = pack::clip_surface(surface, *number, model.first_texel[*number], reach);

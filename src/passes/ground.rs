@@ -36,7 +36,7 @@ impl GroundShadow {
     /// other way round.
     pub fn views(prepared: &Prepared) -> [View; 2] {
         let below = Self::view_from_below(prepared);
-        let way = 2.0 * (prepared.bounds.centre() - below.eye).dot(below.forward);
+        let way = 2.0 * below.depth_of(prepared.bounds.centre());
         let above = View {
             eye: below.eye + below.forward * way,
             up: -below.up,

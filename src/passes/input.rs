@@ -2,6 +2,7 @@
 
 use super::settled::GroupOfPart;
 use super::{Model, Rasteriser, Refusal, Relevance, ReliefWalk};
+use crate::plan::pack::most_box_margin;
 use crate::plan::{Capacities, Draw};
 use crate::scene::{Fill, HeightFilter, PreparedPart, View};
 
@@ -65,6 +66,11 @@ impl<'a> Input<'a> {
     /// Whether lists hold crossings with one clip-surface, without normals of their own.
     pub(crate) fn has_one_surface(&self) -> bool {
         self.relevance.surfaces.len() < 2 && !self.has_cutters()
+    }
+
+    /// The longest way on which a ray is followed: through the box of the cut parts and its margins.
+    pub(crate) fn reach(&self) -> f64 {
+        self.relevance.cut_box.size().length() + 4.0 * most_box_margin(self.view.precision)
     }
 
     /// Pixels of the picture.

@@ -204,11 +204,6 @@ impl Relevance {
     pub fn place_of(&self, rank: usize) -> usize {
         self.places[rank]
     }
-
-    /// The longest way through the box of the cut parts.
-    pub fn reach(&self) -> f64 {
-        self.cut_box.size().length()
-    }
 }
 
 /// Why a clip-surface is more than the words of a frame can hold, if it is.

@@ -16,8 +16,8 @@ pub use dress::{
     COAT_WORDS, CapMaterial, CoatRow, DressPlanes, FILLED_STACK, MOST_CAP_PLANES, NO_TEXTURE,
     Texture,
 };
-use frame::MOST_BOX_MARGIN;
 pub use frame::{Frame, frame};
+pub(crate) use frame::{box_margin, most_box_margin};
 pub use ghost::Ghost;
 pub use hatch::{CapPlane, HatchLine, HatchPlanes, MOST_HATCH_PLANES, PartHatch};
 pub use lists::{Cascade, FragmentPool, SheetPool};
@@ -257,8 +257,8 @@ pub const MAX_CUTS: usize = 32;
 /// `first_texel` of a plane.
 pub const NO_RELIEF: u32 = u32::MAX;
 
-/// A clip-surface as functions of a point. `first_texel` is [`NO_RELIEF`] for planes; `reach` is the longest way through the
-/// box of the cut solids.
+/// A clip-surface as functions of a point. `first_texel` is [`NO_RELIEF`] for planes; `reach` is the longest way on which a ray is
+/// followed.
 pub fn clip_surface(
     surface: &PreparedSurface,
     number: usize,
@@ -305,7 +305,7 @@ pub const MOST_CELLS: u32 = 32_768;
 /// Most cells of a relief that a ray may pass on a way of length `reach`: more are not walked, which the frame reports.
 pub fn cell_limit(surface: &PreparedSurface, reach: f64) -> u32 {
     let [x, y] = texels_per_unit(surface);
-    let cells = (x.abs() + y.abs()) * (reach + 4.0 * MOST_BOX_MARGIN);
+    let cells = (x.abs() + y.abs()) * reach;
     (cells as u32).saturating_add(4).min(MOST_CELLS)
 }
 

@@ -253,7 +253,7 @@ impl Prepared {
         let boxes = volumes.map(|v| v.bounds).chain([self.bounds]);
         let farthest = boxes
             .flat_map(|b| b.corners())
-            .map(|c| (c - view.eye).dot(view.forward))
+            .map(|c| view.depth_of(c))
             .fold(f64::NEG_INFINITY, f64::max);
         let far = view.near + (farthest - view.near) * 1.01;
         View {

@@ -60,6 +60,11 @@ impl Precision {
         slopes_in_f32: false,
     };
 
+    /// Whether there are fewer sub-pixel bits than usual.
+    pub fn is_coarse(&self) -> bool {
+        self.sub_pixel_bits < USUAL_SUB_PIXEL_BITS
+    }
+
     /// How many times as far as by the usual sub-pixel bits vertices are moved: 16 times by 4 bits.
     pub fn coarseness(&self) -> f64 {
         f64::from(1_u32 << USUAL_SUB_PIXEL_BITS.saturating_sub(self.sub_pixel_bits))
@@ -165,10 +170,21 @@ impl View {
     /// Where a point lands in the picture, in pixels, and its depth. Points at depth 0 land nowhere sensible in perspective.
     pub fn project(&self, point: DVec3) -> (DVec2, f64) {
         let d = point - self.eye;
-        let depth = d.dot(self.forward);
+        let depth = self.depth_of(point);
         let k = 1.0 / (self.plane_per_px() * if self.orthographic { 1.0 } else { depth });
         let at = DVec2::new(d.dot(self.right), -d.dot(self.up)) * k;
         (self.centre_px + at, depth)
+    }
+
+    /// Depth of a point: its distance from the eye along the viewing direction.
+    pub fn depth_of(&self, point: DVec3) -> f64 {
+        (point - self.eye).dot(self.forward)
+    }
+
+    /// The depth of what is farthest in a box, or that of the near plane where all of it is before that.
+    pub(crate) fn farthest_in(&self, bounds: &Bounds) -> f64 {
+        let depths = bounds.corners().map(|c| self.depth_of(c));
+        depths.into_iter().fold(self.near, f64::max)
     }
 
     /// Distance in pixels within which an outline leaves a sample undecided. Snapping moves an edge by up to half a step along each axis;
@@ -253,7 +269,7 @@ impl View {
 
     /// Whether the near plane meets a box: then a solid in it may be cut by the near plane.
     pub fn near_plane_meets(&self, bounds: &Bounds) -> bool {
-        let depths = bounds.corners().map(|c| (c - self.eye).dot(self.forward));
+        let depths = bounds.corners().map(|c| self.depth_of(c));
         depths.iter().any(|d| *d < self.near) && depths.iter().any(|d| *d > self.near)
     }
 }

@@ -8,7 +8,7 @@ use std::str::FromStr;
 
 use super::Strategy;
 use crate::passes::{Rasteriser, ReliefWalk};
-use crate::scene::HeightFilter;
+use crate::scene::{HeightFilter, Precision};
 use crate::{Error, Result};
 
 /// How a frame is drawn: by which strategy, and by which means.
@@ -28,6 +28,9 @@ pub struct Means {
     /// Whether the compute rasteriser uses atomics of 64 bits: the picture is the same, in one sweep instead of two. Usually where the
     /// adapter has them; where a plan is recorded without an adapter, not.
     pub wide_atomics: Option<bool>,
+    /// To which fraction of a pixel, 2^-bits, the GPU's own rasteriser snaps vertices: with fewer bits than 8 rays are followed farther
+    /// beside the solids. A session measures it; where a plan is recorded without an adapter, 8.
+    pub sub_pixel_bits: Option<u32>,
     /// How rays are followed through reliefs: the crossings are the same. Usually chosen by the cells that a ray meets.
     pub relief_walk: Option<ReliefWalk>,
     /// Whether the one list of crossings is made even where all there is to cross is one plane, which passes of the compute rasteriser could
@@ -61,9 +64,20 @@ impl Means {
         Self {
             rasteriser: Some(rasteriser),
             wide_atomics: None,
+            sub_pixel_bits: None,
             relief_walk: None,
             list: None,
             height_filter: None,
+        }
+    }
+
+    /// How triangles are placed in the picture.
+    pub(crate) fn precision(&self) -> Precision {
+        let slopes_in_f32 = self.rasteriser.unwrap_or_default() == Rasteriser::Hardware;
+        let of_adapter = self.sub_pixel_bits.filter(|_| slopes_in_f32);
+        Precision {
+            sub_pixel_bits: of_adapter.unwrap_or(Precision::USUAL.sub_pixel_bits),
+            slopes_in_f32,
         }
     }
 
@@ -78,6 +92,7 @@ impl Means {
         Self {
             rasteriser: self.rasteriser.or(others.rasteriser),
             wide_atomics: self.wide_atomics.or(others.wide_atomics),
+            sub_pixel_bits: self.sub_pixel_bits.or(others.sub_pixel_bits),
             relief_walk: self.relief_walk.or(others.relief_walk),
             list: self.list.or(others.list),
             height_filter: self.height_filter.or(others.height_filter),

@@ -68,6 +68,10 @@ pub fn record(
             ),
         ));
     }
+    let view = &View {
+        precision: means.precision(),
+        ..*view
+    };
     let input = Input {
         rasteriser,
         wide_atomics: means.wide_atomics.unwrap_or(false),

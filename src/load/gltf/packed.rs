@@ -1,5 +1,6 @@
-//! What extensions pack, unpacked before anything is read: buffer views by `EXT_meshopt_compression` and its
-//! successor `KHR_meshopt_compression`, primitives by `KHR_draco_mesh_compression`. Views and accessors then lie in buffers of their own, so that no reader knows of it.
+//! What extensions pack, unpacked before anything is read: buffer views by `EXT_meshopt_compression` and its successor
+//! `KHR_meshopt_compression`, primitives by `KHR_draco_mesh_compression`. Views and accessors then lie in buffers of their own, so that
+//! no reader knows of it.
 //!
 //! What comes out is limited as what archives unpack to is: by a multiple of what is packed.
 

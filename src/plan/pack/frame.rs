@@ -4,7 +4,7 @@ use bytemuck::{Pod, Zeroable};
 use glam::{DVec2, DVec3};
 
 use super::{Layout, matrix, row};
-use crate::scene::{Bounds, View};
+use crate::scene::{Bounds, Precision, View};
 
 shared! {
     /// How scene space becomes pixels: `shaders/lib/frame.wgsl`.
@@ -41,18 +41,24 @@ shared! {
 /// How much larger than the cut solids the box around them is at least, so that no solid lies in a face of it.
 const BOX_MARGIN: f64 = 1e-4;
 
-/// And at most, however small the picture is: what walks over reliefs have room for, and less than tessellations reach beyond the solids.
-pub(super) const MOST_BOX_MARGIN: f64 = 9e-4;
+/// And at most, with the usual sub-pixel bits, however small the picture is.
+const MOST_BOX_MARGIN: f64 = 9e-4;
 
 /// How much of a pixel it is larger where it is farthest: fixed functions may cover samples beside a solid, as vertices are moved by half
 /// of 1/16 px along each axis where an adapter has the fewest sub-pixel bits that there are. Which crossings a fragment there lies behind
 /// is not known if its ray misses the box.
 const BOX_MARGIN_PX: f64 = 1.0 / 16.0;
 
-fn box_margin(view: &View, cut_box: &Bounds) -> f64 {
-    let depths = cut_box.corners().map(|c| (c - view.eye).dot(view.forward));
-    let farthest = depths.into_iter().fold(view.near, f64::max);
-    (BOX_MARGIN_PX * view.pixel_size(farthest)).clamp(BOX_MARGIN, MOST_BOX_MARGIN)
+/// How much larger than the cut solids the box around them may be: what walks over reliefs have room for, and less than tessellations
+/// reach beyond the solids. Pitches of grids hang on it, so it does not change with the camera.
+pub(crate) fn most_box_margin(precision: Precision) -> f64 {
+    MOST_BOX_MARGIN * precision.coarseness()
+}
+
+/// How much larger than the cut solids the box around them is in a view.
+pub(crate) fn box_margin(view: &View, cut_box: &Bounds) -> f64 {
+    let most = most_box_margin(view.precision);
+    (BOX_MARGIN_PX * view.pixel_size(view.farthest_in(cut_box))).clamp(BOX_MARGIN, most)
 }
 
 /// The frame of a view; `cut_box` is the box around the solids that are cut.

@@ -9,11 +9,11 @@
 use crate::strategies::row::{Abilities, Answers, CapSurfaceRow, Caps, Facts, Parameter};
 use glam::DVec3;
 
-use super::tessellation::{Facets, Tessellation, rounding};
+use super::tessellation::{Facets, Tessellation, beyond_box, rounding};
 use crate::passes::{Input, SceneBuffers};
 use crate::plan::pack::Quad;
 use crate::plan::{Binding, Clock, Contents, Plan, Resource, Role};
-use crate::scene::{Bounds, PreparedSurface};
+use crate::scene::PreparedSurface;
 
 /// The row of the table.
 pub(crate) static ROW: CapSurfaceRow = CapSurfaceRow {
@@ -84,18 +84,22 @@ fn quads(input: &Input<'_>, cells: u32) -> Vec<Quad> {
     surfaces
         .map(|s| {
             let surface = &input.model.prepared.surfaces[*s];
-            quad(surface, &input.relevance.cut_box, cells)
+            quad(surface, input, cells)
         })
         .collect()
 }
 
 /// The rectangle on the plane, along `U` and `V`, that covers the box of the cut solids.
-fn quad(surface: &PreparedSurface, cut_box: &Bounds, cells: u32) -> Quad {
+fn quad(surface: &PreparedSurface, input: &Input<'_>, cells: u32) -> Quad {
     let range = |axis: DVec3| {
-        let at = cut_box.corners().map(|c| (c - surface.origin).dot(axis));
+        let at = input
+            .relevance
+            .cut_box
+            .corners()
+            .map(|c| (c - surface.origin).dot(axis));
         let low = at.iter().copied().fold(f64::INFINITY, f64::min);
         let high = at.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        let margin = 1e-3 * (high - low);
+        let margin = beyond_box(input.view) * (high - low).max(1.0);
         (low - margin, (high - low + 2.0 * margin) / f64::from(cells))
     };
     let (u_hat, v_hat) = (surface.frame.u_hat, surface.frame.v_hat);

@@ -191,7 +191,7 @@ pub(super) fn record(
     if reliefs {
         let limits = relevance.surfaces.iter().map(|number| {
             let surface = &input.model.prepared.surfaces[*number];
-            pack::cell_limit(surface, relevance.reach())
+            pack::cell_limit(surface, input.reach())
         });
         plan.bounded.push(Bounded {
             what: "cells of a relief along a ray".to_owned(),

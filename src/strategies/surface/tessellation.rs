@@ -9,11 +9,21 @@ use std::ops::Range;
 
 use super::{cutter, raycast};
 use crate::passes::{Crossings, Input, Refusal, SceneBuffers, SheetDraw, Sheets, Store};
+use crate::plan::pack::most_box_margin;
 use crate::plan::{Arguments, Binding, Draw, Plan, ResourceId, Vertices};
+use crate::scene::View;
 use crate::shader::Shader;
 
 /// Clip-surfaces per part in the number of an instance: `surface_of` and `place_of` in `shaders/lib/facets.wgsl`.
 const SURFACES_PER_PLACE: u32 = 32;
+
+/// How much farther than rays are followed beyond the box of the cut solids a tessellation reaches at least, in scene units.
+const BEYOND_RAYS: f64 = 1e-4;
+
+/// How much farther than the box of the cut solids a tessellation reaches at least, in scene units: rays are followed a little beyond it.
+pub(super) fn beyond_box(view: &View) -> f64 {
+    most_box_margin(view.precision) + BEYOND_RAYS
+}
 
 /// Places along a pixel that rasterisers tell apart.
 const SUBPIXELS: f64 = 256.0;
@@ -26,9 +36,7 @@ const LEAST_ROUNDING: f64 = 2e-4;
 /// of the box of the cut solids. In powers of two, for a shader is compiled for each.
 pub(super) fn rounding(input: &Input<'_>) -> f64 {
     let view = input.view;
-    let corners = input.relevance.cut_box.corners();
-    let depths = corners.map(|c| (c - view.eye).dot(view.forward));
-    let farthest = depths.into_iter().fold(view.near, f64::max);
+    let farthest = view.farthest_in(&input.relevance.cut_box);
     let beside = view.pixel_size(farthest) * STEEP / SUBPIXELS;
     let times = (beside / LEAST_ROUNDING).max(1.0);
     LEAST_ROUNDING * times.log2().ceil().exp2()

@@ -54,18 +54,18 @@ pub(crate) fn gpu() -> Gpu {
     Gpu::open(&options).unwrap_or_else(|e| panic!("tests that draw need a graphics adapter: {e}"))
 }
 
+/// How the rasteriser of the adapter places triangles.
+pub(crate) fn hardware_precision() -> Precision {
+    static FOUND: OnceLock<Precision> = OnceLock::new();
+    *FOUND.get_or_init(|| Precision {
+        sub_pixel_bits: gpu().report().sub_pixel_bits.expect("bits are measured"),
+        slopes_in_f32: true,
+    })
+}
+
 /// How many times as far as with 8 sub-pixel bits the adapter moves vertices: 1, or 16 with 4.
 pub(crate) fn coarseness() -> f64 {
-    static FOUND: OnceLock<f64> = OnceLock::new();
-    *FOUND.get_or_init(|| {
-        let sub_pixel_bits = gpu().report().sub_pixel_bits.expect("bits are measured");
-        let slopes_in_f32 = true;
-        Precision {
-            sub_pixel_bits,
-            slopes_in_f32,
-        }
-        .coarseness()
-    })
+    hardware_precision().coarseness()
 }
 
 /// A strategy by its name.

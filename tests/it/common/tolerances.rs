@@ -35,20 +35,26 @@ pub(crate) const SAME_DEPTH: f64 = 1e-5;
 
 /// Depth of a cap that is drawn as triangles, beside its plane, in scene units at 64 px: vertices move by up to 1/512 px along each axis,
 /// of which a pixel is 0.04 units long, along a slope of less than 2.
-pub(crate) const FLAT_CAP_DEPTH: f64 = 1.5e-4;
+pub(crate) const FLAT_CAP_DEPTH: f64 = 1e-4;
 
 /// Smooth normals beside those of exact, at 160 px, where triangles are some 7 px wide and normals 16 degrees apart at their corners:
 /// 1/512 px along each axis.
-pub(crate) const CORNER_NORMAL: f64 = 1.5e-3;
+pub(crate) const CORNER_NORMAL: f64 = 1e-3;
 
 /// Depth of a cutter's walls, in edge lengths of a pixel, whatever their slope.
-pub(crate) const CUTTER_DEPTH_PX: f64 = 0.03;
+pub(crate) const CUTTER_DEPTH_PX: f64 = 0.02;
 
 /// Pixels of 4,096 in which a million triangles differ by rasteriser.
 pub(crate) const MILLION_TRIANGLES_PX: f64 = 2.0;
 
 /// Pixels that leak through slivers that vertices leave which round off an edge.
 pub(crate) const ROUNDED_SLIVERS_PX: f64 = 2.0;
+
+/// What is allowed in addition with fewer bits than 8: the bounds above were found with 8, and single samples are up to a quarter beyond
+/// what follows from them.
+pub(crate) fn coarse_room() -> f64 {
+    if holds_lower_bounds() { 1.0 } else { 1.5 }
+}
 
 /// Whether errors of tessellations and images, and depths of needles, are held to bounds from below, or from view to view. With fewer bits
 /// exact is sure of fewer pixels along outlines, which is where these errors are, and a needle is narrower than a step.

@@ -5,12 +5,12 @@ use cutaway::gpu::{ClockSet, Program};
 use cutaway::layers::Kind;
 use cutaway::plan::StencilStep;
 use cutaway::plan::{Capacities, DepthCompare, Plan, Work};
-use cutaway::scene::{ClipSurface, Cut, Fill, Part, Precision, Scene};
+use cutaway::scene::{ClipSurface, Cut, Fill, Part, Scene};
 use cutaway::session::Outcome;
 use cutaway::strategies::{self, Strategy};
 use glam::{DAffine3, DVec3};
 
-use crate::common::{Question, meshes, scenes, session};
+use crate::common::{Question, hardware_precision, meshes, scenes, session};
 use cutaway::hard_cases::{bumps, solids, windings};
 
 fn masks(question: &Question) -> [Vec<u32>; 2] {
@@ -84,11 +84,7 @@ fn wrong(question: &Question, plan: Plan) -> usize {
         .expect("a plan that loads");
     program.run(session.gpu(), ClockSet::ALL).expect("a frame");
     let layers = (program.layers(session.gpu(), question.view.size_px)).expect("layers");
-    let precision = Precision {
-        sub_pixel_bits: session.gpu().report().sub_pixel_bits.expect("bits"),
-        slopes_in_f32: true,
-    };
-    let exact = question.exact.at(precision);
+    let exact = question.exact.at(hardware_precision());
     let scale = question.model.prepared.scale;
     compare(&exact, &layers, &question.view, scale).decided_wrong_px
 }

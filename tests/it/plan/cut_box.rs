@@ -1,13 +1,13 @@
 //! The box around the cut solids, outside of which no crossing is looked for.
 
 use cutaway::plan::pack::frame;
-use cutaway::scene::{Bounds, Prepared};
+use cutaway::scene::{Bounds, Precision, Prepared, View};
 use glam::{DVec2, DVec3, Vec4};
 
 use crate::common::scenes;
 
 /// Regression: at the silhouette of the whole model fixed functions covered samples whose rays missed the box, and so found no crossing
-/// before them: what was removed there stayed. Where a sixteenth of a pixel is more than the margin may be, below some 200 px, a coarse adapter may still do so.
+/// before them: what was removed there stayed.
 #[test]
 fn rays_beside_a_solid_by_what_rasterisers_move_it_meet_the_box() {
     let solid = Bounds {
@@ -15,16 +15,32 @@ fn rays_beside_a_solid_by_what_rasterisers_move_it_meet_the_box() {
         max: DVec3::splat(0.5),
     };
     let prepared = Prepared::new(&scenes::sectioned("cube", &[]));
-    for size_px in [[240, 180], [2400, 1800]] {
+    let [usual, coarse] = [8, 4].map(|sub_pixel_bits| Precision {
+        sub_pixel_bits,
+        slopes_in_f32: true,
+    });
+    let pictures = [
+        ([64, 48], coarse),
+        ([96, 72], usual),
+        ([240, 180], coarse),
+        ([2400, 1800], coarse),
+        ([2400, 1800], usual),
+    ];
+    for (size_px, precision) in pictures {
         for orthographic in [false, true] {
             let camera = scenes::orbit(30.0, 20.0, orthographic);
-            let view = prepared.view_of(&camera, size_px);
+            let view = View {
+                precision,
+                ..prepared.view_of(&camera, size_px)
+            };
+            // Half a step along each axis.
+            let off_px = 0.5 / f64::from(1 << precision.sub_pixel_bits);
             let packed = frame(&view, &solid);
             let [min, max] = [packed.box_min, packed.box_max].map(|v| Vec4::from(v).truncate());
             for corner in solid.corners() {
                 let (at, depth) = view.project(corner);
                 for (x, y) in [(-1.0, -1.0), (-1.0, 1.0), (1.0, -1.0), (1.0, 1.0)] {
-                    let (origin, direction) = view.ray(at + DVec2::new(x, y) / 32.0);
+                    let (origin, direction) = view.ray(at + DVec2::new(x, y) * off_px);
                     let beside = (origin + direction * depth).as_vec3();
                     let is_within = beside.cmpgt(min).all() && beside.cmplt(max).all();
                     assert!(is_within, "{size_px:?}: {beside} in {min} to {max}");

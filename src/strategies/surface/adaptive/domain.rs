@@ -8,9 +8,10 @@
 use crate::passes::Refusal;
 use glam::DVec3;
 
+use super::super::tessellation::beyond_box;
 use crate::passes::Input;
 use crate::plan::pack::Domain;
-use crate::scene::{Bounds, PreparedSurface};
+use crate::scene::PreparedSurface;
 
 /// Patches that are enough.
 const ENOUGH_PATCHES: u64 = 1024;
@@ -26,8 +27,6 @@ const MOST_AREA: u64 = (1 << 31) - 1;
 const MOST_MEASURED: u64 = (128 << 20) / 8;
 /// The length of a texel in scene units beyond which f32 has no room between its corners.
 const LONGEST_TEXEL: f64 = 64.0;
-/// How much the domain is larger than the box on either side, in scene units.
-const MARGIN: f64 = 1e-3;
 
 /// The domains of all clip-surfaces that matter, in table order; the reason where one is too large.
 pub(super) fn rows(input: &Input<'_>) -> Result<Vec<Domain>, Refusal> {
@@ -35,12 +34,11 @@ pub(super) fn rows(input: &Input<'_>) -> Result<Vec<Domain>, Refusal> {
     let mut rows = Vec::new();
     for number in &input.relevance.surfaces {
         let surface = &input.model.prepared.surfaces[*number];
-        let cut_box = &input.relevance.cut_box;
         if !input.model.is_relief(*number) {
-            rows.push(of_plane(surface, cut_box));
+            rows.push(of_plane(surface, input));
             continue;
         }
-        let mut row = of_relief(*number, surface, cut_box)?;
+        let mut row = of_relief(*number, surface, input)?;
         let [width, height] = texels(&row);
         row.map_first = input.model.first_texel[*number];
         row.first_vertex = first as u32;
@@ -62,18 +60,23 @@ pub(super) fn texels(row: &Domain) -> [u64; 2] {
     row.patches.map(|n| u64::from(n) << row.patch_bits)
 }
 
-/// What a box spans along an axis, from the origin of a clip-surface, with a margin.
-fn span(surface: &PreparedSurface, cut_box: &Bounds, axis: DVec3) -> [f64; 2] {
-    let at = cut_box.corners().map(|c| (c - surface.origin).dot(axis));
+/// What the box of the cut solids spans along an axis, from the origin of a clip-surface, with a margin.
+fn span(surface: &PreparedSurface, input: &Input<'_>, axis: DVec3) -> [f64; 2] {
+    let margin = beyond_box(input.view);
+    let at = input
+        .relevance
+        .cut_box
+        .corners()
+        .map(|c| (c - surface.origin).dot(axis));
     let low = at.iter().copied().fold(f64::INFINITY, f64::min);
     let high = at.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    [low - MARGIN, high + MARGIN]
+    [low - margin, high + margin]
 }
 
 /// A plane is one patch of one step along each side.
-fn of_plane(surface: &PreparedSurface, cut_box: &Bounds) -> Domain {
+fn of_plane(surface: &PreparedSurface, input: &Input<'_>) -> Domain {
     let frame = &surface.frame;
-    let [u, v] = [frame.u_hat, frame.v_hat].map(|axis| span(surface, cut_box, axis));
+    let [u, v] = [frame.u_hat, frame.v_hat].map(|axis| span(surface, input, axis));
     let lift = -surface.flat_height().unwrap_or(0.0);
     let corner = surface.origin + frame.u_hat * u[0] + frame.v_hat * v[0] + frame.normal * lift;
     Domain {
@@ -88,7 +91,7 @@ fn of_plane(surface: &PreparedSurface, cut_box: &Bounds) -> Domain {
 fn of_relief(
     number: usize,
     surface: &PreparedSurface,
-    cut_box: &Bounds,
+    input: &Input<'_>,
 ) -> Result<Domain, Refusal> {
     let map = surface.relief.as_ref().map_or([1, 1], |m| m.size());
     let per_unit = [0, 1].map(|i| surface.map_per_unit[i] * f64::from(map[i]));
@@ -100,7 +103,7 @@ fn of_relief(
     let axes = [surface.frame.u_hat, surface.frame.v_hat];
     // Texel centres are at integers.
     let at: [[f64; 2]; 2] = [0, 1].map(|i| {
-        let ends = span(surface, cut_box, axes[i]).map(|d| d * per_unit[i] - 0.5);
+        let ends = span(surface, input, axes[i]).map(|d| d * per_unit[i] - 0.5);
         [ends[0].min(ends[1]).floor(), ends[0].max(ends[1]).ceil()]
     });
     let patches_at = |bits: u32| {

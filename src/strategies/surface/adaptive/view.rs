@@ -8,7 +8,7 @@
 use glam::{DVec2, DVec3};
 
 use crate::passes::Input;
-use crate::plan::pack::{BORDERS_OF_DOMAIN, Domain, Refinement};
+use crate::plan::pack::{BORDERS_OF_DOMAIN, Domain, Refinement, box_margin};
 use crate::scene::{PreparedSurface, View};
 
 /// The depths that occur are this many units: half of what i32 counts to.
@@ -78,7 +78,7 @@ fn depths(
         .map(|n| f64::from(n) * f64::from(1_u32 << (row.patch_bits + row.step_bits)));
     let tilt = surface.frame.normal.dot(view.forward);
     let nearest = (heights.map(|h| -h * tilt).into_iter()).fold(f64::INFINITY, f64::min);
-    let first = (corner - view.eye).dot(view.forward) + nearest;
+    let first = view.depth_of(corner) + nearest;
     // Of all that is added up on the way, boxes around middles included, which reach beyond the domain.
     let greatest = first.abs()
         + 3.0 * (steps[0] * x.abs() + steps[1] * y.abs())
@@ -106,9 +106,10 @@ fn borders(
     let view = input.view;
     let cut_box = &input.relevance.cut_box;
     let mut planes: Vec<(DVec3, f64)> = sides_of_view(view).to_vec();
+    let beyond = box_margin(view, cut_box);
     for axis in [DVec3::X, DVec3::Y, DVec3::Z] {
-        planes.push((axis, -cut_box.min.dot(axis)));
-        planes.push((-axis, cut_box.max.dot(axis)));
+        planes.push((axis, beyond - cut_box.min.dot(axis)));
+        planes.push((-axis, beyond + cut_box.max.dot(axis)));
     }
     let [corner, step_x, step_y] = [row.corner, row.step_x, row.step_y].map(vector);
     let mut borders = [[0.0; 4]; BORDERS_OF_DOMAIN];
