@@ -200,10 +200,8 @@ impl Session {
     fn asked(&self, mut method: Method) -> Method {
         let wide_atomics = self.gpu.limits().wide_atomics;
         method.means.wide_atomics.get_or_insert(wide_atomics);
-        if method.means.rasteriser.unwrap_or_default() == Rasteriser::Hardware {
-            let measured = self.gpu.report().sub_pixel_bits;
-            method.means.sub_pixel_bits = method.means.sub_pixel_bits.or(measured);
-        }
+        let measured = self.gpu.report().sub_pixel_bits;
+        method.means.sub_pixel_bits = method.means.sub_pixel_bits.or(measured);
         method
     }
 
@@ -238,9 +236,13 @@ impl Session {
         Ok(self.first_band(method)?.program.plan())
     }
 
-    /// How exactly triangles are placed in frames by a method: by the adapter where its rasteriser draws them.
-    pub fn precision(&self, method: impl Into<Method>) -> Precision {
-        self.asked(method.into()).means.precision()
+    /// How exactly triangles were placed in the last frame by a method: by the adapter where its rasteriser drew some, be they only caps.
+    pub fn precision(&self, method: impl Into<Method>) -> Result<Precision> {
+        let method = method.into();
+        Ok(match self.plan(method)?.draws_triangles() {
+            true => self.asked(method).means.precision(),
+            false => Precision::USUAL,
+        })
     }
 
     /// In how many bands the last frame by a method was drawn.

@@ -34,6 +34,9 @@ struct Domain {
     padding: vec2<u32>,
 }
 
+// Texels of half the side of a patch, at most, as a power of two.
+const MOST_HALF_BITS: u32 = 5u;
+
 struct Domains {
     surfaces: array<Domain, 32>,
 }

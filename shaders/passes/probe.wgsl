@@ -4,6 +4,7 @@
 #import cutaway::crossings::{head_of, depth_at, listed, surface_at}
 #import cutaway::cuts::{is_removed, parts}
 #import cutaway::frame::{frame, Ray, centre_of, pixel_index, ray_through}
+#import cutaway::lanes::MOST_LANES
 #import cutaway::reduced::{doubt, toggle, toggle_bit}
 #import cutaway::volume::probe
 
@@ -30,7 +31,7 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
     let head = head_of(id.xy);
     let crossings = listed(head.x);
     let ray = ray_through(centre_of(id.xy));
-    for (var place = first_place; place < end_place; place++) {
+    for (var place = first_place; place < min(end_place, MOST_LANES); place++) {
         let part = parts[place];
         let cuts = part.cuts;
         var bits = 0u;

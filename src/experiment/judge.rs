@@ -235,7 +235,7 @@ fn draw_by(
         }
     };
     let precision = match (&layers, renderer.or(question.means)) {
-        (Some(_), Renderer::Method(method)) => session.precision(method),
+        (Some(_), Renderer::Method(method)) => session.precision(method)?,
         _ => Precision::USUAL,
     };
     let exact = truth.at(precision);

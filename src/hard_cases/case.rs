@@ -6,7 +6,7 @@
 use super::expected::Expected::{
     self, Band, Doubted, Exact, Fails, Listed, Marked, Refuses, RefusesSome, Share,
 };
-use super::{Judged, failures};
+use super::{Judged, coarse, failures};
 use crate::scene::{Scene, glob_matches};
 use crate::strategies::{Method, Obstacle, Strategy};
 
@@ -89,6 +89,15 @@ impl Case {
         }
     }
 
+    /// The same, of an adapter that may have fewer sub-pixel bits than 8.
+    pub fn expected_on(&self, method: &Method, is_coarse: bool) -> Expected {
+        let usual = self.expected(method);
+        match is_coarse {
+            true => coarse::expected(self.name, method, usual),
+            false => usual,
+        }
+    }
+
     fn declared(&self, method: &Method) -> Expected {
         let name = method.to_string();
         let apart = self
@@ -135,7 +144,7 @@ impl Case {
         judged: &Judged,
         method: &Method,
     ) -> Option<String> {
-        let expected = self.expected(method);
+        let expected = self.expected_on(method, judged.precision.is_coarse());
         let fault = expected.fault(question, judged, method);
         fault.or_else(|| match expected {
             Exact => self.keeps.fault(judged),

@@ -163,7 +163,7 @@ fn reached(
         session.forget();
     }
     let describe = |(method, tally): (Method, Tally)| {
-        let expected = case.expected(&method);
+        let expected = case.expected_on(&method, tally.is_coarse);
         Reached {
             strategy: method.to_string(),
             expected: expected.to_string(),

@@ -13,6 +13,7 @@ mod band;
 pub mod bumps;
 mod case;
 mod cases;
+mod coarse;
 mod expected;
 mod failures;
 mod found;

@@ -76,7 +76,7 @@ impl Question {
     /// Judges the last frame by a method, which ended so.
     pub fn judge(&self, session: &Session, method: Method, outcome: Outcome) -> Result<Judged> {
         let layers = session.layers(method)?;
-        let precision = session.precision(method);
+        let precision = session.precision(method)?;
         let exact = self.exact.at(precision);
         let scale = self.model.prepared.scale;
         Ok(Judged {

@@ -210,6 +210,14 @@ impl Plan {
             .map(ResourceId)
     }
 
+    /// Whether the adapter's rasteriser draws triangles whose edges are seen: any but the one that covers the picture.
+    pub fn draws_triangles(&self) -> bool {
+        self.passes.iter().any(|pass| match &pass.work {
+            Work::Draw { draws, .. } => draws.iter().any(|d| *d != Draw::full_screen(d.instance)),
+            Work::Compute { .. } | Work::ComputeIndirect { .. } => false,
+        })
+    }
+
     /// The plan less the resources that nothing of it mentions, be it a pass, a step of the CPU or what the frame ends with: what is
     /// uploaded for any pass that may want it is not there where none does.
     #[must_use]

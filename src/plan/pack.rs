@@ -67,7 +67,9 @@ mod sprite;
 mod style;
 
 pub use pose::{BEND, Deformer, INFLATE, MOST_DEFORMERS, Pose, TWIST, WAVE};
-pub use refinement::{BORDERS_OF_DOMAIN, Domain, Refinement, SHARED};
+pub use refinement::{
+    BORDERS_OF_DOMAIN, Domain, MOST_HALF_BITS, MOST_OWN_HALVINGS, MOST_VISITS, Refinement, SHARED,
+};
 
 shared! {
     /// A clip-surface as functions of a point: `shaders/lib/cuts.wgsl`.

@@ -1,11 +1,12 @@
 //! The most rounds of a loop, read off its bound: whether that is a number which neither mesh nor picture can raise.
 //!
 //! Drivers end loops that run long: llvmpipe after 65,535 rounds of all loops of an invocation together, cards by a watchdog. So a bound that
-//! comes from data is cut off by a constant: `min(count, MOST)`. Followed are literals, constants, overrides (which a plan sets), arithmetic
-//! of them, `min` and `clamp`, masks, shifts and remainders, local variables by all that is stored to them, arguments by all calls, and
-//! results of functions of the shader. Anything else, a word of a buffer above all, has no known bound.
+//! comes from data is cut off by a constant: `min(count, MOST)`. So is an override, which a plan sets by data: one of 2^24 rounds was.
+//! Followed are literals, constants, arithmetic of them, `min` and `clamp`, masks, shifts and remainders, local variables by all that is
+//! stored to them, arguments by all calls, and results of functions of the shader. Anything else, a word of a buffer above all, has no
+//! known bound.
 //!
-//! Limits: the product over nested loops is not formed, and what an override is set to is the plan's affair.
+//! Limits: the product over nested loops is not formed.
 
 use super::loops::{children, loaded, local};
 use naga::{
@@ -62,10 +63,7 @@ impl Place<'_> {
         }
         let limited = |e| self.limited(e, depth + 1);
         match self.function.expressions[expression] {
-            Expression::Literal(_)
-            | Expression::Constant(_)
-            | Expression::Override(_)
-            | Expression::ZeroValue(_) => true,
+            Expression::Literal(_) | Expression::Constant(_) | Expression::ZeroValue(_) => true,
             Expression::Compose { ref components, .. } => components.iter().all(|c| limited(*c)),
             Expression::Splat { value, .. } => limited(value),
             Expression::Swizzle { vector, .. } => limited(vector),
@@ -211,10 +209,7 @@ impl Place<'_> {
         }
         let high = |e| self.is_high(e, depth + 1);
         match self.function.expressions[expression] {
-            Expression::Literal(_)
-            | Expression::Constant(_)
-            | Expression::Override(_)
-            | Expression::ZeroValue(_) => true,
+            Expression::Literal(_) | Expression::Constant(_) | Expression::ZeroValue(_) => true,
             Expression::Unary { expr, .. } => self.limited(expr, depth + 1),
             Expression::As { kind, expr, .. } => {
                 kind == ScalarKind::Uint || high(expr) || self.is_unsigned(expr)

@@ -71,13 +71,11 @@ impl Means {
         }
     }
 
-    /// How triangles are placed in the picture.
+    /// How the GPU's own rasteriser places triangles: it draws caps also where the compute rasteriser draws the mesh.
     pub(crate) fn precision(&self) -> Precision {
-        let slopes_in_f32 = self.rasteriser.unwrap_or_default() == Rasteriser::Hardware;
-        let of_adapter = self.sub_pixel_bits.filter(|_| slopes_in_f32);
         Precision {
-            sub_pixel_bits: of_adapter.unwrap_or(Precision::USUAL.sub_pixel_bits),
-            slopes_in_f32,
+            sub_pixel_bits: (self.sub_pixel_bits).unwrap_or(Precision::USUAL.sub_pixel_bits),
+            slopes_in_f32: true,
         }
     }
 

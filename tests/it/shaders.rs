@@ -471,6 +471,10 @@ fn constants_have_one_value_on_both_sides() {
         // Cells that a workgroup looks at along a side: known to the shader alone.
         ("ROW", 22),
         ("SHARED", pack::SHARED),
+        ("MOST_VISITS", pack::MOST_VISITS),
+        ("MOST_HALF_BITS", pack::MOST_HALF_BITS),
+        // No count: known to the shader alone.
+        ("TOO_MANY", 1 << 20),
         ("NEED_OF_SHEETS", NEED_OF_SHEETS),
         // What ends a list of sheet fragments: known to the shaders alone.
         ("ENDS", u32::MAX),
@@ -516,6 +520,7 @@ fn constants_have_one_value_on_both_sides() {
         ("MOST_FRAGMENTS", 4096),
         ("MOST_SHEET_FRAGMENTS", 240),
         ("MOST_SLOTS", 32),
+        ("MOST_TESSELLATED", MAX_SURFACES as u32),
         ("MOST_LAYERS", 256),
         ("MOST_TARGETS", 4096),
         ("MOST_JOINTS", 1024),
@@ -823,7 +828,8 @@ fn loops_that_grow_with_data_are_found() {
     let filling = "fn fill(count: u32) { for (var i = 0u; i < count; i++) { words[i] = i; } }";
     for (limited, body) in [
         (true, "for (var i = 0u; i < min(words[0], MOST); i++) { }"),
-        (true, "for (var i = 0u; i < most; i++) { }"),
+        (true, "for (var i = 0u; i < min(most, MOST); i++) { }"),
+        (false, "for (var i = 0u; i < most; i++) { }"),
         (
             true,
             "let n = count_of(words[0]) / 2u; for (var i = 0u; i < n; i++) { }",

@@ -5,6 +5,8 @@
 
 // How far from what is shown something may be drawn, in tiles.
 override reach: i32 = 1;
+// Tiles: strokes reach `MOST_REACH_PX`.
+const MOST_REACH: i32 = 8;
 // The rows of pixels that the picture keeps, and those around them that effects read from each other.
 override first_row: u32 = 0u;
 override end_row: u32 = 0xffffffffu;
@@ -13,8 +15,9 @@ fn is_beside_shown(tile: u32) -> bool {
     let place = vec2<i32>(place_of(tile));
     let last = vec2<i32>(i32(tiles_of_row()), i32(tile_count() / tiles_of_row())) - 1;
     var shown = 0u;
-    for (var y = -reach; y <= reach; y++) {
-        for (var x = -reach; x <= reach; x++) {
+    let around = min(reach, MOST_REACH);
+    for (var y = -around; y <= around; y++) {
+        for (var x = -around; x <= around; x++) {
             let near = clamp(place + vec2<i32>(x, y), vec2<i32>(0), last);
             shown |= effect_tiles.tiles[tile_at(vec2<u32>(near))].is_shown;
         }

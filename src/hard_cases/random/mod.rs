@@ -77,9 +77,7 @@ pub fn search(
         for (method, drawn) in methods.iter().zip(&mut searched.drawn) {
             let strategy = method.to_string();
             let by_it = searched.findings.iter().filter(|f| f.strategy == strategy);
-            // Adaptive marks all of a large picture whose eye is in a solid: known, and not mended.
-            let is_known = recipe.first_row.is_some() && method.strategy.is_tessellated();
-            if by_it.count() == MOST_FINDINGS || is_known {
+            if by_it.count() == MOST_FINDINGS {
                 continue;
             }
             if !goes_on() {

@@ -6,8 +6,14 @@ use super::Layout;
 
 /// Borders that triangles are held against: the near plane, the sides of the picture, the faces of the box of the cut solids.
 pub const BORDERS_OF_DOMAIN: usize = 11;
-/// Halvings that the invocations of a workgroup share: `shaders/strategies/surface/adaptive/refine.wgsl`.
+/// Texels of half the side of a patch, at most, as a power of two: `shaders/lib/domain.wgsl`.
+pub const MOST_HALF_BITS: u32 = 5;
+/// Halvings that the invocations of a workgroup share: `shaders/lib/patch_triangles.wgsl`.
 pub const SHARED: u32 = 5;
+/// Halvings of its own triangle that an invocation has time for.
+pub const MOST_OWN_HALVINGS: u32 = 10;
+/// Triangles that it then looks at, and the way there: `shaders/lib/patch_triangles.wgsl`.
+pub const MOST_VISITS: u32 = (2 << MOST_OWN_HALVINGS) + 32;
 
 shared! {
     /// The part of a clip-surface that is tessellated: `shaders/lib/domain.wgsl`.

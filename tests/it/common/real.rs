@@ -8,6 +8,9 @@ use cutaway::scene::{Cut, Scene, Topology};
 
 use super::data::data;
 
+/// Extensions of what is no mesh.
+const OTHERS: [&str; 3] = ["md", "step", "stp"];
+
 /// The mesh files of some folders, in order.
 pub(crate) fn files(folders: &[&str]) -> Vec<PathBuf> {
     let Some(data) = data() else {
@@ -17,6 +20,12 @@ pub(crate) fn files(folders: &[&str]) -> Vec<PathBuf> {
         .iter()
         .flat_map(|f| std::fs::read_dir(data.join(f)).expect("a folder of meshes"))
         .map(|entry| entry.expect("an entry of it").path())
+        // Meshes lie beside their sources and notes.
+        .filter(|file| {
+            !file
+                .extension()
+                .is_some_and(|e| OTHERS.iter().any(|o| e == *o))
+        })
         .collect();
     files.sort();
     assert!(!files.is_empty(), "the folders hold meshes");

@@ -41,7 +41,7 @@ fn run<'a>(cases: impl Iterator<Item = &'a Case>) -> Vec<String> {
             session().forget();
         }
         for (method, tally) in tallies {
-            let expected = case.expected(&method);
+            let expected = case.expected_on(&method, tally.is_coarse);
             let place = format!("{} {}: {method}", case.id, case.name);
             println!("{place}: {expected}: {}", tally.describe(&expected));
             let of_it = tally.faults_of(&expected);

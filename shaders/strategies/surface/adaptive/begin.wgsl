@@ -1,6 +1,7 @@
-// Sets the number of triangles of every tessellated clip-surface to zero. One invocation owns one of them.
+// Sets the number of triangles and that of deep patches of every tessellated clip-surface to zero. One invocation owns one of them.
 
 @group(0) @binding(0) var<storage, read_write> arguments: array<u32>;
+@group(1) @binding(14) var<storage, read_write> deep_arguments: array<u32>;
 
 // How many there are, and the triangles that there is room for in each.
 override count: u32 = 1u;
@@ -17,4 +18,7 @@ fn main(@builtin(local_invocation_index) slot: u32) {
     arguments[first + 2u] = 3u * capacity * slot;
     arguments[first + 3u] = 0u;
     arguments[first + 4u] = 0u;
+    deep_arguments[3u * slot] = 0u;
+    deep_arguments[3u * slot + 1u] = 1u;
+    deep_arguments[3u * slot + 2u] = 1u;
 }

@@ -2,7 +2,7 @@
 // hypotenuse; and no less than those of the squares half as large around it. One invocation owns one edge.
 
 #import cutaway::deviation::{Chord, bulge, deviation}
-#import cutaway::domain::{domain_texels, domains, is_in_domain, texel_height}
+#import cutaway::domain::{MOST_HALF_BITS, domain_texels, domains, is_in_domain, texel_height}
 
 @group(1) @binding(10) var<storage, read_write> sheet_errors: array<f32>;
 
@@ -13,7 +13,7 @@ override half_bits: u32 = 0u;
 
 // The greatest deviation in the triangle that spans from the edge to an apex, both in texels from its middle.
 fn error_towards(middle: vec2<i32>, along: vec2<i32>, across: vec2<i32>) -> f32 {
-    let reach = 1i << half_bits;
+    let reach = 1i << min(half_bits, MOST_HALF_BITS);
     let apex = middle + reach * across;
     if !is_in_domain(surface, apex) {
         return 0.0;

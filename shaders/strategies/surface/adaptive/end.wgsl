@@ -8,13 +8,15 @@
 override count: u32 = 1u;
 override capacity: u32 = 1u;
 
+// Clip-surfaces of a scene.
+const MOST_TESSELLATED: u32 = 32u;
 // Word of the need buffer.
 const NEED_OF_TRIANGLES: u32 = 4u;
 
 @compute @workgroup_size(1)
 fn main() {
     var most = 0u;
-    for (var slot = 0u; slot < count; slot++) {
+    for (var slot = 0u; slot < min(count, MOST_TESSELLATED); slot++) {
         let made = arguments[5u * slot];
         most = max(most, made);
         arguments[5u * slot] = 3u * min(made, capacity);

@@ -2,7 +2,7 @@
 // than those of its edges. One invocation owns one square.
 
 #import cutaway::deviation::{Chord, bulge, deviation}
-#import cutaway::domain::{domain_texels, domains, texel_height}
+#import cutaway::domain::{MOST_HALF_BITS, domain_texels, domains, texel_height}
 
 @group(1) @binding(10) var<storage, read_write> sheet_errors: array<f32>;
 
@@ -13,7 +13,7 @@ override half_bits: u32 = 0u;
 
 // The greatest deviation in the triangle at a corner of the square, the other corners of which lie towards x and y.
 fn error_from(apex: vec2<i32>, towards: vec2<i32>) -> f32 {
-    let side = 2i << half_bits;
+    let side = 2i << min(half_bits, MOST_HALF_BITS);
     let height = texel_height(surface, apex);
     let x = texel_height(surface, apex + vec2<i32>(side * towards.x, 0));
     let y = texel_height(surface, apex + vec2<i32>(0, side * towards.y));

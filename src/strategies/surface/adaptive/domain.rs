@@ -10,13 +10,13 @@ use glam::DVec3;
 
 use super::super::tessellation::beyond_box;
 use crate::passes::Input;
-use crate::plan::pack::Domain;
+use crate::plan::pack::{Domain, MOST_HALF_BITS};
 use crate::scene::PreparedSurface;
 
 /// Patches that are enough.
 const ENOUGH_PATCHES: u64 = 1024;
 /// Texels along a patch: powers of two in this range.
-const PATCH_BITS: std::ops::RangeInclusive<u32> = 1..=6;
+const PATCH_BITS: std::ops::RangeInclusive<u32> = 1..=MOST_HALF_BITS + 1;
 /// Halvings of a texel: at least, and at most.
 const STEP_BITS: std::ops::RangeInclusive<u32> = 3..=8;
 /// Steps along a side that 16 bits can tell apart.

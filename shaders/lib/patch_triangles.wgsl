@@ -1,0 +1,133 @@
+// The triangles of a patch, for one view, shared among invocations: each has one of the triangles that the two of the patch would be
+// halved into so many times over, with all that comes of it; a triangle that is not halved so often belongs to the first of those
+// within it. Nothing is stored on the way: a triangle is its vertices and the turns that led to it, and so are its neighbours. Bound as
+// @group(1) @binding(11), (12).
+//
+// Everything is walked through twice: to count, and to write once the workgroup has taken its place in the index buffer. A walk of more
+// than MOST_VISITS triangles is not made: drivers end invocations that run for long, or lose them, and others wait for them.
+
+#define_import_path cutaway::patch_triangles
+
+#import cutaway::bisection::{Triangle, half_of, root_of, whole_of}
+#import cutaway::domain::domains
+#import cutaway::refinement::{ALL_BORDERS, OUTSIDE, borders_across, is_halved, refinements}
+
+@group(1) @binding(11) var<storage, read_write> triangles: array<u32>;
+@group(1) @binding(12) var<storage, read_write> arguments: array<atomic<u32>>;
+
+// What an invocation has of a patch.
+struct Share {
+    // Index of the clip-surface in the table, and number among those that are tessellated.
+    surface: u32,
+    slot: u32,
+    patch_at: vec2<i32>,
+    // Halvings until each has a triangle of its own, and its number among all that share the patch.
+    shared_halvings: u32,
+    number: u32,
+}
+
+// Halvings until each of the 64 invocations of one workgroup has a triangle of its own. What is not seen is looked for so far.
+const SHARED: u32 = 5u;
+// Triangles that an invocation looks at, at most: one that is halved ten times over, and the way there, of 32 at most.
+const MOST_VISITS: u32 = 2080u;
+// A count that is not one: the walk would be longer. That of a workgroup, of 64, is less otherwise.
+const TOO_MANY: u32 = 1u << 20u;
+
+var<workgroup> counts: array<u32, 64>;
+var<workgroup> place: u32;
+
+fn packed(at: vec2<i32>) -> u32 {
+    return u32(at.x) | (u32(at.y) << 16u);
+}
+
+fn write(share: Share, at: u32, triangle: Triangle) {
+    let capacity = refinements.surfaces[share.surface].capacity;
+    if at >= capacity {
+        return;
+    }
+    let first = 3u * (capacity * share.slot + at);
+    let is_mirrored = domains.surfaces[share.surface].mirrored != 0u;
+    triangles[first] = packed(triangle.apex);
+    triangles[first + 1u] = packed(select(triangle.a, triangle.b, is_mirrored));
+    triangles[first + 2u] = packed(select(triangle.b, triangle.a, is_mirrored));
+}
+
+// Goes through the triangles of a share; how many there are, or TOO_MANY. They are written from a place on, unless they are only counted.
+fn walk(share: Share, at: u32, writes: bool) -> u32 {
+    let surface = share.surface;
+    let shared_halvings = share.shared_halvings;
+    let size = 1i << (domains.surfaces[surface].patch_bits + domains.surfaces[surface].step_bits);
+    var triangle = root_of(share.patch_at, (share.number >> shared_halvings) == 1u, size);
+    var depth = 0u;
+    // Those of the view and of the box that lie across.
+    var borders = ALL_BORDERS;
+    // Turns since the triangle of this invocation, the last in the lowest bit.
+    var turns = 0u;
+    var found = 0u;
+    for (var visit = 0u; visit < MOST_VISITS; visit++) {
+        if depth <= SHARED {
+            borders = borders_across(surface, triangle, borders);
+            if borders == OUTSIDE {
+                return found;
+            }
+        }
+        if is_halved(surface, triangle, depth) {
+            var second = false;
+            if depth < shared_halvings {
+                second = ((share.number >> (shared_halvings - 1u - depth)) & 1u) == 1u;
+            } else {
+                turns = turns << 1u;
+            }
+            triangle = half_of(triangle, second);
+            depth++;
+            continue;
+        }
+        let others = (1u << (shared_halvings - min(depth, shared_halvings))) - 1u;
+        if (share.number & others) == 0u {
+            if writes {
+                write(share, at + found, triangle);
+            }
+            found++;
+        }
+        // On to the next: up past second halves, and from the first half to the second.
+        for (var up = 0u; up < 32u && depth > shared_halvings && (turns & 1u) == 1u; up++) {
+            triangle = whole_of(triangle, true);
+            turns = turns >> 1u;
+            depth--;
+        }
+        if depth <= shared_halvings {
+            return found;
+        }
+        triangle = half_of(whole_of(triangle, false), true);
+        turns |= 1u;
+    }
+    return TOO_MANY;
+}
+
+// Writes the triangles of a workgroup, with all invocations at once; whether that can be done, which all of them find alike.
+fn write_shares(share: Share, local: u32) -> bool {
+    let own = walk(share, 0u, false);
+    counts[local] = own;
+    workgroupBarrier();
+    // Sums of doubling reach (Hillis & Steele 1986).
+    for (var round = 0u; round < 6u; round++) {
+        let reach = 1u << round;
+        var sum = counts[local];
+        if local >= reach {
+            sum += counts[local - reach];
+        }
+        workgroupBarrier();
+        counts[local] = sum;
+        workgroupBarrier();
+    }
+    let all = counts[63];
+    let can = all < TOO_MANY;
+    if local == 63u && can && all > 0u {
+        place = atomicAdd(&arguments[5u * share.slot], all);
+    }
+    workgroupBarrier();
+    if can && own > 0u {
+        walk(share, place + counts[local] - own, true);
+    }
+    return can;
+}
