@@ -3,14 +3,14 @@
 // within it. Nothing is stored on the way: a triangle is its vertices and the turns that led to it, and so are its neighbours. Bound as
 // @group(1) @binding(11), (12).
 //
-// Everything is walked through twice: to count, and to write once the workgroup has taken its place in the index buffer. A walk of more
-// than MOST_VISITS triangles is not made: drivers end invocations that run for long, or lose them, and others wait for them.
+// Everything is walked through twice: to count, and to write once the workgroup has taken its place in the index buffer. A walk ends after
+// MOST_VISITS triangles, and then nothing of the workgroup is written: drivers end invocations that run for long, and others wait for them.
 
 #define_import_path cutaway::patch_triangles
 
 #import cutaway::bisection::{Triangle, half_of, root_of, whole_of}
 #import cutaway::domain::domains
-#import cutaway::refinement::{ALL_BORDERS, OUTSIDE, borders_across, is_halved, refinements}
+#import cutaway::refinement::{ALL_BORDERS, OUTSIDE, borders_across, greatest_depth, is_halved, refinements}
 
 @group(1) @binding(11) var<storage, read_write> triangles: array<u32>;
 @group(1) @binding(12) var<storage, read_write> arguments: array<atomic<u32>>;
@@ -28,13 +28,20 @@ struct Share {
 
 // Halvings until each of the 64 invocations of one workgroup has a triangle of its own. What is not seen is looked for so far.
 const SHARED: u32 = 5u;
-// Triangles that an invocation looks at, at most: one that is halved ten times over, and the way there, of 32 at most.
+// How often a triangle may be halved that one invocation has for itself.
+const MOST_OWN_HALVINGS: u32 = 10u;
+// Triangles in a walk, at most: all that come of so many halvings, and the way there, of 32 at most.
 const MOST_VISITS: u32 = 2080u;
-// A count that is not one: the walk would be longer. That of a workgroup, of 64, is less otherwise.
+// What a walk that was cut short returns: more than 64 whole walks find together.
 const TOO_MANY: u32 = 1u << 20u;
 
 var<workgroup> counts: array<u32, 64>;
 var<workgroup> place: u32;
+
+// Halvings by which a deep patch is shared, so that no walk of it is cut short.
+fn deep_halvings(surface: u32) -> u32 {
+    return max(greatest_depth(surface), SHARED + MOST_OWN_HALVINGS) - MOST_OWN_HALVINGS;
+}
 
 fn packed(at: vec2<i32>) -> u32 {
     return u32(at.x) | (u32(at.y) << 16u);
@@ -104,7 +111,7 @@ fn walk(share: Share, at: u32, writes: bool) -> u32 {
     return TOO_MANY;
 }
 
-// Writes the triangles of a workgroup, with all invocations at once; whether that can be done, which all of them find alike.
+// Writes the triangles of a workgroup; false, for all of its invocations alike, where a walk was cut short.
 fn write_shares(share: Share, local: u32) -> bool {
     let own = walk(share, 0u, false);
     counts[local] = own;

@@ -25,7 +25,9 @@ struct Refinement {
     error_per_depth: f32,
     // Triangles that there is room for.
     capacity: u32,
-    padding: vec2<u32>,
+    // Where its list of deep patches begins.
+    first_patch: u32,
+    padding: u32,
 }
 
 struct Refinements {

@@ -1,7 +1,7 @@
 //! The most rounds of a loop, read off its bound: whether that is a number which neither mesh nor picture can raise.
 //!
 //! Drivers end loops that run long: llvmpipe after 65,535 rounds of all loops of an invocation together, cards by a watchdog. So a bound that
-//! comes from data is cut off by a constant: `min(count, MOST)`. So is an override, which a plan sets by data: one of 2^24 rounds was.
+//! comes from data is cut off by a constant: `min(count, MOST)`. So is an override, which a plan sets: one once allowed 2^24 rounds.
 //! Followed are literals, constants, arithmetic of them, `min` and `clamp`, masks, shifts and remainders, local variables by all that is
 //! stored to them, arguments by all calls, and results of functions of the shader. Anything else, a word of a buffer above all, has no
 //! known bound.

@@ -472,6 +472,7 @@ fn constants_have_one_value_on_both_sides() {
         ("ROW", 22),
         ("SHARED", pack::SHARED),
         ("MOST_VISITS", pack::MOST_VISITS),
+        ("MOST_OWN_HALVINGS", pack::MOST_OWN_HALVINGS),
         ("MOST_HALF_BITS", pack::MOST_HALF_BITS),
         // No count: known to the shader alone.
         ("TOO_MANY", 1 << 20),
@@ -520,7 +521,6 @@ fn constants_have_one_value_on_both_sides() {
         ("MOST_FRAGMENTS", 4096),
         ("MOST_SHEET_FRAGMENTS", 240),
         ("MOST_SLOTS", 32),
-        ("MOST_TESSELLATED", MAX_SURFACES as u32),
         ("MOST_LAYERS", 256),
         ("MOST_TARGETS", 4096),
         ("MOST_JOINTS", 1024),

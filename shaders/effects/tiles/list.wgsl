@@ -1,12 +1,13 @@
 // Lists the tiles that are to be drawn. An invocation owns a tile. In which order they are listed is left to chance, and nothing hangs on it.
 
+#import cutaway::borders::MOST_REACH_PX
 #import cutaway::effect_tile_marks::effect_tiles
 #import cutaway::touched::{TILE_PX, place_of, tile_at, tile_count, tiles_of_row}
 
 // How far from what is shown something may be drawn, in tiles.
 override reach: i32 = 1;
-// Tiles: strokes reach `MOST_REACH_PX`.
-const MOST_REACH: i32 = 8;
+// Tiles that strokes reach, and one.
+const MOST_REACH: i32 = MOST_REACH_PX / i32(TILE_PX) + 1;
 // The rows of pixels that the picture keeps, and those around them that effects read from each other.
 override first_row: u32 = 0u;
 override end_row: u32 = 0xffffffffu;

@@ -10,9 +10,9 @@ pub const BORDERS_OF_DOMAIN: usize = 11;
 pub const MOST_HALF_BITS: u32 = 5;
 /// Halvings that the invocations of a workgroup share: `shaders/lib/patch_triangles.wgsl`.
 pub const SHARED: u32 = 5;
-/// Halvings of its own triangle that an invocation has time for.
+/// How often a triangle may be halved that one invocation has for itself: `shaders/lib/patch_triangles.wgsl`.
 pub const MOST_OWN_HALVINGS: u32 = 10;
-/// Triangles that it then looks at, and the way there: `shaders/lib/patch_triangles.wgsl`.
+/// Triangles in its walk, at most.
 pub const MOST_VISITS: u32 = (2 << MOST_OWN_HALVINGS) + 32;
 
 shared! {
@@ -81,7 +81,9 @@ shared! {
         error_per_depth: f32,
         /// Triangles that there is room for.
         capacity: u32,
+        /// Where its list of deep patches begins.
+        first_patch: u32,
         /// Unused.
-        padding: [u32; 2],
+        padding: u32,
     }
 }

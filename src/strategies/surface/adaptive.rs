@@ -7,8 +7,9 @@
 //! outside the picture or outside the box of the cut solids are left out: nobody asks about crossings there.
 //!
 //! Per cut: a texel is looked at once for each size of edge and of square, up to 13 times; 8 bytes per texel around the cut solids.
-//! Per frame: a workgroup per patch, and several where an invocation would look at more than 2,000 triangles; time in proportion to the
-//! triangles that come out; 12 bytes for each that there is room for. The device draws what it made: nothing is read back.
+//! Per frame: a workgroup per patch, and several where an invocation would walk through more than 2,000 triangles; time in proportion to the
+//! triangles that come out; 12 bytes for each that there is room for, and 4 for each patch. The device draws what it made: nothing is
+//! read back.
 //!
 //! Cannot: halve a texel more often than 16 bits can count, where a map has very many; an error of TAU asks for more only where a
 //! single texel is hundreds of pixels high. Keep what it measured where a relief moves across its texels, or the box of the solids that are
@@ -21,7 +22,7 @@ mod view;
 
 use super::tessellation::{Facets, Tessellation, rounding};
 use crate::passes::{NEED_OF_TRIANGLES, Refusal, SceneBuffers, need};
-use crate::plan::pack::{Domain, MAX_SURFACES, MOST_OWN_HALVINGS, Refinement, SHARED};
+use crate::plan::pack::{Domain, MAX_SURFACES, Refinement};
 use crate::plan::{
     ARGUMENT_BYTES, Arguments, Binding, Bounded, Capacities, Clock, Contents,
     DISPATCH_ARGUMENT_BYTES, INDEX_BYTES, Knob, Pass, Plan, Resource, ResourceId, Role, Shape,
@@ -93,7 +94,10 @@ fn tessellation(
         let errors = measure::record(plan, scene, &rows, &reliefs);
         let capacity = room(input.capacities, reliefs.len() as u32);
         let refinements: Vec<Refinement> = (rows.iter().enumerate())
-            .map(|(s, row)| view::refinement(input, s, row, tau_px, capacity))
+            .map(|(s, row)| Refinement {
+                first_patch: first_patch(&rows, s),
+                ..view::refinement(input, s, row, tau_px, capacity)
+            })
             .collect();
         let name = "refinements";
         side_bindings.push(table(plan, name, name, Clock::Frame, &refinements));
@@ -114,6 +118,14 @@ fn tessellation(
         beside: rounding(input),
         facets,
     })
+}
+
+/// The patches of the clip-surfaces before one, by its index in the table.
+fn first_patch(rows: &[Domain], index: usize) -> u32 {
+    rows[..index]
+        .iter()
+        .map(|row| row.patches[0] * row.patches[1])
+        .sum()
 }
 
 /// Triangles that each relief has room for: powers of two, so that a camera that moves seldom asks for another buffer.
@@ -173,11 +185,7 @@ impl Reliefs<'_> {
         let bytes = count * DISPATCH_ARGUMENT_BYTES;
         let deep_arguments = Resource::arguments("deep arguments", bytes, Clock::Frame);
         let deep_arguments = plan.add_resource(deep_arguments);
-        let patches = |surface: &u32| {
-            let [x, y] = self.rows[*surface as usize].patches;
-            x * y
-        };
-        let bytes = 4 * u64::from(self.surfaces.iter().map(patches).sum::<u32>());
+        let bytes = 4 * u64::from(first_patch(self.rows, self.rows.len()));
         let deep_patches = Resource::storage("deep patches", bytes, Clock::Frame);
         let deep_patches = plan.add_resource(deep_patches);
         let sizes = vec![("count", count as f64), ("capacity", f64::from(capacity))];
@@ -192,61 +200,40 @@ impl Reliefs<'_> {
             Work::once(),
         );
         plan.add_pass(begin.with_constants(sizes.clone()));
-        let mut first_patch = 0;
         for (slot, surface) in (0_u32..).zip(self.surfaces) {
             let row = &self.rows[*surface as usize];
-            let halvings = 2 * (row.patch_bits + row.step_bits);
-            let shared = halvings.saturating_sub(MOST_OWN_HALVINGS).max(SHARED);
-            let groups_of_patch = 1 << (shared - SHARED);
             let mut bindings = vec![
                 Binding::write("triangles", indices),
                 Binding::update("arguments", arguments),
             ];
             bindings.extend(read.iter().cloned());
-            let constants = vec![
-                ("surface", f64::from(*surface)),
-                ("slot", f64::from(slot)),
-                ("first_patch", f64::from(first_patch)),
-            ];
-            let mut refine = Pass::new(
+            let mut deep_bindings = bindings.clone();
+            bindings.push(Binding::write("deep_patches", deep_patches));
+            bindings.push(Binding::update("deep_arguments", deep_arguments));
+            deep_bindings.push(Binding::read("deep_patches", deep_patches));
+            let constants = vec![("surface", f64::from(*surface)), ("slot", f64::from(slot))];
+            let refine = Pass::new(
                 format!("triangles {slot}"),
                 "a relief as finely as the view asks for, where it is seen",
                 "strategies/surface/adaptive/refine.wgsl",
-                bindings.clone(),
+                bindings,
                 Work::Compute {
                     groups: [row.patches[0], row.patches[1], 1],
                 },
-            )
-            .with_constants(constants.clone());
-            refine
-                .bindings
-                .push(Binding::write("deep_patches", deep_patches));
-            refine
-                .bindings
-                .push(Binding::update("deep_arguments", deep_arguments));
-            refine
-                .constants
-                .push(("groups_of_patch", f64::from(groups_of_patch)));
-            plan.add_pass(refine);
-            if groups_of_patch > 1 {
-                bindings.push(Binding::read("deep_patches", deep_patches));
-                let mut deep = Pass::new(
-                    format!("deep triangles {slot}"),
-                    "patches of very many triangles, by several workgroups each",
-                    "strategies/surface/adaptive/refine_deep.wgsl",
-                    bindings,
-                    Work::ComputeIndirect {
-                        arguments: Arguments {
-                            resource: deep_arguments,
-                            offset: u64::from(slot) * DISPATCH_ARGUMENT_BYTES,
-                        },
-                    },
-                )
-                .with_constants(constants);
-                deep.constants.push(("shared_halvings", f64::from(shared)));
-                plan.add_pass(deep);
-            }
-            first_patch += patches(surface);
+            );
+            plan.add_pass(refine.with_constants(constants.clone()));
+            let groups = Arguments {
+                resource: deep_arguments,
+                offset: u64::from(slot) * DISPATCH_ARGUMENT_BYTES,
+            };
+            let deep = Pass::new(
+                format!("deep triangles {slot}"),
+                "patches of very many triangles, by several workgroups each",
+                "strategies/surface/adaptive/refine_deep.wgsl",
+                deep_bindings,
+                Work::ComputeIndirect { arguments: groups },
+            );
+            plan.add_pass(deep.with_constants(constants));
         }
         let need = need(plan, scene.input, Clock::Frame);
         let end = Pass::new(

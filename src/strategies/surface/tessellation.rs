@@ -20,7 +20,8 @@ const SURFACES_PER_PLACE: u32 = 32;
 /// How much farther than rays are followed beyond the box of the cut solids a tessellation reaches at least, in scene units.
 const BEYOND_RAYS: f64 = 1e-4;
 
-/// How much farther than the box of the cut solids a tessellation reaches at least, in scene units: rays are followed a little beyond it.
+/// How much farther than the box of the cut solids a tessellation reaches at least, in scene units: farther than rays are followed beyond
+/// a face of the box. Beyond its corners rays may go on, by more than vertices are moved.
 pub(super) fn beyond_box(view: &View) -> f64 {
     most_box_margin(view.precision) + BEYOND_RAYS
 }

@@ -1,6 +1,7 @@
 //! Triangles meet: those of the device are those that the rule gives, and every edge inside has two sides, whatever TAU and view.
 
 use cutaway::Model;
+use cutaway::hard_cases::random::recipe;
 use cutaway::scene::{Camera, Scene, View, Wrap};
 use cutaway::session::Session;
 use cutaway::strategies::Strategy;
@@ -50,23 +51,28 @@ fn the_device_makes_the_triangles_of_the_rule() {
             for _ in 0..4 {
                 let view = model.prepared.view_of(&somewhere(&mut numbers), [256, 192]);
                 let mut session = session();
-                most = most.max(as_ruled(&mut session, &model, &view, strategy));
+                most = most.max(as_ruled(&mut session, &model, &view, (strategy, 0)));
             }
         }
     }
     assert!(most > 20_000, "at most {most} triangles");
 }
 
-/// Holds the triangles of a frame to the rule; how many there are.
-fn as_ruled(session: &mut Session, model: &Model, view: &View, strategy: Strategy) -> usize {
+/// Holds the triangles of a clip-surface in a frame to the rule; how many there are.
+fn as_ruled(
+    session: &mut Session,
+    model: &Model,
+    view: &View,
+    (strategy, surface): (Strategy, usize),
+) -> usize {
     let outcome = session
         .draw(model, view, strategy)
         .expect("a frame")
         .outcome;
     let reason = outcome.reason().unwrap_or_default();
     assert!(!reason.contains("triangles"), "{strategy}: {reason}");
-    let mut sheet = Sheet::of(session, &strategy, 0);
-    let triangles = drawn(session, &strategy, 0);
+    let mut sheet = Sheet::of(session, &strategy, surface);
+    let triangles = drawn(session, &strategy, surface);
     let count = triangles.len();
     let found: std::collections::BTreeSet<Triangle> = triangles.iter().copied().collect();
     assert_eq!(found.len(), count, "no triangle twice");
@@ -109,11 +115,19 @@ fn patches_of_very_many_triangles_are_whole() {
         let eye = scene.bounds().centre() - frame.normal * lift;
         let camera = scenes::looking(eye, eye + frame.u_hat - frame.normal * 0.1, 45.0);
         let view = model.prepared.view_of(&camera, [256, 192]);
-        as_ruled(&mut session, &model, &view, strategy);
+        as_ruled(&mut session, &model, &view, (strategy, 0));
         let arguments = session.words(strategy, "deep arguments").expect("words");
         deep += arguments[0];
     }
     assert!(deep > 2, "{deep} deep patches");
+
+    // The second of two reliefs, in the scene that was found: its list begins behind that of the first.
+    let scene = recipe(20_130_701, 23).scene();
+    let model = Model::new(&scene);
+    let view = model.prepared.view([256, 192]);
+    as_ruled(&mut session, &model, &view, (strategy, 1));
+    let arguments = session.words(strategy, "deep arguments").expect("words");
+    assert!(arguments[3] > 0, "no deep patch");
 }
 
 #[test]

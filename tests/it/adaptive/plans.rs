@@ -9,7 +9,11 @@ use super::common::strategy;
 use super::{cut_ball, noise};
 
 fn plan() -> Plan {
-    let model = Model::new(&cut_ball(noise([24, 24], 1), 0.8, 0.1, Wrap::Repeat));
+    plan_of([24, 24])
+}
+
+fn plan_of(map_size: [u32; 2]) -> Plan {
+    let model = Model::new(&cut_ball(noise(map_size, 1), 0.8, 0.1, Wrap::Repeat));
     let view = model.prepared.view([64, 48]);
     strategies::plan(
         &model,
@@ -35,6 +39,15 @@ fn with_draws(plan: &mut Plan, change: impl Fn(&mut Vec<Draw>, &mut Vertices)) {
         {
             change(draws, vertices);
         }
+    }
+}
+
+#[test]
+fn plans_hold_whatever_the_shape_of_the_map() {
+    for map_size in [[24, 24], [2, 2], [2048, 2], [2, 2048], [1024, 1024]] {
+        let plan = plan_of(map_size);
+        plan.check(&Limits::CORE)
+            .unwrap_or_else(|e| panic!("{map_size:?}: {e}"));
     }
 }
 

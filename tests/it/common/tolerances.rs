@@ -50,8 +50,8 @@ pub(crate) const MILLION_TRIANGLES_PX: f64 = 2.0;
 /// Pixels that leak through slivers that vertices leave which round off an edge.
 pub(crate) const ROUNDED_SLIVERS_PX: f64 = 2.0;
 
-/// What is allowed in addition with fewer bits than 8: the bounds above were found with 8, and single samples are up to a quarter beyond
-/// what follows from them.
+/// What is allowed in addition with fewer bits than 8: the bounds above were found with 8, and single samples were found a quarter beyond
+/// what follows from them. Twice that is let pass.
 pub(crate) fn coarse_room() -> f64 {
     if holds_lower_bounds() { 1.0 } else { 1.5 }
 }

@@ -1,7 +1,8 @@
 // Makes the triangles of a clip-surface for one view. A workgroup owns a patch, which its 64 invocations share; one that would take an
 // invocation too long is put on a list, for `refine_deep.wgsl`.
 
-#import cutaway::patch_triangles::{SHARED, Share, write_shares}
+#import cutaway::patch_triangles::{SHARED, Share, deep_halvings, write_shares}
+#import cutaway::refinement::refinements
 
 // The patches of all clip-surfaces that take too long, and the workgroups that make them.
 @group(1) @binding(13) var<storage, read_write> deep_patches: array<u32>;
@@ -10,9 +11,6 @@
 // Index of the clip-surface in the table, and number among those that are tessellated.
 override surface: u32 = 0u;
 override slot: u32 = 0u;
-// First word of the list of this clip-surface, and workgroups for each of its patches.
-override first_patch: u32 = 0u;
-override groups_of_patch: u32 = 1u;
 
 @compute @workgroup_size(64)
 fn main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) invocation: u32) {
@@ -20,7 +18,7 @@ fn main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index
     let is_made = write_shares(share, invocation);
     if !is_made && invocation == 0u {
         let at = atomicAdd(&deep_arguments[3u * slot], 1u);
-        atomicStore(&deep_arguments[3u * slot + 1u], groups_of_patch);
-        deep_patches[first_patch + at] = group.x | (group.y << 16u);
+        atomicStore(&deep_arguments[3u * slot + 1u], 1u << (deep_halvings(surface) - SHARED));
+        deep_patches[refinements.surfaces[surface].first_patch + at] = group.x | (group.y << 16u);
     }
 }

@@ -1,21 +1,19 @@
 // Makes the triangles of patches that would take the invocations of one workgroup too long: as many workgroups own each as leave no
 // invocation more than it looks at.
 
-#import cutaway::patch_triangles::{Share, write_shares}
+#import cutaway::patch_triangles::{Share, deep_halvings, write_shares}
+#import cutaway::refinement::refinements
 
 @group(1) @binding(13) var<storage, read> deep_patches: array<u32>;
 
 // Index of the clip-surface in the table, and number among those that are tessellated.
 override surface: u32 = 0u;
 override slot: u32 = 0u;
-// First word of the list of this clip-surface, and halvings until every invocation has a triangle of its own.
-override first_patch: u32 = 0u;
-override shared_halvings: u32 = 5u;
 
 @compute @workgroup_size(64)
 fn main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) local: u32) {
-    let word = deep_patches[first_patch + group.x];
+    let word = deep_patches[refinements.surfaces[surface].first_patch + group.x];
     let patch_at = vec2<i32>(vec2<u32>(word & 0xffffu, word >> 16u));
-    let share = Share(surface, slot, patch_at, shared_halvings, group.y * 64u + local);
+    let share = Share(surface, slot, patch_at, deep_halvings(surface), group.y * 64u + local);
     write_shares(share, local);
 }
