@@ -102,8 +102,9 @@ pub struct Session {
 }
 
 impl Session {
-    /// A session on a device.
+    /// A session on a device. Measures its sub-pixel bits, as [`Gpu::report`] does, for a frame is not to wait for that.
     pub fn new(gpu: Gpu) -> Self {
+        gpu.report();
         Self {
             gpu,
             is_timed: false,

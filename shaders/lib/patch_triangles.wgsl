@@ -11,6 +11,7 @@
 #import cutaway::bisection::{Triangle, half_of, root_of, whole_of}
 #import cutaway::domain::domains
 #import cutaway::refinement::{ALL_BORDERS, OUTSIDE, borders_across, greatest_depth, is_halved, refinements}
+#import cutaway::sums::sums_before
 
 @group(1) @binding(11) var<storage, read_write> triangles: array<u32>;
 @group(1) @binding(12) var<storage, read_write> arguments: array<atomic<u32>>;
@@ -31,11 +32,10 @@ const SHARED: u32 = 5u;
 // How often a triangle may be halved that one invocation has for itself.
 const MOST_OWN_HALVINGS: u32 = 10u;
 // Triangles in a walk, at most: all that come of so many halvings, and the way there, of 32 at most.
-const MOST_VISITS: u32 = 2080u;
+const MOST_VISITS: u32 = (2u << MOST_OWN_HALVINGS) + 32u;
 // What a walk that was cut short returns: more than 64 whole walks find together.
 const TOO_MANY: u32 = 1u << 20u;
 
-var<workgroup> counts: array<u32, 64>;
 var<workgroup> place: u32;
 
 // Halvings by which a deep patch is shared, so that no walk of it is cut short.
@@ -114,27 +114,14 @@ fn walk(share: Share, at: u32, writes: bool) -> u32 {
 // Writes the triangles of a workgroup; false, for all of its invocations alike, where a walk was cut short.
 fn write_shares(share: Share, local: u32) -> bool {
     let own = walk(share, 0u, false);
-    counts[local] = own;
-    workgroupBarrier();
-    // Sums of doubling reach (Hillis & Steele 1986).
-    for (var round = 0u; round < 6u; round++) {
-        let reach = 1u << round;
-        var sum = counts[local];
-        if local >= reach {
-            sum += counts[local - reach];
-        }
-        workgroupBarrier();
-        counts[local] = sum;
-        workgroupBarrier();
-    }
-    let all = counts[63];
-    let can = all < TOO_MANY;
-    if local == 63u && can && all > 0u {
-        place = atomicAdd(&arguments[5u * share.slot], all);
+    let found = sums_before(own, local, SHARED + 1u);
+    let can = found.y < TOO_MANY;
+    if local == 0u && can && found.y > 0u {
+        place = atomicAdd(&arguments[5u * share.slot], found.y);
     }
     workgroupBarrier();
     if can && own > 0u {
-        walk(share, place + counts[local] - own, true);
+        walk(share, place + found.x, true);
     }
     return can;
 }

@@ -1,12 +1,16 @@
-// Exclusive sums over a block of words by one workgroup of 256: each invocation owns eight words in a row, and the sums of the
-// invocations are added up in eight rounds of doubling reach (Hillis & Steele 1986). Bound as @group(0) @binding(0).
+// Exclusive sums over a block of words by one workgroup of 256: each invocation owns eight words in a row.
+// Bound as @group(0) @binding(0).
 //
 // Sums are of u32 and wrap: who calls keeps the total below 2^32.
 
 #define_import_path cutaway::scan
 
+#import cutaway::sums::sums_before
+
 // Words of a block; `src/passes/scan.rs` counts blocks by it.
 const BLOCK_WORDS: u32 = 2048u;
+// Invocations of a workgroup, as a power of two.
+const ROUNDS: u32 = 8u;
 
 @group(0) @binding(0) var<storage, read_write> items: array<u32>;
 
@@ -19,7 +23,6 @@ struct Run {
 // In the place of a word: the length is known beforehand.
 const NOWHERE: u32 = 0xffffffffu;
 
-var<workgroup> reached: array<u32, 256>;
 var<workgroup> run_length: u32;
 
 // The run of `most` words from `first` on, or of as many of them as word `count_at` of the buffer gives. The same for a whole workgroup,
@@ -32,23 +35,6 @@ fn run_of(first: u32, most: u32, count_at: u32, invocation: u32) -> Run {
         }
     }
     return Run(first, workgroupUniformLoad(&run_length));
-}
-
-// The sum of the values of the invocations before this one, and of all.
-fn sums_before(value: u32, invocation: u32) -> vec2<u32> {
-    reached[invocation] = value;
-    workgroupBarrier();
-    for (var round = 0u; round < 8u; round++) {
-        let reach = 1u << round;
-        var sum = reached[invocation];
-        if invocation >= reach {
-            sum += reached[invocation - reach];
-        }
-        workgroupBarrier();
-        reached[invocation] = sum;
-        workgroupBarrier();
-    }
-    return vec2<u32>(reached[invocation] - value, reached[255]);
 }
 
 // The sum of this invocation's words of a block; words beyond the run do not count.
@@ -65,7 +51,7 @@ fn sum_of_own(block: u32, run: Run, invocation: u32) -> u32 {
 
 // Replaces each word of a block by `start` and the sum of the words before it in the block; returns the sum of the block.
 fn scan_block(block: u32, run: Run, start: u32, invocation: u32) -> u32 {
-    let sums = sums_before(sum_of_own(block, run, invocation), invocation);
+    let sums = sums_before(sum_of_own(block, run, invocation), invocation, ROUNDS);
     let first = block * BLOCK_WORDS + 8u * invocation;
     var sum = start + sums.x;
     for (var k = 0u; k < 8u; k++) {

@@ -67,9 +67,7 @@ mod sprite;
 mod style;
 
 pub use pose::{BEND, Deformer, INFLATE, MOST_DEFORMERS, Pose, TWIST, WAVE};
-pub use refinement::{
-    BORDERS_OF_DOMAIN, Domain, MOST_HALF_BITS, MOST_OWN_HALVINGS, MOST_VISITS, Refinement, SHARED,
-};
+pub use refinement::{BORDERS_OF_DOMAIN, Domain, MOST_HALF_BITS, Refinement};
 
 shared! {
     /// A clip-surface as functions of a point: `shaders/lib/cuts.wgsl`.

@@ -470,12 +470,14 @@ fn constants_have_one_value_on_both_sides() {
         ("BORDERS_OF_DOMAIN", pack::BORDERS_OF_DOMAIN as u32),
         // Cells that a workgroup looks at along a side: known to the shader alone.
         ("ROW", 22),
-        ("SHARED", pack::SHARED),
-        ("MOST_VISITS", pack::MOST_VISITS),
-        ("MOST_OWN_HALVINGS", pack::MOST_OWN_HALVINGS),
         ("MOST_HALF_BITS", pack::MOST_HALF_BITS),
-        // No count: known to the shader alone.
+        // How invocations share a patch: known to the shaders alone.
+        ("SHARED", 5),
+        ("MOST_OWN_HALVINGS", 10),
+        ("MOST_VISITS", 2080),
         ("TOO_MANY", 1 << 20),
+        // Of a workgroup that sums a block, which has 256 invocations.
+        ("ROUNDS", 8),
         ("NEED_OF_SHEETS", NEED_OF_SHEETS),
         // What ends a list of sheet fragments: known to the shaders alone.
         ("ENDS", u32::MAX),

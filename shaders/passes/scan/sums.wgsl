@@ -1,6 +1,7 @@
 // The sum of each block of words. A workgroup owns a block.
 
-#import cutaway::scan::{BLOCK_WORDS, run_of, sum_of_own, sums_before}
+#import cutaway::scan::{BLOCK_WORDS, ROUNDS, run_of, sum_of_own}
+#import cutaway::sums::sums_before
 
 override first: u32 = 0u;
 override length: u32 = 1u;
@@ -17,7 +18,7 @@ fn main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index
         }
         return;
     }
-    let all = sums_before(sum_of_own(group.x, run, invocation), invocation);
+    let all = sums_before(sum_of_own(group.x, run, invocation), invocation, ROUNDS);
     if invocation == 0u {
         sums[group.x] = all.y;
     }

@@ -8,12 +8,6 @@ use super::Layout;
 pub const BORDERS_OF_DOMAIN: usize = 11;
 /// Texels of half the side of a patch, at most, as a power of two: `shaders/lib/domain.wgsl`.
 pub const MOST_HALF_BITS: u32 = 5;
-/// Halvings that the invocations of a workgroup share: `shaders/lib/patch_triangles.wgsl`.
-pub const SHARED: u32 = 5;
-/// How often a triangle may be halved that one invocation has for itself: `shaders/lib/patch_triangles.wgsl`.
-pub const MOST_OWN_HALVINGS: u32 = 10;
-/// Triangles in its walk, at most.
-pub const MOST_VISITS: u32 = (2 << MOST_OWN_HALVINGS) + 32;
 
 shared! {
     /// The part of a clip-surface that is tessellated: `shaders/lib/domain.wgsl`.

@@ -9,7 +9,7 @@
 use crate::strategies::row::{Abilities, Answers, CapSurfaceRow, Caps, Facts, Parameter};
 use glam::DVec3;
 
-use super::tessellation::{Facets, Tessellation, beyond_box, rounding};
+use super::tessellation::{Facets, Tessellation, beyond_box, rounding, span};
 use crate::passes::{Input, SceneBuffers};
 use crate::plan::pack::Quad;
 use crate::plan::{Binding, Clock, Contents, Plan, Resource, Role};
@@ -92,13 +92,7 @@ fn quads(input: &Input<'_>, cells: u32) -> Vec<Quad> {
 /// The rectangle on the plane, along `U` and `V`, that covers the box of the cut solids.
 fn quad(surface: &PreparedSurface, input: &Input<'_>, cells: u32) -> Quad {
     let range = |axis: DVec3| {
-        let at = input
-            .relevance
-            .cut_box
-            .corners()
-            .map(|c| (c - surface.origin).dot(axis));
-        let low = at.iter().copied().fold(f64::INFINITY, f64::min);
-        let high = at.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let [low, high] = span(surface, input, axis);
         let margin = beyond_box(input.view) * (high - low).max(1.0);
         (low - margin, (high - low + 2.0 * margin) / f64::from(cells))
     };

@@ -7,11 +7,13 @@
 
 use std::ops::Range;
 
+use glam::DVec3;
+
 use super::{cutter, raycast};
 use crate::passes::{Crossings, Input, Refusal, SceneBuffers, SheetDraw, Sheets, Store};
 use crate::plan::pack::most_box_margin;
 use crate::plan::{Arguments, Binding, Draw, Plan, ResourceId, Vertices};
-use crate::scene::View;
+use crate::scene::{PreparedSurface, View};
 use crate::shader::Shader;
 
 /// Clip-surfaces per part in the number of an instance: `surface_of` and `place_of` in `shaders/lib/facets.wgsl`.
@@ -24,6 +26,15 @@ const BEYOND_RAYS: f64 = 1e-4;
 /// a face of the box. Beyond its corners rays may go on, by more than vertices are moved.
 pub(super) fn beyond_box(view: &View) -> f64 {
     most_box_margin(view.precision) + BEYOND_RAYS
+}
+
+/// What the box of the cut solids spans along an axis, from the origin of a clip-surface.
+pub(super) fn span(surface: &PreparedSurface, input: &Input<'_>, axis: DVec3) -> [f64; 2] {
+    let corners = input.relevance.cut_box.corners();
+    let at = corners.map(|c| (c - surface.origin).dot(axis));
+    let low = at.into_iter().fold(f64::INFINITY, f64::min);
+    let high = at.into_iter().fold(f64::NEG_INFINITY, f64::max);
+    [low, high]
 }
 
 /// Places along a pixel that rasterisers tell apart.

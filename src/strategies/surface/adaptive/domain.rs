@@ -8,7 +8,7 @@
 use crate::passes::Refusal;
 use glam::DVec3;
 
-use super::super::tessellation::beyond_box;
+use super::super::tessellation::{beyond_box, span};
 use crate::passes::Input;
 use crate::plan::pack::{Domain, MOST_HALF_BITS};
 use crate::scene::PreparedSurface;
@@ -60,23 +60,17 @@ pub(super) fn texels(row: &Domain) -> [u64; 2] {
     row.patches.map(|n| u64::from(n) << row.patch_bits)
 }
 
-/// What the box of the cut solids spans along an axis, from the origin of a clip-surface, with a margin.
-fn span(surface: &PreparedSurface, input: &Input<'_>, axis: DVec3) -> [f64; 2] {
+/// What a domain covers along an axis, from the origin of a clip-surface.
+fn covered(surface: &PreparedSurface, input: &Input<'_>, axis: DVec3) -> [f64; 2] {
     let margin = beyond_box(input.view);
-    let at = input
-        .relevance
-        .cut_box
-        .corners()
-        .map(|c| (c - surface.origin).dot(axis));
-    let low = at.iter().copied().fold(f64::INFINITY, f64::min);
-    let high = at.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let [low, high] = span(surface, input, axis);
     [low - margin, high + margin]
 }
 
 /// A plane is one patch of one step along each side.
 fn of_plane(surface: &PreparedSurface, input: &Input<'_>) -> Domain {
     let frame = &surface.frame;
-    let [u, v] = [frame.u_hat, frame.v_hat].map(|axis| span(surface, input, axis));
+    let [u, v] = [frame.u_hat, frame.v_hat].map(|axis| covered(surface, input, axis));
     let lift = -surface.flat_height().unwrap_or(0.0);
     let corner = surface.origin + frame.u_hat * u[0] + frame.v_hat * v[0] + frame.normal * lift;
     Domain {
@@ -103,7 +97,7 @@ fn of_relief(
     let axes = [surface.frame.u_hat, surface.frame.v_hat];
     // Texel centres are at integers.
     let at: [[f64; 2]; 2] = [0, 1].map(|i| {
-        let ends = span(surface, input, axes[i]).map(|d| d * per_unit[i] - 0.5);
+        let ends = covered(surface, input, axes[i]).map(|d| d * per_unit[i] - 0.5);
         [ends[0].min(ends[1]).floor(), ends[0].max(ends[1]).ceil()]
     });
     let patches_at = |bits: u32| {
