@@ -1,7 +1,8 @@
 //! `export`: what cuts leave of a model, and what they remove, as mesh files with their caps. Needs no adapter.
 //!
 //! Parts are cut in f64, in world space, in their poses; nothing is rounded but for the format of the file. The file of what is removed
-//! has the name of the other with `.removed` before its extension, as the material library of an OBJ file has `.mtl` behind its stem.
+//! has the name of the other with `.removed` before its extension, as the material library of an OBJ file has `.mtl` behind its stem, and an
+//! image of OBJ and PLY `.0.png`.
 //! All of them are written beside their places before the first takes its own ([`Results`]), and none where one of the places is a folder.
 
 mod facts;
@@ -28,7 +29,7 @@ use super::split::SplitArgs;
 use super::stdin::StdinArgs;
 use super::subject::{Subject, document};
 use super::when::TimeArgs;
-use crate::save::{Format, Solid, encoded, leaves_out, material_library, rounding};
+use crate::save::{Format, Solid, encoded, leaves_out, rounding};
 use crate::scene::weld::thousands;
 use crate::scene::{Fill, LengthUnit, Scene, doubts};
 use crate::slice::{CappedPart, Half, RELIEF_CELLS, capped_with};
@@ -73,7 +74,7 @@ pub(super) struct ExportArgs {
     defects: DefectArgs,
     #[command(flatten)]
     holes: HoleArgs,
-    /// What is left: .stl, .ply, .obj (with .mtl), .glb or .3mf
+    /// What is left: .stl, .ply, .obj (with .mtl), .glb or .3mf; images lie beside .ply and .obj
     #[arg(
         long,
         short,
@@ -120,8 +121,10 @@ pub(super) fn run(args: &ExportArgs) -> Result<Verdict> {
     args.when.amend(&mut document)?;
     let subject = Subject::open(document, None, Usual::default(), &args.edits, &console)?;
     subject.must_be_cut_by(&args.sections)?;
-    subject.save_beside(outputs.all(), &args.edits)?;
     let scene = &subject.scene;
+    let coats = scene.parts.iter().filter_map(|p| p.mesh.coat.as_ref());
+    let images = coats.map(|coat| coat.images.len()).sum();
+    subject.save_beside(outputs.with_images(images), &args.edits)?;
     if !scene.cuts.iter().any(|c| c.enabled) {
         let help = "add --section SPEC, for example --section z=50%";
         return Err(Error::input("export", "there is nothing to cut by", help));
@@ -183,9 +186,14 @@ struct MeshFile {
 }
 
 impl MeshFile {
-    /// The material library of an OBJ file.
-    fn library(&self) -> Option<PathBuf> {
-        (self.format == Format::Obj).then(|| self.path.with_extension("mtl"))
+    /// It and what may lie beside it, of solids with so many images.
+    fn all(&self, images: usize) -> impl Iterator<Item = PathBuf> {
+        let stem = self.path.file_stem().unwrap_or_default();
+        let beside = self.format.beside(&stem.to_string_lossy(), images);
+        let beside = beside
+            .into_iter()
+            .map(|name| self.path.with_file_name(name));
+        std::iter::once(self.path.clone()).chain(beside)
     }
 }
 
@@ -250,14 +258,16 @@ impl Outputs {
         Ok(outputs)
     }
 
-    /// All files, by the options that ask for them.
+    /// All files but images, by the options that ask for them.
     fn all(&self) -> Vec<(&'static str, PathBuf)> {
-        let mut all = vec![("--output", self.kept.path.clone())];
-        all.extend(self.kept.library().map(|path| ("--output", path)));
-        if let Some(removed) = &self.removed {
-            all.push(("--both", removed.path.clone()));
-            all.extend(removed.library().map(|path| ("--both", path)));
-        }
+        self.with_images(0)
+    }
+
+    /// All files of solids with so many images.
+    fn with_images(&self, images: usize) -> Vec<(&'static str, PathBuf)> {
+        let kept = self.kept.all(images).map(|path| ("--output", path));
+        let removed = self.removed.iter().flat_map(|file| file.all(images));
+        let mut all: Vec<_> = kept.chain(removed.map(|path| ("--both", path))).collect();
         all.extend(paths_of(&[("--json", self.json.as_ref())]));
         all
     }
@@ -310,15 +320,15 @@ impl Writer<'_> {
             ));
         }
         let stem = to.path.file_stem().unwrap_or_default().to_string_lossy();
-        let bytes = encoded(to.format, &solids, &stem, self.unit).map_err(|e| {
+        let encoded = encoded(to.format, &solids, &stem, self.unit).map_err(|e| {
             let help = "write .ply or .obj, which hold all digits and any size";
             Error::file(&to.path, e.to_string(), help)
         })?;
-        results.add(&Output::File(to.path.clone()), bytes)?;
-        match to.library() {
-            Some(path) => results.add(&Output::File(path), material_library(&solids)),
-            None => Ok(()),
+        results.add(&Output::File(to.path.clone()), encoded.file)?;
+        for (name, bytes) in encoded.beside {
+            results.add(&Output::File(to.path.with_file_name(name)), bytes)?;
         }
+        Ok(())
     }
 }
 

@@ -6,15 +6,13 @@
 //! translation readers hold in f64 or in f32: so its shape does not depend on where it stands.
 
 use std::collections::BTreeMap;
-use std::sync::Arc;
 
 use glam::{DVec3, Vec3};
-use image::codecs::png::PngEncoder;
-use image::{ExtendedColorType, ImageEncoder};
 use serde_json::{Value, json};
 
+use super::images::Images;
 use super::{Solid, Unwritable, rounded};
-use crate::scene::{Coat, Mesh, Texture, linear_from_srgb};
+use crate::scene::{Coat, Mesh, linear_from_srgb};
 
 const ARRAY_BUFFER: u32 = 34962;
 const ELEMENT_ARRAY_BUFFER: u32 = 34963;
@@ -30,15 +28,13 @@ struct Draft {
     materials: Vec<Value>,
     meshes: Vec<Value>,
     nodes: Vec<Value>,
-    images: Vec<Value>,
-    /// What `images` are of.
-    textures: Vec<Arc<Texture>>,
 }
 
 pub(super) fn encoded(solids: &[Solid<'_>]) -> Result<Vec<u8>, Unwritable> {
     let mut draft = Draft::default();
-    for solid in solids.iter().filter(|s| !s.mesh.triangles.is_empty()) {
-        draft.add(solid)?;
+    let images = Images::of(solids);
+    for (index, solid) in solids.iter().enumerate() {
+        draft.add(solid, groups(solid, index, &images));
     }
     let mut root = json!({
         "asset": { "version": "2.0", "generator": "cutaway" },
@@ -48,16 +44,18 @@ pub(super) fn encoded(solids: &[Solid<'_>]) -> Result<Vec<u8>, Unwritable> {
     if draft.nodes.is_empty() {
         return Err(Unwritable::Collapsed);
     }
+    if images.count() > 0 {
+        let textures = (0..images.count()).map(|i| json!({ "source": i }));
+        root["textures"] = textures.collect();
+        let views = images.pngs()?.into_iter().map(|png| draft.packed(&png));
+        let images = views.map(|view| json!({ "bufferView": view, "mimeType": "image/png" }));
+        root["images"] = images.collect();
+    }
     root["nodes"] = draft.nodes.into();
     root["meshes"] = draft.meshes.into();
     root["materials"] = draft.materials.into();
     root["accessors"] = draft.accessors.into();
     root["bufferViews"] = draft.views.into();
-    if !draft.images.is_empty() {
-        let textures = (0..draft.images.len()).map(|i| json!({ "source": i }));
-        root["textures"] = textures.collect();
-        root["images"] = draft.images.into();
-    }
     root["buffers"] = json!([{ "byteLength": draft.bytes.len() }]);
     let mut text = root.to_string().into_bytes();
     text.resize(text.len().next_multiple_of(4), b' ');
@@ -100,13 +98,14 @@ struct Group {
     triangles: Vec<usize>,
     /// Linear.
     color: [f32; 3],
-    image: Option<Arc<Texture>>,
+    /// The number of their image among all.
+    image: Option<usize>,
     /// Whether corners have colours or places in the image.
     is_coated: bool,
 }
 
-/// Faces by their images, then caps.
-fn groups(solid: &Solid<'_>) -> Vec<Group> {
+/// Faces of a solid, which is one of several, by their images, then caps.
+fn groups(solid: &Solid<'_>, index: usize, images: &Images) -> Vec<Group> {
     let linear = |color: Vec3| {
         color
             .to_array()
@@ -123,15 +122,18 @@ fn groups(solid: &Solid<'_>) -> Vec<Group> {
             is_coated: false,
         }),
         Some(coat) => {
-            let mut of_image: BTreeMap<Option<u32>, Vec<usize>> = BTreeMap::new();
-            for (t, triangle) in coat.triangles.iter().enumerate() {
-                of_image.entry(triangle.image).or_default().push(t);
+            let mut of_image: BTreeMap<Option<usize>, Vec<usize>> = BTreeMap::new();
+            for (t, face) in coat.triangles.iter().enumerate() {
+                of_image
+                    .entry(images.number(index, face))
+                    .or_default()
+                    .push(t);
             }
             groups.extend(of_image.into_iter().map(|(image, triangles)| Group {
                 name: solid.name.to_owned(),
                 triangles,
                 color: [1.0; 3],
-                image: image.map(|i| Arc::clone(&coat.images[i as usize])),
+                image,
                 is_coated: true,
             }));
         }
@@ -150,14 +152,14 @@ fn groups(solid: &Solid<'_>) -> Vec<Group> {
 type CoatedCorner = (u32, [u8; 4], [u32; 2]);
 
 impl Draft {
-    fn add(&mut self, solid: &Solid<'_>) -> Result<(), Unwritable> {
+    fn add(&mut self, solid: &Solid<'_>, groups: Vec<Group>) {
         let origin = origin(solid.mesh);
         let positions: Vec<Vec3> = (solid.mesh.positions.iter())
             .map(|p| (*p - origin).as_vec3())
             .collect();
         let mut shared = None;
         let mut primitives = Vec::new();
-        for mut group in groups(solid) {
+        for mut group in groups {
             let all = &solid.mesh.triangles;
             group
                 .triangles
@@ -178,13 +180,13 @@ impl Draft {
             let indices = self.accessor(json!({
                 "bufferView": view, "componentType": UNSIGNED_INT, "count": count, "type": "SCALAR",
             }));
-            let material = self.material(group)?;
+            let material = self.material(group);
             primitives.push(json!({
                 "attributes": attributes, "indices": indices, "material": material,
             }));
         }
         if primitives.is_empty() {
-            return Ok(());
+            return;
         }
         let mut node = json!({ "name": solid.name, "mesh": self.meshes.len() });
         if origin != DVec3::ZERO {
@@ -193,7 +195,6 @@ impl Draft {
         self.nodes.push(node);
         self.meshes
             .push(json!({ "name": solid.name, "primitives": primitives }));
-        Ok(())
     }
 
     /// The attributes of coated triangles, and their corners: a vertex for all that is unlike in one place.
@@ -266,44 +267,27 @@ impl Draft {
         self.accessors.len() - 1
     }
 
-    fn material(&mut self, group: Group) -> Result<usize, Unwritable> {
+    fn material(&mut self, group: Group) -> usize {
         let [r, g, b] = group.color;
         let mut surface = json!({
             "baseColorFactor": [r, g, b, 1.0], "metallicFactor": 0.0, "roughnessFactor": 0.8,
         });
-        if let Some(image) = &group.image {
-            surface["baseColorTexture"] = json!({ "index": self.image(image)? });
+        if let Some(image) = group.image {
+            surface["baseColorTexture"] = json!({ "index": image });
         }
         self.materials
             .push(json!({ "name": group.name, "pbrMetallicRoughness": surface }));
-        Ok(self.materials.len() - 1)
+        self.materials.len() - 1
     }
 
-    /// The number of an image as a PNG, which is also that of its texture.
-    fn image(&mut self, texture: &Arc<Texture>) -> Result<usize, Unwritable> {
-        let number = Texture::number_among(&mut self.textures, texture);
-        if number < self.images.len() {
-            return Ok(number);
-        }
-        let ([width, height], texels) = texture.level_on(0);
-        let texels = &texels[..width as usize * height as usize];
+    /// Puts bytes of any kind into the buffer.
+    fn packed(&mut self, bytes: &[u8]) -> usize {
         let offset = self.bytes.len();
-        PngEncoder::new(&mut self.bytes)
-            .write_image(
-                texels.as_flattened(),
-                width,
-                height,
-                ExtendedColorType::Rgba8,
-            )
-            .map_err(|e| Unwritable::Image(e.to_string()))?;
-        let length = self.bytes.len() - offset;
+        self.bytes.extend_from_slice(bytes);
         self.bytes.resize(self.bytes.len().next_multiple_of(4), 0);
-        let view = self.views.len();
         self.views
-            .push(json!({ "buffer": 0, "byteOffset": offset, "byteLength": length }));
-        self.images
-            .push(json!({ "bufferView": view, "mimeType": "image/png" }));
-        Ok(number)
+            .push(json!({ "buffer": 0, "byteOffset": offset, "byteLength": bytes.len() }));
+        self.views.len() - 1
     }
 
     /// Puts numbers of four bytes into the buffer.

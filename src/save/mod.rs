@@ -9,17 +9,18 @@
 //! | format | parts | names | colours | caps |
 //! |---|---|---|---|---|
 //! | STL | one after the other | no | no | no |
-//! | PLY | `part` of each face | comments | of each face, and of vertices where vertices have some | `cap` of each face |
-//! | OBJ | `o` | yes | MTL, and behind the coordinates of vertices that have some | a group `NAME_cap` with a material of its own |
+//! | PLY | `part` of each face | comments | of each face, of vertices where vertices have some, images | `cap` of each face |
+//! | OBJ | `o` | yes | MTL, images, and behind the coordinates of vertices that have some | a group `NAME_cap` with a material of its own |
 //! | GLB | nodes | yes | materials, vertices, images | a primitive with a material of its own |
-//! | 3MF | objects | yes | base materials, colours of corners | triangles with a base material of their own |
+//! | 3MF | objects | yes | base materials, colours of corners, images | triangles with a base material of their own |
 //!
 //! Where vertices have colours, GLB, PLY and OBJ have a vertex for each colour that corners have in one place: readers join them by their
-//! places. Images are left out but in GLB ([`leaves_out`]).
+//! places. Images are PNGs: within GLB and 3MF, beside PLY and OBJ. What a format does not hold, [`leaves_out`] says.
 //!
-//! Cost: one pass over the triangles, and the file in memory.
+//! Cost: one pass over the triangles, and the files in memory.
 
 mod glb;
+mod images;
 mod obj;
 mod painted;
 mod ply;
@@ -29,7 +30,7 @@ mod zip;
 
 use glam::{DVec3, Vec3};
 
-use crate::scene::{Coat, LengthUnit, Mesh, Part};
+use crate::scene::{Coat, CoatedTriangle, LengthUnit, Mesh, Part};
 use crate::slice::Half;
 
 /// A solid that is to be written.
@@ -62,10 +63,15 @@ impl<'a> Solid<'a> {
         }
     }
 
-    fn has_images(&self) -> bool {
-        self.coat
-            .as_ref()
-            .is_some_and(|coat| !coat.images.is_empty())
+    /// The colours and images of a face; none of a cap, nor where the solid has none.
+    fn face(&self, triangle: usize) -> Option<&CoatedTriangle> {
+        self.coat.as_ref()?.triangles.get(triangle)
+    }
+
+    /// Whether corners have colours of their own, which images are taken times.
+    fn has_colors(&self) -> bool {
+        let mut faces = self.coat.iter().flat_map(|coat| &coat.triangles);
+        faces.any(CoatedTriangle::has_colors)
     }
 }
 
@@ -100,6 +106,33 @@ impl Format {
         let found = all.find(|(known, _)| extension.eq_ignore_ascii_case(known));
         found.map(|(_, format)| *format)
     }
+
+    /// The names of the files that may lie beside one that is called `stem` but for its extension, of solids with so many images.
+    pub fn beside(self, stem: &str, images: usize) -> Vec<String> {
+        let library = (self == Self::Obj).then(|| obj::library_name(stem));
+        let images = match self {
+            Self::Ply | Self::Obj => images,
+            Self::Stl | Self::Glb | Self::ThreeMf => 0,
+        };
+        let images = (0..images).map(|i| images::file_name(stem, i));
+        library.into_iter().chain(images).collect()
+    }
+}
+
+/// A mesh file, and the files that it names.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Encoded {
+    /// Its bytes.
+    pub file: Vec<u8>,
+    /// Names and bytes of the files that belong into the same folder, of those that [`Format::beside`] names.
+    pub beside: Vec<(String, Vec<u8>)>,
+}
+
+impl Encoded {
+    fn alone(file: Vec<u8>) -> Self {
+        let beside = Vec::new();
+        Self { file, beside }
+    }
 }
 
 /// Why solids cannot be written in a format.
@@ -122,7 +155,7 @@ pub enum Unwritable {
     Archive(String),
 }
 
-/// The bytes of a file of some solids, which is called `stem` but for its extension. Only 3MF says the unit.
+/// A file of some solids, which is called `stem` but for its extension. Only 3MF says the unit.
 ///
 /// # Errors
 ///
@@ -132,18 +165,18 @@ pub fn encoded(
     solids: &[Solid<'_>],
     stem: &str,
     unit: LengthUnit,
-) -> Result<Vec<u8>, Unwritable> {
+) -> Result<Encoded, Unwritable> {
     let is_of_f32 = matches!(format, Format::Stl | Format::Glb);
     let mut positions = solids.iter().flat_map(|s| &s.mesh.positions);
     if is_of_f32 && positions.any(|p| !p.as_vec3().is_finite()) {
         return Err(Unwritable::Infinite);
     }
     match format {
-        Format::Stl => stl::encoded(solids),
-        Format::Ply => Ok(ply::encoded(solids)),
-        Format::Obj => Ok(obj::encoded(solids, stem).into_bytes()),
-        Format::Glb => glb::encoded(solids),
-        Format::ThreeMf => threemf::encoded(solids, unit),
+        Format::Stl => stl::encoded(solids).map(Encoded::alone),
+        Format::Ply => ply::encoded(solids, stem),
+        Format::Obj => obj::encoded(solids, stem),
+        Format::Glb => glb::encoded(solids).map(Encoded::alone),
+        Format::ThreeMf => threemf::encoded(solids, unit).map(Encoded::alone),
     }
 }
 
@@ -168,12 +201,14 @@ pub fn rounding(format: Format, solids: &[Solid<'_>]) -> Option<f64> {
 
 /// What of the looks of solids a format does not hold, in words; none where it holds all.
 pub fn leaves_out(format: Format, solids: &[Solid<'_>]) -> Option<&'static str> {
-    let has_images = solids.iter().any(Solid::has_images);
-    let has_coat = solids.iter().any(|s| s.coat.is_some());
+    let mut coats = solids.iter().filter_map(|s| s.coat.as_ref());
+    let are_both = |face: &CoatedTriangle| face.image.is_some() && face.has_colors();
     match format {
-        Format::Glb => None,
-        Format::Stl => has_coat.then_some("colours of vertices and images"),
-        Format::Ply | Format::Obj | Format::ThreeMf => has_images.then_some("images"),
+        Format::Glb | Format::Ply | Format::Obj => None,
+        Format::Stl => (coats.next().is_some()).then_some("colours of vertices and images"),
+        // Where both are, images count.
+        Format::ThreeMf => (coats.any(|coat| coat.triangles.iter().any(are_both)))
+            .then_some("colours of vertices under the images"),
     }
 }
 
@@ -186,11 +221,6 @@ fn rounded(positions: &[Vec3], triangle: &[u32; 3]) -> Option<[Vec3; 3]> {
 /// The bytes of a PLY file of a mesh alone, without a name and without colours, as [`load`](crate::load) reads it back to the last bit.
 pub fn plain_ply(mesh: &Mesh) -> Vec<u8> {
     ply::plain(mesh)
-}
-
-/// The material library of an OBJ file.
-pub fn material_library(solids: &[Solid<'_>]) -> Vec<u8> {
-    obj::material_library(solids).into_bytes()
 }
 
 /// A colour of three bytes.

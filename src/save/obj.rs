@@ -1,23 +1,46 @@
-//! Wavefront OBJ: an object for each solid, a group for its faces and one for its caps, and their materials in a library.
+//! Wavefront OBJ: an object for each solid, a group for its faces and one for its caps, and their materials in a library; a material for
+//! each image, which lies beside the file.
 //!
 //! Numbers are as short as they can be read back from. Names have no blanks in OBJ, nor what begins a comment or
 //! goes on in the next line, and are made different.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
-use glam::Vec3;
+use glam::{Vec2, Vec3};
 
+use super::images::{Images, file_name};
 use super::painted::by_vertex;
-use super::{Solid, bytes_of};
+use super::{Encoded, Solid, Unwritable, bytes_of};
 
-pub(super) fn encoded(solids: &[Solid<'_>], stem: &str) -> String {
-    let mut text = format!("# written by cutaway\nmtllib {stem}.mtl\n");
+pub(super) fn encoded(solids: &[Solid<'_>], stem: &str) -> Result<Encoded, Unwritable> {
+    let images = Images::of(solids);
+    let names = Names::of(solids, images.count());
+    let library = (
+        library_name(stem),
+        library(solids, &names, stem).into_bytes(),
+    );
+    let mut beside = vec![library];
+    beside.extend(images.files(stem)?);
+    Ok(Encoded {
+        file: text(solids, &images, &names, stem).into_bytes(),
+        beside,
+    })
+}
+
+/// The name of the material library of a file.
+pub(super) fn library_name(stem: &str) -> String {
+    format!("{stem}.mtl")
+}
+
+fn text(solids: &[Solid<'_>], images: &Images, names: &Names, stem: &str) -> String {
+    let mut text = format!("# written by cutaway\nmtllib {}\n", library_name(stem));
+    let mut places = Places::default();
     let mut first = 1;
-    for (solid, name) in solids.iter().zip(names(solids)) {
+    for (index, (solid, name)) in solids.iter().zip(&names.solids).enumerate() {
         // Writing to a string cannot fail.
         let _ = writeln!(text, "o {name}");
-        let colored = solid.coat.is_some().then(|| by_vertex(solid));
+        let colored = solid.has_colors().then(|| by_vertex(solid));
         let (vertices, triangles) = match &colored {
             None => (solid.mesh.positions.len(), &solid.mesh.triangles),
             Some((vertices, triangles)) => (vertices.len(), triangles),
@@ -36,13 +59,29 @@ pub(super) fn encoded(solids: &[Solid<'_>], stem: &str) -> String {
                 }
             }
         }
-        let (faces, caps) = triangles.split_at(solid.faces);
-        for (group, triangles) in [(name.clone(), faces), (cap_of(&name), caps)] {
-            if triangles.is_empty() {
-                continue;
+        let image_of = |t: usize| solid.face(t).and_then(|face| images.number(index, face));
+        let mut of_image: BTreeMap<Option<usize>, Vec<usize>> = BTreeMap::new();
+        (0..solid.faces).for_each(|t| of_image.entry(image_of(t)).or_default().push(t));
+        for (i, (image, faces)) in of_image.into_iter().enumerate() {
+            if i == 0 {
+                let _ = writeln!(text, "g {name}");
             }
-            let _ = writeln!(text, "g {group}\nusemtl {group}");
-            for [a, b, c] in triangles.iter().map(|t| t.map(|i| i + first)) {
+            let _ = writeln!(text, "usemtl {}", image.map_or(name, |i| &names.images[i]));
+            for t in faces {
+                let corners = triangles[t].map(|i| i + first);
+                let uv = solid.face(t).filter(|_| image.is_some()).map(|f| f.uv);
+                let [a, b, c] = corners;
+                let _ = match uv.map(|uv| uv.map(|at| places.number(at, &mut text))) {
+                    None => writeln!(text, "f {a} {b} {c}"),
+                    Some([u, v, w]) => writeln!(text, "f {a}/{u} {b}/{v} {c}/{w}"),
+                };
+            }
+        }
+        if solid.faces < triangles.len() {
+            let cap = cap_of(name);
+            let _ = writeln!(text, "g {cap}\nusemtl {cap}");
+            for [a, b, c] in &triangles[solid.faces..] {
+                let [a, b, c] = [a, b, c].map(|i| i + first);
                 let _ = writeln!(text, "f {a} {b} {c}");
             }
         }
@@ -51,19 +90,42 @@ pub(super) fn encoded(solids: &[Solid<'_>], stem: &str) -> String {
     text
 }
 
-pub(super) fn material_library(solids: &[Solid<'_>]) -> String {
+/// Places in images, each written once, before the first face that names it.
+#[derive(Default)]
+struct Places(BTreeMap<[u32; 2], usize>);
+
+impl Places {
+    fn number(&mut self, at: Vec2, text: &mut String) -> usize {
+        let next = self.0.len() + 1;
+        *self
+            .0
+            .entry(at.to_array().map(f32::to_bits))
+            .or_insert_with(|| {
+                // Upwards in the file, downwards in rows of texels.
+                let [u, v] = [f64::from(at.x), 1.0 - f64::from(at.y)];
+                let _ = writeln!(text, "vt {u} {v}");
+                next
+            })
+    }
+}
+
+fn library(solids: &[Solid<'_>], names: &Names, stem: &str) -> String {
     let mut text = "# written by cutaway\n".to_owned();
-    for (solid, name) in solids.iter().zip(names(solids)) {
-        // Colours of vertices are taken times those of materials.
-        let is_coated = solid.coat.is_some();
-        let plain = |color| if is_coated { Vec3::ONE } else { color };
-        for (material, color) in [
-            (name.clone(), plain(solid.color)),
-            (cap_of(&name), plain(solid.cap_color)),
-        ] {
-            let [r, g, b] = bytes_of(color).map(|c| format!("{:.4}", f64::from(c) / 255.0));
-            let _ = writeln!(text, "newmtl {material}\nKd {r} {g} {b}\nd 1\nillum 1");
+    let mut put = |name: &str, color: Vec3, image: Option<String>| {
+        let [r, g, b] = bytes_of(color).map(|c| format!("{:.4}", f64::from(c) / 255.0));
+        let _ = writeln!(text, "newmtl {name}\nKd {r} {g} {b}\nd 1\nillum 1");
+        if let Some(image) = image {
+            let _ = writeln!(text, "map_Kd {image}");
         }
+    };
+    for (solid, name) in solids.iter().zip(&names.solids) {
+        // Colours of vertices are taken times those of materials.
+        let plain = |color| if solid.has_colors() { Vec3::ONE } else { color };
+        put(name, plain(solid.color), None);
+        put(&cap_of(name), plain(solid.cap_color), None);
+    }
+    for (image, name) in names.images.iter().enumerate() {
+        put(name, Vec3::ONE, Some(file_name(stem, image)));
     }
     text
 }
@@ -73,28 +135,40 @@ fn cap_of(name: &str) -> String {
 }
 
 /// Names without blanks, no two alike, nor like the cap of another.
-fn names(solids: &[Solid<'_>]) -> Vec<String> {
-    let mut taken = BTreeSet::new();
-    let unique = |solid: &Solid<'_>| {
-        let plain = |c: char| {
-            if c.is_whitespace() || c.is_control() || c == '#' || c == '\\' {
-                '_'
+struct Names {
+    /// Of solids and of the materials of their faces.
+    solids: Vec<String>,
+    /// Of the materials with images.
+    images: Vec<String>,
+}
+
+impl Names {
+    fn of(solids: &[Solid<'_>], images: usize) -> Self {
+        let mut taken = BTreeSet::new();
+        let mut unique = |wanted: &str| {
+            let plain = |c: char| {
+                if c.is_whitespace() || c.is_control() || c == '#' || c == '\\' {
+                    '_'
+                } else {
+                    c
+                }
+            };
+            let wanted: String = wanted.chars().map(plain).collect();
+            let wanted = if wanted.is_empty() {
+                "part".to_owned()
             } else {
-                c
-            }
+                wanted
+            };
+            let numbered = (2..).map(|i| format!("{wanted}_{i}"));
+            let mut all = std::iter::once(wanted.clone()).chain(numbered);
+            let is_free = |name: &String| !taken.contains(name) && !taken.contains(&cap_of(name));
+            let name = all.find(is_free).unwrap_or(wanted);
+            taken.extend([name.clone(), cap_of(&name)]);
+            name
         };
-        let wanted: String = solid.name.chars().map(plain).collect();
-        let wanted = if wanted.is_empty() {
-            "part".to_owned()
-        } else {
-            wanted
-        };
-        let numbered = (2..).map(|i| format!("{wanted}_{i}"));
-        let mut all = std::iter::once(wanted.clone()).chain(numbered);
-        let is_free = |name: &String| !taken.contains(name) && !taken.contains(&cap_of(name));
-        let name = all.find(is_free).unwrap_or(wanted);
-        taken.extend([name.clone(), cap_of(&name)]);
-        name
-    };
-    solids.iter().map(unique).collect()
+        Self {
+            solids: solids.iter().map(|solid| unique(solid.name)).collect(),
+            images: (0..images).map(|i| unique(&format!("image_{i}"))).collect(),
+        }
+    }
 }

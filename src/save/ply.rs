@@ -1,17 +1,23 @@
-//! Binary PLY, little-endian: vertices as `double`, faces with their colour, the number of their part, and whether they are a cap. And
-//! without any of that, for meshes that have no look of their own.
+//! Binary PLY, little-endian: vertices as `double`, faces with their colour, the number of their part, and whether they are a cap; and
+//! where faces show images, `texcoord` and `texnumber` of each face and a comment `TextureFile` for each image, as MeshLab has them, with
+//! -1 as the number of faces without. And without any of that, for meshes that have no look of their own.
 
-use glam::DVec3;
+use glam::{DVec3, Vec2};
 
+use super::images::{Images, file_name};
 use super::painted::{ColoredVertex, by_vertex};
-use super::{Solid, bytes_of};
+use super::{Encoded, Solid, Unwritable, bytes_of};
 use crate::scene::Mesh;
 
 /// The properties of a colour.
 const COLOR: &str = "property uchar red\nproperty uchar green\nproperty uchar blue\n";
 
-pub(super) fn encoded(solids: &[Solid<'_>]) -> Vec<u8> {
-    let is_coated = solids.iter().any(|s| s.coat.is_some());
+/// The properties of a face that shows an image.
+const PLACE: &str = "property list uchar float texcoord\nproperty int texnumber\n";
+
+pub(super) fn encoded(solids: &[Solid<'_>], stem: &str) -> Result<Encoded, Unwritable> {
+    let images = Images::of(solids);
+    let is_coated = solids.iter().any(Solid::has_colors);
     let meshes: Vec<(Vec<ColoredVertex>, Vec<[u32; 3]>)> = match is_coated {
         true => solids.iter().map(by_vertex).collect(),
         false => Vec::new(),
@@ -25,14 +31,14 @@ pub(super) fn encoded(solids: &[Solid<'_>]) -> Vec<u8> {
         let name: String = solid.name.chars().filter(|c| !c.is_control()).collect();
         format!("comment part {i} {name}\n")
     });
+    let files =
+        (0..images.count()).map(|i| format!("comment TextureFile {}\n", file_name(stem, i)));
+    let comments: String = names.chain(files).collect();
     let of_vertices = if is_coated { COLOR } else { "" };
-    let of_faces = format!("{COLOR}property int part\nproperty uchar cap\n");
-    let header = header(
-        &names.collect::<String>(),
-        [vertices, faces],
-        [of_vertices, &of_faces],
-    );
-    let mut bytes = Vec::with_capacity(header.len() + 27 * vertices + 21 * faces);
+    let place = if images.count() > 0 { PLACE } else { "" };
+    let of_faces = format!("{COLOR}property int part\nproperty uchar cap\n{place}");
+    let header = header(&comments, [vertices, faces], [of_vertices, &of_faces]);
+    let mut bytes = Vec::with_capacity(header.len() + 27 * vertices + 50 * faces);
     bytes.extend_from_slice(header.as_bytes());
     match is_coated {
         false => put_vertices(&mut bytes, solids.iter().flat_map(|s| &s.mesh.positions)),
@@ -56,15 +62,31 @@ pub(super) fn encoded(solids: &[Solid<'_>]) -> Vec<u8> {
         for (index, triangle) in triangles.iter().enumerate() {
             let is_cap = index >= solid.faces;
             put_face(&mut bytes, triangle.map(|corner| first + corner));
-            let own = solid.coat.as_ref().filter(|_| !is_cap);
-            let own = own.map(|coat| mean(coat.triangles[index].colors));
-            bytes.extend_from_slice(&own.unwrap_or(colors[usize::from(is_cap)]));
+            let own = solid.face(index);
+            let color = own.map_or(colors[usize::from(is_cap)], |face| mean(face.colors));
+            bytes.extend_from_slice(&color);
             bytes.extend_from_slice(&part.to_le_bytes());
             bytes.push(u8::from(is_cap));
+            if images.count() > 0 {
+                let image = own.and_then(|face| images.number(part as usize, face));
+                let uv = own.filter(|_| image.is_some()).map(|face| face.uv);
+                put_place(&mut bytes, uv.unwrap_or_default(), image);
+            }
         }
         first += vertices as u32;
     }
-    bytes
+    let (file, beside) = (bytes, images.files(stem)?);
+    Ok(Encoded { file, beside })
+}
+
+/// Where the corners of a face are in its image, upwards.
+fn put_place(bytes: &mut Vec<u8>, uv: [Vec2; 3], image: Option<usize>) {
+    bytes.push(6);
+    for place in uv.iter().flat_map(|at| [at.x, 1.0 - at.y]) {
+        bytes.extend_from_slice(&place.to_le_bytes());
+    }
+    let number = image.map_or(-1, |i| i as i32);
+    bytes.extend_from_slice(&number.to_le_bytes());
 }
 
 fn mean(corners: [[u8; 4]; 3]) -> [u8; 3] {

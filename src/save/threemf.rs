@@ -1,34 +1,41 @@
-//! 3MF, core specification 1.3: an object for each solid, base materials for faces and for caps, and a group of colours for corners that
-//! have some.
+//! 3MF, core specification 1.3 and materials extension 1.2: an object for each solid, base materials for faces and for caps, a group of
+//! colours for corners that have some, and images with a group of places in each.
+//!
+//! A triangle has one property: where colours of corners lie under an image, the image is written.
 
+use std::collections::BTreeSet;
 use std::fmt::Write;
 
+use glam::Vec2;
+
+use super::images::Images;
 use super::zip::archive;
 use super::{Solid, Unwritable, bytes_of};
-use crate::scene::LengthUnit;
+use crate::scene::{CoatedTriangle, LengthUnit};
 
 const CONTENT_TYPES: &str = r#"<?xml version="1.0" encoding="UTF-8"?>
-<Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types"><Default Extension="rels" ContentType="application/vnd.openxmlformats-package.relationships+xml"/><Default Extension="model" ContentType="application/vnd.ms-package.3dmanufacturing-3dmodel+xml"/></Types>
+<Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types"><Default Extension="rels" ContentType="application/vnd.openxmlformats-package.relationships+xml"/><Default Extension="model" ContentType="application/vnd.ms-package.3dmanufacturing-3dmodel+xml"/><Default Extension="png" ContentType="image/png"/></Types>
 "#;
 
-const RELATIONSHIPS: &str = r#"<?xml version="1.0" encoding="UTF-8"?>
-<Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships"><Relationship Target="/3D/3dmodel.model" Id="rel0" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/></Relationships>
-"#;
+const RELATIONSHIPS_BEGIN: &str = r#"<?xml version="1.0" encoding="UTF-8"?>
+<Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships">"#;
+
+const MODEL: &str = r#"<Relationship Target="/3D/3dmodel.model" Id="rel0" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/>"#;
 
 /// The number of the materials among the resources.
 const MATERIALS: usize = 1;
 
-/// The number of the colours of corners among the resources; objects follow.
+/// The number of the colours of corners among the resources; two for each image follow, then objects.
 const COLORS: usize = 2;
 
-/// All colours of corners, each once.
+/// All colours of corners without an image, each once.
 struct Colors(Vec<[u8; 4]>);
 
 impl Colors {
     fn of(solids: &[Solid<'_>]) -> Self {
         let coats = solids.iter().filter_map(|s| s.coat.as_ref());
-        let mut all: Vec<[u8; 4]> = coats
-            .flat_map(|c| &c.triangles)
+        let faces = coats.flat_map(|c| &c.triangles);
+        let mut all: Vec<[u8; 4]> = (faces.filter(|t| t.image.is_none()))
             .flat_map(|t| t.colors)
             .collect();
         all.sort_unstable();
@@ -52,17 +59,115 @@ impl Colors {
     }
 }
 
-pub(super) fn encoded(solids: &[Solid<'_>], unit: LengthUnit) -> Result<Vec<u8>, Unwritable> {
-    let model = model(solids, unit.in_3mf());
-    archive(&[
-        ("[Content_Types].xml", CONTENT_TYPES.as_bytes()),
-        ("_rels/.rels", RELATIONSHIPS.as_bytes()),
-        ("3D/3dmodel.model", model.as_bytes()),
-    ])
-    .map_err(|e| Unwritable::Archive(e.to_string()))
+/// The images, and for each all places of corners in it, each once.
+struct Textures {
+    images: Images,
+    places: Vec<Vec<[u32; 2]>>,
 }
 
-fn model(solids: &[Solid<'_>], unit: &str) -> String {
+impl Textures {
+    fn of(solids: &[Solid<'_>]) -> Self {
+        let images = Images::of(solids);
+        let mut places = vec![BTreeSet::new(); images.count()];
+        for (index, solid) in solids.iter().enumerate() {
+            for face in solid.coat.iter().flat_map(|coat| &coat.triangles) {
+                if let Some(image) = images.number(index, face) {
+                    places[image].extend(face.uv.map(bits));
+                }
+            }
+        }
+        let places = places.into_iter().map(|all| all.into_iter().collect());
+        let places = places.collect();
+        Self { images, places }
+    }
+
+    /// The number of an image among the resources, and that of its places.
+    fn resources(image: usize) -> [usize; 2] {
+        [1, 2].map(|i| COLORS + 2 * image + i)
+    }
+
+    fn first_object(&self) -> usize {
+        COLORS + 2 * self.images.count() + 1
+    }
+
+    /// The places of a face of a solid: the number of its group, and one for each corner.
+    fn property(&self, solid: usize, face: &CoatedTriangle) -> Option<(usize, [usize; 3])> {
+        let image = self.images.number(solid, face)?;
+        let places = &self.places[image];
+        let number = |at| places.partition_point(|known| *known < bits(at));
+        Some((Self::resources(image)[1], face.uv.map(number)))
+    }
+
+    fn write(&self, text: &mut String) {
+        for (image, places) in self.places.iter().enumerate() {
+            let [texture, group] = Self::resources(image);
+            let path = path_of(image);
+            let _ = writeln!(
+                text,
+                "<m:texture2d id=\"{texture}\" path=\"/{path}\" contenttype=\"image/png\"/>\n\
+                 <m:texture2dgroup id=\"{group}\" texid=\"{texture}\">"
+            );
+            for [u, v] in places.iter().map(|at| at.map(f32::from_bits)) {
+                // Upwards in the file, downwards in rows of texels.
+                let v = 1.0 - f64::from(v);
+                let _ = writeln!(text, "<m:tex2coord u=\"{u}\" v=\"{v}\"/>");
+            }
+            text.push_str("</m:texture2dgroup>\n");
+        }
+    }
+
+    /// What the package holds of them: files by their names.
+    fn files(&self) -> Result<Vec<(String, Vec<u8>)>, Unwritable> {
+        if self.images.count() == 0 {
+            return Ok(Vec::new());
+        }
+        let mut relationships = format!("{RELATIONSHIPS_BEGIN}\n");
+        for path in (0..self.images.count()).map(path_of) {
+            let _ = writeln!(
+                relationships,
+                "<Relationship Target=\"/{path}\" Id=\"{}\" Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dtexture\"/>",
+                path.replace(['/', '.'], "_")
+            );
+        }
+        relationships.push_str("</Relationships>\n");
+        let pngs = self.images.pngs()?.into_iter().enumerate();
+        let mut files = vec![(
+            "3D/_rels/3dmodel.model.rels".to_owned(),
+            relationships.into_bytes(),
+        )];
+        files.extend(pngs.map(|(image, png)| (path_of(image), png)));
+        Ok(files)
+    }
+}
+
+/// Where an image lies in the package.
+fn path_of(image: usize) -> String {
+    format!("3D/Textures/{image}.png")
+}
+
+fn bits(at: Vec2) -> [u32; 2] {
+    at.to_array().map(f32::to_bits)
+}
+
+pub(super) fn encoded(solids: &[Solid<'_>], unit: LengthUnit) -> Result<Vec<u8>, Unwritable> {
+    let textures = Textures::of(solids);
+    let model = model(solids, &textures, unit.in_3mf());
+    let relationships = format!("{RELATIONSHIPS_BEGIN}{MODEL}</Relationships>\n");
+    let beside = textures.files()?;
+    let mut files = vec![
+        ("[Content_Types].xml", CONTENT_TYPES.as_bytes()),
+        ("_rels/.rels", relationships.as_bytes()),
+        ("3D/3dmodel.model", model.as_bytes()),
+    ];
+    files.extend(
+        beside
+            .iter()
+            .map(|(name, bytes)| (name.as_str(), &bytes[..])),
+    );
+    archive(&files).map_err(|e| Unwritable::Archive(e.to_string()))
+}
+
+fn model(solids: &[Solid<'_>], textures: &Textures, unit: &str) -> String {
     let mut text = format!(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<model unit=\"{unit}\" xml:lang=\"en-US\" \
          xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\" \
@@ -86,7 +191,8 @@ fn model(solids: &[Solid<'_>], unit: &str) -> String {
     text.push_str("</basematerials>\n");
     let colors = Colors::of(solids);
     colors.write(&mut text);
-    let object = |index: usize| COLORS + 1 + index;
+    textures.write(&mut text);
+    let object = |index: usize| textures.first_object() + index;
     for (index, solid) in solids.iter().enumerate() {
         let (id, name) = (object(index), escaped(solid.name));
         let [faces, caps] = [2 * index, 2 * index + 1];
@@ -102,12 +208,11 @@ fn model(solids: &[Solid<'_>], unit: &str) -> String {
             let _ = write!(text, "<triangle v1=\"{a}\" v2=\"{b}\" v3=\"{c}\"");
             if triangle >= solid.faces {
                 let _ = write!(text, " pid=\"{MATERIALS}\" p1=\"{caps}\"");
-            } else if let Some(coat) = &solid.coat {
-                let [p1, p2, p3] = coat.triangles[triangle].colors.map(|c| colors.number(c));
-                let _ = write!(
-                    text,
-                    " pid=\"{COLORS}\" p1=\"{p1}\" p2=\"{p2}\" p3=\"{p3}\""
-                );
+            } else if let Some(face) = solid.face(triangle) {
+                let of_corners = || (COLORS, face.colors.map(|c| colors.number(c)));
+                let (group, [p1, p2, p3]) =
+                    textures.property(index, face).unwrap_or_else(of_corners);
+                let _ = write!(text, " pid=\"{group}\" p1=\"{p1}\" p2=\"{p2}\" p3=\"{p3}\"");
             }
             text.push_str("/>\n");
         }

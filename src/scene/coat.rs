@@ -27,6 +27,13 @@ pub struct CoatedTriangle {
     pub image: Option<u32>,
 }
 
+impl CoatedTriangle {
+    /// Whether it shows more than an image as it is.
+    pub(crate) fn has_colors(&self) -> bool {
+        self.image.is_none() || self.colors != [[255; 4]; 3]
+    }
+}
+
 impl Coat {
     /// Some of its triangles.
     #[must_use]

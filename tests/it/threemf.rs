@@ -10,7 +10,7 @@ use glam::{DVec3, Vec3};
 
 use crate::common::command::Scratch;
 use crate::common::data::data;
-use crate::common::package::{components, model, object, package, tetrahedron};
+use crate::common::package::{components, model, object, package, package_of_bytes, tetrahedron};
 
 fn load(folder: &Scratch, model: &str) -> Loaded {
     load_mesh_file(&folder.write("a.3mf", package(model, &[]))).unwrap_or_else(|e| panic!("{e}"))
@@ -156,7 +156,7 @@ fn colours_are_of_materials_groups_and_corners() {
     assert_eq!(plain("pid=\"12\" pindex=\"0\"").0, Vec3::Z);
     assert_eq!(plain("pid=\"14\" pindex=\"0\"").0, Vec3::Z);
     for (pid, words) in [
-        ("13", "a texture, which is not drawn"),
+        ("13", "a texture that is not there"),
         ("99", "that is not there"),
     ] {
         let (_, loaded) = plain(&format!("pid=\"{pid}\" pindex=\"0\""));
@@ -180,6 +180,45 @@ fn colours_are_of_materials_groups_and_corners() {
         colors,
         [[red; 3], [green; 3], [green, blue, blue], [red; 3]]
     );
+}
+
+#[test]
+fn images_are_shown_where_all_corners_have_a_place_in_one() {
+    let folder = Scratch::new("3mf-images");
+    let mut png = std::io::Cursor::new(Vec::new());
+    let picture = image::RgbImage::from_pixel(3, 2, image::Rgb([255, 0, 0]));
+    picture
+        .write_to(&mut png, image::ImageFormat::Png)
+        .expect("an image");
+    let groups = "<m:texture2d id=\"20\" path=\"/3D/Textures/a.png\" contenttype=\"image/png\"/>\n\
+        <m:texture2d id=\"21\" path=\"/3D/Textures/broken.png\" contenttype=\"image/png\"/>\n\
+        <m:texture2dgroup id=\"30\" texid=\"20\"><m:tex2coord u=\"0\" v=\"0\"/><m:tex2coord u=\"0.25\" v=\"1\"/></m:texture2dgroup>\n\
+        <m:texture2dgroup id=\"31\" texid=\"21\"><m:tex2coord u=\"0\" v=\"0\"/></m:texture2dgroup>\n";
+    let mesh = tetrahedron([
+        " pid=\"30\" p1=\"0\" p2=\"1\" p3=\"0\"",
+        " pid=\"31\" p1=\"0\"",
+        " pid=\"30\" p1=\"0\" p2=\"7\" p3=\"0\"",
+        "",
+    ]);
+    let resources = format!("{groups}<object id=\"1\">{mesh}</object>");
+    let model = model(&resources, "<item objectid=\"1\"/>");
+    let files = [
+        ("3D/Textures/a.png", &png.into_inner()[..]),
+        ("3D/Textures/broken.png", b"no image".as_slice()),
+    ];
+    let path = folder.write("a.3mf", package_of_bytes(&model, &files));
+    let loaded = load_mesh_file(&path).unwrap_or_else(|e| panic!("{e}"));
+    let coat = loaded.parts[0].mesh.coat.as_ref().expect("an image");
+    assert_eq!(coat.images.len(), 1);
+    assert_eq!(coat.images[0].size(), [3, 2]);
+    let shown: Vec<Option<u32>> = coat.triangles.iter().map(|t| t.image).collect();
+    assert_eq!(shown, [Some(0), None, None, None]);
+    let uv = coat.triangles[0].uv.map(|at| at.to_array());
+    assert_eq!(uv, [[0.0, 1.0], [0.25, 0.0], [0.0, 1.0]]);
+    assert_eq!(coat.triangles[0].colors, [[255; 4]; 3]);
+    assert!(has_note(&loaded, "broken.png"), "{:?}", loaded.notes);
+    let not_there = "2 triangles have a texture that is not there or cannot be read";
+    assert!(has_note(&loaded, not_there), "{:?}", loaded.notes);
 }
 
 #[test]

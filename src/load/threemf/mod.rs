@@ -7,7 +7,7 @@
 //!
 //! An extension that the file requires and that gives shapes without triangles is refused by name: slices, beams, boolean operations,
 //! functions of space, displacement, encryption. Where one is not required, the triangles are what is shown, with a note of beams.
-//! Textures are not drawn.
+//! An image that cannot be read is a note.
 //!
 //! Cost: the text of each model part and what is made of it, in memory one part after the other; one mesh for all of its places.
 
@@ -24,12 +24,14 @@ use std::path::Path;
 use std::sync::Arc;
 
 use glam::{DAffine3, DVec3, Vec3};
+use image::ImageFormat;
 
 use super::Placed;
 use super::draft::{Draft, Group};
 use super::grouped::grouped;
+use super::texture::texture_of;
 use crate::error::{Error, Result};
-use crate::scene::{LengthUnit, Mesh};
+use crate::scene::{LengthUnit, Mesh, TextureKind};
 
 use model::{Model, Object, Reference, Shape};
 use package::Package;
@@ -56,7 +58,7 @@ pub(super) fn read(
 ) -> Result<(Vec<Placed>, LengthUnit)> {
     let mut package = Package::open(path, bytes)?;
     let first = package.model()?;
-    let root = Model::read(&package.read(&first)?)?;
+    let root = model_of(&mut package, &first)?;
     let unit = root.unit;
     let uses = Uses::read(&mut package, notes);
     let mut reader = Reader {
@@ -155,7 +157,7 @@ impl Reader<'_> {
             .as_ref()
             .filter(|_| !self.models.contains_key(&part))
         {
-            let model = Model::read(&self.package.read(named)?)?;
+            let model = model_of(&mut self.package, named)?;
             self.note_unit(&part, &model);
             self.models.insert(part.clone(), model);
         }
@@ -308,6 +310,21 @@ impl Reader<'_> {
         }));
         Ok(())
     }
+}
+
+/// A model of a package, with its images.
+fn model_of(package: &mut Package<'_>, part: &str) -> Result<Model> {
+    let mut model = Model::read(&package.read(part)?)?;
+    let notes = model.properties.read_images(&mut |image| {
+        let (path, bytes) = package.bytes(image).map_err(Error::into_what)?;
+        texture_of(
+            &bytes,
+            ImageFormat::from_path(&path).ok(),
+            TextureKind::Color,
+        )
+    });
+    model.notes.extend(notes);
+    Ok(model)
 }
 
 /// The mesh of an object, which is taken from it: another place is served by what was made here.

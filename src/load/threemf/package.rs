@@ -91,6 +91,13 @@ impl<'a> Package<'a> {
 
     /// A part as text.
     pub(super) fn read(&mut self, part: &str) -> Result<Text> {
+        let (path, bytes) = self.bytes(part)?;
+        let text = text_of(&path, bytes)?;
+        Ok(Text { path, text })
+    }
+
+    /// The name of a part behind that of the file, and its bytes.
+    pub(super) fn bytes(&mut self, part: &str) -> Result<(PathBuf, Vec<u8>)> {
         let Some(index) = self.find(part) else {
             let what = format!("the package has no part {:?}", shortened(part));
             return Err(Error::file(self.path, what, DAMAGED));
@@ -108,8 +115,7 @@ impl<'a> Package<'a> {
         }
         read.map_err(|e| broken(&e))?;
         self.left -= bytes.len() as u64;
-        let text = text_of(&path, bytes)?;
-        Ok(Text { path, text })
+        Ok((path, bytes))
     }
 
     fn find(&self, part: &str) -> Option<usize> {

@@ -1,20 +1,21 @@
 //! Colours: base materials, and the groups of the materials extension.
 //!
 //! A colour is sRGB, for each triangle or for each of its corners. Of a composite the material with the greatest share counts, of several
-//! properties at once the first that is a colour; textures are not drawn. What is wrong with a property leaves its triangles without a
-//! colour and is a note: the shape is right all the same.
+//! properties at once the first that is a colour, or else the first place in an image; images are repeated, whatever their tile style.
+//! What is wrong with a property leaves its triangles without a colour and is a note: the shape is right all the same.
 
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
+use std::sync::Arc;
 
-use glam::Vec3;
+use glam::{Vec2, Vec3};
 
 use super::mesh::{Assigned, Geometry, NONE};
-use super::xml::{Element, Space, Xml};
+use super::xml::{Element, Space, Xml, shortened};
 use crate::error::Result;
 use crate::load::painted::{Paint, PaintedTriangle, coat};
-use crate::scene::Coat;
 use crate::scene::weld::thousands;
+use crate::scene::{Coat, Texture};
 
 /// Red, green, blue and opacity.
 type Rgba = [u8; 4];
@@ -29,13 +30,24 @@ enum Group {
     Composites(u32, Vec<Option<u32>>),
     /// Groups, and an index of each for each property.
     Several(Vec<u32>, Vec<Vec<u32>>),
-    Textures,
+    /// Of the image of this number; (0, 0) its upper left.
+    Places(u32, Vec<Vec2>),
+}
+
+/// An image of the package.
+#[derive(Clone, Debug)]
+struct Image {
+    /// The name of its part.
+    path: String,
+    /// What it holds, once it has been read.
+    texture: Option<Arc<Texture>>,
 }
 
 /// The properties of a model part by their numbers.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Properties {
     groups: BTreeMap<u32, Group>,
+    images: BTreeMap<u32, Image>,
     /// Numbers that are given twice.
     pub(super) repeated: Vec<u32>,
 }
@@ -43,7 +55,8 @@ pub(super) struct Properties {
 /// What a property comes to.
 enum Found<'a> {
     Color(Rgba, Option<&'a str>),
-    Texture,
+    /// The number of an image, and where in it.
+    Place(u32, Vec2),
     Missing,
 }
 
@@ -62,6 +75,15 @@ impl Properties {
     /// Reads an element of the resources that was opened, and closes it; whether it is one of properties.
     pub(super) fn read(&mut self, xml: &mut Xml<'_>, element: &Element<'_>) -> Result<bool> {
         let [id, of, indices, groups] = element.values(["id", "matid", "matindices", "pids"])?;
+        if element.is(Space::Material, "texture2d") {
+            let path = element.value("path")?.map(|path| path.into_owned());
+            if let (Some(Ok(id)), Some(path)) = (id.map(|id| element.id(&id)), path) {
+                let texture = None;
+                self.images.entry(id).or_insert(Image { path, texture });
+            }
+            xml.skip()?;
+            return Ok(true);
+        }
         let group = if element.is(Space::Core, "basematerials") {
             Group::Materials(rows(xml, "base", |base| {
                 let [name, color] = base.values(["name", "displaycolor"])?;
@@ -88,8 +110,18 @@ impl Properties {
             })?;
             Group::Several(of_groups, indices)
         } else if element.is(Space::Material, "texture2dgroup") {
-            xml.skip()?;
-            Group::Textures
+            let of = element.value("texid")?;
+            let of = of.and_then(|of| of.trim().parse().ok()).unwrap_or(NONE);
+            let places = rows(xml, "tex2coord", |place| {
+                let number = |key: &str| -> Result<f32> {
+                    let text = place.value(key)?.unwrap_or_default();
+                    let number = text.trim().parse().ok().filter(|n: &f32| n.is_finite());
+                    Ok(number.unwrap_or_default())
+                };
+                // Upwards in the file, downwards in rows of texels.
+                Ok(Vec2::new(number("u")?, 1.0 - number("v")?))
+            })?;
+            Group::Places(of, places)
         } else {
             return Ok(false);
         };
@@ -102,6 +134,43 @@ impl Properties {
         Ok(true)
     }
 
+    /// Reads the images that have places, from where parts of the package are read by their names; what is wrong with some otherwise.
+    pub(super) fn read_images(
+        &mut self,
+        read: &mut dyn FnMut(&str) -> std::result::Result<Texture, String>,
+    ) -> Vec<String> {
+        let mut notes = Vec::new();
+        for group in self.groups.values() {
+            let Group::Places(image, _) = group else {
+                continue;
+            };
+            let Some(image) = self.images.get_mut(image).filter(|i| i.texture.is_none()) else {
+                continue;
+            };
+            match read(&image.path) {
+                Ok(texture) => image.texture = Some(Arc::new(texture)),
+                Err(what) => notes.push(format!("{}: {what}", shortened(&image.path))),
+            }
+        }
+        notes
+    }
+
+    /// The image of a triangle, where all of its corners have a place in the same, and the places.
+    fn place(&self, found: &[Found<'_>; 3]) -> Option<(u32, [Vec2; 3])> {
+        let Found::Place(image, _) = found[0] else {
+            return None;
+        };
+        self.images.get(&image)?.texture.as_ref()?;
+        let mut uv = [Vec2::ZERO; 3];
+        for (uv, found) in uv.iter_mut().zip(found) {
+            match found {
+                Found::Place(of, at) if *of == image => *uv = *at,
+                _ => return None,
+            }
+        }
+        Some((image, uv))
+    }
+
     fn find(&self, group: u32, index: u32) -> Found<'_> {
         match self.groups.get(&group) {
             Some(Group::Composites(of, mains)) => match mains.get(index as usize) {
@@ -112,7 +181,7 @@ impl Properties {
                 let Some(indices) = indices.get(index as usize) else {
                     return Found::Missing;
                 };
-                let mut is_textured = false;
+                let mut place = Found::Missing;
                 for (at, group) in groups.iter().enumerate() {
                     // An index that is not given is the first.
                     let index = indices.get(at).copied().unwrap_or_default();
@@ -125,14 +194,11 @@ impl Properties {
                     };
                     match found {
                         Found::Color(..) => return found,
-                        Found::Texture => is_textured = true,
-                        Found::Missing => {}
+                        Found::Place(..) if matches!(place, Found::Missing) => place = found,
+                        Found::Place(..) | Found::Missing => {}
                     }
                 }
-                match is_textured {
-                    true => Found::Texture,
-                    false => Found::Missing,
-                }
+                place
             }
             _ => self.plain(group, index),
         }
@@ -149,7 +215,10 @@ impl Properties {
                 Some(Some(color)) => Found::Color(*color, None),
                 _ => Found::Missing,
             },
-            Some(Group::Textures) => Found::Texture,
+            Some(Group::Places(image, all)) => match all.get(index as usize) {
+                Some(at) => Found::Place(*image, *at),
+                None => Found::Missing,
+            },
             _ => Found::Missing,
         }
     }
@@ -161,13 +230,26 @@ impl Properties {
         let mut painted = Vec::with_capacity(geometry.assigned.len());
         let [mut mixed, mut textured, mut missing, mut opaque] = [0_usize; 4];
         let mut names: BTreeMap<&str, ()> = BTreeMap::new();
+        let mut paints = vec![Paint::default()];
+        let mut paint_of: BTreeMap<u32, u32> = BTreeMap::new();
         for assigned in &geometry.assigned {
             let (group, corners) = resolved(*assigned, default);
             let mut triangle = PaintedTriangle::default();
             if group != NONE {
                 let found = corners.map(|index| self.find(group, index));
                 mixed += usize::from(self.is_mixed(group));
-                textured += usize::from(matches!(found[0], Found::Texture));
+                if let Some((image, uv)) = self.place(&found) {
+                    triangle.uv = Some(uv);
+                    triangle.group = *paint_of.entry(image).or_insert_with(|| {
+                        paints.push(Paint {
+                            image: self.images[&image].texture.clone(),
+                            ..Paint::default()
+                        });
+                        paints.len() as u32 - 1
+                    });
+                } else {
+                    textured += usize::from(matches!(found[0], Found::Place(..)));
+                }
                 missing += usize::from(matches!(found[0], Found::Missing));
                 if let Found::Color(first, name) = found[0] {
                     let colors = found.map(|found| match found {
@@ -185,7 +267,7 @@ impl Properties {
             opaque += usize::from(triangle.colors.is_none());
             painted.push(triangle);
         }
-        look.coat = coat(&[Paint::default()], &painted);
+        look.coat = coat(&paints, &painted);
         let by_count = count_of.iter().rev().max_by_key(|(_, count)| **count);
         look.color = by_count.map(|(color, _)| vec3(*color));
         look.is_transparent = opaque == 0 && !painted.is_empty();
@@ -195,7 +277,7 @@ impl Properties {
                 mixed,
                 "several materials or properties at once, of which one colour is shown",
             ),
-            (textured, "a texture, which is not drawn"),
+            (textured, "a texture that is not there or cannot be read"),
             (missing, "a property that is not there or has no colour"),
         ] {
             if count > 0 {

@@ -27,12 +27,18 @@ pub(crate) fn relationships(all: &str) -> String {
 
 /// A package of a model, and of other parts.
 pub(crate) fn package(model: impl AsRef<[u8]>, others: &[(&str, &str)]) -> Vec<u8> {
+    let others = others.iter().map(|(name, text)| (*name, text.as_bytes()));
+    package_of_bytes(model, &others.collect::<Vec<_>>())
+}
+
+/// The same with others that are no text.
+pub(crate) fn package_of_bytes(model: impl AsRef<[u8]>, others: &[(&str, &[u8])]) -> Vec<u8> {
     let relationships = relationships(RELATIONSHIP);
     let mut parts = vec![
         ("_rels/.rels", relationships.as_bytes()),
         ("3D/3dmodel.model", model.as_ref()),
     ];
-    parts.extend(others.iter().map(|(name, text)| (*name, text.as_bytes())));
+    parts.extend_from_slice(others);
     archive(&parts)
 }
 

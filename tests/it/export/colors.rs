@@ -90,9 +90,8 @@ fn colours_of_vertices_survive_in_all_formats_that_hold_them() {
     assert!(ran.stderr.contains("without colours"), "{}", ran.stderr);
 }
 
-#[test]
-fn images_survive_in_glb_and_are_missed_elsewhere() {
-    let folder = Scratch::new("export-images");
+/// A cube whose faces all show an image of 2 x 2 texels.
+fn write_painted_cube(folder: &Scratch) {
     let mut png = image::RgbImage::new(2, 2);
     png.put_pixel(0, 0, image::Rgb([255, 0, 0]));
     png.save(folder.path("wall.png")).unwrap();
@@ -117,34 +116,100 @@ fn images_survive_in_glb_and_are_missed_elsewhere() {
         "cube.obj",
         format!("mtllib cube.mtl\n{vertices}vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nusemtl wall\n{faces}"),
     );
+}
+
+/// On the face below, whose first corner is at the origin, u goes with y and v down from 1 with x.
+fn is_painted_below(corners: [glam::DVec3; 3], uv: [glam::Vec2; 3]) -> Option<bool> {
+    let expected = |p: glam::DVec3| glam::Vec2::new(p.y as f32, 1.0 - p.x as f32);
+    let is_below = corners.iter().all(|p| p.z == 0.0);
+    let mut all = corners.iter().zip(uv);
+    is_below.then(|| all.all(|(p, uv)| uv.distance(expected(*p)) < 1e-6))
+}
+
+#[test]
+fn images_survive_in_all_formats_but_stl() {
+    let folder = Scratch::new("export-images");
+    write_painted_cube(&folder);
+    for (extension, options) in [("glb", ""), ("obj", ""), ("3mf", " --unit mm")] {
+        let name = format!("half.{extension}");
+        let ran = folder.run(&format!(
+            "export cube.obj --section x=0.25{options} -o {name}"
+        ));
+        let ran = ran.exits(0);
+        assert!(!ran.stderr.contains("without"), "{name}: {}", ran.stderr);
+        let read = read(&folder, &name);
+        let mesh = &read.parts[0].mesh;
+        let coat = mesh.coat.as_ref().expect("an image");
+        assert_eq!(coat.images.len(), 1, "{name}");
+        assert_eq!(coat.images[0].size(), [2, 2], "{name}");
+        assert!(Topology::from_parts(&read.parts).closed, "{name}");
+        let below = (0..mesh.triangles.len())
+            .filter_map(|t| is_painted_below(mesh.corners(t), coat.triangles[t].uv));
+        let below: Vec<bool> = below.collect();
+        assert!(below.len() >= 2 && below.iter().all(|is| *is), "{name}");
+        // Caps show none.
+        let caps =
+            (0..mesh.triangles.len()).filter(|t| mesh.corners(*t).iter().all(|p| p.x == 0.25));
+        let caps: Vec<Option<u32>> = caps.map(|t| coat.triangles[t].image).collect();
+        assert!(
+            caps.len() >= 2 && caps.iter().all(Option::is_none),
+            "{name}: {caps:?}"
+        );
+    }
+    let ran = folder.run("export cube.obj --section x=0.25 -o half2.stl");
+    let ran = ran.exits(0);
+    assert!(ran.stderr.contains("images"), "{}", ran.stderr);
+    assert!(!folder.path("half2.0.png").exists(), "STL names no image");
+}
+
+#[test]
+fn a_ply_names_its_images_and_the_places_of_each_face() {
+    let folder = Scratch::new("export-images-ply");
+    write_painted_cube(&folder);
     folder
-        .run("export cube.obj --section x=0.25 -o half.glb")
+        .run("export cube.obj --section x=0.25 -o half.ply")
         .exits(0);
-    let read = read(&folder, "half.glb");
-    let mesh = &read.parts[0].mesh;
-    let coat = mesh.coat.as_ref().expect("an image");
-    assert_eq!(coat.images.len(), 1);
-    assert_eq!(coat.images[0].size(), [2, 2]);
-    assert!(Topology::from_parts(&read.parts).closed);
-    // On the face below, whose first corner is at the origin, u goes with y and v down from 1 with x.
-    let mut count = 0;
-    for t in 0..mesh.triangles.len() {
-        let corners = mesh.corners(t);
-        if corners.iter().all(|p| p.z == 0.0) {
-            count += 1;
-            for (p, uv) in corners.iter().zip(coat.triangles[t].uv) {
-                let expected = glam::Vec2::new(p.y as f32, 1.0 - p.x as f32);
-                assert!(uv.distance(expected) < 1e-6, "{uv} at {p}");
-            }
+    let image = image::open(folder.path("half.0.png"))
+        .expect("an image")
+        .to_rgba8();
+    assert_eq!(
+        (image.dimensions(), image[(0, 0)].0),
+        ((2, 2), [255, 0, 0, 255])
+    );
+    let bytes = fs::read(folder.path("half.ply")).unwrap();
+    let end = bytes
+        .windows(11)
+        .position(|w| w == b"end_header\n")
+        .expect("a header")
+        + 11;
+    let header = String::from_utf8_lossy(&bytes[..end]).into_owned();
+    assert!(
+        header.contains("comment TextureFile half.0.png\n"),
+        "{header}"
+    );
+    assert!(
+        header.contains("property list uchar float texcoord\nproperty int texnumber\nend"),
+        "{header}"
+    );
+    assert!(
+        !header[..header.find("element face").unwrap()].contains("red"),
+        "white is no colour: {header}"
+    );
+    let mesh = &read(&folder, "half.ply").parts[0].mesh;
+    let faces = bytes[end + 24 * mesh.positions.len()..].chunks_exact(13 + 3 + 4 + 1 + 25 + 4);
+    assert_eq!(faces.len(), mesh.triangles.len());
+    let [mut below, mut caps] = [0; 2];
+    for (t, face) in faces.enumerate() {
+        let number = |at: usize| f32::from_le_bytes(face[at..at + 4].try_into().unwrap());
+        let image = i32::from_le_bytes(face[46..50].try_into().unwrap());
+        let is_cap = face[20] == 1;
+        assert_eq!(image, if is_cap { -1 } else { 0 });
+        caps += usize::from(is_cap);
+        let uv = [0, 1, 2].map(|i| glam::Vec2::new(number(22 + 8 * i), 1.0 - number(26 + 8 * i)));
+        if let Some(is_right) = is_painted_below(mesh.corners(t), uv) {
+            assert!(is_right, "{t}");
+            below += 1;
         }
     }
-    assert!(count >= 2, "{count} triangles below");
-    for extension in ["obj", "ply", "stl"] {
-        let ran = folder
-            .run(&format!(
-                "export cube.obj --section x=0.25 -o half2.{extension}"
-            ))
-            .exits(0);
-        assert!(ran.stderr.contains("images"), "{extension}: {}", ran.stderr);
-    }
+    assert!(below >= 2 && caps >= 2, "{below} below, {caps} caps");
 }

@@ -155,6 +155,33 @@ fn the_material_library_of_an_input_is_not_replaced() {
     assert!(color.x > 0.9 && color.y < 0.1, "{color}");
 }
 
+#[test]
+fn an_image_of_an_input_is_not_replaced() {
+    let folder = Scratch::new("export-image");
+    let red = image::RgbImage::from_pixel(2, 2, image::Rgb([255, 0, 0]));
+    red.save(folder.path("a.0.png")).unwrap();
+    folder.write("model.mtl", "newmtl red\nmap_Kd a.0.png\n");
+    folder.write(
+        "model.obj",
+        "mtllib model.mtl\nusemtl red\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvt 0 0\n\
+         f 1/1 3/1 2/1\nf 1/1 2/1 4/1\nf 1/1 4/1 3/1\nf 2/1 3/1 4/1\n",
+    );
+    let before = fs::read(folder.path("a.0.png")).unwrap();
+    for name in ["a.obj", "a.ply"] {
+        let ran = folder.run(&format!("export model.obj --section z=50% -o {name}"));
+        let ran = ran.exits(2);
+        assert!(ran.stderr.contains("a.0.png"), "{}", ran.stderr);
+        assert_eq!(fs::read(folder.path("a.0.png")).unwrap(), before);
+    }
+    let line = "export model.obj --section z=50% -o b.obj --json b.0.png";
+    let ran = folder.run(line).exits(2);
+    assert!(ran.stderr.contains("b.0.png"), "{}", ran.stderr);
+    folder
+        .run("export model.obj --section z=50% -o b.obj")
+        .exits(0);
+    assert!(folder.path("b.0.png").is_file());
+}
+
 /// The name beside it, under which a file is begun, was once longer than file systems take.
 #[test]
 fn a_name_may_be_as_long_as_the_file_system_takes() {

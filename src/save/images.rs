@@ -1,0 +1,78 @@
+//! The images that the faces of some solids show, each once, as PNGs.
+//!
+//! Cost: a pass over the coated triangles, and the packing of each image at its full size.
+
+use std::sync::Arc;
+
+use image::codecs::png::PngEncoder;
+use image::{ExtendedColorType, ImageEncoder};
+
+use super::{Solid, Unwritable};
+use crate::scene::{CoatedTriangle, Texture};
+
+/// Images by their numbers, in the order in which faces show them first.
+pub(super) struct Images {
+    all: Vec<Arc<Texture>>,
+    /// For each solid and each image of its coat its number; none where no face shows it.
+    numbers: Vec<Vec<Option<usize>>>,
+}
+
+impl Images {
+    pub(super) fn of(solids: &[Solid<'_>]) -> Self {
+        let mut all = Vec::new();
+        let numbers = solids.iter().map(|solid| {
+            let Some(coat) = &solid.coat else {
+                return Vec::new();
+            };
+            let mut numbers = vec![None; coat.images.len()];
+            for image in coat.triangles.iter().filter_map(|t| t.image) {
+                let image = image as usize;
+                numbers[image]
+                    .get_or_insert_with(|| Texture::number_among(&mut all, &coat.images[image]));
+            }
+            numbers
+        });
+        let numbers = numbers.collect();
+        Self { all, numbers }
+    }
+
+    pub(super) fn count(&self) -> usize {
+        self.all.len()
+    }
+
+    /// The number of the image of a face of a solid, where it has one.
+    pub(super) fn number(&self, solid: usize, face: &CoatedTriangle) -> Option<usize> {
+        self.numbers[solid][face.image? as usize]
+    }
+
+    /// The bytes of each as a PNG.
+    pub(super) fn pngs(&self) -> Result<Vec<Vec<u8>>, Unwritable> {
+        self.all.iter().map(|image| png(image)).collect()
+    }
+
+    /// Each as a file beside one that is called `stem` but for its extension.
+    pub(super) fn files(&self, stem: &str) -> Result<Vec<(String, Vec<u8>)>, Unwritable> {
+        let pngs = self.pngs()?.into_iter().enumerate();
+        Ok(pngs.map(|(i, png)| (file_name(stem, i), png)).collect())
+    }
+}
+
+/// The name of the file of an image.
+pub(super) fn file_name(stem: &str, number: usize) -> String {
+    format!("{stem}.{number}.png")
+}
+
+fn png(image: &Texture) -> Result<Vec<u8>, Unwritable> {
+    let ([width, height], texels) = image.level_on(0);
+    let texels = &texels[..width as usize * height as usize];
+    let mut bytes = Vec::new();
+    PngEncoder::new(&mut bytes)
+        .write_image(
+            texels.as_flattened(),
+            width,
+            height,
+            ExtendedColorType::Rgba8,
+        )
+        .map_err(|e| Unwritable::Image(e.to_string()))?;
+    Ok(bytes)
+}
