@@ -21,7 +21,8 @@ folder=${CARGO_TARGET_DIR:-target}/drivers/$driver
 mkdir -p "$folder"
 folder=$(cd "$folder" && pwd)
 icd=$folder/icd.json
-runner="[]"
+# An empty list is none to cargo.
+runner="['env']"
 
 none() {
     echo "NOT CHECKED: $driver cannot be had here: $1" >&2
