@@ -204,6 +204,10 @@ impl Reader<'_> {
             }));
         };
         let label = label(id, object);
+        if let Some(of) = object.used_as {
+            self.of_objects.push((label, of.note("its mesh")));
+            return Ok(());
+        }
         match &mut object.shape {
             Shape::Components(components) => {
                 // Put back when they were followed: what leads back here meanwhile is refused before it asks for them.

@@ -13,6 +13,7 @@ use glam::DAffine3;
 use super::mesh::{self, Geometry};
 use super::package::Text;
 use super::properties::Properties;
+use super::slicer::{self, Use};
 use super::xml::{Element, Space, Xml, shortened};
 use crate::error::Result;
 use crate::scene::LengthUnit;
@@ -38,6 +39,8 @@ pub(super) struct Object {
     pub(super) kind: String,
     /// Group and index of what its triangles have without properties of their own.
     pub(super) default: Option<(u32, u32)>,
+    /// What a slicer has it for, where that is no solid.
+    pub(super) used_as: Option<Use>,
     pub(super) shape: Shape,
 }
 
@@ -192,10 +195,13 @@ fn object(xml: &mut Xml<'_>, element: &Element<'_>) -> Result<(u32, Object)> {
         part_number: said(part_number),
         kind: said(kind).unwrap_or_else(|| "model".to_owned()),
         default: group.map(|group| (group, index)),
+        used_as: None,
         shape: Shape::Other(None),
     };
     while let Some(child) = xml.child()? {
-        if child.is(Space::Core, "mesh") {
+        if slicer::is_settings(&child) {
+            object.used_as = object.used_as.or(slicer::used_as(xml)?);
+        } else if child.is(Space::Core, "mesh") {
             let depth = xml.depth();
             let read = match mesh::read(xml) {
                 Err(e) if xml.is_broken() => return Err(e),
@@ -208,9 +214,7 @@ fn object(xml: &mut Xml<'_>, element: &Element<'_>) -> Result<(u32, Object)> {
         } else if child.is(Space::Core, "components") {
             object.shape = Shape::Components(references(xml, "component")?);
         } else {
-            if let (Shape::Other(other), false) =
-                (&mut object.shape, child.is_named("metadatagroup"))
-            {
+            if let Shape::Other(other) = &mut object.shape {
                 other.get_or_insert_with(|| child.name());
             }
             xml.skip()?;

@@ -2,7 +2,8 @@
 //! away from what they overlap.
 //!
 //! PrusaSlicer and its kin write all volumes of an object into one mesh, and which triangles are of which volume into a file of the package.
-//! Bambu Studio and OrcaSlicer write objects of components, and the use of each component.
+//! Bambu Studio and OrcaSlicer write objects of components, and the use of each component. Cura writes its settings of an object into the
+//! object: as metadata, older versions as `settings`.
 //!
 //! Neither is shown: a region is no solid, and taking one solid away from another is not done here. Each is a note.
 
@@ -39,6 +40,15 @@ impl Use {
         named
             .find(|(name, _)| word.contains(name))
             .map(|(_, of)| of)
+    }
+
+    /// By the name of a setting of Cura that is on.
+    fn of_setting(name: &str) -> Option<Self> {
+        match name.rsplit(':').next().unwrap_or_default() {
+            "infill_mesh" | "cutting_mesh" => Some(Self::Modifier),
+            "support_mesh" | "anti_overhang_mesh" => Some(Self::Support),
+            _ => None,
+        }
     }
 
     /// A note on what is left out.
@@ -125,6 +135,23 @@ impl Uses {
         }
         Ok(())
     }
+}
+
+/// Whether an element of an object may hold settings of Cura.
+pub(super) fn is_settings(element: &Element<'_>) -> bool {
+    element.is_named("metadatagroup") || element.is_named("settings")
+}
+
+/// The use of an object by its settings, which were opened, and are closed then.
+pub(super) fn used_as(xml: &mut Xml<'_>) -> Result<Option<Use>> {
+    let mut found = None;
+    while let Some(setting) = xml.child()? {
+        let [name, key] = setting.values(["name", "key"])?;
+        let of = name.or(key).and_then(|name| Use::of_setting(&name));
+        let is_on = xml.text()?.eq_ignore_ascii_case("true");
+        found = found.or(of.filter(|_| is_on));
+    }
+    Ok(found)
 }
 
 /// The use of a volume, by the `metadata` in it.

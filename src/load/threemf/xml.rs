@@ -287,6 +287,14 @@ impl<'a> Xml<'a> {
         self.leave(self.depth)
     }
 
+    /// Closes the element that is open; the text that it begins with, as it is written.
+    pub(super) fn text(&mut self) -> Result<&'a str> {
+        let begin = usize::try_from(self.reader.buffer_position()).unwrap_or(usize::MAX);
+        self.skip()?;
+        let rest = self.text.get(begin..).unwrap_or_default();
+        Ok(rest.split('<').next().unwrap_or_default().trim())
+    }
+
     /// How many elements are open.
     pub(super) fn depth(&self) -> usize {
         self.depth

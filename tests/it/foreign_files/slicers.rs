@@ -84,3 +84,41 @@ fn components_are_left_out_by_their_use() {
         must_say(&loaded, words, kind);
     }
 }
+
+#[test]
+fn objects_are_left_out_by_their_settings() {
+    let folder = Scratch::new("foreign-3mf");
+    let read = |settings: &str| {
+        let other = object(2, "").replacen("<mesh>", &format!("{settings}<mesh>"), 1);
+        let resources = object(1, "") + &other;
+        let items = "<item objectid=\"1\"/><item objectid=\"2\"/>";
+        open(&folder.write("a.3mf", package(model(&resources, items), &[])))
+    };
+    let as_metadata = |name: &str, value: &str| {
+        format!(
+            "<metadatagroup><metadata name=\"cura:{name}\" type=\"xs:string\">{value}</metadata></metadatagroup>"
+        )
+    };
+    for (name, words) in [
+        ("infill_mesh", "a modifier"),
+        ("cutting_mesh", "a modifier"),
+        ("support_mesh", "supports"),
+        ("anti_overhang_mesh", "supports"),
+    ] {
+        let old = format!(
+            "<settings xmlns=\"http://software.ultimaker.com/xml/cura/3mf/2015/10\"><setting key=\"{name}\">True</setting></settings>"
+        );
+        for settings in [as_metadata(name, "True"), old] {
+            let loaded = read(&settings);
+            assert_eq!(loaded.parts.len(), 1, "{settings}");
+            must_say(&loaded, words, &settings);
+        }
+        // The controls: it is off, or it is another.
+        assert_eq!(read(&as_metadata(name, "False")).parts.len(), 2, "{name}");
+    }
+    assert_eq!(
+        read(&as_metadata("infill_line_width", "True")).parts.len(),
+        2
+    );
+    assert_eq!(read("<metadatagroup/>").parts.len(), 2);
+}
