@@ -8,10 +8,12 @@ use cutaway::passes::{Model, NEED_OF_TRIANGLES};
 use cutaway::plan::{Capacities, Clock, Limits, Plan};
 use cutaway::scene::{Camera, ClipSurface, Cut, Scene, Wrap};
 use cutaway::session::Outcome;
-use cutaway::strategies;
+use cutaway::strategies::{self, Means, Method, Rasteriser};
 use glam::DVec3;
 
-use super::common::{Question, class_of, gpu, meshes, scenes, session, strategy};
+use super::common::{
+    Question, class_of, gpu, hardware_precision, meshes, scenes, session, strategy,
+};
 use super::refined::drawn;
 use super::{cut_ball, noise};
 
@@ -320,7 +322,12 @@ fn too_many_triangles_are_told_and_then_have_room() {
     let strategy = strategy("adaptive:0.02+mask");
     // The first try, by itself.
     let gpu = gpu();
-    let plan = strategies::plan(&model, &view, strategy, &Capacities::UNKNOWN)
+    let means = Means {
+        sub_pixel_bits: Some(hardware_precision().sub_pixel_bits),
+        ..Means::by(Rasteriser::Hardware)
+    };
+    let method = Method::new(strategy, means);
+    let plan = strategies::plan(&model, &view, method, &Capacities::UNKNOWN)
         .unwrap_or_else(|e| panic!("{e}"));
     let at = plan
         .bounded

@@ -1,9 +1,12 @@
 //! The box around the cut solids, outside of which no crossing is looked for.
 
+use cutaway::plan::Contents;
 use cutaway::plan::pack::frame;
 use cutaway::scene::{Bounds, Precision, Prepared, View};
+use cutaway::strategies::{Means, Method, Rasteriser};
 use glam::{DVec2, DVec3, Vec4};
 
+use super::*;
 use crate::common::scenes;
 
 /// Regression: at the silhouette of the whole model fixed functions covered samples whose rays missed the box, and so found no crossing
@@ -47,5 +50,28 @@ fn rays_beside_a_solid_by_what_rasterisers_move_it_meet_the_box() {
                 }
             }
         }
+    }
+}
+
+#[test]
+fn the_sub_pixel_bits_of_a_session_reach_the_frame() {
+    let model = Model::new(&scenes::sectioned("cube", &["z=0"]));
+    let view = model.prepared.view([64, 48]);
+    let uploaded = |sub_pixel_bits: Option<u32>, by: Rasteriser| {
+        let means = Means {
+            sub_pixel_bits,
+            ..Means::by(by)
+        };
+        let method = Method::new(Strategy::RAYCAST_MASK, means);
+        let plan = strategies::plan(&model, &view, method, &Capacities::UNKNOWN);
+        let plan = plan.unwrap_or_else(|e| panic!("{e}"));
+        let frame = plan.resources.iter().find(|r| r.name == "frame");
+        let contents = frame.and_then(|r| r.contents.as_ref());
+        contents.map(Contents::bytes).expect("it is uploaded")
+    };
+    // The compute rasteriser has bits of its own, but tessellations and cutters are drawn by the adapter beside it too.
+    for by in [Rasteriser::Hardware, Rasteriser::Compute] {
+        assert_ne!(uploaded(Some(4), by), uploaded(Some(8), by), "{by}");
+        assert_eq!(uploaded(None, by), uploaded(Some(8), by), "{by}");
     }
 }
