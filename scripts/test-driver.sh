@@ -83,6 +83,7 @@ esac
 
 printf '{"file_format_version":"1.0.0","ICD":{"library_path":"%s","api_version":"1.3.0"}}\n' "$library" >"$icd"
 echo "tests of $* on $name, $library" >&2
+export RUST_TEST_THREADS="${RUST_TEST_THREADS:-$((2 * $(getconf _NPROCESSORS_ONLN)))}"
 $cargo test --quiet --workspace --test it --no-run
 VK_DRIVER_FILES=$icd CUTAWAY_ADAPTER=$name XDG_RUNTIME_DIR=${XDG_RUNTIME_DIR:-/tmp} \
     $cargo --config "target.'cfg(all())'.runner = $runner" test --workspace --test it -- "$@"
