@@ -2,7 +2,7 @@
 //!
 //! A sample is undecided where an implementation that moves it by 1/256 px, or rounds a depth by four ulp of f32, may
 //! rightly answer otherwise. Three things can make it so: an outline nearby, two events of one ray that are so close that
-//! their order is open, and a ray that grazes a clip-surface. Nearness alone is not enough: the walk is repeated with the
+//! their order is open ([`super::order`]), and a ray that grazes a clip-surface. Nearness alone is not enough: the walk is repeated with the
 //! pair swapped, or the graze taken the other way, and only another kind, part or clip-surface leaves the sample undecided;
 //! if all of these stay and the depth jumps, as between the folds of a relief, the depth alone is open; if only other solids
 //! come to overlap at a cap or cease to, that alone is. An outline leaves
@@ -11,13 +11,10 @@
 //! What is known of whole triangles is decided: on which side of a flat clip-surface one close to it lies (see [`super::settle`]), and
 //! of two parts that share a triangle, or a plane ([`super::settle`]), the first in rank has it.
 
-use glam::DVec3;
-
 use super::clip::{Graze, Ray, Root};
 use super::cutter::{self, Cutters};
 use super::outline::Brush;
 use super::raster::{Crossing, Projected};
-use super::settle::share_plane;
 use super::walk::{Cause, Event, Sight, State, restore_order, walk};
 use crate::scene::{Prepared, View};
 
@@ -47,7 +44,7 @@ pub(super) enum Openness {
 
 impl Openness {
     /// The greatest, asked for only until nothing can exceed it.
-    fn worst(all: impl Iterator<Item = Self>) -> Self {
+    pub(super) fn worst(all: impl Iterator<Item = Self>) -> Self {
         let mut worst = Self::Nothing;
         for one in all {
             worst = worst.max(one);
@@ -89,9 +86,9 @@ pub(super) struct Case<'a> {
 /// Buffers of repeated walks.
 #[derive(Default)]
 pub(super) struct Scratch {
-    events: Vec<Event>,
+    pub(super) events: Vec<Event>,
     state: State,
-    margins: Vec<f64>,
+    pub(super) margins: Vec<f64>,
 }
 
 impl Scratch {
@@ -117,12 +114,12 @@ impl Case<'_> {
         grazed.max(self.disordered(scratch))
     }
 
-    fn seen_depth(&self) -> f64 {
+    pub(super) fn seen_depth(&self) -> f64 {
         self.sight.map_or(f64::INFINITY, |s| s.depth)
     }
 
     /// How far an event may move in depth.
-    fn margin(&self, event: &Event) -> f64 {
+    pub(super) fn margin(&self, event: &Event) -> f64 {
         let change = match event.cause {
             Cause::Mesh { rank, .. } => {
                 let triangle = self.crossings[event.source as usize].triangle;
@@ -249,129 +246,8 @@ impl Case<'_> {
         }))
     }
 
-    /// What it changes to swap two events whose order is open. The near plane is an event too.
-    fn disordered(&self, scratch: &mut Scratch) -> Openness {
-        let mut margins = std::mem::take(&mut scratch.margins);
-        margins.clear();
-        margins.extend(self.events.iter().map(|e| self.margin(e)));
-        let widest = margins.iter().copied().fold(0.0, f64::max);
-        let seen = self.seen_depth();
-        let open = Openness::worst(
-            (0..self.events.len())
-                .take_while(|i| self.events[*i].depth <= seen + 2.0 * widest)
-                .map(|i| {
-                    let depth = self.events[i].depth;
-                    let near = if (depth - self.view.near).abs() <= margins[i] {
-                        self.across_near(scratch, i, margins[i])
-                    } else {
-                        Openness::Nothing
-                    };
-                    let close = (i + 1..self.events.len())
-                        .take_while(|j| self.events[*j].depth - depth <= margins[i] + widest)
-                        .filter(|j| self.events[*j].depth - depth <= margins[i] + margins[*j]);
-                    near.max(Openness::worst(close.map(|j| {
-                        if self.order_matters(&self.events[i], &self.events[j]) {
-                            self.swapped(scratch, [i, j], margins[i] + margins[j])
-                        } else {
-                            Openness::Nothing
-                        }
-                    })))
-                }),
-        );
-        scratch.margins = margins;
-        open
-    }
-
-    /// What it changes to move an event to the other side of the near plane; at the plane counts as before it.
-    fn across_near(&self, scratch: &mut Scratch, event: usize, margin: f64) -> Openness {
-        let depth = self.events[event].depth;
-        let step = rounding(self.view, depth);
-        scratch.events.clear();
-        scratch.events.extend_from_slice(self.events);
-        let across = if depth > self.view.near {
-            self.view.near
-        } else {
-            self.view.near + step
-        };
-        self.put(scratch, event, across);
-        self.change(scratch, margin + step)
-    }
-
-    fn swapped(&self, scratch: &mut Scratch, [i, j]: [usize; 2], margin: f64) -> Openness {
-        let [near, far] = [i, j].map(|k| self.events[k].depth);
-        scratch.events.clear();
-        scratch.events.extend_from_slice(self.events);
-        self.put(scratch, i, far);
-        // At one depth the tie rule decides; the other order is a hair apart.
-        let hair = (near == far).then(|| rounding(self.view, near));
-        self.put(scratch, j, near - hair.unwrap_or(0.0));
-        self.change(scratch, margin)
-    }
-
-    /// Puts an event at another depth, and with it all crossings with triangles that coincide with its own: who moves one moves all.
-    fn put(&self, scratch: &mut Scratch, event: usize, depth: f64) {
-        let moved = &self.events[event];
-        for (other, copy) in self.events.iter().zip(&mut scratch.events) {
-            if self.share_triangle(moved, other) {
-                copy.depth = depth;
-            }
-        }
-        scratch.events[event].depth = depth;
-    }
-
-    /// Whether swapping two events can change anything at all, and is not settled by exact coincidence.
-    fn order_matters(&self, a: &Event, b: &Event) -> bool {
-        let is_settled = |mesh: &Event, surface: u16| {
-            (self.settled.iter()).any(|(source, by, _)| (*source, *by) == (mesh.source, surface))
-        };
-        match (a.cause, b.cause) {
-            // Of one part it matters which side of the mesh is seen.
-            (Cause::Mesh { rank: p, step: s }, Cause::Mesh { rank: q, step: t }) => {
-                (p != q || s != t)
-                    && !self.share_triangle(a, b)
-                    && !share_plane(self.shared, [a, b])
-                    && !self.is_between(a, b)
-            }
-            // A part that the surface does not cut may be in front of the cap of another, or behind it.
-            (Cause::Mesh { .. }, Cause::Clip { surface, .. }) => !is_settled(a, surface),
-            (Cause::Clip { surface, .. }, Cause::Mesh { .. }) => !is_settled(b, surface),
-            (Cause::Clip { surface: s, .. }, Cause::Clip { surface: t, .. }) => {
-                // Two surfaces that are one plane happen at once, whatever the rounding.
-                let [g, h] = [a, b].map(|e| self.roots[e.source as usize].gradient);
-                // Of a face that a cutter shares with another surface no such thing is known: triangles round each for itself.
-                let of_cutter = |surface: u16| self.cutters.contains(surface);
-                let apart = a.depth != b.depth || g.cross(h) != DVec3::ZERO;
-                s != t && (apart || of_cutter(s) || of_cutter(t))
-            }
-        }
-    }
-
-    /// Whether two crossings lie on different sides of one clip-surface.
-    fn is_between(&self, a: &Event, b: &Event) -> bool {
-        let of = |event: &Event| {
-            let source = event.source;
-            (self.settled.iter()).filter(move |(crossing, _, _)| *crossing == source)
-        };
-        of(a).any(|(_, by, place)| of(b).any(|(_, other, there)| by == other && place != there))
-    }
-
-    /// Whether two events are crossings, at one depth, with triangles of the same corners.
-    fn share_triangle(&self, a: &Event, b: &Event) -> bool {
-        let is_mesh = |e: &Event| matches!(e.cause, Cause::Mesh { .. });
-        if a.depth != b.depth || !is_mesh(a) || !is_mesh(b) {
-            return false;
-        }
-        let points = [a, b].map(|e| {
-            let crossing = &self.crossings[e.source as usize];
-            self.parts[crossing.rank as usize]
-                .facet(crossing.triangle)
-                .points
-        });
-        points[0].iter().all(|p| points[1].contains(p))
-    }
-
     /// Repeats the walk with the events in `scratch`; `reach` is how far they were moved.
-    fn change(&self, scratch: &mut Scratch, reach: f64) -> Openness {
+    pub(super) fn change(&self, scratch: &mut Scratch, reach: f64) -> Openness {
         let Scratch { events, state, .. } = scratch;
         restore_order(events);
         state.set(self.start);

@@ -21,6 +21,7 @@ mod clip;
 mod cutter;
 mod facet;
 mod follow;
+mod order;
 mod outline;
 mod quadratic;
 mod raster;

@@ -335,3 +335,44 @@ fn regression_0013_walls_of_a_cutter_past_the_eye_are_as_far_as_they_are() {
     let most = tolerances::CUTTER_DEPTH_PX * tolerances::coarse_room();
     assert!(off_px < most, "{off_px} px");
 }
+
+/// A body stands on another whose top is settled to be removed, and reaches through the plane by less than depths are told apart: exact
+/// was sure of the cap there, for the clip-surface cannot move past the top. Planar caps lost a pixel of a gear by it.
+#[test]
+fn regression_0014_a_crossing_moves_past_a_clip_surface_that_another_is_settled_by() {
+    let (top, slope) = (-5e-8, 1e-3);
+    let lower = meshes::block(DVec3::splat(-1.0), DVec3::new(1.0, 1.0, top));
+    let mut upper = meshes::block(DVec3::new(-0.5, -0.5, 0.0), DVec3::new(0.5, 0.5, 1.0));
+    let bottom = upper.positions.iter_mut().filter(|p| p.z < 0.5);
+    bottom.for_each(|p| p.z = slope * p.x);
+    let mesh = meshes::joined(&[lower, upper]);
+    let surface = ClipSurface::plane(DVec3::ZERO, DVec3::Z);
+    let scene = scenes::scene("standing", mesh, vec![surface]);
+    let eye = DVec3::new(0.8, -2.0, -3.0);
+    let question = Question::through(&scene, &scenes::looking(eye, DVec3::ZERO, 30.0), [128, 96]);
+    let mut count = 0;
+    for pixel in 0..question.exact.undecided.len() {
+        let at = DVec2::new((pixel % 128) as f64 + 0.5, (pixel / 128) as f64 + 0.5);
+        let (origin, direction) = question.view.ray(at);
+        let hit = (origin - direction * (origin.z / direction.z)) / question.model.prepared.scale;
+        // Between the height of the lower body's top and that which depths tell from the plane.
+        if (-0.05..-0.005).contains(&hit.x) && hit.y.abs() < 0.4 {
+            count += 1;
+            let layer = &question.exact.layers.pixels[pixel];
+            assert!(question.exact.undecided[pixel], "{at}: {:?}", layer.kind);
+        }
+    }
+    assert!(count > 50, "{count} px");
+    let caps = question
+        .exact
+        .layers
+        .pixels
+        .iter()
+        .zip(&question.exact.undecided);
+    let caps = caps.filter(|(layer, undecided)| layer.kind == Kind::Cap && !**undecided);
+    assert!(caps.count() > 100, "farther off the cap is decided");
+    for method in ["raycast+mask", "raycast+mask@compute", "planar"] {
+        let judged = question.answer(method.parse::<Method>().expect("a method"));
+        assert_eq!(judged.fault_of_exact(), None, "{method}");
+    }
+}

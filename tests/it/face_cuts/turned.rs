@@ -1,14 +1,20 @@
 //! Promise: a planar face whose vertices are some steps of f32 off its plane is kept or gone as a whole, in the reference, every exact
 //! strategy, the section and what is exported (hard case 57).
 
+use cutaway::hard_cases::class_of;
 use cutaway::scene::{Bounds, Fill, SceneSpace};
 use cutaway::slice::{SlicePlane, Slicer, capped};
 use glam::DQuat;
 
 use super::*;
+use crate::common::tolerances;
 
 /// Undecided pixels that outlines leave in any picture.
 const FEW_PX: usize = 20;
+
+/// What is no face: vertices farther off their plane than turning and rounding leaves room for, in steps of f32 at the largest coordinate.
+/// A gear of `cube_gears.glb` has faces that are off by 39.
+const FLAT_STEPS: f64 = 4.0;
 
 /// A mesh turned in f64, with coordinates as a file of f32 has them.
 fn turned_in_f32(mesh: &Mesh, by: DQuat, to: DVec3) -> Mesh {
@@ -37,17 +43,52 @@ fn sides(scene: &Scene, at: DVec3, normal: DVec3) -> [(ClipSurface, Scene); 2] {
 fn faults_of_face(question: &Question, what: &str) -> Vec<String> {
     let mut all = faults(question, what);
     let (undecided, covered) = (question.exact.undecided_px(), question.exact.covered_px());
-    if undecided > FEW_PX.max(covered / 1000) {
-        all.push(format!("{what}: {undecided} of {covered} px undecided"));
+    // A dense mesh is mostly outlines at this size.
+    let of_outlines = question.boundary_px() as f64 * tolerances::UNDECIDED_PER_BOUNDARY_PX;
+    let most = FEW_PX.max(covered / 1000).max(of_outlines as usize);
+    if undecided > most {
+        all.push(format!(
+            "{what}: {undecided} of {covered} px undecided, {most} by outlines"
+        ));
     }
     for name in EXACT {
         let judged = question.answer(name.parse::<Method>().expect("a strategy"));
-        if judged.comparison.interior_wrong_px > 0 {
-            let px = judged.comparison.interior_wrong_px;
+        let px = inner_px(&judged);
+        if px > 0 {
             all.push(format!("{what}: {name}: {px} inner px differ"));
         }
     }
     all
+}
+
+/// Pixels that show another kind, part or clip-surface than all pixels around them do in the reference. The back of a part in the place of
+/// its front is not counted: by a fold of the part, where samples are undecided, a rasteriser may see either side.
+fn inner_px(judged: &Judged) -> usize {
+    let exact = &judged.exact.layers;
+    let [width, height] = exact.size_px;
+    let differs = |x: u32, y: u32| {
+        let found = class_of(judged.layers.at(x, y));
+        let around = (y.max(1) - 1..(y + 2).min(height))
+            .flat_map(|j| (x.max(1) - 1..(x + 2).min(width)).map(move |i| (i, j)));
+        let first = class_of(exact.at(x, y));
+        found != first
+            && around
+                .into_iter()
+                .all(|(i, j)| class_of(exact.at(i, j)) == first)
+    };
+    (0..width * height)
+        .filter(|i| differs(i % width, i / width))
+        .count()
+}
+
+/// Whether all vertices of a mesh that are about in a plane are in it but for rounding.
+fn is_flat(mesh: &Mesh, (at, normal): (DVec3, DVec3)) -> bool {
+    let bounds = mesh.bounds();
+    let size = bounds.min.abs().max(bounds.max.abs()).max_element() as f32;
+    let step = f64::from(size.next_up()) - f64::from(size);
+    let off = mesh.positions.iter().map(|p| (*p - at).dot(normal).abs());
+    let near = off.filter(|off| *off < 2e-4 * bounds.radius());
+    near.fold(0.0, f64::max) <= FLAT_STEPS * step
 }
 
 #[test]
@@ -56,9 +97,9 @@ fn turned_parts_are_cut_in_their_faces() {
     let mut all = Vec::new();
     let mut frames = 0;
     let mut faces = 0;
-    let folders: &[&str] = match views(4) {
-        1 => &["cad"],
-        _ => &["cad", "assembly", "dense", "step"],
+    let (folders, faces_each): (&[&str], usize) = match views(4) {
+        1 => (&["cad"], 1),
+        _ => (&["cad", "assembly", "dense", "step"], 3),
     };
     for file in files(folders) {
         let loaded = load_mesh_file(&file).expect("a mesh").parts;
@@ -68,7 +109,9 @@ fn turned_parts_are_cut_in_their_faces() {
             let to = DVec3::from_array([(); 3].map(|()| random.between(-2.0, 2.0))) * radius;
             let mesh = turned_in_f32(&part.mesh, turn, to);
             let scene = common::scenes::scene(&file.display().to_string(), mesh, Vec::new());
-            for (at, normal) in largest_faces(&part.mesh, 1) {
+            let flat = largest_faces(&part.mesh, faces_each);
+            let flat = flat.into_iter().filter(|face| is_flat(&part.mesh, *face));
+            for (at, normal) in flat {
                 // A vertex of the face as the file has it.
                 let at = (turn * at + to).as_vec3().as_dvec3();
                 faces += 1;

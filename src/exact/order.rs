@@ -1,0 +1,157 @@
+//! Events of one ray that are so close that their order is open, and what another order would show.
+//!
+//! Pairs are swapped one by one, and a crossing is moved past a clip-surface alone where others lie between the two: those may be
+//! settled against the surface ([`super::settle`]). Costs a walk along the ray for each close pair. Three events in an order that no such
+//! step leads to are not looked for.
+
+use glam::DVec3;
+
+use super::ambiguity::{Case, Openness, Scratch, rounding};
+use super::settle::share_plane;
+use super::walk::{Cause, Event};
+
+impl Case<'_> {
+    /// What it changes to swap two events whose order is open. The near plane is an event too.
+    pub(super) fn disordered(&self, scratch: &mut Scratch) -> Openness {
+        let mut margins = std::mem::take(&mut scratch.margins);
+        margins.clear();
+        margins.extend(self.events.iter().map(|e| self.margin(e)));
+        let widest = margins.iter().copied().fold(0.0, f64::max);
+        let seen = self.seen_depth();
+        let open = Openness::worst(
+            (0..self.events.len())
+                .take_while(|i| self.events[*i].depth <= seen + 2.0 * widest)
+                .map(|i| {
+                    let depth = self.events[i].depth;
+                    let near = if (depth - self.view.near).abs() <= margins[i] {
+                        self.across_near(scratch, i, margins[i])
+                    } else {
+                        Openness::Nothing
+                    };
+                    let close = (i + 1..self.events.len())
+                        .take_while(|j| self.events[*j].depth - depth <= margins[i] + widest)
+                        .filter(|j| self.events[*j].depth - depth <= margins[i] + margins[*j]);
+                    near.max(Openness::worst(close.map(|j| {
+                        if self.order_matters(&self.events[i], &self.events[j]) {
+                            self.swapped(scratch, [i, j], margins[i] + margins[j])
+                        } else {
+                            Openness::Nothing
+                        }
+                    })))
+                }),
+        );
+        scratch.margins = margins;
+        open
+    }
+
+    /// What it changes to move an event to the other side of the near plane; at the plane counts as before it.
+    fn across_near(&self, scratch: &mut Scratch, event: usize, margin: f64) -> Openness {
+        let depth = self.events[event].depth;
+        let step = rounding(self.view, depth);
+        scratch.events.clear();
+        scratch.events.extend_from_slice(self.events);
+        let across = if depth > self.view.near {
+            self.view.near
+        } else {
+            self.view.near + step
+        };
+        self.put(scratch, event, across);
+        self.change(scratch, margin + step)
+    }
+
+    fn swapped(&self, scratch: &mut Scratch, [i, j]: [usize; 2], margin: f64) -> Openness {
+        let [near, far] = [i, j].map(|k| self.events[k].depth);
+        scratch.events.clear();
+        scratch.events.extend_from_slice(self.events);
+        self.put(scratch, i, far);
+        // At one depth the tie rule decides; the other order is a hair apart.
+        let hair = (near == far).then(|| rounding(self.view, near));
+        self.put(scratch, j, near - hair.unwrap_or(0.0));
+        let open = self.change(scratch, margin);
+        match open == Openness::All || j == i + 1 {
+            true => open,
+            false => open.max(self.passed(scratch, [i, j], margin)),
+        }
+    }
+
+    /// What it changes to move a crossing past a clip-surface that stays where it is: crossings between the two may be settled against
+    /// it, so that it cannot move past those.
+    fn passed(&self, scratch: &mut Scratch, [i, j]: [usize; 2], margin: f64) -> Openness {
+        let [near, far] = [i, j].map(|k| &self.events[k]);
+        let (moved, depth) = match (near.cause, far.cause) {
+            (Cause::Mesh { .. }, Cause::Clip { .. }) => {
+                (i, far.depth + rounding(self.view, far.depth))
+            }
+            (Cause::Clip { .. }, Cause::Mesh { .. }) => {
+                (j, near.depth - rounding(self.view, near.depth))
+            }
+            _ => return Openness::Nothing,
+        };
+        scratch.events.clear();
+        scratch.events.extend_from_slice(self.events);
+        self.put(scratch, moved, depth);
+        self.change(scratch, margin)
+    }
+
+    /// Puts an event at another depth, and with it all crossings with triangles that coincide with its own: who moves one moves all.
+    fn put(&self, scratch: &mut Scratch, event: usize, depth: f64) {
+        let moved = &self.events[event];
+        for (other, copy) in self.events.iter().zip(&mut scratch.events) {
+            if self.share_triangle(moved, other) {
+                copy.depth = depth;
+            }
+        }
+        scratch.events[event].depth = depth;
+    }
+
+    /// Whether swapping two events can change anything at all, and is not settled by exact coincidence.
+    fn order_matters(&self, a: &Event, b: &Event) -> bool {
+        let is_settled = |mesh: &Event, surface: u16| {
+            (self.settled.iter()).any(|(source, by, _)| (*source, *by) == (mesh.source, surface))
+        };
+        match (a.cause, b.cause) {
+            // Of one part it matters which side of the mesh is seen.
+            (Cause::Mesh { rank: p, step: s }, Cause::Mesh { rank: q, step: t }) => {
+                (p != q || s != t)
+                    && !self.share_triangle(a, b)
+                    && !share_plane(self.shared, [a, b])
+                    && !self.is_between(a, b)
+            }
+            // A part that the surface does not cut may be in front of the cap of another, or behind it.
+            (Cause::Mesh { .. }, Cause::Clip { surface, .. }) => !is_settled(a, surface),
+            (Cause::Clip { surface, .. }, Cause::Mesh { .. }) => !is_settled(b, surface),
+            (Cause::Clip { surface: s, .. }, Cause::Clip { surface: t, .. }) => {
+                // Two surfaces that are one plane happen at once, whatever the rounding.
+                let [g, h] = [a, b].map(|e| self.roots[e.source as usize].gradient);
+                // Of a face that a cutter shares with another surface no such thing is known: triangles round each for itself.
+                let of_cutter = |surface: u16| self.cutters.contains(surface);
+                let apart = a.depth != b.depth || g.cross(h) != DVec3::ZERO;
+                s != t && (apart || of_cutter(s) || of_cutter(t))
+            }
+        }
+    }
+
+    /// Whether two crossings lie on different sides of one clip-surface.
+    fn is_between(&self, a: &Event, b: &Event) -> bool {
+        let of = |event: &Event| {
+            let source = event.source;
+            (self.settled.iter()).filter(move |(crossing, _, _)| *crossing == source)
+        };
+        of(a).any(|(_, by, place)| of(b).any(|(_, other, there)| by == other && place != there))
+    }
+
+    /// Whether two events are crossings, at one depth, with triangles of the same corners.
+    fn share_triangle(&self, a: &Event, b: &Event) -> bool {
+        let is_mesh = |e: &Event| matches!(e.cause, Cause::Mesh { .. });
+        if a.depth != b.depth || !is_mesh(a) || !is_mesh(b) {
+            return false;
+        }
+        let points = [a, b].map(|e| {
+            let crossing = &self.crossings[e.source as usize];
+            self.parts[crossing.rank as usize]
+                .facet(crossing.triangle)
+                .points
+        });
+        points[0].iter().all(|p| points[1].contains(p))
+    }
+}
