@@ -21,7 +21,7 @@ folder=${CARGO_TARGET_DIR:-target}/drivers/$driver
 mkdir -p "$folder"
 folder=$(cd "$folder" && pwd)
 icd=$folder/icd.json
-# An empty list is none to cargo.
+# Cargo refuses an empty list; env runs the tests as they are.
 runner="['env']"
 
 none() {
@@ -83,6 +83,7 @@ esac
 
 printf '{"file_format_version":"1.0.0","ICD":{"library_path":"%s","api_version":"1.3.0"}}\n' "$library" >"$icd"
 echo "tests of $* on $name, $library" >&2
+# As scripts/test.sh has it: frames leave cores idle.
 export RUST_TEST_THREADS="${RUST_TEST_THREADS:-$((2 * $(getconf _NPROCESSORS_ONLN)))}"
 $cargo test --quiet --workspace --test it --no-run
 VK_DRIVER_FILES=$icd CUTAWAY_ADAPTER=$name XDG_RUNTIME_DIR=${XDG_RUNTIME_DIR:-/tmp} \

@@ -31,7 +31,7 @@ use super::subject::{Subject, document};
 use super::when::TimeArgs;
 use crate::save::{Format, Solid, encoded, leaves_out, rounding};
 use crate::scene::weld::thousands;
-use crate::scene::{Fill, LengthUnit, Scene, doubts};
+use crate::scene::{Fill, LengthUnit, Scene, Texture, doubts};
 use crate::slice::{CappedPart, Half, RELIEF_CELLS, capped_with};
 use crate::{Error, Result};
 
@@ -123,8 +123,11 @@ pub(super) fn run(args: &ExportArgs) -> Result<Verdict> {
     subject.must_be_cut_by(&args.sections)?;
     let scene = &subject.scene;
     let coats = scene.parts.iter().filter_map(|p| p.mesh.coat.as_ref());
-    let images = coats.map(|coat| coat.images.len()).sum();
-    subject.save_beside(outputs.with_images(images), &args.edits)?;
+    let mut images = Vec::new();
+    for image in coats.flat_map(|coat| &coat.images) {
+        Texture::number_among(&mut images, image);
+    }
+    subject.save_beside(outputs.with_images(images.len()), &args.edits)?;
     if !scene.cuts.iter().any(|c| c.enabled) {
         let help = "add --section SPEC, for example --section z=50%";
         return Err(Error::input("export", "there is nothing to cut by", help));

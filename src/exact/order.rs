@@ -1,7 +1,7 @@
 //! Events of one ray that are so close that their order is open, and what another order would show.
 //!
 //! Pairs are swapped one by one, and a crossing is moved past a clip-surface alone where others lie between the two: those may be
-//! settled against the surface ([`super::settle`]). Costs a walk along the ray for each close pair. Three events in an order that no such
+//! settled against the surface ([`super::settle`]). Costs up to two walks along the ray for each close pair. Three events in an order that no such
 //! step leads to are not looked for.
 
 use glam::DVec3;

@@ -57,9 +57,20 @@ impl Images {
     }
 }
 
-/// The name of the file of an image.
+/// The name of the file of an image, as formats of lines can hold it.
 pub(super) fn file_name(stem: &str, number: usize) -> String {
-    format!("{stem}.{number}.png")
+    format!("{}.{number}.png", word_of(stem))
+}
+
+/// Text as one word of a line: without blanks, without what begins a comment or goes on in the next line, and no option.
+pub(super) fn word_of(text: &str) -> String {
+    let is_plain = |c: char| !(c.is_whitespace() || c.is_control() || c == '#' || c == '\\');
+    let word = text.chars().map(|c| if is_plain(c) { c } else { '_' });
+    let word: String = word.collect();
+    match word.strip_prefix('-') {
+        Some(rest) => format!("_{rest}"),
+        None => word,
+    }
 }
 
 fn png(image: &Texture) -> Result<Vec<u8>, Unwritable> {

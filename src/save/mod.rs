@@ -68,7 +68,7 @@ impl<'a> Solid<'a> {
         self.coat.as_ref()?.triangles.get(triangle)
     }
 
-    /// Whether corners have colours of their own, which images are taken times.
+    /// Whether corners have colours of their own, by which images are multiplied.
     fn has_colors(&self) -> bool {
         let mut faces = self.coat.iter().flat_map(|coat| &coat.triangles);
         faces.any(CoatedTriangle::has_colors)

@@ -1,15 +1,14 @@
 //! Wavefront OBJ: an object for each solid, a group for its faces and one for its caps, and their materials in a library; a material for
 //! each image, which lies beside the file.
 //!
-//! Numbers are as short as they can be read back from. Names have no blanks in OBJ, nor what begins a comment or
-//! goes on in the next line, and are made different.
+//! Numbers are as short as they can be read back from. Names are words ([`word_of`]), of parts and materials no two alike.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
 use glam::{Vec2, Vec3};
 
-use super::images::{Images, file_name};
+use super::images::{Images, file_name, word_of};
 use super::painted::by_vertex;
 use super::{Encoded, Solid, Unwritable, bytes_of};
 
@@ -30,7 +29,7 @@ pub(super) fn encoded(solids: &[Solid<'_>], stem: &str) -> Result<Encoded, Unwri
 
 /// The name of the material library of a file.
 pub(super) fn library_name(stem: &str) -> String {
-    format!("{stem}.mtl")
+    format!("{}.mtl", word_of(stem))
 }
 
 fn text(solids: &[Solid<'_>], images: &Images, names: &Names, stem: &str) -> String {
@@ -146,14 +145,7 @@ impl Names {
     fn of(solids: &[Solid<'_>], images: usize) -> Self {
         let mut taken = BTreeSet::new();
         let mut unique = |wanted: &str| {
-            let plain = |c: char| {
-                if c.is_whitespace() || c.is_control() || c == '#' || c == '\\' {
-                    '_'
-                } else {
-                    c
-                }
-            };
-            let wanted: String = wanted.chars().map(plain).collect();
+            let wanted = word_of(wanted);
             let wanted = if wanted.is_empty() {
                 "part".to_owned()
             } else {

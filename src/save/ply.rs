@@ -1,6 +1,6 @@
 //! Binary PLY, little-endian: vertices as `double`, faces with their colour, the number of their part, and whether they are a cap; and
 //! where faces show images, `texcoord` and `texnumber` of each face and a comment `TextureFile` for each image, as MeshLab has them, with
-//! -1 as the number of faces without. And without any of that, for meshes that have no look of their own.
+//! -1 as the number of faces without. [`plain`] writes none of this, for meshes that have no look of their own.
 
 use glam::{DVec3, Vec2};
 

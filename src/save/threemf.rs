@@ -122,11 +122,11 @@ impl Textures {
             return Ok(Vec::new());
         }
         let mut relationships = format!("{RELATIONSHIPS_BEGIN}\n");
-        for path in (0..self.images.count()).map(path_of) {
+        for image in 0..self.images.count() {
+            let path = path_of(image);
             let _ = writeln!(
                 relationships,
-                "<Relationship Target=\"/{path}\" Id=\"{}\" Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dtexture\"/>",
-                path.replace(['/', '.'], "_")
+                "<Relationship Target=\"/{path}\" Id=\"rel{image}\" Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dtexture\"/>"
             );
         }
         relationships.push_str("</Relationships>\n");

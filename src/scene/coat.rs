@@ -28,7 +28,7 @@ pub struct CoatedTriangle {
 }
 
 impl CoatedTriangle {
-    /// Whether it shows more than an image as it is.
+    /// Whether it has colours of its own: there is no image, or it is tinted.
     pub(crate) fn has_colors(&self) -> bool {
         self.image.is_none() || self.colors != [[255; 4]; 3]
     }

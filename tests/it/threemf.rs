@@ -193,21 +193,29 @@ fn images_are_shown_where_all_corners_have_a_place_in_one() {
     let groups = "<m:texture2d id=\"20\" path=\"/3D/Textures/a.png\" contenttype=\"image/png\"/>\n\
         <m:texture2d id=\"21\" path=\"/3D/Textures/broken.png\" contenttype=\"image/png\"/>\n\
         <m:texture2dgroup id=\"30\" texid=\"20\"><m:tex2coord u=\"0\" v=\"0\"/><m:tex2coord u=\"0.25\" v=\"1\"/></m:texture2dgroup>\n\
-        <m:texture2dgroup id=\"31\" texid=\"21\"><m:tex2coord u=\"0\" v=\"0\"/></m:texture2dgroup>\n";
-    let mesh = tetrahedron([
+        <m:texture2dgroup id=\"31\" texid=\"21\"><m:tex2coord u=\"0\" v=\"0\"/></m:texture2dgroup>\n\
+        <m:texture2dgroup id=\"32\" texid=\"21\"><m:tex2coord u=\"0\" v=\"0\"/></m:texture2dgroup>\n\
+        <m:colorgroup id=\"33\"><m:color color=\"#00FF00\"/></m:colorgroup>\n\
+        <m:multiproperties id=\"34\" pids=\"33 30\"><m:multi pindices=\"0 1\"/></m:multiproperties>\n\
+        <m:multiproperties id=\"35\" pids=\"31 33\"><m:multi pindices=\"0 0\"/></m:multiproperties>\n";
+    let png = png.into_inner();
+    let files = [
+        ("3D/Textures/a.png", &png[..]),
+        ("3D/Textures/broken.png", b"no image".as_slice()),
+    ];
+    let read = |triangles: [&str; 4]| {
+        let mesh = tetrahedron(triangles);
+        let resources = format!("{groups}<object id=\"1\">{mesh}</object>");
+        let model = model(&resources, "<item objectid=\"1\"/>");
+        let path = folder.write("a.3mf", package_of_bytes(&model, &files));
+        load_mesh_file(&path).unwrap_or_else(|e| panic!("{e}"))
+    };
+    let loaded = read([
         " pid=\"30\" p1=\"0\" p2=\"1\" p3=\"0\"",
         " pid=\"31\" p1=\"0\"",
         " pid=\"30\" p1=\"0\" p2=\"7\" p3=\"0\"",
         "",
     ]);
-    let resources = format!("{groups}<object id=\"1\">{mesh}</object>");
-    let model = model(&resources, "<item objectid=\"1\"/>");
-    let files = [
-        ("3D/Textures/a.png", &png.into_inner()[..]),
-        ("3D/Textures/broken.png", b"no image".as_slice()),
-    ];
-    let path = folder.write("a.3mf", package_of_bytes(&model, &files));
-    let loaded = load_mesh_file(&path).unwrap_or_else(|e| panic!("{e}"));
     let coat = loaded.parts[0].mesh.coat.as_ref().expect("an image");
     assert_eq!(coat.images.len(), 1);
     assert_eq!(coat.images[0].size(), [3, 2]);
@@ -216,9 +224,17 @@ fn images_are_shown_where_all_corners_have_a_place_in_one() {
     let uv = coat.triangles[0].uv.map(|at| at.to_array());
     assert_eq!(uv, [[0.0, 1.0], [0.25, 0.0], [0.0, 1.0]]);
     assert_eq!(coat.triangles[0].colors, [[255; 4]; 3]);
-    assert!(has_note(&loaded, "broken.png"), "{:?}", loaded.notes);
+    let of_broken = loaded.notes.iter().filter(|n| n.contains("broken.png"));
+    assert_eq!(of_broken.count(), 1, "{:?}", loaded.notes);
     let not_there = "2 triangles have a texture that is not there or cannot be read";
     assert!(has_note(&loaded, not_there), "{:?}", loaded.notes);
+
+    // Of a colour and an image the image is shown, where it could be read.
+    let loaded = read([" pid=\"34\" p1=\"0\"", " pid=\"35\" p1=\"0\"", "", ""]);
+    let coat = loaded.parts[0].mesh.coat.as_ref().expect("an image");
+    let shown: Vec<Option<u32>> = coat.triangles.iter().map(|t| t.image).collect();
+    assert_eq!(shown, [Some(0), None, None, None]);
+    assert_eq!(coat.triangles[1].colors, [[0, 255, 0, 255]; 3]);
 }
 
 #[test]

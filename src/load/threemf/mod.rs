@@ -9,7 +9,8 @@
 //! functions of space, displacement, encryption. Where one is not required, the triangles are what is shown, with a note of beams.
 //! An image that cannot be read is a note.
 //!
-//! Cost: the text of each model part and what is made of it, in memory one part after the other; one mesh for all of its places.
+//! Cost: the text of each model part and what is made of it, in memory one part after the other; each image once; one mesh for all of
+//! its places.
 
 mod mesh;
 mod model;
@@ -24,14 +25,12 @@ use std::path::Path;
 use std::sync::Arc;
 
 use glam::{DAffine3, DVec3, Vec3};
-use image::ImageFormat;
 
 use super::Placed;
 use super::draft::{Draft, Group};
 use super::grouped::grouped;
-use super::texture::texture_of;
 use crate::error::{Error, Result};
-use crate::scene::{LengthUnit, Mesh, TextureKind};
+use crate::scene::{LengthUnit, Mesh};
 
 use model::{Model, Object, Reference, Shape};
 use package::Package;
@@ -319,14 +318,8 @@ impl Reader<'_> {
 /// A model of a package, with its images.
 fn model_of(package: &mut Package<'_>, part: &str) -> Result<Model> {
     let mut model = Model::read(&package.read(part)?)?;
-    let notes = model.properties.read_images(&mut |image| {
-        let (path, bytes) = package.bytes(image).map_err(Error::into_what)?;
-        texture_of(
-            &bytes,
-            ImageFormat::from_path(&path).ok(),
-            TextureKind::Color,
-        )
-    });
+    let properties = &mut model.properties;
+    let notes = properties.read_images(&mut |image| package.texture(image));
     model.notes.extend(notes);
     Ok(model)
 }

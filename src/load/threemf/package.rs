@@ -4,21 +4,29 @@
 //! without regard to the case of ASCII letters, as the Open Packaging Conventions have it.
 //!
 //! Nothing that the archive states about sizes is believed. All parts together may unpack to as much as a gzipped file of the archive's
-//! length may ([`input_file`]). Cost: the text of one part in memory at a time.
+//! length may ([`input_file`]). Cost: the bytes of one part in memory at a time, and the images.
 
+use std::collections::BTreeMap;
 use std::io::{Cursor, Read};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
+use image::ImageFormat;
 use percent_encoding::percent_decode_str;
 use zip::ZipArchive;
 
+use super::super::texture::texture_of;
 use super::super::{input_file, without_mark};
 use super::xml::{DAMAGED, Xml, shortened};
 use crate::error::{Error, Result};
+use crate::scene::{MOST_TEXELS_ALONG, Texture, TextureKind};
 
 const MODEL: &str = "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel";
 
 const RELATIONSHIPS: &str = "_rels/.rels";
+
+/// Most texels of all images together: four of the largest.
+const MOST_TEXELS: u64 = 4 * (MOST_TEXELS_ALONG as u64).pow(2);
 
 /// An archive that parts are read from.
 pub(super) struct Package<'a> {
@@ -28,6 +36,10 @@ pub(super) struct Package<'a> {
     most: u64,
     /// How many of them are left.
     left: u64,
+    /// Images that were read, by the names of their parts, or what is wrong with them.
+    textures: BTreeMap<String, Result<Arc<Texture>, String>>,
+    /// How many texels others may still have.
+    texels_left: u64,
 }
 
 /// A part.
@@ -47,6 +59,8 @@ impl<'a> Package<'a> {
             archive,
             most,
             left: most,
+            textures: BTreeMap::new(),
+            texels_left: MOST_TEXELS,
         })
     }
 
@@ -116,6 +130,33 @@ impl<'a> Package<'a> {
         read.map_err(|e| broken(&e))?;
         self.left -= bytes.len() as u64;
         Ok((path, bytes))
+    }
+
+    /// A part as an image, which is read once; what is wrong with it otherwise.
+    pub(super) fn texture(&mut self, part: &str) -> Result<Arc<Texture>, String> {
+        let name = part.trim_start_matches('/').to_lowercase();
+        if let Some(known) = self.textures.get(&name) {
+            return known.clone();
+        }
+        let read = self.read_texture(part);
+        self.textures.insert(name, read.clone());
+        read
+    }
+
+    fn read_texture(&mut self, part: &str) -> Result<Arc<Texture>, String> {
+        let (path, bytes) = self.bytes(part).map_err(Error::into_what)?;
+        let by_name = ImageFormat::from_path(&path).ok();
+        let texture = texture_of(&bytes, by_name, TextureKind::Color)?;
+        let texels = texture.size().map(u64::from).iter().product();
+        match self.texels_left.checked_sub(texels) {
+            Some(left) => self.texels_left = left,
+            None => {
+                return Err(format!(
+                    "the images of the package have more than {MOST_TEXELS} texels"
+                ));
+            }
+        }
+        Ok(Arc::new(texture))
     }
 
     fn find(&self, part: &str) -> Option<usize> {

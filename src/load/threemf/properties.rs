@@ -1,7 +1,8 @@
 //! Colours: base materials, and the groups of the materials extension.
 //!
 //! A colour is sRGB, for each triangle or for each of its corners. Of a composite the material with the greatest share counts, of several
-//! properties at once the first that is a colour, or else the first place in an image; images are repeated, whatever their tile style.
+//! properties at once the first place in an image, or else the first colour: they are not blended. Images are repeated, whatever their
+//! tile style.
 //! What is wrong with a property leaves its triangles without a colour and is a note: the shape is right all the same.
 
 use std::collections::BTreeMap;
@@ -39,7 +40,9 @@ enum Group {
 struct Image {
     /// The name of its part.
     path: String,
-    /// What it holds, once it has been read.
+    /// Whether it was tried to be read.
+    is_tried: bool,
+    /// What it holds, where it could be read.
     texture: Option<Arc<Texture>>,
 }
 
@@ -78,8 +81,11 @@ impl Properties {
         if element.is(Space::Material, "texture2d") {
             let path = element.value("path")?.map(|path| path.into_owned());
             if let (Some(Ok(id)), Some(path)) = (id.map(|id| element.id(&id)), path) {
-                let texture = None;
-                self.images.entry(id).or_insert(Image { path, texture });
+                self.images.entry(id).or_insert(Image {
+                    path,
+                    is_tried: false,
+                    texture: None,
+                });
             }
             xml.skip()?;
             return Ok(true);
@@ -137,18 +143,19 @@ impl Properties {
     /// Reads the images that have places, from where parts of the package are read by their names; what is wrong with some otherwise.
     pub(super) fn read_images(
         &mut self,
-        read: &mut dyn FnMut(&str) -> std::result::Result<Texture, String>,
+        read: &mut dyn FnMut(&str) -> std::result::Result<Arc<Texture>, String>,
     ) -> Vec<String> {
         let mut notes = Vec::new();
         for group in self.groups.values() {
             let Group::Places(image, _) = group else {
                 continue;
             };
-            let Some(image) = self.images.get_mut(image).filter(|i| i.texture.is_none()) else {
+            let Some(image) = self.images.get_mut(image).filter(|i| !i.is_tried) else {
                 continue;
             };
+            image.is_tried = true;
             match read(&image.path) {
-                Ok(texture) => image.texture = Some(Arc::new(texture)),
+                Ok(texture) => image.texture = Some(texture),
                 Err(what) => notes.push(format!("{}: {what}", shortened(&image.path))),
             }
         }
@@ -160,7 +167,9 @@ impl Properties {
         let Found::Place(image, _) = found[0] else {
             return None;
         };
-        self.images.get(&image)?.texture.as_ref()?;
+        if !self.is_there(image) {
+            return None;
+        }
         let mut uv = [Vec2::ZERO; 3];
         for (uv, found) in uv.iter_mut().zip(found) {
             match found {
@@ -169,6 +178,10 @@ impl Properties {
             }
         }
         Some((image, uv))
+    }
+
+    fn is_there(&self, image: u32) -> bool {
+        self.images.get(&image).is_some_and(|i| i.texture.is_some())
     }
 
     fn find(&self, group: u32, index: u32) -> Found<'_> {
@@ -181,7 +194,7 @@ impl Properties {
                 let Some(indices) = indices.get(index as usize) else {
                     return Found::Missing;
                 };
-                let mut place = Found::Missing;
+                let mut found_first = Found::Missing;
                 for (at, group) in groups.iter().enumerate() {
                     // An index that is not given is the first.
                     let index = indices.get(at).copied().unwrap_or_default();
@@ -192,13 +205,13 @@ impl Properties {
                         }
                         _ => self.plain(*group, index),
                     };
-                    match found {
-                        Found::Color(..) => return found,
-                        Found::Place(..) if matches!(place, Found::Missing) => place = found,
-                        Found::Place(..) | Found::Missing => {}
-                    }
+                    found_first = match (&found_first, &found) {
+                        (_, Found::Place(image, _)) if self.is_there(*image) => return found,
+                        (Found::Missing, _) | (Found::Place(..), Found::Color(..)) => found,
+                        _ => found_first,
+                    };
                 }
-                place
+                found_first
             }
             _ => self.plain(group, index),
         }
@@ -275,7 +288,7 @@ impl Properties {
         for (count, what) in [
             (
                 mixed,
-                "several materials or properties at once, of which one colour is shown",
+                "several materials or properties at once, of which one is shown",
             ),
             (textured, "a texture that is not there or cannot be read"),
             (missing, "a property that is not there or has no colour"),

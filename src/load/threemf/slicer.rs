@@ -146,7 +146,8 @@ pub(super) fn is_settings(element: &Element<'_>) -> bool {
 pub(super) fn used_as(xml: &mut Xml<'_>) -> Result<Option<Use>> {
     let mut found = None;
     while let Some(setting) = xml.child()? {
-        let [name, key] = setting.values(["name", "key"])?;
+        // One that cannot be read is no setting that matters here.
+        let [name, key] = setting.values(["name", "key"]).unwrap_or_default();
         let of = name.or(key).and_then(|name| Use::of_setting(&name));
         let is_on = xml.text()?.eq_ignore_ascii_case("true");
         found = found.or(of.filter(|_| is_on));

@@ -45,8 +45,8 @@ const STEEP: f64 = 4.0;
 const LEAST_ROUNDING: f64 = 2e-4;
 
 /// By how much rasterised triangles may be beside themselves, in scene units: a 256th of a pixel along a steep slope, at the far end
-/// of the box of the cut solids. In powers of two, for a shader is compiled for each. Adapters with 4 sub-pixel bits get no more: of 80
-/// random scenes all pixels by three tessellations were the same with 16 times as much.
+/// of the box of the cut solids. In powers of two, for a shader is compiled for each. Adapters with 4 sub-pixel bits get no more: in 80
+/// random scenes three tessellations drew the same pictures with 16 times as much.
 pub(super) fn rounding(input: &Input<'_>) -> f64 {
     let view = input.view;
     let farthest = view.farthest_in(&input.relevance.cut_box);

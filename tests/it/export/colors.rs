@@ -156,10 +156,69 @@ fn images_survive_in_all_formats_but_stl() {
             "{name}: {caps:?}"
         );
     }
+    // Its names in the package are XML identifiers, which begin with a letter.
+    let package = fs::File::open(folder.path("half.3mf")).unwrap();
+    let mut package = zip::ZipArchive::new(package).expect("a package");
+    let mut of_model = package.by_name("3D/_rels/3dmodel.model.rels").unwrap();
+    let mut text = String::new();
+    std::io::Read::read_to_string(&mut of_model, &mut text).unwrap();
+    assert!(text.contains("Id=\"rel0\""), "{text}");
+    assert!(text.contains("Target=\"/3D/Textures/0.png\""), "{text}");
     let ran = folder.run("export cube.obj --section x=0.25 -o half2.stl");
     let ran = ran.exits(0);
     assert!(ran.stderr.contains("images"), "{}", ran.stderr);
     assert!(!folder.path("half2.0.png").exists(), "STL names no image");
+}
+
+#[test]
+fn colours_under_an_image_are_a_note_of_3mf_alone() {
+    let folder = Scratch::new("export-tinted");
+    write_painted_cube(&folder);
+    let cube = fs::read_to_string(folder.path("cube.obj")).unwrap();
+    let tinted = cube.lines().map(|line| match line.starts_with("v ") {
+        true => format!("{line} 0.5 0.5 0.5\n"),
+        false => format!("{line}\n"),
+    });
+    folder.write("cube.obj", tinted.collect::<String>());
+    for (extension, options, is_noted) in [
+        ("3mf", " --unit mm", true),
+        ("obj", "", false),
+        ("glb", "", false),
+    ] {
+        let line = format!("export cube.obj --section x=0.25{options} -o half.{extension}");
+        let ran = folder.run(&line).exits(0);
+        let is_said = ran
+            .stderr
+            .contains("without colours of vertices under the images");
+        assert_eq!(is_said, is_noted, "{extension}: {}", ran.stderr);
+    }
+}
+
+#[test]
+fn files_beside_have_names_that_are_one_word() {
+    let folder = Scratch::new("export-words");
+    write_painted_cube(&folder);
+    let names = ["my half", "-half", "a#b"];
+    for (name, word) in names.into_iter().zip(["my_half", "_half", "a_b"]) {
+        let mut command = folder.command("export cube.obj --section x=0.25");
+        let ran = command
+            .args(["-o", &format!("./{name}.obj")])
+            .output()
+            .unwrap();
+        assert!(
+            ran.status.success(),
+            "{}",
+            String::from_utf8_lossy(&ran.stderr)
+        );
+        let mesh = &read(&folder, &format!("{name}.obj")).parts[0].mesh;
+        assert_eq!(
+            mesh.coat.as_ref().expect("an image").images.len(),
+            1,
+            "{name}"
+        );
+        assert!(folder.path(&format!("{word}.mtl")).is_file(), "{word}");
+        assert!(folder.path(&format!("{word}.0.png")).is_file(), "{word}");
+    }
 }
 
 #[test]
