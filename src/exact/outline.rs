@@ -8,8 +8,8 @@
 //!
 //! An adapter with fewer sub-pixel bits than usual (SwiftShader) may turn a needle over and show its back, however little its depth
 //! changes; and it clips each triangle at the near plane for itself, so that two which share an edge part there by a step: all edges
-//! through the near plane are outlines then, beyond which the part may be open. With 8 bits the latter was never seen, the former once: the
-//! compute rasteriser shows the back of a needle at one pixel of a lattice that is drawn as small as 200 x 150, and exact is sure of the front.
+//! through the near plane are outlines then, beyond which the part may be open. With 8 bits the latter was never seen. The former
+//! was: the compute rasteriser shows the back of a needle at single pixels of two meshes at 200 x 150, where exact is sure of the front.
 //!
 //! Rasterisers snap vertices to a fraction of a pixel, 1/256 as a rule, and transforms in f32 move them too: a sample farther than
 //! [`View::doubt_px`] from every outline is hit alike by all of them.
