@@ -99,6 +99,12 @@ impl Scratch {
             ..Self::default()
         }
     }
+
+    /// Takes the events as they are, to be changed.
+    pub(super) fn begin(&mut self, events: &[Event]) {
+        self.events.clear();
+        self.events.extend_from_slice(events);
+    }
 }
 
 impl Case<'_> {
@@ -199,8 +205,7 @@ impl Case<'_> {
             let of_surface =
                 |e: &Event| matches!(e.cause, Cause::Clip { surface, .. } if surface == graze.surface);
             let step = 0.5 * rounding(self.view, graze.depth);
-            scratch.events.clear();
-            scratch.events.extend_from_slice(self.events);
+            scratch.begin(self.events);
             let crossed_before = self
                 .events
                 .iter()

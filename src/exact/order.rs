@@ -48,8 +48,7 @@ impl Case<'_> {
     fn across_near(&self, scratch: &mut Scratch, event: usize, margin: f64) -> Openness {
         let depth = self.events[event].depth;
         let step = rounding(self.view, depth);
-        scratch.events.clear();
-        scratch.events.extend_from_slice(self.events);
+        scratch.begin(self.events);
         let across = if depth > self.view.near {
             self.view.near
         } else {
@@ -61,8 +60,7 @@ impl Case<'_> {
 
     fn swapped(&self, scratch: &mut Scratch, [i, j]: [usize; 2], margin: f64) -> Openness {
         let [near, far] = [i, j].map(|k| self.events[k].depth);
-        scratch.events.clear();
-        scratch.events.extend_from_slice(self.events);
+        scratch.begin(self.events);
         self.put(scratch, i, far);
         // At one depth the tie rule decides; the other order is a hair apart.
         let hair = (near == far).then(|| rounding(self.view, near));
@@ -87,8 +85,7 @@ impl Case<'_> {
             }
             _ => return Openness::Nothing,
         };
-        scratch.events.clear();
-        scratch.events.extend_from_slice(self.events);
+        scratch.begin(self.events);
         self.put(scratch, moved, depth);
         self.change(scratch, margin)
     }

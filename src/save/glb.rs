@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 use glam::{DVec3, Vec3};
 use serde_json::{Value, json};
 
-use super::images::Images;
+use super::images::{Images, bits};
 use super::{Solid, Unwritable, rounded};
 use crate::scene::{Coat, Mesh, linear_from_srgb};
 
@@ -121,15 +121,9 @@ fn groups(solid: &Solid<'_>, index: usize, images: &Images) -> Vec<Group> {
             image: None,
             is_coated: false,
         }),
-        Some(coat) => {
-            let mut of_image: BTreeMap<Option<usize>, Vec<usize>> = BTreeMap::new();
-            for (t, face) in coat.triangles.iter().enumerate() {
-                of_image
-                    .entry(images.number(index, face))
-                    .or_default()
-                    .push(t);
-            }
-            groups.extend(of_image.into_iter().map(|(image, triangles)| Group {
+        Some(_) => {
+            let faces = images.faces(index, solid).into_iter();
+            groups.extend(faces.map(|(image, triangles)| Group {
                 name: solid.name.to_owned(),
                 triangles,
                 color: [1.0; 3],
@@ -212,7 +206,7 @@ impl Draft {
             let of = &coat.triangles[*t];
             for (i, vertex) in triangles[*t].into_iter().enumerate() {
                 let uv = match group.image {
-                    Some(_) => of.uv[i].to_array().map(f32::to_bits),
+                    Some(_) => bits(of.uv[i]),
                     None => [0; 2],
                 };
                 let corner = (vertex, of.colors[i], uv);

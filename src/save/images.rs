@@ -2,8 +2,10 @@
 //!
 //! Cost: a pass over the coated triangles, and the packing of each image at its full size.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use glam::Vec2;
 use image::codecs::png::PngEncoder;
 use image::{ExtendedColorType, ImageEncoder};
 
@@ -45,6 +47,20 @@ impl Images {
         self.numbers[solid][face.image? as usize]
     }
 
+    /// The faces of a solid, which is one of several, by the numbers of their images; those without come first.
+    pub(super) fn faces(
+        &self,
+        index: usize,
+        solid: &Solid<'_>,
+    ) -> BTreeMap<Option<usize>, Vec<usize>> {
+        let mut faces: BTreeMap<_, Vec<usize>> = BTreeMap::new();
+        for face in 0..solid.faces {
+            let image = solid.face(face).and_then(|of| self.number(index, of));
+            faces.entry(image).or_default().push(face);
+        }
+        faces
+    }
+
     /// The bytes of each as a PNG.
     pub(super) fn pngs(&self) -> Result<Vec<Vec<u8>>, Unwritable> {
         self.all.iter().map(|image| png(image)).collect()
@@ -55,6 +71,16 @@ impl Images {
         let pngs = self.pngs()?.into_iter().enumerate();
         Ok(pngs.map(|(i, png)| (file_name(stem, i), png)).collect())
     }
+}
+
+/// A place in an image as a key.
+pub(super) fn bits(place: Vec2) -> [u32; 2] {
+    place.to_array().map(f32::to_bits)
+}
+
+/// A place in an image as most formats have it: upwards, where rows of texels go down.
+pub(super) fn upwards(place: Vec2) -> [f64; 2] {
+    [f64::from(place.x), 1.0 - f64::from(place.y)]
 }
 
 /// The name of the file of an image, as formats of lines can hold it.

@@ -8,7 +8,7 @@ use std::fmt::Write;
 
 use glam::{Vec2, Vec3};
 
-use super::images::{Images, file_name, word_of};
+use super::images::{Images, bits, file_name, upwards, word_of};
 use super::painted::by_vertex;
 use super::{Encoded, Solid, Unwritable, bytes_of};
 
@@ -58,18 +58,14 @@ fn text(solids: &[Solid<'_>], images: &Images, names: &Names, stem: &str) -> Str
                 }
             }
         }
-        let image_of = |t: usize| solid.face(t).and_then(|face| images.number(index, face));
-        let mut of_image: BTreeMap<Option<usize>, Vec<usize>> = BTreeMap::new();
-        (0..solid.faces).for_each(|t| of_image.entry(image_of(t)).or_default().push(t));
-        for (i, (image, faces)) in of_image.into_iter().enumerate() {
-            if i == 0 {
-                let _ = writeln!(text, "g {name}");
-            }
+        if solid.faces > 0 {
+            let _ = writeln!(text, "g {name}");
+        }
+        for (image, faces) in images.faces(index, solid) {
             let _ = writeln!(text, "usemtl {}", image.map_or(name, |i| &names.images[i]));
             for t in faces {
-                let corners = triangles[t].map(|i| i + first);
+                let [a, b, c] = triangles[t].map(|i| i + first);
                 let uv = solid.face(t).filter(|_| image.is_some()).map(|f| f.uv);
-                let [a, b, c] = corners;
                 let _ = match uv.map(|uv| uv.map(|at| places.number(at, &mut text))) {
                     None => writeln!(text, "f {a} {b} {c}"),
                     Some([u, v, w]) => writeln!(text, "f {a}/{u} {b}/{v} {c}/{w}"),
@@ -96,15 +92,11 @@ struct Places(BTreeMap<[u32; 2], usize>);
 impl Places {
     fn number(&mut self, at: Vec2, text: &mut String) -> usize {
         let next = self.0.len() + 1;
-        *self
-            .0
-            .entry(at.to_array().map(f32::to_bits))
-            .or_insert_with(|| {
-                // Upwards in the file, downwards in rows of texels.
-                let [u, v] = [f64::from(at.x), 1.0 - f64::from(at.y)];
-                let _ = writeln!(text, "vt {u} {v}");
-                next
-            })
+        *self.0.entry(bits(at)).or_insert_with(|| {
+            let [u, v] = upwards(at);
+            let _ = writeln!(text, "vt {u} {v}");
+            next
+        })
     }
 }
 

@@ -4,7 +4,7 @@
 
 use glam::{DVec3, Vec2};
 
-use super::images::{Images, file_name};
+use super::images::{Images, file_name, upwards};
 use super::painted::{ColoredVertex, by_vertex};
 use super::{Encoded, Solid, Unwritable, bytes_of};
 use crate::scene::Mesh;
@@ -17,12 +17,13 @@ const PLACE: &str = "property list uchar float texcoord\nproperty int texnumber\
 
 pub(super) fn encoded(solids: &[Solid<'_>], stem: &str) -> Result<Encoded, Unwritable> {
     let images = Images::of(solids);
-    let is_coated = solids.iter().any(Solid::has_colors);
-    let meshes: Vec<(Vec<ColoredVertex>, Vec<[u32; 3]>)> = match is_coated {
+    let has_images = images.count() > 0;
+    let has_colors = solids.iter().any(Solid::has_colors);
+    let meshes: Vec<(Vec<ColoredVertex>, Vec<[u32; 3]>)> = match has_colors {
         true => solids.iter().map(by_vertex).collect(),
         false => Vec::new(),
     };
-    let vertices: usize = match is_coated {
+    let vertices: usize = match has_colors {
         true => meshes.iter().map(|(vertices, _)| vertices.len()).sum(),
         false => solids.iter().map(|s| s.mesh.positions.len()).sum(),
     };
@@ -34,13 +35,13 @@ pub(super) fn encoded(solids: &[Solid<'_>], stem: &str) -> Result<Encoded, Unwri
     let files =
         (0..images.count()).map(|i| format!("comment TextureFile {}\n", file_name(stem, i)));
     let comments: String = names.chain(files).collect();
-    let of_vertices = if is_coated { COLOR } else { "" };
-    let place = if images.count() > 0 { PLACE } else { "" };
+    let of_vertices = if has_colors { COLOR } else { "" };
+    let (place, face_bytes) = if has_images { (PLACE, 50) } else { ("", 21) };
     let of_faces = format!("{COLOR}property int part\nproperty uchar cap\n{place}");
     let header = header(&comments, [vertices, faces], [of_vertices, &of_faces]);
-    let mut bytes = Vec::with_capacity(header.len() + 27 * vertices + 50 * faces);
+    let mut bytes = Vec::with_capacity(header.len() + 27 * vertices + face_bytes * faces);
     bytes.extend_from_slice(header.as_bytes());
-    match is_coated {
+    match has_colors {
         false => put_vertices(&mut bytes, solids.iter().flat_map(|s| &s.mesh.positions)),
         true => {
             for (solid, (vertices, _)) in solids.iter().zip(&meshes) {
@@ -67,7 +68,7 @@ pub(super) fn encoded(solids: &[Solid<'_>], stem: &str) -> Result<Encoded, Unwri
             bytes.extend_from_slice(&color);
             bytes.extend_from_slice(&part.to_le_bytes());
             bytes.push(u8::from(is_cap));
-            if images.count() > 0 {
+            if has_images {
                 let image = own.and_then(|face| images.number(part as usize, face));
                 let uv = own.filter(|_| image.is_some()).map(|face| face.uv);
                 put_place(&mut bytes, uv.unwrap_or_default(), image);
@@ -79,11 +80,11 @@ pub(super) fn encoded(solids: &[Solid<'_>], stem: &str) -> Result<Encoded, Unwri
     Ok(Encoded { file, beside })
 }
 
-/// Where the corners of a face are in its image, upwards.
+/// Where the corners of a face are in its image.
 fn put_place(bytes: &mut Vec<u8>, uv: [Vec2; 3], image: Option<usize>) {
     bytes.push(6);
-    for place in uv.iter().flat_map(|at| [at.x, 1.0 - at.y]) {
-        bytes.extend_from_slice(&place.to_le_bytes());
+    for place in uv.into_iter().flat_map(upwards) {
+        bytes.extend_from_slice(&(place as f32).to_le_bytes());
     }
     let number = image.map_or(-1, |i| i as i32);
     bytes.extend_from_slice(&number.to_le_bytes());

@@ -6,9 +6,7 @@
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
-use glam::Vec2;
-
-use super::images::Images;
+use super::images::{Images, bits, upwards};
 use super::zip::archive;
 use super::{Solid, Unwritable, bytes_of};
 use crate::scene::{CoatedTriangle, LengthUnit};
@@ -17,10 +15,23 @@ const CONTENT_TYPES: &str = r#"<?xml version="1.0" encoding="UTF-8"?>
 <Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types"><Default Extension="rels" ContentType="application/vnd.openxmlformats-package.relationships+xml"/><Default Extension="model" ContentType="application/vnd.ms-package.3dmanufacturing-3dmodel+xml"/><Default Extension="png" ContentType="image/png"/></Types>
 "#;
 
-const RELATIONSHIPS_BEGIN: &str = r#"<?xml version="1.0" encoding="UTF-8"?>
-<Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships">"#;
+/// Where the model lies in the package.
+const MODEL: &str = "3D/3dmodel.model";
 
-const MODEL: &str = r#"<Relationship Target="/3D/3dmodel.model" Id="rel0" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/>"#;
+/// A part of the package that leads to others, which are of one kind.
+fn relationships(targets: impl Iterator<Item = String>, kind: &str) -> String {
+    let mut text = r#"<?xml version="1.0" encoding="UTF-8"?>
+<Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships">"#
+        .to_owned();
+    for (number, target) in targets.enumerate() {
+        // Writing to a string cannot fail.
+        let _ = write!(
+            text,
+            "<Relationship Target=\"/{target}\" Id=\"rel{number}\" Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/{kind}\"/>"
+        );
+    }
+    text + "</Relationships>\n"
+}
 
 /// The number of the materials among the resources.
 const MATERIALS: usize = 1;
@@ -107,9 +118,8 @@ impl Textures {
                 "<m:texture2d id=\"{texture}\" path=\"/{path}\" contenttype=\"image/png\"/>\n\
                  <m:texture2dgroup id=\"{group}\" texid=\"{texture}\">"
             );
-            for [u, v] in places.iter().map(|at| at.map(f32::from_bits)) {
-                // Upwards in the file, downwards in rows of texels.
-                let v = 1.0 - f64::from(v);
+            for place in places {
+                let [u, v] = upwards(place.map(f32::from_bits).into());
                 let _ = writeln!(text, "<m:tex2coord u=\"{u}\" v=\"{v}\"/>");
             }
             text.push_str("</m:texture2dgroup>\n");
@@ -121,19 +131,11 @@ impl Textures {
         if self.images.count() == 0 {
             return Ok(Vec::new());
         }
-        let mut relationships = format!("{RELATIONSHIPS_BEGIN}\n");
-        for image in 0..self.images.count() {
-            let path = path_of(image);
-            let _ = writeln!(
-                relationships,
-                "<Relationship Target=\"/{path}\" Id=\"rel{image}\" Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dtexture\"/>"
-            );
-        }
-        relationships.push_str("</Relationships>\n");
+        let of_model = relationships((0..self.images.count()).map(path_of), "3dtexture");
         let pngs = self.images.pngs()?.into_iter().enumerate();
         let mut files = vec![(
             "3D/_rels/3dmodel.model.rels".to_owned(),
-            relationships.into_bytes(),
+            of_model.into_bytes(),
         )];
         files.extend(pngs.map(|(image, png)| (path_of(image), png)));
         Ok(files)
@@ -145,19 +147,15 @@ fn path_of(image: usize) -> String {
     format!("3D/Textures/{image}.png")
 }
 
-fn bits(at: Vec2) -> [u32; 2] {
-    at.to_array().map(f32::to_bits)
-}
-
 pub(super) fn encoded(solids: &[Solid<'_>], unit: LengthUnit) -> Result<Vec<u8>, Unwritable> {
     let textures = Textures::of(solids);
     let model = model(solids, &textures, unit.in_3mf());
-    let relationships = format!("{RELATIONSHIPS_BEGIN}{MODEL}</Relationships>\n");
+    let of_package = relationships(std::iter::once(MODEL.to_owned()), "3dmodel");
     let beside = textures.files()?;
     let mut files = vec![
         ("[Content_Types].xml", CONTENT_TYPES.as_bytes()),
-        ("_rels/.rels", relationships.as_bytes()),
-        ("3D/3dmodel.model", model.as_bytes()),
+        ("_rels/.rels", of_package.as_bytes()),
+        (MODEL, model.as_bytes()),
     ];
     files.extend(
         beside

@@ -43,18 +43,28 @@ fn views(all: usize) -> usize {
 
 /// What is wrong with the answers of the exact strategies.
 fn faults(question: &Question, what: &str) -> Vec<String> {
-    let methods = EXACT.map(|name| name.parse::<Method>().expect("a strategy"));
-    let fault = |method: &Method| {
+    faults_and(question, what, |_| None)
+}
+
+/// The same, and what else is wrong with an answer that was drawn.
+fn faults_and(
+    question: &Question,
+    what: &str,
+    also: impl Fn(&Judged) -> Option<String>,
+) -> Vec<String> {
+    let mut all = Vec::new();
+    for method in EXACT.map(|name| name.parse::<Method>().expect("a strategy")) {
         let judged: Judged = question.answer(method);
         // A near plane in the solid, which grazing views may have, is not what is asked about.
         let is_refused = matches!(&judged.outcome, cutaway::session::Outcome::Refused(r) if r.obstacle == Obstacle::NearPlane);
         let wrong = judged.comparison.decided_wrong_px;
-        (wrong > 0 && !is_refused).then(|| {
-            let found = judged.fault_of_exact().unwrap_or_default();
-            format!("{what}: {method}: {found}")
-        })
-    };
-    methods.iter().filter_map(fault).collect()
+        let fault = (wrong > 0 && !is_refused).then(|| judged.fault_of_exact().unwrap_or_default());
+        let is_drawn = !matches!(&judged.outcome, cutaway::session::Outcome::Refused(_));
+        let other = is_drawn.then(|| also(&judged)).flatten();
+        let found = fault.into_iter().chain(other);
+        all.extend(found.map(|fault| format!("{what}: {method}: {fault}")));
+    }
+    all
 }
 
 /// A view that runs along a plane: the eye is a little off it.

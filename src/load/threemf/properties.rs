@@ -5,8 +5,8 @@
 //! tile style.
 //! What is wrong with a property leaves its triangles without a colour and is a note: the shape is right all the same.
 
-use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use glam::{Vec2, Vec3};
@@ -40,8 +40,6 @@ enum Group {
 struct Image {
     /// The name of its part.
     path: String,
-    /// Whether it was tried to be read.
-    is_tried: bool,
     /// What it holds, where it could be read.
     texture: Option<Arc<Texture>>,
 }
@@ -81,11 +79,8 @@ impl Properties {
         if element.is(Space::Material, "texture2d") {
             let path = element.value("path")?.map(|path| path.into_owned());
             if let (Some(Ok(id)), Some(path)) = (id.map(|id| element.id(&id)), path) {
-                self.images.entry(id).or_insert(Image {
-                    path,
-                    is_tried: false,
-                    texture: None,
-                });
+                let texture = None;
+                self.images.entry(id).or_insert(Image { path, texture });
             }
             xml.skip()?;
             return Ok(true);
@@ -145,15 +140,13 @@ impl Properties {
         &mut self,
         read: &mut dyn FnMut(&str) -> std::result::Result<Arc<Texture>, String>,
     ) -> Vec<String> {
+        let with_places = self.groups.values().filter_map(|group| match group {
+            Group::Places(image, _) => Some(*image),
+            _ => None,
+        });
+        let with_places: BTreeSet<u32> = with_places.collect();
         let mut notes = Vec::new();
-        for group in self.groups.values() {
-            let Group::Places(image, _) = group else {
-                continue;
-            };
-            let Some(image) = self.images.get_mut(image).filter(|i| !i.is_tried) else {
-                continue;
-            };
-            image.is_tried = true;
+        for (_, image) in (self.images.iter_mut()).filter(|(id, _)| with_places.contains(id)) {
             match read(&image.path) {
                 Ok(texture) => image.texture = Some(texture),
                 Err(what) => notes.push(format!("{}: {what}", shortened(&image.path))),

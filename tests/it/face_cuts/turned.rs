@@ -41,7 +41,10 @@ fn sides(scene: &Scene, at: DVec3, normal: DVec3) -> [(ClipSurface, Scene); 2] {
 
 /// What is wrong with a picture of a cut in a face: strategies, pixels that are given up, and differences away from outlines.
 fn faults_of_face(question: &Question, what: &str) -> Vec<String> {
-    let mut all = faults(question, what);
+    let mut all = faults_and(question, what, |judged| {
+        let px = inner_px(judged);
+        (px > 0).then(|| format!("{px} inner px differ"))
+    });
     let (undecided, covered) = (question.exact.undecided_px(), question.exact.covered_px());
     // A dense mesh is mostly outlines at this size.
     let of_outlines = question.boundary_px() as f64 * tolerances::UNDECIDED_PER_BOUNDARY_PX;
@@ -50,13 +53,6 @@ fn faults_of_face(question: &Question, what: &str) -> Vec<String> {
         all.push(format!(
             "{what}: {undecided} of {covered} px undecided, {most} by outlines"
         ));
-    }
-    for name in EXACT {
-        let judged = question.answer(name.parse::<Method>().expect("a strategy"));
-        let px = inner_px(&judged);
-        if px > 0 {
-            all.push(format!("{what}: {name}: {px} inner px differ"));
-        }
     }
     all
 }
@@ -83,12 +79,17 @@ fn inner_px(judged: &Judged) -> usize {
 
 /// Whether all vertices of a mesh that are about in a plane are in it but for rounding.
 fn is_flat(mesh: &Mesh, (at, normal): (DVec3, DVec3)) -> bool {
+    let about = 2e-4 * mesh.bounds().radius();
+    let off = mesh.positions.iter().map(|p| (*p - at).dot(normal).abs());
+    let near = off.filter(|off| *off < about);
+    near.fold(0.0, f64::max) <= FLAT_STEPS * step_of(mesh)
+}
+
+/// From the largest coordinate of a mesh to the next number of f32.
+fn step_of(mesh: &Mesh) -> f64 {
     let bounds = mesh.bounds();
     let size = bounds.min.abs().max(bounds.max.abs()).max_element() as f32;
-    let step = f64::from(size.next_up()) - f64::from(size);
-    let off = mesh.positions.iter().map(|p| (*p - at).dot(normal).abs());
-    let near = off.filter(|off| *off < 2e-4 * bounds.radius());
-    near.fold(0.0, f64::max) <= FLAT_STEPS * step
+    f64::from(size.next_up()) - f64::from(size)
 }
 
 #[test]
@@ -182,13 +183,7 @@ fn a_face_some_steps_off_its_plane_is_there_or_not_in_picture_section_and_halves
         let place = DVec3::new(1.0, -0.8, 0.9) * place;
         let whole = block_at(place, turn);
         let mesh = &whole.parts[0].mesh;
-        let size = mesh
-            .bounds()
-            .min
-            .abs()
-            .max(mesh.bounds().max.abs())
-            .max_element() as f32;
-        let step = f64::from(size.next_up()) - f64::from(size);
+        let step = step_of(mesh);
         let up = turn * DVec3::Z;
         let top = turn * (DVec3::Z * 0.4) + place;
         for off in [-4.0, -1.0, 0.0, 2.0, 4.0] {
