@@ -32,7 +32,8 @@ pub(crate) use cutaway::hard_cases::{Judged, class_of, is_wrong};
 /// How many tests draw at a time: what they do beside that keeps the cores busy that a frame leaves idle.
 const SESSIONS: usize = 2;
 
-/// The session of this test, which others use in turn, on the device of [`gpu`].
+/// The session of this test, which others use in turn, on the device of [`gpu`]: what is read from a frame is read by the guard
+/// that drew it, for between two guards another test may draw.
 pub(crate) fn session() -> MutexGuard<'static, Session> {
     static ALL: [OnceLock<Mutex<Session>>; SESSIONS] = [const { OnceLock::new() }; SESSIONS];
     static TESTS: AtomicUsize = AtomicUsize::new(0);
@@ -112,8 +113,13 @@ impl Question {
 
     /// The answer of a method, judged.
     pub(crate) fn answer(&self, method: impl Into<Method>) -> Judged {
+        self.answer_in(&mut session(), method)
+    }
+
+    /// The answer of a method in a session that is still held, for what else is read from its frame.
+    pub(crate) fn answer_in(&self, session: &mut Session, method: impl Into<Method>) -> Judged {
         let method = method.into();
-        (self.asked().answer(&mut session(), &method))
+        (self.asked().answer(session, &method))
             .unwrap_or_else(|e| panic!("{method} could not draw: {e}"))
     }
 

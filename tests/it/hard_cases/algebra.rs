@@ -113,13 +113,10 @@ fn case_41_the_order_of_triangles_changes_nothing() {
     let scene = solids::torus_cut();
     let draw = |scene: &cutaway::scene::Scene| {
         let question = Question::new(scene, [128; 2]);
-        let layers = question.answer(Strategy::RAYCAST_MASK).layers;
-        (
-            layers,
-            session()
-                .picture(Strategy::RAYCAST_MASK)
-                .expect("a picture"),
-        )
+        let mut session = session();
+        let layers = (question.answer_in(&mut session, Strategy::RAYCAST_MASK)).layers;
+        let picture = session.picture(Strategy::RAYCAST_MASK);
+        (layers, picture.expect("a picture"))
     };
     let (layers, picture) = draw(&scene);
     for seed in 0..4 {

@@ -6,7 +6,7 @@ use cutaway::session::Outcome;
 use cutaway::strategies::Strategy;
 use glam::DVec3;
 
-use crate::common::{Question, meshes, scenes, session, strategy, tolerances};
+use crate::common::{Judged, Question, meshes, scenes, session, strategy, tolerances};
 
 /// Sections whose misclassified shares are averaged: with one alone, its alignment with the texels would decide.
 fn sections() -> Vec<Scene> {
@@ -64,16 +64,20 @@ fn plates(teeth: u32) -> Scene {
     )
 }
 
-fn sprite_layers(strategy: &Strategy) -> u32 {
-    session().plan(strategy).expect("a drawn plan").bounded[0].capacity
+/// The answer of a strategy with a sprite, and the layers that the sprite has room for.
+fn answer(question: &Question, strategy: Strategy) -> (Judged, u32) {
+    let mut session = session();
+    let judged = question.answer_in(&mut session, strategy);
+    let plan = session.plan(&strategy).expect("a drawn plan");
+    (judged, plan.bounded[0].capacity)
 }
 
 #[test]
 fn case_36_layers_are_counted_and_too_many_are_told() {
     let few = strategy("grid:8+vds:128");
-    let judged = Question::new(&plates(8), [64; 2]).answer(few);
+    let (judged, layers) = answer(&Question::new(&plates(8), [64; 2]), few);
     assert_eq!(judged.outcome, Outcome::Complete, "16 layers fit");
-    assert_eq!(sprite_layers(&few), 16, "two faces of each plate");
+    assert_eq!(layers, 16, "two faces of each plate");
     // 200 plates are 400 layers where the resolution tells them apart, and no sprite has so many.
     let judged = Question::new(&plates(200), [64; 2]).answer(few);
     let Outcome::Overflowed(reason) = &judged.outcome else {
@@ -99,12 +103,9 @@ fn case_36_layers_are_counted_at_the_resolution_used() {
     let question = Question::new(&scene, [64; 2]);
     let layers = [64, 2048].map(|resolution| {
         let strategy = strategy(&format!("grid:8+vds:{resolution}"));
-        assert_eq!(
-            question.answer(strategy).outcome,
-            Outcome::Complete,
-            "at {resolution}"
-        );
-        sprite_layers(&strategy)
+        let (judged, layers) = answer(&question, strategy);
+        assert_eq!(judged.outcome, Outcome::Complete, "at {resolution}");
+        layers
     });
     assert_eq!(layers, [2, 4], "the needle counts where a texel hits it");
 }
