@@ -24,7 +24,8 @@ fn run_of(list: u32) -> Run {
     }
     let end = fragments[list];
     let fits = (end <= pool.capacity && end - first <= MOST_FRAGMENTS) || first == end;
-    return Run(first, min(end, pool.capacity), fits);
+    // Beyond the capacity a list is empty, and has no length below zero.
+    return Run(min(first, pool.capacity), min(end, pool.capacity), fits);
 }
 
 fn depth_of(fragment: u32) -> f32 {
