@@ -6,10 +6,9 @@
 //!
 //! A needle narrower than the sub-pixel grid lies on no side of its edges: they are outlines too (see [`sliver_reach`]).
 //!
-//! An adapter with fewer sub-pixel bits than usual (SwiftShader) may turn a needle over and show its back, however little its depth
-//! changes; and it clips each triangle at the near plane for itself, so that two which share an edge part there by a step: all edges
-//! through the near plane are outlines then, beyond which the part may be open. With 8 bits the latter was never seen. The former
-//! was: the compute rasteriser shows the back of a needle at single pixels of two meshes at 200 x 150, where exact is sure of the front.
+//! An adapter with fewer sub-pixel bits than usual (SwiftShader) clips each triangle at the near plane for itself, so that two which
+//! share an edge part there by a step: all edges through the near plane are outlines then, beyond which the part may be open. With 8
+//! bits that was never seen.
 //!
 //! Rasterisers snap vertices to a fraction of a pixel, 1/256 as a rule, and transforms in f32 move them too: a sample farther than
 //! [`View::doubt_px`] from every outline is hit alike by all of them.
@@ -144,8 +143,9 @@ fn points(projected: &Projected<'_>) -> Vec<u32> {
 /// How far depth reaches at a needle that rounding its corners to the sub-pixel grid may turn over: which of its sides a rasteriser sees,
 /// and so the depth it finds in it, is anybody's guess. Its edges are outlines: there is no telling on which side of them it lies.
 ///
-/// Of one whose depths differ by more than a pixel is wide it is these depths. A smaller one counts where its plane changes by as much
-/// within [`View::doubt_px`]: some rasterisers cover samples beside it, by the rounded corners, and read the plane of the others there.
+/// Of one whose depths differ by more than a pixel is wide it is these depths. Of a smaller one its plane counts too, within
+/// [`View::doubt_px`]: some rasterisers cover samples beside it, by the rounded corners, and read the plane of the others there. However
+/// little its depth changes, the side that is seen is open: a needle that is turned over shows its back.
 fn sliver_reach(view: &View, projected: &Projected<'_>, triangle: u32) -> Option<f64> {
     let corners = projected.corners(triangle);
     if corners.iter().any(|c| c.depth <= view.near) {
@@ -161,12 +161,11 @@ fn sliver_reach(view: &View, projected: &Projected<'_>, triangle: u32) -> Option
         return None;
     }
     let facet = projected.facet(triangle);
-    let candidates = [facet.extent(), plane_change(view, &facet)];
-    let least = match view.precision.is_coarse() {
-        true => 0.0,
-        false => view.pixel_size(corners[0].depth),
-    };
-    candidates.into_iter().find(|reach| *reach > least)
+    let extent = facet.extent();
+    Some(match extent > view.pixel_size(corners[0].depth) {
+        true => extent,
+        false => extent.max(plane_change(view, &facet)),
+    })
 }
 
 /// How much depth changes on the plane of a face within [`View::doubt_px`].

@@ -94,6 +94,8 @@ pub struct Recipe {
     pub turned: [f64; 3],
     /// The first of some rows of a large picture; `None` draws a small one.
     pub first_row: Option<u32>,
+    /// Each triangle is split in three, of which one is a needle: so wide, as a share of its height.
+    pub needles: Option<f64>,
 }
 
 impl Recipe {
@@ -122,6 +124,7 @@ impl Recipe {
             near: n.once_in(4).then(|| n.between(0.01, 1.0) * reach),
             turned: [0.0; 3],
             first_row: None,
+            needles: None,
         };
         // What came later is drawn from later numbers: the scenes of before are what they were.
         if n.once_in(4) {
@@ -140,6 +143,9 @@ impl Recipe {
         }
         if n.once_in(12) {
             recipe.first_row = Some(n.below(u64::from(PRINT_PX[1] - ROWS)) as u32);
+        }
+        if n.once_in(8) {
+            recipe.needles = Some(10.0_f64.powf(n.between(-7.0, -1.5)));
         }
         recipe
     }
@@ -171,6 +177,10 @@ impl Recipe {
                     &meshes::prisms(*count, *sides),
                     DAffine3::from_scale(DVec3::splat(PRISM)),
                 ),
+            };
+            let mesh = match self.needles {
+                Some(share) => meshes::with_needles(&mesh, share),
+                None => mesh,
             };
             let mut part = Part::new(format!("solid {i}"), mesh);
             if self.spared && i == 0 && self.solids.len() > 1 {
@@ -281,6 +291,7 @@ impl Recipe {
         with(&|r| r.near = None);
         with(&|r| r.turned = [0.0; 3]);
         with(&|r| r.first_row = None);
+        with(&|r| r.needles = None);
         with(&|r| r.spared = false);
         with(&|r| r.preferred = false);
         all
