@@ -142,15 +142,12 @@ impl Case<'_> {
         change + rounding(self.view, event.depth)
     }
 
-    /// An outline that is neither hidden nor clearly removed.
+    /// An outline that is neither hidden nor clearly removed. Where the part is open its rim counts however deep it lies: who counts the
+    /// crossings behind may find one more or one fewer.
     fn brushed(&self) -> bool {
         self.brushes.iter().any(|brush| {
-            let seen = self.seen_depth();
-            let first = brush.depth - brush.margin;
-            if first > seen {
-                return false;
-            }
-            brush.odd || !self.clearly_removed(brush)
+            let is_hidden = brush.depth - brush.margin > self.seen_depth();
+            brush.odd || !(is_hidden || self.clearly_removed(brush))
         })
     }
 
