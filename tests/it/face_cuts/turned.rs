@@ -7,10 +7,14 @@ use cutaway::slice::{SlicePlane, Slicer, capped};
 use glam::DQuat;
 
 use super::*;
-use crate::common::tolerances;
 
 /// Undecided pixels that outlines leave in any picture.
 const FEW_PX: usize = 20;
+
+const SMALL_PX: [u32; 2] = [200, 150];
+
+/// Twice as large, twice as many pixels are undecided by outlines, and four times as many by a face.
+const LARGE_PX: [u32; 2] = [800, 600];
 
 /// What is no face: vertices farther off their plane than turning and rounding leaves room for, in steps of f32 at the largest coordinate.
 /// A gear of `cube_gears.glb` has faces that are off by 39.
@@ -39,27 +43,34 @@ fn sides(scene: &Scene, at: DVec3, normal: DVec3) -> [(ClipSurface, Scene); 2] {
     cuts(scene, (at, normal))
 }
 
-/// What is wrong with a picture of a cut in a face: strategies, pixels that are given up, and differences away from outlines.
-fn faults_of_face(question: &Question, what: &str) -> Vec<String> {
+/// What is wrong with a picture of a cut in a face: strategies, pixels that are given up, and differences away from outlines. Where more
+/// pixels are given up than in most small pictures, a large one must do.
+fn faults_of_face(
+    question: &Question,
+    what: &str,
+    large: impl FnOnce() -> Question,
+) -> Vec<String> {
     let mut all = faults_and(question, what, |judged| {
-        let px = inner_px(judged);
-        (px > 0).then(|| format!("{px} inner px differ"))
+        let inner = inner_px(judged);
+        let first = inner.first()?;
+        Some(format!(
+            "{} inner px differ: {}",
+            inner.len(),
+            judged.describe(*first)
+        ))
     });
-    let (undecided, covered) = (question.exact.undecided_px(), question.exact.covered_px());
-    // A dense mesh is mostly outlines at this size.
-    let of_outlines = question.boundary_px() as f64 * tolerances::UNDECIDED_PER_BOUNDARY_PX;
-    let most = FEW_PX.max(covered / 1000).max(of_outlines as usize);
-    if undecided > most {
-        all.push(format!(
-            "{what}: {undecided} of {covered} px undecided, {most} by outlines"
-        ));
-    }
+    let given_up = |question: &Question| {
+        let (undecided, covered) = (question.exact.undecided_px(), question.exact.covered_px());
+        let most = FEW_PX.max(covered / 1000);
+        (undecided > most).then(|| format!("{what}: {undecided} of {covered} px undecided"))
+    };
+    all.extend(given_up(question).and_then(|_| given_up(&large())));
     all
 }
 
 /// Pixels that show another kind, part or clip-surface than all pixels around them do in the reference. The back of a part in the place of
 /// its front is not counted: by a fold of the part, where samples are undecided, a rasteriser may see either side.
-fn inner_px(judged: &Judged) -> usize {
+fn inner_px(judged: &Judged) -> Vec<usize> {
     let exact = &judged.exact.layers;
     let [width, height] = exact.size_px;
     let differs = |x: u32, y: u32| {
@@ -74,7 +85,8 @@ fn inner_px(judged: &Judged) -> usize {
     };
     (0..width * height)
         .filter(|i| differs(i % width, i / width))
-        .count()
+        .map(|i| i as usize)
+        .collect()
 }
 
 /// Whether all vertices of a mesh that are about in a plane are in it but for rounding.
@@ -99,7 +111,7 @@ fn a_pixel_of_another_kind_is_an_inner_one_where_all_around_it_are_alike() {
     let scene = of_parts("block", whole.parts, vec![surface]);
     let question = Question::new(&scene, [96, 72]);
     let mut judged = question.answer("raycast+mask".parse::<Method>().expect("a strategy"));
-    assert_eq!(inner_px(&judged), 0);
+    assert!(inner_px(&judged).is_empty());
     let width = judged.layers.size_px[0] as usize;
     let is_inner = |i: &usize| {
         let [above, below] = [i - width - 1, i + width - 1];
@@ -112,7 +124,7 @@ fn a_pixel_of_another_kind_is_an_inner_one_where_all_around_it_are_alike() {
     };
     let inner = (width + 1..judged.layers.pixels.len() - width - 1).find(is_inner);
     judged.layers.pixels[inner.expect("a cap")].kind = Kind::Surface;
-    assert_eq!(inner_px(&judged), 1);
+    assert_eq!(inner_px(&judged).len(), 1);
 }
 
 #[test]
@@ -151,8 +163,9 @@ fn turned_parts_are_cut_in_their_faces() {
                         };
                         let what =
                             format!("{}, {:?}, view {view}", scene.name, surface.frame().normal);
-                        let question = Question::through(&scene, &camera, [200, 150]);
-                        all.extend(faults_of_face(&question, &what));
+                        let sized = |size_px| Question::through(&scene, &camera, size_px);
+                        let question = sized(SMALL_PX);
+                        all.extend(faults_of_face(&question, &what, || sized(LARGE_PX)));
                         frames += 1;
                     }
                 }
@@ -192,7 +205,8 @@ fn a_face_some_steps_off_its_plane_is_there_or_not_in_picture_section_and_halves
                 let surface = ClipSurface::plane(top + up * off * step, normal);
                 let scene = of_parts(&what, whole.parts.clone(), vec![surface.clone()]);
                 let question = Question::new(&scene, [96, 72]);
-                let all = faults_of_face(&question, &what);
+                let large = || Question::new(&scene, LARGE_PX);
+                let all = faults_of_face(&question, &what, large);
                 assert!(all.is_empty(), "{}", all.join("\n"));
                 let layers = &question.exact.layers;
                 assert_eq!(layers.count(Kind::Surface) > 0, is_left, "{what}");
@@ -287,9 +301,10 @@ fn bodies_that_touch_in_the_plane_are_told_apart_by_their_sides() {
                 for from in [DVec3::new(1.0, -2.0, 1.5), DVec3::new(-1.0, 1.5, -2.0)] {
                     let eye = turn * (bounds.centre() + from * 2.0);
                     let camera = looking(eye, turn * bounds.centre(), 35.0);
-                    let question = Question::through(&scene, &camera, [160, 120]);
+                    let sized = |size_px| Question::through(&scene, &camera, size_px);
+                    let question = sized([160, 120]);
                     let what = format!("{name}, {normal}, from {from}");
-                    let all = faults_of_face(&question, &what);
+                    let all = faults_of_face(&question, &what, || sized(LARGE_PX));
                     assert!(all.is_empty(), "{}", all.join("\n"));
                     assert_eq!(question.exact.layers.count(Kind::Cap), 0, "{what}");
                     assert!(question.exact.covered_px() > 300, "{what}");
