@@ -7,23 +7,17 @@
 mod chapters;
 mod derived;
 mod document;
-mod dxf;
 mod errors;
 mod export;
 mod look;
 mod number;
 mod pages;
 mod recorded;
-mod section;
-mod svg;
 mod table;
 mod text;
 
 pub use chapters::PictureOptions;
-pub use dxf::dxf;
 pub use pages::{MethodPages, Pages, method_pages, pages};
 pub use recorded::{Experiment, Folder, PeerCheck, PeerRecord, PeerRow, Recorded};
-pub use section::{Curve, Drawn, Face, PartReport, PlaneReport, SectionReport};
-pub use svg::svg;
 pub use table::Table;
 pub use text::text;

@@ -1,4 +1,4 @@
-//! Meshes become files: STL and PLY (binary), OBJ with MTL, GLB and 3MF.
+//! Meshes become files: STL and PLY (binary), OBJ with MTL, GLB and 3MF. So do [sections](section): SVG, DXF and JSON.
 //!
 //! What is written is closed where the mesh is. Every vertex is rounded once, wherever it occurs, and triangles that have a corner twice
 //! afterwards are left out: both change which vertices are one, and nothing about which edges are closed. OBJ, PLY and 3MF hold the
@@ -24,6 +24,7 @@ mod images;
 mod obj;
 mod painted;
 mod ply;
+pub mod section;
 mod stl;
 mod threemf;
 mod zip;

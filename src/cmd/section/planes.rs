@@ -6,7 +6,7 @@
 
 use glam::{DVec2, DVec3};
 
-use crate::report::Face;
+use crate::save::section::Face;
 use crate::scene::numbers::round;
 use crate::scene::{Part, Scene};
 use crate::slice::{HalfPlane, SlicePlane, Trim};

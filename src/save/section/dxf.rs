@@ -10,8 +10,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
-use super::section::{Curve, PartReport, SectionReport};
 use super::svg::places;
+use super::{Curve, PartReport, SectionReport};
 use crate::scene::LengthUnit;
 
 /// The colours of the index that all programs have: number and sRGB.

@@ -10,7 +10,7 @@
 
 use maud::{Markup, html};
 
-use super::section::{Curve, PartReport, PlaneReport, SectionReport};
+use super::{Curve, PartReport, PlaneReport, SectionReport};
 use crate::scene::LengthUnit;
 
 /// Pixels along the longer side of a drawing of no physical size.

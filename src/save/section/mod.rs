@@ -11,6 +11,12 @@ use serde::{Serialize, Serializer};
 use crate::scene::{Part, Up};
 use crate::slice::{Section, SlicePlane};
 
+mod dxf;
+mod svg;
+
+pub use dxf::dxf;
+pub use svg::svg;
+
 /// All sections of a scene.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct SectionReport {
