@@ -1,12 +1,13 @@
 //! Samples whose answer hangs on less than the picture can tell.
 //!
-//! A sample is undecided where an implementation that moves it by 1/256 px, or rounds a depth by four ulp of f32, may
+//! A sample is undecided where an implementation that moves it by [`View::doubt_px`], or rounds a depth by four ulp of f32, may
 //! rightly answer otherwise. Three things can make it so: an outline nearby, two events of one ray that are so close that
-//! their order is open ([`super::order`]), and a ray that grazes a clip-surface. Nearness alone is not enough: the walk is repeated with the
+//! their order is open ([`super::order`]), and a ray that grazes a clip-surface. Of the latter two nearness alone is not enough: the walk is repeated with the
 //! pair swapped, or the graze taken the other way, and only another kind, part or clip-surface leaves the sample undecided;
 //! if all of these stay and the depth jumps, as between the folds of a relief, the depth alone is open; if only other solids
 //! come to overlap at a cap or cease to, that alone is. An outline leaves
-//! the sample undecided where the part is not clearly removed and nothing hides it.
+//! the sample undecided where the part is not clearly removed and nothing hides it; one at which the part opens does so although it is
+//! removed, and behind a cap that hangs on it too.
 //!
 //! What is known of whole triangles is decided: on which side of a flat clip-surface one close to it lies (see [`super::settle`]), and
 //! of two parts that share a triangle, or a plane ([`super::settle`]), the first in rank has it.
@@ -110,7 +111,7 @@ impl Scratch {
 impl Case<'_> {
     /// What of the answer is open.
     pub(super) fn openness(&self, scratch: &mut Scratch) -> Openness {
-        if self.brushed() || self.bitten() {
+        if self.brushed(scratch) || self.bitten() {
             return Openness::All;
         }
         let grazed = self.grazed(scratch);
@@ -142,12 +143,43 @@ impl Case<'_> {
         change + rounding(self.view, event.depth)
     }
 
-    /// An outline that is neither hidden nor clearly removed. Where the part is open its rim counts however deep it lies: who counts the
-    /// crossings behind may find one more or one fewer.
-    fn brushed(&self) -> bool {
+    /// An outline that is neither hidden nor clearly removed. One at which the part opens counts although it is removed, and although it is
+    /// hidden where a cap hangs on it: who counts the crossings behind a cap may find one more there or one fewer.
+    fn brushed(&self, scratch: &mut Scratch) -> bool {
         self.brushes.iter().any(|brush| {
             let is_hidden = brush.depth - brush.margin > self.seen_depth();
-            brush.odd || !(is_hidden || self.clearly_removed(brush))
+            match (brush.odd, is_hidden) {
+                (true, true) => self.start_matters(scratch, brush.rank),
+                (true, false) => true,
+                (false, _) => !is_hidden && !self.clearly_removed(brush),
+            }
+        })
+    }
+
+    /// Whether a cap comes or goes where the ray starts on another side of a part. Its faces are seen whatever that side is.
+    fn start_matters(&self, scratch: &mut Scratch, rank: u16) -> bool {
+        let is_clip = |event: &Event| matches!(event.cause, Cause::Clip { .. });
+        let shows_cap = self.sight.filter(|s| s.event.is_none_or(|e| is_clip(&e)));
+        if shows_cap.is_some_and(|s| s.rank == rank) {
+            return true;
+        }
+        let bounds = &self.prepared.parts[usize::from(rank)].bounds;
+        let has_near_cap = self.view.near_cap && self.view.near_plane_meets(bounds);
+        let state = &mut scratch.state;
+        [1, -1].into_iter().any(|by| {
+            state.set(self.start);
+            state.winding[usize::from(rank)] += by;
+            let before_near = self.events.partition_point(|e| e.depth <= self.view.near);
+            let (before, beyond) = self.events.split_at(before_near);
+            before.iter().for_each(|event| state.apply(event));
+            let is_near_cap = has_near_cap && state.shows(self.prepared, rank);
+            let seen = beyond.iter().take_while(|e| e.depth <= self.seen_depth());
+            is_near_cap
+                || seen.into_iter().any(|event| {
+                    let was_removed = state.removes(self.prepared, rank);
+                    state.apply(event);
+                    is_clip(event) && was_removed && state.shows(self.prepared, rank)
+                })
         })
     }
 

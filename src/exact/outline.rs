@@ -4,14 +4,15 @@
 //! two a sample hits, the ray crosses once. Every other edge is one: a fold (*silhouette*), a rim (*boundary*), an edge
 //! with more than two faces, and, where the rule is nonzero, one whose faces do not agree which side is out. Vertices are matched by position here, because a mesh may store one point twice.
 //!
-//! A needle narrower than the sub-pixel grid lies on no side of its edges: they are outlines too (see [`sliver_reach`]).
+//! A needle narrower than the sub-pixel grid lies on no side of its edges: they are outlines too (see [`sliver_reach`]), but for needles
+//! that reach past the near plane.
 //!
 //! An adapter with fewer sub-pixel bits than usual (SwiftShader) clips each triangle at the near plane for itself, so that two which
-//! share an edge part there by a step: all edges through the near plane are outlines then, beyond which the part may be open. With 8
-//! bits that was never seen.
+//! share an edge part there by a step: all edges through the near plane are outlines then, beyond which the part may be open. On
+//! llvmpipe, with 8 bits, that was not seen.
 //!
 //! Rasterisers snap vertices to a fraction of a pixel, 1/256 as a rule, and transforms in f32 move them too: a sample farther than
-//! [`View::doubt_px`] from every outline is hit alike by all of them.
+//! [`View::doubt_px`] from every outline was hit alike by those that were tried: llvmpipe, SwiftShader, compute.
 
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
@@ -21,6 +22,9 @@ use super::facet::{Facet, lateral};
 use super::raster::{Projected, centres};
 use super::screen::Corner;
 use crate::scene::View;
+
+/// No two depths of a scene are farther apart: it lies in a ball of radius 1. The plane of a needle seen edge-on has no such bound.
+const SCENE_DIAMETER: f64 = 2.0;
 
 /// An edge that is an outline, from a little before the near plane on.
 pub(super) struct Outline {
@@ -37,8 +41,8 @@ pub(super) struct Brush {
     pub(super) pixel: u32,
     /// Rank of the part.
     pub(super) rank: u16,
-    /// The edge has an odd number of faces, or directions that do not cancel where the rule is nonzero: beyond it the part is
-    /// open.
+    /// Beyond the edge the part is open: it has an odd number of faces, or directions that do not cancel where the rule is nonzero, or a
+    /// coarse adapter parts its triangles there.
     pub(super) odd: bool,
     /// Depth of the edge.
     pub(super) depth: f64,
@@ -143,9 +147,11 @@ fn points(projected: &Projected<'_>) -> Vec<u32> {
 /// How far depth reaches at a needle that rounding its corners to the sub-pixel grid may turn over: which of its sides a rasteriser sees,
 /// and so the depth it finds in it, is anybody's guess. Its edges are outlines: there is no telling on which side of them it lies.
 ///
-/// Of one whose depths differ by more than a pixel is wide it is these depths. Of a smaller one its plane counts too, within
-/// [`View::doubt_px`]: some rasterisers cover samples beside it, by the rounded corners, and read the plane of the others there. However
-/// little its depth changes, the side that is seen is open: a needle that is turned over shows its back.
+/// Beside its depths that is what its plane changes by within [`View::doubt_px`], which has no bound where it is seen edge-on: some
+/// rasterisers cover samples beside it, by the rounded corners, and read the plane of the others there. However little its depth changes,
+/// the side that is seen is open: a needle that is turned over shows its back.
+///
+/// None for what is no needle, nor for one that reaches past the near plane, of which only a piece is drawn.
 fn sliver_reach(view: &View, projected: &Projected<'_>, triangle: u32) -> Option<f64> {
     let corners = projected.corners(triangle);
     if corners.iter().any(|c| c.depth <= view.near) {
@@ -161,11 +167,8 @@ fn sliver_reach(view: &View, projected: &Projected<'_>, triangle: u32) -> Option
         return None;
     }
     let facet = projected.facet(triangle);
-    let extent = facet.extent();
-    Some(match extent > view.pixel_size(corners[0].depth) {
-        true => extent,
-        false => extent.max(plane_change(view, &facet)),
-    })
+    let reach = facet.extent().max(plane_change(view, &facet));
+    Some(reach.min(SCENE_DIAMETER))
 }
 
 /// How much depth changes on the plane of a face within [`View::doubt_px`].

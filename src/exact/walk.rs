@@ -130,7 +130,8 @@ impl State {
             .any(|c| self.cut_removes(prepared, *c))
     }
 
-    fn shows(&self, prepared: &Prepared, rank: u16) -> bool {
+    /// Whether the ray is inside a part here, and nothing removes it.
+    pub(super) fn shows(&self, prepared: &Prepared, rank: u16) -> bool {
         self.is_inside(rank) && !self.removes(prepared, rank)
     }
 

@@ -1,5 +1,5 @@
-//! Scenes without a pattern: unions of boxes, lumpy balls and bundles of long prisms, flush with one another or not, turned or not; one or
-//! two cuts of one or two planes or reliefs; eyes outside and inside; small pictures, and some rows of large ones.
+//! Scenes without a pattern: unions of boxes, lumpy balls and bundles of long prisms, flush with one another or not, turned or not, some with
+//! needles; one or two cuts of one or two planes or reliefs; eyes outside and inside; small pictures, and some rows of large ones.
 //!
 //! Scene after scene is drawn by each method and held against exact: exact strategies to no decided wrong pixel, depth images to their
 //! reach, tessellations by one list to no hole. A scene that comes out wrong is made simpler as long as it stays wrong, and printed as code,

@@ -94,7 +94,7 @@ pub struct Recipe {
     pub turned: [f64; 3],
     /// The first of some rows of a large picture; `None` draws a small one.
     pub first_row: Option<u32>,
-    /// Each triangle is split in three, of which one is a needle: so wide, as a share of its height.
+    /// Each triangle is split in three, of which one is a needle: so wide, as a share of the triangle's height.
     pub needles: Option<f64>,
 }
 
@@ -126,7 +126,7 @@ impl Recipe {
             first_row: None,
             needles: None,
         };
-        // What came later is drawn from later numbers: the scenes of before are what they were.
+        // What came later is drawn from later numbers: scenes that draw none of it are what they were.
         if n.once_in(4) {
             // Parts touch, are flush or share faces.
             for (_, at) in &mut recipe.solids {

@@ -1,8 +1,10 @@
 //! What once was wrong, by number, each in the smallest scene that showed it.
 
+mod needles;
+
 use cutaway::layers::Kind;
 use cutaway::load::load_mesh_file;
-use cutaway::scene::{Camera, ClipSurface, Cut, Cutter, Mesh, Scene, Up, View, Viewpoint, Wrap};
+use cutaway::scene::{Camera, ClipSurface, Cut, Cutter, Mesh, Scene, View, Viewpoint, Wrap};
 use cutaway::session::Session;
 use cutaway::strategies::{Method, Strategy};
 use glam::{DVec2, DVec3};
@@ -225,20 +227,6 @@ fn regression_0008_a_needle_in_the_plane_is_as_far_as_the_plane() {
     }
 }
 
-/// A needle of 2e-5 square pixels covered a sample beside it, by corners that were rounded, with a depth beyond its own.
-#[test]
-fn regression_0009_beside_a_needle_nothing_is_decided() {
-    let mut scene = scenes::sectioned("crank", &[]);
-    let surface = scenes::relief(&scene, "-z=50%", "fractal:amplitude=4%,period=45%,seed=7");
-    scene.cuts = vec![Cut::new("ragged", vec![surface])];
-    let still = Question::new(&scene, [400, 300]);
-    let view = still.view.sampled_at(DVec2::new(0.5 + 31.0 / 64.0, 0.5));
-    let moved = still.in_view(&scene, view);
-    for strategy in [Strategy::RAYCAST_MASK, Strategy::RAYCAST_STENCIL] {
-        assert_eq!(moved.answer(strategy).fault_of_exact(), None, "{strategy}");
-    }
-}
-
 /// Two cuts whose regions end at one plane: the cap on it was that of the last clip-surface by the ray casters and the tessellations, and
 /// that of the first by exact and by section.
 #[test]
@@ -375,23 +363,4 @@ fn regression_0014_a_crossing_moves_past_a_clip_surface_that_another_is_settled_
         let judged = question.answer(method.parse::<Method>().expect("a method"));
         assert_eq!(judged.fault_of_exact(), None, "{method}");
     }
-}
-
-/// A needle in a flat face was turned over as its corners were rounded, and showed its back: exact was sure of the front, for hardly any
-/// depth changes in the needle.
-#[test]
-fn regression_0015_a_needle_in_a_flat_face_shows_its_back() {
-    let plate: Vec<[i32; 3]> = (0..24 * 18).map(|i| [i % 24 - 12, i / 24 - 9, 0]).collect();
-    let plate = meshes::with_needles(&meshes::cells(&plate, 1.0 / 12.0), 1e-6);
-    let scene = scenes::scene("needles", plate, vec![]);
-    let eye = DVec3::new(0.02, 0.01, 3.0);
-    let mut camera = scenes::looking(eye, DVec3::new(0.013, 0.007, 0.0), 30.0);
-    camera.up = Up::PlusZ;
-    let question = Question::through(&scene, &camera, [200, 150]);
-    for method in ["raycast+mask", "raycast+mask@compute"] {
-        let judged = question.answer(method.parse::<Method>().expect("a method"));
-        assert_eq!(judged.fault_of_exact(), None, "{method}");
-    }
-    let undecided = question.exact.undecided.iter().filter(|u| **u).count();
-    assert!((20..200).contains(&undecided), "{undecided} px");
 }
