@@ -24,7 +24,7 @@ fn run_of(list: u32) -> Run {
     }
     let end = fragments[list];
     let fits = (end <= pool.capacity && end - first <= MOST_FRAGMENTS) || first == end;
-    // Beyond the capacity a list is empty, and has no length below zero.
+    // A list that begins beyond the capacity is empty; without the clamp its length would wrap around.
     return Run(min(first, pool.capacity), min(end, pool.capacity), fits);
 }
 

@@ -16,6 +16,7 @@ mod pulses;
 mod pyramid;
 mod quadratic;
 mod reliefs;
+mod runs;
 mod sides;
 mod walk;
 mod winding;
