@@ -4,7 +4,8 @@
 //! some solid less what is removed from it. It shows a *surface* where the ray crosses the mesh there and a *cap* where it
 //! leaves the removed region. This module lists every crossing of the ray with every triangle (`raster`) and with every
 //! clip-surface (`clip`, `relief`, `cutter`), walks them in order (`follow`, `walk`), and says which answers hang on less than a
-//! picture can tell (`ambiguity`). [`trace`] gives the list of one pixel. It shares no algorithm with the strategies it judges.
+//! picture can tell (`ambiguity`). [`trace`] gives the list of one pixel. With the strategies that it judges it shares the scene, and with it
+//! which faces lie in which plane, and no algorithm.
 //!
 //! *Inside* is by the part's [`Fill`](crate::scene::Fill). The crossings of the whole line count, behind the eye too: inside
 //! at the near plane is what those before it say. An open part has pixels where all of them together still say inside: an odd

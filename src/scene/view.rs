@@ -72,7 +72,7 @@ impl Precision {
     }
 }
 
-/// What graphics cards keep, and the compute rasteriser. Vulkan promises 4.
+/// What llvmpipe keeps, and the compute rasteriser. Vulkan promises 4.
 pub const USUAL_SUB_PIXEL_BITS: u32 = 8;
 /// So many pixels along a side are drawn from f32 coordinates as exactly as vertices are snapped.
 const FINE_SIZE_PX: u32 = 2048;

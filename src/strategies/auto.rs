@@ -1,14 +1,14 @@
 //! `auto`: the method that draws where nobody names one.
 //!
-//! Only those are taken that are exact on closed meshes, mark what may be wrong on others, and draw every scene: so a picture can be
-//! trusted by who knows nothing of the choice. That is `raycast+mask`; what is chosen is who rasterises the mesh. `stencil` and `planar`
+//! Only those are taken that are exact on closed meshes, mark most of what may be wrong on others, and refuse nothing but more
+//! clip-surfaces than a word has bits. That is `raycast+mask`; what is chosen is who rasterises the mesh. `stencil` and `planar`
 //! come near it in time for one plane, but mark nothing, or build anew what moves.
 //!
 //! The rule:
 //!
 //! 1. Who is asked for rasterises.
 //! 2. A software adapter is the CPU, to which fixed functions are code like any other: there the compute rasteriser, which cuts, caps and
-//!    finds what is nearest in one sweep, takes less time in all that was measured (docs/results.md).
+//!    finds what is nearest in one sweep, took less time, or as much, in all that was measured (docs/results.md).
 //! 3. Where it refuses a scene, as one of more parts than its table holds, or would bind more than the device does however few rows are drawn at
 //!    once, the hardware rasteriser draws: that takes a mesh as vertex and index buffers, which may be larger than storage bindings.
 //! 4. An adapter that snaps vertices to coarser steps than 1/256 px draws other silhouettes than the compute rasteriser, which has 8

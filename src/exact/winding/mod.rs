@@ -8,7 +8,8 @@
 //!
 //! What is drawn: clip-surfaces are crossed where the exact reference crosses them. Where that frees a part, and the point is
 //! inside it, there is a cap; where the mesh is crossed and not removed, its surface shows, front or back: a hole in the mesh stays a
-//! hole in the picture, but caps have none. On a closed mesh all decided pixels are those of [`super::evaluate`].
+//! hole in the picture, but caps have none. On a closed mesh whose faces agree which side is out all decided pixels are
+//! those of [`super::evaluate`].
 //!
 //! A pixel is marked where a number asked for there is nearer to a half than to a whole, and where the mesh shows its inner side to
 //! an eye that is, by the number before it, inside of the solid: no closed mesh does.

@@ -81,7 +81,12 @@ pub(super) const USERS: &[Listed] = &[
         &["slice nonsense_is_left_out_and_reported"],
     ),
     listed("U1", "two products face to face", "0 wrong", &[]),
-    listed("U2", "mixed winding", "0 wrong", &[]),
+    listed(
+        "U2",
+        "mixed winding",
+        "single wrong pixels along edges of faces that disagree which side is out",
+        &[],
+    ),
     listed(
         "U3",
         "copies of one mesh: turned, stretched, mirrored",
@@ -99,7 +104,7 @@ pub(super) const USERS: &[Listed] = &[
     listed(
         "U7",
         "a plane in the face between two products",
-        "kept as a whole; single pixels are known to be capped instead",
+        "kept as a whole",
         &[],
     ),
 ];

@@ -2,8 +2,8 @@
 //!
 //! No mesh, no tessellation: planes in closed form, reliefs by a walk over the cells of the offset map with the sign carried
 //! from cell to cell and citardauq roots. Where a ray meets many cells, as in grazing views, the walk passes whole blocks of them
-//! by a pyramid of least and greatest heights, to the same list. The list decides surface, cap and inside together, so no pixel can show the inside
-//! of the shell. Per frame: one invocation per pixel, time in proportion to the cells that a ray passes inside the slab of
+//! by a pyramid of least and greatest heights, to the same list. The list decides surface, cap and inside together, so no pixel of a closed mesh
+//! shows the inside of the shell while buffers hold what they must. Per frame: one invocation per pixel, time in proportion to the cells that a ray passes inside the slab of
 //! heights and the box of the cut solids; 8 bytes per pixel and 4 (one clip-surface) or 8 per crossing it can hold.
 //!
 //! Before the compute rasteriser rays through reliefs are followed only between the depths of what is cut in their tile of the picture

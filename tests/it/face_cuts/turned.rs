@@ -13,7 +13,7 @@ const FEW_PX: usize = 20;
 
 const SMALL_PX: [u32; 2] = [200, 150];
 
-/// Twice as large, twice as many pixels are undecided by outlines, and four times as many by a face.
+/// A picture of twice the side has twice as many pixels undecided by outlines, and four times as many by a face.
 const LARGE_PX: [u32; 2] = [800, 600];
 
 /// What is no face: vertices farther off their plane than turning and rounding leaves room for, in steps of f32 at the largest coordinate.

@@ -7,7 +7,8 @@
 //! Ancestors: Heidmann's and Carmack's shadow volumes; capping with the clip plane laid into the depth buffer is old practice.
 //!
 //! Per frame: the mesh once for its surfaces, and each cut part once more for each crossing a pixel may have and once for the total;
-//! a pass over the picture for each crossing and each 8 pairs; 5 bytes a pixel beside the mask. No atomics.
+//! a pass over the picture for each crossing and each 8 pairs; 5 bytes a pixel beside the mask. No atomics in the passes
+//! over the mesh.
 //!
 //! On the adapter of the tests the mask is that of `mask` bit for bit. Elsewhere a depth test may round a depth otherwise than the
 //! shader that draws the surfaces sees it; then samples within such a rounding of a crossing may differ.
