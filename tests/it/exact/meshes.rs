@@ -114,9 +114,9 @@ fn the_rim_of_a_hole_is_undecided_behind_a_cap() {
     let mut cube = unit_cube();
     let z = |m: &Mesh, t: usize| m.corners(t).iter().map(|p| p.z).sum::<f64>();
     let back = (0..12).find(|t| z(&cube, *t) < -1.4).unwrap();
-    let cut = || vec![ClipSurface::plane(DVec3::ZERO, -DVec3::Z)];
+    let cut = || vec![vec![ClipSurface::plane(DVec3::ZERO, -DVec3::Z)]];
     // Samples lie on the diagonal of the back.
-    let undecided = |mesh: &Mesh, cut: Vec<ClipSurface>| {
+    let undecided = |mesh: &Mesh, cut: Vec<Vec<ClipSurface>>| {
         let exact = frame(&scene(vec![mesh.clone()], cut, camera), [64, 64]);
         let is_undecided = |i: &usize| {
             let [down, up] = [16 + i, 47 - i].map(|row| row * 64 + 16 + i);
