@@ -147,9 +147,10 @@ fn points(projected: &Projected<'_>) -> Vec<u32> {
 /// How far depth reaches at a needle that rounding its corners to the sub-pixel grid may turn over: which of its sides a rasteriser sees,
 /// and so the depth it finds in it, is anybody's guess. Its edges are outlines: there is no telling on which side of them it lies.
 ///
-/// Beside its depths that is what its plane changes by within [`View::doubt_px`], which has no bound where it is seen edge-on: some
-/// rasterisers cover samples beside it, by the rounded corners, and read the plane of the others there. However little its depth changes,
-/// the side that is seen is open: a needle that is turned over shows its back.
+/// If its depths differ by more than the width of a pixel, the reach is that difference. If by less, what its plane changes by within
+/// [`View::doubt_px`] counts too, which has no bound where it is seen edge-on: some rasterisers cover samples beside it, by the rounded
+/// corners, and read the plane of the others there. However little its depth changes, the side that is seen is open: a needle that is turned
+/// over shows its back.
 ///
 /// None for what is no needle, nor for one that reaches past the near plane, of which only a piece is drawn.
 fn sliver_reach(view: &View, projected: &Projected<'_>, triangle: u32) -> Option<f64> {
@@ -167,8 +168,11 @@ fn sliver_reach(view: &View, projected: &Projected<'_>, triangle: u32) -> Option
         return None;
     }
     let facet = projected.facet(triangle);
-    let reach = facet.extent().max(plane_change(view, &facet));
-    Some(reach.min(SCENE_DIAMETER))
+    let extent = facet.extent();
+    Some(match extent > view.pixel_size(corners[0].depth) {
+        true => extent,
+        false => extent.max(plane_change(view, &facet)).min(SCENE_DIAMETER),
+    })
 }
 
 /// How much depth changes on the plane of a face within [`View::doubt_px`].
