@@ -26,6 +26,9 @@ use crate::scene::View;
 /// No two depths of a scene are farther apart: it lies in a ball of radius 1. The plane of a needle seen edge-on has no such bound.
 const SCENE_DIAMETER: f64 = 2.0;
 
+/// Two steps of f32 near 1: what is no wider than that has no plane in f32.
+const LINE_WIDTH: f64 = 2.0 * f32::EPSILON as f64;
+
 /// An edge that is an outline, from a little before the near plane on.
 pub(super) struct Outline {
     ends: [Corner; 2],
@@ -149,8 +152,8 @@ fn points(projected: &Projected<'_>) -> Vec<u32> {
 ///
 /// If its depths differ by more than the width of a pixel, the reach is that difference. If by less, what its plane changes by within
 /// [`View::doubt_px`] counts too, which has no bound where it is seen edge-on: some rasterisers cover samples beside it, by the rounded
-/// corners, and read the plane of the others there. However little its depth changes, the side that is seen is open: a needle that is turned
-/// over shows its back.
+/// corners, and read the plane of the others there. Where its corners lie on a line there is no plane, and any depth may be read. However
+/// little its depth changes, the side that is seen is open: a needle that is turned over shows its back.
 ///
 /// None for what is no needle, nor for one that reaches past the near plane, of which only a piece is drawn.
 fn sliver_reach(view: &View, projected: &Projected<'_>, triangle: u32) -> Option<f64> {
@@ -169,10 +172,20 @@ fn sliver_reach(view: &View, projected: &Projected<'_>, triangle: u32) -> Option
     }
     let facet = projected.facet(triangle);
     let extent = facet.extent();
-    Some(match extent > view.pixel_size(corners[0].depth) {
-        true => extent,
-        false => extent.max(plane_change(view, &facet)).min(SCENE_DIAMETER),
+    Some(if is_line(facet.points) {
+        SCENE_DIAMETER
+    } else if extent > view.pixel_size(corners[0].depth) {
+        extent
+    } else {
+        extent.max(plane_change(view, &facet)).min(SCENE_DIAMETER)
     })
+}
+
+/// Whether three corners lie on a line but for what f32 rounds.
+fn is_line([a, b, c]: [DVec3; 3]) -> bool {
+    let longest = [b - a, c - b, a - c].map(DVec3::length);
+    let longest = longest.into_iter().fold(0.0, f64::max);
+    (b - a).cross(c - a).length() <= LINE_WIDTH * longest
 }
 
 /// How much depth changes on the plane of a face within [`View::doubt_px`].

@@ -103,6 +103,89 @@ fn regression_0016_a_cap_hangs_on_edges_behind_it_where_a_driver_parts_them() {
     assert!(undecided(coarse) && !undecided(Precision::USUAL));
 }
 
+/// A triangle whose corners lie on a line was drawn at the near plane, before all that hides it: exact was sure of what hides it, for its
+/// corners lie behind.
+#[test]
+fn regression_0017_a_triangle_without_a_plane_has_any_depth() {
+    let plane = |normal, at| Surface {
+        normal,
+        at,
+        bumps: None,
+    };
+    let prisms = Solid::Prisms {
+        count: 31,
+        sides: 17,
+    };
+    let question = Recipe {
+        solids: vec![
+            (
+                prisms,
+                [
+                    0.086_794_634_953_997_53,
+                    0.129_110_569_096_854_98,
+                    -0.004_990_727_517_747_928,
+                ],
+            ),
+            (
+                Solid::Cells(vec![
+                    [-2, 0, 1],
+                    [-1, -2, -2],
+                    [1, -1, 1],
+                    [1, 1, -1],
+                    [1, 1, 0],
+                ]),
+                [
+                    -0.064_832_774_596_038_56,
+                    0.080_337_435_971_116_14,
+                    -0.149_724_213_731_888_52,
+                ],
+            ),
+        ],
+        cuts: vec![vec![
+            plane(
+                [
+                    -0.293_095_518_380_943_83,
+                    -0.889_636_394_375_496_6,
+                    0.121_564_031_377_325_19,
+                ],
+                [-0.5, -0.5, 0.25],
+            ),
+            plane(
+                [
+                    0.349_348_810_329_670_4,
+                    -0.864_253_185_591_135_3,
+                    -0.971_805_393_345_355_7,
+                ],
+                [
+                    -0.090_611_443_541_326_61,
+                    0.141_738_338_224_516_62,
+                    -0.265_940_739_990_637_4,
+                ],
+            ),
+        ]],
+        from: [
+            0.142_801_175_719_102_72,
+            -0.342_275_486_632_751,
+            -0.075_576_675_827_793_76,
+        ],
+        to: [
+            0.015_050_516_403_223_69,
+            -0.009_557_564_124_053_203,
+            -0.152_063_025_999_61,
+        ],
+        fov_deg: Some(37.609_663_102_281_644),
+        turned: [
+            2.624_290_075_725_555,
+            3.025_518_443_207_573_7,
+            2.928_187_785_918_958,
+        ],
+        needles: Some(6.827_346_840_786_34e-7),
+        ..PLAIN
+    }
+    .question();
+    nothing_is_wrong(&question);
+}
+
 /// What recipes leave out.
 const PLAIN: Recipe = Recipe {
     solids: Vec::new(),
