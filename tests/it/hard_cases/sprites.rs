@@ -68,7 +68,7 @@ fn plates(teeth: u32) -> Scene {
 fn answer(question: &Question, strategy: Strategy) -> (Judged, u32) {
     let mut session = session();
     let judged = question.answer_in(&mut session, strategy);
-    let plan = session.plan(&strategy).expect("a drawn plan");
+    let plan = session.plan(strategy).expect("a drawn plan");
     (judged, plan.bounded[0].capacity)
 }
 
