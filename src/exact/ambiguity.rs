@@ -148,10 +148,10 @@ impl Case<'_> {
     fn brushed(&self, scratch: &mut Scratch) -> bool {
         self.brushes.iter().any(|brush| {
             let is_hidden = brush.depth - brush.margin > self.seen_depth();
-            match (brush.odd, is_hidden) {
-                (true, true) => self.start_matters(scratch, brush.rank),
-                (true, false) => true,
-                (false, _) => !is_hidden && !self.clearly_removed(brush),
+            if brush.odd {
+                !is_hidden || self.start_matters(scratch, brush.rank)
+            } else {
+                !is_hidden && !self.clearly_removed(brush)
             }
         })
     }
@@ -173,9 +173,9 @@ impl Case<'_> {
             let (before, beyond) = self.events.split_at(before_near);
             before.iter().for_each(|event| state.apply(event));
             let is_near_cap = has_near_cap && state.shows(self.prepared, rank);
-            let seen = beyond.iter().take_while(|e| e.depth <= self.seen_depth());
+            let mut seen = beyond.iter().take_while(|e| e.depth <= self.seen_depth());
             is_near_cap
-                || seen.into_iter().any(|event| {
+                || seen.any(|event| {
                     let was_removed = state.removes(self.prepared, rank);
                     state.apply(event);
                     is_clip(event) && was_removed && state.shows(self.prepared, rank)

@@ -21,7 +21,7 @@ use super::ambiguity::rounding;
 use super::facet::{Facet, lateral};
 use super::raster::{Projected, centres};
 use super::screen::Corner;
-use crate::scene::View;
+use crate::scene::{View, longest_edge};
 
 /// No two depths of a scene are farther apart: it lies in a ball of radius 1. The plane of a needle seen edge-on has no such bound.
 const SCENE_DIAMETER: f64 = 2.0;
@@ -182,10 +182,9 @@ fn sliver_reach(view: &View, projected: &Projected<'_>, triangle: u32) -> Option
 }
 
 /// Whether three corners lie on a line but for what f32 rounds.
-fn is_line([a, b, c]: [DVec3; 3]) -> bool {
-    let longest = [b - a, c - b, a - c].map(DVec3::length);
-    let longest = longest.into_iter().fold(0.0, f64::max);
-    (b - a).cross(c - a).length() <= LINE_WIDTH * longest
+fn is_line(points: [DVec3; 3]) -> bool {
+    let [a, b, c] = points;
+    (b - a).cross(c - a).length() <= LINE_WIDTH * longest_edge(points)
 }
 
 /// How much depth changes on the plane of a face within [`View::doubt_px`].

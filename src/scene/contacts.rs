@@ -11,7 +11,7 @@ use std::cmp::Reverse;
 use glam::{DAffine3, DVec3, IVec3};
 use rayon::prelude::*;
 
-use super::{Bounds, Mesh};
+use super::{Bounds, Mesh, longest_edge};
 
 /// Most samples along a side of a triangle: what is larger is missed by no more than its own inside.
 const MOST_STEPS: f64 = 512.0;
@@ -98,10 +98,12 @@ fn cells_of(mesh: &Mesh, placed: &DAffine3, origin: DVec3, cell: f64) -> Vec<u64
     };
     let mut keys = Vec::new();
     for corners in &mesh.triangles {
-        let [a, b, c] = corners.map(|i| placed.transform_point3(mesh.positions[i as usize]));
-        let longest = (b - a).length().max((c - a).length()).max((c - b).length());
+        let points = corners.map(|i| placed.transform_point3(mesh.positions[i as usize]));
+        let [a, b, c] = points;
         // Samples are closer than a cell is wide.
-        let steps = (longest / (0.7 * cell)).ceil().clamp(1.0, MOST_STEPS);
+        let steps = (longest_edge(points) / (0.7 * cell))
+            .ceil()
+            .clamp(1.0, MOST_STEPS);
         let count = steps as u32;
         for i in 0..=count {
             for j in 0..=count - i {

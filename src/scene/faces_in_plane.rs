@@ -20,7 +20,7 @@ use std::collections::{HashMap, HashSet};
 
 use glam::{DAffine3, DVec3};
 
-use super::{Bounds, FlatSurface, SceneSpace, Side};
+use super::{Bounds, FlatSurface, SceneSpace, Side, longest_edge};
 
 /// So many steps of `f32` a vertex of a face may be off a plane: a turned face that straddles its plane by 4 steps along each axis is
 /// 7 off it.
@@ -184,9 +184,8 @@ impl FlatSurface {
         }
         let [a, b, c] = points;
         let outward = (b - a).cross(c - a);
-        let longest = (a.distance(b)).max(b.distance(c)).max(c.distance(a));
         let is_exact = heights.iter().all(|h| *h == 0.0);
-        let altitude = outward.length() / longest;
+        let altitude = outward.length() / longest_edge(points);
         let up = outward.dot(self.normal);
         let is_sliver = !is_exact && (altitude.is_nan() || altitude <= SLIVER * tolerance);
         let faces_up = (!is_sliver && up != 0.0).then_some(up > 0.0);

@@ -51,6 +51,7 @@ pub mod style;
 mod texture;
 pub(crate) mod topology;
 pub(crate) mod tree;
+mod triangle;
 mod upright;
 mod view;
 pub(crate) mod weld;
@@ -112,6 +113,7 @@ pub use style::Style;
 pub use texture::{MOST_TEXELS_ALONG, Texture, TextureKind};
 pub(crate) use topology::Edges;
 pub use topology::{DepthComplexity, Extent, Topology};
+pub(crate) use triangle::longest_edge;
 pub use view::{Precision, USUAL_SUB_PIXEL_BITS, View};
 
 /// Everything a frame shows, in world space.

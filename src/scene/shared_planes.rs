@@ -16,7 +16,7 @@ use std::sync::Arc;
 
 use glam::{DVec2, DVec3, Vec3};
 
-use super::{Bounds, PreparedPart, View};
+use super::{Bounds, PreparedPart, View, longest_edge};
 
 /// So many parts of planes are settled; with the sides of cuts they fit into the groups of a frame.
 const MOST_MEMBERS: usize = 256;
@@ -258,10 +258,9 @@ fn faces_within<'a>(
             let is_within = own.min.cmple(room.max).all() && room.min.cmple(own.max).all();
             let [a, b, c] = points;
             let cross = (b - a).cross(c - a);
-            let longest = (a.distance(b)).max(b.distance(c)).max(c.distance(a));
             let area = cross.length();
             let normal = cross / area;
-            (is_within && area > SLIVER * tolerance * longest).then(|| Face {
+            (is_within && area > SLIVER * tolerance * longest_edge(points)).then(|| Face {
                 rank,
                 triangle,
                 points,

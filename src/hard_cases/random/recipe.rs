@@ -72,7 +72,7 @@ pub struct Bumps {
 }
 
 /// A scene and a camera.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Recipe {
     /// Parts, each moved.
     pub solids: Vec<(Solid, [f64; 3])>,
@@ -122,9 +122,7 @@ impl Recipe {
             to: point(n, 0.2),
             fov_deg: (!n.once_in(4)).then(|| n.between(20.0, 80.0)),
             near: n.once_in(4).then(|| n.between(0.01, 1.0) * reach),
-            turned: [0.0; 3],
-            first_row: None,
-            needles: None,
+            ..Self::default()
         };
         // What came later is drawn from later numbers: scenes that draw none of it are what they were.
         if n.once_in(4) {

@@ -1,0 +1,8 @@
+//! Measures of a triangle that several judgements share.
+
+use glam::DVec3;
+
+/// Length of the longest edge. Twice the area over it is the altitude, by which slivers are told.
+pub(crate) fn longest_edge([a, b, c]: [DVec3; 3]) -> f64 {
+    a.distance(b).max(b.distance(c)).max(c.distance(a))
+}
