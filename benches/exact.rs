@@ -4,9 +4,9 @@
 use std::hint::black_box;
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
-use cutaway::exact;
 use cutaway::layers::Kind;
 use cutaway::scene::Prepared;
+use cutaway_lab::exact;
 
 #[path = "common/crank.rs"]
 mod crank;

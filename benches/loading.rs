@@ -12,8 +12,8 @@ use std::hint::black_box;
 use std::path::PathBuf;
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
-use cutaway::load::load_mesh_file;
 use cutaway::scene::Mesh;
+use cutaway_io::load::load_mesh_file;
 
 /// A folder that is gone with this value.
 struct Folder(PathBuf);

@@ -6,9 +6,9 @@ use std::fmt::Write as _;
 use std::hint::black_box;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use cutaway::document::{Document, Timeline};
-use cutaway::load::Assets;
 use cutaway::scene::Scene;
+use cutaway_io::document::{Document, Timeline};
+use cutaway_io::load::Assets;
 
 const PARTS: usize = 250;
 const FRAMES: u32 = 200;

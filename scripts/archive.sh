@@ -12,7 +12,7 @@ out=$target/archive
 suffix=
 case $triple in *windows*) suffix=.exe ;; esac
 
-$cargo build --release --quiet --workspace --bins --locked
+$cargo build --release --quiet --package cutaway-cli --package cutaway-viewer --bins --locked
 rm -rf "$out"
 mkdir -p "$out/$name/completions" "$out/$name/man"
 cp README.md CHANGELOG.md LICENSE-APACHE LICENSE-MIT "$out/$name"

@@ -1,34 +1,33 @@
 #!/bin/sh
-# Checks the library by parts: what a host embeds, with files, with what judges, and for a browser; and how many crates come along.
+# Checks what a host embeds by itself: without features, with its files, and for a browser; how many crates come along, and how many items
+# its documentation lists.
 set -eu
 
 cargo=${CARGO:-cargo}
-# Crates beneath the library without features, itself left out.
-most=90
+# Crates beneath the core without features, itself left out.
+most=75
+# Items that the documentation of the core lists.
+most_items=250
 
-for features in "" io lab; do
-    echo "library with features: ${features:-none}"
-    $cargo clippy --quiet --lib --no-default-features --features "$features" -- -D warnings
+for package in cutaway cutaway-io cutaway-lab; do
+    echo "$package by itself"
+    $cargo clippy --quiet --lib --package "$package" -- -D warnings
 done
 
-# Items that the documentation of the library without features lists.
-most_items=250
-RUSTDOCFLAGS="-D warnings" $cargo doc --quiet --lib --no-deps --no-default-features
+RUSTDOCFLAGS="-D warnings" $cargo doc --quiet --lib --no-deps --package cutaway
 items=$(grep -o '<li>' "${CARGO_TARGET_DIR:-target}/doc/cutaway/all.html" | wc -l)
-echo "library without features: $items public items, at most $most_items"
+echo "cutaway: $items public items, at most $most_items"
 [ "$items" -le "$most_items" ]
 
-count=$($cargo tree --edges normal --no-default-features --prefix none | sed 's/ (.*//' | sort -u | wc -l)
+count=$($cargo tree --package cutaway --edges normal --prefix none | sed 's/ (.*//' | sort -u | wc -l)
 count=$((count - 1))
-echo "library without features: $count crates beneath it, at most $most"
+echo "cutaway: $count crates beneath it, at most $most"
 [ "$count" -le "$most" ]
 
 if rustup target add wasm32-unknown-unknown 2>/dev/null; then
-    echo "library for a browser, without features and with io"
-    for features in "" io; do
-        $cargo check --quiet --lib --no-default-features --features "$features" --target wasm32-unknown-unknown
-    done
-    echo "the viewer for a browser"
+    echo "for a browser: cutaway, cutaway-io and the viewer"
+    $cargo check --quiet --lib --package cutaway --target wasm32-unknown-unknown
+    $cargo check --quiet --lib --package cutaway-io --target wasm32-unknown-unknown
     $cargo clippy --quiet --lib --package cutaway-viewer --target wasm32-unknown-unknown -- -D warnings
 else
     echo "NOT CHECKED: whether the library compiles for a browser (rustup has no target wasm32-unknown-unknown here)" >&2

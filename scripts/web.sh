@@ -27,7 +27,7 @@ RUSTFLAGS="-C target-feature=+simd128" $cargo rustc --quiet --package cutaway-vi
 mkdir -p "$out"
 "$tools/bin/wasm-bindgen" --target web --remove-name-section --out-dir "$out" "$target/wasm32-unknown-unknown/web/cutaway_viewer.wasm"
 program=$out/cutaway_viewer_bg.wasm
-cp viewer/web/index.html viewer/web/judge.js "$out"
+cp crates/viewer/web/index.html crates/viewer/web/judge.js "$out"
 cp docs/images/crank.png "$out/still.png"
 
 bytes=$(wc -c <"$program")

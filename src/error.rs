@@ -98,7 +98,8 @@ impl Error {
     }
 
     /// What is wrong, without the name of the file: for who says that name in other words.
-    pub(crate) fn into_what(self) -> String {
+    #[doc(hidden)]
+    pub fn into_what(self) -> String {
         match self {
             Self::File { what, .. } => what,
             Self::Missing(error) => error.into_what(),
@@ -116,7 +117,8 @@ impl Error {
     }
 
     /// The same of something that is used elsewhere: `place` is named first.
-    pub(crate) fn within(self, place: &str) -> Self {
+    #[doc(hidden)]
+    pub fn within(self, place: &str) -> Self {
         match self {
             Self::Input {
                 culprit,
@@ -140,7 +142,8 @@ impl Error {
     }
 
     /// The same, which is so because a file is not there.
-    pub(crate) fn missing(self) -> Self {
+    #[doc(hidden)]
+    pub fn missing(self) -> Self {
         Self::Missing(Box::new(self))
     }
 

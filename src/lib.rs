@@ -40,66 +40,33 @@
 //!
 //! # Features
 //!
-//! None for the above. `io` loads meshes, images and scene files, and writes meshes (`load`, `document`, `save`); `lab` adds the exact reference, comparisons,
-//! hard cases, experiments and reports (`exact`, `compare`, `experiment`); `cli`, on by default, is the command.
+//! None for the above. `boolean` cuts meshes by reliefs and by other meshes; `serde` makes JSON of limits, topology and plans.
+//!
+//! # Sister crates
+//!
+//! `cutaway-io` loads meshes, images and scene files, and writes them; `cutaway-lab` adds the exact reference, comparisons, hard cases, experiments
+//! and reports; `cutaway-cli` is the command. What they alone need of this crate is public, and not in its documentation: it may change
+//! at any time.
 //!
 //! # Map
 //!
 //! ```text
 //! data     file -> document -> scene -> plan -> passes -> layers -> image / comparison -> record -> report
-//! imports  scene <- generate, slice <- load <- document <- hard_cases <- experiment <- report <- cmd
-//!          scene <- exact
-//!          scene <- slice <- shader <- plan <- passes <- effects <- strategies <- gpu <- session <- compare <- hard_cases <- experiment <- report <- save <- cmd
+//! imports  scene <- generate
+//!          scene <- slice <- shader <- plan <- passes <- effects <- strategies <- gpu <- session
 //! ```
 //!
-//! A module imports only from modules to its left; only [`gpu`] names `wgpu`; `exact` shares nothing with the strategies
-//! but [`scene`] and the [`layers`]. A test holds this map against the source.
+//! A module imports only from modules to its left, and all may import [`error`] and [`layers`]; only [`gpu`] names `wgpu`. A test holds this map against
+//! the source.
 
-#![cfg_attr(
-    not(feature = "cli"),
-    allow(
-        dead_code,
-        unused_imports,
-        reason = "what only files, judges or the command use of a module is not taken out of it feature by feature"
-    )
-)]
-
-/// Examples of README, which run as tests.
-#[cfg(all(doctest, feature = "cli"))]
-#[doc = include_str!("../README.md")]
-struct OfReadme;
-
-/// Examples of the book.
-#[cfg(all(doctest, feature = "cli"))]
-#[doc = include_str!("../docs/library.md")]
-struct OfTheBook;
-
-#[cfg(feature = "cli")]
-pub mod cmd;
-#[cfg(feature = "lab")]
-pub mod compare;
-#[cfg(feature = "io")]
-pub mod document;
 mod effects;
 pub mod error;
-#[cfg(feature = "lab")]
-pub mod exact;
-#[cfg(feature = "lab")]
-pub mod experiment;
 pub mod generate;
 pub mod gpu;
-#[cfg(feature = "lab")]
-pub mod hard_cases;
 pub mod layers;
-#[cfg(feature = "io")]
-pub mod load;
 #[doc(hidden)]
 pub mod passes;
 pub mod plan;
-#[cfg(feature = "lab")]
-pub mod report;
-#[cfg(feature = "io")]
-pub mod save;
 pub mod scene;
 pub mod session;
 #[doc(hidden)]
@@ -107,13 +74,7 @@ pub mod shader;
 pub mod slice;
 pub mod strategies;
 
-#[cfg(feature = "lab")]
-pub use compare::{Comparison, compare};
-#[cfg(feature = "io")]
-pub use document::Document;
 pub use error::{Error, Result};
-#[cfg(feature = "lab")]
-pub use exact::Exact;
 pub use gpu::{Gpu, GpuOptions};
 pub use layers::Layers;
 pub use passes::Model;

@@ -1,8 +1,8 @@
 //! The built-in crank of about 100 thousand triangles, halved in two ways.
 
-use cutaway::document::section;
 use cutaway::generate::shapes;
 use cutaway::scene::{Camera, Cut, Scene, Viewpoint};
+use cutaway_io::document::section;
 
 /// The crank halved by a plane, and by a relief of 256 x 256 texels; both are seen from the side that is removed.
 pub(crate) fn scenes() -> [(&'static str, Scene); 2] {

@@ -1,6 +1,6 @@
 //! Where a picture is taken from: values for `camera`, which take the place of what contradicts them.
 
-use cutaway::document::{Document, Node, Origin, Value};
+use cutaway_io::document::{Document, Node, Origin, Value};
 
 use crate::door::Result;
 

@@ -7,7 +7,7 @@ use std::io;
 use std::path::Path;
 use std::sync::{Arc, PoisonError, RwLock};
 
-use cutaway::load::{Disk, Files};
+use cutaway_io::load::{Disk, Files};
 
 /// The folder that arrays are named in. No file system has one of this name by accident.
 const FOLDER: &str = "<arrays>";

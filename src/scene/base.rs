@@ -18,7 +18,7 @@ const LEAST_BASE: f64 = 0.02;
 const CLEARLY: f64 = 2.5;
 
 /// What stands upright, as far as its base says it; otherwise by habit.
-pub(crate) fn standing_up(parts: &[Part], habit: Up) -> Up {
+pub fn standing_up(parts: &[Part], habit: Up) -> Up {
     let bounds = parts.iter().map(Part::bounds_in_world);
     let bounds = bounds.fold(Bounds::EMPTY, Bounds::union);
     let [y, z] = [1, 2].map(|axis| base(parts, &bounds, axis));

@@ -159,7 +159,8 @@ impl Camera {
     }
 
     /// Whether where the eye is hangs on what the cuts keep.
-    pub(crate) fn fits_kept(&self) -> bool {
+    #[doc(hidden)]
+    pub fn fits_kept(&self) -> bool {
         self.fit == Fit::Kept && !matches!(self.viewpoint, Viewpoint::Explicit { .. })
     }
 

@@ -160,7 +160,8 @@ impl ClipSurface {
 
     /// The same surface turned in itself by an angle in radians, `U` towards `V`, about its origin.
     #[must_use]
-    pub(crate) fn spun(&self, angle: f64) -> Self {
+    #[doc(hidden)]
+    pub fn spun(&self, angle: f64) -> Self {
         let SurfaceFrame { u_hat, v_hat, .. } = self.frame();
         let (sine, cosine) = angle.sin_cos();
         let mut spun = self.clone();

@@ -29,7 +29,8 @@ pub struct CoatedTriangle {
 
 impl CoatedTriangle {
     /// Whether it has colours of its own: there is no image, or it is tinted.
-    pub(crate) fn has_colors(&self) -> bool {
+    #[doc(hidden)]
+    pub fn has_colors(&self) -> bool {
         self.image.is_none() || self.colors != [[255; 4]; 3]
     }
 }
@@ -47,7 +48,8 @@ impl Coat {
     }
 
     /// The one colour of all of it, sRGB, where it has no image and but one.
-    pub(crate) fn one_color(&self) -> Option<[u8; 4]> {
+    #[doc(hidden)]
+    pub fn one_color(&self) -> Option<[u8; 4]> {
         let first = self.triangles.first()?.colors[0];
         let is_it = |t: &CoatedTriangle| t.image.is_none() && t.colors == [first; 3];
         self.triangles.iter().all(is_it).then_some(first)

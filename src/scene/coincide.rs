@@ -16,7 +16,7 @@ use super::{Bounds, PreparedVolume};
 const NEAR: f64 = 1e-5;
 
 /// Whether three points are in the plane of a triangle, to the last bit.
-pub(crate) fn lies_in(points: [DVec3; 3], face: [DVec3; 3]) -> bool {
+pub fn lies_in(points: [DVec3; 3], face: [DVec3; 3]) -> bool {
     let of = |p: DVec3| Coord3D {
         x: p.x,
         y: p.y,

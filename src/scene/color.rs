@@ -5,7 +5,8 @@ use glam::Vec3;
 use super::color_names::COLOR_NAMES;
 use crate::error::nearest;
 
-pub(crate) fn linear_from_srgb(v: f32) -> f32 {
+/// A channel in linear light, of one as sRGB encodes it, both in 0..=1 (IEC 61966-2-1).
+pub fn linear_from_srgb(v: f32) -> f32 {
     if v <= 0.040_45 {
         v / 12.92
     } else {
@@ -13,7 +14,8 @@ pub(crate) fn linear_from_srgb(v: f32) -> f32 {
     }
 }
 
-pub(crate) fn srgb_from_linear(v: f32) -> f32 {
+/// A channel as sRGB encodes it, of one in linear light, both in 0..=1 (IEC 61966-2-1).
+pub fn srgb_from_linear(v: f32) -> f32 {
     if v <= 0.003_130_8 {
         12.92 * v
     } else {
@@ -22,7 +24,7 @@ pub(crate) fn srgb_from_linear(v: f32) -> f32 {
 }
 
 /// A function of each channel.
-pub(crate) fn map_channels(color: Vec3, of: impl Fn(f32) -> f32) -> Vec3 {
+pub fn map_channels(color: Vec3, of: impl Fn(f32) -> f32) -> Vec3 {
     Vec3::new(of(color.x), of(color.y), of(color.z))
 }
 
@@ -45,7 +47,7 @@ pub fn parse_color(text: &str) -> Option<Vec3> {
 }
 
 /// How to write what is no colour, as the text of a `help:` line.
-pub(crate) fn color_help(text: &str) -> String {
+pub fn color_help(text: &str) -> String {
     let names: Vec<&str> = COLOR_NAMES.iter().map(|(name, _)| *name).collect();
     match nearest(&text.to_ascii_lowercase(), &names) {
         Some(near) => {

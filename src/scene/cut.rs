@@ -75,7 +75,8 @@ impl Cut {
     }
 
     /// Whether the globs mean a part.
-    pub(crate) fn names(&self, part: &Part) -> bool {
+    #[doc(hidden)]
+    pub fn names(&self, part: &Part) -> bool {
         let any = |globs: &[String]| globs.iter().any(|g| glob_matches(g, &part.name));
         any(&self.applies_to) && !any(&self.except)
     }
@@ -93,7 +94,7 @@ impl Cut {
 }
 
 /// `*` stands for any run of characters, `?` for one, everything else for itself.
-pub(crate) fn glob_matches(glob: &str, name: &str) -> bool {
+pub fn glob_matches(glob: &str, name: &str) -> bool {
     let (glob, name): (Vec<char>, Vec<char>) = (glob.chars().collect(), name.chars().collect());
     // Positions to return to when the characters after the last `*` do not fit.
     let (mut g, mut n, mut star) = (0, 0, None);

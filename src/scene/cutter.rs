@@ -16,7 +16,7 @@ use super::{Bounds, Mesh, Part, range};
 use crate::error::{Error, Result};
 
 /// Why the bounds of a cutter are more than can be drawn beside a model, if they are.
-pub(crate) fn too_far(cutter: &Bounds, model: &Bounds) -> Option<String> {
+pub fn too_far(cutter: &Bounds, model: &Bounds) -> Option<String> {
     if !cutter.size().length().is_finite() {
         return Some("reaches to infinity".to_owned());
     }

@@ -73,7 +73,7 @@ pub fn doubts(scene: &Scene) -> Vec<Remark> {
 
 /// Cuts that pass by the model, and whether all of it stays. A face of several that lies beyond the model on the removed side
 /// does no harm, as where a box sticks out.
-pub(crate) fn misses(scene: &Scene) -> impl Iterator<Item = (&Cut, bool)> {
+pub fn misses(scene: &Scene) -> impl Iterator<Item = (&Cut, bool)> {
     let bounds = scene.bounds();
     let cuts = (scene.cuts.iter()).filter(|c| c.enabled && !c.surfaces.is_empty());
     cuts.filter_map(move |cut| {
@@ -118,7 +118,7 @@ fn nonzero_depends(parts: &[Part]) -> Option<Remark> {
 }
 
 /// What to say of a model of which nothing is seen.
-pub(crate) fn empty_picture(scene: &Scene) -> Remark {
+pub fn empty_picture(scene: &Scene) -> Remark {
     Remark::warning(format!(
         "the picture is empty: all of the model is cut away or outside the view\n  bounds: {}\n  help: keep the \
          other side (--flip), move the section, or leave the camera options out",

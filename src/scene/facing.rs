@@ -30,7 +30,8 @@ impl Camera {
     }
 
     /// As [`Camera::facing`], where azimuth and elevation may be `free` or not.
-    pub(crate) fn viewpoint_facing<'a>(
+    #[doc(hidden)]
+    pub fn viewpoint_facing<'a>(
         &self,
         cuts: impl Iterator<Item = &'a Cut> + Clone,
         free: [bool; 2],

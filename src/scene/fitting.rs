@@ -77,7 +77,7 @@ fn sides(points: &[DVec3], axis: usize, border: f64) -> [f64; 2] {
 }
 
 /// How far away an eye has to be that looks at the origin of the points, in perspective: nothing is centred.
-pub(crate) fn distance_around(points: &[DVec3], half_height: f64, size_px: [u32; 2]) -> f64 {
+pub fn distance_around(points: &[DVec3], half_height: f64, size_px: [u32; 2]) -> f64 {
     let aspect = f64::from(size_px[0]) / f64::from(size_px[1]);
     let borders = DVec2::new(half_height * aspect, half_height) * filled(size_px);
     let distance = |p: &DVec3| (p.truncate().abs() / borders).max_element() - p.z;
@@ -85,7 +85,7 @@ pub(crate) fn distance_around(points: &[DVec3], half_height: f64, size_px: [u32;
 }
 
 /// Half the height of a parallel view of the origin of the points.
-pub(crate) fn half_height_around(points: &[DVec3], size_px: [u32; 2]) -> f64 {
+pub fn half_height_around(points: &[DVec3], size_px: [u32; 2]) -> f64 {
     let aspect = f64::from(size_px[0]) / f64::from(size_px[1]);
     let half =
         |p: &DVec3| (p.truncate().abs() / filled(size_px) / DVec2::new(aspect, 1.0)).max_element();

@@ -85,7 +85,8 @@ impl Mesh {
     }
 
     /// Some triangles as a mesh of their own, and the vertices that it has of the whole, in order.
-    pub(crate) fn picked(&self, triangles: &[u32]) -> (Self, Vec<u32>) {
+    #[doc(hidden)]
+    pub fn picked(&self, triangles: &[u32]) -> (Self, Vec<u32>) {
         let corners = triangles.iter().map(|t| self.triangles[*t as usize]);
         let mut vertices: Vec<u32> = corners.clone().flatten().collect();
         vertices.sort_unstable();

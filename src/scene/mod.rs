@@ -34,14 +34,17 @@ mod hull;
 mod length_unit;
 mod material;
 mod mesh;
-pub(crate) mod motion;
-pub(crate) mod numbers;
+#[doc(hidden)]
+pub mod motion;
+#[doc(hidden)]
+pub mod numbers;
 mod offset_map;
 mod outline;
 mod part;
 mod plane_spec;
 mod prepared;
-pub(crate) mod range;
+#[doc(hidden)]
+pub mod range;
 mod regions;
 pub mod relief;
 mod settled;
@@ -49,43 +52,53 @@ mod shared_planes;
 mod smooth;
 pub mod style;
 mod texture;
-pub(crate) mod topology;
+#[doc(hidden)]
+pub mod topology;
 pub(crate) mod tree;
 mod triangle;
 mod upright;
 mod view;
-pub(crate) mod weld;
+#[doc(hidden)]
+pub mod weld;
 
 use std::borrow::Cow;
 use std::sync::Arc;
 
-pub(crate) use base::standing_up;
+#[doc(hidden)]
+pub use base::standing_up;
 pub use bodies::Bodies;
-pub(crate) use bodies::{Pieces, body_name};
+#[doc(hidden)]
+pub use bodies::{Pieces, body_name};
 pub use bounds::Bounds;
 pub use camera::{Camera, Fit, Projection, STANDARD_VIEWS, Up, Viewpoint};
 pub use cap_material::{CapMaterial, SolidTexture};
 pub use clip_surface::{ClipSurface, SurfaceFrame};
 pub use coat::{Coat, CoatedTriangle};
-pub(crate) use coincide::lies_in;
+#[doc(hidden)]
+pub use coincide::lies_in;
 pub use color::parse_color;
-pub(crate) use color::{color_help, linear_from_srgb, map_channels, srgb_from_linear};
+#[doc(hidden)]
+pub use color::{color_help, linear_from_srgb, map_channels, srgb_from_linear};
 pub(crate) use contacts::{classes, contacts};
-pub(crate) use cut::glob_matches;
+#[doc(hidden)]
+pub use cut::glob_matches;
 pub use cut::{Cut, Offset};
 pub(crate) use cutaway::is_removed_whole;
 pub use cutaway::{
     AxisRule, Breakaway, BreakawayView, Clusters, CutoutFrame, MainAxes, Sight, sights,
 };
 pub use cutter::Cutter;
-pub(crate) use cutter::too_far;
+#[doc(hidden)]
+pub use cutter::too_far;
 pub use decimals::to_decimals;
 pub(crate) use doubled::doubled_faces;
 pub use doubts::{Remark, doubts};
-pub(crate) use doubts::{empty_picture, misses};
+#[doc(hidden)]
+pub use doubts::{empty_picture, misses};
 pub(crate) use faces_in_plane::{Candidates, FacesInPlane, plane_tolerance};
 pub use fill::Fill;
-pub(crate) use fitting::{distance_around, half_height_around};
+#[doc(hidden)]
+pub use fitting::{distance_around, half_height_around};
 pub(crate) use grown::Grown;
 pub use hatch_pattern::{CapHatch, Dash, HatchPattern, LineFamily, MOST_STROKES};
 pub use height_filter::HeightFilter;
@@ -94,26 +107,31 @@ pub use length_unit::LengthUnit;
 pub use material::Material;
 pub use mesh::{Mesh, MeshDefect};
 pub use motion::{Axis, Clip, Deformer, Driver, Motion, MotionDefect, Pose, Pull};
-pub(crate) use motion::{Outwards, is_same_motion};
+#[doc(hidden)]
+pub use motion::{Outwards, is_same_motion};
 pub use offset_map::{OffsetMap, Wrap};
 pub use outline::Outline;
-pub(crate) use part::who_wins;
+#[doc(hidden)]
+pub use part::who_wins;
 pub use part::{Part, Role};
 pub use plane_spec::{Amount, PlaneSpec};
 pub use prepared::{
     Prepared, PreparedCut, PreparedPart, PreparedSurface, PreparedVolume, SceneSpace,
 };
 pub(crate) use prepared::{facing_out, tolerance_of};
-pub(crate) use regions::in_common;
+#[doc(hidden)]
+pub use regions::in_common;
 pub use regions::{Block, Face, Wedge, next_axis};
 pub use settled::{FlatSurface, Settled, Side};
 pub(crate) use shared_planes::SharedPlanes;
 pub use smooth::{DEFAULT_CREASE_DEG, Faces, ShadingMesh};
 pub use style::Style;
 pub use texture::{MOST_TEXELS_ALONG, Texture, TextureKind};
-pub(crate) use topology::Edges;
+#[doc(hidden)]
+pub use topology::Edges;
 pub use topology::{DepthComplexity, Extent, Topology};
-pub(crate) use triangle::longest_edge;
+#[doc(hidden)]
+pub use triangle::longest_edge;
 pub use view::{Precision, USUAL_SUB_PIXEL_BITS, View};
 
 /// Everything a frame shows, in world space.
@@ -145,7 +163,8 @@ impl Scene {
     }
 
     /// What the camera is fitted to, where that is not the box of the scene.
-    pub(crate) fn fitted_outline(&self) -> Option<Arc<Outline>> {
+    #[doc(hidden)]
+    pub fn fitted_outline(&self) -> Option<Arc<Outline>> {
         let own = || self.outline.clone();
         let now = || Arc::new(Outline::of(self));
         self.camera.fits_kept().then(|| own().unwrap_or_else(now))

@@ -1,7 +1,8 @@
 //! Numbers for readers.
 
 /// A number with six significant digits and no more zeros than it needs.
-pub(crate) fn round(value: f64) -> String {
+#[doc(hidden)]
+pub fn round(value: f64) -> String {
     if value == 0.0 || !value.is_finite() {
         return format!("{value}");
     }
@@ -27,7 +28,8 @@ pub(crate) fn coordinate(value: f64) -> String {
 }
 
 /// Bounds, axis by axis.
-pub(crate) fn describe_bounds(min: [f64; 3], max: [f64; 3]) -> String {
+#[doc(hidden)]
+pub fn describe_bounds(min: [f64; 3], max: [f64; 3]) -> String {
     let axis = |i: usize| {
         format!(
             "{} {} to {}",

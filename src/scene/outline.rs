@@ -40,7 +40,8 @@ impl Outline {
     }
 
     /// Takes in what is kept of some parts of a scene.
-    pub(crate) fn add_parts<'a>(&mut self, scene: &Scene, parts: impl Iterator<Item = &'a Part>) {
+    #[doc(hidden)]
+    pub fn add_parts<'a>(&mut self, scene: &Scene, parts: impl Iterator<Item = &'a Part>) {
         // A ghost shows what is hidden.
         let world = scene.bounds();
         let is_seen =

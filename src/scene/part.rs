@@ -68,7 +68,7 @@ pub struct Part {
 
 /// The order of parts where solids share a point, the one that is shown first: higher priority (0 where none is given), then
 /// the smaller solid as it is at rest, then the one that was named first.
-pub(crate) fn who_wins(of: &Part, volume_at_rest: f64, index: usize) -> impl Ord + use<> {
+pub fn who_wins(of: &Part, volume_at_rest: f64, index: usize) -> impl Ord + use<> {
     let priority = of.priority.unwrap_or(0);
     // Bits of numbers that are not negative are in their order.
     (Reverse(priority), volume_at_rest.to_bits(), index)
@@ -95,7 +95,8 @@ impl Part {
     }
 
     /// Volume of a mesh as this part places it, not negative, from its volume in part space.
-    pub(crate) fn placed_volume(&self, of_mesh: f64) -> f64 {
+    #[doc(hidden)]
+    pub fn placed_volume(&self, of_mesh: f64) -> f64 {
         of_mesh.abs() * self.world_from_part.matrix3.determinant().abs()
     }
 

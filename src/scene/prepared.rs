@@ -152,7 +152,7 @@ pub struct Prepared {
     /// How it looks.
     pub style: Style,
     /// Planes that faces of several parts lie in.
-    pub(crate) shared: Arc<SharedPlanes>,
+    pub shared: Arc<SharedPlanes>,
     camera: Camera,
     outline: Option<Arc<Outline>>,
 }
@@ -242,7 +242,8 @@ impl Prepared {
     }
 
     /// What the camera of the scene is fitted to, where that is not the box of it.
-    pub(crate) fn outline(&self) -> Option<&Outline> {
+    #[doc(hidden)]
+    pub fn outline(&self) -> Option<&Outline> {
         self.outline.as_deref().filter(|o| !o.is_empty())
     }
 
@@ -263,7 +264,8 @@ impl Prepared {
     }
 
     /// Which way is up in the world.
-    pub(crate) fn up(&self) -> DVec3 {
+    #[doc(hidden)]
+    pub fn up(&self) -> DVec3 {
         self.camera.up.axis()
     }
 

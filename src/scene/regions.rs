@@ -11,7 +11,7 @@ use glam::DVec3;
 use super::{ClipSurface, Up};
 
 /// What two unions of intersections of removed sides have in common, as such a union.
-pub(crate) fn in_common(a: &[Vec<ClipSurface>], b: &[Vec<ClipSurface>]) -> Vec<Vec<ClipSurface>> {
+pub fn in_common(a: &[Vec<ClipSurface>], b: &[Vec<ClipSurface>]) -> Vec<Vec<ClipSurface>> {
     let pairs = a
         .iter()
         .flat_map(|x| b.iter().map(move |y| [x.as_slice(), y.as_slice()].concat()));

@@ -42,7 +42,7 @@ const EDGE_ON: f64 = 1e-4;
 
 /// A plane with faces of several parts that overlap in it.
 #[derive(Clone, Debug)]
-pub(crate) struct SharedPlane {
+pub struct SharedPlane {
     /// The way that the faces face.
     normal: DVec3,
     offset: f64,
@@ -53,7 +53,8 @@ pub(crate) struct SharedPlane {
 impl SharedPlane {
     /// The value of the depth buffer in a view: how much it changes per pixel to the right and downwards, and what it is in the upper
     /// left corner. None where the plane is seen edge-on.
-    pub(crate) fn in_view(&self, view: &View) -> Option<[f64; 3]> {
+    #[doc(hidden)]
+    pub fn in_view(&self, view: &View) -> Option<[f64; 3]> {
         let buffer = |at: DVec2| {
             let (origin, direction) = view.ray(at);
             let along = self.normal.dot(direction);
@@ -84,7 +85,7 @@ type FoundIn = Option<(Arc<Vec<Vec3>>, Arc<Vec<[u32; 3]>>)>;
 
 /// The planes that parts of a scene share.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct SharedPlanes {
+pub struct SharedPlanes {
     /// Of each part by rank, what they were found in.
     meshes: Vec<FoundIn>,
     planes: Vec<SharedPlane>,
@@ -151,12 +152,14 @@ impl SharedPlanes {
     }
 
     /// The planes, by number.
-    pub(crate) fn planes(&self) -> &[SharedPlane] {
+    #[doc(hidden)]
+    pub fn planes(&self) -> &[SharedPlane] {
         &self.planes
     }
 
     /// The triangles of a part that lie in some of them, in order, each with the number of the plane.
-    pub(crate) fn faces(&self, rank: usize) -> Arc<[(u32, u16)]> {
+    #[doc(hidden)]
+    pub fn faces(&self, rank: usize) -> Arc<[(u32, u16)]> {
         self.faces.get(rank).cloned().unwrap_or_default()
     }
 }

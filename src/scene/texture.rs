@@ -32,7 +32,8 @@ pub const MOST_TEXELS_ALONG: u32 = 8192;
 
 impl Texture {
     /// The number of a texture among known ones, of which it becomes the last where none is the same object.
-    pub(crate) fn number_among(known: &mut Vec<Arc<Self>>, texture: &Arc<Self>) -> usize {
+    #[doc(hidden)]
+    pub fn number_among(known: &mut Vec<Arc<Self>>, texture: &Arc<Self>) -> usize {
         let number = known.iter().position(|k| Arc::ptr_eq(k, texture));
         number.unwrap_or_else(|| {
             known.push(texture.clone());
@@ -78,7 +79,8 @@ impl Texture {
     }
 
     /// Columns and rows of a smaller size, and its texels with those of all that are smaller still; 0 is the image itself.
-    pub(crate) fn level_on(&self, level: u32) -> ([u32; 2], &[[u8; 4]]) {
+    #[doc(hidden)]
+    pub fn level_on(&self, level: u32) -> ([u32; 2], &[[u8; 4]]) {
         let (mut size, mut first) = (self.size, 0);
         for _ in 0..level {
             if size == [1, 1] {

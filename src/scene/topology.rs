@@ -11,7 +11,8 @@ mod rays;
 use glam::DVec3;
 use rayon::prelude::*;
 
-pub(crate) use edges::{EdgeCount, EdgeUse, EdgeUses, Edges, Sets};
+#[doc(hidden)]
+pub use edges::{EdgeCount, EdgeUse, EdgeUses, Edges, Sets};
 use rays::Rays;
 
 use super::{Bounds, Mesh, Part};

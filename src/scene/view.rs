@@ -202,7 +202,8 @@ impl View {
     }
 
     /// A depth by so much before the near plane, and never behind the eye.
-    pub(crate) fn before_near(&self, slack: f64) -> f64 {
+    #[doc(hidden)]
+    pub fn before_near(&self, slack: f64) -> f64 {
         let most = if self.orthographic {
             f64::INFINITY
         } else {

@@ -23,17 +23,18 @@ const NEAR_SHARE: f64 = 1e-8;
 
 /// Where the vertices went.
 #[derive(Debug)]
-pub(crate) struct Weld {
+pub struct Weld {
     /// Vertices after welding.
-    pub(crate) positions: Vec<DVec3>,
+    pub positions: Vec<DVec3>,
     /// New index of every old vertex.
-    pub(crate) new_from_old: Vec<u32>,
+    pub new_from_old: Vec<u32>,
     /// What was done, for the user.
-    pub(crate) note: String,
+    pub note: String,
 }
 
 /// Welds a mesh with open edges; `None` if nothing is to be joined. Indices must be in range, coordinates finite.
-pub(crate) fn weld(positions: &[DVec3], triangles: &[[u32; 3]]) -> Option<Weld> {
+#[doc(hidden)]
+pub fn weld(positions: &[DVec3], triangles: &[[u32; 3]]) -> Option<Weld> {
     let open_before = Edges::of(triangles).count().open;
     if open_before == 0 {
         return None;
@@ -138,7 +139,8 @@ fn moved(triangles: &[[u32; 3]], new_from_old: &[u32]) -> Vec<[u32; 3]> {
 }
 
 /// True for a triangle with three different vertices.
-pub(crate) fn has_three(t: &[u32; 3]) -> bool {
+#[doc(hidden)]
+pub fn has_three(t: &[u32; 3]) -> bool {
     t[0] != t[1] && t[1] != t[2] && t[2] != t[0]
 }
 
@@ -187,7 +189,8 @@ fn join_near(at: &[DVec3], triangles: &[[u32; 3]], edges: &Edges, now: EdgeCount
 }
 
 /// A number with commas between thousands.
-pub(crate) fn thousands(n: usize) -> String {
+#[doc(hidden)]
+pub fn thousands(n: usize) -> String {
     let digits = n.to_string();
     let mut text = String::with_capacity(digits.len() + digits.len() / 3);
     for (i, d) in digits.chars().enumerate() {

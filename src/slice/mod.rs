@@ -43,11 +43,12 @@ mod slicer;
 mod trim;
 
 #[cfg(feature = "boolean")]
-pub(crate) use boolean::is_at_work;
+#[doc(hidden)]
+pub use boolean::is_at_work;
 pub use capped::{Cap, CappedPart, Half, Halves, RELIEF_CELLS, capped, capped_with, halves};
 pub use half_plane::HalfPlane;
-#[cfg(feature = "io")]
-pub(crate) use holes::close_holes_of;
+#[doc(hidden)]
+pub use holes::close_holes_of;
 pub use holes::{Closing, Hole, HoleDefect, close_holes};
 pub use plane::SlicePlane;
 pub use polygons::Polygon;

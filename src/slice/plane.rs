@@ -47,7 +47,8 @@ impl From<&PreparedSurface> for SlicePlane {
 
 impl SlicePlane {
     /// The plane of a clip-surface in world space, at the height of its relief; none where that bends it.
-    pub(crate) fn of_flat(surface: &ClipSurface) -> Option<Self> {
+    #[doc(hidden)]
+    pub fn of_flat(surface: &ClipSurface) -> Option<Self> {
         let plane = Self::from(surface);
         let Some(map) = &surface.relief else {
             return Some(plane);
@@ -142,7 +143,7 @@ impl SlicePlane {
 
     /// Whether all of a box is clearly on one side, and farther away than `margin`. May say no of a box that is, never yes of one that
     /// is not.
-    pub(super) fn misses(&self, bounds: &Bounds, margin: f64) -> bool {
+    pub fn misses(&self, bounds: &Bounds, margin: f64) -> bool {
         // Halves first: the sum of two coordinates may be too large.
         let (low, high) = (bounds.min * 0.5, bounds.max * 0.5);
         let (centre, reach) = (low + high, high - low);

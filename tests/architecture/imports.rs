@@ -1,4 +1,5 @@
-//! Who imports whom: the map at the head of `src/lib.rs` is read, and every `crate::` path is held against it.
+//! Who imports whom: the map at the head of each `lib.rs` is read, and every `crate::` path is held against it. Between crates the manifests
+//! are the map, but for what judges.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -18,10 +19,10 @@ fn chains(lib: &str) -> Vec<Vec<Vec<String>>> {
         .collect()
 }
 
-/// Modules that everybody may import.
+/// Modules of the core that everybody may import.
 const FAR_LEFT: [&str; 2] = ["error", "layers"];
 
-/// What a module may import, by the map and by the two sentences below it.
+/// What a module may import of its own crate, by the map.
 fn allowed(chains: &[Vec<Vec<String>>], module: &str) -> Option<BTreeSet<String>> {
     if FAR_LEFT.contains(&module) {
         return Some(FAR_LEFT.map(str::to_owned).into());
@@ -34,36 +35,26 @@ fn allowed(chains: &[Vec<Vec<String>>], module: &str) -> Option<BTreeSet<String>
             left.extend(chain[..place].iter().flatten().cloned());
         }
     }
-    if module == "compare" {
-        // Judges layers against layers: it must not know who made them.
-        left = BTreeSet::from(["scene".to_owned()]);
-    }
-    let judges = [
-        "compare",
-        "hard_cases",
-        "experiment",
-        "report",
-        "cmd",
-        "viewer",
-    ];
-    if judges.contains(&module) {
-        left.insert("exact".to_owned());
-    } else {
-        // The strategies share nothing with what they are judged by.
-        left.remove("exact");
-    }
     left.extend(FAR_LEFT.map(str::to_owned));
     left.insert(module.to_owned());
     is_on_map.then_some(left)
 }
 
-/// The modules that `crate::` paths of a text name, with lines.
-fn imported(text: &str) -> Vec<(usize, String)> {
+/// What modules that judge may import of the core, so that they are not wrong in the way of what they judge. Others may import what is
+/// public; which crate may import which is said by the manifests.
+const JUDGES: [(&str, &[&str]); 2] = [
+    ("exact", &["scene", "layers", "error"]),
+    ("compare", &["scene", "layers", "error"]),
+];
+
+/// The modules that paths of a crate name in a text, with lines; `root` is `crate` or the name of another.
+fn imported(text: &str, root: &str) -> Vec<(usize, String)> {
+    let root = format!("{root}::");
     let lines = code(text);
     // Groups may span lines: the text is joined, and each name keeps the line of its path.
     let mut found = Vec::new();
     for (index, (number, line)) in lines.iter().enumerate() {
-        for (at, _) in line.match_indices("crate::") {
+        for (at, _) in line.match_indices(&root) {
             let is_path = line[..at]
                 .chars()
                 .next_back()
@@ -71,7 +62,7 @@ fn imported(text: &str) -> Vec<(usize, String)> {
             if !is_path {
                 continue;
             }
-            let rest: String = std::iter::once(&line[at + "crate::".len()..])
+            let rest: String = std::iter::once(&line[at + root.len()..])
                 .chain(lines[index + 1..].iter().map(|(_, l)| *l))
                 .take(40)
                 .collect::<Vec<_>>()
@@ -115,14 +106,27 @@ fn heads(rest: &str) -> Vec<String> {
     names
 }
 
-fn module_of(file: &str) -> &str {
-    let first = file.split('/').next().unwrap_or(file);
-    first.strip_suffix(".rs").unwrap_or(first)
+/// The folder of the sources of a crate, and the top-level module, of `crates/io/src/load/stl.rs`.
+fn place_of(file: &str) -> (&str, &str) {
+    let (folder, rest) = match file.strip_prefix("src/") {
+        Some(rest) => ("src", rest),
+        None => {
+            let end = file.find("/src/").map_or(0, |at| at + "/src".len());
+            (&file[..end], file[end..].trim_start_matches('/'))
+        }
+    };
+    let first = rest.split('/').next().unwrap_or(rest);
+    (folder, first.strip_suffix(".rs").unwrap_or(first))
 }
 
+/// The crates that have a map at the head of their `lib.rs`: within the command everything may import everything.
+const MAPPED: [&str; 3] = ["src", "crates/io/src", "crates/lab/src"];
+
+type Maps = BTreeMap<&'static str, Vec<Vec<Vec<String>>>>;
+
 /// Imports of a file that the map does not allow.
-fn violations(chains: &[Vec<Vec<String>>], file: &str, text: &str) -> Vec<String> {
-    let module = module_of(file);
+fn violations(maps: &Maps, file: &str, text: &str) -> Vec<String> {
+    let (folder, module) = place_of(file);
     let mut found = Vec::new();
     let names_wgpu = code(text).iter().any(|(_, l)| {
         l.match_indices("wgpu").any(|(at, _)| {
@@ -132,64 +136,78 @@ fn violations(chains: &[Vec<Vec<String>>], file: &str, text: &str) -> Vec<String
             !part(before) && !part(after)
         })
     });
-    if names_wgpu && !["gpu", "viewer"].contains(&module) {
+    if names_wgpu && (folder, module) != ("src", "gpu") {
         found.push(format!("{file} names wgpu"));
     }
-    if ["lib", "main"].contains(&module) {
+    let Some(chains) = maps.get(folder) else {
+        return found;
+    };
+    if module == "lib" {
         return found;
     }
     let Some(allowed) = allowed(chains, module) else {
         found.push(format!(
-            "{file}: `{module}` is not on the map of src/lib.rs"
+            "{file}: `{module}` is not on the map of {folder}/lib.rs"
         ));
         return found;
     };
-    for (line, name) in imported(text) {
+    let judge = JUDGES.iter().find(|(name, _)| *name == module);
+    let of_core = judge.map_or_else(Vec::new, |(_, core)| {
+        let mut names = imported(text, "cutaway");
+        names.retain(|(_, name)| !core.contains(&name.as_str()));
+        names
+    });
+    let mut own = imported(text, "crate");
+    own.retain(|(_, name)| !allowed.contains(name));
+    for (line, name) in own.into_iter().chain(of_core) {
         // `crate::Error` is `crate::error::Error` by its public name.
-        let is_public_name = name.starts_with(char::is_uppercase);
-        if !is_public_name && !allowed.contains(&name) {
-            found.push(format!("src/{file}:{line}: `{module}` imports `{name}`"));
+        if !name.starts_with(char::is_uppercase) {
+            found.push(format!("{file}:{line}: `{module}` imports `{name}`"));
         }
     }
     found
 }
 
-fn map() -> Vec<Vec<Vec<String>>> {
+fn maps() -> Maps {
     let sources = sources();
-    let chains = chains(&sources["lib.rs"]);
+    let maps: Maps = (MAPPED.into_iter())
+        .map(|folder| (folder, chains(&sources[&format!("{folder}/lib.rs")])))
+        .collect();
     assert!(
-        chains.len() == 3 && chains.iter().any(|c| c.len() > 8),
-        "the map of src/lib.rs reads as {chains:?}"
+        maps.values().all(|chains| !chains.is_empty()) && maps["src"].iter().any(|c| c.len() > 8),
+        "the maps read as {maps:?}"
     );
-    chains
+    maps
 }
 
 #[test]
 fn imports_go_to_the_left() {
-    let chains = map();
+    let maps = maps();
     let all: Vec<String> = sources()
         .iter()
-        .flat_map(|(file, text)| violations(&chains, file, text))
+        .flat_map(|(file, text)| violations(&maps, file, text))
         .collect();
     none(&all);
 }
 
 #[test]
 fn every_module_is_declared_and_on_the_map() {
-    let sources = sources();
-    let lib = &sources["lib.rs"];
-    let modules: BTreeSet<&str> = sources.keys().map(|f| module_of(f)).collect();
-    for module in modules.into_iter().filter(|m| !["lib", "main"].contains(m)) {
+    let (sources, maps) = (sources(), maps());
+    let places: BTreeSet<(&str, &str)> = sources.keys().map(|f| place_of(f)).collect();
+    for (folder, module) in places {
+        let Some(chains) = maps.get(folder).filter(|_| module != "lib") else {
+            continue;
+        };
         assert!(
-            lib.contains(&format!("mod {module};")),
-            "src/lib.rs does not declare `{module}`"
+            sources[&format!("{folder}/lib.rs")].contains(&format!("mod {module};")),
+            "{folder}/lib.rs does not declare `{module}`"
         );
         assert!(
-            allowed(&map(), module).is_some(),
-            "`{module}` is not on the map of src/lib.rs"
+            allowed(chains, module).is_some(),
+            "`{module}` is not on the map of {folder}/lib.rs"
         );
     }
-    // What the design says of the order, whatever the map says.
+    // What the design says of the order, whatever the maps say.
     let order = [
         "scene",
         "slice",
@@ -201,72 +219,76 @@ fn every_module_is_declared_and_on_the_map() {
         "gpu",
         "session",
     ];
-    let chains = map();
+    let chains = &maps["src"];
     for (place, module) in order.iter().enumerate() {
-        let left = allowed(&chains, module).unwrap_or_default();
+        let left = allowed(chains, module).unwrap_or_default();
         let expected: BTreeSet<&str> = order[..=place].iter().copied().chain(FAR_LEFT).collect();
         let found: BTreeSet<&str> = left.iter().map(String::as_str).collect();
         assert_eq!(found, expected, "what `{module}` may import");
     }
-    let of = |module: &str| allowed(&chains, module).unwrap_or_default();
-    let exact = ["error", "exact", "layers", "scene"].map(str::to_owned);
-    assert_eq!(of("exact"), exact.into(), "what `exact` may import");
-    let compare = ["compare", "error", "exact", "layers", "scene"].map(str::to_owned);
+    let of = |module: &str| allowed(&maps["crates/lab/src"], module).unwrap_or_default();
+    let alone = |module: &str| BTreeSet::from(["error", "layers", module].map(str::to_owned));
+    assert_eq!(of("exact"), alone("exact"), "what `exact` may import");
+    let compare = ["compare", "error", "exact", "layers"].map(str::to_owned);
     assert_eq!(of("compare"), compare.into(), "what `compare` may import");
 }
 
 #[test]
 fn planted_imports_are_caught() {
-    let chains = map();
+    let maps = maps();
     for (file, text, caught) in [
-        ("scene/a.rs", "use crate::plan::Plan;", 1),
-        ("scene/a.rs", "use crate::{Error, plan::Plan};", 1),
+        ("src/scene/a.rs", "use crate::plan::Plan;", 1),
+        ("src/scene/a.rs", "use crate::{Error, plan::Plan};", 1),
         (
-            "scene/a.rs",
+            "src/scene/a.rs",
             "use crate::{\n    Error,\n    gpu::{Gpu, Program},\n    exact,\n};",
             2,
         ),
         (
-            "scene/a.rs",
+            "src/scene/a.rs",
             "fn f() { let x = crate::session::MOST_TRIES; }",
             1,
         ),
         (
-            "scene/a.rs",
+            "src/scene/a.rs",
             "use crate::{Error, Result, error::did_you_mean};",
             0,
         ),
         (
-            "scene/a.rs",
+            "src/scene/a.rs",
             "//! See [`crate::gpu`].\nuse crate::layers::Kind; // crate::gpu",
             0,
         ),
         (
-            "exact/a.rs",
-            "use crate::scene::View;\nuse crate::plan::pack;",
+            "crates/lab/src/exact/a.rs",
+            "use cutaway::scene::View;\nuse cutaway::plan::pack;",
             1,
         ),
-        ("strategies/a.rs", "use crate::exact;", 1),
+        ("src/strategies/a.rs", "use crate::exact;", 1),
         (
-            "gpu/a.rs",
+            "src/gpu/a.rs",
             "use crate::exact::Exact;\nuse crate::plan::Plan;",
             1,
         ),
-        ("compare/a.rs", "use crate::session::Session;", 1),
-        ("compare/a.rs", "use crate::exact::Exact;", 0),
-        ("error.rs", "use crate::scene::Scene;", 1),
-        ("layers.rs", "use crate::scene::Scene;", 1),
-        ("plan/a.rs", "fn f(d: &wgpu::Device) {}", 1),
-        ("main.rs", "use wgpu::Device;", 1),
-        ("gpu/a.rs", "fn f(d: &wgpu::Device) {}", 0),
         (
-            "plan/a.rs",
+            "crates/lab/src/compare/a.rs",
+            "use cutaway::{Outcome, session::Session};",
+            1,
+        ),
+        ("crates/lab/src/compare/a.rs", "use crate::exact::Exact;", 0),
+        ("src/error.rs", "use crate::scene::Scene;", 1),
+        ("src/layers.rs", "use crate::scene::Scene;", 1),
+        ("src/plan/a.rs", "fn f(d: &wgpu::Device) {}", 1),
+        ("crates/cli/src/main.rs", "use wgpu::Device;", 1),
+        ("src/gpu/a.rs", "fn f(d: &wgpu::Device) {}", 0),
+        (
+            "src/plan/a.rs",
             "// wgpu would do\nfn without_wgpu_at_all() {}",
             0,
         ),
-        ("nowhere/a.rs", "fn f() {}", 1),
+        ("src/nowhere/a.rs", "fn f() {}", 1),
     ] {
-        let found = violations(&chains, file, text);
+        let found = violations(&maps, file, text);
         assert_eq!(found.len(), caught, "{file}: {text}\n{found:#?}");
     }
     let heads: BTreeMap<&str, Vec<&str>> = BTreeMap::from([

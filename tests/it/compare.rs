@@ -1,9 +1,9 @@
 //! Comparison of hand-made frames whose every wrong pixel is known.
 
-use cutaway::compare::{Class, Comparison, compare, heatmap, legend};
-use cutaway::exact::Exact;
 use cutaway::layers::{Kind, Layer, Layers};
 use cutaway::scene::{Bounds, Camera, Projection, View};
+use cutaway_lab::compare::{Class, Comparison, compare, heatmap, legend};
+use cutaway_lab::exact::Exact;
 use glam::{DVec3, Vec3};
 
 const SIZE: [u32; 2] = [16, 12];

@@ -6,8 +6,8 @@
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
-use cutaway::load::{Loaded, load_mesh_file};
 use cutaway::scene::Topology;
+use cutaway_io::load::{Loaded, load_mesh_file};
 
 use crate::common::command::Scratch;
 use crate::common::data::data;

@@ -14,9 +14,9 @@ mod reliefs;
 mod said;
 
 use command::Scratch;
-use cutaway::document::Timeline;
-use cutaway::exact::{Exact, evaluate};
 use cutaway::scene::{Prepared, Scene};
+use cutaway_io::document::Timeline;
+use cutaway_lab::exact::{Exact, evaluate};
 
 /// The scene at a time at which it is sound.
 fn at(timeline: &Timeline, time_s: f64) -> Scene {

@@ -7,17 +7,13 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use crate::common::command;
+use crate::common::{command, root};
 
 pub(crate) mod commands;
 mod figures;
 mod links;
 mod reference;
 mod stand_ins;
-
-fn root() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-}
 
 /// All Markdown for readers, by its path in the repository, with `/`.
 fn documents() -> BTreeMap<String, String> {

@@ -1,6 +1,6 @@
 //! The exact reference against closed forms, metamorphic laws and a second, slower evaluation.
 //!
-//! Everything else is judged by [`cutaway::exact`], so nothing here asks a strategy for help: known areas and depths,
+//! Everything else is judged by [`cutaway_lab::exact`], so nothing here asks a strategy for help: known areas and depths,
 //! scenes that must give one answer in two guises, and points tested one by one with winding numbers.
 
 mod camera;

@@ -4,7 +4,7 @@
 #[path = "../../examples/animate.rs"]
 mod animate;
 #[allow(dead_code, reason = "its `main` prints")]
-#[path = "../../examples/compare.rs"]
+#[path = "../../crates/lab/examples/compare.rs"]
 mod compare;
 #[allow(dead_code, reason = "its `main` writes a file")]
 #[path = "../../examples/embed/main.rs"]

@@ -15,8 +15,8 @@ mod order;
 use std::path::Path;
 
 use cutaway::Result;
-use cutaway::experiment::Definition;
-use cutaway::experiment::definition::{Asked, SceneRun};
+use cutaway_lab::experiment::Definition;
+use cutaway_lab::experiment::definition::{Asked, SceneRun};
 
 /// Reads an experiment that no file holds.
 fn read(text: &str) -> Result<Definition> {

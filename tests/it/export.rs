@@ -10,8 +10,8 @@ mod solids;
 
 use std::fs;
 
-use cutaway::load::{Loaded, load_mesh_file};
 use cutaway::scene::Topology;
+use cutaway_io::load::{Loaded, load_mesh_file};
 use serde_json::Value;
 
 use crate::common::command::Scratch;

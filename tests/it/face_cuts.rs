@@ -13,12 +13,12 @@ use common::meshes::{self, block};
 use common::numbers::Numbers;
 use common::real::files;
 use common::scenes::{looking, of_parts, sectioned};
-use cutaway::hard_cases::Judged;
 use cutaway::layers::Kind;
-use cutaway::load::load_mesh_file;
 use cutaway::scene::{Camera, ClipSurface, Mesh, Part, Scene};
 use cutaway::slice::{SlicePlane, Slicer};
 use cutaway::strategies::{Method, Obstacle};
+use cutaway_io::load::load_mesh_file;
+use cutaway_lab::hard_cases::Judged;
 use glam::DVec3;
 
 /// Every strategy that is exact for planes, by both rasterisers where there are two.

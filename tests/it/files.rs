@@ -4,10 +4,10 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use cutaway::document::{Document, Timeline, section};
-use cutaway::load::{Assets, Files, Memory};
 use cutaway::scene::Bounds;
 use cutaway::{Model, Result};
+use cutaway_io::document::{Document, Timeline, section};
+use cutaway_io::load::{Assets, Files, Memory};
 use glam::DVec3;
 
 use crate::common::command::Scratch;

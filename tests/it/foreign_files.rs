@@ -9,8 +9,8 @@ mod text;
 
 use std::path::Path;
 
-use cutaway::load::{Loaded, load_mesh_file};
 use cutaway::scene::{Bounds, Topology};
+use cutaway_io::load::{Loaded, load_mesh_file};
 use glam::DVec3;
 
 use crate::common::command;

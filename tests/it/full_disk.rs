@@ -9,7 +9,7 @@ use crate::common::command::{Ran, Scratch};
 
 /// Runs the command where no file takes more than so many blocks of 512 bytes; without the signal for that, a write is refused.
 fn limited(folder: &Scratch, blocks: u32, line: &str) -> Ran {
-    let program = env!("CARGO_BIN_EXE_cutaway");
+    let program = env!("CARGO_BIN_EXE_cutaway-tested");
     let script = format!("trap '' XFSZ; ulimit -f {blocks}; exec {program} {line}");
     let mut shell = Command::new("sh");
     shell.args(["-c", &script]).current_dir(folder.path(""));

@@ -1,6 +1,6 @@
 //! Hard cases: scenes with a known answer, numbered, and the outcome that each strategy is expected to reach.
 //!
-//! The table is `cutaway::hard_cases`, and `table` holds it; the other modules hold what a case asks beyond its outcome.
+//! The table is `cutaway_lab::hard_cases`, and `table` holds it; the other modules hold what a case asks beyond its outcome.
 
 mod adaptive;
 mod algebra;

@@ -12,8 +12,8 @@ use std::fs;
 use std::path::Path;
 
 use command::Scratch;
-use cutaway::load::load_mesh_file;
 use cutaway::scene::Topology;
+use cutaway_io::load::load_mesh_file;
 
 use crate::common::command;
 mod lenient;

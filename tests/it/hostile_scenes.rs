@@ -4,10 +4,10 @@
 
 use std::fs;
 
-use cutaway::document::{Document, Timeline, section};
 use cutaway::error::{Error, Result};
-use cutaway::load::{Assets, read_offset_map};
 use cutaway::scene::{Bounds, ClipSurface, Mesh, Part};
+use cutaway_io::document::{Document, Timeline, section};
+use cutaway_io::load::{Assets, read_offset_map};
 use glam::DVec3;
 
 use crate::common::command;

@@ -3,10 +3,10 @@
 
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
-use cutaway::document::paths::{PATHS, Path, Takes};
-use cutaway::document::{Document, Node, Value};
-use cutaway::load::{Assets, Loaded};
 use cutaway::scene::{OffsetMap, Texture, TextureKind};
+use cutaway_io::document::paths::{PATHS, Path, Takes};
+use cutaway_io::document::{Document, Node, Value};
+use cutaway_io::load::{Assets, Loaded};
 
 /// A scene with an entry of everything that has entries.
 const SCENE: &str = r#"

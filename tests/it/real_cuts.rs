@@ -8,10 +8,10 @@ use crate::common;
 
 use common::real::{cut, files, is_closed};
 use common::{Question, session, strategy};
-use cutaway::compare::Comparison;
 use cutaway::scene::Topology;
 use cutaway::session::{Outcome, Session};
 use cutaway::strategies::{Means, Method, Rasteriser, Strategy};
+use cutaway_lab::compare::Comparison;
 
 const SIZE_PX: [u32; 2] = [1024, 768];
 /// By a relief each pixel takes several times as long. Large pictures are looked at by row, in the random search.

@@ -12,8 +12,8 @@
 
 use crate::common::data;
 
-use cutaway::load::{Loaded, load_mesh_file};
 use cutaway::scene::Topology;
+use cutaway_io::load::{Loaded, load_mesh_file};
 use data::data;
 use serde_json::Value;
 

@@ -11,12 +11,12 @@ use common::Question;
 use common::data::data;
 use common::scenes::turning_gears;
 use cutaway::Model;
-use cutaway::document::{Document, Timeline, cut, part, section};
 use cutaway::layers::Kind;
-use cutaway::load::{Assets, load_mesh_file};
 use cutaway::scene::{Part, Topology};
 use cutaway::session::Outcome;
 use cutaway::strategies::{Means, Method, Rasteriser, Strategy};
+use cutaway_io::document::{Document, Timeline, cut, part, section};
+use cutaway_io::load::{Assets, load_mesh_file};
 
 const SIZE_PX: [u32; 2] = [256, 192];
 const OBLIQUE: &str = "-0.3,-0.25,-1@50%,50%,50%";

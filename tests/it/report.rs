@@ -6,8 +6,8 @@
 use std::fs;
 use std::path::Path;
 
-use cutaway::experiment::Record;
-use cutaway::report::{Pages, PictureOptions, Recorded, pages};
+use cutaway_lab::experiment::Record;
+use cutaway_lab::report::{Pages, PictureOptions, Recorded, pages};
 
 use crate::common::command;
 mod answering;

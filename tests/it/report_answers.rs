@@ -5,8 +5,8 @@
 
 use std::fs;
 
-use cutaway::experiment::{FamilyMember, Parameter, Record, Samples};
-use cutaway::report::{PictureOptions, Recorded, pages};
+use cutaway_lab::experiment::{FamilyMember, Parameter, Record, Samples};
+use cutaway_lab::report::{PictureOptions, Recorded, pages};
 use serde_json::{Value, json};
 
 use crate::common::command;

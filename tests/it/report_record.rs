@@ -7,10 +7,11 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
-use cutaway::experiment::{Record, Samples};
-use cutaway::report::{Pages, PictureOptions, Recorded, pages};
+use cutaway_lab::experiment::{Record, Samples};
+use cutaway_lab::report::{Pages, PictureOptions, Recorded, pages};
 use serde_json::Value;
 
+use crate::common::root;
 use crate::report::fetches;
 use crate::report::form::faults;
 
@@ -18,10 +19,6 @@ use crate::report::form::faults;
 mod book;
 
 const RECORD: &str = "experiments/record/2026-11-24-llvmpipe";
-
-fn root() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-}
 
 static RECORDED: LazyLock<Recorded> =
     LazyLock::new(|| Recorded::read(&[root().join(RECORD)]).unwrap());

@@ -3,12 +3,12 @@
 use std::path::Path;
 
 use command::Scratch;
-use cutaway::document::{Settings, Timeline, section};
 use cutaway::error::Result;
-use cutaway::load::{Assets, Loaded, read_offset_map};
 use cutaway::scene::relief::{Procedure, ProcedureKind};
 use cutaway::scene::style::Paper;
 use cutaway::scene::{Fill, Mesh, Part, Projection, Role, Up, Viewpoint, Wrap};
+use cutaway_io::document::{Settings, Timeline, section};
+use cutaway_io::load::{Assets, Loaded, read_offset_map};
 use glam::{DVec3, Vec3};
 
 use crate::common::command;

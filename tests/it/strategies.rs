@@ -1,14 +1,15 @@
 //! The table of strategies is what the book says, and every row of it can be asked for.
 
 use std::fs;
-use std::path::Path;
 
 use cutaway::Strategy;
 use cutaway::strategies::table::{self, CAP_SURFACES, INSIDE_TESTS};
 
+use crate::common::root;
+
 #[test]
 fn the_book_holds_the_table() {
-    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/strategies.md");
+    let page = root().join("docs/strategies.md");
     let page = fs::read_to_string(page).expect("the page of strategies");
     let table = table::markdown();
     assert!(
@@ -31,7 +32,7 @@ fn every_row_is_asked_for_by_all_and_by_hard_cases() {
         };
         assert!(all.iter().any(|s| is_it(&s)), "`all` leaves {name} out");
         assert!(table::names().contains(name), "help leaves {name} out");
-        let methods = cutaway::hard_cases::usual_methods(64);
+        let methods = cutaway_lab::hard_cases::usual_methods(64);
         let strategies: Vec<Strategy> = methods.iter().map(|m| m.strategy).collect();
         assert!(
             strategies.iter().any(|s| is_it(&s)),

@@ -17,13 +17,13 @@ use crate::common;
 
 use common::{meshes, scenes, session};
 use cutaway::Model;
-use cutaway::document::{named_style, style_names};
 use cutaway::layers::{Kind, Layers};
 use cutaway::plan::Limits;
 use cutaway::scene::style::{Ghost, GhostKind, Occlusion, OcclusionKind, Paper};
 use cutaway::scene::{ClipSurface, Cut, Part, Scene, Style};
 use cutaway::session::{Outcome, Session};
 use cutaway::strategies::{Means, Method, Rasteriser, Strategy};
+use cutaway_io::document::{named_style, style_names};
 use glam::{DAffine3, DVec3};
 
 const SIZE_PX: [u32; 2] = [160, 120];

@@ -4,8 +4,8 @@
 
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
-use cutaway::load::{Loaded, load_mesh_file};
 use cutaway::scene::Topology;
+use cutaway_io::load::{Loaded, load_mesh_file};
 use glam::{DVec3, Vec3};
 
 use crate::common::command::Scratch;

@@ -11,8 +11,8 @@ mod keys;
 mod stages;
 
 use command::Scratch;
-use cutaway::document::Timeline;
 use cutaway::scene::{Part, Scene};
+use cutaway_io::document::Timeline;
 
 /// The scene at a time at which it is sound.
 fn at(timeline: &Timeline, time_s: f64) -> Scene {

@@ -29,7 +29,8 @@ use rayon::prelude::*;
 
 use self::inside::Insides;
 pub(super) use self::pieces::bound_of;
-pub(crate) use self::pieces::{Pieces, body_name};
+#[doc(hidden)]
+pub use self::pieces::{Pieces, body_name};
 use self::shells::{Facing, Shells};
 use super::Mesh;
 

@@ -12,7 +12,7 @@ use super::Bodies;
 
 /// The bodies of a mesh as meshes of their own.
 #[derive(Debug)]
-pub(crate) struct Pieces {
+pub struct Pieces {
     whole: Arc<Mesh>,
     motion: Option<Arc<Motion>>,
     bound: Option<Arc<Bound>>,
@@ -29,7 +29,8 @@ struct Piece {
 
 impl Pieces {
     /// Takes a part apart into bodies, which are those of a mesh with the same triangles.
-    pub(crate) fn of(part: &Part, bodies: &Bodies) -> Self {
+    #[doc(hidden)]
+    pub fn of(part: &Part, bodies: &Bodies) -> Self {
         let pieces = match bodies.count() {
             0 | 1 => Vec::new(),
             _ => (bodies.triangles().iter())
@@ -45,7 +46,8 @@ impl Pieces {
     }
 
     /// Whether they are those of a part.
-    pub(crate) fn are_of(&self, part: &Part) -> bool {
+    #[doc(hidden)]
+    pub fn are_of(&self, part: &Part) -> bool {
         let bound = match (bound_of(part), &self.bound) {
             (Some(a), Some(b)) => Arc::ptr_eq(a, b),
             (None, None) => true,
@@ -57,7 +59,8 @@ impl Pieces {
     }
 
     /// The parts that a part comes apart into, all by its name; itself if it is one body.
-    pub(crate) fn parts(&self, part: &Part) -> Vec<Part> {
+    #[doc(hidden)]
+    pub fn parts(&self, part: &Part) -> Vec<Part> {
         if self.pieces.is_empty() {
             return vec![part.clone()];
         }
@@ -136,6 +139,6 @@ impl Part {
 }
 
 /// What a body is called, numbered from 1, of a part or of whatever else has a name.
-pub(crate) fn body_name(of: &str, number: usize) -> String {
+pub fn body_name(of: &str, number: usize) -> String {
     format!("{of}/{number}")
 }

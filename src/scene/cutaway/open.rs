@@ -28,12 +28,14 @@ impl Scene {
     }
 
     /// Whether any cut is a breakaway.
-    pub(crate) fn has_breakaways(&self) -> bool {
+    #[doc(hidden)]
+    pub fn has_breakaways(&self) -> bool {
         self.cuts.iter().any(|cut| cut.breakaway.is_some())
     }
 
     /// Opens breakaways towards the eyes of views in world space, those that have one.
-    pub(crate) fn open_breakaways_to<'a>(
+    #[doc(hidden)]
+    pub fn open_breakaways_to<'a>(
         &mut self,
         view_for: impl Fn(&Cut, &Breakaway) -> Option<&'a View>,
     ) -> Result<()> {
@@ -101,7 +103,8 @@ impl Scene {
     }
 
     /// The view of a camera in world space, fitted to what that of the scene is.
-    pub(crate) fn view_through(&self, camera: &Camera, size_px: [u32; 2]) -> View {
+    #[doc(hidden)]
+    pub fn view_through(&self, camera: &Camera, size_px: [u32; 2]) -> View {
         let outline = self.fitted_outline();
         let fitted = (self.bounds(), outline.as_deref());
         camera.view_fitted(|p| p, 1.0, fitted, size_px)

@@ -19,7 +19,7 @@ use crate::scene::{Mesh, Part, Pose};
 
 /// A mesh as it was bound, and what can move it.
 #[derive(Debug)]
-pub(crate) struct Bound {
+pub struct Bound {
     pub(crate) mesh: Arc<Mesh>,
     pub(crate) motion: Option<Arc<Motion>>,
     /// Measured when somebody asks.
@@ -27,7 +27,8 @@ pub(crate) struct Bound {
 }
 
 impl Bound {
-    pub(crate) fn new(mesh: Mesh, motion: Motion) -> Self {
+    #[doc(hidden)]
+    pub fn new(mesh: Mesh, motion: Motion) -> Self {
         Self {
             mesh: Arc::new(mesh),
             motion: (motion != Motion::default()).then(|| Arc::new(motion)),
@@ -48,7 +49,7 @@ impl Bound {
 
 /// What takes a part to where it is.
 #[derive(Clone, Debug)]
-pub(crate) enum Hold {
+pub enum Hold {
     /// Its node, as a whole.
     Node,
     /// One joint of a skin, as a whole.
@@ -76,7 +77,8 @@ pub struct Driver {
 
 impl Driver {
     /// Ties a bound mesh to a node. `rest_weights` are those of its morph targets.
-    pub(crate) fn new(
+    #[doc(hidden)]
+    pub fn new(
         rig: &Arc<Rig>,
         node: usize,
         hold: Hold,
@@ -167,7 +169,8 @@ impl Driver {
     }
 
     /// The mesh and its place at rest.
-    pub(crate) fn at_rest(&self) -> (Arc<Mesh>, DAffine3) {
+    #[doc(hidden)]
+    pub fn at_rest(&self) -> (Arc<Mesh>, DAffine3) {
         (
             Arc::clone(&self.rest_mesh),
             self.placed * self.file_from_part,
@@ -175,7 +178,8 @@ impl Driver {
     }
 
     /// Whether the mesh and its place at rest are finite.
-    pub(crate) fn is_finite(&self) -> bool {
+    #[doc(hidden)]
+    pub fn is_finite(&self) -> bool {
         let is_bound = Arc::ptr_eq(&self.rest_mesh, &self.bound.mesh);
         let positions = &self.rest_mesh.positions;
         self.file_from_part.is_finite() && (is_bound || positions.iter().all(|p| p.is_finite()))
@@ -187,7 +191,8 @@ impl Driver {
     }
 
     /// Whether the file has anything that could move the part.
-    pub(crate) fn is_needed(&self) -> bool {
+    #[doc(hidden)]
+    pub fn is_needed(&self) -> bool {
         !self.rig.clips().is_empty() || self.bound.motion.is_some()
     }
 

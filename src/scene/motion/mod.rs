@@ -25,11 +25,15 @@ mod track;
 pub use defect::MotionDefect;
 pub use deform::{Axis, Deformer};
 pub use driver::Driver;
-pub(crate) use driver::{Bound, Hold};
-pub(crate) use outward::Outwards;
+#[doc(hidden)]
+pub use driver::{Bound, Hold};
+#[doc(hidden)]
+pub use outward::Outwards;
 pub use rig::Clip;
-pub(crate) use rig::{Moment, NodeTracks, Rig, RigNode, RigSkin, Stand};
-pub(crate) use track::{Track, Way};
+#[doc(hidden)]
+pub use rig::{Moment, NodeTracks, Rig, RigNode, RigSkin, Stand};
+#[doc(hidden)]
+pub use track::{Track, Way};
 
 use std::sync::Arc;
 
@@ -59,7 +63,7 @@ pub struct Motion {
 }
 
 /// Whether two parts have the very same motion, or both none; those that are equal but not the same are not looked at.
-pub(crate) fn is_same_motion(a: Option<&Arc<Motion>>, b: Option<&Arc<Motion>>) -> bool {
+pub fn is_same_motion(a: Option<&Arc<Motion>>, b: Option<&Arc<Motion>>) -> bool {
     match (a, b) {
         (Some(a), Some(b)) => Arc::ptr_eq(a, b),
         (None, None) => true,
@@ -79,7 +83,8 @@ impl Motion {
     }
 
     /// How far a target moves a position at weight 1; nowhere if it says nothing about it.
-    pub(crate) fn displacement(&self, target: usize, position: usize) -> DVec3 {
+    #[doc(hidden)]
+    pub fn displacement(&self, target: usize, position: usize) -> DVec3 {
         let of_target = self.targets.get(target);
         of_target
             .and_then(|t| t.get(position))
@@ -88,7 +93,8 @@ impl Motion {
     }
 
     /// What moves a choice of the positions, in the order of the choice.
-    pub(crate) fn of_positions(&self, chosen: &[u32]) -> Self {
+    #[doc(hidden)]
+    pub fn of_positions(&self, chosen: &[u32]) -> Self {
         let of_target = |t| {
             chosen
                 .iter()

@@ -55,14 +55,15 @@ impl Part {
 /// The motions that were given outward directions: each is made once, so that the same mesh has the same [`Motion`] at all
 /// times.
 #[derive(Debug, Default)]
-pub(crate) struct Outwards(Mutex<Vec<Known>>);
+pub struct Outwards(Mutex<Vec<Known>>);
 
 /// Of which mesh and motion, and the motion with its directions.
 type Known = (Arc<Mesh>, Option<Arc<Motion>>, Arc<Motion>);
 
 impl Outwards {
     /// Gives a part the directions that its pose asks for.
-    pub(crate) fn complete(&self, part: &mut Part) {
+    #[doc(hidden)]
+    pub fn complete(&self, part: &mut Part) {
         if !part.lacks_outward() {
             return;
         }

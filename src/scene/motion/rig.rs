@@ -20,50 +20,51 @@ pub struct Clip {
 
 /// A time in a clip.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Moment {
-    pub(crate) clip: usize,
-    pub(crate) time_s: f64,
+pub struct Moment {
+    pub clip: usize,
+    pub time_s: f64,
 }
 
 /// How a node stands in its parent.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Stand {
-    pub(crate) translation: DVec3,
-    pub(crate) rotation: DQuat,
-    pub(crate) scale: DVec3,
+pub struct Stand {
+    pub translation: DVec3,
+    pub rotation: DQuat,
+    pub scale: DVec3,
 }
 
 impl Stand {
-    pub(crate) fn affine(self) -> DAffine3 {
+    #[doc(hidden)]
+    pub fn affine(self) -> DAffine3 {
         DAffine3::from_scale_rotation_translation(self.scale, self.rotation, self.translation)
     }
 }
 
 /// A node of the file.
 #[derive(Clone, Debug)]
-pub(crate) struct RigNode {
+pub struct RigNode {
     /// Index into [`Rig::nodes`], less than that of the node itself.
-    pub(crate) parent: Option<usize>,
+    pub parent: Option<usize>,
     /// Where it is while no clip moves it.
-    pub(crate) rest: DAffine3,
+    pub rest: DAffine3,
     /// The same in pieces; `None` for a matrix that does not come apart.
-    pub(crate) stand: Option<Stand>,
+    pub stand: Option<Stand>,
 }
 
 /// What pulls at the vertices of a mesh.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct RigSkin {
+pub struct RigSkin {
     /// Nodes and their inverse bind matrices.
-    pub(crate) joints: Vec<(usize, DAffine3)>,
+    pub joints: Vec<(usize, DAffine3)>,
 }
 
 /// What a clip changes of one node.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct NodeTracks {
-    pub(crate) translation: Option<Track<DVec3>>,
-    pub(crate) rotation: Option<Track<DQuat>>,
-    pub(crate) scale: Option<Track<DVec3>>,
-    pub(crate) weights: Option<Track<Vec<f64>>>,
+pub struct NodeTracks {
+    pub translation: Option<Track<DVec3>>,
+    pub rotation: Option<Track<DQuat>>,
+    pub scale: Option<Track<DVec3>>,
+    pub weights: Option<Track<Vec<f64>>>,
 }
 
 impl NodeTracks {
@@ -82,17 +83,18 @@ struct Moves {
 
 /// What moves the parts of a file.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Rig {
+pub struct Rig {
     /// Parents first.
-    pub(crate) nodes: Vec<RigNode>,
-    pub(crate) skins: Vec<RigSkin>,
+    pub nodes: Vec<RigNode>,
+    pub skins: Vec<RigSkin>,
     clips: Vec<Clip>,
     moves: Vec<Moves>,
 }
 
 impl Rig {
     /// Nodes and skins without clips.
-    pub(crate) fn new(nodes: Vec<RigNode>, skins: Vec<RigSkin>) -> Self {
+    #[doc(hidden)]
+    pub fn new(nodes: Vec<RigNode>, skins: Vec<RigSkin>) -> Self {
         Self {
             nodes,
             skins,
@@ -101,12 +103,14 @@ impl Rig {
     }
 
     /// The clips of the file.
-    pub(crate) fn clips(&self) -> &[Clip] {
+    #[doc(hidden)]
+    pub fn clips(&self) -> &[Clip] {
         &self.clips
     }
 
     /// Adds a clip by what it changes of each node. A node may have tracks only if it comes apart.
-    pub(crate) fn add(&mut self, clip: Clip, of_node: BTreeMap<usize, NodeTracks>) {
+    #[doc(hidden)]
+    pub fn add(&mut self, clip: Clip, of_node: BTreeMap<usize, NodeTracks>) {
         let mut is_moved: Vec<bool> = Vec::with_capacity(self.nodes.len());
         for (index, node) in self.nodes.iter().enumerate() {
             let above = node.parent.is_some_and(|p| is_moved[p]);
@@ -117,7 +121,8 @@ impl Rig {
     }
 
     /// Removes the clip that was added last.
-    pub(crate) fn take_back(&mut self) {
+    #[doc(hidden)]
+    pub fn take_back(&mut self) {
         self.clips.pop();
         self.moves.pop();
     }
@@ -173,7 +178,8 @@ impl Rig {
     }
 
     /// Where all nodes are.
-    pub(crate) fn worlds(&self, moment: Option<Moment>) -> Vec<DAffine3> {
+    #[doc(hidden)]
+    pub fn worlds(&self, moment: Option<Moment>) -> Vec<DAffine3> {
         let mut worlds: Vec<DAffine3> = Vec::with_capacity(self.nodes.len());
         for (index, node) in self.nodes.iter().enumerate() {
             let local = self.local(index, moment);
@@ -183,7 +189,8 @@ impl Rig {
     }
 
     /// Where the joints of a skin take what they pull, from bind space to the file's world.
-    pub(crate) fn palette(&self, skin: usize, moment: Option<Moment>) -> Vec<DAffine3> {
+    #[doc(hidden)]
+    pub fn palette(&self, skin: usize, moment: Option<Moment>) -> Vec<DAffine3> {
         let worlds = self.worlds(moment);
         let joints = self.skins[skin].joints.iter();
         joints

@@ -9,7 +9,7 @@ use glam::{DQuat, DVec3};
 
 /// How a track goes from key to key.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Way {
+pub enum Way {
     /// Stays until the next key.
     Step,
     /// Goes evenly to the next key.
@@ -19,7 +19,7 @@ pub(crate) enum Way {
 }
 
 /// What a track can be made of.
-pub(crate) trait Value: Clone {
+pub trait Value: Clone {
     /// Sum of values times factors.
     fn sum(terms: &[(f64, &Self)]) -> Self;
 
@@ -107,7 +107,7 @@ impl Value for DQuat {
 
 /// Keys and the way between them.
 #[derive(Clone, Debug)]
-pub(crate) struct Track<V> {
+pub struct Track<V> {
     /// Ascending, at least one.
     times_s: Vec<f64>,
     way: Way,
@@ -117,7 +117,8 @@ pub(crate) struct Track<V> {
 
 impl<V: Value> Track<V> {
     /// Checks what a file has; the error says what is wrong with it.
-    pub(crate) fn new(times_s: Vec<f64>, way: Way, mut values: Vec<V>) -> Result<Self, String> {
+    #[doc(hidden)]
+    pub fn new(times_s: Vec<f64>, way: Way, mut values: Vec<V>) -> Result<Self, String> {
         let per_key = if way == Way::Cubic { 3 } else { 1 };
         if times_s.is_empty() || values.len() != per_key * times_s.len() {
             return Err(format!(
@@ -157,12 +158,14 @@ impl<V: Value> Track<V> {
     }
 
     /// Time of the last key.
-    pub(crate) fn end_s(&self) -> f64 {
+    #[doc(hidden)]
+    pub fn end_s(&self) -> f64 {
         self.times_s.last().copied().unwrap_or_default()
     }
 
     /// Times and values of the keys.
-    pub(crate) fn keys(&self) -> impl Iterator<Item = (f64, &V)> {
+    #[doc(hidden)]
+    pub fn keys(&self) -> impl Iterator<Item = (f64, &V)> {
         (self.times_s.iter().enumerate()).map(|(key, time_s)| (*time_s, self.value(key)))
     }
 

@@ -19,7 +19,8 @@ pub use blend::BlendOp;
 pub use derived::MapScale;
 pub use layers::between_layers;
 pub use place::Placement;
-pub(crate) use place::{parse_wrap, place_map};
+#[doc(hidden)]
+pub use place::{parse_wrap, place_map};
 pub use procedures::{MAX_TEXELS, Procedure, ProcedureKind};
 
 use super::{OffsetMap, Wrap};

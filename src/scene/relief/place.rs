@@ -32,7 +32,7 @@ impl Default for Placement {
 }
 
 /// The wrap mode of a name.
-pub(crate) fn parse_wrap(name: &str) -> Result<Wrap, String> {
+pub fn parse_wrap(name: &str) -> Result<Wrap, String> {
     match name {
         "repeat" => Ok(Wrap::Repeat),
         "mirror" => Ok(Wrap::Mirror),
@@ -85,7 +85,7 @@ impl ClipSurface {
 
 /// Puts a map on a plane; what is wrong if the placement has no length. Texels of images that have both a width and a
 /// height stay as square as they are: `|V|` follows from the period, `|U|`.
-pub(crate) fn place_map(
+pub fn place_map(
     surface: ClipSurface,
     map: Arc<OffsetMap>,
     placement: &Placement,

@@ -3,18 +3,18 @@
 use rayon::prelude::*;
 
 /// The uses of all edges, sorted: smaller index, larger index, then direction.
-pub(crate) struct Edges {
+pub struct Edges {
     keys: Vec<u64>,
 }
 
 /// How many edges there are of each sort.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct EdgeCount {
+pub struct EdgeCount {
     pub(crate) edges: usize,
     /// One use.
     pub(crate) boundary: usize,
     /// An odd number of uses.
-    pub(crate) open: usize,
+    pub open: usize,
     /// More than two uses.
     pub(crate) non_manifold: usize,
     /// Two uses in the same direction.
@@ -22,7 +22,8 @@ pub(crate) struct EdgeCount {
 }
 
 impl Edges {
-    pub(crate) fn of(triangles: &[[u32; 3]]) -> Self {
+    #[doc(hidden)]
+    pub fn of(triangles: &[[u32; 3]]) -> Self {
         let mut keys: Vec<u64> = triangles.par_iter().flat_map_iter(keys_of).collect();
         keys.par_sort_unstable();
         Self { keys }
@@ -32,7 +33,8 @@ impl Edges {
         self.keys.chunk_by(|a, b| a >> 1 == b >> 1)
     }
 
-    pub(crate) fn count(&self) -> EdgeCount {
+    #[doc(hidden)]
+    pub fn count(&self) -> EdgeCount {
         let mut count = EdgeCount::default();
         for run in self.runs() {
             count.edges += 1;
@@ -45,7 +47,8 @@ impl Edges {
     }
 
     /// Edges with an odd number of uses, by their vertices.
-    pub(crate) fn open(&self) -> impl Iterator<Item = [u32; 2]> {
+    #[doc(hidden)]
+    pub fn open(&self) -> impl Iterator<Item = [u32; 2]> {
         self.runs()
             .filter(|run| run.len() % 2 == 1)
             .map(|run| vertices_of(run[0]))
@@ -62,14 +65,14 @@ fn keys_of([a, b, c]: &[u32; 3]) -> [u64; 3] {
 
 /// A triangle at an edge.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct EdgeUse {
+pub struct EdgeUse {
     pub(crate) triangle: u32,
     /// It has the edge from the larger index to the smaller.
     pub(crate) is_down: bool,
 }
 
 /// The uses of all edges with who uses them, sorted as those of [`Edges`], then by triangle.
-pub(crate) struct EdgeUses(Vec<(u64, u32)>);
+pub struct EdgeUses(Vec<(u64, u32)>);
 
 impl EdgeUses {
     pub(crate) fn of(triangles: &[[u32; 3]]) -> Self {
@@ -98,14 +101,16 @@ fn vertices_of(key: u64) -> [u32; 2] {
 }
 
 /// Representatives of a partition of `0..n`; the least member represents its set.
-pub(crate) struct Sets(Vec<u32>);
+pub struct Sets(Vec<u32>);
 
 impl Sets {
-    pub(crate) fn new(n: usize) -> Self {
+    #[doc(hidden)]
+    pub fn new(n: usize) -> Self {
         Self((0..n as u32).collect())
     }
 
-    pub(crate) fn find(&mut self, mut i: u32) -> u32 {
+    #[doc(hidden)]
+    pub fn find(&mut self, mut i: u32) -> u32 {
         while self.0[i as usize] != i {
             let up = self.0[self.0[i as usize] as usize];
             self.0[i as usize] = up;
@@ -114,7 +119,8 @@ impl Sets {
         i
     }
 
-    pub(crate) fn join(&mut self, a: u32, b: u32) {
+    #[doc(hidden)]
+    pub fn join(&mut self, a: u32, b: u32) {
         let (a, b) = (self.find(a), self.find(b));
         self.0[a.max(b) as usize] = a.min(b);
     }

@@ -19,7 +19,8 @@ mod solid;
 use self::filled::filled;
 use self::sheet::{Sheet, below};
 pub(super) use self::solid::Undivided;
-pub(crate) use self::solid::is_at_work;
+#[doc(hidden)]
+pub use self::solid::is_at_work;
 use self::solid::{Origin, Solid};
 use super::SlicePlane;
 use super::capped::{Cap, Half, Halves, halves, in_world, of_used};

@@ -127,7 +127,7 @@ impl Undivided {
 static AT_WORK: AtomicUsize = AtomicUsize::new(0);
 
 /// Whether a panic may be one of the Boolean crate, which becomes an error and is nothing to print.
-pub(crate) fn is_at_work() -> bool {
+pub fn is_at_work() -> bool {
     AT_WORK.load(Ordering::SeqCst) > 0
 }
 

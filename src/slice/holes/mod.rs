@@ -28,8 +28,8 @@ use glam::DVec3;
 use crate::scene::topology::EdgeUses;
 use crate::scene::{Bounds, Mesh};
 
-#[cfg(feature = "io")]
-pub(crate) use parts::close_holes_of;
+#[doc(hidden)]
+pub use parts::close_holes_of;
 use planar::Plane;
 
 /// How far from a plane vertices of a planar hole may be, as a share of the diagonal of the hole's box: the rounding of a small hole

@@ -19,7 +19,7 @@ const MOST_PARTS_TOLD: usize = 16;
 
 /// Closes the planar and small holes of parts, and says which. Parts that share a mesh share what closes it; closed ones stay as they
 /// are.
-pub(crate) fn close_holes_of<'a>(parts: impl IntoIterator<Item = &'a mut Part>) -> Vec<String> {
+pub fn close_holes_of<'a>(parts: impl IntoIterator<Item = &'a mut Part>) -> Vec<String> {
     let mut known: Vec<(Arc<Mesh>, Closing, Option<Grown>)> = Vec::new();
     let mut notes = Vec::new();
     let (mut untold, mut holes, mut closed) = (0, 0, 0);

@@ -1,10 +1,10 @@
 //! Triangles meet: those of the device are those that the rule gives, and every edge inside has two sides, whatever TAU and view.
 
 use cutaway::Model;
-use cutaway::hard_cases::random::recipe;
 use cutaway::scene::{Camera, Scene, View, Wrap};
 use cutaway::session::Session;
 use cutaway::strategies::Strategy;
+use cutaway_lab::hard_cases::random::recipe;
 use glam::DVec3;
 
 use super::common::numbers::Numbers;

@@ -1,9 +1,9 @@
 //! Near planes in solids: with a cap there, and without one, where what the ray enters next is seen.
 
-use cutaway::hard_cases::{Judged, Question};
 use cutaway::layers::{Kind, NEAR_PLANE};
 use cutaway::scene::{Camera, Scene};
 use cutaway::strategies::Method;
+use cutaway_lab::hard_cases::{Judged, Question};
 use glam::DVec3;
 
 use crate::common::{scenes, session};

@@ -1,11 +1,11 @@
-//! Random scenes, as `cutaway::hard_cases::random` makes them: every strategy, and most scenes for the exact one.
+//! Random scenes, as `cutaway_lab::hard_cases::random` makes them: every strategy, and most scenes for the exact one.
 //!
 //! A scene that comes out wrong is made simpler as long as it stays wrong, and printed to become a regression.
 
-use cutaway::hard_cases::random::{Searched, fault, recipe, search, shrunk};
-use cutaway::hard_cases::usual_methods;
 use cutaway::session::Outcome;
 use cutaway::strategies::Method;
+use cutaway_lab::hard_cases::random::{Searched, fault, recipe, search, shrunk};
+use cutaway_lab::hard_cases::usual_methods;
 
 use crate::common::{session, strategy};
 
@@ -82,7 +82,7 @@ fn shrinking_ends_in_a_simple_scene_that_is_still_wrong() {
     // The paper's strategy with a coarse sprite stands for an exact one with a fault.
     let coarse = "grid:8+vds:32".parse::<Method>().expect("a name");
     let fault = |recipe: &_| {
-        let recipe: &cutaway::hard_cases::random::Recipe = recipe;
+        let recipe: &cutaway_lab::hard_cases::random::Recipe = recipe;
         let judged = recipe.question().answer(&mut session(), &coarse)?;
         Ok(judged
             .first_decided_wrong()

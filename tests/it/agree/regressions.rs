@@ -3,10 +3,10 @@
 mod needles;
 
 use cutaway::layers::Kind;
-use cutaway::load::load_mesh_file;
 use cutaway::scene::{Camera, ClipSurface, Cut, Cutter, Mesh, Scene, View, Viewpoint, Wrap};
 use cutaway::session::Session;
 use cutaway::strategies::{Method, Strategy};
+use cutaway_io::load::load_mesh_file;
 use glam::{DVec2, DVec3};
 
 use crate::common::data::data;

@@ -5,6 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::cli::command::Scratch;
+use crate::common::root;
 use crate::documents::commands::{run, small, words};
 
 /// Pages that have commands which draw pictures into their folder.
@@ -18,10 +19,6 @@ const OTHERS: [&str; 5] = [
     "window.png",
     "wipe.gif",
 ];
-
-fn root() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-}
 
 /// Commands of a page, as words without the name of the program.
 fn commands(page: &str) -> Vec<Vec<String>> {

@@ -1,11 +1,11 @@
 //! `--save`: what a command line amounts to, as a file that draws the same picture.
 
 use std::fs;
-use std::path::Path;
 
-use cutaway::document::Document;
+use cutaway_io::document::Document;
 
 use crate::cli::command::Scratch;
+use crate::common::root;
 
 /// A cube.
 const CUBE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 0 1\nv 1 0 1\nv 0 1 1\nv 1 1 1\n\
@@ -116,7 +116,7 @@ fn lines(text: &str) -> Vec<String> {
 
 /// Files under all names that the lines have.
 fn fill(folder: &Scratch) {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let root = root();
     for name in ["bracket", "part", "scan", "engine", "walk_0", "walk_1"] {
         folder.write(&format!("{name}.obj"), CUBE);
     }
@@ -175,7 +175,7 @@ fn with_files(line: &str) -> String {
 fn what_is_saved_draws_the_same_picture_to_the_bit() {
     let folder = Scratch::new("saved");
     fill(&folder);
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let root = root();
     let mut all: Vec<String> = MORE.iter().map(|l| (*l).to_owned()).collect();
     for file in [
         "README.md",
@@ -237,7 +237,7 @@ fn a_scene_keeps_its_comments_and_takes_options_on_top() {
         ("camera.elevation_deg", "\"auto\""),
     ] {
         let found = &document.get(path).unwrap().value;
-        assert_eq!(*found, cutaway::document::Value::read(value), "{path}");
+        assert_eq!(*found, cutaway_io::document::Value::read(value), "{path}");
     }
 }
 

@@ -7,9 +7,9 @@ use std::path::PathBuf;
 use std::process::{Command, Output};
 use std::sync::atomic::{AtomicU32, Ordering};
 
-use cutaway::document::{Document, Timeline};
-use cutaway::load::Assets;
 use cutaway::scene::Scene;
+use cutaway_io::document::{Document, Timeline};
+use cutaway_io::load::Assets;
 use serde_json::Value;
 
 /// A folder that is removed with everything in it.
@@ -85,7 +85,7 @@ impl Scratch {
     }
 
     pub(crate) fn command(&self, line: &str) -> Command {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_cutaway"));
+        let mut command = Command::new(env!("CARGO_BIN_EXE_cutaway-tested"));
         command.args(line.split_whitespace()).current_dir(&self.0);
         command
     }

@@ -12,7 +12,7 @@ use std::sync::Once;
 
 /// The folder of real meshes, if it is there.
 pub(crate) fn data() -> Option<PathBuf> {
-    let beside = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../shared/data");
+    let beside = super::root().join("../shared/data");
     let folder = std::env::var_os("CUTAWAY_DATA").map_or(beside, PathBuf::from);
     let there = folder.join("facts.json").is_file();
     if !there {

@@ -1,6 +1,6 @@
 //! The meshes of the hard cases.
 
-pub(crate) use cutaway::hard_cases::meshes::*;
+pub(crate) use cutaway_lab::hard_cases::meshes::*;
 
 /// Every kind of shape, in small detail: the number of triangles changes nothing about which pixels are right.
 pub(crate) const SHAPES: [&str; 11] = [

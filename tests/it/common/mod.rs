@@ -14,23 +14,30 @@ pub(crate) mod refined;
 pub(crate) mod scenes;
 pub(crate) mod tolerances;
 
+use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
 use cutaway::Model;
-use cutaway::compare::{Comparison, compare};
-use cutaway::exact::Truth;
 use cutaway::gpu::{Gpu, GpuOptions};
-use cutaway::hard_cases::{self};
 use cutaway::layers::Layers;
 use cutaway::scene::{Camera, Precision, Prepared, Scene, View};
 use cutaway::session::{Outcome, Session};
 use cutaway::strategies::{Method, Strategy};
+use cutaway_lab::compare::{Comparison, compare};
+use cutaway_lab::exact::Truth;
+use cutaway_lab::hard_cases::{self};
 
-pub(crate) use cutaway::hard_cases::{Judged, class_of, is_wrong};
+pub(crate) use cutaway_lab::hard_cases::{Judged, class_of, is_wrong};
 
 /// How many tests draw at a time: what they do beside that keeps the cores busy that a frame leaves idle.
 const SESSIONS: usize = 2;
+
+/// The folder of the project.
+pub(crate) fn root() -> &'static Path {
+    let tests = Path::new(env!("CARGO_MANIFEST_DIR"));
+    tests.parent().expect("tests lie in the project")
+}
 
 /// The session of this test, which others use in turn, on the device of [`gpu`]: what is read from a frame is read by the guard
 /// that drew it, for between two guards another test may draw.

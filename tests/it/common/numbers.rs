@@ -1,3 +1,3 @@
 //! The numbers without a pattern that random scenes are made of.
 
-pub(crate) use cutaway::hard_cases::numbers::Numbers;
+pub(crate) use cutaway_lab::hard_cases::numbers::Numbers;

@@ -2,9 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use cutaway::document::section;
-use cutaway::load::load_mesh_file;
 use cutaway::scene::{Cut, Scene, Topology};
+use cutaway_io::document::section;
+use cutaway_io::load::load_mesh_file;
 
 use super::data::data;
 

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-pub(crate) use cutaway::hard_cases::scenes::*;
+pub(crate) use cutaway_lab::hard_cases::scenes::*;
 
 /// A scene file of the gears of an assembly: two are turned against each other in four seconds, by so many degrees.
 pub(crate) fn turning_gears(mesh: &Path, section: &str, turn_deg: f64) -> String {

@@ -1,7 +1,8 @@
 //! Strategies that are exact are so on cutouts and breakaways, with the eye before the opening and within it.
 
-use super::*;
 use cutaway::strategies::{Means, Method, Rasteriser, Strategy};
+
+use super::*;
 
 fn methods() -> Vec<Method> {
     let exact = ["raycast+mask", "raycast+abuffer", "raycast+stencil"].map(common::strategy);

@@ -1,7 +1,8 @@
 //! Axes of real meshes, beside those of another library.
 
-use super::*;
 use cutaway::scene::MainAxes;
+
+use super::*;
 
 /// Angle between two lines, in degrees.
 fn apart_deg(a: DVec3, b: DVec3) -> f64 {

@@ -1,8 +1,9 @@
 //! Rules R6 and R7 of Diepstraten, Weiskopf and Ertl (2003): what is inside is not hidden from anywhere, by as many openings as there are
 //! clusters.
 
-use super::*;
 use cutaway::scene::{Amount, Clusters};
+
+use super::*;
 
 const SIZE_PX: [u32; 2] = [96, 72];
 

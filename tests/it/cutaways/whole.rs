@@ -1,8 +1,9 @@
 //! Parts that are whole: none is cut, and none stands in the air.
 
-use super::*;
 use cutaway::scene::ClipSurface;
 use cutaway::strategies::Strategy;
+
+use super::*;
 
 /// A plate with a row of pins, of which a quarter cut removes some, cuts through others, and leaves the rest.
 fn plate(role: Role) -> Scene {

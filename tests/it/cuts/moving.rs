@@ -129,7 +129,7 @@ fn what_opens_and_what_is_switched_agrees_with_exact() {
 }
 
 /// A torus under a relief that moves, and one that stays.
-fn two_reliefs(folder: &Scratch, keys: &str) -> cutaway::document::Timeline {
+fn two_reliefs(folder: &Scratch, keys: &str) -> cutaway_io::document::Timeline {
     folder.timeline(&format!(
         "[[part]]\nname = \"solid\"\nshape = \"torus?segments=40&sides=20\"\n\
          [relief.still]\nkind = \"waves\"\nsize = 32\n\

@@ -2,9 +2,9 @@
 
 use std::f64::consts::PI;
 
-use cutaway::exact::{Exact, evaluate};
 use cutaway::layers::Kind;
 use cutaway::scene::{Camera, ClipSurface, Cut, Prepared, Scene, View};
+use cutaway_lab::exact::{Exact, evaluate};
 use glam::{DAffine3, DQuat, DVec3};
 
 use super::common::meshes::{block, moved, shape};

@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use cutaway::layers::Kind;
-use cutaway::load::load_mesh_file;
 use cutaway::scene::{Cutter, Part, Topology};
+use cutaway_io::load::load_mesh_file;
 use glam::{DAffine3, DVec3};
 
 use super::common::data::data;

@@ -3,9 +3,9 @@
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-use cutaway::document::parse_defect;
 use cutaway::generate::defects::{DefectKind, break_parts};
 use cutaway::scene::{Mesh, Motion, Part, Topology};
+use cutaway_io::document::parse_defect;
 use glam::DVec3;
 
 use crate::common::meshes::{block, joined, parts, shape};

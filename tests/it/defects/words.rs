@@ -1,7 +1,7 @@
 //! What is said is read, what makes no sense is refused with a mend.
 
-use cutaway::document::parse_defect;
 use cutaway::generate::defects::DefectKind;
+use cutaway_io::document::parse_defect;
 
 #[test]
 fn defects_are_written_as_they_are_read() {

@@ -1,8 +1,8 @@
 //! Cameras in awkward places, and scenes far away, tiny or huge.
 
-use cutaway::exact::Exact;
 use cutaway::layers::{Kind, NEAR_PLANE};
 use cutaway::scene::{Camera, ClipSurface, Prepared, View};
+use cutaway_lab::exact::Exact;
 use glam::{DVec2, DVec3, dvec3};
 
 use crate::exact::solids::{
@@ -159,7 +159,7 @@ fn the_horizon_of_the_view_does_not_matter_to_parity() {
     ] {
         view.eye = eye;
         view.near = 1e-3;
-        let exact = cutaway::exact::evaluate(&prepared, &view);
+        let exact = cutaway_lab::exact::evaluate(&prepared, &view);
         let odd = crate::exact::solids::odd(&exact);
         assert_eq!(odd, 0, "{odd} odd px from {eye}");
     }

@@ -1,8 +1,8 @@
 //! One scene in two guises must look the same.
 
-use cutaway::exact::Exact;
 use cutaway::layers::Kind;
 use cutaway::scene::{Camera, ClipSurface, Mesh, Projection, Scene, Viewpoint};
+use cutaway_lab::exact::Exact;
 use glam::{DQuat, DVec3, dvec3};
 
 use crate::exact::solids::{

@@ -5,9 +5,9 @@
 
 use std::f64::consts::TAU;
 
-use cutaway::exact::evaluate;
 use cutaway::layers::Kind;
 use cutaway::scene::{ClipSurface, Mesh, Prepared, Scene};
+use cutaway_lab::exact::evaluate;
 use glam::{DVec2, DVec3, dvec3};
 
 use crate::exact::solids::{ball, cuboid, eye, fractal, noise, orbit, relief, scene};

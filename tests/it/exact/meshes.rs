@@ -1,8 +1,8 @@
 //! Meshes that make a careless rasteriser count wrong.
 
-use cutaway::exact::Exact;
 use cutaway::layers::Kind;
 use cutaway::scene::{ClipSurface, Mesh};
+use cutaway_lab::exact::Exact;
 use glam::{DVec3, Vec3, dvec3};
 
 use crate::exact::solids::{

@@ -1,11 +1,10 @@
 //! Which part is shown where solids share a point: the higher priority, 0 where none is given, then the smaller solid.
 
-use cutaway::exact::evaluate;
 use cutaway::layers::Kind;
 use cutaway::scene::{ClipSurface, Cut, Part, Prepared, Scene};
+use cutaway_lab::exact::evaluate;
+use cutaway_lab::hard_cases::{meshes, scenes};
 use glam::{DAffine3, DVec3};
-
-use cutaway::hard_cases::{meshes, scenes};
 
 /// Cubes around the origin, each in the next, by edge length and priority.
 fn nested(cubes: &[(f64, Option<i32>)]) -> Scene {

@@ -3,12 +3,12 @@
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-use cutaway::exact::{Exact, evaluate};
 use cutaway::layers::Kind;
 use cutaway::scene::{
     Camera, ClipSurface, Cut, Mesh, OffsetMap, Part, Prepared, Projection, Scene, Style, Viewpoint,
     Wrap,
 };
+use cutaway_lab::exact::{Exact, evaluate};
 use glam::{DVec3, dvec3};
 
 /// An axis-aligned box.

@@ -1,8 +1,8 @@
 //! What *undecided* promises: no decided pixel changes when the scene moves by what a rasteriser may move it.
 
-use cutaway::exact::{Exact, Truth, evaluate};
 use cutaway::layers::Kind;
 use cutaway::scene::{ClipSurface, Fill, Precision, Prepared, Role, Scene, View};
+use cutaway_lab::exact::{Exact, Truth, evaluate};
 use glam::{DVec3, dvec3};
 
 use crate::exact::solids::{

@@ -1,13 +1,12 @@
 //! An image on a section stands upright and is not mirrored, seen from the removed side.
 
-use cutaway::exact::evaluate;
 use cutaway::scene::relief::Placement;
 use cutaway::scene::{
     Camera, Cut, OffsetMap, Part, PlaneSpec, Prepared, Projection, Scene, Up, Viewpoint, Wrap,
 };
+use cutaway_lab::exact::evaluate;
+use cutaway_lab::hard_cases::meshes;
 use glam::{DVec2, DVec3};
-
-use cutaway::hard_cases::meshes;
 
 /// The letter F, 1 where it is drawn: no turn and no mirror image of it is the same.
 const LETTER: [&str; 5] = ["###", "#..", "##.", "#..", "#.."];

@@ -2,12 +2,13 @@
 
 use std::path::{Path, PathBuf};
 
-use cutaway::experiment::Definition;
+use cutaway_lab::experiment::Definition;
 
 use super::command::Scratch;
+use crate::common::root;
 
 fn folder() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("experiments/curated")
+    root().join("experiments/curated")
 }
 
 fn files(folder: &Path) -> Vec<PathBuf> {
@@ -48,7 +49,7 @@ fn all_words_are_understood() {
     let run = |files: &[PathBuf], quick: &str| {
         let mut command = scratch.command(&format!("measure --dry-run {quick}"));
         // The words of curated experiments are seen from the root of the project.
-        let output = command.args(files).current_dir(env!("CARGO_MANIFEST_DIR"));
+        let output = command.args(files).current_dir(root());
         super::command::Ran::of("measure --dry-run", output.output().unwrap())
     };
     for quick in ["", "--quick"] {

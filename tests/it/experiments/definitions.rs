@@ -2,12 +2,12 @@
 
 use std::path::Path;
 
-use cutaway::document::Value;
-use cutaway::experiment::Moves;
-use cutaway::experiment::definition::{Asked, Wanted};
-use cutaway::experiment::sweep::Point;
-use cutaway::experiment::{Definition, Parameter, Synopsis};
-use cutaway::load::Assets;
+use cutaway_io::document::Value;
+use cutaway_io::load::Assets;
+use cutaway_lab::experiment::Moves;
+use cutaway_lab::experiment::definition::{Asked, Wanted};
+use cutaway_lab::experiment::sweep::Point;
+use cutaway_lab::experiment::{Definition, Parameter, Synopsis};
 
 use super::{read, scenes};
 

@@ -1,10 +1,10 @@
 //! Flicker counted on layers that are made up.
 
-use cutaway::Exact;
-use cutaway::exact::evaluate;
-use cutaway::experiment::SceneAtTime;
-use cutaway::experiment::drift::Flicker;
 use cutaway::layers::{Kind, Layers};
+use cutaway_lab::Exact;
+use cutaway_lab::exact::evaluate;
+use cutaway_lab::experiment::SceneAtTime;
+use cutaway_lab::experiment::drift::Flicker;
 
 use super::common::scenes::sectioned;
 

@@ -2,12 +2,12 @@
 
 use std::collections::BTreeMap;
 
-use cutaway::compare::Comparison;
-use cutaway::experiment::expect::{Findings, reached};
-use cutaway::experiment::{
+use cutaway::gpu::AdapterReport;
+use cutaway_lab::compare::Comparison;
+use cutaway_lab::experiment::expect::{Findings, reached};
+use cutaway_lab::experiment::{
     Ending, Measurement, PerClock, Reached, Reference, Samples, StrategyMeasurement, Timing,
 };
-use cutaway::gpu::AdapterReport;
 
 use super::{read, scenes};
 

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use cutaway::document::Document;
+use cutaway_io::document::Document;
 use serde_json::Value;
 
 use super::command::{Ran, Scratch};

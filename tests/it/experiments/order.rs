@@ -3,9 +3,9 @@
 use std::cell::RefCell;
 
 use cutaway::Result;
-use cutaway::experiment::run::{Assignment, Measured, measure};
-use cutaway::experiment::{Invocation, Machine, Reached, Warning, Watcher};
 use cutaway::scene::Remark;
+use cutaway_lab::experiment::run::{Assignment, Measured, measure};
+use cutaway_lab::experiment::{Invocation, Machine, Reached, Warning, Watcher};
 
 use super::{common, read, scenes};
 
@@ -155,6 +155,6 @@ fn a_drift_adds_its_figures_and_changes_no_error() {
         "it is exact: {figures:?}"
     );
     assert!(figures["flicker_px"] > 0.0, "a whole pixel: {figures:?}");
-    let errors = |r: &cutaway::experiment::Record| r.measurement.strategies[0].comparison;
+    let errors = |r: &cutaway_lab::experiment::Record| r.measurement.strategies[0].comparison;
     assert_eq!(errors(&still), errors(&drifted));
 }

@@ -1,7 +1,8 @@
 //! Colours of vertices and images survive the cut in all formats that have a place for them; others say so.
 
-use super::*;
 use cutaway::scene::Mesh;
+
+use super::*;
 
 /// A cube whose vertices have the colours of their coordinates, as PLY.
 fn colored_cube() -> String {

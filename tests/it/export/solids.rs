@@ -1,9 +1,9 @@
 //! Reliefs and cutters cut closed meshes: what is written is closed, and holds the points that the definition keeps.
 
 use cutaway::Scene;
-use cutaway::document::{Document, cut, part, section};
-use cutaway::load::Assets;
 use cutaway::scene::Mesh;
+use cutaway_io::document::{Document, cut, part, section};
+use cutaway_io::load::Assets;
 use glam::DVec3;
 
 use super::*;

@@ -1,9 +1,9 @@
 //! Promise: a planar face whose vertices are some steps of f32 off its plane is kept or gone as a whole, in the reference, every exact
 //! strategy, the section and what is exported (hard case 57).
 
-use cutaway::hard_cases::class_of;
 use cutaway::scene::{Bounds, Fill, SceneSpace};
 use cutaway::slice::{SlicePlane, Slicer, capped};
+use cutaway_lab::hard_cases::class_of;
 use glam::DQuat;
 
 use super::*;

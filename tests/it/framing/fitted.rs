@@ -1,9 +1,9 @@
 //! One picture, by the reference, of shapes and cuts of every kind.
 
-use cutaway::document::Document;
-use cutaway::exact::evaluate;
-use cutaway::load::Assets;
 use cutaway::scene::{Camera, Fit, Prepared, Projection, Scene, Viewpoint};
+use cutaway_io::document::Document;
+use cutaway_io::load::Assets;
+use cutaway_lab::exact::evaluate;
 
 use super::{margins_of, misfit};
 

@@ -1,9 +1,9 @@
 //! A scene that moves has one fit for all its times, whether its cuts move, its parts, or the vertices of its parts.
 
-use cutaway::document::{Document, Timeline};
-use cutaway::exact::evaluate;
-use cutaway::load::Assets;
 use cutaway::scene::{Fit, Prepared, Scene};
+use cutaway_io::document::{Document, Timeline};
+use cutaway_io::load::Assets;
+use cutaway_lab::exact::evaluate;
 
 use super::margins_of;
 

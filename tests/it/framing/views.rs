@@ -1,8 +1,8 @@
 //! Directions by their names, straight views of sections, and pictures that are moved.
 
-use cutaway::document::Document;
-use cutaway::load::Assets;
 use cutaway::scene::{Prepared, View};
+use cutaway_io::document::Document;
+use cutaway_io::load::Assets;
 use glam::{DVec2, DVec3};
 
 const SIZE: [u32; 2] = [240, 180];

@@ -1,8 +1,9 @@
 //! Bodies of one mesh that overlap: each gets a cap of its own, so that halves are as manifold as the mesh.
 
+use cutaway::scene::{Part, Topology};
+
 use super::*;
 use crate::common::meshes::{block, joined};
-use cutaway::scene::{Part, Topology};
 
 fn boxes() -> [Mesh; 2] {
     [

@@ -1,8 +1,9 @@
 //! Real meshes, where they lie beside the project: every closed part of every file by five cuts.
 
+use cutaway_io::load::load_mesh_file;
+
 use super::*;
 use crate::common::data::data;
-use cutaway::load::load_mesh_file;
 
 /// Larger files are cut in two ways only.
 const MOST_TRIANGLES: usize = 150_000;

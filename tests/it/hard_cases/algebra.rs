@@ -1,16 +1,16 @@
 //! Cases 37, 38 and 41: laws between pictures.
 
 use cutaway::Model;
-use cutaway::exact::evaluate;
 use cutaway::gpu::{ClockSet, Gpu, Program};
 use cutaway::layers::Kind;
 use cutaway::plan::Capacities;
 use cutaway::strategies::{Strategy, record};
+use cutaway_lab::exact::evaluate;
+use cutaway_lab::hard_cases::bumps;
+use cutaway_lab::hard_cases::solids;
 
 use crate::common::numbers::Numbers;
 use crate::common::{Question, class_of, gpu, scenes, session, strategy, tolerances};
-use cutaway::hard_cases::bumps;
-use cutaway::hard_cases::solids;
 
 #[test]
 fn case_37_opposite_signs_are_complementary() {

@@ -3,10 +3,10 @@
 use cutaway::layers::{Kind, NEAR_PLANE};
 use cutaway::scene::Camera;
 use cutaway::strategies::Strategy;
+use cutaway_lab::hard_cases::solids;
 use glam::DVec3;
 
 use crate::common::{Question, class_of, scenes, strategy};
-use cutaway::hard_cases::solids;
 
 #[test]
 fn case_10_inside_the_kept_side_the_near_cap_fills_the_picture() {

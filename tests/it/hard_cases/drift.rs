@@ -3,11 +3,11 @@
 use std::sync::Arc;
 
 use cutaway::Model;
-use cutaway::exact::{Exact, Truth};
-use cutaway::hard_cases::{Question, class_of, scenes};
 use cutaway::layers::Layers;
 use cutaway::scene::{Camera, Scene, Viewpoint};
 use cutaway::strategies::{Means, Method, Rasteriser, Strategy};
+use cutaway_lab::exact::{Exact, Truth};
+use cutaway_lab::hard_cases::{Question, class_of, scenes};
 use glam::DVec2;
 
 use crate::common::{coarseness, session, tolerances};
@@ -63,7 +63,7 @@ fn drifting(scene: &Scene, method: &Method) -> Flicker {
 fn case_40_a_drifting_camera_flips_what_exact_flips() {
     let mut scene = scenes::of_parts(
         "comb",
-        cutaway::hard_cases::meshes::parts("comb?teeth=8"),
+        cutaway_lab::hard_cases::meshes::parts("comb?teeth=8"),
         vec![],
     );
     let rough = scenes::relief(

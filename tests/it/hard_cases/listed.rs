@@ -3,7 +3,9 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use cutaway::hard_cases::{cases, list};
+use cutaway_lab::hard_cases::{cases, list};
+
+use crate::common::root;
 
 fn sources(folder: &Path) -> Vec<PathBuf> {
     let entries = std::fs::read_dir(folder).expect("a folder of tests");
@@ -21,7 +23,7 @@ fn sources(folder: &Path) -> Vec<PathBuf> {
 
 /// Tests by module and name, as the list writes them: functions right after a line that makes them tests.
 fn tests() -> BTreeSet<String> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/it");
+    let root = root().join("tests/it");
     let mut found = BTreeSet::new();
     for path in sources(&root) {
         let below = path.strip_prefix(&root).expect("below the folder");

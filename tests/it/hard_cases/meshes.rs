@@ -3,10 +3,10 @@
 use cutaway::layers::Kind;
 use cutaway::scene::ClipSurface;
 use cutaway::strategies::Strategy;
+use cutaway_lab::hard_cases::solids;
 use glam::DVec3;
 
 use crate::common::{Judged, Question, class_of, coarseness, meshes, scenes};
-use cutaway::hard_cases::solids;
 
 #[test]
 fn case_04_and_05_every_pixel_counts_even() {

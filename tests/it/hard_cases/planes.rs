@@ -3,10 +3,10 @@
 use cutaway::layers::Kind;
 use cutaway::scene::{Camera, ClipSurface, Scene};
 use cutaway::strategies::Strategy;
+use cutaway_lab::hard_cases::bumps;
 use glam::DVec3;
 
 use crate::common::{Question, class_of, meshes, scenes, strategy};
-use cutaway::hard_cases::bumps;
 
 fn cube_cut_at(z: f64, sign: f64, camera: Camera) -> Scene {
     let plane = ClipSurface::plane(DVec3::new(0.0, 0.0, z), DVec3::Z * sign);

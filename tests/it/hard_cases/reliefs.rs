@@ -3,10 +3,10 @@
 use cutaway::layers::Kind;
 use cutaway::scene::{ClipSurface, OffsetMap, Wrap};
 use cutaway::strategies::Strategy;
+use cutaway_lab::hard_cases::bumps;
 use glam::DVec3;
 
 use crate::common::{Question, class_of, meshes, scenes, strategy, tolerances};
-use cutaway::hard_cases::bumps;
 
 #[test]
 fn case_23_a_ramp_is_a_tilted_plane() {

@@ -1,6 +1,5 @@
 //! Case 44, the stencil against the mask, bit for bit; and the classic stencil from either side, in either projection.
 
-use cutaway::compare::compare;
 use cutaway::gpu::{ClockSet, Program};
 use cutaway::layers::Kind;
 use cutaway::plan::StencilStep;
@@ -8,10 +7,11 @@ use cutaway::plan::{Capacities, DepthCompare, Plan, Work};
 use cutaway::scene::{ClipSurface, Cut, Fill, Part, Scene};
 use cutaway::session::Outcome;
 use cutaway::strategies::{self, Strategy};
+use cutaway_lab::compare::compare;
+use cutaway_lab::hard_cases::{bumps, solids, windings};
 use glam::{DAffine3, DVec3};
 
 use crate::common::{Question, hardware_precision, meshes, scenes, session};
-use cutaway::hard_cases::{bumps, solids, windings};
 
 fn masks(question: &Question) -> [Vec<u32>; 2] {
     let mut session = session();

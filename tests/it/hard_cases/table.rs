@@ -2,12 +2,12 @@
 //!
 //! A declared failure that starts to pass is a fault too: then the table is wrong, and a reader of it is misled.
 
-use cutaway::hard_cases::{
+use cutaway::session::Outcome;
+use cutaway::strategies::{Method, Obstacle};
+use cutaway_lab::hard_cases::{
     Asked, Case, Expected, Form, Keeps, Question, Tally, caps_px, cases, check_ids, found,
     pictures, random, solids, tallied, usual_methods,
 };
-use cutaway::session::Outcome;
-use cutaway::strategies::{Method, Obstacle};
 
 use crate::common::{session, tolerances};
 
@@ -138,7 +138,7 @@ fn a_declaration_that_is_stale_is_a_fault() {
     }
     // A refusal for another reason than the one that is declared.
     let stencil = named("stencil");
-    let crossing = &cutaway::hard_cases::bumps::crossing(64)[0];
+    let crossing = &cutaway_lab::hard_cases::bumps::crossing(64)[0];
     let question = Question::new(crossing, [64; 2]);
     let refused = question.answer(&mut session(), &stencil).expect("a frame");
     assert!(

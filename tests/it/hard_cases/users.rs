@@ -2,10 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use cutaway::hard_cases::{Question, meshes, users};
 use cutaway::scene::{ClipSurface, Mesh};
 use cutaway::slice::{Section, SlicePlane, Slicer};
 use cutaway::strategies::Method;
+use cutaway_lab::hard_cases::{Question, meshes, users};
 use glam::DVec3;
 
 use crate::common::{coarseness, session, tolerances};

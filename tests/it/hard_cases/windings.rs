@@ -4,12 +4,12 @@ use cutaway::layers::Kind;
 use cutaway::scene::{ClipSurface, Cut, Fill, Scene};
 use cutaway::session::Outcome;
 use cutaway::strategies::{Means, Method, Rasteriser, Strategy};
+use cutaway_lab::hard_cases::windings::{nonzero, profiles, revolved};
+use cutaway_lab::hard_cases::{self, Expected, solids};
 use glam::{DAffine3, DVec2, DVec3};
 
 use crate::common::numbers::Numbers;
 use crate::common::{Judged, Question, meshes, scenes, session};
-use cutaway::hard_cases::windings::{nonzero, profiles, revolved};
-use cutaway::hard_cases::{self, Expected, solids};
 
 /// How often a polygon goes round a point.
 fn index(polygon: &[DVec2], at: DVec2) -> i32 {

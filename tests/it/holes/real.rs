@@ -1,8 +1,9 @@
 //! Real meshes that are open, and their holes.
 
+use cutaway_io::document::{Document, part};
+use cutaway_io::load::Assets;
+
 use super::*;
-use cutaway::document::{Document, part};
-use cutaway::load::Assets;
 
 /// The boundary edges of a file before and after, and its holes that are closed, of all.
 fn measure(file: &str) -> Option<(Topology, Topology)> {

@@ -2,11 +2,11 @@
 
 use std::collections::BTreeSet;
 
+use cutaway::generate::shapes::shape;
+use cutaway::slice::HoleDefect;
 use proptest::prelude::*;
 
 use super::*;
-use cutaway::generate::shapes::shape;
-use cutaway::slice::HoleDefect;
 
 /// A wall between outlines at two heights, each seen from above: an outer one goes round counter-clockwise, an inner one the other way.
 fn wall(mesh: &mut Mesh, outline: &[[f64; 2]]) {

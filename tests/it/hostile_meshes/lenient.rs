@@ -1,7 +1,8 @@
 //! Promise: what other readers take is taken, whole, and what is left out of it is said with its line.
 
+use cutaway_io::load::load_mesh_file;
+
 use super::{Scratch, ascii_ply, ascii_stl, buffer, gltf_json, must_load, obj};
-use cutaway::load::load_mesh_file;
 
 const MARK: &str = "\u{feff}";
 

@@ -1,8 +1,9 @@
 //! Promise: what is no file, leads out of its folder, unpacks without end or lies beyond all numbers is refused by name; and what many
 //! parts have alike is said once.
 
+use cutaway_io::load::load_mesh_file;
+
 use super::{Scratch, buffer, gltf_json, gzipped, must_be_refused, must_load, obj, stl};
-use cutaway::load::load_mesh_file;
 use std::fs;
 use std::io::Write;
 

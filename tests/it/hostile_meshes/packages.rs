@@ -1,10 +1,11 @@
 //! 3MF: what is wrong with the archive, its relationships, the XML, the objects or the numbers is refused with the part and the line.
 
+use cutaway_io::load::load_mesh_file;
+
 use super::{Scratch, must_be_refused, must_load};
 use crate::common::package::{
     archive, components, model, object, package, relationships, tetrahedron,
 };
-use cutaway::load::load_mesh_file;
 
 fn whole() -> String {
     model(&object(1, "name=\"a\""), "<item objectid=\"1\"/>")

@@ -1,7 +1,7 @@
 //! Small glTF documents, put together as text with their numbers in a data URI.
 
 use base64::prelude::{BASE64_STANDARD, Engine as _};
-use cutaway::load::{Loaded, load_mesh_file};
+use cutaway_io::load::{Loaded, load_mesh_file};
 use serde_json::{Value, json};
 
 use super::command::Scratch;

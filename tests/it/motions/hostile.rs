@@ -1,7 +1,7 @@
 //! Broken motion: the mesh is shown all the same, and a note says what was left out; what the mesh itself needs is refused.
 
-use cutaway::load::load_mesh_file;
 use cutaway::scene::Topology;
+use cutaway_io::load::load_mesh_file;
 use serde_json::json;
 
 use super::command::Scratch;

@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use cutaway::Part;
-use cutaway::load::load_mesh_file;
 use cutaway::scene::{Bounds, Topology};
+use cutaway_io::load::load_mesh_file;
 use glam::DVec3;
 
 use super::data::data;

@@ -6,7 +6,7 @@ use cutaway::Model;
 use cutaway::layers::Kind;
 use cutaway::scene::{ClipSurface, Part, Scene};
 use cutaway::strategies::{Means, Method, Rasteriser, Strategy};
-use cutaway::{Comparison, compare};
+use cutaway_lab::{Comparison, compare};
 use glam::{DAffine3, DVec2, DVec3};
 
 use super::actors::{both, deformed_bar, deformers, morphing_ball, still, torn_bar};
@@ -190,12 +190,12 @@ fn a_camera_that_drifts_flips_what_the_exact_camera_flips() {
     let model = Model::new(&scene);
     let truth = model.truth(&scene);
     let whole = model.prepared.view([64, 64]);
-    let mut before: Option<(cutaway::Layers, cutaway::Exact)> = None;
+    let mut before: Option<(cutaway::Layers, cutaway_lab::Exact)> = None;
     let (mut flips, mut planted) = (0, 0);
     for frame in 0..64 {
         let drift = DVec2::new(1.0, 0.37) * f64::from(frame) / 64.0;
         let view = whole.sampled_at(DVec2::splat(0.5) + drift);
-        let exact = cutaway::exact::evaluate(&truth, &view);
+        let exact = cutaway_lab::exact::evaluate(&truth, &view);
         let layers = {
             let mut session = session();
             let drawn = session.draw(&model, &view, Strategy::RAYCAST_MASK);

@@ -4,9 +4,9 @@
 use std::path::PathBuf;
 
 use cutaway::Model;
-use cutaway::load::load_mesh_file;
 use cutaway::scene::{ClipSurface, Scene, Topology};
 use cutaway::strategies::{Means, Method, Rasteriser, Strategy};
+use cutaway_io::load::load_mesh_file;
 
 use super::common::Question;
 use super::common::data::data;

@@ -1,13 +1,13 @@
 //! A picture that is too large for a limit is drawn in bands, and shows the same.
 
-use cutaway::document::named_style;
-use cutaway::experiment::{Question, Renderer, SceneAtTime, errors, times};
 use cutaway::gpu::ClockSet;
 use cutaway::layers::{Kind, Layers};
 use cutaway::plan::Limits;
 use cutaway::scene::{Camera, Viewpoint};
 use cutaway::session::{Drawn, Outcome, Session};
 use cutaway::strategies::{Means, Method, Obstacle, Rasteriser};
+use cutaway_io::document::named_style;
+use cutaway_lab::experiment::{Question, Renderer, SceneAtTime, errors, times};
 
 use super::*;
 
@@ -206,7 +206,7 @@ fn a_comparison_and_given_layers_are_drawn_in_bands_too() {
     let shown = SceneAtTime::new(&scene);
     let view = shown.model.prepared.view(SIZE_PX);
     let mut whole = session(Limits::CORE.storage_binding_bytes);
-    let layers = cutaway::exact::evaluate(&shown.model.truth(&scene), &view).layers;
+    let layers = cutaway_lab::exact::evaluate(&shown.model.truth(&scene), &view).layers;
     let shade = |session: &mut Session| session.shade(&shown.model, &view, &layers);
     let expected = shade(&mut whole).expect("a picture");
     // Three words a pixel: half of the picture fits, all of it does not.

@@ -1,11 +1,10 @@
 //! The rules of a plan and the limits of core WebGPU.
 
 use cutaway::Error;
+use cutaway::passes::Relevance;
 use cutaway::plan::{
     Access, Binding, Contents, DepthCompare, Format, Limits, Resource, ResourceId, Role, Shape,
 };
-
-use cutaway::passes::Relevance;
 use cutaway::scene::{Mesh, Part};
 use cutaway::strategies::{CapSurface, InsideTest, Obstacle};
 
@@ -123,7 +122,7 @@ fn what_cannot_be_drawn_is_refused_with_a_reason() {
     let many = refused(&scene_of(&["cube"], cuts), Strategy::RAYCAST_MASK);
     assert_eq!(many.obstacle, Obstacle::Cuts, "{many}");
     // A smaller picture has as many cuts.
-    let error = cutaway::experiment::picture::refused(Strategy::RAYCAST_MASK.into(), &many);
+    let error = cutaway_lab::experiment::picture::refused(Strategy::RAYCAST_MASK.into(), &many);
     let message = error.to_string();
     assert!(
         message.contains("more than 32") && message.contains("export"),

@@ -1,11 +1,11 @@
 //! Open meshes: what `planar` cannot know it marks, in the box of the part that is open and nowhere else.
 
-use cutaway::compare::compare;
 use cutaway::gpu::{ClockSet, Program};
 use cutaway::layers::{Kind, Layers};
 use cutaway::plan::{Capacities, Plan, Work};
 use cutaway::scene::{ClipSurface, Mesh, Part, Scene};
 use cutaway::strategies::{self, Means, Method, Rasteriser, Strategy};
+use cutaway_lab::compare::compare;
 use glam::{DAffine3, DVec3};
 
 use super::common::{Question, hardware_precision, meshes, scenes, session};

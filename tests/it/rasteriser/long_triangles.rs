@@ -4,12 +4,12 @@
 //! Every part is closed, so any odd total is a sample that was lost.
 
 use cutaway::Model;
-use cutaway::document::section;
-use cutaway::hard_cases::Question;
-use cutaway::hard_cases::meshes::prisms;
 use cutaway::plan::Plan;
 use cutaway::scene::{Camera, ClipSurface, Cut, Mesh, Precision, Scene};
 use cutaway::strategies::Method;
+use cutaway_io::document::section;
+use cutaway_lab::hard_cases::Question;
+use cutaway_lab::hard_cases::meshes::prisms;
 use glam::DVec3;
 
 use super::ways::{as_recorded, frame};

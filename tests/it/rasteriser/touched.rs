@@ -1,11 +1,11 @@
 //! What a frame leaves beside the tiles that it touches is background, whatever was drawn before it by the same program.
 
-use cutaway::document::named_style;
 use cutaway::layers::Kind;
 use cutaway::passes::Model;
 use cutaway::scene::{Camera, Scene, View};
 use cutaway::session::{Outcome, Session};
 use cutaway::strategies::Method;
+use cutaway_io::document::named_style;
 use glam::DVec3;
 
 use crate::common::{gpu, scenes};

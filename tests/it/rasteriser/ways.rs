@@ -248,7 +248,7 @@ fn threads_do_not_matter() {
     std::fs::create_dir_all(&folder).expect("a folder to write to");
     let render = |threads: &str, section: &str| {
         let file = folder.join(format!("{threads}{section}.png").replace(['%', '='], ""));
-        let ran = Command::new(env!("CARGO_BIN_EXE_cutaway"))
+        let ran = Command::new(env!("CARGO_BIN_EXE_cutaway-tested"))
             .args([
                 "render",
                 "shape:crank?throws=2&detail=16",

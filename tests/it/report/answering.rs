@@ -2,8 +2,8 @@
 
 use std::fs;
 
-use cutaway::experiment::{Picture, Warning};
-use cutaway::report::PictureOptions;
+use cutaway_lab::experiment::{Picture, Warning};
+use cutaway_lab::report::PictureOptions;
 
 use super::command::Scratch;
 use super::fixture::{NAME, records, refused, write};

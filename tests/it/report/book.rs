@@ -2,8 +2,8 @@
 
 use std::fs;
 
-use cutaway::Comparison;
-use cutaway::experiment::{Record, Samples, StrategyMeasurement};
+use cutaway_lab::Comparison;
+use cutaway_lab::experiment::{Record, Samples, StrategyMeasurement};
 
 use super::{RECORDED, root};
 

@@ -4,15 +4,15 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
-use cutaway::Comparison;
-use cutaway::document::{Document, cut, part, section};
-use cutaway::experiment::{
+use cutaway::gpu::AdapterReport;
+use cutaway::plan::Clock;
+use cutaway_io::document::{Document, cut, part, section};
+use cutaway_lab::Comparison;
+use cutaway_lab::experiment::{
     CaseRecord, CaseRecords, Ending, Expectation, FamilyMember, Machine, Measurement, Parameter,
     PassTime, PerClock, Picture, Reached, Record, Reference, Run, Samples, StrategyMeasurement,
     Timing, Warning,
 };
-use cutaway::gpu::AdapterReport;
-use cutaway::plan::Clock;
 use serde_json::json;
 
 /// The name of the experiment.

@@ -3,8 +3,8 @@
 use std::fs;
 use std::path::Path;
 
-use cutaway::experiment::{Invocation, Picture, Warning};
-use cutaway::report::PictureOptions;
+use cutaway_lab::experiment::{Invocation, Picture, Warning};
+use cutaway_lab::report::PictureOptions;
 
 use super::command::Scratch;
 use super::fixture::{NAME, records, scene, write};
@@ -173,7 +173,7 @@ fn points_are_in_the_order_of_the_experiment() {
         place(&natural, "2%") < place(&natural, "10%"),
         "the control"
     );
-    let listed = |records: &[cutaway::experiment::Record]| {
+    let listed = |records: &[cutaway_lab::experiment::Record]| {
         write(&folder.path("run"), records, None);
         let file = folder.path(&format!("run/{NAME}/experiment.json"));
         edit(&file, |v| {

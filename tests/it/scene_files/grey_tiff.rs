@@ -3,7 +3,7 @@
 use std::fs::File;
 use std::path::Path;
 
-use cutaway::load::read_offset_map;
+use cutaway_io::load::read_offset_map;
 use tiff::encoder::colortype::{
     ColorType, Gray16, Gray32, Gray32Float, Gray64Float, GrayI16, RGB32Float,
 };

@@ -3,8 +3,8 @@
 //!
 //! `cargo test --test it areas -- --nocapture` prints a line per section that `experiments/peers/section_areas.py` takes.
 
-use cutaway::load::load_mesh_file;
 use cutaway::scene::{Fill, Mesh, Topology};
+use cutaway_io::load::load_mesh_file;
 use glam::DVec3;
 
 use crate::slice::closed_forms::volume_by_areas;

@@ -3,13 +3,14 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::*;
-use crate::common::real;
-use cutaway::document::named_style;
 use cutaway::passes::Relevance;
 use cutaway::scene::{ClipSurface, Cut, Scene};
 use cutaway::strategies::{Method, Strategy};
 use cutaway::{Model, Outcome, Session};
+use cutaway_io::document::named_style;
+
+use super::*;
+use crate::common::real;
 
 /// Parts are in contact where they are nearer than this share of the scene's diagonal.
 const CONTACT: f64 = 1e-5;

@@ -1,7 +1,8 @@
 //! Bodies that touch all over are told apart by the order of their triangles, where files write one after the other.
 
-use super::*;
 use cutaway::scene::{Bodies, Topology};
+
+use super::*;
 
 /// A cup with six sides and what fills it, far from the origin, in coordinates of f32: walls that touch are turned against each other by
 /// rounding. Triangles of the cup first.
@@ -94,7 +95,7 @@ fn closed_runs_of_triangles_are_bodies() {
     }
     let folder = Scratch::new("split-order");
     let path = folder.write("inlay.stl", stl);
-    let loaded = cutaway::load::load_mesh_file(&path).expect("a mesh");
+    let loaded = cutaway_io::load::load_mesh_file(&path).expect("a mesh");
     let whole = &loaded.parts[0];
     assert_eq!(loaded.parts.len(), 1);
     assert!(

@@ -3,13 +3,15 @@
 
 use std::path::Path;
 
-use super::*;
-use crate::common::{Question, real};
-use cutaway::document::{Timeline, part, section};
-use cutaway::load::Assets;
+use cutaway::Scene;
 use cutaway::scene::{Bodies, Cut, Topology};
 use cutaway::strategies::Strategy;
-use cutaway::{Document, Scene};
+use cutaway_io::Document;
+use cutaway_io::document::{Timeline, part, section};
+use cutaway_io::load::Assets;
+
+use super::*;
+use crate::common::{Question, real};
 
 fn timeline(file: &Path, is_split: bool) -> Timeline {
     let mut document = Document::new();

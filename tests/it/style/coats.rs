@@ -1,9 +1,9 @@
 //! Surfaces show the colours that files paint them with, whoever drew the layers, and wherever the part goes.
 
 use super::*;
-use cutaway::load::{Memory, load_mesh_file_from};
 use cutaway::scene::style::Shading;
 use cutaway::scene::{Coat, CoatedTriangle, Mesh, Projection, Viewpoint};
+use cutaway_io::load::{Memory, load_mesh_file_from};
 use glam::{Vec2, Vec3};
 use serde_json::{Value, json};
 use std::path::Path;

@@ -1,8 +1,9 @@
 //! Styles as data: by name, by file, in scenes, with changes on top.
 
+use cutaway_io::load::Assets;
+
 use super::*;
 use crate::common::command::Scratch;
-use cutaway::load::Assets;
 
 const PART: &str = "[[part]]\nname = \"c\"\nshape = \"cube\"\n";
 
@@ -50,7 +51,7 @@ fn a_document_names_the_file_of_its_style_from_wherever_it_is() {
     let folder = Scratch::new("style_files");
     folder.write("mine.toml", "shading = \"clay\"\n");
     let path = folder.write("scene.toml", format!("style = \"mine.toml\"\n{PART}"));
-    let document = cutaway::Document::read(&path).expect("a document");
+    let document = cutaway_io::Document::read(&path).expect("a document");
     let moved = document
         .moved_to(&folder.path("below/scene.toml"))
         .expect("a document");

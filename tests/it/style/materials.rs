@@ -1,10 +1,11 @@
 //! Caps show what they are made of: images in the (u, v) of the clip-surface, the right way up, in their mean where they are fine.
 
-use super::*;
 use cutaway::scene::style::Shading;
 use cutaway::scene::{
     Amount, CapMaterial, Projection, SolidTexture, Texture, TextureKind, Viewpoint,
 };
+
+use super::*;
 use std::sync::Arc;
 
 /// A cube cut in the middle, straight from the front, in its own colours without light.

@@ -2,10 +2,10 @@
 
 use super::*;
 use common::real;
-use cutaway::document::{SurfaceDraft, section};
 use cutaway::layers::{Layer, Layers};
 use cutaway::scene::relief::MapScale;
 use cutaway::scene::{Camera, Projection, View, Viewpoint};
+use cutaway_io::document::{SurfaceDraft, section};
 use glam::{DVec2, Vec3};
 
 fn with(occlusion: Occlusion) -> Style {

@@ -1,9 +1,10 @@
 //! A style adds what it asks for and nothing else.
 
-use super::*;
 use cutaway::plan::{Capacities, Plan};
 use cutaway::scene::style::{Shading, Strokes};
 use cutaway::{shader, strategies};
+
+use super::*;
 
 fn plan_in(style: Style) -> Plan {
     let model = Model::new(&scene_in(style));

@@ -1,8 +1,9 @@
 //! Where in the pixels strokes are, and how wide: edges of layers that are made here, at known places.
 
-use super::*;
 use cutaway::layers::{Layer, Layers};
 use cutaway::scene::style::Strokes;
+
+use super::*;
 
 /// Columns beside the borders of the picture that are not looked at: the staircase that leaves the picture ends there.
 const MARGIN_PX: u32 = 24;

@@ -4,10 +4,10 @@ use std::fmt::Write as _;
 use std::path::Path;
 use std::sync::Arc;
 
-use cutaway::document::{self, Document, cut, section};
-use cutaway::load::Assets;
-use cutaway::load::frames::Sequence;
 use cutaway::scene::Mesh;
+use cutaway_io::document::{self, Document, cut, section};
+use cutaway_io::load::Assets;
+use cutaway_io::load::frames::Sequence;
 use glam::DVec3;
 
 use super::{Scratch, at, part};

@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
-use cutaway::document::{Document, cut, part, section};
 use cutaway::generate::shapes::shape;
-use cutaway::load::Assets;
 use cutaway::scene::{Mesh, OffsetMap, Scene};
+use cutaway_io::document::{Document, cut, part, section};
+use cutaway_io::load::Assets;
 
 fn scene(document: &Document, assets: &mut Assets) -> Scene {
     document.resolve(0.0, assets).expect("a scene")

@@ -2,13 +2,14 @@
 
 use std::sync::Arc;
 
-use cutaway::document::{Document, Interpolation, Key};
-use cutaway::exact::evaluate;
-use cutaway::load::Assets;
 use cutaway::scene::{OffsetMap, Prepared, Scene, Viewpoint};
+use cutaway_io::document::{Document, Interpolation, Key};
+use cutaway_io::load::Assets;
+use cutaway_lab::exact::evaluate;
 use glam::DVec3;
 
 use super::{Scratch, at, part};
+use crate::common::root;
 
 const SCENE: &str = r#"
 [camera]
@@ -229,7 +230,7 @@ fn clips_that_are_not_there_are_refused() {
 /// The scenes that the repository shows to users are sound at all times, and what is seen of them changes.
 #[test]
 fn the_scenes_of_the_repository_move() {
-    let folder = std::path::PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("experiments/scenes");
+    let folder = root().join("experiments/scenes");
     let mut count = 0;
     for entry in std::fs::read_dir(folder).expect("a folder of scenes") {
         let path = entry.expect("an entry of it").path();

@@ -1,8 +1,8 @@
 //! The stage: one box for all times.
 
-use cutaway::document::Timeline;
-use cutaway::load::load_mesh_file;
 use cutaway::scene::Bounds;
+use cutaway_io::document::Timeline;
+use cutaway_io::load::load_mesh_file;
 use glam::DVec3;
 
 use super::common::data::data;

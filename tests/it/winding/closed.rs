@@ -1,8 +1,8 @@
 //! On closed meshes nothing changes.
 
-use cutaway::exact::{Exact, Windings, evaluate};
 use cutaway::layers::{Kind, Layers};
 use cutaway::scene::{ClipSurface, Cut, Fill, Part, Prepared, Projection, Role, Scene, Viewpoint};
+use cutaway_lab::exact::{Exact, Windings, evaluate};
 use glam::{DAffine3, DVec3};
 
 use crate::common::{is_wrong, meshes, scenes};

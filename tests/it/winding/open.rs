@@ -2,11 +2,11 @@
 
 use std::f64::consts::PI;
 
-use cutaway::document::parse_defect;
-use cutaway::exact::{Windings, evaluate};
 use cutaway::generate::defects::break_parts;
 use cutaway::layers::{Kind, Layers};
 use cutaway::scene::{Prepared, Scene, View};
+use cutaway_io::document::parse_defect;
+use cutaway_lab::exact::{Windings, evaluate};
 
 use crate::common::real::{cut, files};
 use crate::common::scenes;

@@ -1,10 +1,10 @@
 //! Winding numbers beside the strategies: in the JSON as any of them, and the whole mesh as the truth about a broken one.
 
-use cutaway::document::parse_defect;
-use cutaway::experiment::{Question, Renderer, SceneAtTime, errors, times};
 use cutaway::generate::defects::break_parts;
 use cutaway::scene::Scene;
 use cutaway::strategies::Means;
+use cutaway_io::document::parse_defect;
+use cutaway_lab::experiment::{Question, Renderer, SceneAtTime, errors, times};
 
 use crate::common::{scenes, session};
 use crate::winding::command::Scratch;

@@ -1,9 +1,9 @@
 //! Triangles that are narrower than rasterisers can place.
 
-use cutaway::hard_cases;
-use cutaway::hard_cases::random::{Bumps, Recipe, Solid, Surface};
 use cutaway::scene::{Cut, Precision, Up, Wrap};
 use cutaway::strategies::{Method, Strategy};
+use cutaway_lab::hard_cases;
+use cutaway_lab::hard_cases::random::{Bumps, Recipe, Solid, Surface};
 use glam::{DVec2, DVec3};
 
 use crate::common::{Question, meshes, scenes, session};

@@ -1,0 +1,200 @@
+//! What is said on standard error: notes, warnings and progress.
+//!
+//! Progress shows only on a terminal and only once the work has taken a second, and it never stays behind.
+
+use std::io::IsTerminal;
+use std::thread;
+use std::time::Duration;
+
+use cutaway::scene::Remark;
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+
+/// Work shorter than this shows no progress.
+const PATIENCE: Duration = Duration::from_secs(1);
+
+/// So many notes about inputs are shown without being asked for.
+const MOST_NOTES: usize = 5;
+
+/// How much is said.
+#[derive(Clone, Copy, Debug, Default, clap::Args)]
+pub(super) struct ConsoleArgs {
+    /// Say what is being done, on which adapter, and how long it takes
+    #[arg(long, conflicts_with = "quiet", help_heading = "Output")]
+    pub(super) verbose: bool,
+    /// No progress and no notes: only warnings and errors
+    #[arg(long, short, help_heading = "Output")]
+    pub(super) quiet: bool,
+}
+
+/// Standard error.
+pub(super) struct Console {
+    args: ConsoleArgs,
+    bar: ProgressBar,
+}
+
+impl Console {
+    /// A console that says as much as it was asked to, for work of some steps.
+    pub(super) fn new(args: ConsoleArgs, steps: usize) -> Self {
+        let bar = ProgressBar::with_draw_target(Some(steps as u64), ProgressDrawTarget::hidden());
+        if let Ok(style) =
+            ProgressStyle::with_template("{bar:24.cyan/dim} {pos}/{len}  {msg}  {elapsed}")
+        {
+            bar.set_style(style);
+        }
+        if !args.quiet {
+            let late = bar.clone();
+            thread::spawn(move || {
+                thread::sleep(PATIENCE);
+                if !late.is_finished() {
+                    late.set_draw_target(ProgressDrawTarget::stderr());
+                    late.enable_steady_tick(Duration::from_millis(200));
+                }
+            });
+        }
+        Self { args, bar }
+    }
+
+    /// Says what there is to say of a scene.
+    pub(super) fn remark(&self, remark: &Remark) {
+        if remark.is_warning {
+            self.warn(&remark.text);
+        } else {
+            self.note(&remark.text);
+        }
+    }
+
+    /// What whoever has no progress to look at may want to know: on a terminal it is left out.
+    pub(super) fn milestone(&self, text: impl AsRef<str>) {
+        if !self.args.quiet && !std::io::stderr().is_terminal() {
+            self.say(text.as_ref());
+        }
+    }
+
+    /// A step begins.
+    pub(super) fn step(&self, what: impl Into<String>) {
+        let what = what.into();
+        self.detail(&what);
+        self.bar.set_message(what);
+        self.bar.inc(1);
+    }
+
+    /// Says how long the steps that are left may take, as if all took the same.
+    pub(super) fn show_what_is_left(&self) {
+        if let Ok(style) = ProgressStyle::with_template(
+            "{bar:24.cyan/dim} {pos}/{len}  {elapsed}, {eta} left  {msg}",
+        ) {
+            self.bar.set_style(style);
+        }
+    }
+
+    /// Steps that need not be done.
+    pub(super) fn skip(&self, steps: usize) {
+        let left = self.bar.length().unwrap_or(0).saturating_sub(steps as u64);
+        self.bar.set_length(left);
+    }
+
+    /// From here on steps are frames.
+    pub(super) fn expect_frames(&self, count: u32) {
+        if let Ok(style) = ProgressStyle::with_template(
+            "{bar:24.cyan/dim} {pos}/{len} frames  {per_sec}  {eta} left  {msg}",
+        ) {
+            self.bar.set_style(style);
+        }
+        self.bar.reset();
+        self.bar.set_length(u64::from(count));
+        self.bar.set_message("");
+    }
+
+    pub(super) fn frame_done(&self) {
+        self.bar.inc(1);
+    }
+
+    /// What is done after the last frame.
+    pub(super) fn say_step(&self, what: &'static str) {
+        self.detail(what);
+        self.bar.set_message(what);
+    }
+
+    /// What may interest: left out by `--quiet`.
+    pub(super) fn note(&self, text: impl AsRef<str>) {
+        if !self.args.quiet {
+            self.say(&format!("note: {}", text.as_ref()));
+        }
+    }
+
+    /// Notes of one kind, of which nobody reads many: the first few, and how many more there are.
+    pub(super) fn notes(&self, notes: &[String]) {
+        let shown = if self.args.verbose {
+            notes.len()
+        } else {
+            shown_of(notes.len())
+        };
+        notes[..shown].iter().for_each(|note| self.note(note));
+        if shown < notes.len() {
+            let left = notes.len() - shown;
+            self.note(format!(
+                "{left} more notes about the inputs; --verbose shows all"
+            ));
+        }
+    }
+
+    /// What was done and to no purpose, or is not as it should be.
+    pub(super) fn warn(&self, text: impl AsRef<str>) {
+        self.say(&format!("warning: {}", text.as_ref()));
+    }
+
+    /// What only `--verbose` says.
+    pub(super) fn detail(&self, text: impl AsRef<str>) {
+        if self.args.verbose {
+            self.say(text.as_ref());
+        }
+    }
+
+    /// The same where it takes work to find the words.
+    pub(super) fn detail_by(&self, text: impl FnOnce() -> String) {
+        if self.args.verbose {
+            self.say(&text());
+        }
+    }
+
+    /// A stated expectation that did not hold.
+    pub(super) fn failed(&self, text: impl AsRef<str>) {
+        self.say(&format!("failed: {}", text.as_ref()));
+    }
+
+    /// A fault of the program itself.
+    pub(super) fn internal_error(&self, text: impl AsRef<str>) {
+        self.say(&format!("internal error: {}", text.as_ref()));
+    }
+
+    fn say(&self, text: &str) {
+        self.bar.suspend(|| eprintln!("{text}"));
+    }
+}
+
+/// How many of so many notes are shown. One line more says no less than that there is one.
+fn shown_of(notes: usize) -> usize {
+    if notes <= MOST_NOTES + 1 {
+        notes
+    } else {
+        MOST_NOTES
+    }
+}
+
+impl Drop for Console {
+    fn drop(&mut self) {
+        self.bar.finish_and_clear();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn many_notes_are_a_few_and_how_many_more() {
+        for (notes, shown) in [(0, 0), (6, 6), (7, 5), (32, 5)] {
+            assert_eq!(shown_of(notes), shown, "of {notes}");
+        }
+    }
+}

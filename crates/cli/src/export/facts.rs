@@ -1,0 +1,85 @@
+//! What `export` says of each part, as JSON: triangles, volumes, areas of caps, open edges.
+
+use cutaway::scene::{Edges, Mesh, Scene};
+use cutaway::slice::{CappedPart, Half};
+use serde_json::{Value, json};
+
+/// What there is to say of a part.
+pub(super) struct Facts {
+    pub(super) part: String,
+    cuts: Vec<String>,
+    /// Of the part as it came in.
+    pub(super) open_edges: usize,
+    pub(super) kept: HalfFacts,
+    removed: HalfFacts,
+    relief_off: f64,
+    defects: Vec<String>,
+}
+
+/// What there is to say of a half of it.
+pub(super) struct HalfFacts {
+    triangles: usize,
+    cap_triangles: usize,
+    volume: f64,
+    cap_area: f64,
+    pub(super) open_edges: usize,
+}
+
+impl Facts {
+    pub(super) fn of(scene: &Scene, part: &CappedPart) -> Self {
+        let own = &scene.parts[part.part];
+        Self {
+            part: own.name.clone(),
+            cuts: part
+                .cuts
+                .iter()
+                .map(|c| scene.cuts[*c].name.clone())
+                .collect(),
+            open_edges: open_edges(&own.mesh),
+            kept: HalfFacts::of(&part.halves.kept),
+            removed: HalfFacts::of(&part.halves.removed),
+            relief_off: part.relief_off,
+            defects: part
+                .halves
+                .defects
+                .iter()
+                .map(ToString::to_string)
+                .collect(),
+        }
+    }
+
+    pub(super) fn to_json(&self) -> Value {
+        json!({
+            "part": self.part, "cuts": self.cuts, "open_edges": self.open_edges,
+            "kept": self.kept.to_json(), "removed": self.removed.to_json(), "relief_off": self.relief_off,
+            "defects": self.defects,
+        })
+    }
+}
+
+impl HalfFacts {
+    fn of(half: &Half) -> Self {
+        Self {
+            triangles: half.mesh.triangles.len(),
+            cap_triangles: half.mesh.triangles.len() - half.surface_triangles(),
+            volume: if half.mesh.triangles.is_empty() {
+                0.0
+            } else {
+                half.mesh.volume()
+            },
+            cap_area: half.cap_area(),
+            open_edges: open_edges(&half.mesh),
+        }
+    }
+
+    fn to_json(&self) -> Value {
+        json!({
+            "triangles": self.triangles, "cap_triangles": self.cap_triangles, "volume": self.volume,
+            "cap_area": self.cap_area, "open_edges": self.open_edges,
+        })
+    }
+}
+
+fn open_edges(mesh: &Mesh) -> usize {
+    Edges::of(&mesh.triangles).count().open
+}

@@ -1,0 +1,66 @@
+//! Strategies judged on what the command line opened, with the steps reported to the console.
+
+use cutaway::Result;
+use cutaway::session::Session;
+use cutaway_lab::experiment::{
+    Judgement, Question, Renderer, SceneAtTime, error_steps, errors, times, timing_steps,
+};
+
+use super::console::Console;
+use super::subject::Subject;
+
+/// How many steps [`judge`] tells the console of.
+pub(super) fn steps(renderers: usize, rounds: usize) -> usize {
+    error_steps(renderers) + timing_steps(rounds)
+}
+
+/// Judges strategies on a scene: error, then time.
+pub(super) fn judge(
+    session: &mut Session,
+    shown: &SceneAtTime,
+    subject: &Subject,
+    renderers: &[Renderer],
+    rounds: usize,
+    console: &Console,
+) -> Result<Judgement> {
+    let question = Question {
+        name: subject.scene.name.clone(),
+        shown,
+        view: subject.view(&shown.model.prepared),
+        truth: None,
+        means: subject.means()?,
+        command: command_line(),
+    };
+    let mut step = |what: String| console.step(what);
+    let mut judgement = errors(session, &question, renderers, &mut step)?;
+    times(
+        session,
+        &question,
+        &mut judgement,
+        rounds,
+        &mut step,
+        &|| true,
+    )?;
+    Ok(judgement)
+}
+
+/// The command line as one could type it again.
+pub(super) fn command_line() -> String {
+    quoted(std::env::args().skip(1))
+}
+
+/// A command line of these words, each quoted if a shell would read something else.
+pub(super) fn quoted(words: impl Iterator<Item = String>) -> String {
+    let words = words.map(|word| {
+        let plain = |c: char| c.is_ascii_alphanumeric() || "-_=+,.:/%@".contains(c);
+        if !word.is_empty() && word.chars().all(plain) {
+            word
+        } else {
+            format!("'{}'", word.replace('\'', "'\\''"))
+        }
+    });
+    std::iter::once("cutaway".to_owned())
+        .chain(words)
+        .collect::<Vec<_>>()
+        .join(" ")
+}

@@ -1,0 +1,255 @@
+//! The command `cutaway`: one file per subcommand, and the few things they share. `main.rs` calls [`main`]; the window calls
+//! [`main_with`] with itself, and what writes files.
+//!
+//! Imports: [`cutaway`], [`cutaway_io`], [`cutaway_lab`]. Nothing but the window imports it.
+//!
+//! Everything a user can get wrong is looked at before the work starts: options, scene files, meshes, and whether the
+//! outputs can be written. Standard output carries only what was asked for; notes, warnings, progress and errors go to
+//! standard error. What is written to a file is complete or not there at all.
+//!
+//! Exit codes: 0 done; 1 done, but a stated expectation failed; 2 bad input or usage; 130 ended by Ctrl-C or SIGTERM, where what is
+//! complete is kept.
+
+mod animate;
+mod args;
+mod camera;
+mod compare;
+mod completions;
+mod console;
+mod defects;
+mod demo;
+mod doctor;
+mod drawer;
+mod edits;
+mod environment;
+mod export;
+mod holes;
+mod image_test;
+mod inspect;
+mod interrupt;
+mod judge;
+mod layers_file;
+mod look;
+mod measure;
+mod notes;
+mod output;
+mod places;
+mod plan;
+mod reference;
+mod relief;
+mod render;
+mod report;
+mod results;
+mod roles;
+mod scene;
+mod section;
+mod sections;
+mod shard;
+mod split;
+mod stdin;
+mod subject;
+mod unit;
+mod view;
+mod when;
+
+use std::process::ExitCode;
+
+use clap::{CommandFactory, Parser, Subcommand};
+
+pub use output::write_file;
+pub use places::is_one_file;
+pub use view::{Opened, Window};
+
+use cutaway::Result;
+use cutaway::generate::shapes::SHAPES;
+
+/// Exit code of a command that Ctrl-C or SIGTERM has ended: 128 and the number of SIGINT, as shells have it.
+const INTERRUPTED: u8 = 130;
+
+/// How a command that ran to its end came out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Verdict {
+    Done,
+    /// Done, but a stated expectation failed; standard error says which.
+    Failed,
+    /// Ended by whoever started it; what is complete is kept.
+    Interrupted,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  cutaway render bracket.stl --section x=50% -o cut.png
+  cutaway render shape:crank --section -z=50% --relief fractal:amplitude=5% -o ragged.png
+  cutaway view bracket.stl
+  cutaway compare engine.glb --section y=40% --strategies all --heatmaps wrong/
+  cutaway animate shape:crank --section -z=50% --turntable -o crank.gif
+  cutaway section bracket.stl --section z=50% -o cut.svg
+  cutaway export bracket.stl --section x=50% -o half.stl
+  cutaway inspect scan.ply
+  cutaway plan shape:crank --section z=50%
+  cutaway measure experiments/curated/01-paper.toml --quick --out target/measure
+  cutaway report target/measure
+  cutaway doctor
+  cutaway demo
+
+Exit codes: 0 done; 1 done, but a stated expectation failed; 2 bad input or usage; 130 ended by Ctrl-C or SIGTERM.";
+
+#[derive(Parser)]
+#[command(
+    name = "cutaway",
+    version,
+    about = "Cuts solid triangle meshes, draws the caps, and judges them against an exact reference",
+    after_help = EXAMPLES,
+    arg_required_else_help = true
+)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Draw a cut model to a PNG
+    #[command(after_help = render::EXAMPLES, after_long_help = with_shapes(render::EXAMPLES))]
+    Render(render::RenderArgs),
+    /// Open a window in which cuts are dragged and strategies compared
+    #[command(
+        after_help = view::EXAMPLES,
+        after_long_help = with_shapes(view::EXAMPLES),
+        mut_arg("inputs", |inputs| inputs.required(false))
+    )]
+    View(view::ViewArgs),
+    /// Measure strategies against the exact reference and against each other
+    #[command(after_help = compare::EXAMPLES, after_long_help = with_shapes(compare::EXAMPLES))]
+    Compare(compare::CompareArgs),
+    /// Draw a scene over time, or from all sides, to a GIF, an animated PNG, a film or numbered pictures
+    #[command(after_help = animate::EXAMPLES, after_long_help = with_shapes(animate::EXAMPLES))]
+    Animate(animate::AnimateArgs),
+    /// Make one animation of numbered pictures
+    #[command(after_help = animate::encode::EXAMPLES)]
+    Encode(animate::encode::EncodeArgs),
+    /// Say what a model is like: closed or not, how many pieces, how deep
+    #[command(after_help = inspect::EXAMPLES, after_long_help = with_shapes(inspect::EXAMPLES))]
+    Inspect(inspect::InspectArgs),
+    /// Slice a model by planes: areas, outlines as SVG or DXF, everything as JSON; needs no graphics adapter
+    #[command(after_help = section::EXAMPLES, after_long_help = with_shapes(section::EXAMPLES))]
+    Section(section::SectionCommandArgs),
+    /// Write what cuts leave of a model as a mesh with its caps: STL, PLY, OBJ, GLB or 3MF; needs no graphics adapter
+    #[command(after_help = export::EXAMPLES, after_long_help = with_shapes(export::EXAMPLES))]
+    Export(export::ExportArgs),
+    /// Say what a scene file can hold: every path, what it takes, its unit; needs no graphics adapter
+    #[command(after_help = scene::EXAMPLES, after_long_help = scene::long_help())]
+    Scene(scene::SceneCommandArgs),
+    /// Say how large, high and steep a relief is, and write its heights, normals and occlusion as images; needs no graphics adapter
+    #[command(after_help = relief::EXAMPLES)]
+    Relief(relief::ReliefCommandArgs),
+    /// Show the passes of a frame and why each is there; needs no graphics adapter
+    #[command(after_help = plan::EXAMPLES, after_long_help = with_shapes(plan::EXAMPLES))]
+    Plan(plan::PlanArgs),
+    /// Run experiments: files that say what is varied, who is asked and what is expected; leaves a record of each point
+    #[command(after_help = measure::EXAMPLES)]
+    Measure(measure::MeasureArgs),
+    /// Make pages and tables of what was measured; needs no graphics adapter
+    #[command(after_help = report::EXAMPLES)]
+    Report(report::ReportArgs),
+    /// Cut the built-in crank with every strategy: pictures, heat maps, a report
+    #[command(after_help = demo::EXAMPLES)]
+    Demo(demo::DemoArgs),
+    /// Say which graphics adapters there are, and test whether what is claimed of strategies holds on one
+    #[command(after_help = doctor::EXAMPLES)]
+    Doctor(doctor::DoctorArgs),
+    /// Print what a shell needs to complete the options of this command
+    #[command(after_help = completions::EXAMPLES)]
+    Completions(completions::CompletionsArgs),
+    /// Write the pages of the manual
+    #[command(after_help = completions::MAN_EXAMPLES)]
+    Man(completions::ManArgs),
+}
+
+/// Runs the command of this process's arguments.
+pub fn main() -> ExitCode {
+    main_with(None)
+}
+
+/// A panic of the Boolean crate becomes an error; without this it would be printed as well.
+fn silence_booleans() {
+    let usual = std::panic::take_hook();
+    std::panic::set_hook(Box::new(move |panic| {
+        if !cutaway::slice::is_at_work() {
+            usual(panic);
+        }
+    }));
+}
+
+/// Runs the command of this process's arguments, which opens such a window to view.
+pub fn main_with(window: Option<Window>) -> ExitCode {
+    environment::calm_drivers();
+    silence_booleans();
+    let cli = Cli::parse();
+    let ended = match cli.command {
+        Command::View(args) => return view::run(&args, window),
+        Command::Render(args) => render::run(&args),
+        Command::Compare(args) => compare::run(&args),
+        Command::Animate(args) => animate::run(&args),
+        Command::Encode(args) => animate::encode::run(&args),
+        Command::Inspect(args) => inspect::run(&args),
+        Command::Section(args) => section::run(&args),
+        Command::Export(args) => export::run(&args),
+        Command::Scene(args) => scene::run(&args),
+        Command::Relief(args) => relief::run(&args),
+        Command::Plan(args) => plan::run(&args),
+        Command::Measure(args) => measure::run(&args),
+        Command::Report(args) => report::run(&args),
+        Command::Demo(args) => demo::run(&args),
+        Command::Doctor(args) => doctor::run(&args),
+        Command::Completions(args) => completions::completions(&args, Cli::command()),
+        Command::Man(args) => completions::man(&args, Cli::command()),
+    };
+    exit_code(ended)
+}
+
+fn exit_code(ended: Result<Verdict>) -> ExitCode {
+    match ended {
+        Ok(Verdict::Done) => ExitCode::SUCCESS,
+        Ok(Verdict::Failed) => ExitCode::from(1),
+        Ok(Verdict::Interrupted) => ExitCode::from(INTERRUPTED),
+        Err(e) => {
+            eprintln!("error: {e}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+/// Help with the list of built-in shapes, which is too long for `-h`.
+fn with_shapes(examples: &str) -> String {
+    let mut text = examples.to_owned();
+    text.push_str("\n\nBuilt-in shapes (shape:NAME?param=value&param=value):\n");
+    for shape in SHAPES {
+        let parameters: Vec<&str> = shape.parameters.iter().map(|p| p.name).collect();
+        text.push_str(&format!(
+            "  {:<9} {}\n            {}\n",
+            shape.name,
+            shape.summary,
+            parameters.join(", ")
+        ));
+    }
+    text.trim_end().to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_arguments_contradict_nothing() {
+        Cli::command().debug_assert();
+    }
+
+    #[test]
+    fn every_shape_is_in_the_long_help() {
+        let help = with_shapes("");
+        for shape in SHAPES {
+            assert!(help.contains(shape.name), "{} is missing", shape.name);
+        }
+    }
+}

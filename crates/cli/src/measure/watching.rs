@@ -1,0 +1,66 @@
+//! What happens within a job, on the console: its steps, remarks on its scene, expectations that fail.
+
+use std::cell::Cell;
+
+use cutaway::scene::Remark;
+use cutaway_lab::experiment::{Reached, Watcher};
+
+use super::jobs::Job;
+use crate::console::Console;
+use crate::interrupt::Interrupt;
+
+/// Reports a job to the console.
+pub(super) struct Watching<'a> {
+    place: String,
+    console: &'a Console,
+    interrupt: &'a Interrupt,
+    reported: Cell<usize>,
+}
+
+impl<'a> Watching<'a> {
+    pub(super) fn of(job: &Job<'_>, console: &'a Console, interrupt: &'a Interrupt) -> Self {
+        Self {
+            place: job.place(),
+            console,
+            interrupt,
+            reported: Cell::new(0),
+        }
+    }
+
+    /// What an interrupt has lost of a point of so many steps, the last of which are its rounds.
+    pub(super) fn lost(&self, steps: usize, rounds: usize) -> String {
+        let before = steps - rounds;
+        // The last round that was reported is not complete.
+        let complete = self.reported.get().saturating_sub(before + 1);
+        format!("{}: {complete} of {rounds} rounds are lost", self.place)
+    }
+}
+
+impl Watcher for Watching<'_> {
+    fn opened(&self, remark: &Remark) {
+        let text = format!("{}: {}", self.place, remark.text);
+        let is_warning = remark.is_warning;
+        self.console.remark(&Remark { is_warning, text });
+    }
+
+    fn step(&self, what: String) {
+        self.reported.set(self.reported.get() + 1);
+        self.console.step(format!("{}: {what}", self.place));
+    }
+
+    fn reached(&self, reached: &Reached) {
+        if reached.holds {
+            return;
+        }
+        let declared = reached.expected.why.as_ref();
+        let declared = declared.map_or_else(String::new, |w| format!(" (declared: {w})"));
+        self.console.failed(format!(
+            "{}: {}: expected {}{declared}, found {}",
+            self.place, reached.strategy, reached.expected.what, reached.found
+        ));
+    }
+
+    fn goes_on(&self) -> bool {
+        !self.interrupt.is_wanted()
+    }
+}

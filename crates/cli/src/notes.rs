@@ -1,0 +1,116 @@
+//! What is said of a frame that is not as somebody may expect.
+
+use cutaway::gpu::Gpu;
+use cutaway::layers::{Kind, Layers};
+use cutaway::passes::Rasteriser;
+use cutaway::scene::{Fill, Scene, Topology, empty_picture, misses};
+use cutaway_lab::experiment::Renderer;
+
+use super::Verdict;
+use super::console::Console;
+
+/// The adapter, for who reports a fault.
+pub(super) fn adapter_in_words(gpu: &Gpu) -> String {
+    let report = gpu.report();
+    let bits = match report.sub_pixel_bits {
+        Some(bits) => format!("{bits} sub-pixel bits"),
+        None => "sub-pixel bits unknown".to_owned(),
+    };
+    format!("adapter: {}, {}, {bits}", report.name, report.driver)
+}
+
+/// Pixels that the strategy marks: crossings along their rays do not tell inside from outside, or a buffer was too small.
+pub(super) fn unreliable_px(layers: &Layers) -> usize {
+    layers.pixels.iter().filter(|p| p.unreliable).count()
+}
+
+/// Strategies that mark no pixel of a closed mesh: a mark is then a fault of the program or of the driver.
+const MARK_OPEN_MESHES_ALONE: [&str; 3] = ["raycast+mask", "raycast+abuffer", "raycast+stencil"];
+
+/// Whether marked pixels of a frame can be no fault of the mesh: all parts are closed and filled even-odd.
+fn is_own_fault(renderer: Renderer, scene: &Scene) -> bool {
+    let Renderer::Method(method) = renderer else {
+        return false;
+    };
+    let strategy = method.strategy.to_string();
+    MARK_OPEN_MESHES_ALONE.contains(&strategy.as_str())
+        && scene.parts.iter().all(|p| p.fill == Fill::EvenOdd)
+        && Topology::from_parts(&scene.parts).closed
+}
+
+/// Warns of pixels that may be wrong because the mesh is open along their rays. Where it is closed they are a fault of the program or of
+/// the driver, and the frame has failed.
+pub(super) fn warn_of_doubt(
+    may_be_wrong: &[bool],
+    renderer: Renderer,
+    scene: &Scene,
+    console: &Console,
+) -> Verdict {
+    let count = may_be_wrong.iter().filter(|w| **w).count();
+    if count == 0 {
+        return Verdict::Done;
+    }
+    if is_own_fault(renderer, scene) {
+        let other = match renderer {
+            Renderer::Method(m) if m.means.rasteriser == Some(Rasteriser::Compute) => "hardware",
+            _ => "compute",
+        };
+        console.internal_error(format!(
+            "{count} px have an odd number of crossings, though every part is closed: a fault of cutaway or of the \
+             graphics driver, not of the mesh\n  help: please report it, with the command and what --verbose prints; try --rasteriser \
+             {other}"
+        ));
+        return Verdict::Failed;
+    }
+    let other = match renderer {
+        Renderer::Cpu(_) => "",
+        Renderer::Method(_) => ", or see whether --strategy exact shows what you expect",
+    };
+    console.warn(format!(
+        "{count} px may be wrong: the mesh is open along their rays, so that a cap may be missing there or shown where there is \
+         none\n  help: --close-holes closes planar and small holes (`cutaway inspect` says where holes are){other}"
+    ));
+    Verdict::Done
+}
+
+/// An empty picture, or one without caps, is nearly always a slip of the camera or of the side that stays.
+pub(super) fn note_what_is_not_seen(layers: &Layers, scene: &Scene, console: &Console) {
+    let mut enabled = scene.cuts.iter().filter(|c| c.enabled);
+    if misses(scene).next().is_some() {
+        // That has been said.
+    } else if layers.count(Kind::Background) == layers.pixels.len() {
+        console.remark(&empty_picture(scene));
+    } else if enabled.next().is_some() && layers.count(Kind::Cap) == 0 {
+        console.note(
+            "no cap is seen in this picture: the cut misses the solid, or is seen from behind (see \
+             --camera-azimuth-angle and --flip)",
+        );
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use cutaway::generate::shapes::shape;
+
+    #[test]
+    fn marks_on_closed_meshes_are_no_fault_of_the_mesh() {
+        let scene = Scene {
+            parts: shape("cube").unwrap_or_else(|e| panic!("{e}")),
+            ..Scene::default()
+        };
+        let by = |name: &str| -> Renderer { name.parse().unwrap_or_else(|e| panic!("{e}")) };
+        assert!(is_own_fault(by("raycast+mask@compute"), &scene));
+        // What approximates a solid marks for reasons of its own, and counts of windings may run over.
+        assert!(!is_own_fault(by("raycast+vds:64"), &scene));
+        assert!(!is_own_fault(by("exact"), &scene));
+        let mut nonzero = scene.clone();
+        nonzero.parts[0].fill = Fill::Nonzero;
+        assert!(!is_own_fault(by("raycast+mask"), &nonzero));
+        let mut open = scene;
+        std::sync::Arc::make_mut(&mut open.parts[0].mesh)
+            .triangles
+            .pop();
+        assert!(!is_own_fault(by("raycast+mask"), &open));
+    }
+}

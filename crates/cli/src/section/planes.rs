@@ -1,0 +1,185 @@
+//! The planes of a scene's cuts, and what of each is a cap: where the other clip-surfaces of its cut are on their removed sides, and no
+//! other cut removes what lies behind it.
+//!
+//! Tie rule: of clip-surfaces in one plane that keep the same side the first has the cap; between two that keep opposite sides
+//! there is none.
+
+use cutaway::scene::numbers::round;
+use cutaway::scene::{Part, Scene};
+use cutaway::slice::{HalfPlane, SlicePlane, Trim};
+use cutaway::{Error, Result};
+use cutaway_io::save::section::Face;
+use glam::{DVec2, DVec3};
+
+/// Planes count as parallel, and as one, if they differ by less, as a share of the sizes involved.
+const PARALLEL: f64 = 1e-12;
+
+/// A plane, the cut that it belongs to, and its number in the scene.
+pub(super) struct Plane {
+    /// Index of the cut.
+    pub(super) cut: usize,
+    /// Number of the clip-surface.
+    pub(super) number: usize,
+    /// Which one of the cut it is.
+    pub(super) face: Face,
+    /// Where it is, for parts without an offset.
+    pub(super) plane: SlicePlane,
+}
+
+/// How one plane lies to another.
+enum Side {
+    /// All of it is on the kept side.
+    Kept,
+    /// All of it is on the removed side.
+    Removed,
+    /// It is on the removed side in a half-plane.
+    Crossed(HalfPlane),
+    /// They are one plane, and keep the same side or opposite ones.
+    Same { is_opposite: bool },
+}
+
+impl Plane {
+    /// Where the plane cuts a part, for which the cut may be offset.
+    pub(super) fn for_part(&self, scene: &Scene, part: &Part) -> SlicePlane {
+        self.plane.keeping(scene.cuts[self.cut].offset_for(part))
+    }
+
+    /// What is left of the section of a part, of some size, by this plane, which is at `at` for it. None if nothing is.
+    pub(super) fn trim(
+        &self,
+        (scene, planes): (&Scene, &[Self]),
+        part: &Part,
+        at: &SlicePlane,
+        size: f64,
+    ) -> Option<Trim> {
+        let mut trim = Trim::default();
+        let side = |other: &Self| side(at, &other.for_part(scene, part), size);
+        let own = planes.iter().filter(|p| p.cut == self.cut);
+        for other in own.filter(|p| p.number != self.number) {
+            match side(other) {
+                Side::Removed => {}
+                Side::Crossed(half) => trim.within.push(half),
+                Side::Same { is_opposite: false } if other.number > self.number => {}
+                Side::Kept | Side::Same { .. } => return None,
+            }
+        }
+        let others = (0..scene.cuts.len()).filter(|c| *c != self.cut);
+        for cut in others.filter(|c| scene.cuts[*c].applies_to(part)) {
+            let of_cut = planes.iter().filter(|p| p.cut == cut);
+            let region: Option<Vec<Option<HalfPlane>>> = of_cut
+                .map(|other| match side(other) {
+                    Side::Removed | Side::Same { is_opposite: true } => Some(None),
+                    Side::Same { is_opposite: false } if cut < self.cut => Some(None),
+                    Side::Crossed(half) => Some(Some(half)),
+                    Side::Kept | Side::Same { .. } => None,
+                })
+                .collect();
+            let Some(region) = region else {
+                continue;
+            };
+            let region: Vec<HalfPlane> = region.into_iter().flatten().collect();
+            if region.is_empty() {
+                return None;
+            }
+            trim.without.push(region);
+        }
+        Some(trim)
+    }
+}
+
+/// On which side of another plane one is, near where something of some size is.
+fn side(plane: &SlicePlane, other: &SlicePlane, size: f64) -> Side {
+    let outward = other.frame.normal;
+    let normal = DVec2::new(
+        outward.dot(plane.frame.u_hat),
+        outward.dot(plane.frame.v_hat),
+    );
+    let offset = other.height(plane.zero);
+    if normal.length() > PARALLEL {
+        return Side::Crossed(HalfPlane { normal, offset });
+    }
+    let far = |p: DVec3| p.abs().max_element();
+    let reach = size + far(plane.zero) + far(other.origin);
+    if offset.abs() <= PARALLEL * reach {
+        let is_opposite = outward.dot(plane.frame.normal) < 0.0;
+        Side::Same { is_opposite }
+    } else if offset < 0.0 {
+        Side::Removed
+    } else {
+        Side::Kept
+    }
+}
+
+/// The planes of all cuts; the culprit where there is none, or where one is no plane.
+pub(super) fn planes(scene: &Scene) -> Result<Vec<Plane>> {
+    let mut planes = Vec::new();
+    // Clip-surfaces of a cut that is off keep their numbers, and a cutter is one after the others of its cut.
+    let mut next = 0;
+    for (index, cut) in scene.cuts.iter().enumerate() {
+        let first = next;
+        next += cut.surfaces.len() + usize::from(cut.volume.is_some());
+        if !cut.enabled {
+            continue;
+        }
+        if let Some(cutter) = &cut.volume {
+            return Err(Error::input(
+                format!("cut `{}`", cut.name),
+                format!(
+                    "{} is a mesh that cuts, and a section is flat",
+                    cutter.name()
+                ),
+                "leave it out, or see the cap with `cutaway render`",
+            ));
+        }
+        for (number, surface) in (first..).zip(&cut.surfaces) {
+            let Some(plane) = SlicePlane::of_flat(surface) else {
+                return Err(Error::input(
+                    format!("cut `{}`", cut.name),
+                    format!("clip-surface {number} has a relief, and a section is flat"),
+                    "leave the relief out, or see the ragged cap with `cutaway render`",
+                ));
+            };
+            planes.push(Plane {
+                cut: index,
+                number,
+                face: face(scene, index, number - first, &plane),
+                plane,
+            });
+        }
+    }
+    if planes.is_empty() {
+        return Err(Error::input(
+            "section",
+            "there is no plane to cut by",
+            "add --section SPEC, for example --section z=50%",
+        ));
+    }
+    Ok(planes)
+}
+
+/// Which face of its cut a plane is. Cuts of one name are one region, as those of a wedge of more than half a turn.
+fn face(scene: &Scene, cut: usize, within: usize, plane: &SlicePlane) -> Face {
+    let name = &scene.cuts[cut].name;
+    let kin = |cuts: &[cutaway::scene::Cut]| -> usize {
+        let kin = cuts.iter().filter(|c| c.enabled && c.name == *name);
+        kin.map(|c| c.surfaces.len()).sum()
+    };
+    Face {
+        number: kin(&scene.cuts[..cut]) + within + 1,
+        of: kin(&scene.cuts),
+        plane: spec(plane),
+    }
+}
+
+/// A plane as `--section` takes it.
+fn spec(plane: &SlicePlane) -> String {
+    let (normal, origin) = (plane.frame.normal, plane.origin);
+    let axis = (0..3).find(|i| normal[*i].abs() == 1.0);
+    let Some(axis) = axis else {
+        let numbers = [normal.x, normal.y, normal.z, origin.dot(normal)];
+        return numbers.map(|n| round(n + 0.0)).join(",");
+    };
+    let sign = if normal[axis] < 0.0 { "-" } else { "" };
+    let at = round(origin[axis] + 0.0);
+    format!("{sign}{}={at}", ["x", "y", "z"][axis])
+}

@@ -1,0 +1,121 @@
+//! Dotted paths: `cut.front.surfaces.0.origin`.
+//!
+//! A path goes by the keys of tables; entries of lists go by their `name` or by their number, from 0. Names with dots in
+//! them are understood: every way to read the path is tried.
+
+use std::borrow::Cow;
+
+use cutaway::error::did_you_mean;
+
+use super::node::{Node, Place, Value};
+
+/// What is wrong with a path, and how to mend it.
+pub(crate) type Lost = (String, String);
+
+/// How far a path leads.
+#[derive(Clone)]
+pub(crate) struct Step<'a> {
+    /// The value that it leads to.
+    pub(crate) node: &'a Node,
+    pub(crate) place: Place,
+    /// The path so far as errors write it: entries by name where they have one.
+    pub(crate) path: String,
+    /// What of it leads on to nothing.
+    pub(crate) rest: String,
+}
+
+/// Follows a path as far as it goes.
+pub(crate) fn walk<'a>(root: &'a Node, path: &str) -> Step<'a> {
+    go_on(Step {
+        node: root,
+        place: Place::new(),
+        path: String::new(),
+        rest: path.to_owned(),
+    })
+}
+
+/// Goes on from a step as far as its path leads.
+fn go_on(from: Step<'_>) -> Step<'_> {
+    let mut farthest = from.clone();
+    for (index, (names, child)) in children(from.node).into_iter().enumerate() {
+        for name in &names {
+            let Some(tail) = from.rest.strip_prefix(&**name) else {
+                continue;
+            };
+            let tail = match (tail.is_empty(), tail.strip_prefix('.')) {
+                (true, _) => "",
+                (false, Some(tail)) if !tail.is_empty() => tail,
+                _ => continue,
+            };
+            let path = match from.path.as_str() {
+                "" => names[0].to_string(),
+                path => format!("{path}.{}", names[0]),
+            };
+            let mut place = from.place.clone();
+            place.push(index);
+            let step = go_on(Step {
+                node: child,
+                place,
+                path,
+                rest: tail.to_owned(),
+            });
+            if step.rest.is_empty() {
+                return step;
+            }
+            if step.rest.len() < farthest.rest.len() {
+                farthest = step;
+            }
+        }
+    }
+    farthest
+}
+
+/// What is directly below a value, under all its names, the usual one first.
+pub(crate) fn children(node: &Node) -> Vec<(Vec<Cow<'_, str>>, &Node)> {
+    match &node.value {
+        Value::Table(table) => (table.iter())
+            .map(|(key, child)| (vec![Cow::from(&**key)], child))
+            .collect(),
+        Value::List(list) => (list.iter().enumerate())
+            .map(|(index, child)| {
+                let name = child.name().map(Cow::from);
+                let name = name.or_else(|| child.model().map(Cow::from));
+                let mut names: Vec<_> = name.into_iter().collect();
+                names.push(Cow::from(index.to_string()));
+                (names, child)
+            })
+            .collect(),
+        _ => Vec::new(),
+    }
+}
+
+/// Where a path that ends at a value could go on to.
+pub(crate) fn farther(node: &Node) -> String {
+    let below = children(node);
+    let names: Vec<&str> = below.iter().map(|(names, _)| &*names[0]).collect();
+    format!("go on to one of: {}", names.join(", "))
+}
+
+/// A path that leads nowhere.
+pub(crate) fn astray(step: &Step<'_>) -> Lost {
+    let below = children(step.node);
+    let names = || below.iter().map(|(names, _)| &*names[0]);
+    let (next, _) = step.rest.split_once('.').unwrap_or((&step.rest, ""));
+    match (&step.node.value, step.path.as_str()) {
+        (Value::Table(_), "" | "relief") | (Value::List(_), "part" | "cut") => {
+            let what = match step.path.as_str() {
+                "" => format!("there is no `{next}` in the file"),
+                list => format!("there is no {list} `{next}`"),
+            };
+            (what, did_you_mean(next, names()))
+        }
+        (Value::Table(_) | Value::List(_), path) => {
+            let what = format!("there is no `{next}` in `{path}`");
+            (what, did_you_mean(next, names()))
+        }
+        (_, path) => (
+            format!("there is nothing below `{path}`"),
+            format!("write `{path}` itself"),
+        ),
+    }
+}

@@ -1,0 +1,249 @@
+//! Values set, added and taken away: in the tree and in the text at once, so that neither is ever made of the other.
+
+use std::path::Path;
+
+use cutaway::error::{Error, Result};
+use toml_edit::DocumentMut;
+
+use super::node::{Node, Origin, Place, Value};
+use super::{Document, Step, astray, farther, lost, text, walk};
+
+impl Document {
+    /// Sets the value at a path. A key that a table does not have yet is added, with the tables that lead to it.
+    ///
+    /// # Errors
+    ///
+    /// A path through something that is no table: an entry that a list does not have, or a number. A value in the place of a table.
+    pub fn set(&mut self, path: &str, value: impl Into<Value>) -> Result<()> {
+        self.set_node(path, Node::new(value))
+    }
+
+    /// [`Document::set`] with where the value is said, which errors about it name.
+    ///
+    /// # Errors
+    ///
+    /// As of [`Document::set`].
+    pub fn set_node(&mut self, path: &str, node: Node) -> Result<()> {
+        let step = self.to_be_set(path)?;
+        let is_table = matches!(step.node.value, Value::Table(_));
+        if step.rest.is_empty() && is_table && !matches!(node.value, Value::Table(_)) {
+            return Err(lost(path, ("it is a table".into(), farther(step.node))));
+        }
+        let (place, rest) = (step.place, step.rest);
+        if rest.is_empty() {
+            self.set_at(&place, node)
+        } else {
+            self.add_at(&place, &rest.split('.').collect::<Vec<_>>(), node)
+        }
+    }
+
+    /// Sets a key in each entry of a list of tables, such as `part`.
+    ///
+    /// # Errors
+    ///
+    /// Text that cannot be edited.
+    pub fn set_in_each(&mut self, list: &str, key: &str, node: &Node) -> Result<()> {
+        for (place, held) in self.in_each(list, key) {
+            match held {
+                Some(held) => self.set_at(&held, node.clone())?,
+                None => self.add_at(&place, &[key], node.clone())?,
+            }
+        }
+        Ok(())
+    }
+
+    /// Adds a value to the end of the list of a key, in each entry of a list of tables.
+    ///
+    /// # Errors
+    ///
+    /// Text that cannot be edited.
+    pub fn push_in_each(&mut self, list: &str, key: &str, node: &Node) -> Result<()> {
+        for (place, held) in self.in_each(list, key) {
+            match held {
+                Some(held) => self.push_at(&held, node.clone())?,
+                None => {
+                    let value = Value::List(vec![node.clone()]);
+                    let origin = node.origin.clone();
+                    self.add_at(&place, &[key], Node { value, origin })?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Takes away the value at a path, if it is there.
+    ///
+    /// # Errors
+    ///
+    /// Text that cannot be edited.
+    pub fn remove(&mut self, path: &str) -> Result<()> {
+        let step = walk(&self.root, path);
+        let (place, is_there) = (step.place, step.rest.is_empty());
+        let Some((last, parent)) = place.split_last().filter(|_| is_there) else {
+            return Ok(());
+        };
+        let text = edited(&mut self.edited, &self.text, &self.path)?;
+        text::remove(text, (&self.root, parent), *last);
+        match self.root.at_mut(parent).map(|node| &mut node.value) {
+            Some(Value::Table(entries)) => {
+                entries.remove(*last);
+            }
+            Some(Value::List(list)) => {
+                list.remove(*last);
+            }
+            _ => {}
+        }
+        Ok(())
+    }
+
+    /// The entries of a list of tables, and in each the value of a key if it is there.
+    fn in_each(&self, list: &str, key: &str) -> Vec<(Place, Option<Place>)> {
+        let step = walk(&self.root, list);
+        let Value::List(entries) = &step.node.value else {
+            return Vec::new();
+        };
+        let within = |(index, entry): (usize, &Node)| {
+            let place: Place = step.place.iter().copied().chain([index]).collect();
+            let held = match &entry.value {
+                Value::Table(entries) => entries.iter().position(|(name, _)| **name == *key),
+                _ => None,
+            };
+            let held = held.map(|at| place.iter().copied().chain([at]).collect());
+            (place, held)
+        };
+        entries.iter().enumerate().map(within).collect()
+    }
+
+    /// Adds a key to the table at a place, with the tables that lead to it.
+    pub(super) fn add_at(&mut self, place: &Place, new: &[&str], mut node: Node) -> Result<()> {
+        let text = edited(&mut self.edited, &self.text, &self.path)?;
+        text::set(text, (&self.root, place), new, &node.value);
+        for key in new.iter().skip(1).rev() {
+            let origin = node.origin.clone();
+            node = Node {
+                value: Value::Table(vec![((*key).into(), node)]),
+                origin,
+            };
+        }
+        if let Some(Value::Table(entries)) = self.root.at_mut(place).map(|node| &mut node.value) {
+            entries.push((new[0].into(), node));
+        }
+        Ok(())
+    }
+
+    /// Adds a value to the list at a place.
+    fn push_at(&mut self, place: &Place, node: Node) -> Result<()> {
+        let text = edited(&mut self.edited, &self.text, &self.path)?;
+        text::push(text, (&self.root, place), &node.value);
+        if let Some(Value::List(list)) = self.root.at_mut(place).map(|node| &mut node.value) {
+            list.push(node);
+        }
+        Ok(())
+    }
+
+    /// Puts a value in the place of another.
+    pub(super) fn set_at(&mut self, place: &Place, node: Node) -> Result<()> {
+        let text = edited(&mut self.edited, &self.text, &self.path)?;
+        text::set(text, (&self.root, place), &[], &node.value);
+        match self.root.at_mut(place) {
+            // What a file says in a line is still said there.
+            Some(held) if node.origin == Origin::Program => held.value = node.value,
+            Some(held) => *held = node,
+            None => {}
+        }
+        Ok(())
+    }
+
+    /// Adds a value to the end of the list at a path, which is made if it is not there: `push("cut", ..)`.
+    ///
+    /// # Errors
+    ///
+    /// A path to something else than a list, or through something that is no table.
+    pub fn push(&mut self, path: &str, node: Node) -> Result<()> {
+        let step = self.to_be_set(path)?;
+        if !step.rest.is_empty() {
+            let origin = node.origin.clone();
+            let value = Value::List(vec![node]);
+            return self.set_node(path, Node { value, origin });
+        }
+        if !matches!(step.node.value, Value::List(_)) {
+            let help = "put it into a list, such as `cut`, or set the value itself";
+            return Err(lost(path, ("it is no list".into(), help.into())));
+        }
+        self.push_at(&step.place, node)
+    }
+
+    /// Whether a value can be set at a path: it is there, or a table that can hold it.
+    #[doc(hidden)]
+    pub fn takes(&self, path: &str) -> bool {
+        self.to_be_set(path).is_ok()
+    }
+
+    /// Whether two paths lead to the same value, or one to a part of the other.
+    #[doc(hidden)]
+    pub fn overlap(&self, one: &str, other: &str) -> bool {
+        let [a, b] = [one, other].map(|path| {
+            let step = walk(&self.root, path);
+            let known = step.place.iter().map(usize::to_string);
+            let new = step.rest.split('.').filter(|key| !key.is_empty());
+            known
+                .chain(new.map(|key| format!(".{key}")))
+                .collect::<Vec<_>>()
+        });
+        a.starts_with(&b) || b.starts_with(&a)
+    }
+
+    /// The end of a path at which a value can be set.
+    fn to_be_set(&self, path: &str) -> Result<Step<'_>> {
+        if path.split('.').any(str::is_empty) {
+            let help = "write keys with points between them, as in `camera.azimuth_deg`";
+            return Err(lost(path, ("it names no value".into(), help.into())));
+        }
+        let step = walk(&self.root, path);
+        if !step.rest.is_empty() && !matches!(step.node.value, Value::Table(_)) {
+            return Err(lost(path, astray(&step)));
+        }
+        // What is not there yet is made as tables: of a list nobody could know which entry is meant.
+        let new: Vec<&str> = step.rest.split('.').collect();
+        let is_list = step.path.is_empty() && LISTS.contains(&new[0]);
+        let is_entry = |at: &usize| {
+            let is_of_names = NAMED.contains(&new[at - 1]);
+            (is_list && *at == 1) || (is_number(new[*at]) && !is_of_names)
+        };
+        if let Some(at) = (1..new.len()).find(is_entry) {
+            let list = path.strip_suffix(&new[at..].join(".")).unwrap_or(path);
+            let list = list.trim_end_matches('.');
+            let what = format!("there is no `{}`: `{list}` is not there", new[at]);
+            return Err(lost(path, (what, format!("set all of it: `{list}=[..]`"))));
+        }
+        Ok(step)
+    }
+}
+
+/// The lists of a scene file.
+const LISTS: [&str; 3] = ["part", "cut", "key"];
+
+/// Tables whose keys are names, which may be numbers.
+const NAMED: [&str; 2] = ["relief", "offset"];
+
+fn is_number(key: &str) -> bool {
+    !key.is_empty() && key.bytes().all(|b| b.is_ascii_digit())
+}
+
+/// The text that is changed together with the tree.
+fn edited<'a>(
+    edited: &'a mut Option<DocumentMut>,
+    text: &str,
+    path: &Path,
+) -> Result<&'a mut DocumentMut> {
+    match edited {
+        Some(text) => Ok(text),
+        None => {
+            let parsed = text.parse().map_err(|e| {
+                let help = "report it: one reader of TOML takes the text and another does not";
+                Error::file(path, format!("{e}"), help)
+            })?;
+            Ok(edited.insert(parsed))
+        }
+    }
+}

@@ -1,0 +1,305 @@
+//! The tree of a scene: values, and where each is said.
+//!
+//! A tree is made by [`parse`](super::parse) or by hand, and changed at places: the way to a value, as numbers of children. A place
+//! stays right as long as nothing is added before it.
+
+use std::fmt;
+use std::path::Path;
+use std::sync::Arc;
+
+/// A value and where it is said. Nodes are equal that hold the same, wherever they are from.
+#[derive(Clone, Debug)]
+pub struct Node {
+    /// What it is.
+    pub value: Value,
+    /// Where it is said.
+    pub origin: Origin,
+}
+
+/// Where a value is said.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub enum Origin {
+    /// Nowhere that a user could look: a program has made it.
+    #[default]
+    Program,
+    /// Here in the file.
+    Text {
+        /// The line, from 1.
+        line: usize,
+        /// The character of the line, from 1.
+        column: usize,
+    },
+    /// In another file than that of the document: in an experiment that changes it.
+    Elsewhere {
+        /// The file.
+        file: Arc<Path>,
+        /// The line, from 1.
+        line: usize,
+        /// The character of the line, from 1.
+        column: usize,
+    },
+    /// By an option of a command line, as it is written there: `--section z=50%`.
+    Option(Arc<str>),
+}
+
+/// What a key of a scene holds. Tables are equal in whichever order.
+#[derive(Clone, Debug)]
+pub enum Value {
+    /// True or false.
+    Flag(bool),
+    /// A number.
+    Number(Number),
+    /// Text, without its quotes.
+    Text(Arc<str>),
+    /// A date, which no key of a scene takes.
+    Date(Arc<str>),
+    /// A list.
+    List(Vec<Node>),
+    /// Values by key, in the order of the file.
+    Table(Vec<(Arc<str>, Node)>),
+}
+
+/// A number, whole or not.
+#[derive(Clone, Copy, Debug)]
+pub struct Number {
+    /// Its value; not a number where the text is out of range.
+    pub value: f64,
+    /// The same without a point, if it is written so.
+    pub whole: Option<i64>,
+}
+
+impl Value {
+    /// The value that a text means: a number, a flag, a list or a table in TOML, or else the text itself.
+    pub fn read(text: &str) -> Self {
+        let alone = |root: Node| match root.value {
+            Self::Table(entries) => <[_; 1]>::try_from(entries).ok(),
+            _ => None,
+        };
+        let read = super::parse(Path::new("value"), &format!("value = {text}")).ok();
+        match read.and_then(alone) {
+            Some([(_, node)]) => node.said(&Origin::Program).value,
+            None => Self::Text(text.into()),
+        }
+    }
+}
+
+impl From<bool> for Value {
+    fn from(flag: bool) -> Self {
+        Self::Flag(flag)
+    }
+}
+
+impl From<f64> for Value {
+    fn from(number: f64) -> Self {
+        Self::Number(number.into())
+    }
+}
+
+impl From<i64> for Value {
+    fn from(number: i64) -> Self {
+        Self::Number(number.into())
+    }
+}
+
+impl From<&str> for Value {
+    fn from(text: &str) -> Self {
+        Self::Text(text.into())
+    }
+}
+
+impl From<String> for Value {
+    fn from(text: String) -> Self {
+        Self::Text(text.into())
+    }
+}
+
+impl<T: Into<Self>> From<Vec<T>> for Value {
+    fn from(list: Vec<T>) -> Self {
+        Self::List(list.into_iter().map(Node::new).collect())
+    }
+}
+
+impl<const N: usize> From<[(&str, Self); N]> for Value {
+    /// A table.
+    fn from(entries: [(&str, Self); N]) -> Self {
+        let entries = entries.into_iter();
+        Self::Table(entries.map(|(k, v)| (k.into(), Node::new(v))).collect())
+    }
+}
+
+/// Where a value is: the child of the root to follow, the child of that, and so on.
+pub(crate) type Place = Vec<usize>;
+
+impl Number {
+    /// A number that is written as it was: whole where it can be and `like` is.
+    pub(crate) fn like(value: f64, like: &Self) -> Self {
+        let is_whole = value.fract().abs() <= 0.0 && value.abs() < 1e15;
+        let whole = (like.whole.is_some() && is_whole).then_some(value as i64);
+        Self { value, whole }
+    }
+}
+
+impl From<f64> for Number {
+    fn from(value: f64) -> Self {
+        Self { value, whole: None }
+    }
+}
+
+impl From<i64> for Number {
+    fn from(whole: i64) -> Self {
+        Self {
+            value: whole as f64,
+            whole: Some(whole),
+        }
+    }
+}
+
+impl PartialEq for Node {
+    fn eq(&self, other: &Self) -> bool {
+        self.value == other.value
+    }
+}
+
+impl PartialEq for Value {
+    fn eq(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Flag(a), Self::Flag(b)) => a == b,
+            (Self::Number(a), Self::Number(b)) => a == b,
+            (Self::Text(a), Self::Text(b)) | (Self::Date(a), Self::Date(b)) => a == b,
+            (Self::List(a), Self::List(b)) => a == b,
+            (Self::Table(a), Self::Table(b)) => {
+                let holds =
+                    |(key, node): &(Arc<str>, Node)| b.iter().any(|(k, n)| k == key && n == node);
+                a.len() == b.len() && a.iter().all(holds)
+            }
+            _ => false,
+        }
+    }
+}
+
+/// Numbers are equal that are written alike.
+impl PartialEq for Number {
+    fn eq(&self, other: &Self) -> bool {
+        self.value.total_cmp(&other.value).is_eq() && self.whole == other.whole
+    }
+}
+
+impl fmt::Display for Number {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.whole {
+            Some(whole) => write!(f, "{whole}"),
+            None => write!(f, "{:?}", self.value),
+        }
+    }
+}
+
+impl Node {
+    /// A value that no file says.
+    pub fn new(value: impl Into<Value>) -> Self {
+        Self {
+            value: value.into(),
+            origin: Origin::Program,
+        }
+    }
+
+    /// The same, and all below it, from elsewhere.
+    #[must_use]
+    pub fn said(self, origin: &Origin) -> Self {
+        self.with_origins(&|_| origin.clone())
+    }
+
+    /// The same, where what is said in the file of a document is said in this one.
+    #[must_use]
+    #[doc(hidden)]
+    pub fn of_file(self, file: &Arc<Path>) -> Self {
+        self.with_origins(&|origin| match origin {
+            Origin::Text { line, column } => Origin::Elsewhere {
+                file: Arc::clone(file),
+                line,
+                column,
+            },
+            other => other,
+        })
+    }
+
+    fn with_origins(self, change: &dyn Fn(Origin) -> Origin) -> Self {
+        let below = |node: Self| node.with_origins(change);
+        let value = match self.value {
+            Value::List(list) => Value::List(list.into_iter().map(below).collect()),
+            Value::Table(entries) => {
+                let entries = entries.into_iter().map(|(key, node)| (key, below(node)));
+                Value::Table(entries.collect())
+            }
+            other => other,
+        };
+        Self {
+            value,
+            origin: change(self.origin),
+        }
+    }
+
+    /// The value at a place, to be changed.
+    pub(crate) fn at_mut(&mut self, place: &[usize]) -> Option<&mut Self> {
+        let Some((first, rest)) = place.split_first() else {
+            return Some(self);
+        };
+        let child = match &mut self.value {
+            Value::List(list) => list.get_mut(*first),
+            Value::Table(entries) => entries.get_mut(*first).map(|(_, node)| node),
+            _ => None,
+        };
+        child?.at_mut(rest)
+    }
+
+    /// The values of a list; none of anything else.
+    pub fn items(&self) -> &[Self] {
+        match &self.value {
+            Value::List(list) => list,
+            _ => &[],
+        }
+    }
+
+    /// A child by its number.
+    pub(crate) fn child(&self, index: usize) -> Option<&Self> {
+        match &self.value {
+            Value::List(list) => list.get(index),
+            Value::Table(entries) => entries.get(index).map(|(_, node)| node),
+            _ => None,
+        }
+    }
+
+    /// The value of a key, of a table that has it.
+    pub fn get(&self, key: &str) -> Option<&Self> {
+        match &self.value {
+            Value::Table(entries) => entries
+                .iter()
+                .find(|(name, _)| **name == *key)
+                .map(|(_, node)| node),
+            _ => None,
+        }
+    }
+
+    /// What an entry of a list calls itself.
+    pub fn name(&self) -> Option<&str> {
+        self.get("name")?.text()
+    }
+
+    /// What a part is called that does not say it: after its shape or its mesh file.
+    pub fn model(&self) -> Option<String> {
+        if let Some(mesh) = self.get("mesh") {
+            let stem = Path::new(mesh.text()?).file_stem()?;
+            return Some(stem.to_string_lossy().into_owned());
+        }
+        let shape = self.get("shape")?;
+        let spec = shape.get("name").unwrap_or(shape).text()?;
+        spec.split('?').next().map(str::to_owned)
+    }
+
+    /// The text that it is.
+    pub fn text(&self) -> Option<&str> {
+        match &self.value {
+            Value::Text(text) => Some(text),
+            _ => None,
+        }
+    }
+}

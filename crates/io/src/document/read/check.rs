@@ -1,0 +1,95 @@
+//! What can be said of a document before anything that it names is opened.
+
+use std::path::Path;
+
+use cutaway::error::Result;
+use cutaway::generate::shapes;
+use cutaway::scene::{Bounds, Fit};
+use glam::DVec3;
+
+use super::reader::{Entry, Table};
+use super::{camera, cap_materials, cuts, hatches, keys, parts, settings, stock, style};
+use crate::document::paths::keys_below;
+use crate::load::Assets;
+use crate::load::frames::Pattern;
+
+/// Checks what can be checked before anything is opened.
+pub(in crate::document) fn check(root: &Table<'_>, folder: &Path, assets: &Assets) -> Result<()> {
+    must_be_known(&root.entry, "")?;
+    settings::read(root)?;
+    style::check(root, folder, assets)?;
+    keys::read(root)?;
+    // Where it looks is known when what it looks at is.
+    let is_whole = |camera: &Entry<'_>| {
+        let has = |key: &str| camera.node.get(key).is_some();
+        has("focal_point") || !has("position")
+    };
+    if let Some(camera) = root.get("camera").filter(is_whole) {
+        let anything = Bounds::from_points([DVec3::ZERO, DVec3::ONE]);
+        camera::read(&camera, &anything, Fit::default())?;
+    }
+    for entry in root.tables("part")? {
+        let table = entry.table(parts::KEYS.all())?;
+        if let Some(hatch) = stock::of_material(&table, "hatch")? {
+            hatches::check(&hatch, folder, assets)?;
+        }
+        if let Some(cap) = stock::of_material(&table, "cap")? {
+            cap_materials::check(&cap, folder, assets)?;
+        }
+        match (table.get("shape"), table.get("mesh")) {
+            (Some(shape), _) => {
+                shapes::check(&stock::spec_of(&shape)?).map_err(|e| shape.place(e))?;
+            }
+            (None, Some(mesh)) => must_be_there(&mesh, folder, assets)?,
+            (None, None) => {}
+        }
+    }
+    for entry in root.tables("cut")? {
+        let volume = entry.table(cuts::KEYS.all())?.get("volume");
+        match volume {
+            Some(shape) if shape.text()?.starts_with("shape:") => {
+                shapes::check(shape.text()?).map_err(|e| shape.place(e))?;
+            }
+            Some(mesh) => must_be_there(&mesh, folder, assets)?,
+            None => {}
+        }
+    }
+    Ok(())
+}
+
+/// Refuses keys that no reader knows, all the way down.
+fn must_be_known(entry: &Entry<'_>, above: &str) -> Result<()> {
+    let below = |key: &str| match above {
+        "" => key.to_owned(),
+        above => format!("{above}.{key}"),
+    };
+    let known = keys_below(above);
+    let is_named = known.contains(&"*");
+    if entry.is_list() && !known.is_empty() {
+        // A `box` may be a list of some, which paths do not tell.
+        let above = if is_named {
+            below("*")
+        } else {
+            above.to_owned()
+        };
+        return (entry.list()?.into_iter()).try_for_each(|e| must_be_known(&e.named(), &above));
+    }
+    if !entry.is_table() || known.is_empty() {
+        return Ok(());
+    }
+    let table = if is_named {
+        entry.open_table()?
+    } else {
+        entry.table(&known)?
+    };
+    let mut all = table.all();
+    all.try_for_each(|(key, e)| must_be_known(&e, &below(if is_named { "*" } else { key })))
+}
+
+fn must_be_there(entry: &Entry<'_>, folder: &Path, assets: &Assets) -> Result<()> {
+    let path = folder.join(entry.text()?);
+    if assets.has_mesh(&path) || Pattern::is_in(entry.text()?) {
+        return Ok(());
+    }
+    Err(stock::missing(entry, &path))
+}

@@ -1,0 +1,250 @@
+//! `[[key]]`: numbers of the scene over time.
+//!
+//! A key finds its numbers in the tree of the file ([`target`](super::target)). At a time the tree is read again with other
+//! numbers in their place, so whatever the file can say in numbers can move, and every check of the readers holds at every
+//! time. Before the first and after the last of its times a key stays at its end. A flag is moved by true and false, or 1 and 0,
+//! and only in steps.
+
+use cutaway::error::{Result, did_you_mean};
+
+use super::reader::{Entry, Table};
+use super::target::{self, Shape, Target};
+use crate::document::Keys;
+use crate::document::{Node, Number, Place, Value};
+
+static KEYS: Keys = Keys::below("key.*");
+
+/// Tables whose numbers can move: the rest of a file is no part of the scene.
+const MOVABLE: [&str; 5] = ["camera", "part", "cut", "relief", "style"];
+
+/// What lies between two values of a key.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Interpolation {
+    /// A straight line.
+    #[default]
+    Linear,
+    /// The earlier value, up to the later time.
+    Step,
+    /// A cubic that sets out and arrives at rest.
+    Smooth,
+}
+
+/// A number of the scene, a vector of numbers or a flag, over time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Key {
+    /// Dotted path of the field, for example `cut.front.surfaces.0.origin`.
+    pub target: String,
+    /// Ascending times.
+    pub times_s: Vec<f64>,
+    /// One value for each time, all of the same length; a single number has length 1, and rows of a matrix follow each other.
+    /// True is 1, and false is 0.
+    pub values: Vec<Vec<f64>>,
+    /// What lies between.
+    pub interpolation: Interpolation,
+}
+
+impl Key {
+    /// The numbers at a time; none of a key without times.
+    pub fn at(&self, time_s: f64) -> Vec<f64> {
+        let next = self.times_s.partition_point(|t| *t <= time_s);
+        let (Some(last), true) = (next.checked_sub(1), next < self.times_s.len()) else {
+            let end = if next == 0 {
+                self.values.first()
+            } else {
+                self.values.last()
+            };
+            return end.cloned().unwrap_or_default();
+        };
+        let [from, to] = [self.times_s[last], self.times_s[next]];
+        let share = (time_s - from) / (to - from);
+        let share = match self.interpolation {
+            Interpolation::Linear => share,
+            Interpolation::Step => 0.0,
+            Interpolation::Smooth => share * share * (3.0 - 2.0 * share),
+        };
+        let pairs = self.values[last].iter().zip(&self.values[next]);
+        pairs.map(|(a, b)| a + (b - a) * share).collect()
+    }
+}
+
+/// A key and what it moves.
+#[derive(Clone, Debug)]
+pub(crate) struct Keyed {
+    pub(crate) key: Key,
+    /// Its own path, `key.3`.
+    own_path: String,
+    /// Path of its target, entries by name.
+    path: String,
+    /// Where the numbers are, in order.
+    places: Vec<Place>,
+}
+
+impl Keyed {
+    /// Sets what the key moves to what it is at a time. Whole numbers stay whole where they can; a flag is on unless it is 0.
+    pub(crate) fn set(&self, root: &mut Node, time_s: f64) {
+        for (place, value) in self.places.iter().zip(self.key.at(time_s)) {
+            match root.at_mut(place).map(|node| &mut node.value) {
+                Some(Value::Flag(flag)) => *flag = value != 0.0,
+                Some(Value::Number(number)) => *number = Number::like(value, number),
+                _ => {}
+            }
+        }
+    }
+}
+
+/// A time, and the keys that have set what a scene is then.
+#[derive(Clone, Copy)]
+pub(crate) struct Moment<'a> {
+    pub time_s: f64,
+    pub(crate) keys: &'a [Keyed],
+}
+
+impl Moment<'_> {
+    /// When it is, with the keys that may have led to a fault of a value.
+    pub(super) fn blame(&self, of: &str) -> String {
+        let touches = |keyed: &&Keyed| {
+            let (short, long) = if of.len() < keyed.path.len() {
+                (of, keyed.path.as_str())
+            } else {
+                (keyed.path.as_str(), of)
+            };
+            long.strip_prefix(short)
+                .is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
+        };
+        let named = |keyed: &Keyed| format!("`{}`, the target of `{}`", keyed.path, keyed.own_path);
+        let mut blamed: Vec<String> = self.keys.iter().filter(touches).map(named).collect();
+        if blamed.is_empty() {
+            blamed = self.keys.iter().map(named).collect();
+        }
+        let time_s = (self.time_s * 1e4).round() / 1e4;
+        format!("at {time_s} s ({})", blamed.join("; "))
+    }
+}
+
+/// Reads all keys of a file.
+pub(super) fn read(root: &Table<'_>) -> Result<Vec<Keyed>> {
+    let mut all: Vec<Keyed> = Vec::new();
+    for entry in root.tables("key")? {
+        let keyed = read_one(&entry, root)?;
+        let meets = |k: &&Keyed| k.places.iter().any(|p| keyed.places.contains(p));
+        if let Some(other) = all.iter().find(meets) {
+            let target = entry.table(KEYS.all())?.need("target", "\"camera.near\"")?;
+            let what = format!("`{}` moves it too", other.own_path);
+            return Err(target.fault(what, "make one key of the two"));
+        }
+        all.push(keyed);
+    }
+    Ok(all)
+}
+
+fn read_one(entry: &Entry<'_>, root: &Table<'_>) -> Result<Keyed> {
+    let table = entry.table(KEYS.all())?;
+    let target = table.need("target", "\"cut.front.surfaces.0.origin\"")?;
+    let path = target.text()?;
+    movable(&target, path)?;
+    let times = table.need("times_s", "[0, 2]")?;
+    let times_s = times.numbers()?;
+    if times_s.is_empty() || times_s.windows(2).any(|w| w[0] >= w[1]) {
+        return Err(times.fault("times must ascend", "sort them and remove doubles"));
+    }
+    let list = table.need("values", "[[0, 0, -1], [0, 0, 1]]")?;
+    let given = list.list()?;
+    if given.len() != times_s.len() {
+        let what = format!(
+            "there are {} values for {} times",
+            given.len(),
+            times_s.len()
+        );
+        return Err(list.fault(what, "give one value for each time"));
+    }
+    let (values, shapes): (Vec<_>, Vec<_>) = given
+        .iter()
+        .map(Entry::nested)
+        .collect::<Result<Vec<_>>>()?
+        .into_iter()
+        .unzip();
+    if values[0].is_empty() || shapes.iter().any(|s| *s != shapes[0]) {
+        let help = "make all values numbers, or all lists of the same length";
+        return Err(list.fault("the values differ in length, or have none", help));
+    }
+    let example = match values[0].as_slice() {
+        [one] if shapes[0] == Shape::Flag => format!("{}", *one != 0.0),
+        [one] => format!("{one}"),
+        several => format!("{several:?}"),
+    };
+    let Target {
+        path: full,
+        places,
+        shape,
+    } = target::find(root.entry.node, path, &example)
+        .map_err(|(what, help)| target.fault(what, help))?;
+    let is_flag = shape == Shape::Flag;
+    let switches = |v: &Vec<f64>| matches!(v.as_slice(), [v] if [0.0, 1.0].contains(v));
+    let is_list = matches!(shapes[0], Shape::List(_));
+    if is_flag && (is_list || !values.iter().all(switches)) {
+        let what = format!("`{full}` is on or off");
+        return Err(list.fault(what, "let every value be true or false"));
+    }
+    if shape != shapes[0] && !is_flag {
+        let what = format!("the values are {} each, but `{full}` is {shape}", shapes[0]);
+        return Err(list.fault(what, "write both alike, here or there"));
+    }
+    let interpolation = table.get("interpolation").map(|i| {
+        i.choice(&[
+            ("linear", Interpolation::Linear),
+            ("step", Interpolation::Step),
+            ("smooth", Interpolation::Smooth),
+        ])
+    });
+    let interpolation = match (interpolation.transpose()?, is_flag) {
+        (None | Some(Interpolation::Step), true) => Interpolation::Step,
+        (Some(_), true) => {
+            let what = format!("there is nothing between on and off, which `{full}` is");
+            return Err(table.entry.fault(what, "write `interpolation = \"step\"`"));
+        }
+        (given, false) => given.unwrap_or_default(),
+    };
+    Ok(Keyed {
+        key: Key {
+            target: path.to_owned(),
+            times_s,
+            values,
+            interpolation,
+        },
+        own_path: entry.key.clone(),
+        path: full,
+        places,
+    })
+}
+
+/// Refuses what is no part of the scene, and what says which files are loaded.
+fn movable(target: &Entry<'_>, path: &str) -> Result<()> {
+    let (root, below) = path.split_once('.').unwrap_or((path, ""));
+    if !MOVABLE.contains(&root) {
+        let what = format!("nothing called `{root}` can move");
+        return Err(target.fault(what, did_you_mean(root, MOVABLE)));
+    }
+    if below.is_empty() || path.split('.').any(str::is_empty) {
+        let help = "add the field, as in `camera.azimuth_deg` or `cut.front.surfaces.0.origin`";
+        return Err(target.fault("it names no number of the scene", help));
+    }
+    let last = path.rsplit('.').next();
+    if matches!(root, "part" | "relief") && matches!(last, Some("fps" | "first" | "loop")) {
+        let what = "it says how files are played, which cannot change while they play";
+        return Err(target.fault(what, "move another number"));
+    }
+    // Of a shape that is a text it is said that it is one.
+    let is_made = below.contains(".shape.");
+    let is_broken = path.split('.').any(|word| word == "defects");
+    let how = match last {
+        _ if is_made => Some("made"),
+        Some("split") => Some("split"),
+        Some("close_holes") => Some("closed"),
+        _ => is_broken.then_some("broken"),
+    };
+    if let Some(how) = how.filter(|_| root == "part") {
+        let what = format!("the mesh is {how} once, when it is opened");
+        return Err(target.fault(what, "move another number"));
+    }
+    Ok(())
+}

@@ -1,0 +1,400 @@
+//! The readers of a document: what is cut, how, and from where it is seen.
+//!
+//! Every unknown key is an error with the nearest known one; every number has to be finite. Paths are relative to the
+//! scene file.
+//!
+//! ```toml
+//! [[part]]
+//! name = "crank"
+//! shape = "crank"                        # or `{ name = "crank", throws = 3 }`, whose numbers have paths
+//! material = { color = "#8a94a6" }
+//!
+//! [relief.ragged]
+//! kind = "fractal"
+//!
+//! [[cut]]
+//! name = "front"
+//! surfaces = [{ section = "-z=50%", relief = "ragged", amplitude = "6%" }]
+//!
+//! [[cut]]
+//! volume = "shape:sphere"                # or a mesh file: what is inside is removed, if it is closed
+//! scale = 0.3                            # placed as parts are: `translate`, `rotate_deg`, `scale`, `pivot`, `matrix`
+//! translate = [0.5, 0, 0]
+//! flip = false                           # true removes what is outside
+//! ```
+//!
+//! # Cuts
+//!
+//! A cut removes what all of its `surfaces`, its `box` and its `wedge` remove; the scene removes the union of its cuts.
+//!
+//! ```toml
+//! [[cut]]
+//! name = "slice"
+//! applies_to = ["*"]
+//! except = ["core"]
+//! offset = { mantle = 0.08, "crust*" = "5%" }   # so much more of these parts is kept; percent of the diagonal
+//! enabled = true
+//! wedge = { axis = "z", from_deg = 0, to_deg = 90, relief = "ragged", faces = ["from", "to"] }   # or a list of some
+//!
+//! [[cut]]
+//! box = { min = ["50%", 0, 0], max = ["100%", 1, 1] }
+//! ```
+//!
+//! An offset moves every clip-surface of the cut, relief and all, towards the side that is removed: the part stands out of the
+//! cut. Where several globs fit a part, its own name has to be there and counts.
+//!
+//! # The camera
+//!
+//! Without `[camera]` the scene is seen from the side, turned to where most faces of its cuts are seen. With it nothing is turned
+//! but angles that are `"auto"`.
+//!
+//! ```toml
+//! [camera]
+//! azimuth_deg = 35                       # or `position`, `focal_point` and `view_up`; or `view`:
+//! elevation_deg = 25                     # "front", "back", "left", "right", "top", "bottom", "iso", or "cut", straight at the section
+//! up = "+Z"                              # images on sections stand upright by it
+//! fit = "kept"                           # what angles are fitted to: what the cuts keep, or "all"
+//! zoom = 2                               # twice as large as so that is shown
+//! pan = [0.1, 0]                         # moves the model right, and up, in heights of the picture
+//! near = 0.5                             # distance of the near plane
+//! near_cap = false                       # true, which is usual, shows a cap where the near plane cuts a solid
+//! ```
+//!
+//! Without `near_cap` a ray that begins inside a solid shows neither the near plane's section nor the wall by which it leaves the
+//! solid, but the next surface or cap that it enters.
+//!
+//! # How heights are read
+//!
+//! `height_filter = "hardware"` reads reliefs through the sampler of the GPU where a strategy asks for heights at
+//! points; `"exact"`, which is usual, from four texels.
+//!
+//! # How it is drawn
+//!
+//! Before all tables: what is asked for where nobody asks for anything else.
+//!
+//! ```toml
+//! resolution = [1024, 768]
+//! background = "#ffffff"                 # or "paper", "gradient", "transparent"
+//! style = "technical"                    # or [style] with base = "technical" and changes
+//! interference = "#ff00aa"               # hatches caps that several solids share
+//! supersample = 2                        # so many times as fine along each side, 1 to 4
+//! time_s = 0.5                           # the moment that is shown
+//! clip = "walk"                          # the animation that is played, by its name or number
+//!
+//! [strategy]
+//! name = "raycast+mask"
+//! rasteriser = "compute"
+//! ```
+//!
+//! # What moves
+//!
+//! A `[[key]]` moves any number of `camera`, `part`, `relief` and `cut`, or a list of them, in time. `interpolation` is
+//! `"linear"`, `"step"` or `"smooth"`. The number has to be in the file, as a number: those in texts such as `"6%"` stay. What is
+//! `true` or `false`, as `cut.slice.enabled`, is moved by such values in steps.
+//!
+//! ```toml
+//! [[part]]
+//! name = "bar"
+//! shape = "cube?divisions=20"
+//! pivot = "centre"                      # about which it is scaled and turned; or a point; the origin otherwise
+//! rotate_deg = [0, 0, 0]
+//! deform = [
+//!   { kind = "twist", axis = "y", turn_deg = 90 },     # from one end of the part to the other
+//!   { kind = "bend", turn_deg = 45, across = "x" },    # along the longest side, rolled towards x
+//!   { kind = "wave", amplitude = "2%", period = 0.5, phase_deg = 0 },
+//!   { kind = "inflate", by = 0.01 },
+//! ]
+//!
+//! [[part]]
+//! name = "walker"
+//! mesh = "frames/walk_%04d.ply"         # one mesh per frame
+//! fps = 24
+//! first = 1                             # without it 0 or 1
+//! loop = false                          # true without it
+//!
+//! [[part]]
+//! name = "left"
+//! mesh = "gearbox.glb"
+//! only = ["gear 2"]                     # or `except`: some of the solids of a file
+//! defects = [{ kind = "holes", amount = "5%", seed = 1 }]   # broken on purpose, once: see `scene::defects`
+//!
+//! [[key]]
+//! target = "part.bar.deform.0.turn_deg"
+//! times_s = [0, 2]
+//! values = [0, 360]
+//! ```
+//!
+//! # What is one part
+//!
+//! A file of one solid is a part, one of several is a part for each: `NAME/SOLID`. With `split`, each connected body is a part.
+//!
+//! ```toml
+//! [[part]]
+//! name = "drive"
+//! mesh = "gearbox.stl"
+//! split = true                          # "drive/1", "drive/2", ... in the order of their first triangles
+//! except = ["gearbox/7"]                # `only` and `except` come after the split, and know bodies by the name of the file
+//! ```
+//!
+//! Of a file of several solids, bodies are `NAME/SOLID/1`, known as `SOLID/1`. A solid of one body keeps its name. Frames are split as
+//! the first one is, whose triangles all must have. `defects` come after all that, and `close_holes = true` closes what they leave.
+//!
+//! A part with `enabled = false` is read and left out: bounds, and what is relative to them, are those of the others, which keep their
+//! colours. Globs may still name it. One part has to be enabled at every time.
+
+mod camera;
+mod cap_materials;
+mod check;
+mod cutaways;
+mod cuts;
+mod cutters;
+mod defects;
+mod deform;
+mod hatches;
+mod keys;
+mod known;
+mod parts;
+pub mod reader;
+mod regions;
+mod reliefs;
+mod roles;
+mod settings;
+mod solids;
+mod stock;
+mod style;
+mod table;
+mod target;
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
+
+pub(super) use camera::Seen;
+pub(super) use check::check;
+pub(super) use cutaways::cutouts;
+pub use keys::{Interpolation, Key};
+pub(super) use keys::{Keyed, Moment};
+pub(super) use known::sights_of;
+pub(super) use parts::all as parts_with_roles;
+use reader::{Entry, Source, Table};
+pub(super) use reliefs::{Images, Resolved};
+pub use roles::RoleBy;
+pub use settings::Settings;
+use stock::Opening;
+pub(super) use stock::PartSource;
+pub(super) use style::is_file as is_style_file;
+pub use style::{named_style, style_names};
+
+use cutaway::error::Result;
+use cutaway::generate::defects::Defect;
+use cutaway::scene::{
+    Bounds, ClipSurface, CutoutFrame, Fit, Outwards, Part, Scene, Sight, Style, Up,
+};
+
+use super::node::Node;
+use super::paths::Keys;
+use crate::load::Assets;
+
+/// Keys of a scene.
+static KEYS: Keys = Keys::below("");
+
+/// What a document names, opened.
+#[derive(Debug)]
+pub(super) struct Stock {
+    /// Of each part.
+    pub(super) parts: Vec<PartSource>,
+    /// Of each cut.
+    cutters: Vec<Option<cutters::CutterSource>>,
+    images: Images,
+    /// On which the style of the document are changes, if it has one.
+    pub(super) style: Option<Style>,
+    /// What orbits are fitted to where the document does not say it.
+    pub(super) fit: Fit,
+    /// How much is seen of each part from outside, where its role hangs on that.
+    pub(super) sights: Option<BTreeMap<String, Sight>>,
+    /// Where the cutouts of each cut lie, once it is known.
+    pub(super) frames: BTreeMap<usize, CutoutFrame>,
+    /// What is to be said of it.
+    pub(super) notes: Vec<String>,
+    /// All that were read.
+    pub(super) files: BTreeSet<PathBuf>,
+}
+
+/// The root of a document at a moment, if something moves.
+pub(super) fn root<'a>(
+    path: &'a Path,
+    node: &'a Node,
+    moment: Option<Moment<'a>>,
+) -> Result<Table<'a>> {
+    Table::of_file(Source { path, moment }, node, KEYS.all())
+}
+
+/// Opens all that a document names.
+pub(super) fn open(root: &Table<'_>, folder: &Path, assets: &mut Assets) -> Result<Stock> {
+    let mut opening = Opening {
+        folder,
+        assets,
+        notes: Vec::new(),
+        files: BTreeSet::new(),
+    };
+    let (parts, cuts) = (root.tables("part")?, root.tables("cut")?);
+    names_differ(&parts)?;
+    names_differ(&cuts)?;
+    if parts.is_empty() {
+        let help = "add `[[part]]` with `mesh = \"FILE\"` or `shape = \"crank\"`";
+        return Err(root.entry.fault("the scene has no part", help));
+    }
+    let parts = stock::open(&parts, &mut opening)?;
+    let cutters = cutters::open(&cuts, &mut opening)?;
+    let images = reliefs::open(root, folder, opening.assets)?;
+    let style = style::open(root, &mut opening)?;
+    opening.files.extend(images.files().cloned());
+    Ok(Stock {
+        parts,
+        cutters,
+        images,
+        style,
+        fit: Fit::default(),
+        sights: None,
+        frames: BTreeMap::new(),
+        notes: opening.notes,
+        files: opening.files,
+    })
+}
+
+/// What a document asks for beside the scene itself.
+pub(super) fn settings(root: &Table<'_>) -> Result<Settings> {
+    settings::read(root)
+}
+
+/// What moves.
+pub(super) fn keys(root: &Table<'_>) -> Result<Vec<Keyed>> {
+    keys::read(root)
+}
+
+/// The parts at a time.
+pub(super) fn parts(
+    root: &Table<'_>,
+    stock: &Stock,
+    time_s: f64,
+    outwards: &Outwards,
+) -> Result<Vec<Part>> {
+    let parts = parts::all(root, stock, time_s, outwards)?;
+    Ok(parts.into_iter().map(|(part, _)| part).collect())
+}
+
+/// What is to be said of the roles of some parts; refused, where they name none that there is at any time.
+pub(super) fn role_notes(root: &Table<'_>, stock: &Stock, parts: &[Part]) -> Result<Vec<String>> {
+    let roles = roles::read(root)?;
+    let materials = stock.parts.iter().flat_map(PartSource::materials);
+    let names = names_of(stock).into_iter().chain(materials);
+    roles.must_name(root, &names.collect::<Vec<_>>())?;
+    Ok(roles.notes(parts))
+}
+
+/// Names of all parts that there are at any time.
+fn names_of(stock: &Stock) -> Vec<&str> {
+    let names = stock.parts.iter().flat_map(PartSource::names);
+    names.map(String::as_str).collect()
+}
+
+/// Whether roles are to be found by what is seen from outside.
+pub(super) fn finds_roles(root: &Table<'_>) -> Result<bool> {
+    Ok(roles::read(root)?.auto)
+}
+
+/// How it looks.
+pub(super) fn style(root: &Table<'_>, stock: &Stock) -> Result<Style> {
+    style::read(root, stock.style.unwrap_or_default())
+}
+
+/// The scene of some parts, and its camera.
+pub(super) fn scene(
+    root: &Table<'_>,
+    stock: &Stock,
+    (parts, stage): (Vec<Part>, Option<Bounds>),
+    reliefs: &mut Resolved,
+    notes: &mut Vec<String>,
+) -> Result<(Scene, Seen)> {
+    let mut scene = Scene {
+        parts,
+        stage,
+        interference: settings::interference(root)?,
+        style: style(root, stock)?,
+        ..Scene::default()
+    };
+    let bounds = scene.bounds();
+    let camera = (root.get("camera")).map(|e| camera::read(&e, &bounds, stock.fit));
+    let seen = camera.transpose()?.unwrap_or(Seen::usual(stock.fit));
+    scene.camera = seen.camera;
+    let maps = match root.get("relief") {
+        Some(entry) => reliefs::read(&entry, &stock.images, reliefs)?,
+        None => reliefs::Maps::new(),
+    };
+    let names = names_of(stock);
+    let context = cuts::Context {
+        bounds,
+        up: scene.camera.up,
+        parts: &scene.parts,
+        names: &names,
+        maps: &maps,
+    };
+    let (mut cuts, mut faced) = (Vec::new(), None);
+    for (i, entry) in root.tables("cut")?.iter().enumerate() {
+        let cutter = stock.cutters.get(i).and_then(Option::as_ref);
+        let frame = stock.frames.get(&i);
+        let read = cuts::read(entry, i, (cutter, frame), &context, notes)?;
+        // A cutout lies where the camera has it.
+        if faced.is_none() && entry.open_table()?.get("cutout").is_none() {
+            faced = read.iter().find_map(|cut| cut.surfaces.first().cloned());
+        }
+        cuts.extend(read);
+    }
+    if seen.faces_cut {
+        scene.camera.viewpoint = camera::facing_first(faced.as_ref(), scene.camera.up, root)?;
+    }
+    scene.cuts = cuts;
+    Ok((scene, seen))
+}
+
+/// A defect by itself.
+pub(super) fn defect(defect: &Node) -> Result<Defect> {
+    let nothing = Node::new(super::Value::Table(Vec::new()));
+    let root = root(Path::new(""), &nothing, None)?;
+    defects::read_one(&root.entry.at("defect", defect))
+}
+
+/// A clip-surface by itself, whose images are in the current folder.
+pub(super) fn surface(
+    surface: &Node,
+    reliefs: &Node,
+    (bounds, up): (&Bounds, Up),
+    assets: &mut Assets,
+) -> Result<ClipSurface> {
+    let reliefs = vec![("relief".into(), reliefs.clone())];
+    let table = Node::new(super::Value::Table(reliefs));
+    let root = root(Path::new(""), &table, None)?;
+    let images = reliefs::open(&root, Path::new(""), assets)?;
+    let maps = match root.get("relief") {
+        Some(entry) => reliefs::read(&entry, &images, &mut Resolved::default())?,
+        None => reliefs::Maps::new(),
+    };
+    let context = cuts::Context {
+        bounds: *bounds,
+        up,
+        parts: &[],
+        names: &[],
+        maps: &maps,
+    };
+    cuts::surface(&root.entry.at("surface", surface), &context)
+}
+
+/// Names tell entries apart in globs, errors and animation keys.
+fn names_differ(entries: &[Entry<'_>]) -> Result<()> {
+    let mut seen = BTreeSet::new();
+    for entry in entries {
+        if !seen.insert(entry.key.as_str()) {
+            return Err(entry.fault("the name is taken", "give every entry its own name"));
+        }
+    }
+    Ok(())
+}

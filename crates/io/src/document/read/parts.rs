@@ -1,0 +1,173 @@
+//! `[[part]]`: meshes and built-in shapes, deformed, placed and coloured.
+
+use cutaway::error::Result;
+use cutaway::scene::{Bounds, Fill, Outwards, Part, Role, range};
+use glam::{DAffine3, DMat3, DVec3, Vec3};
+
+use super::Stock;
+use super::deform;
+use super::reader::{Entry, Table};
+use super::roles::{self, RoleBy};
+use super::settings::color;
+use super::stock::PartSource;
+use crate::document::Keys;
+
+/// Keys of a part.
+pub(super) static KEYS: Keys = Keys::below("part.*");
+
+/// The parts at a time, with who says which role each has. One that is not enabled is read, and left out.
+pub(in crate::document) fn all(
+    root: &Table<'_>,
+    stock: &Stock,
+    time_s: f64,
+    outwards: &Outwards,
+) -> Result<Vec<(Part, RoleBy)>> {
+    let roles = roles::read(root)?;
+    let mut all = Vec::new();
+    for (entry, held) in root.tables("part")?.iter().zip(&stock.parts) {
+        let table = entry.open_table()?;
+        let given = table.get("role").is_some();
+        let parts = read(entry, held, time_s, outwards)?;
+        if !table.get("enabled").map_or(Ok(true), |e| e.flag())? {
+            continue;
+        }
+        for mut part in parts {
+            let (role, by) = roles.of(&part, given, stock.sights.as_ref());
+            part.role = role;
+            all.push((part, by));
+        }
+    }
+    if all.is_empty() {
+        let help = "let one of them be enabled: a scene without a part shows nothing";
+        return Err(root.entry.fault("no part is enabled", help));
+    }
+    Ok(all)
+}
+
+/// Reads one entry at a time, which may hold several parts: a mesh file with several objects makes `NAME/OBJECT` of each.
+fn read(
+    entry: &Entry<'_>,
+    held: &PartSource,
+    time_s: f64,
+    outwards: &Outwards,
+) -> Result<Vec<Part>> {
+    let table = entry.table(KEYS.all())?;
+    let solids = held.at(time_s);
+    let placed = placement(&table, held.rest)?;
+    let role = table.get("role").map(|r| r.choice(&Role::NAMED));
+    let role = role.transpose()?;
+    let priority = table
+        .get("priority")
+        .map(|p| p.whole::<i32>())
+        .transpose()?;
+    let fill = table
+        .get("fill")
+        .map(|f| f.choice(&[("even-odd", Fill::EvenOdd), ("nonzero", Fill::Nonzero)]))
+        .transpose()?;
+    let look = table.get("material").map(|m| look(&m)).transpose()?;
+    let mut parts: Vec<Part> = solids.iter().map(|s| s.part.clone()).collect();
+    for (part, rest) in parts.iter_mut().zip(solids.iter().map(|s| &s.rest)) {
+        part.name = held.name(&part.name).to_owned();
+        part.place(placed);
+        part.role = role.unwrap_or(part.role);
+        part.priority = priority.or(part.priority);
+        part.fill = fill.unwrap_or(part.fill);
+        if let Some(look) = &look {
+            part.material.color = look.color.unwrap_or(part.material.color);
+            part.material.is_painted_over |= look.color.is_some();
+            part.material.cap_color = look.cap_color.or(part.material.cap_color);
+        }
+        let whole = if held.share_a_space { held.rest } else { *rest };
+        if let Some(list) = table.get("deform") {
+            part.pose.deformers = deform::read(&list, whole)?;
+            outwards.complete(part);
+        }
+        let deformers = part.pose.deformers.iter();
+        let reach = deformers.fold(*rest, |reach, deformer| deformer.bounds(reach));
+        let corners = reach.corners();
+        let corners = corners.map(|c| part.world_from_part.transform_point3(c));
+        let is_finite = corners.iter().all(|c| c.is_finite());
+        let what = if is_finite {
+            range::defect(&Bounds::from_points(corners))
+        } else {
+            Some("reaches to infinity".to_owned())
+        };
+        if let Some(what) = what {
+            let what = format!("part `{}` {what} once it is placed", part.name);
+            return Err(entry.fault(what, "use another scale, translation or deformation"));
+        }
+    }
+    Ok(parts)
+}
+
+/// Scaled first, then turned about x, y and z of the world in that order, both about the pivot, then moved.
+pub(super) fn placement(table: &Table<'_>, rest: Bounds) -> Result<DAffine3> {
+    let steps = ["translate", "rotate_deg", "scale", "pivot"].map(|key| table.get(key));
+    if let Some(matrix) = table.get("matrix") {
+        if let Some(step) = steps.iter().flatten().next() {
+            return Err(step.fault("the part has a matrix too", "keep one of the two"));
+        }
+        return affine(&matrix);
+    }
+    let [translate, rotate, scale, pivot] = steps;
+    let mut placed = DMat3::IDENTITY;
+    if let Some(entry) = scale {
+        let factors = if entry.is_list() {
+            DVec3::from(entry.vector()?)
+        } else {
+            DVec3::splat(entry.number()?)
+        };
+        if factors.cmpeq(DVec3::ZERO).any() {
+            return Err(entry.fault("a scale of 0 flattens the solid", "use 1 for no change"));
+        }
+        placed = DMat3::from_diagonal(factors);
+    }
+    if let Some(entry) = rotate {
+        let [x, y, z] = entry.vector()?.map(f64::to_radians);
+        let turn =
+            DMat3::from_rotation_z(z) * DMat3::from_rotation_y(y) * DMat3::from_rotation_x(x);
+        placed = turn * placed;
+    }
+    let moved = translate.map_or(Ok([0.0; 3]), |entry| entry.vector())?;
+    let pivot = match pivot {
+        None => DVec3::ZERO,
+        Some(entry) if entry.is_text() => entry.choice(&[("centre", rest.centre())])?,
+        Some(entry) => DVec3::from(entry.vector()?),
+    };
+    let moved = DVec3::from(moved) + (pivot - placed * pivot);
+    Ok(DAffine3::from_mat3_translation(placed, moved))
+}
+
+fn affine(entry: &Entry<'_>) -> Result<DAffine3> {
+    const MEND: &str =
+        "write 4 rows of 4 numbers, the last [0, 0, 0, 1]; translation is the last column";
+    let rows = entry.list()?;
+    let [a, b, c, last] = rows.as_slice() else {
+        return Err(entry.fault(format_args!("it has {} rows, not 4", rows.len()), MEND));
+    };
+    if last.vector()? != [0.0, 0.0, 0.0, 1.0] {
+        return Err(last.fault("the last row must be [0, 0, 0, 1]", MEND));
+    }
+    let [a, b, c] = [a.vector::<4>()?, b.vector::<4>()?, c.vector::<4>()?];
+    let column = |i: usize| DVec3::new(a[i], b[i], c[i]);
+    let matrix = DMat3::from_cols(column(0), column(1), column(2));
+    if matrix.determinant() == 0.0 || !matrix.determinant().is_finite() {
+        return Err(entry.fault("it flattens the solid", MEND));
+    }
+    Ok(DAffine3::from_mat3_translation(matrix, column(3)))
+}
+
+struct Look {
+    color: Option<Vec3>,
+    cap_color: Option<Vec3>,
+}
+
+pub(super) static MATERIAL: Keys = Keys::below("part.*.material");
+
+fn look(entry: &Entry<'_>) -> Result<Look> {
+    let table = entry.table(MATERIAL.all())?;
+    Ok(Look {
+        color: table.get("color").map(|c| color(&c)).transpose()?,
+        cap_color: table.get("cap_color").map(|c| color(&c)).transpose()?,
+    })
+}

@@ -1,0 +1,372 @@
+//! Typed reading of TOML, with errors that name the file, the line, the column and the key.
+//!
+//! Values are taken one by one, and a table states the keys it knows when it is opened: an unknown key is an error there
+//! and then, with the nearest known one. Derived deserialisation would report neither the path of a key nor what to do.
+
+use std::fmt::Display;
+use std::path::Path;
+
+use super::keys::Moment;
+#[doc(hidden)]
+pub use super::table::{Table, with_table};
+use cutaway::error::{Error, Result, did_you_mean};
+use cutaway::scene::Amount;
+use cutaway::scene::range::{LARGEST, SMALLEST};
+
+use super::target::Shape;
+use crate::document::{Node, Origin, Value};
+
+/// Where values come from, for errors.
+#[derive(Clone, Copy)]
+pub(crate) struct Source<'a> {
+    pub(crate) path: &'a Path,
+    /// When it is, and what moves, if something does.
+    pub(crate) moment: Option<Moment<'a>>,
+}
+
+/// A value, where it stands and what its key is.
+#[derive(Clone)]
+#[doc(hidden)]
+pub struct Entry<'a> {
+    source: Source<'a>,
+    /// Dotted path, as keys of animations write it.
+    pub(crate) key: String,
+    pub node: &'a Node,
+}
+
+impl<'a> Entry<'a> {
+    #[doc(hidden)]
+    pub fn fault(&self, what: impl Display, help: impl Into<String>) -> Error {
+        let what = match (&self.node.origin, self.key.as_str()) {
+            // The file as a whole has no key, and words of an option are their own.
+            (_, "") => what.to_string(),
+            (Origin::Option(words), _) if self.is_table() || !words.contains('`') => {
+                what.to_string()
+            }
+            (Origin::Option(words), _) if words.starts_with(self.last_key()) => what.to_string(),
+            (Origin::Option(_), _) => format!("{}: {what}", self.last_key()),
+            (_, key) => format!("`{key}`: {what}"),
+        };
+        let what = match &self.source.moment {
+            Some(moment) => format!("{}: {what}", moment.blame(&self.key)),
+            None => what,
+        };
+        match &self.node.origin {
+            Origin::Text { line, column } => {
+                Error::file_line(self.source.path, *line, what, help).at_column(*column)
+            }
+            Origin::Elsewhere { file, line, column } => {
+                Error::file_line(file, *line, what, help).at_column(*column)
+            }
+            Origin::Option(words) => Error::input(words.to_string(), what, help),
+            Origin::Program if self.source.path.as_os_str().is_empty() => {
+                Error::input("the scene", what, help)
+            }
+            Origin::Program => Error::file(self.source.path, what, help),
+        }
+    }
+
+    /// An error from elsewhere, placed at this value. Errors about other files already name their place.
+    #[doc(hidden)]
+    pub fn place(&self, error: Error) -> Error {
+        match (error, &self.node.origin) {
+            (Error::Missing(error), _) => self.place(*error).missing(),
+            // The words of an option are named already.
+            (
+                Error::Input {
+                    culprit,
+                    what,
+                    help,
+                },
+                Origin::Text { .. } | Origin::Elsewhere { .. } | Origin::Program,
+            ) => self.fault(format_args!("{culprit}: {what}"), help),
+            (other, _) => other,
+        }
+    }
+
+    fn found(&self) -> String {
+        match &self.node.value {
+            Value::Text(s) => format!("the text {s:?}"),
+            Value::Number(n) => format!("the number {n}"),
+            Value::Flag(b) => format!("{b}"),
+            Value::Date(d) => format!("the date {d}"),
+            Value::List(a) => format!("a list of {}", a.len()),
+            Value::Table(_) => "a table".into(),
+        }
+    }
+
+    fn expected(&self, expected: &str, example: &str) -> Error {
+        let what = format!("it must be {expected}, but is {}", self.found());
+        self.fault(
+            what,
+            format!("write for example `{} = {example}`", self.last_key()),
+        )
+    }
+
+    fn last_key(&self) -> &str {
+        let mut keys = self.key.rsplit('.');
+        keys.find(|k| k.parse::<usize>().is_err())
+            .unwrap_or(&self.key)
+    }
+
+    /// A finite number.
+    #[doc(hidden)]
+    pub fn number(&self) -> Result<f64> {
+        let value = match &self.node.value {
+            Value::Number(n) => Some(n.value),
+            _ => None,
+        };
+        value.filter(|v: &f64| v.abs() <= LARGEST).ok_or_else(|| {
+            let expected = format!("a finite number, {LARGEST:.0e} at most");
+            self.expected(&expected, "1.5")
+        })
+    }
+
+    /// A number above zero.
+    pub(crate) fn positive(&self) -> Result<f64> {
+        let value = self.number()?;
+        if value >= SMALLEST {
+            Ok(value)
+        } else {
+            let expected = format!("a number above 0, {SMALLEST:.0e} at least");
+            Err(self.expected(&expected, "1.5"))
+        }
+    }
+
+    /// A whole number that fits.
+    #[doc(hidden)]
+    pub fn whole<T: TryFrom<i64>>(&self) -> Result<T> {
+        let value = match &self.node.value {
+            Value::Number(n) => n.whole,
+            _ => None,
+        };
+        value
+            .and_then(|v| T::try_from(v).ok())
+            .ok_or_else(|| self.expected("a whole number in range", "1"))
+    }
+
+    /// The same of a value in its place.
+    #[doc(hidden)]
+    pub fn of(&self, node: &'a Node) -> Self {
+        Self {
+            node,
+            ..self.clone()
+        }
+    }
+
+    /// How a number that cannot be is mended.
+    pub(crate) fn help_of_number(&self) -> &'static str {
+        match &self.node.value {
+            Value::Number(n) if self.source.moment.is_some() && n.value.fract() != 0.0 => {
+                "let the [[key]] have whole numbers, and `interpolation = \"step\"` between them"
+            }
+            _ => "leave it out for its usual value",
+        }
+    }
+
+    #[doc(hidden)]
+    pub fn text(&self) -> Result<&'a str> {
+        match &self.node.value {
+            Value::Text(s) => Ok(s),
+            _ => Err(self.expected("text in quotes", "\"text\"")),
+        }
+    }
+
+    /// `true` or `false`.
+    #[doc(hidden)]
+    pub fn flag(&self) -> Result<bool> {
+        match &self.node.value {
+            Value::Flag(b) => Ok(*b),
+            _ => Err(self.expected("true or false", "true")),
+        }
+    }
+
+    /// One of some words.
+    #[doc(hidden)]
+    pub fn choice<T: Copy>(&self, choices: &[(&str, T)]) -> Result<T> {
+        let word = self.text()?;
+        choices
+            .iter()
+            .find(|(name, _)| *name == word)
+            .map(|(_, value)| *value)
+            .ok_or_else(|| {
+                let help = did_you_mean(word, choices.iter().map(|(name, _)| *name));
+                self.fault(format_args!("{word:?} is no choice"), help)
+            })
+    }
+
+    /// The elements of a list.
+    #[doc(hidden)]
+    pub fn list(&self) -> Result<Vec<Self>> {
+        let Value::List(list) = &self.node.value else {
+            return Err(self.expected("a list", "[ ... ]"));
+        };
+        let element = |(i, node)| Self {
+            source: self.source,
+            key: format!("{}.{i}", self.key),
+            node,
+        };
+        Ok(list.iter().enumerate().map(element).collect())
+    }
+
+    /// A list of `N` finite numbers.
+    pub(crate) fn vector<const N: usize>(&self) -> Result<[f64; N]> {
+        let elements = match &self.node.value {
+            Value::List(a) if a.len() == N => self.list()?,
+            _ => {
+                let example = format!("[{}]", ["1"; N].join(", "));
+                return Err(self.expected(&format!("a list of {N} numbers"), &example));
+            }
+        };
+        let mut vector = [0.0; N];
+        for (slot, element) in vector.iter_mut().zip(&elements) {
+            *slot = element.number()?;
+        }
+        Ok(vector)
+    }
+
+    /// A number, or a list of numbers.
+    pub(crate) fn numbers(&self) -> Result<Vec<f64>> {
+        match &self.node.value {
+            Value::List(_) => self.list()?.iter().map(Self::number).collect(),
+            _ => Ok(vec![self.number()?]),
+        }
+    }
+
+    /// A number, or lists of numbers in lists: the numbers in their order, and how they are nested. A flag is 0 or 1.
+    pub(super) fn nested(&self) -> Result<(Vec<f64>, Shape)> {
+        if let Value::Flag(flag) = &self.node.value {
+            return Ok((vec![f64::from(u8::from(*flag))], Shape::Flag));
+        }
+        if !self.is_list() {
+            return Ok((vec![self.number()?], Shape::Number));
+        }
+        let elements: Vec<_> = self
+            .list()?
+            .iter()
+            .map(Self::nested)
+            .collect::<Result<_>>()?;
+        let (numbers, shapes): (Vec<_>, Vec<_>) = elements.into_iter().unzip();
+        Ok((numbers.concat(), Shape::List(shapes)))
+    }
+
+    /// A length, or text with a percentage.
+    pub(crate) fn amount(&self) -> Result<Amount> {
+        if self.is_text() {
+            let help = "write a number, or text such as \"6%\"";
+            return Amount::parse(self.text()?).map_err(|what| self.fault(what, help));
+        }
+        self.number().map(Amount::Units)
+    }
+
+    /// A list of `N` lengths or texts with percentages.
+    pub(crate) fn amounts<const N: usize>(&self) -> Result<[Amount; N]> {
+        let elements = match &self.node.value {
+            Value::List(a) if a.len() == N => self.list()?,
+            _ => {
+                let example = format!("[{}]", ["\"50%\""; N].join(", "));
+                let what = format!("a list of {N} numbers or percentages");
+                return Err(self.expected(&what, &example));
+            }
+        };
+        let mut amounts = [Amount::Units(0.0); N];
+        for (slot, element) in amounts.iter_mut().zip(&elements) {
+            *slot = element.amount()?;
+        }
+        Ok(amounts)
+    }
+
+    /// Texts of a list.
+    #[doc(hidden)]
+    pub fn texts(&self) -> Result<Vec<String>> {
+        match &self.node.value {
+            Value::List(_) => self
+                .list()?
+                .iter()
+                .map(|e| e.text().map(str::to_owned))
+                .collect(),
+            _ => Err(self.expected("a list of texts", "[\"*\"]")),
+        }
+    }
+
+    /// Whether the value is text: some keys take a number or text with a unit.
+    #[doc(hidden)]
+    pub fn is_text(&self) -> bool {
+        matches!(self.node.value, Value::Text(_))
+    }
+
+    /// Whether the value is a table.
+    #[doc(hidden)]
+    pub fn is_table(&self) -> bool {
+        matches!(self.node.value, Value::Table(_))
+    }
+
+    /// Whether the value is a list.
+    #[doc(hidden)]
+    pub fn is_list(&self) -> bool {
+        matches!(self.node.value, Value::List(_))
+    }
+
+    /// The table, if all its keys are among `known`.
+    #[doc(hidden)]
+    pub fn table(&self, known: &[&str]) -> Result<Table<'a>> {
+        let table = self.open_table()?;
+        for (key, node) in table.entries {
+            if !known.contains(&&**key) {
+                let help = did_you_mean(key, known.iter().copied());
+                let stray = self.child(key, node);
+                return Err(stray.fault("there is no such key here", help));
+            }
+        }
+        Ok(table)
+    }
+
+    /// The table, whose keys are names of the user.
+    #[doc(hidden)]
+    pub fn open_table(&self) -> Result<Table<'a>> {
+        match &self.node.value {
+            Value::Table(entries) => Ok(Table {
+                entry: self.clone(),
+                entries,
+            }),
+            _ => Err(self.expected("a table", "{ key = value }")),
+        }
+    }
+
+    /// The same value under the name it gives itself, so that errors and animation keys speak of `cut.front`, not `cut.0`.
+    pub(crate) fn named(mut self) -> Self {
+        if let Some(name) = self.node.name()
+            && let Some((list, _)) = self.key.rsplit_once('.')
+        {
+            self.key = format!("{list}.{name}");
+        }
+        self
+    }
+
+    /// Another value of the same source, called by a key.
+    pub(super) fn at(&self, key: &str, node: &'a Node) -> Self {
+        self.child(key, node)
+    }
+
+    /// All of a file.
+    pub(super) fn root(source: Source<'a>, node: &'a Node) -> Self {
+        let key = String::new();
+        Self { source, key, node }
+    }
+
+    pub(super) fn child(&self, key: &str, node: &'a Node) -> Self {
+        Self {
+            source: self.source,
+            key: self.below(key),
+            node,
+        }
+    }
+
+    fn below(&self, key: &str) -> String {
+        if self.key.is_empty() {
+            key.to_owned()
+        } else {
+            format!("{}.{key}", self.key)
+        }
+    }
+}

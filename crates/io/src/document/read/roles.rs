@@ -1,0 +1,159 @@
+//! `roles`: which parts are inside, and which are never cut, by globs or by what is seen from outside.
+//!
+//! ```toml
+//! roles = "auto"                        # or:
+//! [roles]
+//! auto = true
+//! interior = ["*core*"]
+//! exterior = ["housing*"]
+//! whole = ["bolt*", "shaft*"]
+//! ```
+//!
+//! The `role` of a part counts first, then globs on its name and on those of its materials, then what the model says of itself, by a role or
+//! as a material that light passes through, which is exterior, then what is seen.
+
+use std::collections::BTreeMap;
+use std::fmt;
+
+use cutaway::error::{Result, did_you_mean};
+use cutaway::scene::{Part, Role, Sight, glob_matches};
+
+use super::reader::Table;
+use crate::document::Keys;
+
+static KEYS: Keys = Keys::below("roles");
+
+/// What is seen of each part from outside, by its name.
+type Sights = BTreeMap<String, Sight>;
+
+/// Where the role of a part comes from.
+#[derive(Clone, Debug, PartialEq)]
+pub enum RoleBy {
+    /// It is not given: the usual one.
+    Default,
+    /// The model, such as a built-in shape.
+    Model,
+    /// `role` of the part.
+    Part,
+    /// A glob of `roles`.
+    Glob(String),
+    /// Its file says that light passes through it.
+    Transparency,
+    /// What is seen of it from outside.
+    Sight(Sight),
+}
+
+impl fmt::Display for RoleBy {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Default => f.write_str("not given"),
+            Self::Model => f.write_str("the model"),
+            Self::Transparency => f.write_str("a transparent material"),
+            Self::Part => f.write_str("role of the part"),
+            Self::Glob(glob) => write!(f, "roles, {glob}"),
+            Self::Sight(Sight { level: None, .. }) => f.write_str("too small to tell"),
+            Self::Sight(Sight {
+                seen,
+                level: Some(level),
+            }) => {
+                write!(f, "seen {seen:.2}, level {level}")
+            }
+        }
+    }
+}
+
+/// The rules of a document.
+#[derive(Debug, Default)]
+pub(super) struct Roles {
+    globs: Vec<(String, Role)>,
+    pub(super) auto: bool,
+}
+
+/// Reads the rules.
+pub(super) fn read(root: &Table<'_>) -> Result<Roles> {
+    let Some(entry) = root.get("roles") else {
+        return Ok(Roles::default());
+    };
+    if entry.is_text() {
+        let auto = entry.choice(&[("auto", true), ("none", false)])?;
+        return Ok(Roles {
+            auto,
+            ..Roles::default()
+        });
+    }
+    let table = entry.table(KEYS.all())?;
+    let mut roles = Roles {
+        auto: table.get("auto").map_or(Ok(false), |e| e.flag())?,
+        ..Roles::default()
+    };
+    for (key, role) in [
+        ("whole", Role::Whole),
+        ("interior", Role::Interior),
+        ("exterior", Role::Exterior),
+    ] {
+        if let Some(globs) = table.get(key) {
+            roles
+                .globs
+                .extend(globs.texts()?.into_iter().map(|glob| (glob, role)));
+        }
+    }
+    Ok(roles)
+}
+
+/// Whether a glob is of a part, by its name or that of a material.
+fn fits(glob: &str, part: &Part) -> bool {
+    let materials = part.materials.iter().map(String::as_str);
+    materials
+        .chain([part.name.as_str()])
+        .any(|name| glob_matches(glob, name))
+}
+
+impl Roles {
+    /// Refuses names that no part has; globs may have none at some time.
+    pub(super) fn must_name(&self, root: &Table<'_>, names: &[&str]) -> Result<()> {
+        let is_name = |glob: &&String| !glob.contains(['*', '?']);
+        let mut said = self.globs.iter().map(|(glob, _)| glob).filter(is_name);
+        match said.find(|name| !names.contains(&name.as_str())) {
+            None => Ok(()),
+            Some(name) => {
+                let entry = root.need("roles", "\"auto\"")?;
+                let what = format!("there is no part `{name}`");
+                Err(entry.fault(what, did_you_mean(name, names.iter().copied())))
+            }
+        }
+    }
+
+    /// What is to be said of globs that no part fits.
+    pub(super) fn notes(&self, parts: &[Part]) -> Vec<String> {
+        let has = |glob: &str| parts.iter().any(|part| fits(glob, part));
+        let idle = self.globs.iter().filter(|(glob, _)| !has(glob));
+        idle.map(|(glob, _)| format!("roles: no part and no material is called `{glob}`"))
+            .collect()
+    }
+
+    /// The role of a part, which its own table has `given` or not, and who says so.
+    pub(super) fn of(&self, part: &Part, given: bool, sights: Option<&Sights>) -> (Role, RoleBy) {
+        if given {
+            return (part.role, RoleBy::Part);
+        }
+        if let Some((glob, role)) = self.globs.iter().find(|(glob, _)| fits(glob, part)) {
+            return (*role, RoleBy::Glob(glob.clone()));
+        }
+        if part.role_is_said || part.role != Role::default() {
+            return (part.role, RoleBy::Model);
+        }
+        if part.is_transparent {
+            return (Role::Exterior, RoleBy::Transparency);
+        }
+        match sights.and_then(|sights| sights.get(&part.name)) {
+            Some(sight) if self.auto => {
+                let role = match sight.level {
+                    Some(0) | None => Role::Exterior,
+                    Some(_) => Role::Interior,
+                };
+                (role, RoleBy::Sight(*sight))
+            }
+            _ => (part.role, RoleBy::Default),
+        }
+    }
+}

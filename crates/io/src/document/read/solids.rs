@@ -1,0 +1,192 @@
+//! The solids that a file, a shape or a frame has, and those that a part takes of them: `split`, `only` and `except`, in this order.
+//!
+//! `split = true` takes each solid apart into its bodies ([`Bodies`]), which are called by their numbers: `gear/1`, `gear/2`. A solid
+//! that is one body keeps its name. All frames of a sequence are split as the first is, so all must have its triangles.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use cutaway::error::{Error, Result, did_you_mean};
+use cutaway::scene::weld::thousands;
+use cutaway::scene::{Bodies, Bounds, Material, Part, Pieces, body_name, glob_matches};
+
+use super::reader::Table;
+
+/// More bodies than a picture can tell apart are no parts.
+const MOST_BODIES: usize = 1 << 16;
+
+/// A solid as its file has it, or a body of one.
+#[derive(Clone, Debug)]
+pub(super) struct Solid {
+    pub(super) part: Part,
+    /// Bounds in part space.
+    pub(super) rest: Bounds,
+    /// What follows the name of the entry in that of the part; nothing where the entry is one solid.
+    pub(super) below: Option<String>,
+    /// Its file says no colour.
+    pub(super) is_plain: bool,
+}
+
+impl Solid {
+    /// Some parts, each with what it is called below the name of the entry.
+    pub(super) fn all(parts: &[Part], below: impl Fn(usize, &Part) -> Option<String>) -> Vec<Self> {
+        let solid = |(index, part): (usize, &Part)| Self {
+            rest: Bounds::EMPTY,
+            below: below(index, part),
+            is_plain: part.material == Material::of_index(index),
+            part: part.clone(),
+        };
+        parts.iter().enumerate().map(solid).collect()
+    }
+
+    /// Measures the solid as it is now.
+    pub(super) fn measure(&mut self) {
+        self.rest = self.part.posed_mesh().bounds();
+    }
+}
+
+/// How the solids of a file, or of the first of some frames, come apart.
+pub(super) struct Splits {
+    /// Of each solid.
+    bodies: Vec<Bodies>,
+    /// Those that share a mesh share these.
+    known: Vec<Pieces>,
+}
+
+impl Splits {
+    /// Finds the bodies of solids, where the entry asks for them.
+    pub(super) fn asked_for(table: &Table<'_>, solids: &[Solid]) -> Result<Option<Self>> {
+        let Some(entry) = table.get("split") else {
+            return Ok(None);
+        };
+        if !entry.flag()? {
+            return Ok(None);
+        }
+        let mut bodies: Vec<Bodies> = Vec::with_capacity(solids.len());
+        for (index, solid) in solids.iter().enumerate() {
+            let same = |other: &Solid| Arc::ptr_eq(&other.part.mesh, &solid.part.mesh);
+            bodies.push(match solids[..index].iter().position(same) {
+                Some(known) => bodies[known].clone(),
+                None => Bodies::of(&solid.part.mesh),
+            });
+        }
+        let splits = Self {
+            bodies,
+            known: Vec::new(),
+        };
+        let count = splits.count();
+        if count > MOST_BODIES {
+            let (count, most) = (thousands(count), thousands(MOST_BODIES));
+            let what = format!("the mesh comes apart into {count} bodies, and {most} can be parts");
+            return Err(entry.fault(what, "leave it out, or take a mesh in fewer pieces"));
+        }
+        Ok(Some(splits))
+    }
+
+    fn count(&self) -> usize {
+        self.bodies.iter().map(Bodies::count).sum()
+    }
+
+    /// What was found in a file or shape.
+    pub(super) fn note(&self, of: &str) -> String {
+        let (count, solids) = (self.count(), self.bodies.len());
+        let bodies = match count {
+            1 => "1 body".to_owned(),
+            count => format!("{} bodies", thousands(count)),
+        };
+        let parts = if solids == 1 { "part" } else { "parts" };
+        let open = match self.bodies.iter().map(Bodies::open).sum() {
+            0 => String::new(),
+            open => format!(", {} of them open", thousands(open)),
+        };
+        let nothing = match count == solids {
+            true => ": there is nothing to split",
+            false => "",
+        };
+        format!(
+            "{of}: {bodies} in {} {parts}{open}{nothing}",
+            thousands(solids)
+        )
+    }
+
+    /// Takes solids apart, which have the triangles of those whose bodies are known.
+    pub(super) fn applied(&mut self, solids: Vec<Solid>) -> Vec<Solid> {
+        let mut taken: Vec<String> = solids.iter().map(|s| s.part.name.clone()).collect();
+        taken.sort_unstable();
+        let mut all = Vec::with_capacity(self.count());
+        for (solid, bodies) in solids.into_iter().zip(&self.bodies) {
+            let known = self.known.iter().position(|p| p.are_of(&solid.part));
+            let known = known.unwrap_or_else(|| {
+                self.known.push(Pieces::of(&solid.part, bodies));
+                self.known.len() - 1
+            });
+            let parts = self.known[known].parts(&solid.part);
+            if parts.len() == 1 {
+                all.push(solid);
+                continue;
+            }
+            for (number, mut part) in (1..).zip(parts) {
+                let mut name = body_name(&solid.part.name, number);
+                // A file may call a solid of its own like that.
+                while taken.binary_search(&name).is_ok() {
+                    name.push_str("_2");
+                }
+                part.name = name;
+                let below = match &solid.below {
+                    Some(below) => body_name(below, number),
+                    None => number.to_string(),
+                };
+                all.push(Solid {
+                    part,
+                    below: Some(below),
+                    ..solid
+                });
+            }
+        }
+        all
+    }
+
+    /// Refuses a frame that does not have the triangles of the first one.
+    pub(super) fn must_fit(
+        &self,
+        (first, first_file): (&[Solid], &Path),
+        (frame, file): (&[Solid], &Path),
+    ) -> Result<()> {
+        let fits = first.len() == frame.len()
+            && (first.iter().zip(frame))
+                .all(|(a, b)| a.part.mesh.triangles == b.part.mesh.triangles);
+        if fits {
+            return Ok(());
+        }
+        let what = format!(
+            "the frame has other triangles than {}, by which all frames are split",
+            first_file.display()
+        );
+        let help = "leave `split` out, or export all frames with the same triangles";
+        Err(Error::file(file, what, help))
+    }
+}
+
+/// The solids that `only` and `except` leave.
+pub(super) fn chosen(table: &Table<'_>, solids: Vec<Solid>) -> Result<Vec<Solid>> {
+    let names: Vec<String> = solids.iter().map(|s| s.part.name.clone()).collect();
+    let mut left = solids;
+    for (key, keep) in [("only", true), ("except", false)] {
+        let Some(entry) = table.get(key) else {
+            continue;
+        };
+        let globs = entry.texts()?;
+        for glob in &globs {
+            if !names.iter().any(|name| glob_matches(glob, name)) {
+                let what = format!("there is no solid `{glob}`");
+                let names = names.iter().map(String::as_str);
+                return Err(entry.fault(what, did_you_mean(glob, names)));
+            }
+        }
+        left.retain(|s| keep == globs.iter().any(|g| glob_matches(g, &s.part.name)));
+        if left.is_empty() {
+            return Err(entry.fault("it leaves no solid", "choose fewer or others"));
+        }
+    }
+    Ok(left)
+}

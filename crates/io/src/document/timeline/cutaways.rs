@@ -1,0 +1,109 @@
+//! Cutaways of a timeline: where cutouts lie, breakaways that open to the eye of a moment, and who says which role a part has.
+
+use std::collections::BTreeMap;
+use std::sync::{OnceLock, PoisonError};
+
+use cutaway::error::{Error, Result};
+use cutaway::scene::numbers::round;
+use cutaway::scene::{
+    AxisRule, Breakaway, BreakawayView, Camera, CutoutFrame, Fit, Part, Scene, View,
+};
+
+use super::Timeline;
+use super::read::{self, RoleBy};
+
+impl Timeline {
+    /// A scene with its breakaways open, those that stay as they are towards the eye of time 0.
+    pub(super) fn opened(&self, mut scene: Scene) -> Result<Scene> {
+        if !scene.has_breakaways() {
+            return Ok(scene);
+        }
+        let size_px = self.settings.size_px();
+        if scene.camera.fits_kept() && scene.outline.is_none() {
+            // Kept, for the scene is asked for it once more when it is prepared.
+            scene.outline = scene.fitted_outline();
+        }
+        let each = scene.view_through(&scene.camera, size_px);
+        let stays = |b: &Breakaway| b.view == BreakawayView::First;
+        let mut breakaways = scene.cuts.iter().filter_map(|c| c.breakaway.as_ref());
+        let first = match breakaways.any(stays) {
+            true => self.first_view()?,
+            false => each,
+        };
+        scene.open_breakaways_to(|_, b| Some(if stays(b) { &first } else { &each }))?;
+        Ok(scene)
+    }
+
+    /// The view at time 0, in world space.
+    fn first_view(&self) -> Result<View> {
+        if let Some(view) = self.first_view.get() {
+            return Ok(*view);
+        }
+        let first = self.closed_at(0.0)?;
+        let view = first.view_through(&first.camera, self.settings.size_px());
+        Ok(*self.first_view.get_or_init(|| view))
+    }
+
+    /// Places the cutouts of these cuts as the scene is at time 0.
+    pub(super) fn place_cutouts(&mut self, cutouts: Vec<(usize, AxisRule)>) -> Result<()> {
+        let first = self.closed_at(0.0)?;
+        self.stock.frames = frames_of(&first, cutouts, self.settings.size_px())?;
+        self.notes.extend(notes_of(&self.stock.frames));
+        // What was found without them is found anew; the camera stays where they open to.
+        self.outline = OnceLock::new();
+        let parts = (self.rest.parts.clone(), None);
+        let reliefs = self
+            .reliefs
+            .get_mut()
+            .unwrap_or_else(PoisonError::into_inner);
+        let root = read::root(&self.path, &self.root, None)?;
+        let (rest, _) = read::scene(&root, &self.stock, parts, reliefs, &mut Vec::new())?;
+        self.rest.cuts = rest.cuts;
+        Ok(())
+    }
+
+    /// Who says which role each part has, in the order of the parts.
+    ///
+    /// # Errors
+    ///
+    /// None that opening the document had not.
+    pub fn roles(&self) -> Result<Vec<(Part, RoleBy)>> {
+        self.read_at(0.0, |root| {
+            read::parts_with_roles(root, &self.stock, 0.0, &self.outwards)
+        })
+    }
+}
+
+/// What is to be said of where cutouts lie.
+fn notes_of(frames: &BTreeMap<usize, CutoutFrame>) -> impl Iterator<Item = String> {
+    let even = frames.iter().filter(|(_, frame)| frame.is_even);
+    even.map(|(number, frame)| {
+        let axis = frame.along.to_array().map(round);
+        let axis = axis.join(", ");
+        format!(
+            "cut.{number}.cutout: no axis of the model stands out, so it goes around [{axis}], the upright; `axis` names another"
+        )
+    })
+}
+
+/// Where cutouts lie, by the number of their cut, in a scene that is seen from its camera.
+fn frames_of(
+    scene: &Scene,
+    cutouts: Vec<(usize, AxisRule)>,
+    size_px: [u32; 2],
+) -> Result<BTreeMap<usize, CutoutFrame>> {
+    // What is kept is not known before they lie there.
+    let camera = Camera {
+        fit: Fit::All,
+        ..scene.camera
+    };
+    let view = camera.view(|p| p, 1.0, scene.bounds(), size_px);
+    let frame = |(number, rule)| {
+        let frame = CutoutFrame::of(scene.parts.iter(), rule, &view, camera.up.axis());
+        let help = "use parts with an inside, of which one at least has the role exterior";
+        let what = "there is nothing to cut out of: no exterior part, or a flat one";
+        let missing = || Error::input(format!("cut.{number}.cutout"), what, help);
+        Ok((number, frame.ok_or_else(missing)?))
+    };
+    cutouts.into_iter().map(frame).collect()
+}

@@ -1,0 +1,388 @@
+//! A document over time: clips of its files, frame sequences, and its keys.
+//!
+//! [`Timeline::at`] gives the scene at a time. The numbers that keys move are set in the tree, which is read by the readers that read
+//! it at rest, from the same meshes: nothing is opened or parsed again. Clips and looping sequences begin anew after their end, each
+//! after its own; keys stay at their last value. Whatever does not change keeps its `Arc` from time to time, so that those who draw
+//! the scene can tell by address what they have prepared already.
+//!
+//! A scene that moves has one [`stage`](Scene::stage) for all its times, so that pictures do not jump and `z=50%` is the same
+//! plane always. It is found when first asked for, from the bounds at many times: between two of them a part may leave it
+//! by as little as it moves there off the straight line. What is kept of it, which its camera may be fitted to, is found likewise, and so
+//! are angles of the camera that are to be found, for all times at once.
+//!
+//! Cost of a time: that of reading the tree, which is small, and of whatever relief changed.
+
+mod cutaways;
+mod stage;
+
+use std::borrow::Cow;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+
+use cutaway::error::{Error, Result, did_you_mean};
+use cutaway::scene::{Bounds, Clip, Fit, Outline, Outwards, Part, Scene, Style, View, Viewpoint};
+
+use super::read::reader::Table;
+use super::read::{self, Key, Keyed, Moment, PartSource, Resolved, Seen, Settings, Stock};
+use super::{Document, Node};
+use crate::load::Assets;
+use crate::load::frames::Sequence;
+
+/// Shares of the whole at which it is asked which cuts are seen.
+const LOOKED_AT: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
+
+/// A scene that can be asked for at any time.
+#[derive(Debug)]
+pub struct Timeline {
+    path: PathBuf,
+    name: String,
+    /// The document as it stands.
+    root: Node,
+    keys: Vec<Keyed>,
+    stock: Stock,
+    settings: Settings,
+    /// The scene as the numbers are written, with frames at their first.
+    rest: Scene,
+    /// What is to be said of the document.
+    notes: Vec<String>,
+    clips: Vec<Clip>,
+    /// The longest of the first clips of parts.
+    first_clip: Option<Clip>,
+    /// The clip that is played; without one every part plays its own first.
+    chosen: Option<String>,
+    /// The reliefs as they were last computed.
+    reliefs: Mutex<Resolved>,
+    outwards: Outwards,
+    stage: OnceLock<Bounds>,
+    /// What is kept at any time.
+    outline: OnceLock<Arc<Outline>>,
+    /// From where it is seen at all times, where that is to be found.
+    viewpoint: OnceLock<Viewpoint>,
+    /// The view at time 0, in world space, where something opens to its eye.
+    first_view: OnceLock<View>,
+}
+
+impl Timeline {
+    /// The timeline of a document; its keys are tried.
+    pub(super) fn of(document: &Document, assets: &mut Assets) -> Result<Self> {
+        let root = read::root(document.path(), document.root(), None)?;
+        let mut stock = read::open(&root, document.folder(), assets)?;
+        let settings = read::settings(&root)?;
+        let mut notes = stock.notes.clone();
+        let outwards = Outwards::default();
+        let reliefs = assets.kept::<Resolved>();
+        let mut reliefs = reliefs.as_deref().cloned().unwrap_or_default();
+        let mut parts = read::parts(&root, &stock, 0.0, &outwards)?;
+        if read::finds_roles(&root)? {
+            let names = parts.iter().map(|p| p.name.clone());
+            stock.sights = Some(names.zip(read::sights_of(&parts, assets)).collect());
+            parts = read::parts(&root, &stock, 0.0, &outwards)?;
+        }
+        notes.extend(read::role_notes(&root, &stock, &parts)?);
+        let (mut rest, seen) = read::scene(&root, &stock, (parts, None), &mut reliefs, &mut notes)?;
+        assets.keep(reliefs.clone());
+        if seen.is_free() {
+            rest.camera.viewpoint = seen.turned(rest.cuts.iter());
+        }
+        rest.name = document.name();
+        let firsts = rest.parts.iter().filter_map(|p| p.clips().first());
+        let longest = firsts.max_by(|a, b| a.duration_s.total_cmp(&b.duration_s));
+        let mut timeline = Self {
+            path: document.path().to_owned(),
+            name: rest.name.clone(),
+            root: document.root().clone(),
+            keys: read::keys(&root)?,
+            clips: clips_of(&rest.parts),
+            first_clip: longest.cloned(),
+            chosen: None,
+            stock,
+            rest,
+            notes,
+            reliefs: Mutex::new(reliefs),
+            outwards,
+            stage: OnceLock::new(),
+            outline: OnceLock::new(),
+            viewpoint: OnceLock::new(),
+            first_view: OnceLock::new(),
+            settings: Settings::default(),
+        };
+        if let (Some(clip), Some(entry)) = (&settings.clip, root.get("clip")) {
+            let called = timeline.clip_called(clip).map_err(|e| entry.place(e));
+            timeline.chosen = Some(called?);
+        }
+        timeline.settings = settings;
+        let cutouts = read::cutouts(&root)?;
+        if !cutouts.is_empty() {
+            timeline.place_cutouts(cutouts)?;
+        }
+        timeline.try_keys()?;
+        Ok(timeline)
+    }
+
+    /// The same, which looks otherwise where the document names no style.
+    ///
+    /// # Errors
+    ///
+    /// Changes on a style that make no sense of this one.
+    pub fn with_usual_style(mut self, style: Style) -> Result<Self> {
+        self.stock.style.get_or_insert(style);
+        self.rest.style = self.read_at(0.0, |root| read::style(root, &self.stock))?;
+        Ok(self)
+    }
+
+    /// The same, whose angles are fitted to something else where the document does not say to what.
+    #[must_use]
+    pub fn with_usual_fit(mut self, fit: Fit) -> Self {
+        let camera = self.root.get("camera");
+        if camera.and_then(|c| c.get("fit")).is_none() {
+            self.stock.fit = fit;
+            self.rest.camera.fit = fit;
+        }
+        self
+    }
+
+    /// What is drawn where nobody asks for a time: the moment that the document asks for, or else what it shows at rest, the numbers as
+    /// they are written and frames at their first.
+    pub fn scene(&self) -> Result<Scene> {
+        match self.time_s() {
+            Some(time_s) => self.at(time_s),
+            None => self.opened(self.rest.clone()),
+        }
+    }
+
+    /// The moment that the document asks for. A clip without one begins.
+    pub fn time_s(&self) -> Option<f64> {
+        let begins = self.chosen.is_some().then_some(0.0);
+        self.settings.time_s.or(begins)
+    }
+
+    /// The scene at rest, framed by itself, with breakaways closed.
+    pub fn rest(&self) -> &Scene {
+        &self.rest
+    }
+
+    /// What the document asks for beside the scene itself.
+    pub fn settings(&self) -> &Settings {
+        &self.settings
+    }
+
+    /// What the user should know: what was mended in a mesh, and what was read without effect.
+    pub fn notes(&self) -> &[String] {
+        &self.notes
+    }
+
+    /// All files that were read: that of the document, and those that it names.
+    pub fn files(&self) -> impl Iterator<Item = &Path> {
+        let own = Some(self.path.as_path()).filter(|path| !path.as_os_str().is_empty());
+        own.into_iter()
+            .chain(self.stock.files.iter().map(PathBuf::as_path))
+    }
+
+    /// Names of the parts that an entry of `part` has at any time, by the number of the entry: one for each solid of a file.
+    pub fn names_of(&self, entry: usize) -> impl Iterator<Item = &str> {
+        let source = self.stock.parts.get(entry).into_iter();
+        source.flat_map(PartSource::names).map(String::as_str)
+    }
+
+    /// Whether anything moves.
+    pub fn moves(&self) -> bool {
+        self.duration_s().is_some()
+    }
+
+    /// How long until it has shown all: the longest of the clips that are played, keys and sequences. `None` where nothing
+    /// moves.
+    pub fn duration_s(&self) -> Option<f64> {
+        let longest = match &self.chosen {
+            Some(name) => self.clips.iter().find(|c| c.name == *name),
+            None => self.first_clip.as_ref(),
+        };
+        let longest = longest.map_or(0.0, |c| c.duration_s);
+        let keys = self
+            .keys()
+            .filter(|k| k.times_s.len() > 1)
+            .filter_map(|k| k.times_s.last().copied());
+        let sequences = self.sequences().map(Sequence::duration_s);
+        let longest = keys.chain(sequences).fold(longest, f64::max);
+        (longest > 0.0).then_some(longest)
+    }
+
+    /// The clips of all parts, by name; of several with one name the longest.
+    pub fn clips(&self) -> &[Clip] {
+        &self.clips
+    }
+
+    /// The keys, as the document has them.
+    pub fn keys(&self) -> impl Iterator<Item = &Key> {
+        self.keys.iter().map(|k| &k.key)
+    }
+
+    /// The clip of a name, or else of a number in [`Timeline::clips`], from 0.
+    fn clip_called(&self, name_or_number: &str) -> Result<String> {
+        let by_name = self.clips.iter().find(|c| c.name == name_or_number);
+        let by_number = || self.clips.get(name_or_number.parse::<usize>().ok()?);
+        if let Some(clip) = by_name.or_else(by_number) {
+            return Ok(clip.name.clone());
+        }
+        let culprit = format!("clip `{name_or_number}`");
+        if self.clips.is_empty() {
+            let help = "use a glTF or GLB file with animations, or leave the clip out";
+            return Err(Error::input(culprit, "no part has a clip", help));
+        }
+        let mut help = did_you_mean(name_or_number, self.clips.iter().map(|c| c.name.as_str()));
+        help.push_str(&format!("; or a number from 0 to {}", self.clips.len() - 1));
+        Err(Error::input(culprit, "there is no such clip", help))
+    }
+
+    /// The scene at a time in seconds, not negative. Its parts stand in the poses of their clips, and parts without the clip that is
+    /// played stand at rest; its stage is that of all times.
+    pub fn at(&self, time_s: f64) -> Result<Scene> {
+        self.opened(self.closed_at(time_s)?)
+    }
+
+    /// The scene at a time, with its breakaways closed.
+    fn closed_at(&self, time_s: f64) -> Result<Scene> {
+        if !(time_s.is_finite() && time_s >= 0.0) {
+            let help = "times are seconds from the beginning, 0 or more";
+            let what = "it is not a time of the scene";
+            return Err(Error::input(format!("time {time_s}"), what, help));
+        }
+        let stage = self.stage()?;
+        let (mut scene, seen) = self.unposed_scene_at(time_s, stage)?;
+        if seen.is_free() {
+            scene.camera.viewpoint = self.viewpoint(&seen)?;
+        }
+        for part in &mut scene.parts {
+            self.pose(part, time_s);
+        }
+        scene.name.clone_from(&self.name);
+        if scene.camera.fits_kept() {
+            scene.outline = self.outline()?;
+        }
+        Ok(scene)
+    }
+
+    /// The box that holds all parts at all times, in world space; `None` where nothing moves.
+    pub fn stage(&self) -> Result<Option<Bounds>> {
+        let Some(duration_s) = self.duration_s() else {
+            return Ok(None);
+        };
+        if let Some(stage) = self.stage.get() {
+            return Ok(Some(*stage));
+        }
+        let stage = self.find_stage(duration_s)?;
+        Ok(Some(*self.stage.get_or_init(|| stage)))
+    }
+
+    /// What the cuts keep of the parts at any time; `None` where nothing moves.
+    fn outline(&self) -> Result<Option<Arc<Outline>>> {
+        let Some(duration_s) = self.duration_s() else {
+            return Ok(None);
+        };
+        if let Some(outline) = self.outline.get() {
+            return Ok(Some(outline.clone()));
+        }
+        let outline = Arc::new(self.find_outline(duration_s)?);
+        Ok(Some(self.outline.get_or_init(|| outline).clone()))
+    }
+
+    /// From where it is seen at all times.
+    fn viewpoint(&self, seen: &Seen) -> Result<Viewpoint> {
+        if let Some(viewpoint) = self.viewpoint.get() {
+            return Ok(*viewpoint);
+        }
+        let Some(duration_s) = self.duration_s() else {
+            return Ok(seen.turned(self.rest.cuts.iter()));
+        };
+        let stage = self.stage()?;
+        let mut cuts = Vec::new();
+        for share in LOOKED_AT {
+            cuts.extend(self.unposed_scene_at(duration_s * share, stage)?.0.cuts);
+        }
+        Ok(*self.viewpoint.get_or_init(|| seen.turned(cuts.iter())))
+    }
+
+    /// The parts at a time, before clips move them.
+    fn unposed_at(&self, time_s: f64) -> Result<Vec<Part>> {
+        self.read_at(time_s, |root| {
+            read::parts(root, &self.stock, time_s, &self.outwards)
+        })
+    }
+
+    /// The scene at a time, before clips move its parts; what is relative to bounds is relative to the stage.
+    fn unposed_scene_at(&self, time_s: f64, stage: Option<Bounds>) -> Result<(Scene, Seen)> {
+        self.read_at(time_s, |root| {
+            let notes = &mut Vec::new();
+            let parts = read::parts(root, &self.stock, time_s, &self.outwards)?;
+            let mut reliefs = self.reliefs.lock().unwrap_or_else(PoisonError::into_inner);
+            read::scene(root, &self.stock, (parts, stage), &mut reliefs, notes)
+        })
+    }
+
+    fn read_at<T>(&self, time_s: f64, read: impl FnOnce(&Table<'_>) -> Result<T>) -> Result<T> {
+        // Copied only where something moves in it.
+        let mut root = Cow::Borrowed(&self.root);
+        for keyed in &self.keys {
+            keyed.set(root.to_mut(), time_s);
+        }
+        let keys = self.keys.as_slice();
+        let moment = (!keys.is_empty()).then_some(Moment { time_s, keys });
+        read(&read::root(&self.path, &root, moment)?)
+    }
+
+    /// Poses a part by its clip.
+    fn pose(&self, part: &mut Part, time_s: f64) {
+        if let Some(index) = self.clip_of(part) {
+            let deformers = part.pose.deformers.clone();
+            let played_s = looped(time_s, part.clips()[index].duration_s);
+            *part = part.at_time(index, played_s);
+            part.pose.deformers = deformers;
+        }
+        self.outwards.complete(part);
+    }
+
+    /// Which of its clips a part plays.
+    fn clip_of(&self, part: &Part) -> Option<usize> {
+        match &self.chosen {
+            Some(name) => part.clips().iter().position(|c| c.name == *name),
+            None => (!part.clips().is_empty()).then_some(0),
+        }
+    }
+
+    fn sequences(&self) -> impl Iterator<Item = &Sequence> {
+        self.stock.parts.iter().filter_map(PartSource::sequence)
+    }
+}
+
+/// The clips of parts, by name, in the order in which they come; of several with one name the longest.
+fn clips_of(parts: &[Part]) -> Vec<Clip> {
+    let mut all: Vec<Clip> = Vec::new();
+    for clip in parts.iter().flat_map(Part::clips) {
+        match all.iter_mut().find(|c| c.name == clip.name) {
+            Some(known) => known.duration_s = known.duration_s.max(clip.duration_s),
+            None => all.push(clip.clone()),
+        }
+    }
+    all
+}
+
+/// The time within a clip that begins anew after its end; its end itself is its end.
+fn looped(time_s: f64, duration_s: f64) -> f64 {
+    if time_s <= duration_s || duration_s <= 0.0 {
+        time_s.min(duration_s)
+    } else {
+        time_s.rem_euclid(duration_s)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::looped;
+
+    #[test]
+    fn clips_begin_anew_after_their_end() {
+        for (time_s, expected) in [(0.0, 0.0), (1.5, 1.5), (2.0, 2.0), (2.5, 0.5), (9.0, 1.0)] {
+            assert_eq!(looped(time_s, 2.0), expected, "at {time_s} s");
+        }
+        assert_eq!(looped(3.0, 0.0), 0.0, "a clip that is a pose");
+    }
+}

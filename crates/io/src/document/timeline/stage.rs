@@ -1,0 +1,182 @@
+//! What is asked of a timeline as a whole: the box of all its times, what the cuts keep at any of them, and whether its keys make
+//! sense at all of them.
+//!
+//! Cost: reading the scene at every sample, and the bounds of each part that changed since the sample before.
+
+use std::sync::Arc;
+
+use cutaway::error::Result;
+use cutaway::scene::{Bounds, Cut, Outline, Part, Scene, is_same_motion};
+
+use super::Timeline;
+
+/// Times spread over the whole, both ends included: what turns by a full circle leaves its stage by a thousandth at most.
+const SPREAD: u32 = 65;
+
+/// Most times of keys and frames that are looked at besides; of more, as many spread over them.
+const MOST_SINGLED_OUT: usize = 512;
+
+/// Shares of the way between two times of keys at which the keys are tried.
+const BETWEEN: [f64; 3] = [0.25, 0.5, 0.75];
+
+impl Timeline {
+    /// Times at which the bounds of a scene are looked at. `clips_s` are the durations of the clips that are played: those that
+    /// are shorter than all begin anew, and times spread over the whole may meet each round at the same places.
+    fn sampled_times_s(&self, duration_s: f64, clips_s: Vec<f64>) -> Vec<f64> {
+        let frames = self.sequences().flat_map(|s| s.times_s());
+        let mut singled: Vec<f64> = frames.chain(self.key_times_s()).collect();
+        singled.retain(|t| (0.0..=duration_s).contains(t));
+        let mut times = spread_over(clips_s, duration_s);
+        times.extend(few(singled));
+        times
+    }
+
+    /// The box of all parts at many times. Parts whose clips are played are not seen as they rest, often with their arms spread:
+    /// that would only make the picture wider.
+    pub(super) fn find_stage(&self, duration_s: f64) -> Result<Bounds> {
+        let mut last: Vec<(Part, Bounds)> = Vec::new();
+        let mut stage = Bounds::EMPTY;
+        let mut look_at = |parts: Vec<Part>| {
+            let seen = parts.into_iter().enumerate().map(|(i, part)| {
+                let bounds = match last.get(i) {
+                    Some((before, bounds)) if stands_alike(before, &part) => *bounds,
+                    _ => part.bounds_in_world(),
+                };
+                (part, bounds)
+            });
+            last = seen.collect();
+            stage = last.iter().fold(stage, |all, (_, b)| all.union(*b));
+        };
+        for time_s in self.sampled_times_s(duration_s, self.played_s()?) {
+            let mut parts = self.unposed_at(time_s)?;
+            parts.iter_mut().for_each(|p| self.pose(p, time_s));
+            look_at(parts);
+        }
+        Ok(stage)
+    }
+
+    /// What the cuts keep at many times.
+    pub(super) fn find_outline(&self, duration_s: f64) -> Result<Outline> {
+        let (mut outline, mut last) = (Outline::default(), Scene::default());
+        let stage = self.stage()?;
+        for time_s in self.sampled_times_s(duration_s, self.played_s()?) {
+            let (mut scene, _) = self.unposed_scene_at(time_s, stage)?;
+            scene.parts.iter_mut().for_each(|p| self.pose(p, time_s));
+            let is_cut_alike = cut_alike(&last.cuts, &scene.cuts);
+            let stands = |at: usize, part: &Part| {
+                let before = last.parts.get(at);
+                is_cut_alike && before.is_some_and(|before| stands_alike(before, part))
+            };
+            let parts = scene.parts.iter().enumerate();
+            let moved = parts.filter(|(at, part)| !stands(*at, part));
+            outline.add_parts(&scene, moved.map(|(_, part)| part));
+            last = scene;
+        }
+        Ok(outline)
+    }
+
+    /// How long the clips are that are played.
+    fn played_s(&self) -> Result<Vec<f64>> {
+        let parts = self.unposed_at(0.0)?;
+        let clips = parts.iter();
+        let played = clips.filter_map(|p| Some(p.clips()[self.clip_of(p)?].duration_s));
+        Ok(played.collect())
+    }
+
+    /// Reads the scene at all times of keys and between them, so that what makes no sense is reported before anything is drawn.
+    pub(super) fn try_keys(&self) -> Result<()> {
+        if self.keys().next().is_none() {
+            return Ok(());
+        }
+        let mut times: Vec<f64> = self.key_times_s().filter(|t| *t >= 0.0).collect();
+        times.push(0.0);
+        let times = few(times);
+        let between = times
+            .windows(2)
+            .flat_map(|w| BETWEEN.map(|share| w[0] + (w[1] - w[0]) * share));
+        let all: Vec<f64> = times.iter().copied().chain(between).collect();
+        // The parts first: the stage is made of them.
+        for time_s in &all {
+            self.unposed_at(*time_s)?;
+        }
+        let stage = self.stage()?;
+        for time_s in &all {
+            self.unposed_scene_at(*time_s, stage)?;
+        }
+        Ok(())
+    }
+
+    fn key_times_s(&self) -> impl Iterator<Item = f64> {
+        self.keys().flat_map(|k| k.times_s.iter().copied())
+    }
+}
+
+/// Times spread over the whole, and over the first round of each shorter clip.
+fn spread_over(mut clips_s: Vec<f64>, duration_s: f64) -> Vec<f64> {
+    clips_s.push(duration_s);
+    clips_s.sort_by(f64::total_cmp);
+    clips_s.dedup();
+    let spread =
+        |whole: f64| (0..SPREAD).map(move |i| whole * f64::from(i) / f64::from(SPREAD - 1));
+    clips_s.into_iter().flat_map(spread).collect()
+}
+
+/// Times in their order without doubles, or some of them spread over all if there are too many.
+fn few(mut times: Vec<f64>) -> Vec<f64> {
+    times.sort_by(f64::total_cmp);
+    times.dedup();
+    if times.len() <= MOST_SINGLED_OUT {
+        return times;
+    }
+    let last = times.len() - 1;
+    let spread = (0..MOST_SINGLED_OUT).map(|i| times[i * last / (MOST_SINGLED_OUT - 1)]);
+    spread.collect()
+}
+
+/// Whether cuts remove the same, as far as what they are made of says it.
+fn cut_alike(all: &[Cut], others: &[Cut]) -> bool {
+    let is_like = |(a, b): (&Cut, &Cut)| {
+        let mut surfaces = a.surfaces.iter().zip(&b.surfaces);
+        let same_map = |a: Option<&Arc<_>>, b: Option<&Arc<_>>| match (a, b) {
+            (Some(a), Some(b)) => Arc::ptr_eq(a, b),
+            (a, b) => a.is_none() && b.is_none(),
+        };
+        let same_volume = match (&a.volume, &b.volume) {
+            (Some(a), Some(b)) => {
+                Arc::ptr_eq(a.mesh(), b.mesh()) && a.world_from_cutter == b.world_from_cutter
+            }
+            (a, b) => a.is_none() && b.is_none(),
+        };
+        a.enabled == b.enabled
+            && a.offsets == b.offsets
+            && a.surfaces.len() == b.surfaces.len()
+            && same_volume
+            && surfaces.all(|(a, b)| {
+                (a.origin, a.u, a.v, a.scale) == (b.origin, b.u, b.v, b.scale)
+                    && same_map(a.relief.as_ref(), b.relief.as_ref())
+            })
+    };
+    all.len() == others.len() && all.iter().zip(others).all(is_like)
+}
+
+/// Whether two parts fill the same place because everything that places them is the same.
+fn stands_alike(a: &Part, b: &Part) -> bool {
+    is_same_motion(a.motion.as_ref(), b.motion.as_ref())
+        && Arc::ptr_eq(&a.mesh, &b.mesh)
+        && a.world_from_part == b.world_from_part
+        && a.pose == b.pose
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_short_clip_is_looked_at_all_the_way_round() {
+        let halfway = |times: &[f64]| times.iter().any(|t| t.rem_euclid(1.0) == 0.5);
+        // The control: spread over the whole alone, all times are at the beginning of a round.
+        assert!(!halfway(&spread_over(Vec::new(), 64.0)));
+        assert!(halfway(&spread_over(vec![1.0, 64.0, 1.0], 64.0)));
+        assert_eq!(spread_over(vec![64.0], 64.0).len(), SPREAD as usize);
+    }
+}

@@ -1,0 +1,128 @@
+//! Which way is up in meshes that do not say it, guessed by what they stand on, and from where a camera without angles looks.
+//!
+//! STL and PLY have no up axis. It is guessed only where nothing but such meshes is drawn and nobody has said it. Of 3MF it is +Z by its
+//! specification, which is taken where nothing but 3MF is drawn. A scene file that does not say it means +Y, whatever its meshes are: a
+//! better guess than today's must not turn its picture. What would be guessed there is found all the same, for the user to be told.
+
+use std::path::PathBuf;
+
+use cutaway::Result;
+use cutaway::scene::{Part, Up, standing_up};
+
+use super::{Document, Node};
+use crate::load::{Assets, has_z_up, up_by_habit};
+
+/// An axis that was guessed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct GuessedUp {
+    /// The axis.
+    pub up: Up,
+    /// What speaks for it.
+    pub reason: UpReason,
+}
+
+/// What speaks for an axis to be up.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum UpReason {
+    /// The specification of the format.
+    Specification,
+    /// A flat base to stand on.
+    Base,
+    /// The habit of the format, for want of a base.
+    Habit,
+}
+
+impl Document {
+    /// Puts the axis that is up into a document of meshes alone that do not say it, unless it is a file; what was found, if anything.
+    ///
+    /// # Errors
+    ///
+    /// A mesh that cannot be read.
+    pub fn guess_up(&mut self, assets: &mut Assets) -> Result<Option<GuessedUp>> {
+        if !self.path().as_os_str().is_empty() {
+            return Ok(None);
+        }
+        let guessed = self.likely_up(assets)?;
+        if let Some(GuessedUp { up, .. }) = guessed {
+            let is_new = self.root().get("camera").is_none();
+            self.set("camera.up", up.name())?;
+            if is_new {
+                self.find_angles()?;
+            }
+        }
+        Ok(guessed)
+    }
+
+    /// The axis that is likely to be up in a document of meshes alone that do not say it.
+    ///
+    /// # Errors
+    ///
+    /// A mesh that cannot be read.
+    pub fn likely_up(&self, assets: &mut Assets) -> Result<Option<GuessedUp>> {
+        let camera = self.root().get("camera");
+        // A picture whose own direction up is given needs no axis.
+        if camera.is_some_and(|c| c.get("up").is_some() || c.get("view_up").is_some()) {
+            return Ok(None);
+        }
+        let entries = self.root().get("part").map_or(&[] as &[_], Node::items);
+        // What an entry turns stands on something else than its file does.
+        let is_turned = |entry: &Node| {
+            let mut turns = ["rotate_deg", "matrix"].iter();
+            turns.any(|key| entry.get(key).is_some())
+        };
+        let mesh = |entry: &Node| {
+            let mesh = entry.get("mesh").filter(|_| !is_turned(entry))?;
+            Some(self.folder().join(mesh.text()?))
+        };
+        let meshes: Vec<PathBuf> = entries
+            .iter()
+            .map(mesh)
+            .collect::<Option<_>>()
+            .unwrap_or_default();
+        let habits: Option<Vec<Up>> = meshes.iter().map(|path| up_by_habit(path)).collect();
+        let Some(habit) = habits.and_then(|habits| habits.first().copied()) else {
+            return Ok(None);
+        };
+        if !meshes.iter().all(|path| assets.has_mesh(path)) {
+            return Ok(None);
+        }
+        if meshes.iter().all(|path| has_z_up(path)) {
+            return Ok(Some(GuessedUp {
+                up: Up::PlusZ,
+                reason: UpReason::Specification,
+            }));
+        }
+        let mut parts: Vec<Part> = Vec::new();
+        for path in &meshes {
+            parts.extend(assets.mesh(path)?.parts.iter().cloned());
+        }
+        let up = standing_up(&parts, habit);
+        let reason = match up == habit {
+            true => UpReason::Habit,
+            false => UpReason::Base,
+        };
+        Ok(Some(GuessedUp { up, reason }))
+    }
+
+    /// Lets the angles be found that a camera does not say, as they are where there is none.
+    ///
+    /// # Errors
+    ///
+    /// Text that cannot be edited.
+    pub fn find_angles(&mut self) -> Result<()> {
+        let Some(camera) = self.root().get("camera").cloned() else {
+            return Ok(());
+        };
+        let is_said = |key: &&str| camera.get(key).is_some();
+        let places = ["position", "focal_point", "view_up", "view"];
+        if places.iter().any(is_said) {
+            return Ok(());
+        }
+        for angle in ["azimuth_deg", "elevation_deg"] {
+            if !is_said(&angle) {
+                self.set(&format!("camera.{angle}"), "auto")?;
+            }
+        }
+        Ok(())
+    }
+}

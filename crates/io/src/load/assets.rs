@@ -1,0 +1,183 @@
+//! What documents name, read once and shared: meshes, built-in shapes, height maps, textures.
+//!
+//! A file is read when it is first asked for, from disk or from the [`Files`] of a host, and what it holds stays in memory; whoever asks
+//! again gets the same [`Arc`]s. A program that has a mesh already puts it in under the name that documents call it by. Files that
+//! change are not noticed: take new assets then.
+
+use std::any::{Any, TypeId};
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use cutaway::error::Result;
+use cutaway::generate::shapes::shape;
+use cutaway::scene::{LengthUnit, OffsetMap, Part, Texture, TextureKind};
+use rayon::prelude::*;
+
+use super::image::read_offset_map_from;
+use super::texture::read_texture_from;
+use super::{Disk, Files, Loaded, load_mesh_file_from};
+
+/// Meshes, shapes, height maps and textures by name. A clone shares them.
+#[derive(Clone, Debug)]
+pub struct Assets {
+    store: Arc<dyn Files>,
+    meshes: BTreeMap<PathBuf, Loaded>,
+    shapes: BTreeMap<String, Vec<Part>>,
+    images: BTreeMap<PathBuf, Arc<OffsetMap>>,
+    textures: BTreeMap<(PathBuf, bool), Arc<Texture>>,
+    /// What readers of documents have made of all this, by type.
+    kept: BTreeMap<TypeId, Arc<dyn Any + Send + Sync>>,
+}
+
+impl Default for Assets {
+    fn default() -> Self {
+        Self::from_files(Arc::new(Disk))
+    }
+}
+
+impl Assets {
+    /// Assets whose files are not those of the disk.
+    pub fn from_files(store: Arc<dyn Files>) -> Self {
+        Self {
+            store,
+            meshes: BTreeMap::new(),
+            shapes: BTreeMap::new(),
+            images: BTreeMap::new(),
+            textures: BTreeMap::new(),
+            kept: BTreeMap::new(),
+        }
+    }
+
+    /// Where files are read from.
+    pub(crate) fn store(&self) -> &dyn Files {
+        &*self.store
+    }
+
+    /// Puts parts in the place of a mesh file, under the path that a document comes to: its folder and the name that it says.
+    pub fn insert_mesh(&mut self, path: impl Into<PathBuf>, mesh: impl Into<Loaded>) {
+        self.meshes.insert(path.into(), mesh.into());
+        self.kept.clear();
+    }
+
+    /// Puts parts in the place of a built-in shape, under all that a document says of it.
+    pub fn insert_shape(&mut self, spec: impl Into<String>, parts: Vec<Part>) {
+        self.shapes.insert(spec.into(), parts);
+        self.kept.clear();
+    }
+
+    /// Puts a map in the place of an image file.
+    pub fn insert_image(&mut self, path: impl Into<PathBuf>, map: impl Into<Arc<OffsetMap>>) {
+        self.images.insert(path.into(), map.into());
+        self.kept.clear();
+    }
+
+    /// Puts a texture in the place of an image file.
+    pub fn insert_texture(&mut self, path: impl Into<PathBuf>, texture: impl Into<Arc<Texture>>) {
+        let (path, texture) = (path.into(), texture.into());
+        for is_color in [false, true] {
+            self.textures
+                .insert((path.clone(), is_color), texture.clone());
+        }
+        self.kept.clear();
+    }
+
+    /// Whether there is a texture of this name, put in or to be read.
+    pub(crate) fn has_texture(&self, path: &Path) -> bool {
+        self.textures.contains_key(&(path.to_owned(), true)) || self.store.is_file(path)
+    }
+
+    /// Whether there is a mesh of this name, put in or to be read.
+    pub fn has_mesh(&self, path: &Path) -> bool {
+        self.meshes.contains_key(path) || self.store.is_file(path)
+    }
+
+    /// What a mesh file holds.
+    ///
+    /// # Errors
+    ///
+    /// As of [`load_mesh_file`](super::load_mesh_file).
+    pub fn mesh(&mut self, path: &Path) -> Result<&Loaded> {
+        self.read_meshes(&[path.to_owned()])?;
+        Ok(&self.meshes[path])
+    }
+
+    /// How long a unit is in the mesh files that were read: none where they do not all say the same.
+    pub fn unit(&self) -> Option<LengthUnit> {
+        let mut units = self.meshes.values().map(|loaded| loaded.unit);
+        let first = units.next()??;
+        units.all(|unit| unit == Some(first)).then_some(first)
+    }
+
+    /// Reads mesh files that have not been read, in parallel.
+    ///
+    /// # Errors
+    ///
+    /// As of [`load_mesh_file`](super::load_mesh_file), of the first that cannot be read.
+    pub fn read_meshes(&mut self, paths: &[PathBuf]) -> Result<()> {
+        let missing = paths
+            .par_iter()
+            .filter(|path| !self.meshes.contains_key(*path));
+        let read = missing.map(|path| Ok((path.clone(), load_mesh_file_from(path, &*self.store)?)));
+        let read: Vec<_> = read.collect::<Result<_>>()?;
+        self.meshes.extend(read);
+        Ok(())
+    }
+
+    /// The parts of a built-in shape: `crank?throws=3`, with or without `shape:` before it.
+    ///
+    /// # Errors
+    ///
+    /// As of [`shape`].
+    pub fn shape(&mut self, spec: &str) -> Result<&[Part]> {
+        if !self.shapes.contains_key(spec) {
+            self.shapes.insert(spec.to_owned(), shape(spec)?);
+        }
+        Ok(&self.shapes[spec])
+    }
+
+    /// The heights of an image.
+    ///
+    /// # Errors
+    ///
+    /// As of [`read_offset_map`](super::read_offset_map).
+    pub fn image(&mut self, path: &Path) -> Result<&Arc<OffsetMap>> {
+        if !self.images.contains_key(path) {
+            let map = read_offset_map_from(path, &*self.store)?;
+            self.images.insert(path.to_owned(), Arc::new(map));
+        }
+        Ok(&self.images[path])
+    }
+
+    /// The texture of an image.
+    ///
+    /// # Errors
+    ///
+    /// As of [`read_texture_from`].
+    pub fn texture(&mut self, path: &Path, kind: TextureKind) -> Result<Arc<Texture>> {
+        let key = (path.to_owned(), kind == TextureKind::Color);
+        if !self.textures.contains_key(&key) {
+            let texture = read_texture_from(path, kind, &*self.store)?;
+            self.textures.insert(key.clone(), Arc::new(texture));
+        }
+        Ok(self.textures[&key].clone())
+    }
+
+    /// What a reader of documents has kept of this type, so as not to make it again for the next document. Gone as soon as anything is put
+    /// into the place of what it may be made of.
+    pub(crate) fn kept<T: Any + Send + Sync>(&self) -> Option<Arc<T>> {
+        self.kept.get(&TypeId::of::<T>())?.clone().downcast().ok()
+    }
+
+    /// Keeps it in the place of what was kept of its type.
+    pub(crate) fn keep<T: Any + Send + Sync>(&mut self, made: T) {
+        self.kept.insert(TypeId::of::<T>(), Arc::new(made));
+    }
+
+    /// All files that were read, with those that they name.
+    pub fn files(&self) -> impl Iterator<Item = &Path> {
+        let of_meshes = self.meshes.values().flat_map(|loaded| &loaded.files);
+        let of_textures = self.textures.keys().map(|(path, _)| path);
+        (of_meshes.chain(self.images.keys()).chain(of_textures)).map(PathBuf::as_path)
+    }
+}

@@ -1,0 +1,365 @@
+//! From a file's triangles to solids: the checks at the door, welding, and which groups belong together.
+//!
+//! A *group* is what a file tells apart: an object, a material, a glTF primitive. A group is not always a solid: an
+//! exporter that writes one group per material tears closed solids open. Groups that share an open edge are therefore
+//! joined, closed groups stay apart. A closed group that is inside out is a cavity: it goes with the smallest group around
+//! it, so that the two together are one solid by parity.
+
+use std::path::Path;
+
+use cutaway::error::{Error, Result};
+use cutaway::scene::topology::{Edges, Sets};
+use cutaway::scene::weld::{has_three, thousands, weld};
+use cutaway::scene::{Coat, Mesh, MeshDefect, Motion, range};
+use glam::Vec3;
+
+use super::welded;
+
+pub(super) const UNITS: &str = "scale it, or export it in another unit of length";
+
+/// Indices of vertices must leave one bit of 32 for the direction of an edge.
+const MOST_VERTICES: usize = 1 << 31;
+
+/// Triangles as a file has them.
+#[derive(Debug, Default)]
+pub(super) struct Draft {
+    pub(super) mesh: Mesh,
+    /// What can move the mesh's positions.
+    pub(super) motion: Motion,
+    /// Index into `groups` per triangle; empty if there is one group at most.
+    pub(super) group_of_triangle: Vec<u32>,
+    pub(super) groups: Vec<Group>,
+}
+
+/// What a file tells about a group of triangles.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Group {
+    pub(super) name: Option<String>,
+    pub(super) color: Option<Vec3>,
+    /// Name of its material.
+    pub(super) material: Option<String>,
+    /// Whether light passes through it.
+    pub(super) is_transparent: bool,
+}
+
+/// A mesh that is worth being a part.
+#[derive(Debug)]
+pub(super) struct Solid {
+    pub(super) name: Option<String>,
+    pub(super) color: Option<Vec3>,
+    /// Names of the materials of its groups.
+    pub(super) materials: Vec<String>,
+    /// Whether light passes through all of them.
+    pub(super) is_transparent: bool,
+    pub(super) mesh: Mesh,
+    pub(super) motion: Motion,
+}
+
+impl Draft {
+    /// Checks, welds and splits. `notes` receives what was changed.
+    pub(super) fn into_solids(
+        mut self,
+        path: &Path,
+        notes: &mut Vec<String>,
+    ) -> Result<Vec<Solid>> {
+        refuse_defects(path, &self.mesh)?;
+        let unused = self.mesh.positions.len() - self.drop_unused();
+        if unused > 0 {
+            notes.push(format!(
+                "left out {} vertices that no triangle uses",
+                thousands(unused)
+            ));
+        }
+        if let Some(welded) = weld(&self.mesh.positions, &self.mesh.triangles) {
+            self.motion = welded::motion(&self.mesh, &self.motion, &welded.new_from_old, notes);
+            self.mesh.positions = welded.positions;
+            for t in &mut self.mesh.triangles {
+                *t = t.map(|i| welded.new_from_old[i as usize]);
+            }
+            notes.push(welded.note);
+        }
+        let faces = self.mesh.triangles.len();
+        self.keep(has_three);
+        let flat = faces - self.mesh.triangles.len();
+        if flat > 0 {
+            notes.push(format!(
+                "left out {} triangles with a repeated corner: they cover nothing",
+                thousands(flat)
+            ));
+            self.drop_unused();
+        }
+        refuse_defects(path, &self.mesh)?;
+        Ok(self.split(notes))
+    }
+
+    fn keep(&mut self, wanted: impl Fn(&[u32; 3]) -> bool) {
+        let kept: Vec<bool> = self.mesh.triangles.iter().map(wanted).collect();
+        if kept.iter().all(|k| *k) {
+            return;
+        }
+        retain(&mut self.mesh.triangles, &kept);
+        retain(&mut self.group_of_triangle, &kept);
+        if let Some(normals) = &mut self.mesh.corner_normals {
+            retain(normals, &kept);
+        }
+        if let Some(coat) = &mut self.mesh.coat {
+            retain(&mut coat.triangles, &kept);
+        }
+    }
+
+    /// Drops vertices that no triangle uses, keeps the order of the others, returns how many are left.
+    fn drop_unused(&mut self) -> usize {
+        let mesh = &mut self.mesh;
+        let mut used = vec![false; mesh.positions.len()];
+        for i in mesh.triangles.iter().flatten() {
+            used[*i as usize] = true;
+        }
+        if used.iter().any(|u| !u) {
+            let mut left = Vec::new();
+            let mut number = Vec::with_capacity(used.len());
+            for (i, used) in (0..).zip(&used) {
+                number.push(left.len() as u32);
+                if *used {
+                    left.push(i);
+                }
+            }
+            retain(&mut mesh.positions, &used);
+            for t in &mut mesh.triangles {
+                *t = t.map(|i| number[i as usize]);
+            }
+            self.motion = self.motion.of_positions(&left);
+        }
+        self.mesh.positions.len()
+    }
+
+    fn split(self, notes: &mut Vec<String>) -> Vec<Solid> {
+        let groups = self.groups.len();
+        let solid_of_group = if groups > 1 {
+            self.solid_of_group()
+        } else {
+            vec![0; groups]
+        };
+        let mut triangles_of: Vec<Vec<u32>> = vec![Vec::new(); groups.max(1)];
+        let mut size = vec![0_usize; groups];
+        for t in 0..self.mesh.triangles.len() {
+            let group = self.group_of_triangle.get(t).map_or(0, |g| *g as usize);
+            let solid = solid_of_group.get(group).map_or(0, |s| *s as usize);
+            triangles_of[solid].push(t as u32);
+            if let Some(size) = size.get_mut(group) {
+                *size += 1;
+            }
+        }
+        let has_triangles = |(group, of): (&Group, &usize)| group.is_transparent && *of > 0;
+        if self.groups.iter().zip(&size).any(has_triangles) {
+            notes.push("drawn opaque where the file lets light through".to_owned());
+        }
+        let count = triangles_of.iter().filter(|t| !t.is_empty()).count();
+        let filled = size.iter().filter(|s| **s > 0).count();
+        if count < filled {
+            notes.push(format!(
+                "{} groups make {} {}: groups that share open edges are one solid",
+                thousands(filled),
+                thousands(count),
+                if count == 1 { "part" } else { "parts" }
+            ));
+        }
+        let mut solids = Vec::with_capacity(count);
+        for (solid, triangles) in triangles_of.iter().enumerate() {
+            if triangles.is_empty() {
+                continue;
+            }
+            let members = || (0..groups).filter(|g| solid_of_group[*g] as usize == solid);
+            let by_size = |g: &usize| (size[*g], std::cmp::Reverse(*g));
+            let colored = members().filter(|g| self.groups[*g].color.is_some());
+            let (mut mesh, motion) = if count == 1 {
+                (self.mesh.clone(), self.motion.clone())
+            } else {
+                let (mesh, vertices) = self.mesh.picked(triangles);
+                (mesh, self.motion.of_positions(&vertices))
+            };
+            // One colour is that of the part; but exporters write white to every vertex, which says nothing.
+            let one = mesh.coat.as_ref().and_then(Coat::one_color);
+            if one.is_some() {
+                mesh.coat = None;
+            }
+            let one = one.filter(|[r, g, b, _]| [*r, *g, *b] != [255; 3]);
+            let one = one.map(|[r, g, b, _]| Vec3::new(r.into(), g.into(), b.into()) / 255.0);
+            let mut materials: Vec<String> = (members().filter(|g| size[*g] > 0))
+                .filter_map(|g| self.groups[g].material.clone())
+                .collect();
+            materials.dedup();
+            let mut filled = members().filter(|g| size[*g] > 0).peekable();
+            solids.push(Solid {
+                materials,
+                is_transparent: filled.peek().is_some()
+                    && filled.all(|g| self.groups[g].is_transparent),
+                name: members().find_map(|g| self.groups[g].name.clone()),
+                color: colored
+                    .max_by_key(by_size)
+                    .and_then(|g| self.groups[g].color)
+                    .or(one),
+                mesh,
+                motion,
+            });
+        }
+        solids
+    }
+
+    /// The least group of the solid that each group belongs to.
+    fn solid_of_group(&self) -> Vec<u32> {
+        let groups = self.groups.len();
+        let mut triangles_of: Vec<Vec<[u32; 3]>> = vec![Vec::new(); groups];
+        for (t, g) in self.mesh.triangles.iter().zip(&self.group_of_triangle) {
+            triangles_of[*g as usize].push(*t);
+        }
+        let mut open: Vec<([u32; 2], u32)> = Vec::new();
+        for (g, triangles) in triangles_of.iter().enumerate() {
+            open.extend(Edges::of(triangles).open().map(|edge| (edge, g as u32)));
+        }
+        open.sort_unstable();
+        let mut sets = Sets::new(groups);
+        for pair in open.windows(2).filter(|w| w[0].0 == w[1].0) {
+            sets.join(pair[0].1, pair[1].1);
+        }
+        let mut pieces: Vec<Vec<u32>> = vec![Vec::new(); groups];
+        for (t, g) in (0..).zip(&self.group_of_triangle) {
+            pieces[sets.find(*g) as usize].push(t);
+        }
+        let measured: Vec<_> = pieces
+            .iter()
+            .enumerate()
+            .filter(|(_, triangles)| !triangles.is_empty())
+            .map(|(g, triangles)| {
+                let (mesh, _) = self.mesh.picked(triangles);
+                let closed = Edges::of(&mesh.triangles).count().open == 0;
+                (g as u32, mesh.volume(), mesh.bounds(), closed)
+            })
+            .collect();
+        for (cavity, volume, inner, closed) in &measured {
+            if !closed || *volume >= 0.0 {
+                continue;
+            }
+            let around = measured
+                .iter()
+                .filter(|(_, v, outer, closed)| {
+                    *closed
+                        && *v > volume.abs()
+                        && outer.min.cmple(inner.min).all()
+                        && outer.max.cmpge(inner.max).all()
+                })
+                .min_by(|a, b| a.1.total_cmp(&b.1));
+            if let Some((outer, ..)) = around {
+                sets.join(*cavity, *outer);
+            }
+        }
+        (0..groups as u32).map(|g| sets.find(g)).collect()
+    }
+}
+
+fn refuse_defects(path: &Path, mesh: &Mesh) -> Result<()> {
+    if mesh.positions.len() > MOST_VERTICES {
+        return Err(Error::file(
+            path,
+            format!("{} vertices are more than 2^31", mesh.positions.len()),
+            "split the model into several files",
+        ));
+    }
+    let Some(defect) = mesh.defect() else {
+        return match range::defect(&mesh.bounds()) {
+            Some(what) => Err(Error::file(path, format!("the mesh {what}"), UNITS)),
+            None => Ok(()),
+        };
+    };
+    let help = match &defect {
+        MeshDefect::Empty => "export it with faces; points, lines and curves are not cut",
+        MeshDefect::NotFinite { .. } => "export it again, or delete that vertex and its faces",
+        _ => "the file is damaged or cut off: export it again",
+    };
+    Err(Error::file(path, defect.to_string(), help))
+}
+
+fn retain<T>(items: &mut Vec<T>, kept: &[bool]) {
+    let mut flags = kept.iter();
+    items.retain(|_| flags.next().is_none_or(|k| *k));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DVec3;
+
+    const TETRAHEDRON: [[u32; 3]; 4] = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]];
+
+    /// Tetrahedra of the given sizes around the same centre, a negative size inside out; `group` picks each triangle's.
+    fn draft(sizes: &[f64], group: impl Fn(usize, usize) -> u32) -> Draft {
+        let mut draft = Draft::default();
+        for (k, size) in sizes.iter().enumerate() {
+            let first = 4 * k as u32;
+            let corners = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z];
+            let place = |p: &DVec3| (*p - DVec3::splat(0.25)) * size.abs();
+            draft.mesh.positions.extend(corners.iter().map(place));
+            for (i, t) in TETRAHEDRON.iter().enumerate() {
+                let [a, b, c] = t.map(|i| i + first);
+                let inside_out = *size < 0.0;
+                let t = if inside_out { [a, c, b] } else { [a, b, c] };
+                draft.mesh.triangles.push(t);
+                draft.group_of_triangle.push(group(k, i));
+            }
+        }
+        let count = draft.group_of_triangle.iter().max().map_or(0, |g| g + 1);
+        draft.groups = (0..count)
+            .map(|g| Group {
+                name: Some(format!("g{g}")),
+                color: Some(Vec3::splat(g as f32 / 8.0)),
+                ..Group::default()
+            })
+            .collect();
+        draft
+    }
+
+    fn solids(draft: Draft) -> (Vec<Solid>, Vec<String>) {
+        let mut notes = Vec::new();
+        let solids = draft.into_solids(Path::new("x.obj"), &mut notes).unwrap();
+        (solids, notes)
+    }
+
+    #[test]
+    fn closed_groups_stay_apart() {
+        let (solids, notes) = solids(draft(&[1.0, 2.0], |k, _| k as u32));
+        assert_eq!(solids.len(), 2);
+        assert_eq!(solids[1].mesh.positions.len(), 4);
+        assert_eq!(solids[1].name.as_deref(), Some("g1"));
+        assert!(notes.is_empty(), "{notes:?}");
+    }
+
+    #[test]
+    fn a_solid_in_two_materials_is_one_part() {
+        let (solids, notes) = solids(draft(&[1.0], |_, t| u32::from(t > 0)));
+        assert_eq!(solids.len(), 1);
+        assert_eq!(
+            solids[0].color,
+            Some(Vec3::splat(0.125)),
+            "the larger group's"
+        );
+        assert!(notes[0].starts_with("2 groups make 1 part"), "{notes:?}");
+    }
+
+    #[test]
+    fn a_cavity_goes_with_the_smallest_group_around_it() {
+        let (solids, _) = solids(draft(&[1.0, -0.5, 3.0], |k, _| k as u32));
+        assert_eq!(solids.len(), 2);
+        assert!((solids[0].mesh.volume() - 0.875 / 6.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn repeated_corners_and_unused_vertices_go() {
+        let mut one = draft(&[1.0], |_, _| 0);
+        one.mesh.triangles.push([1, 1, 2]);
+        one.group_of_triangle.push(0);
+        one.mesh.positions.push(DVec3::splat(1e12));
+        let (solids, notes) = solids(one);
+        assert_eq!(solids[0].mesh.triangles.len(), 4);
+        assert_eq!(solids[0].mesh.positions.len(), 4);
+        assert_eq!(notes.len(), 2, "{notes:?}");
+    }
+}

@@ -1,0 +1,208 @@
+//! Where bytes come from: the disk, or the memory of a host that has no disk, such as a page of a browser.
+//!
+//! All that loaders and scene documents read they read whole, by path, through [`Files`]. Besides they only ask whether there is a file of
+//! some name; no folder is listed. A host that has to fetch files first learns their names from
+//! [`Document::files`](crate::Document::files).
+//!
+//! Cost: one file in memory at a time for each thread that reads; what is in memory already is lent, not copied.
+
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+use std::fmt;
+use std::fs;
+use std::io::{self, ErrorKind, Read};
+use std::path::{Path, PathBuf};
+
+use super::place::walked;
+
+/// Most bytes of a file, and of what a packed one holds: some 100 million triangles of binary STL fit, and what is made of them
+/// still fits into the memory of a workstation.
+pub const MOST_BYTES: u64 = 8 << 30;
+
+/// Files by path.
+pub trait Files: fmt::Debug + Send + Sync {
+    /// The bytes of a file.
+    ///
+    /// # Errors
+    ///
+    /// What stands after `FILE: cannot be read:`. The kind chooses the help: [`ErrorKind::NotFound`] if there is no such file,
+    /// [`ErrorKind::PermissionDenied`] if it may not be read.
+    fn read(&self, path: &Path) -> io::Result<Cow<'_, [u8]>>;
+
+    /// Whether there is a file of this name.
+    fn is_file(&self, path: &Path) -> bool;
+
+    /// Whether `path`, by its name in the folder of the file `from` or below, leads out of there all the same, by links. A store without
+    /// links leaves this as it is.
+    fn leads_out(&self, _path: &Path, _from: &Path) -> bool {
+        false
+    }
+}
+
+/// The files of the machine: regular ones only, up to 8 GiB each.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Disk;
+
+impl Disk {
+    /// The length of a file that can be read. What is no regular file is refused by what it is: a device or a pipe would be read for ever.
+    pub(super) fn length(path: &Path) -> io::Result<u64> {
+        let metadata = fs::metadata(path)?;
+        if !metadata.is_file() {
+            return Err(match kind(&metadata) {
+                "folder" => io::Error::new(ErrorKind::IsADirectory, "it is a folder"),
+                kind => {
+                    let what = format!("it is a {kind}, not a regular file");
+                    io::Error::new(ErrorKind::InvalidInput, what)
+                }
+            });
+        }
+        if metadata.len() > MOST_BYTES {
+            let what = format!("it has {} bytes, more than {MOST_BYTES}", metadata.len());
+            return Err(io::Error::new(ErrorKind::FileTooLarge, what));
+        }
+        Ok(metadata.len())
+    }
+}
+
+impl Files for Disk {
+    fn read(&self, path: &Path) -> io::Result<Cow<'_, [u8]>> {
+        let length = Self::length(path)?;
+        let mut bytes = Vec::with_capacity(usize::try_from(length).unwrap_or(0));
+        // A file that grows meanwhile is read no further than its limit.
+        fs::File::open(path)?
+            .take(MOST_BYTES)
+            .read_to_end(&mut bytes)?;
+        Ok(bytes.into())
+    }
+
+    fn is_file(&self, path: &Path) -> bool {
+        path.is_file()
+    }
+
+    /// Links followed; of a `from` that is a link itself, its own folder and that of the file that it leads to count.
+    fn leads_out(&self, path: &Path, from: &Path) -> bool {
+        let folder = match from.parent() {
+            Some(folder) if !folder.as_os_str().is_empty() => folder,
+            _ => Path::new("."),
+        };
+        let own = folder.canonicalize().ok();
+        let of_target = from.canonicalize().ok();
+        let of_target = of_target.as_deref().and_then(Path::parent);
+        let mut folders = own.iter().map(PathBuf::as_path).chain(of_target);
+        let is_below = |path: PathBuf| folders.any(|folder| path.starts_with(folder));
+        path.exists() && !path.canonicalize().is_ok_and(is_below)
+    }
+}
+
+#[cfg(unix)]
+fn kind(metadata: &fs::Metadata) -> &'static str {
+    use std::os::unix::fs::FileTypeExt;
+
+    let kind = metadata.file_type();
+    if kind.is_dir() {
+        "folder"
+    } else if kind.is_fifo() {
+        "pipe"
+    } else if kind.is_socket() {
+        "socket"
+    } else {
+        "device"
+    }
+}
+
+#[cfg(not(unix))]
+fn kind(metadata: &fs::Metadata) -> &'static str {
+    if metadata.is_dir() {
+        "folder"
+    } else {
+        "device"
+    }
+}
+
+/// Files in memory. Names are compared without `.` and with `..` taken back; there is no current folder.
+///
+/// ```
+/// use cutaway_io::document::Document;
+/// use cutaway_io::load::{Assets, Memory};
+/// use std::{path::Path, sync::Arc};
+///
+/// let mut files = Memory::default();
+/// files.insert("scene.toml", b"[[part]]\nmesh = 'models/solid.obj'\n");
+/// files.insert("models/solid.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+/// let document = Document::read_from(Path::new("scene.toml"), &files)?;
+/// let scene = document.resolve(0.0, &mut Assets::from_files(Arc::new(files)))?;
+/// assert_eq!(scene.parts[0].name, "solid");
+/// # Ok::<(), cutaway::Error>(())
+/// ```
+#[derive(Clone, Default)]
+pub struct Memory(BTreeMap<PathBuf, Cow<'static, [u8]>>);
+
+impl Memory {
+    /// Puts a file in, in the place of one of the same name.
+    pub fn insert(&mut self, path: impl AsRef<Path>, bytes: impl Into<Cow<'static, [u8]>>) {
+        self.0.insert(normal(path.as_ref()), bytes.into());
+    }
+}
+
+impl<P: AsRef<Path>, B: Into<Cow<'static, [u8]>>> FromIterator<(P, B)> for Memory {
+    fn from_iter<I: IntoIterator<Item = (P, B)>>(files: I) -> Self {
+        let mut memory = Self::default();
+        for (path, bytes) in files {
+            memory.insert(path, bytes);
+        }
+        memory
+    }
+}
+
+impl Files for Memory {
+    fn read(&self, path: &Path) -> io::Result<Cow<'_, [u8]>> {
+        let bytes = self.0.get(&normal(path)).ok_or_else(|| {
+            io::Error::new(ErrorKind::NotFound, "it is not among the files in memory")
+        })?;
+        Ok(Cow::Borrowed(bytes))
+    }
+
+    fn is_file(&self, path: &Path) -> bool {
+        self.0.contains_key(&normal(path))
+    }
+}
+
+/// The names of the files.
+impl fmt::Debug for Memory {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_set().entries(self.0.keys()).finish()
+    }
+}
+
+fn normal(path: &Path) -> PathBuf {
+    walked(path, |place| place)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_in_memory_are_compared_without_detours() {
+        let files = Memory::from_iter(
+            [("a/./b.obj", "b"), ("../c.obj", "c"), ("/d.obj", "d")]
+                .map(|(name, text)| (name, text.as_bytes())),
+        );
+        for (name, text) in [
+            ("a/b.obj", "b"),
+            ("./a/x/../b.obj", "b"),
+            ("a/../../c.obj", "c"),
+            ("/a/../d.obj", "d"),
+            ("/../d.obj", "d"),
+        ] {
+            let path = Path::new(name);
+            assert_eq!(&*files.read(path).expect(name), text.as_bytes(), "{name}");
+            assert!(files.is_file(path), "{name}");
+        }
+        for name in ["b.obj", "c.obj", "a", "d.obj", "../a/b.obj"] {
+            let error = files.read(Path::new(name)).expect_err(name);
+            assert_eq!(error.kind(), ErrorKind::NotFound, "{name}");
+            assert!(!files.is_file(Path::new(name)), "{name}");
+        }
+    }
+}

@@ -1,0 +1,171 @@
+//! Frame sequences: one mesh file per frame, such as simulations write.
+//!
+//! Every frame is a mesh of its own; the number of vertices and triangles, and even that of solids, may change from frame to
+//! frame. All frames are loaded at once, in parallel, and stay in memory: what is drawn at a time is a frame as it was
+//! loaded, never something between two frames, and asking for the same frame again gives the same [`Arc`] of
+//! its mesh.
+
+mod pattern;
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use cutaway::error::{Error, Result};
+use cutaway::scene::Part;
+
+use super::Assets;
+pub use pattern::Pattern;
+
+/// Frames per second where nobody says how many.
+pub const USUAL_FPS: f64 = 24.0;
+
+/// Share of a frame by which a time may fall short of it: `3 / fps * fps` need not be 3.
+const SLACK: f64 = 1e-6;
+
+/// Meshes in a row.
+#[derive(Clone, Debug)]
+pub struct Sequence {
+    frames: Arc<[Vec<Part>]>,
+    fps: f64,
+    loops: bool,
+    notes: Arc<[String]>,
+    files: Arc<[PathBuf]>,
+}
+
+impl Sequence {
+    /// Opens all files of a pattern such as `frames/walk_%04d.ply`, counted from 0 or 1 up until one is missing. It begins
+    /// anew after its last frame.
+    pub fn open(pattern: &str, fps: f64, assets: &mut Assets) -> Result<Self> {
+        Self::open_from(&Pattern::parse(pattern)?, None, assets)?.timed(fps, true)
+    }
+
+    /// Opens all files of a pattern, counted up from `first`.
+    pub(crate) fn open_from(
+        pattern: &Pattern,
+        first: Option<u32>,
+        assets: &mut Assets,
+    ) -> Result<Self> {
+        let (files, gap) = pattern.files(first, assets.store())?;
+        assets.read_meshes(&files)?;
+        let opened: Vec<(Vec<Part>, Vec<String>)> = files
+            .iter()
+            .map(|path| {
+                let loaded = assets.mesh(path)?;
+                whole(path, &loaded.parts)?;
+                Ok((loaded.parts.clone(), loaded.notes.clone()))
+            })
+            .collect::<Result<_>>()?;
+        let mut notes: Vec<String> = gap.into_iter().collect();
+        notes.extend(summary(&files, &opened));
+        let several = opened.iter().any(|(parts, _)| parts.len() > 1);
+        let stem = pattern.stem();
+        let named = |(index, mut part): (usize, Part)| {
+            part.name = if several {
+                format!("{stem}/{index}")
+            } else {
+                stem.clone()
+            };
+            part
+        };
+        let frames = opened
+            .into_iter()
+            .map(|(parts, _)| parts.into_iter().enumerate().map(named).collect())
+            .collect();
+        Ok(Self {
+            frames,
+            fps: USUAL_FPS,
+            loops: true,
+            notes: notes.into(),
+            files: files.into(),
+        })
+    }
+
+    /// The same frames at another rate. Without a loop the last frame stays.
+    pub fn timed(self, fps: f64, loops: bool) -> Result<Self> {
+        if !(fps.is_finite() && fps > 0.0) {
+            let help = "write how many frames make a second, for example 24";
+            return Err(Error::input(
+                format!("fps {fps}"),
+                "it must be above 0",
+                help,
+            ));
+        }
+        Ok(Self { fps, loops, ..self })
+    }
+
+    /// How many frames there are.
+    pub fn frame_count(&self) -> usize {
+        self.frames.len()
+    }
+
+    /// How long all frames take.
+    pub fn duration_s(&self) -> f64 {
+        self.frames.len() as f64 / self.fps
+    }
+
+    /// When each frame begins, the first time round.
+    pub fn times_s(&self) -> impl Iterator<Item = f64> {
+        (0..self.frames.len()).map(|i| i as f64 / self.fps)
+    }
+
+    /// Which frame is shown at a time, counted from 0.
+    pub fn frame_at(&self, time_s: f64) -> usize {
+        let count = self.frames.len();
+        let frame = (time_s.max(0.0) * self.fps + SLACK).floor();
+        if self.loops {
+            (frame % count as f64) as usize % count
+        } else {
+            (frame as usize).min(count - 1)
+        }
+    }
+
+    /// The solids of the frame that is shown at a time: one is named after the pattern without its number, several after it
+    /// and their number in the file.
+    pub fn parts_at(&self, time_s: f64) -> &[Part] {
+        &self.frames[self.frame_at(time_s)]
+    }
+
+    /// The solids of each frame.
+    pub fn frames(&self) -> impl Iterator<Item = &[Part]> {
+        self.frames.iter().map(Vec::as_slice)
+    }
+
+    /// The files, in order.
+    pub fn files(&self) -> &[PathBuf] {
+        &self.files
+    }
+
+    /// What the user should know: frames left out, and what was mended in them.
+    pub fn notes(&self) -> &[String] {
+        &self.notes
+    }
+}
+
+/// Refuses a frame that cannot be drawn.
+fn whole(path: &Path, parts: &[Part]) -> Result<()> {
+    let help = "export the frame again, or leave out this and later ones";
+    if parts.is_empty() {
+        return Err(Error::file(path, "the frame holds no solid", help));
+    }
+    match parts.iter().find_map(|p| p.mesh.defect()) {
+        Some(defect) => Err(Error::file(path, format!("the frame: {defect}"), help)),
+        None => Ok(()),
+    }
+}
+
+/// The notes of the first frame that has any, and how many others have some too: what happens to one happens to most.
+fn summary(files: &[PathBuf], opened: &[(Vec<Part>, Vec<String>)]) -> Vec<String> {
+    let mut noted = files.iter().zip(opened).filter(|(_, (_, n))| !n.is_empty());
+    let Some((path, (_, notes))) = noted.next() else {
+        return Vec::new();
+    };
+    let mut notes = notes.clone();
+    let others = noted.count();
+    if others > 0 {
+        notes.push(format!(
+            "{}: {others} more frames have notes like these",
+            path.display()
+        ));
+    }
+    notes
+}

@@ -1,0 +1,200 @@
+//! Names of frames: a path with one number in it, written `%d` or `%04d`; `%%` stands for a percent sign.
+
+use std::path::{Path, PathBuf};
+
+use cutaway::error::{Error, Result};
+
+use crate::load::Files;
+
+const EXAMPLE: &str = "write one %04d where the number belongs, as in `frames/walk_%04d.ply`; %% stands for a percent sign";
+
+/// Most digits that a number is filled up to.
+const MOST_DIGITS: usize = 12;
+
+/// How far beyond a missing frame others are looked for, to tell a gap from the end.
+const GAP_LOOKED_ACROSS: u32 = 64;
+
+/// A path with a number left open.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Pattern {
+    text: String,
+    before: String,
+    digits: usize,
+    after: String,
+}
+
+impl Pattern {
+    /// Whether a path leaves a number open, as `%d` or `%04d`.
+    pub fn is_in(text: &str) -> bool {
+        Self::parse(text).is_ok()
+    }
+
+    /// Reads a pattern.
+    pub fn parse(text: &str) -> Result<Self> {
+        let fault = |what: &str| Err(Error::input(format!("`{text}`"), what, EXAMPLE));
+        let (mut before, mut after) = (String::new(), String::new());
+        let mut digits = None;
+        let mut rest = text;
+        while let Some((plain, tail)) = rest.split_once('%') {
+            let side = if digits.is_none() {
+                &mut before
+            } else {
+                &mut after
+            };
+            side.push_str(plain);
+            if let Some(tail) = tail.strip_prefix('%') {
+                side.push('%');
+                rest = tail;
+                continue;
+            }
+            let Some((width, tail)) = tail.split_once('d') else {
+                return fault("a % leaves no number open");
+            };
+            let filled = width.strip_prefix('0').and_then(|w| w.parse().ok());
+            let width = match (width.is_empty(), filled) {
+                (true, _) => 1,
+                (_, Some(width @ 1..=MOST_DIGITS)) => width,
+                _ => return fault("a % leaves no number open"),
+            };
+            if digits.replace(width).is_some() {
+                return fault("it leaves two numbers open");
+            }
+            rest = tail;
+        }
+        let Some(digits) = digits else {
+            return fault("it leaves no number open");
+        };
+        after.push_str(rest);
+        Ok(Self {
+            text: text.to_owned(),
+            before,
+            digits,
+            after,
+        })
+    }
+
+    /// The same pattern inside a folder.
+    #[must_use]
+    pub fn inside(mut self, folder: &Path) -> Self {
+        self.before = folder.join(&self.before).to_string_lossy().into_owned();
+        self
+    }
+
+    /// The file of a number.
+    pub fn file(&self, number: u32) -> PathBuf {
+        let Self {
+            before,
+            digits,
+            after,
+            ..
+        } = self;
+        format!("{before}{number:0digits$}{after}").into()
+    }
+
+    /// The name of the files without folder, number and extension; `frames` where nothing is left.
+    pub(super) fn stem(&self) -> String {
+        let name = |text: &str| {
+            let name = text.rsplit(['/', '\\']).next().unwrap_or(text);
+            name.to_owned()
+        };
+        let end = name(&self.after);
+        let end = end.split('.').next().unwrap_or_default();
+        let start = if self.after.contains(['/', '\\']) {
+            String::new()
+        } else {
+            name(&self.before)
+        };
+        let stem = format!("{start}{end}");
+        let stem = stem.trim_matches(['_', '-', '.', ' ']);
+        if stem.is_empty() { "frames" } else { stem }.to_owned()
+    }
+
+    /// The files from a first number up until one is missing, and what to say if there are more behind the gap.
+    #[doc(hidden)]
+    pub fn files(
+        &self,
+        first: Option<u32>,
+        store: &dyn Files,
+    ) -> Result<(Vec<PathBuf>, Option<String>)> {
+        let is_there = |number: &u32| store.is_file(&self.file(*number));
+        let start = match first {
+            Some(first) => is_there(&first).then_some(first),
+            None => [0, 1].into_iter().find(is_there),
+        };
+        let Some(start) = start else {
+            let (what, help) = match first {
+                Some(first) => (
+                    format!("there is no file {}", self.file(first).display()),
+                    "let `first` be the number of the first frame",
+                ),
+                None => (
+                    format!(
+                        "there is neither {} nor {}",
+                        self.file(0).display(),
+                        self.file(1).display()
+                    ),
+                    "check the folder and the digits: %04d is four of them; in a scene file `first` may be any number",
+                ),
+            };
+            return Err(Error::input(format!("`{}`", self.text), what, help).missing());
+        };
+        let files: Vec<PathBuf> = (start..)
+            .take_while(is_there)
+            .map(|n| self.file(n))
+            .collect();
+        let missing = start.saturating_add(files.len() as u32);
+        let beyond =
+            (missing..missing.saturating_add(GAP_LOOKED_ACROSS)).find(|number| is_there(number));
+        let gap = beyond.map(|beyond| {
+            format!(
+                "{}: the sequence ends before frame {missing}, which is missing, though there is a frame {beyond}",
+                self.text
+            )
+        });
+        Ok((files, gap))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_filled_in() {
+        for (text, number, file, stem) in [
+            ("walk_%04d.ply", 7, "walk_0007.ply", "walk"),
+            ("%d.obj", 12, "12.obj", "frames"),
+            (
+                "a/b%%/run-%03d-x.stl",
+                1234,
+                "a/b%/run-1234-x.stl",
+                "run--x",
+            ),
+            ("t%02d/mesh.ply", 3, "t03/mesh.ply", "mesh"),
+            ("100%%/a%06d%%.png", 12345, "100%/a012345%.png", "a%"),
+        ] {
+            let pattern = Pattern::parse(text).expect(text);
+            assert_eq!(pattern.file(number), PathBuf::from(file), "{text}");
+            assert_eq!(pattern.stem(), stem, "{text}");
+        }
+    }
+
+    #[test]
+    fn what_is_no_pattern_is_told() {
+        for (text, phrase) in [
+            ("walk.ply", "no number"),
+            ("100%%.ply", "no number"),
+            ("100%.ply", "no number"),
+            ("%4d.ply", "no number"),
+            ("%099d.ply", "no number"),
+            ("%0d.ply", "no number"),
+            ("é%é.ply", "no number"),
+            ("%s.ply", "no number"),
+            ("%d/%d.ply", "two numbers"),
+        ] {
+            assert!(!Pattern::is_in(text), "{text}");
+            let error = Pattern::parse(text).expect_err(text).to_string();
+            assert!(error.contains(phrase) && error.contains("help:"), "{error}");
+        }
+    }
+}

@@ -1,0 +1,107 @@
+//! Extensions: those that are read, those that a reader without them may pass over, and notes about all others.
+//!
+//! An extension that a file requires and that is not read stops it, unless its name says that it is about looks or about data beside the
+//! geometry. One that is used without being required stops nothing; where it stands on a node or on a mesh, it may move, hide or add
+//! geometry, and a note names it.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use cutaway::error::{Error, Result};
+use cutaway::scene::weld::thousands;
+use gltf::json::Root;
+use serde_json::{Map, Value};
+
+use super::packed::{DRACO, MESHOPT};
+
+/// Instances of a node's mesh.
+pub(super) const INSTANCES: &str = "EXT_mesh_gpu_instancing";
+
+/// Whether a node is shown, with all below it.
+pub(super) const VISIBILITY: &str = "KHR_node_visibility";
+
+/// Extensions that are read.
+const READ: [&str; 7] = [
+    MESHOPT[0],
+    MESHOPT[1],
+    DRACO,
+    INSTANCES,
+    VISIBILITY,
+    "KHR_mesh_quantization",
+    "KHR_texture_transform",
+];
+
+/// Pieces of the names of extensions that change looks alone.
+const LOOKS: [&str; 5] = [
+    "_materials_",
+    "_lights_",
+    "_texture_",
+    "_environment",
+    "_sky",
+];
+
+/// Pieces of the names of extensions that add data, sound or behaviour, and no geometry.
+const BESIDE: [&str; 9] = [
+    "_xmp",
+    "_metadata",
+    "_features",
+    "_audio",
+    "_animation_pointer",
+    "_interactivity",
+    "_selectability",
+    "_hoverability",
+    "_articulations",
+];
+
+fn has_any(name: &str, pieces: &[&str]) -> bool {
+    pieces.iter().any(|piece| name.contains(piece))
+}
+
+/// Refuses extensions without which the file says it cannot be read, and which are not; no others are required then.
+pub(super) fn settle_required(path: &Path, root: &mut Root, notes: &mut Vec<String>) -> Result<()> {
+    for name in std::mem::take(&mut root.extensions_required) {
+        if READ.contains(&name.as_str()) {
+            continue;
+        }
+        if has_any(&name, &LOOKS) || has_any(&name, &BESIDE) {
+            notes.push(format!("shown without {name}"));
+            continue;
+        }
+        let what = format!("it requires the extension {name}, which is not read");
+        let help = match name.ends_with("_compression") {
+            true => "unpack it, for example with `gltf-transform copy packed.glb plain.glb`",
+            false => "export it again as plain glTF 2.0, without that extension",
+        };
+        return Err(Error::file(path, what, help));
+    }
+    Ok(())
+}
+
+/// A note for each extension of nodes, meshes and primitives that is not read and is not about looks.
+pub(super) fn unread(root: &Root) -> Vec<String> {
+    let of_nodes = (root.nodes.iter()).filter_map(|node| Some(&node.extensions.as_ref()?.others));
+    let of_meshes = (root.meshes.iter()).filter_map(|mesh| Some(&mesh.extensions.as_ref()?.others));
+    let primitives = root.meshes.iter().flat_map(|mesh| &mesh.primitives);
+    let of_primitives = primitives.filter_map(|p| Some(&p.extensions.as_ref()?.others));
+    let named = |noun, extensions: &'_ Map<String, Value>| {
+        let names = extensions.keys().cloned();
+        names.map(|name| (name, noun)).collect::<Vec<_>>()
+    };
+    let all = (of_nodes.flat_map(|all| named("node", all)))
+        .chain(of_meshes.flat_map(|all| named("mesh", all)))
+        .chain(of_primitives.flat_map(|all| named("primitive", all)));
+    let mut counts: BTreeMap<(String, &str), usize> = BTreeMap::new();
+    for key in all.filter(|(name, _)| !READ.contains(&name.as_str()) && !has_any(name, &LOOKS)) {
+        *counts.entry(key).or_default() += 1;
+    }
+    let notes = counts.into_iter().map(|((name, noun), count)| {
+        let nouns = match (noun, count) {
+            (noun, 1) => noun.to_owned(),
+            ("mesh", _) => "meshes".to_owned(),
+            (noun, _) => format!("{noun}s"),
+        };
+        let count = thousands(count);
+        format!("shown without {name}, an extension of {count} {nouns} that is not read")
+    });
+    notes.collect()
+}

@@ -1,0 +1,149 @@
+//! Solids that a file tears into several nodes: open meshes that stand still and close each other become one part.
+//!
+//! Edges are the same where their ends are in f32. What is not closed by what it shares edges with stays as the file has it.
+//!
+//! Cost: one sort of the open edges of all parts.
+
+use std::sync::Arc;
+
+use cutaway::scene::topology::{Edges, Sets};
+use cutaway::scene::weld::weld;
+use cutaway::scene::{Coat, CoatedTriangle, Material, Mesh, Texture};
+use glam::{DAffine3, Vec3};
+
+use super::super::Placed;
+
+/// An end of an edge: its coordinates in f32.
+type End = [u32; 3];
+
+/// The parts, with those that make one solid joined.
+pub(super) fn joined(placed: Vec<Placed>, notes: &mut Vec<String>) -> Vec<Placed> {
+    let mut open: Vec<([End; 2], u32)> = Vec::new();
+    for (number, part) in (0..).zip(&placed) {
+        if part.driver.is_none() && part.world_from_part.matrix3.determinant() > 0.0 {
+            open.extend(open_edges(part).map(|edge| (edge, number)));
+        }
+    }
+    open.sort_unstable();
+    let mut sets = Sets::new(placed.len());
+    for pair in open.windows(2).filter(|w| w[0].0 == w[1].0) {
+        sets.join(pair[0].1, pair[1].1);
+    }
+    let mut members: Vec<Vec<usize>> = vec![Vec::new(); placed.len()];
+    for part in 0..placed.len() {
+        members[sets.find(part as u32) as usize].push(part);
+    }
+    let mut parts: Vec<Option<Placed>> = placed.into_iter().map(Some).collect();
+    for set in members.into_iter().filter(|set| set.len() > 1) {
+        let pieces: Vec<&Placed> = set.iter().filter_map(|i| parts[*i].as_ref()).collect();
+        let Some(whole) = whole(&pieces) else {
+            continue;
+        };
+        let name = whole.name.as_deref().unwrap_or("a part");
+        let count = set.len();
+        notes.push(format!(
+            "{count} nodes make one part, {name}: they close each other's open edges"
+        ));
+        set.iter().for_each(|i| parts[*i] = None);
+        parts[set[0]] = Some(whole);
+    }
+    parts.into_iter().flatten().collect()
+}
+
+fn open_edges(part: &Placed) -> impl Iterator<Item = [End; 2]> {
+    let edges: Vec<[u32; 2]> = Edges::of(&part.mesh.triangles).open().collect();
+    edges.into_iter().map(|edge| {
+        let mut ends = edge.map(|i| {
+            let at = (part.world_from_part).transform_point3(part.mesh.positions[i as usize]);
+            // Adding 0.0 turns -0.0 into 0.0.
+            (at.as_vec3() + Vec3::ZERO).to_array().map(f32::to_bits)
+        });
+        ends.sort_unstable();
+        ends
+    })
+}
+
+/// The pieces as one part in the world; none if it is not closed, or if the file says unlike things of them.
+fn whole(pieces: &[&Placed]) -> Option<Placed> {
+    let first = pieces.first()?;
+    if pieces.iter().any(|piece| piece.role != first.role) {
+        return None;
+    }
+    let mut mesh = Mesh::default();
+    for piece in pieces {
+        let before = mesh.positions.len() as u32;
+        let places = piece.mesh.positions.iter();
+        (mesh.positions).extend(places.map(|p| piece.world_from_part.transform_point3(*p)));
+        let triangles = piece.mesh.triangles.iter();
+        mesh.triangles
+            .extend(triangles.map(|t| t.map(|i| i + before)));
+    }
+    if let Some(welded) = weld(&mesh.positions, &mesh.triangles) {
+        mesh.positions = welded.positions;
+        for t in &mut mesh.triangles {
+            *t = t.map(|i| welded.new_from_old[i as usize]);
+        }
+    }
+    if Edges::of(&mesh.triangles).count().open > 0 {
+        return None;
+    }
+    mesh.corner_normals = normals(pieces);
+    mesh.coat = coat(pieces);
+    Some(Placed {
+        name: pieces.iter().find_map(|piece| piece.name.clone()),
+        color: first.color,
+        materials: pieces
+            .iter()
+            .flat_map(|piece| piece.materials.clone())
+            .collect(),
+        is_transparent: pieces.iter().all(|piece| piece.is_transparent),
+        role: first.role,
+        mesh: Arc::new(mesh),
+        world_from_part: DAffine3::IDENTITY,
+        driver: None,
+    })
+}
+
+/// The normals in the world, if all have them.
+fn normals(pieces: &[&Placed]) -> Option<Vec<[Vec3; 3]>> {
+    let mut all = Vec::new();
+    for piece in pieces {
+        let to_world = piece.world_from_part.matrix3.inverse().transpose();
+        let turned = |n: Vec3| (to_world * n.as_dvec3()).normalize_or_zero().as_vec3();
+        let own = piece.mesh.corner_normals.as_ref()?.iter();
+        all.extend(own.map(|corners| corners.map(turned)));
+    }
+    Some(all)
+}
+
+/// The coats of all, where one has a coat or their colours differ.
+fn coat(pieces: &[&Placed]) -> Option<Coat> {
+    let is_plain = |piece: &&Placed| piece.mesh.coat.is_none() && piece.color == pieces[0].color;
+    if pieces.iter().all(is_plain) {
+        return None;
+    }
+    let mut whole = Coat::default();
+    for piece in pieces {
+        let Some(coat) = &piece.mesh.coat else {
+            let color = piece.color.unwrap_or(Material::default().color) * 255.0;
+            let [r, g, b] = color.round().to_array().map(|c| c as u8);
+            let plain = CoatedTriangle {
+                colors: [[r, g, b, 255]; 3],
+                ..CoatedTriangle::default()
+            };
+            let count = piece.mesh.triangles.len();
+            whole.triangles.extend(std::iter::repeat_n(plain, count));
+            continue;
+        };
+        let numbers: Vec<u32> = (coat.images.iter())
+            .map(|image| Texture::number_among(&mut whole.images, image) as u32)
+            .collect();
+        whole
+            .triangles
+            .extend(coat.triangles.iter().map(|t| CoatedTriangle {
+                image: t.image.map(|i| numbers[i as usize]),
+                ..*t
+            }));
+    }
+    Some(whole)
+}

@@ -1,0 +1,60 @@
+//! Grey TIFF files as heights: what elevation models are kept in, and what `image` does not read, floats and signed numbers.
+//!
+//! Floats are heights as they are; whole numbers are divided by the greatest of their type, so that signed ones reach from -1 to 1.
+
+use std::io::Cursor;
+
+use cutaway::scene::relief::MAX_TEXELS;
+use tiff::ColorType;
+use tiff::decoder::{Decoder, DecodingResult};
+
+/// Width and height in texels, and the heights row by row.
+pub(super) type Heights = ([u32; 2], Vec<f32>);
+
+/// The heights of a grey TIFF; none of one in colour, and the reason where it cannot be decoded.
+pub(super) fn read(bytes: &[u8]) -> Result<Option<Heights>, String> {
+    let mut decoder = Decoder::new(Cursor::new(bytes)).map_err(|e| e.to_string())?;
+    let (width, height) = decoder.dimensions().map_err(|e| e.to_string())?;
+    match decoder.colortype().map_err(|e| e.to_string())? {
+        // One bit is packed, which `image` unpacks.
+        ColorType::Gray(1) => return Ok(None),
+        ColorType::Gray(_) | ColorType::Multiband { num_samples: 1, .. } => {}
+        ColorType::Multiband { num_samples, .. } => {
+            return Err(format!(
+                "it has {num_samples} bands: keep the one with the heights"
+            ));
+        }
+        _ => return Ok(None),
+    }
+    // Before it is decoded: a few bytes can state any size.
+    if u64::from(width) * u64::from(height) > MAX_TEXELS {
+        return Err(format!(
+            "{width} x {height} is more than {MAX_TEXELS} texels"
+        ));
+    }
+    let heights = match decoder.read_image().map_err(|e| e.to_string())? {
+        DecodingResult::F16(all) => all.into_iter().map(f32::from).collect(),
+        DecodingResult::F32(all) => all,
+        DecodingResult::F64(all) => all.into_iter().map(|h| h as f32).collect(),
+        DecodingResult::U8(all) => shares(&all, u8::MAX.into()),
+        DecodingResult::U16(all) => shares(&all, u16::MAX.into()),
+        DecodingResult::U32(all) => shares(&all, u32::MAX.into()),
+        DecodingResult::I8(all) => shares(&all, i8::MAX.into()),
+        DecodingResult::I16(all) => shares(&all, i16::MAX.into()),
+        DecodingResult::I32(all) => shares(&all, i32::MAX.into()),
+        DecodingResult::U64(all) => all
+            .iter()
+            .map(|h| (*h as f64 / u64::MAX as f64) as f32)
+            .collect(),
+        DecodingResult::I64(all) => all
+            .iter()
+            .map(|h| (*h as f64 / i64::MAX as f64) as f32)
+            .collect(),
+    };
+    Ok(Some(([width, height], heights)))
+}
+
+fn shares<T: Copy + Into<f64>>(samples: &[T], greatest: f64) -> Vec<f32> {
+    let share = |sample: &T| ((*sample).into() / greatest) as f32;
+    samples.iter().map(share).collect()
+}

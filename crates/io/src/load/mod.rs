@@ -1,0 +1,342 @@
+//! Files become data. Meshes: OBJ, STL, PLY, glTF, GLB and 3MF, the first three also gzipped; [`frames`] of them; images as height maps.
+//!
+//! A reader only transcribes: it turns bytes into a `Draft`, positions shared as the file shares them, and refuses what
+//! is not a mesh by file, line and reason. Everything that is decided about the mesh is decided once, in `draft`: what is
+//! refused, what is welded, what is left out, and which groups of triangles are one solid. Whatever the loader changed or
+//! could not use it says in [`Loaded::notes`].
+//!
+//! Files are read from disk, or through [`Files`] from wherever a host has them. Of the disk only regular ones are read, up to limits that
+//! `files` and `input_file` state, and a glTF file may name files of its own folder and below.
+
+mod assets;
+mod companions;
+mod content;
+mod draft;
+mod files;
+pub mod frames;
+mod gltf;
+mod grey_tiff;
+mod grouped;
+mod image;
+#[doc(hidden)]
+pub mod input_file;
+mod lines;
+mod mtl;
+mod obj;
+mod obj_coat;
+mod painted;
+mod pat;
+mod place;
+mod ply;
+mod stl;
+mod texture;
+mod threemf;
+mod welded;
+
+use std::collections::{HashMap, HashSet};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use glam::{DAffine3, Vec3};
+
+pub use assets::Assets;
+pub use companions::companions;
+#[doc(hidden)]
+pub use content::mesh_format;
+#[doc(hidden)]
+pub use files::MOST_BYTES;
+pub use files::{Disk, Files, Memory};
+pub use image::{read_offset_map, read_offset_map_from};
+pub use pat::read_patterns;
+pub use place::place_of;
+pub use texture::read_texture_from;
+
+use cutaway::error::{Error, Result, did_you_mean};
+use cutaway::scene::{Driver, Edges, LengthUnit, Material, Mesh, Part, Role, Up, range};
+use draft::{Draft, Group, Solid};
+
+/// What a mesh file holds.
+#[derive(Clone, Debug, Default)]
+pub struct Loaded {
+    /// The solids, with unique names.
+    pub parts: Vec<Part>,
+    /// What was welded, left out, missing or left open, a sentence each.
+    pub notes: Vec<String>,
+    /// The file and all that it names and that were read: material libraries, buffers.
+    pub files: Vec<PathBuf>,
+    /// How long a unit of the parts is, where the format says it: metres in glTF, what the file says in 3MF.
+    pub unit: Option<LengthUnit>,
+}
+
+impl From<Vec<Part>> for Loaded {
+    fn from(parts: Vec<Part>) -> Self {
+        Self {
+            parts,
+            ..Self::default()
+        }
+    }
+}
+
+/// Extensions of the formats that are read.
+#[doc(hidden)]
+pub const MESH_FORMATS: [&str; 6] = ["obj", "stl", "ply", "glb", "gltf", "3mf"];
+
+/// Those of them that are read gzipped, too.
+const GZIPPED: [&str; 3] = ["obj", "stl", "ply"];
+
+/// Loads a mesh file from disk; its extension names the format.
+///
+/// ```no_run
+/// let loaded = cutaway_io::load::load_mesh_file("bracket.stl".as_ref())?;
+/// for note in &loaded.notes {
+///     eprintln!("{note}");
+/// }
+/// # Ok::<(), cutaway::Error>(())
+/// ```
+pub fn load_mesh_file(path: &Path) -> Result<Loaded> {
+    load_mesh_file_from(path, &Disk)
+}
+
+/// Loads a mesh file, and the files that it names, from where a host has them.
+///
+/// # Errors
+///
+/// As of [`load_mesh_file`]: a file that is not there or is no mesh.
+pub fn load_mesh_file_from(path: &Path, store: &dyn Files) -> Result<Loaded> {
+    let (format, stem) = format_and_stem(path)?;
+    let bytes = input_file::read_unpacked(path, store)?;
+    if bytes.is_empty() {
+        let help = "export or download it again";
+        return Err(Error::file(path, "the file is empty", help));
+    }
+    let mut notes = Vec::new();
+    let mut files = vec![path.to_owned()];
+    let (placed, unit) = if format == "glb" || format == "gltf" {
+        let placed = gltf::read(path, &bytes, store, (&mut notes, &mut files))?;
+        (placed, Some(LengthUnit::M))
+    } else if format == "3mf" {
+        let (placed, unit) = threemf::read(path, &bytes, &mut notes)?;
+        (placed, Some(unit))
+    } else {
+        let draft = match format.as_str() {
+            "obj" => obj::read(path, &bytes, store, &mut notes, &mut files)?,
+            "stl" => stl::read(path, &bytes, &mut notes)?,
+            _ => ply::read(path, &bytes, &mut notes)?,
+        };
+        drop(bytes);
+        let solids = draft.into_solids(path, &mut notes)?;
+        (solids.into_iter().map(Placed::of).collect(), None)
+    };
+    let parts = parts_of(placed, &stem);
+    check_range(path, &parts)?;
+    let file = path.display().to_string();
+    for note in notes.iter_mut().filter(|n| !n.starts_with(&file)) {
+        *note = format!("{file}: {note}");
+    }
+    notes.extend(doubt(path, &parts));
+    Ok(Loaded {
+        parts,
+        notes,
+        files,
+        unit,
+    })
+}
+
+/// What makes inside and outside of parts a matter of opinion: open edges, how many, and of one part where one is.
+pub(crate) fn doubt(path: &Path, parts: &[Part]) -> Option<String> {
+    const DOUBT: &str = "where a ray passes a hole, inside and outside are a guess, and such pixels are marked as unreliable";
+    let edges = parts
+        .iter()
+        .map(|part| (part, Edges::of(&part.mesh.triangles)));
+    let open: Vec<(&Part, Edges)> = edges.filter(|(_, e)| e.open().next().is_some()).collect();
+    let worst = (open.iter())
+        .enumerate()
+        .max_by_key(|(i, (_, edges))| (edges.count().open, std::cmp::Reverse(*i)));
+    let (_, (part, edges)) = worst?;
+    let (file, name, count) = (path.display(), &part.name, edges.count().open);
+    if open.len() > 1 {
+        let (all, open) = (parts.len(), open.len());
+        return Some(format!(
+            "{file}: {all} parts, {open} open (worst: {name}, {count} open edges); `cutaway inspect` lists them: {DOUBT}"
+        ));
+    }
+    let [a, b] = edges
+        .open()
+        .next()?
+        .map(|i| part.mesh.positions[i as usize]);
+    let middle = part.world_from_part.transform_point3((a + b) * 0.5);
+    Some(format!(
+        "{file}: part {name} is open at {count} edges, one near ({:.4}, {:.4}, {:.4}): {DOUBT}",
+        middle.x, middle.y, middle.z
+    ))
+}
+
+/// Refuses parts that stand where nothing can be computed.
+fn check_range(path: &Path, parts: &[Part]) -> Result<()> {
+    let mut defects =
+        (parts.iter()).filter_map(|p| Some((p, range::defect(&p.bounds_in_world())?)));
+    match defects.next() {
+        Some((part, what)) => {
+            let what = format!("part {} {what}", part.name);
+            Err(Error::file(path, what, draft::UNITS))
+        }
+        None => Ok(()),
+    }
+}
+
+/// A solid where the file puts it.
+struct Placed {
+    name: Option<String>,
+    color: Option<Vec3>,
+    materials: Vec<String>,
+    is_transparent: bool,
+    /// What the file says of it.
+    role: Option<Role>,
+    mesh: Arc<Mesh>,
+    world_from_part: DAffine3,
+    driver: Option<Arc<Driver>>,
+}
+
+impl Placed {
+    fn of(solid: Solid) -> Self {
+        Self {
+            name: solid.name,
+            color: solid.color,
+            materials: solid.materials,
+            is_transparent: solid.is_transparent,
+            role: None,
+            mesh: Arc::new(solid.mesh),
+            world_from_part: DAffine3::IDENTITY,
+            driver: None,
+        }
+    }
+}
+
+/// One solid is named after the file, several after what the file calls them, made unique.
+fn parts_of(placed: Vec<Placed>, stem: &str) -> Vec<Part> {
+    let alone = placed.len() == 1;
+    let mut taken = HashSet::new();
+    // How often a name was wanted: thousands of parts may have one.
+    let mut counts: HashMap<String, usize> = HashMap::new();
+    let mut name_of = |given: Option<String>| {
+        let wanted = match given.filter(|n| !alone && !n.trim().is_empty()) {
+            Some(name) => name,
+            None => stem.to_owned(),
+        };
+        let mut name = wanted.clone();
+        let count = counts.entry(wanted.clone()).or_insert(1);
+        while !taken.insert(name.clone()) {
+            *count += 1;
+            name = format!("{wanted}_{count}");
+        }
+        name
+    };
+    placed
+        .into_iter()
+        .enumerate()
+        .map(|(i, p)| {
+            let mut part = Part::new(name_of(p.name), p.mesh);
+            part.world_from_part = p.world_from_part;
+            part.driver = p.driver;
+            part.materials = p.materials;
+            part.is_transparent = p.is_transparent;
+            part.role = p.role.unwrap_or_default();
+            part.role_is_said = p.role.is_some();
+            part.material = Material::of_index(i);
+            if let Some(color) = p.color {
+                part.material.color = color;
+            }
+            part
+        })
+        .collect()
+}
+
+/// Which axis is up by habit in a mesh file whose format does not say it: +Z in STL, of CAD and printing, +Y in PLY, mostly of scans. In
+/// 3MF it is +Z by definition, in glTF +Y, and in OBJ by its usual readers.
+pub(crate) fn up_by_habit(path: &Path) -> Option<Up> {
+    match format_and_stem(path).ok()?.0.as_str() {
+        "stl" | "3mf" => Some(Up::PlusZ),
+        "ply" => Some(Up::PlusY),
+        _ => None,
+    }
+}
+
+/// Whether a mesh file is of a format that defines +Z as up.
+pub(crate) fn has_z_up(path: &Path) -> bool {
+    format_and_stem(path).is_ok_and(|(format, _)| format == "3mf")
+}
+
+/// The format by extension, in lower case and without `.gz`, and the file's name without any of that.
+fn format_and_stem(path: &Path) -> Result<(String, String)> {
+    let name = path
+        .file_name()
+        .map_or(String::new(), |n| n.to_string_lossy().into_owned());
+    let lower = name.to_lowercase();
+    let unpacked = lower.strip_suffix(".gz").unwrap_or(&lower);
+    let format = match unpacked.rsplit_once('.') {
+        Some((_, extension)) => extension,
+        None => "",
+    };
+    let gzipped = unpacked.len() < lower.len();
+    if !MESH_FORMATS.contains(&format) || (gzipped && !GZIPPED.contains(&format)) {
+        let what = if gzipped && MESH_FORMATS.contains(&format) {
+            "only .obj, .stl and .ply are read gzipped".to_owned()
+        } else if format.is_empty() {
+            "the name has no extension that tells the format".to_owned()
+        } else {
+            format!("`.{format}` is not a mesh format that is read")
+        };
+        return Err(Error::file(path, what, did_you_mean(format, MESH_FORMATS)));
+    }
+    let stem_length = unpacked.len() - format.len() - 1;
+    let stem = name.get(..stem_length).unwrap_or(&name).to_owned();
+    Ok((format.to_owned(), stem))
+}
+
+/// Text without the byte order mark that editors on Windows put before it.
+fn without_mark(bytes: &[u8]) -> &[u8] {
+    bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use cutaway::scene::Motion;
+
+    #[test]
+    fn extensions_name_the_format() {
+        let of = |name: &str| format_and_stem(Path::new(name));
+        assert_eq!(of("a/b.c.STL").unwrap(), ("stl".into(), "b.c".into()));
+        assert_eq!(of("x.ply.gz").unwrap(), ("ply".into(), "x".into()));
+        for wrong in ["a.step", "a", "a.glb.gz", "a.gz"] {
+            let text = of(wrong).unwrap_err().to_string();
+            assert!(text.contains("help:") && text.contains("ply"), "{text}");
+        }
+    }
+
+    #[test]
+    fn names_are_unique() {
+        let solid = |name: Option<&str>| {
+            Placed::of(Solid {
+                name: name.map(str::to_owned),
+                color: None,
+                materials: Vec::new(),
+                is_transparent: false,
+                mesh: Mesh::default(),
+                motion: Motion::default(),
+            })
+        };
+        let names = |placed| -> Vec<String> {
+            parts_of(placed, "file")
+                .into_iter()
+                .map(|p| p.name)
+                .collect()
+        };
+        assert_eq!(names(vec![solid(Some("bolt"))]), ["file"]);
+        let several = ["a", "a_2", "a", ""].map(|n| solid(Some(n)));
+        assert_eq!(
+            names(several.into_iter().chain([solid(None)]).collect()),
+            ["a", "a_2", "a_3", "file", "file_2"]
+        );
+    }
+}

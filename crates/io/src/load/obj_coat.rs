@@ -1,0 +1,81 @@
+//! What an OBJ says of colours: `vt`, the texture indices of faces, and colours after the coordinates of `v`, as scanners write them.
+
+use cutaway::scene::Coat;
+use glam::{Vec2, Vec3};
+
+use super::painted::{Paint, PaintedTriangle, coat};
+
+/// In the place of an index: there is none.
+const NONE: u32 = u32::MAX;
+
+/// Read so far.
+#[derive(Debug, Default)]
+pub(super) struct ObjCoat {
+    /// Places in images, (0, 0) the upper left.
+    pub(super) places: Vec<Vec2>,
+    /// Index into `places` for each corner, resolved at the end because a face may precede them.
+    place_of_corner: Vec<[u32; 3]>,
+    /// By vertex; empty until one has a colour.
+    colors: Vec<Option<Vec3>>,
+    /// The greatest channel of all: some programs write 0 to 255.
+    greatest: f32,
+}
+
+impl ObjCoat {
+    /// A `vt`. What is no number is 0: it only paints.
+    pub(super) fn place(&mut self, rest: &str) {
+        let mut numbers = rest.split_ascii_whitespace().map(|word| word.parse().ok());
+        let mut next = || numbers.next().flatten().filter(|n: &f32| n.is_finite());
+        let (u, v) = (next().unwrap_or(0.0), next().unwrap_or(0.0));
+        // Upwards in the file, downwards in rows of texels.
+        self.places.push(Vec2::new(u, 1.0 - v));
+    }
+
+    /// The colour of the vertex of this number, if three numbers follow its coordinates.
+    pub(super) fn color(&mut self, vertex: usize, rest: &str) {
+        let numbers: Vec<f32> = (rest.split_ascii_whitespace().skip(3))
+            .map_while(|word| word.parse().ok())
+            .collect();
+        if let [r, g, b] = numbers[..] {
+            let color = Some(Vec3::new(r, g, b)).filter(|c| c.is_finite());
+            self.colors.resize(vertex + 1, None);
+            self.colors[vertex] = color;
+            self.greatest = self.greatest.max(color.unwrap_or_default().max_element());
+        }
+    }
+
+    /// The corners of a triangle, by the texture indices of its face.
+    pub(super) fn corners(&mut self, places: [Option<u32>; 3]) {
+        self.place_of_corner
+            .push(places.map(|place| place.unwrap_or(NONE)));
+    }
+
+    /// The coat of triangles of these groups.
+    pub(super) fn finish(
+        &self,
+        triangles: &[[u32; 3]],
+        group_of_triangle: &[u32],
+        paints: &[Paint],
+    ) -> Option<Coat> {
+        let most = if self.greatest > 1.0 { 255.0 } else { 1.0 };
+        let painted = (triangles.iter().zip(group_of_triangle)).zip(&self.place_of_corner);
+        let painted = painted.map(|((triangle, group), corners)| {
+            let place = |i: u32| self.places.get(i as usize).copied();
+            let color = |i: u32| {
+                let color = self.colors.get(i as usize).copied().flatten()?;
+                Some((color / most).clamp(Vec3::ZERO, Vec3::ONE))
+            };
+            PaintedTriangle {
+                group: *group,
+                uv: all(corners.map(place)),
+                colors: all(triangle.map(color)),
+            }
+        });
+        coat(paints, &painted.collect::<Vec<_>>())
+    }
+}
+
+/// All three, if all are there.
+fn all<T>([a, b, c]: [Option<T>; 3]) -> Option<[T; 3]> {
+    Some([a?, b?, c?])
+}

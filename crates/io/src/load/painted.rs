@@ -1,0 +1,71 @@
+//! Coats from what files say of corners and materials: the same for OBJ and glTF.
+
+use std::sync::Arc;
+
+use cutaway::scene::{
+    Coat, CoatedTriangle, Material, Texture, linear_from_srgb, map_channels, srgb_from_linear,
+};
+use glam::{Vec2, Vec3};
+
+/// The colour of a group of triangles, and the image that it is multiplied with.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Paint {
+    /// sRGB; `None` is white under an image or colours of vertices, and the usual colour elsewhere.
+    pub(super) color: Option<Vec3>,
+    pub(super) image: Option<Arc<Texture>>,
+    /// Whether light passes through it.
+    pub(super) is_transparent: bool,
+}
+
+/// What is known of the corners of a triangle.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct PaintedTriangle {
+    /// Index of the group's [`Paint`].
+    pub(super) group: u32,
+    /// Places in the image, (0, 0) its upper left.
+    pub(super) uv: Option<[Vec2; 3]>,
+    /// sRGB.
+    pub(super) colors: Option<[Vec3; 3]>,
+}
+
+/// The coat of a mesh; none where each group has one colour and there is but one.
+pub(super) fn coat(paints: &[Paint], triangles: &[PaintedTriangle]) -> Option<Coat> {
+    let has_images = paints.iter().any(|paint| paint.image.is_some());
+    let has_colors = triangles.iter().any(|t| t.colors.is_some());
+    let is_colored = paints.windows(2).any(|pair| pair[0].color != pair[1].color);
+    if !has_images && !has_colors && !is_colored {
+        return None;
+    }
+    let mut images: Vec<Arc<Texture>> = Vec::new();
+    let numbers: Vec<Option<u32>> = (paints.iter())
+        .map(|paint| {
+            let image = paint.image.as_ref()?;
+            Some(Texture::number_among(&mut images, image) as u32)
+        })
+        .collect();
+    let coated = triangles.iter().map(|t| {
+        let paint = &paints[t.group as usize];
+        let image = numbers[t.group as usize].filter(|_| t.uv.is_some());
+        let plain = match image.is_some() || t.colors.is_some() {
+            true => Vec3::ONE,
+            false => Material::default().color,
+        };
+        let factor = map_channels(paint.color.unwrap_or(plain), linear_from_srgb);
+        let colors = t.colors.unwrap_or([Vec3::ONE; 3]).map(|color| {
+            let mixed = map_channels(color, linear_from_srgb) * factor;
+            let [r, g, b] = (map_channels(mixed, srgb_from_linear) * 255.0)
+                .round()
+                .to_array();
+            [r as u8, g as u8, b as u8, 255]
+        });
+        CoatedTriangle {
+            colors,
+            uv: t.uv.unwrap_or_default(),
+            image,
+        }
+    });
+    Some(Coat {
+        triangles: coated.collect(),
+        images,
+    })
+}

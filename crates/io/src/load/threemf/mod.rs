@@ -1,0 +1,388 @@
+//! 3MF: the core specification, the production extension, and the colours of the materials extension.
+//!
+//! The relationships of the package lead to a model, and its build to objects: each mesh at each place is a part, through components of
+//! components and through other models of the package. Only what is built is asked for. Objects that are no solids are left out with a
+//! note: supports, surfaces, others, and what slicers mark as regions or as parts to be taken away ([`slicer`]). Numbers stay those of the file, in its unit, which is said where it is not the millimetre; another
+//! model of the same package is scaled to the unit of the first.
+//!
+//! An extension that the file requires and that gives shapes without triangles is refused by name: slices, beams, boolean operations,
+//! functions of space, displacement, encryption. Where one is not required, the triangles are what is shown, with a note of beams.
+//! An image that cannot be read is a note.
+//!
+//! Cost: the text of each model part and what is made of it, in memory one part after the other; each image once; one mesh for all of
+//! its places.
+
+mod mesh;
+mod model;
+mod package;
+mod properties;
+mod slicer;
+mod xml;
+
+use std::collections::BTreeMap;
+use std::ops::RangeInclusive;
+use std::path::Path;
+use std::sync::Arc;
+
+use cutaway::error::{Error, Result};
+use cutaway::scene::{LengthUnit, Mesh};
+use glam::{DAffine3, DVec3, Vec3};
+
+use super::Placed;
+use super::draft::{Draft, Group};
+use super::grouped::grouped;
+
+use model::{Model, Object, Reference, Shape};
+use package::Package;
+use slicer::{Use, Uses};
+use xml::shortened;
+
+/// Objects in objects.
+const MOST_DEPTH: usize = 64;
+
+/// Most objects that a build comes to: components of components can be more than a machine can hold.
+const MOST_OBJECTS: usize = 1 << 16;
+
+const BUILD: &str =
+    "export it with solid objects: supports, surfaces, points and lines are not cut";
+
+/// An object of a package: the name of its part, which is empty for the first model, and its number.
+type Key = (String, u32);
+
+/// The solids of a package, and the unit that their numbers are in.
+pub(super) fn read(
+    path: &Path,
+    bytes: &[u8],
+    notes: &mut Vec<String>,
+) -> Result<(Vec<Placed>, LengthUnit)> {
+    let mut package = Package::open(path, bytes)?;
+    let first = package.model()?;
+    let root = model_of(&mut package, &first)?;
+    let unit = root.unit;
+    let uses = Uses::read(&mut package, notes);
+    let mut reader = Reader {
+        path,
+        package,
+        uses,
+        first,
+        models: BTreeMap::from([(String::new(), root)]),
+        solids: BTreeMap::new(),
+        objects: 0,
+        placed: Vec::new(),
+        of_objects: Vec::new(),
+        notes: Vec::new(),
+    };
+    reader.build()?;
+    if unit != LengthUnit::Mm {
+        notes.push(format!("its unit of length is the {}", unit.in_3mf()));
+    }
+    for model in reader.models.values_mut() {
+        notes.append(&mut model.notes);
+    }
+    notes.extend(reader.notes);
+    notes.extend(grouped(reader.of_objects, "object"));
+    if reader.placed.is_empty() {
+        return Err(Error::file(
+            path,
+            "nothing that it builds is a solid with triangles",
+            BUILD,
+        ));
+    }
+    Ok((reader.placed, unit))
+}
+
+/// A mesh that is shown somewhere.
+#[derive(Clone)]
+struct Solid {
+    mesh: Arc<Mesh>,
+    color: Option<Vec3>,
+    materials: Vec<String>,
+    is_transparent: bool,
+}
+
+struct Reader<'a> {
+    path: &'a Path,
+    package: Package<'a>,
+    uses: Uses,
+    /// The name of the first model's part.
+    first: String,
+    models: BTreeMap<String, Model>,
+    /// What was made of objects so far; none of those without triangles.
+    solids: BTreeMap<Key, Option<Solid>>,
+    /// Objects that were come to, with those that were come to before.
+    objects: usize,
+    placed: Vec<Placed>,
+    /// Labels of objects, and what is said of them.
+    of_objects: Vec<(String, String)>,
+    notes: Vec<String>,
+}
+
+/// What leads to an object.
+#[derive(Clone, Copy)]
+struct Way<'a> {
+    /// The objects that it is in, from the outermost.
+    around: &'a [Key],
+    part_number: Option<&'a str>,
+    world_from_outer: DAffine3,
+}
+
+impl Reader<'_> {
+    fn build(&mut self) -> Result<()> {
+        let root = self.models.get_mut("");
+        let Some(items) = root.and_then(|root| root.items.take()) else {
+            let what = "its model does not say what it builds: it has no <build>";
+            return Err(Error::file(self.path, what, xml::DAMAGED));
+        };
+        for item in &items {
+            let way = Way {
+                around: &[],
+                part_number: item.part_number.as_deref(),
+                world_from_outer: DAffine3::IDENTITY,
+            };
+            self.follow("", item, way)?;
+        }
+        Ok(())
+    }
+
+    /// Follows a reference that stands in the model of this part.
+    fn follow(&mut self, from: &str, reference: &Reference, way: Way<'_>) -> Result<()> {
+        let part = match &reference.part {
+            Some(part) if is_same(part, &self.first) => String::new(),
+            Some(part) => part.trim_start_matches('/').to_lowercase(),
+            None => from.to_owned(),
+        };
+        if let Some(named) = reference
+            .part
+            .as_ref()
+            .filter(|_| !self.models.contains_key(&part))
+        {
+            let model = model_of(&mut self.package, named)?;
+            self.note_unit(&part, &model);
+            self.models.insert(part.clone(), model);
+        }
+        let unit_mm = |part: &str| self.models.get(part).map_or(1.0, |model| model.unit.mm());
+        let scale = DAffine3::from_scale(DVec3::splat(unit_mm(&part) / unit_mm(from)));
+        let world_from_object = way.world_from_outer * reference.outer_from_object * scale;
+        let (id, line) = (reference.object, reference.line);
+        let model = self.models.get(from);
+        let file = model.map_or(self.path, |model| &model.path).to_owned();
+        let wrong = |what: String| Error::file_line(&file, line, what, xml::DAMAGED);
+        let key = (part, id);
+        self.objects += 1;
+        if self.objects > MOST_OBJECTS {
+            return Err(wrong(format!(
+                "its build comes to more than {MOST_OBJECTS} objects"
+            )));
+        }
+        if let Some(at) = way.around.iter().position(|outer| *outer == key) {
+            let ring = way.around[at..]
+                .iter()
+                .chain([&key])
+                .map(|(_, id)| id.to_string());
+            let ring = ring.collect::<Vec<_>>().join(" > ");
+            return Err(wrong(format!(
+                "object {id} is a component of itself: {ring}"
+            )));
+        }
+        if way.around.len() >= MOST_DEPTH {
+            return Err(wrong(format!(
+                "more than {MOST_DEPTH} objects in each other"
+            )));
+        }
+        if !world_from_object.is_finite() {
+            return Err(wrong(format!(
+                "the transforms of object {id} are not finite together"
+            )));
+        }
+        let model = self.models.get_mut(&key.0);
+        let Some(object) = model.and_then(|model| model.objects.get_mut(&id)) else {
+            let what = format!("there is no object {id}");
+            return Err(wrong(match &reference.part {
+                Some(part) => format!("{what} in {}", shortened(part)),
+                None => what,
+            }));
+        };
+        let label = label(id, object);
+        if let Some(of) = object.used_as {
+            self.of_objects.push((label, of.note("its mesh")));
+            return Ok(());
+        }
+        match &mut object.shape {
+            Shape::Components(components) => {
+                // Put back when they were followed: what leads back here meanwhile is refused before it asks for them.
+                let components = std::mem::take(components);
+                let around = [way.around, std::slice::from_ref(&key)].concat();
+                let inner = Way {
+                    around: &around,
+                    part_number: way.part_number,
+                    world_from_outer: world_from_object,
+                };
+                for component in &components {
+                    let pair = (id, component.object);
+                    let of = self
+                        .uses
+                        .of_components
+                        .get(&pair)
+                        .filter(|_| key.0.is_empty());
+                    if let Some(of) = of {
+                        let what = of.note(&format!("component {}", component.object));
+                        self.of_objects.push((label.clone(), what));
+                        continue;
+                    }
+                    self.follow(&key.0, component, inner)?;
+                }
+                let model = self.models.get_mut(&key.0);
+                if let Some(object) = model.and_then(|model| model.objects.get_mut(&id)) {
+                    object.shape = Shape::Components(components);
+                }
+                Ok(())
+            }
+            Shape::Mesh(_) => self.place(key, way, world_from_object),
+            Shape::Other(other) => {
+                let other = other.as_ref().map(|name| format!(", but <{name}>"));
+                let what = format!(
+                    "object {id} has neither a mesh nor components{}",
+                    other.unwrap_or_default()
+                );
+                Err(wrong(what))
+            }
+        }
+    }
+
+    fn note_unit(&mut self, part: &str, model: &Model) {
+        let unit = self.models.get("").map_or(model.unit, |root| root.unit);
+        if unit != model.unit {
+            let (own, of_root) = (model.unit.in_3mf(), unit.in_3mf());
+            let note = format!(
+                "{part}: lengths in the {own} are shown in the {of_root} of the first model"
+            );
+            self.notes.push(note);
+        }
+    }
+
+    /// Shows the mesh of an object.
+    fn place(&mut self, key: Key, way: Way<'_>, world_from_part: DAffine3) -> Result<()> {
+        let Some(model) = self.models.get_mut(&key.0) else {
+            return Ok(());
+        };
+        let Some(object) = model.objects.get_mut(&key.1) else {
+            return Ok(());
+        };
+        let label = label(key.1, object);
+        match object.kind.as_str() {
+            "model" => {}
+            "support" | "solidsupport" | "surface" | "other" => {
+                let what = format!("left out: its type is `{}`, not a solid", object.kind);
+                self.of_objects.push((label, what));
+                return Ok(());
+            }
+            unknown => {
+                let what = format!("{label} is of the type {:?}", shortened(unknown));
+                let help = "types are model, support, solidsupport, surface and other";
+                return Err(Error::file(&model.path, what, help));
+            }
+        }
+        let named = object.name.as_deref().or(object.part_number.as_deref());
+        let name = match named.or(way.part_number) {
+            Some(name) => name.to_owned(),
+            None => format!("object_{}", key.1),
+        };
+        let solid = match self.solids.get(&key) {
+            Some(known) => known.clone(),
+            None => {
+                let mut said = Vec::new();
+                let of_triangles = (self.uses.of_triangles.get(&key.1))
+                    .filter(|_| key.0.is_empty())
+                    .map_or(&[][..], Vec::as_slice);
+                let solid = solid(model, key.1, (&label, of_triangles), &mut said)?;
+                let said = said.into_iter().map(|what| (label.clone(), what));
+                self.of_objects.extend(said);
+                self.solids.insert(key, solid.clone());
+                solid
+            }
+        };
+        self.placed.extend(solid.map(|solid| Placed {
+            name: Some(name),
+            color: solid.color,
+            materials: solid.materials,
+            is_transparent: solid.is_transparent,
+            role: None,
+            mesh: solid.mesh,
+            world_from_part,
+            driver: None,
+        }));
+        Ok(())
+    }
+}
+
+/// A model of a package, with its images.
+fn model_of(package: &mut Package<'_>, part: &str) -> Result<Model> {
+    let mut model = Model::read(&package.read(part)?)?;
+    let properties = &mut model.properties;
+    let notes = properties.read_images(&mut |image| package.texture(image));
+    model.notes.extend(notes);
+    Ok(model)
+}
+
+/// The mesh of an object, which is taken from it: another place is served by what was made here.
+fn solid(
+    model: &mut Model,
+    id: u32,
+    (label, uses): (&str, &[(RangeInclusive<usize>, Use)]),
+    notes: &mut Vec<String>,
+) -> Result<Option<Solid>> {
+    let Some(object) = model.objects.get_mut(&id) else {
+        return Ok(None);
+    };
+    let Shape::Mesh(read) =
+        std::mem::replace(&mut object.shape, Shape::Mesh(Ok(Default::default())))
+    else {
+        return Ok(None);
+    };
+    let mut geometry = read?;
+    if geometry.has_beams {
+        notes.push("its beams are not drawn, its triangles are".to_owned());
+    }
+    for (range, of) in uses {
+        notes.push(of.note(&format!("triangles {} to {}", range.start(), range.end())));
+    }
+    geometry.keep(|triangle| !uses.iter().any(|(range, _)| range.contains(&triangle)));
+    if geometry.mesh.triangles.is_empty() {
+        notes.push("left out: it has no triangles".to_owned());
+        return Ok(None);
+    }
+    let look = model.properties.look(&geometry, object.default);
+    notes.extend(look.notes);
+    geometry.mesh.coat = look.coat;
+    let draft = Draft {
+        mesh: geometry.mesh,
+        groups: vec![Group {
+            color: look.color,
+            is_transparent: look.is_transparent,
+            ..Group::default()
+        }],
+        ..Draft::default()
+    };
+    let path = model.path.join(label);
+    // One group is one solid.
+    let solid = draft.into_solids(&path, notes)?.pop();
+    Ok(solid.map(|solid| Solid {
+        mesh: Arc::new(solid.mesh),
+        color: solid.color,
+        materials: look.materials,
+        is_transparent: solid.is_transparent,
+    }))
+}
+
+fn label(id: u32, object: &Object) -> String {
+    match &object.name {
+        Some(name) => format!("object {id} ({})", shortened(name)),
+        None => format!("object {id}"),
+    }
+}
+
+/// Whether two names are of one part of a package.
+fn is_same(a: &str, b: &str) -> bool {
+    let [a, b] = [a, b].map(|name| name.trim_start_matches('/'));
+    a.eq_ignore_ascii_case(b)
+}

@@ -1,0 +1,372 @@
+//! Colours: base materials, and the groups of the materials extension.
+//!
+//! A colour is sRGB, for each triangle or for each of its corners. Of a composite the material with the greatest share counts, of several
+//! properties at once the first place in an image, or else the first colour: they are not blended. Images are repeated, whatever their
+//! tile style.
+//! What is wrong with a property leaves its triangles without a colour and is a note: the shape is right all the same.
+
+use std::collections::btree_map::Entry;
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
+
+use cutaway::error::Result;
+use cutaway::scene::weld::thousands;
+use cutaway::scene::{Coat, Texture};
+use glam::{Vec2, Vec3};
+
+use super::mesh::{Assigned, Geometry, NONE};
+use super::xml::{Element, Space, Xml, shortened};
+use crate::load::painted::{Paint, PaintedTriangle, coat};
+
+/// Red, green, blue and opacity.
+type Rgba = [u8; 4];
+
+/// A group of properties.
+#[derive(Clone, Debug)]
+enum Group {
+    /// Names and colours.
+    Materials(Vec<(Option<String>, Option<Rgba>)>),
+    Colors(Vec<Option<Rgba>>),
+    /// Of the materials of a group, one for each composite.
+    Composites(u32, Vec<Option<u32>>),
+    /// Groups, and an index of each for each property.
+    Several(Vec<u32>, Vec<Vec<u32>>),
+    /// Of the image of this number; (0, 0) its upper left.
+    Places(u32, Vec<Vec2>),
+}
+
+/// An image of the package.
+#[derive(Clone, Debug)]
+struct Image {
+    /// The name of its part.
+    path: String,
+    /// What it holds, where it could be read.
+    texture: Option<Arc<Texture>>,
+}
+
+/// The properties of a model part by their numbers.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Properties {
+    groups: BTreeMap<u32, Group>,
+    images: BTreeMap<u32, Image>,
+    /// Numbers that are given twice.
+    pub(super) repeated: Vec<u32>,
+}
+
+/// What a property comes to.
+enum Found<'a> {
+    Color(Rgba, Option<&'a str>),
+    /// The number of an image, and where in it.
+    Place(u32, Vec2),
+    Missing,
+}
+
+/// What was made of the properties of an object.
+#[derive(Debug, Default)]
+pub(super) struct Look {
+    pub(super) coat: Option<Coat>,
+    /// The colour of most triangles that have one colour.
+    pub(super) color: Option<Vec3>,
+    pub(super) materials: Vec<String>,
+    pub(super) is_transparent: bool,
+    pub(super) notes: Vec<String>,
+}
+
+impl Properties {
+    /// Reads an element of the resources that was opened, and closes it; whether it is one of properties.
+    pub(super) fn read(&mut self, xml: &mut Xml<'_>, element: &Element<'_>) -> Result<bool> {
+        let [id, of, indices, groups] = element.values(["id", "matid", "matindices", "pids"])?;
+        if element.is(Space::Material, "texture2d") {
+            let path = element.value("path")?.map(|path| path.into_owned());
+            if let (Some(Ok(id)), Some(path)) = (id.map(|id| element.id(&id)), path) {
+                let texture = None;
+                self.images.entry(id).or_insert(Image { path, texture });
+            }
+            xml.skip()?;
+            return Ok(true);
+        }
+        let group = if element.is(Space::Core, "basematerials") {
+            Group::Materials(rows(xml, "base", |base| {
+                let [name, color] = base.values(["name", "displaycolor"])?;
+                Ok((name.map(Into::into), color.and_then(|c| rgba(&c))))
+            })?)
+        } else if element.is(Space::Material, "colorgroup") {
+            Group::Colors(rows(xml, "color", |color| {
+                Ok(color.value("color")?.and_then(|c| rgba(&c)))
+            })?)
+        } else if element.is(Space::Material, "compositematerials") {
+            let of_group = of.and_then(|of| of.trim().parse().ok()).unwrap_or(NONE);
+            let indices: Vec<u32> = numbers(&indices.unwrap_or_default());
+            let mains = rows(xml, "composite", |composite| {
+                let shares: Vec<f64> = numbers(&composite.value("values")?.unwrap_or_default());
+                let of_material = shares.iter().zip(&indices).rev();
+                let greatest = of_material.max_by(|a, b| a.0.total_cmp(b.0));
+                Ok(greatest.map(|(_, index)| *index))
+            })?;
+            Group::Composites(of_group, mains)
+        } else if element.is(Space::Material, "multiproperties") {
+            let of_groups = numbers(&groups.unwrap_or_default());
+            let indices = rows(xml, "multi", |multi| {
+                Ok(numbers(&multi.value("pindices")?.unwrap_or_default()))
+            })?;
+            Group::Several(of_groups, indices)
+        } else if element.is(Space::Material, "texture2dgroup") {
+            let of = element.value("texid")?;
+            let of = of.and_then(|of| of.trim().parse().ok()).unwrap_or(NONE);
+            let places = rows(xml, "tex2coord", |place| {
+                let number = |key: &str| -> Result<f32> {
+                    let text = place.value(key)?.unwrap_or_default();
+                    let number = text.trim().parse().ok().filter(|n: &f32| n.is_finite());
+                    Ok(number.unwrap_or_default())
+                };
+                // Upwards in the file, downwards in rows of texels.
+                Ok(Vec2::new(number("u")?, 1.0 - number("v")?))
+            })?;
+            Group::Places(of, places)
+        } else {
+            return Ok(false);
+        };
+        if let Some(Ok(id)) = id.map(|id| element.id(&id)) {
+            match self.groups.entry(id) {
+                Entry::Vacant(free) => _ = free.insert(group),
+                Entry::Occupied(_) => self.repeated.push(id),
+            }
+        }
+        Ok(true)
+    }
+
+    /// Reads the images that have places, from where parts of the package are read by their names; what is wrong with some otherwise.
+    pub(super) fn read_images(
+        &mut self,
+        read: &mut dyn FnMut(&str) -> std::result::Result<Arc<Texture>, String>,
+    ) -> Vec<String> {
+        let with_places = self.groups.values().filter_map(|group| match group {
+            Group::Places(image, _) => Some(*image),
+            _ => None,
+        });
+        let with_places: BTreeSet<u32> = with_places.collect();
+        let mut notes = Vec::new();
+        for (_, image) in (self.images.iter_mut()).filter(|(id, _)| with_places.contains(id)) {
+            match read(&image.path) {
+                Ok(texture) => image.texture = Some(texture),
+                Err(what) => notes.push(format!("{}: {what}", shortened(&image.path))),
+            }
+        }
+        notes
+    }
+
+    /// The image of a triangle, where all of its corners have a place in the same, and the places.
+    fn place(&self, found: &[Found<'_>; 3]) -> Option<(u32, [Vec2; 3])> {
+        let Found::Place(image, _) = found[0] else {
+            return None;
+        };
+        if !self.is_there(image) {
+            return None;
+        }
+        let mut uv = [Vec2::ZERO; 3];
+        for (uv, found) in uv.iter_mut().zip(found) {
+            match found {
+                Found::Place(of, at) if *of == image => *uv = *at,
+                _ => return None,
+            }
+        }
+        Some((image, uv))
+    }
+
+    fn is_there(&self, image: u32) -> bool {
+        self.images.get(&image).is_some_and(|i| i.texture.is_some())
+    }
+
+    fn find(&self, group: u32, index: u32) -> Found<'_> {
+        match self.groups.get(&group) {
+            Some(Group::Composites(of, mains)) => match mains.get(index as usize) {
+                Some(Some(main)) => self.plain(*of, *main),
+                _ => Found::Missing,
+            },
+            Some(Group::Several(groups, indices)) => {
+                let Some(indices) = indices.get(index as usize) else {
+                    return Found::Missing;
+                };
+                let mut found_first = Found::Missing;
+                for (at, group) in groups.iter().enumerate() {
+                    // An index that is not given is the first.
+                    let index = indices.get(at).copied().unwrap_or_default();
+                    let found = match self.groups.get(group) {
+                        Some(Group::Composites(of, mains)) => {
+                            let main = mains.get(index as usize).copied().flatten();
+                            main.map_or(Found::Missing, |main| self.plain(*of, main))
+                        }
+                        _ => self.plain(*group, index),
+                    };
+                    found_first = match (&found_first, &found) {
+                        (_, Found::Place(image, _)) if self.is_there(*image) => return found,
+                        (Found::Missing, _) | (Found::Place(..), Found::Color(..)) => found,
+                        _ => found_first,
+                    };
+                }
+                found_first
+            }
+            _ => self.plain(group, index),
+        }
+    }
+
+    /// A property that is not made of others.
+    fn plain(&self, group: u32, index: u32) -> Found<'_> {
+        match self.groups.get(&group) {
+            Some(Group::Materials(all)) => match all.get(index as usize) {
+                Some((name, Some(color))) => Found::Color(*color, name.as_deref()),
+                _ => Found::Missing,
+            },
+            Some(Group::Colors(all)) => match all.get(index as usize) {
+                Some(Some(color)) => Found::Color(*color, None),
+                _ => Found::Missing,
+            },
+            Some(Group::Places(image, all)) => match all.get(index as usize) {
+                Some(at) => Found::Place(*image, *at),
+                None => Found::Missing,
+            },
+            _ => Found::Missing,
+        }
+    }
+
+    /// What the triangles of an object look like; `default` is what those without properties have.
+    pub(super) fn look(&self, geometry: &Geometry, default: Option<(u32, u32)>) -> Look {
+        let mut look = Look::default();
+        let mut count_of: BTreeMap<Rgba, usize> = BTreeMap::new();
+        let mut painted = Vec::with_capacity(geometry.assigned.len());
+        let [mut mixed, mut textured, mut missing, mut opaque] = [0_usize; 4];
+        let mut names: BTreeMap<&str, ()> = BTreeMap::new();
+        let mut paints = vec![Paint::default()];
+        let mut paint_of: BTreeMap<u32, u32> = BTreeMap::new();
+        for assigned in &geometry.assigned {
+            let (group, corners) = resolved(*assigned, default);
+            let mut triangle = PaintedTriangle::default();
+            if group != NONE {
+                let found = corners.map(|index| self.find(group, index));
+                mixed += usize::from(self.is_mixed(group));
+                if let Some((image, uv)) = self.place(&found) {
+                    triangle.uv = Some(uv);
+                    triangle.group = *paint_of.entry(image).or_insert_with(|| {
+                        paints.push(Paint {
+                            image: self.images[&image].texture.clone(),
+                            ..Paint::default()
+                        });
+                        paints.len() as u32 - 1
+                    });
+                } else {
+                    textured += usize::from(matches!(found[0], Found::Place(..)));
+                }
+                missing += usize::from(matches!(found[0], Found::Missing));
+                if let Found::Color(first, name) = found[0] {
+                    let colors = found.map(|found| match found {
+                        Found::Color(color, _) => color,
+                        _ => first,
+                    });
+                    if colors == [first; 3] {
+                        *count_of.entry(first).or_default() += 1;
+                    }
+                    names.extend(name.map(|name| (name, ())));
+                    opaque += usize::from(colors.iter().any(|[.., opacity]| *opacity == 255));
+                    triangle.colors = Some(colors.map(vec3));
+                }
+            }
+            opaque += usize::from(triangle.colors.is_none());
+            painted.push(triangle);
+        }
+        look.coat = coat(&paints, &painted);
+        let by_count = count_of.iter().rev().max_by_key(|(_, count)| **count);
+        look.color = by_count.map(|(color, _)| vec3(*color));
+        look.is_transparent = opaque == 0 && !painted.is_empty();
+        look.materials = names.into_keys().map(str::to_owned).collect();
+        for (count, what) in [
+            (
+                mixed,
+                "several materials or properties at once, of which one is shown",
+            ),
+            (textured, "a texture that is not there or cannot be read"),
+            (missing, "a property that is not there or has no colour"),
+        ] {
+            if count > 0 {
+                look.notes
+                    .push(format!("{} triangles have {what}", thousands(count)));
+            }
+        }
+        look
+    }
+
+    fn is_mixed(&self, group: u32) -> bool {
+        let of = self.groups.get(&group);
+        matches!(of, Some(Group::Composites(..) | Group::Several(..)))
+    }
+}
+
+/// The group of a triangle and an index for each corner, with what its object has where it says nothing.
+fn resolved(assigned: Assigned, default: Option<(u32, u32)>) -> (u32, [u32; 3]) {
+    let (group, index) = default.unwrap_or((NONE, NONE));
+    match (assigned.group, assigned.corners) {
+        (NONE, [NONE, ..]) => (group, [index; 3]),
+        (NONE, corners) => (group, corners),
+        (own, corners) => (own, corners),
+    }
+}
+
+/// What the children of this name are, in the element that was opened, which is closed then.
+fn rows<T>(
+    xml: &mut Xml<'_>,
+    name: &str,
+    read: impl Fn(&Element<'_>) -> Result<T>,
+) -> Result<Vec<T>> {
+    let mut rows = Vec::new();
+    while let Some(child) = xml.child()? {
+        if child.is_named(name) {
+            rows.push(read(&child)?);
+        }
+        xml.skip()?;
+    }
+    Ok(rows)
+}
+
+/// Numbers with blanks between them, as far as they are ones.
+fn numbers<T: std::str::FromStr>(text: &str) -> Vec<T> {
+    let words = text.split_ascii_whitespace();
+    words.map_while(|word| word.parse().ok()).collect()
+}
+
+fn vec3([r, g, b, _]: Rgba) -> Vec3 {
+    Vec3::from([r, g, b].map(f32::from)) / 255.0
+}
+
+/// `#RRGGBB`, or with opacity `#RRGGBBAA`.
+fn rgba(text: &str) -> Option<Rgba> {
+    let digits = text.trim().strip_prefix('#')?;
+    let is_known = matches!(digits.len(), 6 | 8) && digits.bytes().all(|b| b.is_ascii_hexdigit());
+    let number = u32::from_str_radix(digits, 16).ok().filter(|_| is_known)?;
+    let number = if digits.len() == 6 {
+        (number << 8) | 0xff
+    } else {
+        number
+    };
+    Some(number.to_be_bytes())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn colours_have_six_or_eight_digits() {
+        assert_eq!(rgba("#FF8000"), Some([255, 128, 0, 255]));
+        assert_eq!(rgba(" #ff800040 "), Some([255, 128, 0, 64]));
+        for wrong in ["FF8000", "#FF800", "#FF80000", "#+F8000", "#GG0000", ""] {
+            assert_eq!(rgba(wrong), None, "{wrong}");
+        }
+    }
+
+    #[test]
+    fn a_triangle_without_properties_has_those_of_its_object() {
+        let of = |group, corners| resolved(Assigned { group, corners }, Some((4, 2)));
+        assert_eq!(of(NONE, [NONE; 3]), (4, [2; 3]));
+        assert_eq!(of(NONE, [1, 0, 3]), (4, [1, 0, 3]));
+        assert_eq!(of(7, [1, 0, 3]), (7, [1, 0, 3]));
+    }
+}

@@ -1,0 +1,178 @@
+//! What slicers say beside the model about the use of its meshes: which are no solids but regions with settings of their own, or are taken
+//! away from what they overlap.
+//!
+//! PrusaSlicer and its kin write all volumes of an object into one mesh, and which triangles are of which volume into a file of the package.
+//! Bambu Studio and OrcaSlicer write objects of components, and the use of each component. Cura writes its settings of an object into the
+//! object: as metadata, older versions as `settings`.
+//!
+//! Neither is shown: a region is no solid, and taking one solid away from another is not done here. Each is a note.
+
+use std::collections::BTreeMap;
+use std::ops::RangeInclusive;
+
+use cutaway::error::Result;
+
+use super::package::{Package, Text};
+use super::xml::{Element, Xml};
+
+/// Where slicers write it.
+const PARTS: [&str; 2] = [
+    "Metadata/Slic3r_PE_model.config",
+    "Metadata/model_settings.config",
+];
+
+/// What a mesh is for that is no solid.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Use {
+    Modifier,
+    Negative,
+    Support,
+}
+
+impl Use {
+    fn of(word: &str) -> Option<Self> {
+        let word = word.to_lowercase();
+        let named = [
+            ("modifier", Self::Modifier),
+            ("negative", Self::Negative),
+            ("support", Self::Support),
+        ];
+        let mut named = named.into_iter();
+        named
+            .find(|(name, _)| word.contains(name))
+            .map(|(_, of)| of)
+    }
+
+    /// By the name of a setting of Cura that is on.
+    fn of_setting(name: &str) -> Option<Self> {
+        match name.rsplit(':').next().unwrap_or_default() {
+            "infill_mesh" | "cutting_mesh" => Some(Self::Modifier),
+            "support_mesh" | "anti_overhang_mesh" => Some(Self::Support),
+            _ => None,
+        }
+    }
+
+    /// A note on what is left out.
+    pub(super) fn note(self, what: &str) -> String {
+        match self {
+            Self::Modifier => {
+                format!("left out {what}, a modifier of the slicer: a region, not a solid")
+            }
+            Self::Negative => {
+                format!(
+                    "left out {what}, a negative part of the slicer: it is not taken away from the solids that it overlaps"
+                )
+            }
+            Self::Support => {
+                format!(
+                    "left out {what}, which the slicer enforces or blocks supports in: a region, not a solid"
+                )
+            }
+        }
+    }
+}
+
+/// Uses of meshes of the first model, by the numbers of its objects.
+#[derive(Debug, Default)]
+pub(super) struct Uses {
+    /// Of triangles of an object.
+    pub(super) of_triangles: BTreeMap<u32, Vec<(RangeInclusive<usize>, Use)>>,
+    /// Of an object's components, by the numbers of their objects.
+    pub(super) of_components: BTreeMap<(u32, u32), Use>,
+}
+
+impl Uses {
+    /// What a package says, as far as it can be read; what cannot is a note.
+    pub(super) fn read(package: &mut Package<'_>, notes: &mut Vec<String>) -> Self {
+        let mut uses = Self::default();
+        for part in PARTS {
+            let read = package.read_if_there(part);
+            let read = read.and_then(|text| text.map_or(Ok(()), |text| uses.add(&text)));
+            if let Err(e) = read {
+                let why = e.into_what();
+                notes.push(format!(
+                    "{part} is not read: {why}: meshes that are no solids may be shown"
+                ));
+            }
+        }
+        uses
+    }
+
+    fn add(&mut self, text: &Text) -> Result<()> {
+        let mut xml = Xml::new(&text.path, &text.text);
+        xml.root("config")?;
+        while let Some(object) = xml.child()? {
+            let id = object.value("id")?.and_then(|id| id.trim().parse().ok());
+            match id.filter(|_| object.is_named("object")) {
+                Some(id) => self.object(&mut xml, id)?,
+                None => xml.skip()?,
+            }
+        }
+        Ok(())
+    }
+
+    fn object(&mut self, xml: &mut Xml<'_>, id: u32) -> Result<()> {
+        while let Some(child) = xml.child()? {
+            if child.is_named("part") {
+                let [component, kind] = child.values(["id", "subtype"])?;
+                let component = component.and_then(|id| id.trim().parse().ok());
+                let kind = kind.and_then(|kind| Use::of(&kind));
+                if let Some((component, kind)) = component.zip(kind) {
+                    self.of_components.insert((id, component), kind);
+                }
+                xml.skip()?;
+            } else if child.is_named("volume") {
+                let [first, last] = child.values(["firstid", "lastid"])?;
+                let number = |text: Option<std::borrow::Cow<'_, str>>| text?.trim().parse().ok();
+                let range = number(first).zip(number(last));
+                let kind = volume(xml)?;
+                if let Some(((first, last), kind)) = range.zip(kind) {
+                    let of_object = self.of_triangles.entry(id).or_default();
+                    of_object.push((first..=last, kind));
+                }
+            } else {
+                xml.skip()?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Whether an element of an object may hold settings of Cura.
+pub(super) fn is_settings(element: &Element<'_>) -> bool {
+    element.is_named("metadatagroup") || element.is_named("settings")
+}
+
+/// The use of an object by its settings, which were opened, and are closed then.
+pub(super) fn used_as(xml: &mut Xml<'_>) -> Result<Option<Use>> {
+    let mut found = None;
+    while let Some(setting) = xml.child()? {
+        // One that cannot be read is no setting that matters here.
+        let [name, key] = setting.values(["name", "key"]).unwrap_or_default();
+        let of = name.or(key).and_then(|name| Use::of_setting(&name));
+        let is_on = xml.text()?.eq_ignore_ascii_case("true");
+        found = found.or(of.filter(|_| is_on));
+    }
+    Ok(found)
+}
+
+/// The use of a volume, by the `metadata` in it.
+fn volume(xml: &mut Xml<'_>) -> Result<Option<Use>> {
+    let mut found = None;
+    while let Some(child) = xml.child()? {
+        found = found.or(said(&child)?);
+        xml.skip()?;
+    }
+    Ok(found)
+}
+
+fn said(metadata: &Element<'_>) -> Result<Option<Use>> {
+    let [key, value] = metadata.values(["key", "value"])?;
+    let value = value.unwrap_or_default();
+    Ok(match key.as_deref() {
+        Some("volume_type") => Use::of(&value),
+        // As older versions have it.
+        Some("modifier") => (value.trim() == "1").then_some(Use::Modifier),
+        _ => None,
+    })
+}

@@ -1,0 +1,354 @@
+//! A walk over the elements of an XML document that lies in memory, each with its namespace and its line.
+//!
+//! Text between elements is passed over: 3MF keeps all that matters in attributes. Document types are refused, as the format does, and
+//! with them all entities but the five of XML. Elements may be 64 deep; what 3MF defines is 6.
+//!
+//! Cost: one pass, and one that counts lines.
+
+use std::borrow::Cow;
+use std::path::Path;
+
+use cutaway::error::{Error, Result};
+use quick_xml::events::{BytesStart, Event};
+use quick_xml::name::{Namespace, QName, ResolveResult};
+use quick_xml::{NsReader, XmlVersion};
+
+pub(super) const DAMAGED: &str =
+    "the file is cut off, damaged or no 3MF: export or download it again";
+
+const CORRECT: &str = "correct the line, or export the file again";
+
+/// Elements in elements.
+const MOST_DEPTH: usize = 64;
+
+/// Which specification a name is from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Space {
+    Core,
+    Material,
+    Production,
+    BeamLattice,
+    Slice,
+    /// Names of sets of triangles: nothing about their geometry.
+    TriangleSets,
+    Other,
+}
+
+impl Space {
+    /// By the name of a namespace.
+    pub(super) fn of(name: &[u8]) -> Self {
+        match name {
+            b"http://schemas.microsoft.com/3dmanufacturing/core/2015/02"
+            | b"http://schemas.microsoft.com/3dmanufacturing/2013/01" => Self::Core,
+            b"http://schemas.microsoft.com/3dmanufacturing/material/2015/02" => Self::Material,
+            b"http://schemas.microsoft.com/3dmanufacturing/production/2015/06" => Self::Production,
+            b"http://schemas.microsoft.com/3dmanufacturing/beamlattice/2017/02" => {
+                Self::BeamLattice
+            }
+            b"http://schemas.microsoft.com/3dmanufacturing/slice/2015/07" => Self::Slice,
+            b"http://schemas.microsoft.com/3dmanufacturing/trianglesets/2021/07" => {
+                Self::TriangleSets
+            }
+            _ => Self::Other,
+        }
+    }
+
+    fn resolved(result: &ResolveResult<'_>) -> Self {
+        match result {
+            ResolveResult::Bound(Namespace(name)) => Self::of(name),
+            _ => Self::Other,
+        }
+    }
+}
+
+/// Where an element is.
+#[derive(Clone, Copy, Debug)]
+struct Place<'a> {
+    path: &'a Path,
+    line: usize,
+}
+
+impl Place<'_> {
+    fn error(&self, what: impl Into<String>, help: &str) -> Error {
+        Error::file_line(self.path, self.line, what, help)
+    }
+}
+
+/// An element's beginning.
+#[derive(Clone, Debug)]
+pub(super) struct Element<'a> {
+    space: Space,
+    start: BytesStart<'a>,
+    place: Place<'a>,
+}
+
+impl Element<'_> {
+    /// Whether it has this name. Names of material extensions are taken of the core's namespace, too, where some programs put them.
+    pub(super) fn is(&self, space: Space, name: &str) -> bool {
+        let is_of_space =
+            self.space == space || (self.space, space) == (Space::Core, Space::Material);
+        is_of_space && self.start.local_name().as_ref() == name.as_bytes()
+    }
+
+    /// Whether it has this name, wherever that is from.
+    pub(super) fn is_named(&self, name: &str) -> bool {
+        self.start.local_name().as_ref() == name.as_bytes()
+    }
+
+    pub(super) fn space(&self) -> Space {
+        self.space
+    }
+
+    /// Its line, counted from 1.
+    pub(super) fn line(&self) -> usize {
+        self.place.line
+    }
+
+    /// Its name as the file has it.
+    pub(super) fn name(&self) -> String {
+        let name = self.start.name();
+        String::from_utf8_lossy(name.as_ref())
+            .chars()
+            .take(60)
+            .collect()
+    }
+
+    pub(super) fn error(&self, what: impl Into<String>) -> Error {
+        self.place.error(what, CORRECT)
+    }
+
+    pub(super) fn error_with_help(&self, what: impl Into<String>, help: &str) -> Error {
+        self.place.error(what, help)
+    }
+
+    /// The values of attributes without a prefix, by their names.
+    pub(super) fn values<const N: usize>(
+        &self,
+        names: [&str; N],
+    ) -> Result<[Option<Cow<'_, str>>; N]> {
+        let mut values = [const { None }; N];
+        for attribute in self.start.attributes().with_checks(false) {
+            let attribute = attribute.map_err(|e| self.error(format!("XML: {e}")))?;
+            let is_it = |name: &&str| name.as_bytes() == attribute.key.as_ref();
+            let Some(index) = names.iter().position(is_it) else {
+                continue;
+            };
+            let value = attribute.normalized_value(XmlVersion::Implicit1_0);
+            let value =
+                value.map_err(|e| self.error(format!("XML: attribute {}: {e}", names[index])))?;
+            values[index] = Some(value);
+        }
+        Ok(values)
+    }
+
+    pub(super) fn value(&self, name: &str) -> Result<Option<Cow<'_, str>>> {
+        let [value] = self.values([name])?;
+        Ok(value)
+    }
+
+    /// A value that must be there.
+    pub(super) fn needed<T>(&self, value: Option<T>, name: &str) -> Result<T> {
+        value.ok_or_else(|| self.error(format!("<{}> lacks `{name}`", self.name())))
+    }
+
+    /// The number of a resource.
+    pub(super) fn id(&self, value: &str) -> Result<u32> {
+        let id = value.trim().parse();
+        id.map_err(|_| {
+            self.error(format!(
+                "{:?} is not the number of a resource",
+                shortened(value)
+            ))
+        })
+    }
+}
+
+/// So much of a text as is worth being said.
+pub(super) fn shortened(text: &str) -> String {
+    text.chars().take(60).collect()
+}
+
+/// A document that is walked over.
+pub(super) struct Xml<'a> {
+    path: &'a Path,
+    text: &'a str,
+    reader: NsReader<&'a [u8]>,
+    depth: usize,
+    /// The line that the byte of this number is in.
+    line: usize,
+    counted: usize,
+    is_broken: bool,
+}
+
+impl<'a> Xml<'a> {
+    pub(super) fn new(path: &'a Path, text: &'a str) -> Self {
+        let mut reader = NsReader::from_str(text);
+        reader.config_mut().expand_empty_elements = true;
+        Self {
+            path,
+            text,
+            reader,
+            depth: 0,
+            line: 1,
+            counted: 0,
+            is_broken: false,
+        }
+    }
+
+    /// The next element of the one that is open, which is open then; none where that one ends, which is closed then.
+    pub(super) fn child(&mut self) -> Result<Option<Element<'a>>> {
+        loop {
+            let mut place = self.place(self.reader.buffer_position());
+            let (space, event) = match self.reader.read_resolved_event() {
+                Ok((result, event)) => (Space::resolved(&result), event),
+                Err(e) => {
+                    self.is_broken = true;
+                    place = self.place(self.reader.error_position());
+                    return Err(place.error(format!("XML: {e}"), DAMAGED));
+                }
+            };
+            let what = match event {
+                Event::Start(start) if self.depth < MOST_DEPTH => {
+                    self.depth += 1;
+                    return Ok(Some(Element {
+                        space,
+                        start,
+                        place,
+                    }));
+                }
+                Event::End(_) => {
+                    self.depth = self.depth.saturating_sub(1);
+                    return Ok(None);
+                }
+                Event::Eof if self.depth == 0 => return Ok(None),
+                Event::Start(_) => format!("XML: more than {MOST_DEPTH} elements in each other"),
+                Event::Eof => format!("XML: it ends within {} elements", self.depth),
+                Event::DocType(_) => "XML: it has a document type, which 3MF forbids".to_owned(),
+                Event::Decl(declaration) => match declaration.encoding() {
+                    Some(Ok(name)) if !is_unicode(&name) => format!(
+                        "XML: it is encoded in {}, 3MF is in UTF-8 or UTF-16",
+                        shortened(&String::from_utf8_lossy(&name))
+                    ),
+                    _ => continue,
+                },
+                _ => continue,
+            };
+            self.is_broken = true;
+            return Err(place.error(what, DAMAGED));
+        }
+    }
+
+    fn place(&mut self, at: u64) -> Place<'a> {
+        let at = usize::try_from(at)
+            .unwrap_or(usize::MAX)
+            .min(self.text.len());
+        let passed = self
+            .text
+            .as_bytes()
+            .get(self.counted..at)
+            .unwrap_or_default();
+        self.line += passed.iter().filter(|byte| **byte == b'\n').count();
+        self.counted = self.counted.max(at);
+        Place {
+            path: self.path,
+            line: self.line,
+        }
+    }
+
+    /// The element that all others are in.
+    pub(super) fn root(&mut self, name: &str) -> Result<Element<'a>> {
+        match self.child()? {
+            Some(root) if root.is_named(name) => Ok(root),
+            Some(other) => {
+                let what = format!("its first element is <{}>, not <{name}>", other.name());
+                Err(other.error_with_help(what, DAMAGED))
+            }
+            None => {
+                let what = format!("XML: it has no element <{name}>");
+                Err(Error::file(self.path, what, DAMAGED))
+            }
+        }
+    }
+
+    /// Refuses what stands behind the root.
+    pub(super) fn end(&mut self) -> Result<()> {
+        match self.child()? {
+            Some(second) => {
+                let what = format!("XML: a second root element <{}>", second.name());
+                Err(second.error_with_help(what, DAMAGED))
+            }
+            None => Ok(()),
+        }
+    }
+
+    /// Closes the element that is open.
+    pub(super) fn skip(&mut self) -> Result<()> {
+        self.leave(self.depth)
+    }
+
+    /// Closes the element that is open; the text that it begins with, as it is written.
+    pub(super) fn text(&mut self) -> Result<&'a str> {
+        let begin = usize::try_from(self.reader.buffer_position()).unwrap_or(usize::MAX);
+        self.skip()?;
+        let rest = self.text.get(begin..).unwrap_or_default();
+        Ok(rest.split('<').next().unwrap_or_default().trim())
+    }
+
+    /// How many elements are open.
+    pub(super) fn depth(&self) -> usize {
+        self.depth
+    }
+
+    /// Closes elements until fewer than `depth` are open.
+    pub(super) fn leave(&mut self, depth: usize) -> Result<()> {
+        while self.depth >= depth.max(1) {
+            self.child()?;
+        }
+        Ok(())
+    }
+
+    /// Whether it is no XML: nothing can be read any further.
+    pub(super) fn is_broken(&self) -> bool {
+        self.is_broken
+    }
+
+    /// The namespace that a prefix stands for here.
+    pub(super) fn namespace(&self, prefix: &str) -> Option<String> {
+        let name = format!("{prefix}:name");
+        match self
+            .reader
+            .resolver()
+            .resolve_element(QName(name.as_bytes()))
+            .0
+        {
+            ResolveResult::Bound(Namespace(name)) => {
+                Some(String::from_utf8_lossy(name).into_owned())
+            }
+            _ => None,
+        }
+    }
+
+    /// The value of an attribute of some namespace, of the element that was opened last.
+    pub(super) fn value_of(
+        &self,
+        element: &Element<'_>,
+        space: Space,
+        name: &str,
+    ) -> Result<Option<String>> {
+        for attribute in element.start.attributes().with_checks(false) {
+            let attribute = attribute.map_err(|e| element.error(format!("XML: {e}")))?;
+            let (result, local) = self.reader.resolver().resolve_attribute(attribute.key);
+            if local.as_ref() == name.as_bytes() && Space::resolved(&result) == space {
+                let value = attribute.normalized_value(XmlVersion::Implicit1_0);
+                let value =
+                    value.map_err(|e| element.error(format!("XML: attribute {name}: {e}")))?;
+                return Ok(Some(value.into_owned()));
+            }
+        }
+        Ok(None)
+    }
+}
+
+fn is_unicode(name: &[u8]) -> bool {
+    name.eq_ignore_ascii_case(b"utf-8") || name.eq_ignore_ascii_case(b"utf-16")
+}

@@ -1,0 +1,61 @@
+//! What moves vertices that were joined: they follow the first of them.
+//!
+//! Files that split vertices for normals or textures give the pieces the same motion, to a rounding. Where they do not, the
+//! seam would tear open in motion; it stays closed, and a note says that its vertices do not go where the file says.
+
+use cutaway::scene::weld::thousands;
+use cutaway::scene::{Mesh, Motion};
+
+/// Weights that differ by less are the same.
+const SAME_WEIGHT: f64 = 1e-4;
+
+/// Displacements that differ by less are the same, as a share of the mesh's diagonal.
+const SAME_DISPLACEMENT: f64 = 1e-6;
+
+/// The motion of a welded mesh. `mesh` and `motion` are those before welding.
+pub(super) fn motion(
+    mesh: &Mesh,
+    motion: &Motion,
+    new_from_old: &[u32],
+    notes: &mut Vec<String>,
+) -> Motion {
+    if *motion == Motion::default() {
+        return Motion::default();
+    }
+    let mut firsts: Vec<u32> = Vec::new();
+    for (old, new) in (0..).zip(new_from_old) {
+        if *new as usize == firsts.len() {
+            firsts.push(old);
+        }
+    }
+    let near = SAME_DISPLACEMENT * mesh.bounds().size().length();
+    let goes_astray = |old: usize| {
+        let first = firsts[new_from_old[old] as usize] as usize;
+        first != old
+            && (weights_differ(motion, old, first)
+                || (0..motion.targets.len()).any(|target| {
+                    let of = |i| motion.displacement(target, i);
+                    of(old).distance(of(first)) > near
+                }))
+    };
+    let astray = (0..new_from_old.len())
+        .filter(|old| goes_astray(*old))
+        .count();
+    if astray > 0 {
+        notes.push(format!(
+            "{} vertices move otherwise than those they were welded to, which they follow now",
+            thousands(astray)
+        ));
+    }
+    motion.of_positions(&firsts)
+}
+
+fn weights_differ(motion: &Motion, a: usize, b: usize) -> bool {
+    let (a, b) = (motion.pulls_of(a), motion.pulls_of(b));
+    let weight = |of: &[cutaway::scene::Pull], joint| {
+        let pull = of.iter().find(|pull| pull.joint == joint);
+        pull.map_or(0.0, |pull| f64::from(pull.weight))
+    };
+    let mut joints = a.iter().chain(b).map(|pull| pull.joint);
+    joints.any(|joint| (weight(a, joint) - weight(b, joint)).abs() > SAME_WEIGHT)
+}

@@ -1,0 +1,111 @@
+//! The colours that a surface has besides that of its part, on the faces of a half.
+//!
+//! Where a face was divided, what its corners have lies between the corners of the triangle that it was: colours in linear light, as
+//! pictures are drawn.
+
+use std::collections::BTreeMap;
+
+use cutaway::scene::{
+    Coat, CoatedTriangle, Part, linear_from_srgb, map_channels, srgb_from_linear,
+};
+use cutaway::slice::Half;
+use glam::{DVec3, Vec3};
+
+use super::Solid;
+
+/// The coat of the faces of a half; none of a part that has none or is painted over.
+pub(super) fn coat_of(part: &Part, half: &Half) -> Option<Coat> {
+    let coat = part.mesh.coat.as_ref();
+    let coat = coat.filter(|_| !part.material.is_painted_over)?;
+    let posed = part.posed_mesh();
+    let at = |i: u32| (part.world_from_part).transform_point3(posed.positions[i as usize]);
+    let faces = half.sources.iter().zip(&half.mesh.triangles);
+    let triangles = faces.map(|(source, face)| {
+        let source = *source as usize;
+        let corners = part.mesh.triangles[source].map(at);
+        let whole = &coat.triangles[source];
+        let shares = face.map(|i| shares(corners, half.mesh.positions[i as usize]));
+        CoatedTriangle {
+            colors: shares.map(|shares| mixed(whole.colors, shares)),
+            uv: shares.map(|[a, b, c]| whole.uv[0] * a + whole.uv[1] * b + whole.uv[2] * c),
+            image: whole.image,
+        }
+    });
+    Some(Coat {
+        images: coat.images.clone(),
+        triangles: triangles.collect(),
+    })
+}
+
+/// How much each corner of a triangle counts at a point of it.
+fn shares(corners: [DVec3; 3], at: DVec3) -> [f32; 3] {
+    if let Some(corner) = corners.iter().position(|c| *c == at) {
+        return [0, 1, 2].map(|i| f32::from(u8::from(i == corner)));
+    }
+    let [a, b, c] = corners;
+    let normal = (b - a).cross(c - a);
+    let twice = normal.length_squared();
+    if twice <= 0.0 {
+        return [1.0, 0.0, 0.0];
+    }
+    let share = |from: DVec3, to: DVec3| {
+        let share = (to - from).cross(at - from).dot(normal) / twice;
+        share.clamp(0.0, 1.0) as f32
+    };
+    let (of_b, of_c) = (share(c, a), share(a, b));
+    [(1.0 - of_b - of_c).max(0.0), of_b, of_c]
+}
+
+fn mixed(colors: [[u8; 4]; 3], shares: [f32; 3]) -> [u8; 4] {
+    if colors == [colors[0]; 3] {
+        return colors[0];
+    }
+    let linear = colors.map(|[r, g, b, _]| {
+        map_channels(
+            Vec3::from([r, g, b].map(f32::from)) / 255.0,
+            linear_from_srgb,
+        )
+    });
+    let sum = linear[0] * shares[0] + linear[1] * shares[1] + linear[2] * shares[2];
+    let [r, g, b] = (map_channels(sum, srgb_from_linear) * 255.0)
+        .round()
+        .to_array();
+    [r as u8, g as u8, b as u8, 255]
+}
+
+/// A vertex with its colour.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct ColoredVertex {
+    /// Index of its position.
+    pub(super) at: u32,
+    pub(super) color: [u8; 4],
+}
+
+/// The mesh of a solid with one colour for each vertex: where corners in one place have unlike colours, a vertex for each.
+pub(super) fn by_vertex(solid: &Solid<'_>) -> (Vec<ColoredVertex>, Vec<[u32; 3]>) {
+    let [own, cap] = [solid.color, solid.cap_color].map(|color| {
+        let [r, g, b] = super::bytes_of(color);
+        [[r, g, b, 255]; 3]
+    });
+    let mut vertices = Vec::new();
+    let mut numbers: BTreeMap<ColoredVertex, u32> = BTreeMap::new();
+    let triangles = (solid.mesh.triangles.iter().enumerate()).map(|(t, corners)| {
+        let colors = match solid.coat.as_ref() {
+            _ if t >= solid.faces => cap,
+            Some(coat) => coat.triangles[t].colors,
+            None => own,
+        };
+        [0, 1, 2].map(|i| {
+            let vertex = ColoredVertex {
+                at: corners[i],
+                color: colors[i],
+            };
+            *numbers.entry(vertex).or_insert_with(|| {
+                vertices.push(vertex);
+                vertices.len() as u32 - 1
+            })
+        })
+    });
+    let triangles = triangles.collect();
+    (vertices, triangles)
+}

@@ -1,0 +1,206 @@
+//! Sections as a drawing: SVG that shows each plane as it is seen from the side that is removed.
+//!
+//! One file has all planes, one group each, side by side. Within its group a path has the very coordinates `u` and `v` of the JSON: the
+//! group turns `v` up, and moves all but the first. One path is one part in the colour of its cap, filled by its rule. Strokes keep
+//! their width on the screen where the viewer knows how to; elsewhere they are a thousandth of the drawing wide. Curves that do
+//! not close are red and bound nothing.
+//!
+//! A unit of the drawing is a unit of the model. With a [`LengthUnit`] the drawing has the size of the model; without one it is fitted to
+//! [`LONGEST_PX`] pixels.
+
+use cutaway::scene::LengthUnit;
+use maud::{Markup, html};
+
+use super::{Curve, PartReport, PlaneReport, SectionReport};
+
+/// Pixels along the longer side of a drawing of no physical size.
+const LONGEST_PX: f64 = 1000.0;
+/// Room around a drawing and between planes, as a share of the longest side of all.
+const GAP_SHARE: f64 = 0.03;
+/// Digits that are kept of the longest side.
+const DRAWN_DIGITS: i32 = 10;
+
+/// Read by viewers that can: others pass a rule over that asks what they support, and a stroke of one unit could be a blot.
+const NON_SCALING: &str = "@supports (vector-effect: non-scaling-stroke) \
+    { path { vector-effect: non-scaling-stroke; stroke-width: 1px } .open { stroke-width: 2px } }";
+
+/// A rectangle of a plane.
+#[derive(Clone, Copy, Debug)]
+struct Frame {
+    min: [f64; 2],
+    max: [f64; 2],
+}
+
+impl Frame {
+    /// Around all curves of a plane; the unit square where there is none.
+    fn of(plane: &PlaneReport) -> Self {
+        let curves = plane
+            .parts
+            .iter()
+            .flat_map(|p| p.loops.iter().chain(&p.open_chains));
+        let mut points = curves.flat_map(|c| &c.uv).copied();
+        let Some(first) = points.next() else {
+            return Self {
+                min: [0.0; 2],
+                max: [1.0; 2],
+            };
+        };
+        let start = Self {
+            min: first,
+            max: first,
+        };
+        points.fold(start, |f, p| Self {
+            min: [0, 1].map(|i| f.min[i].min(p[i])),
+            max: [0, 1].map(|i| f.max[i].max(p[i])),
+        })
+    }
+
+    fn size(&self) -> [f64; 2] {
+        [0, 1].map(|i| self.max[i] - self.min[i])
+    }
+}
+
+/// The planes of a report, beside each other.
+struct Layout {
+    frames: Vec<Frame>,
+    /// The longest side of all.
+    longest: f64,
+}
+
+impl Layout {
+    fn of(report: &SectionReport) -> Self {
+        let frames: Vec<Frame> = report.sections.iter().map(Frame::of).collect();
+        let longest = (frames.iter().flat_map(Frame::size)).fold(0.0, f64::max);
+        let longest = if longest > 0.0 { longest } else { 1.0 };
+        Self { frames, longest }
+    }
+}
+
+/// By how much each plane is moved, so that all stand on one line; the first by nothing.
+pub(super) fn places(report: &SectionReport) -> Vec<[f64; 2]> {
+    let Layout { frames, longest } = Layout::of(report);
+    let Some(first) = frames.first() else {
+        return Vec::new();
+    };
+    let mut left = first.min[0];
+    let place = |frame: &Frame| {
+        let by = [left - frame.min[0], frame.min[1] - first.min[1]];
+        left += frame.size()[0] + longest * GAP_SHARE;
+        by
+    };
+    frames.iter().map(place).collect()
+}
+
+/// The drawing as the text of a file.
+pub fn svg(report: &SectionReport, unit: Option<LengthUnit>) -> String {
+    let Layout { frames, longest } = Layout::of(report);
+    let decimals = (DRAWN_DIGITS - longest.log10().ceil() as i32).clamp(0, 300) as usize;
+    let gap = longest * GAP_SHARE;
+    let first = frames.first().copied().unwrap_or(Frame {
+        min: [0.0; 2],
+        max: [1.0; 2],
+    });
+    // Planes stand on one line.
+    let width = frames.iter().map(|f| f.size()[0] + gap).sum::<f64>() + gap;
+    let height = frames.iter().map(|f| f.size()[1]).fold(0.0, f64::max) + 2.0 * gap;
+    let corner = [first.min[0] - gap, gap - height - first.min[1]];
+    let number = |value: f64| shortened(value, decimals);
+
+    let [wide, high] = match unit {
+        Some(unit) => [width, height].map(|v| format!("{}mm", number(v * unit.mm()))),
+        None => {
+            let per_unit = LONGEST_PX / width.max(height);
+            [width, height].map(|v| shortened(v * per_unit, 3))
+        }
+    };
+    let seen = [corner[0], corner[1], width, height].map(number).join(" ");
+    let drawing = html! {
+        svg xmlns="http://www.w3.org/2000/svg" width=(wide) height=(high) viewBox=(seen) {
+            title { (without_controls(&report.scene)) }
+            desc {
+                "To scale: one unit is one unit of the model"
+                @match unit {
+                    Some(unit) => { ", drawn as 1 " (unit.symbol()) }
+                    None => { "; the drawing has no physical size" }
+                }
+                ". Seen from the side that is removed."
+            }
+            style { (NON_SCALING) }
+            g stroke-width=(number(width.max(height) / LONGEST_PX)) {
+                @for (index, (plane, by)) in report.sections.iter().zip(places(report)).enumerate() {
+                    "\n" (group(index, plane, by.map(number), decimals))
+                }
+            }
+        }
+    };
+    format!(
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n{}\n",
+        drawing.into_string()
+    )
+}
+
+fn group(index: usize, plane: &PlaneReport, [x, y]: [String; 2], decimals: usize) -> Markup {
+    let moved = (index > 0).then(|| format!("translate({x} {y}) "));
+    let rule = |part: &PartReport| match part.fill.as_str() {
+        "nonzero" => "nonzero",
+        _ => "evenodd",
+    };
+    html! {
+        g id={ "section-" (index + 1) } transform={ (moved.unwrap_or_default()) "scale(1 -1)" } {
+            title { (without_controls(&plane.name())) ": area " (plane.area) ", perimeter " (plane.perimeter) }
+            @for part in &plane.parts {
+                @if !part.loops.is_empty() {
+                    "\n"
+                    path d=(outline(&part.loops, decimals, "Z")) fill=(part.color) fill-rule=(rule(part)) stroke="#222222" {
+                        title { (without_controls(&part.part)) ": area " (part.area) }
+                    }
+                }
+                @if !part.open_chains.is_empty() {
+                    "\n"
+                    path.open d=(outline(&part.open_chains, decimals, "")) fill="none" stroke="#cc0000" {
+                        title { (without_controls(&part.part)) ": open" }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Curves as the data of one path. Points that are written alike in a row are one.
+fn outline(curves: &[Curve], decimals: usize, end: &str) -> String {
+    let mut data = String::new();
+    for curve in curves {
+        let mut before = String::new();
+        for at in &curve.uv {
+            let point = at.map(|c| shortened(c, decimals)).join(" ");
+            if point != before {
+                let step = if before.is_empty() { "M" } else { "L" };
+                data.push_str(step);
+                data.push_str(&point);
+                before = point;
+            }
+        }
+        data.push_str(end);
+    }
+    data
+}
+
+/// A number with so many decimals, and no more zeros than it needs.
+fn shortened(value: f64, decimals: usize) -> String {
+    let text = format!("{value:.decimals$}");
+    let text = if text.contains('.') {
+        text.trim_end_matches('0').trim_end_matches('.')
+    } else {
+        &text
+    };
+    if text == "-0" {
+        "0".to_owned()
+    } else {
+        text.to_owned()
+    }
+}
+
+/// Text without what XML has no place for.
+fn without_controls(text: &str) -> String {
+    text.chars().filter(|c| !c.is_control()).collect()
+}

@@ -1,0 +1,164 @@
+//! Which of the marked pixels of a frame may be wrong.
+//!
+//! A strategy marks the pixels along whose rays the crossings of a mesh do not tell inside from outside. Only caps depend on
+//! that: whether a surface is kept is decided by the clip-surfaces alone. So a marked pixel **may be wrong** if its ray passes from
+//! what is removed to what is kept within the bounds of a part that is cut, no farther away than what the pixel shows, or if it
+//! begins within them at a near plane that makes caps. The others show what they would show whatever is inside.
+//!
+//! Reliefs are taken for the slab that their heights fill and cutters for their bounds, so that the answer is never no where it
+//! should be yes.
+
+use cutaway::layers::{Layer, Layers};
+use cutaway::scene::{Bounds, Prepared, PreparedPart, PreparedSurface, View};
+use glam::{DVec2, DVec3};
+use rayon::prelude::*;
+
+/// Depths are compared with so much room, as a share: those of frames are f32.
+const SLACK: f64 = 1e-4;
+
+/// From one depth to another along a ray; there is none where the first is greater.
+type Stretch = [f64; 2];
+
+const EVERYWHERE: Stretch = [f64::NEG_INFINITY, f64::INFINITY];
+const NOWHERE: Stretch = [f64::INFINITY, f64::NEG_INFINITY];
+
+fn both(a: Stretch, b: Stretch) -> Stretch {
+    [a[0].max(b[0]), a[1].min(b[1])]
+}
+
+fn is_nowhere(stretch: Stretch) -> bool {
+    stretch[0] > stretch[1]
+}
+
+/// For each pixel, whether it is marked and may be wrong.
+pub fn may_be_wrong(layers: &Layers, prepared: &Prepared, view: &View) -> Vec<bool> {
+    let width = layers.size_px[0] as usize;
+    let pixels = layers.pixels.par_iter().enumerate();
+    let doubted = pixels.map(|(i, pixel)| {
+        let at = DVec2::new((i % width) as f64, (i / width) as f64) + 0.5;
+        pixel.unreliable && depends_on_inside(pixel, view.ray(at), prepared, view)
+    });
+    doubted.collect()
+}
+
+fn depends_on_inside(pixel: &Layer, ray: (DVec3, DVec3), prepared: &Prepared, view: &View) -> bool {
+    let limit = pixel.depth * (1.0 + SLACK);
+    prepared.parts.iter().any(|part| {
+        let within = through(&part.bounds, ray);
+        let seen = both(within, [view.near, limit]);
+        if is_nowhere(seen) {
+            return false;
+        }
+        let begins_within = view.near_cap && within[0] < view.near;
+        begins_within || leaves_what_is_removed(part, ray, prepared, seen)
+    })
+}
+
+fn leaves_what_is_removed(
+    part: &PreparedPart,
+    ray: (DVec3, DVec3),
+    prepared: &Prepared,
+    seen: Stretch,
+) -> bool {
+    part.cuts.iter().any(|cut| {
+        let (mut perhaps, mut surely) = (EVERYWHERE, EVERYWHERE);
+        for surface in &prepared.cuts[*cut].surfaces {
+            let [p, s] = removed(&prepared.surfaces[*surface], ray);
+            perhaps = both(perhaps, p);
+            surely = both(surely, s);
+        }
+        if is_nowhere(perhaps) {
+            return false;
+        }
+        if is_nowhere(surely) {
+            return !is_nowhere(both(perhaps, seen));
+        }
+        // Where a relief begins the ray may pass through a bump of it.
+        let bumps = [perhaps[0], surely[0]];
+        let passes_bumps = bumps[0] < bumps[1] && !is_nowhere(both(bumps, seen));
+        passes_bumps || !is_nowhere(both([surely[1], perhaps[1]], seen))
+    })
+}
+
+/// Where a ray is perhaps on the removed side of a clip-surface, and where it surely is.
+fn removed(surface: &PreparedSurface, (origin, direction): (DVec3, DVec3)) -> [Stretch; 2] {
+    if surface.volume.is_some() {
+        return [EVERYWHERE, NOWHERE];
+    }
+    let at_eye = (origin - surface.origin).dot(surface.frame.normal);
+    let step = direction.dot(surface.frame.normal);
+    surface.slab().map(|height| {
+        let at_eye = at_eye + height;
+        if step > 0.0 {
+            [f64::NEG_INFINITY, -at_eye / step]
+        } else if step < 0.0 {
+            [-at_eye / step, f64::INFINITY]
+        } else if at_eye < 0.0 {
+            EVERYWHERE
+        } else {
+            NOWHERE
+        }
+    })
+}
+
+/// Where a ray is within a box.
+fn through(bounds: &Bounds, (origin, direction): (DVec3, DVec3)) -> Stretch {
+    (0..3).fold(EVERYWHERE, |stretch, axis| {
+        let (at, step) = (origin[axis], direction[axis]);
+        let [low, high] = [bounds.min[axis], bounds.max[axis]];
+        if step == 0.0 {
+            let is_beside = at < low || at > high;
+            return if is_beside { NOWHERE } else { stretch };
+        }
+        let [a, b] = [low, high].map(|bound| (bound - at) / step);
+        both(stretch, [a.min(b), a.max(b)])
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::hard_cases::scenes;
+    use cutaway::layers::Kind;
+
+    /// Which of the pixels along a row through the middle of a cube may be wrong if all are marked, with what they show.
+    fn row(sections: &[&str], shown: Option<f64>) -> Vec<bool> {
+        let mut scene = scenes::sectioned("cube", sections);
+        scene.camera = scenes::parallel(DVec3::Z * 4.0, DVec3::ZERO, 0.2);
+        let prepared = Prepared::new(&scene);
+        let view = prepared.view([10, 1]);
+        let mut layers = Layers::background([10, 1]);
+        for pixel in &mut layers.pixels {
+            pixel.unreliable = true;
+            if let Some(depth) = shown {
+                pixel.kind = Kind::Surface;
+                pixel.depth = depth * prepared.scale;
+            }
+        }
+        layers.pixels[9].unreliable = false;
+        may_be_wrong(&layers, &prepared, &view)
+    }
+
+    fn count(of: &[bool]) -> usize {
+        of.iter().filter(|w| **w).count()
+    }
+
+    #[test]
+    fn only_what_a_cap_could_cover_counts() {
+        // The picture is 2 wide and the cube 1; 4 of its 5 or 6 columns lie within, and one pixel is not marked at all.
+        let behind = row(&["-z=0"], None);
+        assert_eq!(
+            count(&behind),
+            4 + usize::from(behind[2]) + usize::from(behind[7])
+        );
+        assert!(behind[4] && !behind[0] && !behind[9], "{behind:?}");
+        // Nothing can come before what is nearer than the section, and much before what is farther.
+        assert_eq!(count(&row(&["-z=0"], Some(3.6))), 0);
+        assert_eq!(row(&["-z=0"], Some(4.4)), behind);
+        // From the kept side no ray comes out of what is removed, nor where nothing is cut there.
+        assert_eq!(count(&row(&["z=0"], None)), 0);
+        assert_eq!(count(&row(&["-z=0.7"], None)), 0);
+        // Half of the cube is removed along these rays.
+        assert!(count(&row(&["-z=0", "x=0"], None)) < count(&behind));
+    }
+}

@@ -1,0 +1,191 @@
+//! A picture of what is wrong where.
+//!
+//! Colours are those of Okabe and Ito (2008), which stay apart for all common kinds of colour blindness, over a dim grey
+//! rendering of the exact kinds. A single wrong pixel would drown in a large picture: each gets a ring of one pixel in a
+//! lighter tone of its colour, drawn only where nothing is wrong.
+
+use cutaway::layers::{Kind, Layer, Layers};
+use image::{Rgba, RgbaImage};
+
+use super::Verdict;
+use crate::exact::Exact;
+
+/// What a heat map tells apart, the gravest first: a pixel has the colour of the first class that fits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Class {
+    /// A hole: a back face, or the background away from that of exact, where no cap is due.
+    Crack,
+    /// Exact says cap, the strategy does not.
+    MissedCap,
+    /// The strategy says cap, exact does not.
+    LeakedCap,
+    /// Kinds agree; part or clip-surface does not.
+    WrongPart,
+    /// A surface where exact has background, or the other way round at an outline.
+    Mismatch,
+    /// Right, but marked by the strategy.
+    Unreliable,
+    /// Right, but sampling is ambiguous there.
+    Undecided,
+}
+
+/// A class, its colour and its name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct LegendEntry {
+    /// The class.
+    pub class: Class,
+    /// Its colour, sRGB.
+    pub rgb: [u8; 3],
+    /// Its name, for readers.
+    pub name: &'static str,
+    /// What a pixel of it is, in half a sentence.
+    pub meaning: &'static str,
+}
+
+/// The classes in order, with their colours.
+pub fn legend() -> [LegendEntry; 7] {
+    let entry = |class, rgb, name, meaning| LegendEntry {
+        class,
+        rgb,
+        name,
+        meaning,
+    };
+    [
+        entry(
+            Class::Crack,
+            [240, 228, 66],
+            "crack",
+            "a hole in the picture: a back face or the background shows, where there is neither cap nor outline",
+        ),
+        entry(
+            Class::MissedCap,
+            [213, 94, 0],
+            "missed cap",
+            "there is a cap, and the method draws none",
+        ),
+        entry(
+            Class::LeakedCap,
+            [0, 114, 178],
+            "leaked cap",
+            "the method draws a cap where there is none",
+        ),
+        entry(
+            Class::WrongPart,
+            [204, 121, 167],
+            "wrong part",
+            "the cap or surface is that of another part or clip-surface",
+        ),
+        entry(
+            Class::Mismatch,
+            [230, 159, 0],
+            "surface against background",
+            "a surface where there is background, or the reverse, along an outline",
+        ),
+        entry(
+            Class::Unreliable,
+            [86, 180, 233],
+            "unreliable",
+            "right, and marked by the method as one that it may have got wrong",
+        ),
+        entry(
+            Class::Undecided,
+            [0, 158, 115],
+            "undecided",
+            "right, at a pixel where rounding decides: nothing drawn there counts as wrong",
+        ),
+    ]
+}
+
+impl Class {
+    fn of(exact: &Exact, index: usize, found: &Layer) -> Option<Self> {
+        let verdict = Verdict::of(&exact.layers, index, found);
+        [
+            (verdict.crack && !verdict.missed_cap, Self::Crack),
+            (verdict.missed_cap, Self::MissedCap),
+            (verdict.leaked_cap, Self::LeakedCap),
+            (verdict.wrong_part, Self::WrongPart),
+            (verdict.wrong, Self::Mismatch),
+            (found.unreliable, Self::Unreliable),
+            (exact.undecided[index], Self::Undecided),
+        ]
+        .into_iter()
+        .find_map(|(fits, class)| fits.then_some(class))
+    }
+
+    fn is_wrong(self) -> bool {
+        self < Self::Unreliable
+    }
+
+    fn rgb(self) -> [u8; 3] {
+        legend()
+            .into_iter()
+            .find(|e| e.class == self)
+            .map_or([255; 3], |e| e.rgb)
+    }
+}
+
+/// Draws where a frame differs from exact.
+///
+/// # Panics
+///
+/// If the frames differ in size.
+pub fn heatmap(exact: &Exact, layers: &Layers) -> RgbaImage {
+    marked(exact, layers, |truth| opaque(ground(truth)))
+}
+
+/// The same marks alone, to be laid over a picture of the frame: transparent where nothing is to be told.
+///
+/// # Panics
+///
+/// If the frames differ in size.
+pub fn heatmap_overlay(exact: &Exact, layers: &Layers) -> RgbaImage {
+    marked(exact, layers, |_| Rgba([0; 4]))
+}
+
+fn marked(exact: &Exact, layers: &Layers, ground: impl Fn(&Layer) -> Rgba<u8>) -> RgbaImage {
+    assert_eq!(
+        exact.layers.size_px, layers.size_px,
+        "frames of different size cannot be compared"
+    );
+    let [width, height] = layers.size_px;
+    let index = |x: u32, y: u32| (y * width + x) as usize;
+    let class = |x: u32, y: u32| {
+        let i = index(x, y);
+        Class::of(exact, i, &layers.pixels[i])
+    };
+    let mut picture = RgbaImage::from_fn(width, height, |x, y| {
+        let own = class(x, y).map(|class| opaque(class.rgb()));
+        own.unwrap_or_else(|| ground(&exact.layers.pixels[index(x, y)]))
+    });
+    for (x, y) in (0..height).flat_map(|y| (0..width).map(move |x| (x, y))) {
+        if class(x, y).is_some_and(Class::is_wrong) {
+            continue;
+        }
+        let neighbours = (y.saturating_sub(1)..(y + 2).min(height))
+            .flat_map(|j| (x.saturating_sub(1)..(x + 2).min(width)).map(move |i| (i, j)));
+        let worst = neighbours
+            .filter_map(|(i, j)| class(i, j))
+            .filter(|c| c.is_wrong())
+            .min();
+        if let Some(worst) = worst {
+            picture.put_pixel(x, y, opaque(worst.rgb().map(|c| c / 2 + 128)));
+        }
+    }
+    picture
+}
+
+fn opaque([r, g, b]: [u8; 3]) -> Rgba<u8> {
+    Rgba([r, g, b, 255])
+}
+
+/// Dim grey of what is right: the nearer it faces the viewer, the lighter.
+fn ground(truth: &Layer) -> [u8; 3] {
+    let [dark, light] = match truth.kind {
+        Kind::Background => return [16; 3],
+        Kind::Surface => [34.0, 70.0],
+        Kind::Cap => [70.0, 104.0],
+    };
+    // Any fixed direction will do: the ground only has to be recognised.
+    let lit = truth.normal.dot(glam::Vec3::new(0.4, 0.8, 0.45)).abs();
+    [(dark + (light - dark) * lit.min(1.0)) as u8; 3]
+}

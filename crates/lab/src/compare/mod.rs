@@ -1,0 +1,219 @@
+//! Layers against the exact reference: how many pixels are wrong, in which way, and by how much the others are off.
+//!
+//! # Classes
+//!
+//! A pixel is *wrong* if its kind differs from exact, or its part, or the clip-surface of a cap, or if it is a crack. Each
+//! wrong pixel is in exactly one of `interior_wrong_px` and `edge_wrong_px`. What is wrong with it is counted under
+//! every class that fits, so that each number can be read by itself:
+//!
+//! | class | exact | the strategy |
+//! |---|---|---|
+//! | missed cap | cap | anything else |
+//! | leaked cap | anything else | cap |
+//! | wrong part | surface or cap | same kind; another part, or another clip-surface |
+//! | crack | surface or cap, not a back face; decided | a back face; or the background, away from that of exact |
+//! | outline | the same | the background, beside that of exact |
+//!
+//! A crack is a hole: the inside of a shell is seen, or the sky through a solid. Where exact has background in the 3 x 3 block of a
+//! pixel, background is an outline that was moved, which is what a cap that is tessellated does to it, and no crack; a back face
+//! always is one. Cracks are counted among decided pixels only: a sample on an outline may rightly show the background, and a
+//! number that must be 0 cannot hang on it. The other classes count all pixels.
+//!
+//! What fits none of these (a surface where there is background, an exact back face drawn as background) is still wrong.
+//!
+//! Errors of depth and normal are taken where the pixel is right and decided, in depth too: where sampling is ambiguous,
+//! both answers are right and lie far apart.
+
+mod doubt;
+mod heatmap;
+
+pub use doubt::may_be_wrong;
+pub use heatmap::{Class, LegendEntry, heatmap, heatmap_overlay, legend};
+
+use cutaway::layers::{Kind, Layer, Layers};
+use cutaway::scene::View;
+use serde::{Deserialize, Serialize};
+
+use crate::exact::Exact;
+
+/// Error of one frame against exact. Fields as in the JSON of `cutaway compare`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Comparison {
+    /// Exact says cap, the strategy does not.
+    pub missed_cap_px: usize,
+    /// The strategy says cap, exact does not.
+    pub leaked_cap_px: usize,
+    /// Kinds agree; the part or, for a cap, the clip-surface does not.
+    pub wrong_part_px: usize,
+    /// A back face where exact is sure of a surface or a cap that is none; or the background, where exact has no background
+    /// within a pixel.
+    pub crack_px: usize,
+    /// The background where exact is sure of a surface or a cap, and has background within a pixel: an outline that moved, as that
+    /// of a triangulated cap does, rather than a hole.
+    pub outline_px: usize,
+    /// Wrong pixels farther than one pixel from every boundary of the exact image.
+    pub interior_wrong_px: usize,
+    /// The other wrong pixels.
+    pub edge_wrong_px: usize,
+    /// Wrong pixels that exact is sure of. An exact strategy has none.
+    pub decided_wrong_px: usize,
+    /// Those of them that the strategy does not mark: it is wrong there without a warning.
+    pub unmarked_wrong_px: usize,
+    /// Pixels that the strategy marks: odd crossing count, or a buffer that overflowed.
+    pub odd_parity_px: usize,
+    /// Pixels where the strategy says that several solids share the cap; it is asked to look by
+    /// [`Scene::interference`](cutaway::scene::Scene::interference), and else says so nowhere.
+    pub overlap_px: usize,
+    /// Largest error of depth in world units.
+    pub depth_error_max: f64,
+    /// Mean error of depth in world units.
+    pub depth_error_mean: f64,
+    /// Largest error of depth in edge lengths of a pixel at that depth.
+    pub depth_error_px_max: f64,
+    /// Mean error of depth in edge lengths of a pixel at that depth.
+    pub depth_error_px_mean: f64,
+    /// Largest angle between normals of caps.
+    pub normal_error_deg_max: f64,
+    /// Mean angle between normals of caps.
+    pub normal_error_deg_mean: f64,
+}
+
+impl Comparison {
+    /// All wrong pixels.
+    pub fn wrong_px(&self) -> usize {
+        self.interior_wrong_px + self.edge_wrong_px
+    }
+}
+
+/// Compares a frame with exact. `scale` is [`Prepared::scale`](cutaway::scene::Prepared::scale): scene units per world unit.
+///
+/// # Panics
+///
+/// If the two frames or the view differ in size: they are then no answers to the same question.
+pub fn compare(exact: &Exact, layers: &Layers, view: &View, scale: f64) -> Comparison {
+    assert_eq!(
+        exact.layers.size_px, layers.size_px,
+        "frames of different size cannot be compared"
+    );
+    let mut result = Comparison {
+        overlap_px: layers.overlap_px(),
+        ..Comparison::default()
+    };
+    let (mut depth, mut depth_px, mut normal) =
+        (Error::default(), Error::default(), Error::default());
+    for (index, (truth, found)) in exact.layers.pixels.iter().zip(&layers.pixels).enumerate() {
+        let verdict = Verdict::of(&exact.layers, index, found);
+        result.missed_cap_px += usize::from(verdict.missed_cap);
+        result.leaked_cap_px += usize::from(verdict.leaked_cap);
+        result.wrong_part_px += usize::from(verdict.wrong_part);
+        let decided = !exact.undecided[index];
+        result.crack_px += usize::from(verdict.crack && decided);
+        result.outline_px += usize::from(verdict.outline && decided);
+        result.odd_parity_px += usize::from(found.unreliable);
+        if verdict.wrong {
+            let edge = near_boundary(&exact.layers, index);
+            result.edge_wrong_px += usize::from(edge);
+            result.interior_wrong_px += usize::from(!edge);
+            result.decided_wrong_px += usize::from(decided);
+            result.unmarked_wrong_px += usize::from(decided && !found.unreliable);
+        } else if decided && !exact.depth_open[index] && truth.kind != Kind::Background {
+            let off = (found.depth - truth.depth).abs();
+            depth.add(off / scale);
+            depth_px.add(off / view.pixel_size(truth.depth).abs());
+            if truth.kind == Kind::Cap {
+                normal.add(angle_deg(truth, found));
+            }
+        }
+    }
+    (result.depth_error_max, result.depth_error_mean) = (depth.max, depth.mean());
+    (result.depth_error_px_max, result.depth_error_px_mean) = (depth_px.max, depth_px.mean());
+    (result.normal_error_deg_max, result.normal_error_deg_mean) = (normal.max, normal.mean());
+    result
+}
+
+/// What is wrong with one pixel.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+struct Verdict {
+    missed_cap: bool,
+    leaked_cap: bool,
+    wrong_part: bool,
+    crack: bool,
+    outline: bool,
+    wrong: bool,
+}
+
+impl Verdict {
+    /// Of a pixel by its index in the exact image.
+    fn of(exact: &Layers, index: usize, found: &Layer) -> Self {
+        let truth = &exact.pixels[index];
+        let same_kind = truth.kind == found.kind;
+        let wrong_part = same_kind && label(truth) != label(found);
+        let solid = truth.kind != Kind::Background && !truth.back_face;
+        let is_sky = |l: &Layer| l.kind == Kind::Background;
+        let see_through = solid && is_sky(found);
+        let outline = see_through && block(exact, index).any(is_sky);
+        let inside_out = solid && found.back_face;
+        Self {
+            missed_cap: truth.kind == Kind::Cap && !same_kind,
+            leaked_cap: found.kind == Kind::Cap && !same_kind,
+            wrong_part,
+            crack: (see_through && !outline) || inside_out,
+            outline,
+            wrong: !same_kind || wrong_part || inside_out,
+        }
+    }
+}
+
+/// What two pixels must share to show the same thing.
+fn label(layer: &Layer) -> (Kind, u16, u8) {
+    match layer.kind {
+        Kind::Background => (Kind::Background, 0, 0),
+        Kind::Surface => (Kind::Surface, layer.part, 0),
+        Kind::Cap => (Kind::Cap, layer.part, layer.clip_surface),
+    }
+}
+
+/// The pixel and its eight neighbours, those that there are.
+fn block(exact: &Layers, index: usize) -> impl Iterator<Item = &Layer> {
+    let [width, height] = exact.size_px.map(|s| s as usize);
+    let (x, y) = (index % width, index / width);
+    (y.saturating_sub(1)..(y + 2).min(height)).flat_map(move |j| {
+        (x.saturating_sub(1)..(x + 2).min(width)).map(move |i| &exact.pixels[j * width + i])
+    })
+}
+
+/// Whether the pixel or one of its eight neighbours touches a boundary of the exact image: its 3 x 3 block is not all of
+/// one kind, part and clip-surface.
+fn near_boundary(exact: &Layers, index: usize) -> bool {
+    let own = label(&exact.pixels[index]);
+    block(exact, index).any(|l| label(l) != own)
+}
+
+/// Angle between two normals: by the tangent of its half, which is accurate for small angles, where the cosine is not.
+fn angle_deg(truth: &Layer, found: &Layer) -> f64 {
+    let unit = |l: &Layer| l.normal.as_dvec3().normalize_or_zero();
+    let (a, b) = (unit(truth), unit(found));
+    (2.0 * (a - b).length().atan2((a + b).length())).to_degrees()
+}
+
+/// Largest and mean of some errors.
+#[derive(Default)]
+struct Error {
+    max: f64,
+    sum: f64,
+    count: usize,
+}
+
+impl Error {
+    fn add(&mut self, error: f64) {
+        // What is no number in the frame must show, not vanish in `max`; JSON knows no infinity.
+        let error = if error.is_finite() { error } else { f64::MAX };
+        self.max = self.max.max(error);
+        self.sum += error;
+        self.count += 1;
+    }
+
+    fn mean(&self) -> f64 {
+        self.sum / self.count.max(1) as f64
+    }
+}

@@ -1,0 +1,311 @@
+//! Samples whose answer hangs on less than the picture can tell.
+//!
+//! A sample is undecided where an implementation that moves it by [`View::doubt_px`], or rounds a depth by four ulp of f32, may
+//! rightly answer otherwise. Three things can make it so: an outline nearby, two events of one ray that are so close that
+//! their order is open ([`super::order`]), and a ray that grazes a clip-surface. Of the latter two nearness alone is not enough: the walk is repeated with the
+//! pair swapped, or the graze taken the other way, and only another kind, part or clip-surface leaves the sample undecided;
+//! if all of these stay and the depth jumps, as between the folds of a relief, the depth alone is open; if only other solids
+//! come to overlap at a cap or cease to, that alone is. An outline leaves
+//! the sample undecided where the part is not clearly removed and nothing hides it; one at which the part opens does so although it is
+//! removed, and behind a cap that hangs on it too.
+//!
+//! What is known of whole triangles is decided: on which side of a flat clip-surface one close to it lies (see [`super::settle`]), and
+//! of two parts that share a triangle, or a plane ([`super::settle`]), the first in rank has it.
+
+use cutaway::scene::{Prepared, View};
+
+use super::clip::{Graze, Ray, Root};
+use super::cutter::{self, Cutters};
+use super::outline::Brush;
+use super::raster::{Crossing, Projected};
+use super::walk::{Cause, Event, Sight, State, restore_order, walk};
+
+/// Four ulp of f32 at a depth. Scene space has a radius of about 1 and its coordinates are rounded to ulps of 1, so
+/// depths below 1 are no better; an orthographic depth buffer has the resolution of its whole span.
+pub(super) fn rounding(view: &View, depth: f64) -> f64 {
+    let span = if view.orthographic {
+        view.far - view.near
+    } else {
+        1.0
+    };
+    4.0 * f64::from(f32::EPSILON) * depth.abs().max(span).max(1.0)
+}
+
+/// How far an answer can be trusted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Openness {
+    /// All of it is decided.
+    Nothing,
+    /// Whether solids overlap at a cap may be otherwise; all else is decided.
+    Overlap,
+    /// The depth, and normal and overlap with it, may be another; kind, part and clip-surface are decided.
+    Depth,
+    /// Anything may be another.
+    All,
+}
+
+impl Openness {
+    /// The greatest, asked for only until nothing can exceed it.
+    pub(super) fn worst(all: impl Iterator<Item = Self>) -> Self {
+        let mut worst = Self::Nothing;
+        for one in all {
+            worst = worst.max(one);
+            if worst == Self::All {
+                break;
+            }
+        }
+        worst
+    }
+}
+
+/// Everything known about one ray.
+pub(super) struct Case<'a> {
+    pub(super) prepared: &'a Prepared,
+    pub(super) view: &'a View,
+    pub(super) parts: &'a [Projected<'a>],
+    pub(super) ray: Ray,
+    /// Ranks of the parts it meets.
+    pub(super) ranks: &'a [u16],
+    /// State before the first event.
+    pub(super) start: &'a State,
+    /// Sorted.
+    pub(super) events: &'a [Event],
+    pub(super) crossings: &'a [Crossing],
+    pub(super) roots: &'a [Root],
+    pub(super) grazes: &'a [Graze],
+    pub(super) brushes: &'a [Brush],
+    /// With outlines of cutters, whose ranks follow those of the parts.
+    pub(super) cutter_brushes: &'a [Brush],
+    pub(super) cutters: &'a Cutters,
+    /// The answer.
+    pub(super) sight: Option<Sight>,
+    /// Crossings, and the clip-surfaces that their triangles are settled by, before or behind.
+    pub(super) settled: &'a [(u32, u16, i8)],
+    /// Crossings, and the numbers of the planes that their triangles share with those of other parts.
+    pub(super) shared: &'a [(u32, u16)],
+}
+
+/// Buffers of repeated walks.
+#[derive(Default)]
+pub(super) struct Scratch {
+    pub(super) events: Vec<Event>,
+    state: State,
+    pub(super) margins: Vec<f64>,
+}
+
+impl Scratch {
+    /// Buffers for a scene.
+    pub(super) fn of(prepared: &Prepared) -> Self {
+        Self {
+            state: State::of(prepared),
+            ..Self::default()
+        }
+    }
+
+    /// Takes the events as they are, to be changed.
+    pub(super) fn begin(&mut self, events: &[Event]) {
+        self.events.clear();
+        self.events.extend_from_slice(events);
+    }
+}
+
+impl Case<'_> {
+    /// What of the answer is open.
+    pub(super) fn openness(&self, scratch: &mut Scratch) -> Openness {
+        if self.brushed(scratch) || self.bitten() {
+            return Openness::All;
+        }
+        let grazed = self.grazed(scratch);
+        if grazed == Openness::All || self.events.is_empty() {
+            return grazed;
+        }
+        grazed.max(self.disordered(scratch))
+    }
+
+    pub(super) fn seen_depth(&self) -> f64 {
+        self.sight.map_or(f64::INFINITY, |s| s.depth)
+    }
+
+    /// How far an event may move in depth.
+    pub(super) fn margin(&self, event: &Event) -> f64 {
+        let change = match event.cause {
+            Cause::Mesh { rank, .. } => {
+                let triangle = self.crossings[event.source as usize].triangle;
+                self.parts[rank as usize].facet(triangle).depth_change(
+                    self.view,
+                    self.ray.direction,
+                    event.depth,
+                )
+            }
+            Cause::Clip { .. } => {
+                self.roots[event.source as usize].depth_change(self.view, &self.ray)
+            }
+        };
+        change + rounding(self.view, event.depth)
+    }
+
+    /// An outline that is neither hidden nor clearly removed. One at which the part opens counts although it is removed, and although it is
+    /// hidden where a cap hangs on it: who counts the crossings behind a cap may find one more there or one fewer.
+    fn brushed(&self, scratch: &mut Scratch) -> bool {
+        self.brushes.iter().any(|brush| {
+            let is_hidden = brush.depth - brush.margin > self.seen_depth();
+            if brush.odd {
+                !is_hidden || self.start_matters(scratch, brush.rank)
+            } else {
+                !is_hidden && !self.clearly_removed(brush)
+            }
+        })
+    }
+
+    /// Whether a cap comes or goes where the ray starts on another side of a part. Its faces are seen whatever that side is.
+    fn start_matters(&self, scratch: &mut Scratch, rank: u16) -> bool {
+        let is_clip = |event: &Event| matches!(event.cause, Cause::Clip { .. });
+        let shows_cap = self.sight.filter(|s| s.event.is_none_or(|e| is_clip(&e)));
+        if shows_cap.is_some_and(|s| s.rank == rank) {
+            return true;
+        }
+        let bounds = &self.prepared.parts[usize::from(rank)].bounds;
+        let has_near_cap = self.view.near_cap && self.view.near_plane_meets(bounds);
+        let state = &mut scratch.state;
+        [1, -1].into_iter().any(|by| {
+            state.set(self.start);
+            state.winding[usize::from(rank)] += by;
+            let before_near = self.events.partition_point(|e| e.depth <= self.view.near);
+            let (before, beyond) = self.events.split_at(before_near);
+            before.iter().for_each(|event| state.apply(event));
+            let is_near_cap = has_near_cap && state.shows(self.prepared, rank);
+            let mut seen = beyond.iter().take_while(|e| e.depth <= self.seen_depth());
+            is_near_cap
+                || seen.any(|event| {
+                    let was_removed = state.removes(self.prepared, rank);
+                    state.apply(event);
+                    is_clip(event) && was_removed && state.shows(self.prepared, rank)
+                })
+        })
+    }
+
+    /// An outline of a cutter that may change what is seen.
+    fn bitten(&self) -> bool {
+        let mut brushes = self.cutter_brushes.iter();
+        brushes.any(|brush| {
+            let surface = self.cutters.surface_of(brush.rank);
+            let events = self.events.iter().map(|e| (e, self.margin(e)));
+            brush.depth - brush.margin <= self.seen_depth()
+                && cutter::bites(
+                    self.prepared,
+                    (brush, surface),
+                    self.ranks,
+                    self.start,
+                    events,
+                )
+        })
+    }
+
+    fn clearly_removed(&self, brush: &Brush) -> bool {
+        let part = &self.prepared.parts[brush.rank as usize];
+        let mut removed = self.start.removed.clone();
+        for event in self.events {
+            let Cause::Clip { surface, .. } = event.cause else {
+                continue;
+            };
+            if !part
+                .cuts
+                .contains(&self.prepared.surfaces[surface as usize].cut)
+            {
+                continue;
+            }
+            if (event.depth - brush.depth).abs() <= brush.margin + self.margin(event) {
+                return false;
+            }
+            if event.depth < brush.depth {
+                removed[surface as usize] ^= true;
+            }
+        }
+        let state = State {
+            removed,
+            ..State::default()
+        };
+        state.removes(self.prepared, brush.rank)
+    }
+
+    /// What the grazes change, taken the other way.
+    fn grazed(&self, scratch: &mut Scratch) -> Openness {
+        Openness::worst(self.grazes.iter().map(|graze| {
+            let hidden = self.seen_depth() + rounding(self.view, graze.depth);
+            let of_surface =
+                |e: &Event| matches!(e.cause, Cause::Clip { surface, .. } if surface == graze.surface);
+            let step = 0.5 * rounding(self.view, graze.depth);
+            scratch.begin(self.events);
+            let crossed_before = self
+                .events
+                .iter()
+                .filter(|e| of_surface(e) && e.depth < graze.depth)
+                .count();
+            let removed =
+                self.start.removed[usize::from(graze.surface)] ^ (crossed_before % 2 == 1);
+            // Where the crest touches 0, rounding may have left out the pair of roots around it, or put both on one spot:
+            // then the list of events does not say what the graze says, and the pair is still to be put in.
+            if graze.crossed && removed == graze.removed {
+                let after = self.events.partition_point(|e| e.depth <= graze.depth);
+                let before = self.events[..after].iter().rposition(of_surface);
+                let behind = self.events[after..].iter().position(of_surface);
+                let (Some(before), Some(behind)) = (before, behind) else {
+                    return Openness::Nothing;
+                };
+                // The extremum itself may lie behind what is seen: the crossing before it is what brings it into sight.
+                if self.events[before].depth > hidden {
+                    return Openness::Nothing;
+                }
+                scratch.events.remove(after + behind);
+                scratch.events.remove(before);
+            } else {
+                if graze.depth > hidden {
+                    return Openness::Nothing;
+                }
+                for (depth, to_kept) in [
+                    (graze.depth - step, removed),
+                    (graze.depth + step, !removed),
+                ] {
+                    scratch.events.push(Event {
+                        depth,
+                        place: 0,
+                        cause: Cause::Clip {
+                            surface: graze.surface,
+                            to_kept,
+                        },
+                        source: u32::MAX,
+                    });
+                }
+            }
+            self.change(scratch, rounding(self.view, graze.depth))
+        }))
+    }
+
+    /// Repeats the walk with the events in `scratch`; `reach` is how far they were moved.
+    pub(super) fn change(&self, scratch: &mut Scratch, reach: f64) -> Openness {
+        let Scratch { events, state, .. } = scratch;
+        restore_order(events);
+        state.set(self.start);
+        let other = walk(
+            self.prepared,
+            (self.view.near, self.view.near_cap),
+            self.ranks,
+            events,
+            state,
+        );
+        match (self.sight, other) {
+            (None, None) => Openness::Nothing,
+            (Some(a), Some(b)) if a.class() == b.class() => {
+                let step = rounding(self.view, a.depth);
+                if (a.depth - b.depth).abs() > 2.0 * (reach + step) {
+                    Openness::Depth
+                } else if a.overlap != b.overlap {
+                    Openness::Overlap
+                } else {
+                    Openness::Nothing
+                }
+            }
+            _ => Openness::All,
+        }
+    }
+}

@@ -1,0 +1,209 @@
+//! Least and greatest heights of blocks of cells of an offset map, so that a ray passes at once what it is far from.
+//!
+//! Block `k` of level `l` covers along each axis the cells from `k 2^l` up to `(k + 1) 2^l` of the map, or to its end; cell `i`
+//! spans the texels `i` and `i + 1`, and the last one what the map goes on with. Where the map goes on beyond its border, so do
+//! blocks: shifted, turned round with the cell between two copies given to one of them, or in their own width with the heights
+//! of the border.
+//!
+//! Cost: 25 texels for each block of 4 x 4 cells once, and a sixth of the map's memory.
+
+use cutaway::scene::{OffsetMap, Wrap};
+
+/// The smallest blocks have 4 x 4 cells.
+pub(super) const SMALLEST: u32 = 2;
+
+/// The blocks of a map.
+pub(super) struct Blocks {
+    size: [i64; 2],
+    wrap: Wrap,
+    /// From [`SMALLEST`] on.
+    levels: Vec<Level>,
+}
+
+struct Level {
+    width: usize,
+    /// Least and greatest height, row by row.
+    ranges: Vec<[f32; 2]>,
+}
+
+/// A block as a ray meets it.
+pub(super) struct Block {
+    /// Least and greatest height of the map.
+    pub(super) range: [f32; 2],
+    /// Along each axis the border of cells at which the ray leaves it.
+    pub(super) ahead: [i64; 2],
+}
+
+fn both([a, b]: [f32; 2], [c, d]: [f32; 2]) -> [f32; 2] {
+    [a.min(c), b.max(d)]
+}
+
+impl Blocks {
+    /// All levels up to a single block.
+    pub(super) fn of(map: &OffsetMap, wrap: Wrap) -> Self {
+        let size = map.size().map(i64::from);
+        let columns = map.size()[0] as usize;
+        let count = |texels: u32, level: u32| texels.div_ceil(1 << level) as usize;
+        let spanned = |block: usize, axis: usize| {
+            let first = (block as i64) << SMALLEST;
+            let last = (first + (1 << SMALLEST)).min(size[axis]);
+            (first..=last).map(move |i| wrap.texel(i, map.size()[axis]) as usize)
+        };
+        let (width, height) = (
+            count(map.size()[0], SMALLEST),
+            count(map.size()[1], SMALLEST),
+        );
+        let lowest = |i: usize| {
+            let mut range = [f32::INFINITY, f32::NEG_INFINITY];
+            for y in spanned(i / width, 1) {
+                for x in spanned(i % width, 0) {
+                    range = both(range, [map.texels()[y * columns + x]; 2]);
+                }
+            }
+            range
+        };
+        let mut below = Level {
+            width,
+            ranges: (0..width * height).map(lowest).collect(),
+        };
+        let mut levels = Vec::new();
+        while below.ranges.len() > 1 {
+            let above = below.halved();
+            levels.push(below);
+            below = above;
+        }
+        levels.push(below);
+        Self { size, wrap, levels }
+    }
+
+    /// The highest level.
+    pub(super) fn top(&self) -> u32 {
+        SMALLEST + self.levels.len() as u32 - 1
+    }
+
+    /// The block of a level that a cell is in, for a ray that goes up along each axis or down.
+    pub(super) fn block(&self, level: u32, cell: [i64; 2], up: [bool; 2]) -> Block {
+        let of = |axis: usize| self.along(axis, level, cell[axis], up[axis]);
+        let ((column, x), (row, y)) = (of(0), of(1));
+        let level = &self.levels[(level - SMALLEST) as usize];
+        Block {
+            range: level.ranges[row * level.width + column],
+            ahead: [x, y],
+        }
+    }
+
+    /// The number of a cell's block along an axis, and the border ahead.
+    fn along(&self, axis: usize, level: u32, cell: i64, up: bool) -> (usize, i64) {
+        let (n, width) = (self.size[axis], 1 << level);
+        let (number, ahead) = match self.wrap {
+            Wrap::Clamp => {
+                let first = (cell >> level) << level;
+                let ahead = if up { first + width } else { first };
+                (cell.clamp(0, n - 1) >> level, ahead)
+            }
+            Wrap::Mirror if cell.rem_euclid(2 * n) >= n => {
+                // Turned round: cell c of this copy is cell 2n - 2 - c of the map, and -1 belongs to the first block.
+                let copy = cell - cell.rem_euclid(2 * n);
+                let turned = (2 * n - 2 - cell.rem_euclid(2 * n)).max(0);
+                let number = turned >> level;
+                let low = if number == 0 { -1 } else { number << level };
+                let high = ((number + 1) << level).min(n - 1);
+                let end = if up { low } else { high };
+                (number, copy + 2 * n - 1 - end)
+            }
+            Wrap::Mirror | Wrap::Repeat => {
+                let place = match self.wrap {
+                    Wrap::Mirror => cell.rem_euclid(2 * n),
+                    _ => cell.rem_euclid(n),
+                };
+                let number = place >> level;
+                let low = number << level;
+                let end = if up { (low + width).min(n) } else { low };
+                (number, cell - place + end)
+            }
+        };
+        (usize::try_from(number).unwrap_or(0), ahead)
+    }
+}
+
+impl Level {
+    fn halved(&self) -> Self {
+        let height = self.ranges.len() / self.width;
+        let width = self.width.div_ceil(2);
+        let of = |i: usize| {
+            let (x, y) = (i % width * 2, i / width * 2);
+            let mut range = [f32::INFINITY, f32::NEG_INFINITY];
+            for (x, y) in [(x, y), (x + 1, y), (x, y + 1), (x + 1, y + 1)] {
+                if x < self.width && y < height {
+                    range = both(range, self.ranges[y * self.width + x]);
+                }
+            }
+            range
+        };
+        Self {
+            width,
+            ranges: (0..width * height.div_ceil(2)).map(of).collect(),
+        }
+    }
+}
+
+#[cfg(test)]
+impl Blocks {
+    /// Blocks that no ray is far from, so that all cells are looked at.
+    pub(super) fn always_near(mut self) -> Self {
+        for level in &mut self.levels {
+            level.ranges.fill([f32::NEG_INFINITY, f32::INFINITY]);
+        }
+        self
+    }
+
+    /// Blocks of which one says nothing but a height far above all.
+    pub(super) fn with_a_fault(mut self, level: u32) -> Self {
+        let ranges = &mut self.levels[(level - SMALLEST) as usize].ranges;
+        let middle = ranges.len() / 2;
+        ranges[middle] = [1e6; 2];
+        self
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn blocks_hold_the_texels_of_their_cells_and_end_where_they_say() {
+        let heights = |size: [u32; 2]| {
+            let texels = (0..size[0] * size[1]).map(|i| ((i * 37 + 11) % 101) as f32);
+            OffsetMap::new(size, texels.collect()).expect("finite heights")
+        };
+        for (size, wrap) in [[1, 9], [5, 13], [16, 16], [23, 1]]
+            .into_iter()
+            .flat_map(|s| [Wrap::Repeat, Wrap::Mirror, Wrap::Clamp].map(|w| (s, w)))
+        {
+            let map = heights(size);
+            let blocks = Blocks::of(&map, wrap);
+            for level in SMALLEST..=blocks.top() {
+                for (x, y) in (-60..60).flat_map(|x| (-60..60).map(move |y| (x, y))) {
+                    let [here, down] = [true, false].map(|up| blocks.block(level, [x, y], [up; 2]));
+                    for (dx, dy) in [(0, 0), (1, 0), (0, 1), (1, 1)] {
+                        let h = map.texel(wrap, x + dx, y + dy) as f32;
+                        let [low, high] = here.range;
+                        assert!(
+                            low <= h && h <= high,
+                            "{size:?} {wrap:?}, level {level}: {h} of ({x}, {y}) is not in {low}..{high}"
+                        );
+                    }
+                    for (cell, axis) in [(x, 0), (y, 1)] {
+                        let (low, high) = (down.ahead[axis], here.ahead[axis]);
+                        assert!(low <= cell && cell < high, "({x}, {y}) is in {low}..{high}");
+                        // All cells between the borders are in the same block.
+                        for other in [low, high - 1] {
+                            let found = blocks.along(axis, level, other, true);
+                            assert_eq!(found, blocks.along(axis, level, cell, true));
+                        }
+                    }
+                }
+            }
+        }
+    }
+}

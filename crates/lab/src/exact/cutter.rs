@@ -1,0 +1,176 @@
+//! Where a ray crosses a cutter: the triangles of a closed mesh as one clip-surface.
+//!
+//! Parity alone tells what is inside, so crossings alternate in the order of their depths, whichever way faces are turned. Those
+//! of the whole line count, behind the eye too: the side at the start of a range is what those before it say. A crossing
+//! is then a [`Root`] like that of any other clip-surface, with the triangle's normal for its gradient, and all that holds of
+//! ties and of events that are too close to order holds of it as well.
+//!
+//! A face of a part that lies in a face of the cutter is before it where the ray leaves the part by it, behind it where it enters
+//! ([`super::settle`]). Unlike a plane the cutter's face ends: where a sample is too close to an edge of either triangle ([`share_the_sample`]) to say that both are met,
+//! rather than one of them and the next triangle of the other, the order is as open as any.
+//!
+//! An outline of a cutter is what a graze of a relief is: a pair of crossings that a sample moved by a hair may have or
+//! not. It leaves a sample undecided where that could change what is seen: where some part that the cut applies to may be
+//! inside there, and neither another cut nor another surface of the same cut settles its fate ([`bites`]).
+
+use cutaway::scene::Prepared;
+use glam::DVec2;
+
+use super::clip::{Face, Ray, Root};
+use super::outline::Brush;
+use super::raster::{Crossing, Projected};
+use super::screen::Corner;
+use super::walk::{Cause, Event, State};
+
+/// Which meshes of a picture are those of cutters: they follow the parts, in the order of their clip-surfaces.
+pub(super) struct Cutters {
+    parts: u16,
+    surfaces: Vec<u16>,
+}
+
+impl Cutters {
+    /// The cutters of a scene.
+    pub(super) fn of(prepared: &Prepared) -> Self {
+        let numbers = 0..prepared.surfaces.len() as u16;
+        let is_cutter = |s: &u16| prepared.surfaces[usize::from(*s)].volume.is_some();
+        Self {
+            parts: prepared.parts.len() as u16,
+            surfaces: numbers.filter(is_cutter).collect(),
+        }
+    }
+
+    /// How many things of a list ordered by rank are those of parts.
+    pub(super) fn split<T>(&self, all: &[T], rank: impl Fn(&T) -> u16) -> usize {
+        all.partition_point(|one| rank(one) < self.parts)
+    }
+
+    /// Whether a clip-surface is a cutter.
+    pub(super) fn contains(&self, surface: u16) -> bool {
+        self.surfaces.binary_search(&surface).is_ok()
+    }
+
+    /// Where the mesh of a cutter is.
+    pub(super) fn rank_of(&self, surface: u16) -> u16 {
+        self.parts + self.surfaces.partition_point(|s| *s < surface) as u16
+    }
+
+    /// The clip-surface of a mesh that is no part.
+    pub(super) fn surface_of(&self, rank: u16) -> u16 {
+        self.surfaces[usize::from(rank - self.parts)]
+    }
+}
+
+/// The crossings of a ray with one cutter.
+pub(super) struct Met {
+    /// The ray is on the removed side at the start of the range.
+    pub(super) removed: bool,
+    /// An odd number of crossings along the whole line: the eye is on the mesh to the last bit.
+    pub(super) odd: bool,
+}
+
+/// Appends the crossings in `range` as roots of clip-surface `surface`. `found` are all crossings of the line with the mesh.
+pub(super) fn meet(
+    (mesh, surface, keeps_inside): (&Projected<'_>, u16, bool),
+    ray: &Ray,
+    range: [f64; 2],
+    found: &mut [Crossing],
+    roots: &mut Vec<Root>,
+) -> Met {
+    found.sort_unstable_by(|a, b| {
+        (a.depth.total_cmp(&b.depth)).then_with(|| a.triangle.cmp(&b.triangle))
+    });
+    let mut met = Met {
+        removed: keeps_inside,
+        odd: found.len() % 2 == 1,
+    };
+    let mut removed = keeps_inside;
+    for crossing in found {
+        removed = !removed;
+        if crossing.depth <= range[0] {
+            met.removed = removed;
+        } else if crossing.depth < range[1] {
+            let facet = mesh.facet(crossing.triangle);
+            let up = facet.normal.normalize_or_zero();
+            let to_kept = !removed;
+            let along = up.dot(ray.direction) > 0.0;
+            roots.push(Root {
+                surface,
+                depth: crossing.depth,
+                to_kept,
+                gradient: if along == to_kept { up } else { -up },
+                bend: 0.0,
+                face: Some(Face {
+                    triangle: crossing.triangle,
+                    extent: facet.extent(),
+                }),
+            });
+        }
+    }
+    met
+}
+
+/// Whether two triangles in one plane are both met, whoever moves a sample a little.
+pub(super) fn share_the_sample(near_px: f64, at: DVec2, triangles: [[&Corner; 3]; 2]) -> bool {
+    !triangles
+        .into_iter()
+        .any(|corners| is_by_an_edge(near_px, at, corners))
+}
+
+/// Whether a sample is so close to an edge of a triangle that who moves it a little may find the next triangle; also where the
+/// triangle reaches behind the eye.
+fn is_by_an_edge(near_px: f64, at: DVec2, corners: [&Corner; 3]) -> bool {
+    if corners.iter().any(|c| c.at.z <= 0.0) {
+        return true;
+    }
+    (0..3).any(|edge| is_by_edge(near_px, at, corners, edge))
+}
+
+/// Whether a sample is so close to the edge of a triangle that begins at a corner that, moved a little, it may find the next triangle;
+/// also where the edge reaches behind the eye.
+pub(super) fn is_by_edge(near_px: f64, at: DVec2, corners: [&Corner; 3], edge: usize) -> bool {
+    let ends = [corners[edge], corners[(edge + 1) % 3]];
+    if ends.iter().any(|c| c.at.z <= 0.0) {
+        return true;
+    }
+    let [from, to] = ends.map(Corner::pixel);
+    let share = (at - from).dot(to - from) / from.distance_squared(to);
+    from.lerp(to, share.clamp(0.0, 1.0)).distance(at) <= near_px
+}
+
+/// Whether a pair of crossings with a cutter at one of its outlines, there or not, may change what is seen. `events` are those
+/// of the ray with how far each may move, `start` is the state before them.
+pub(super) fn bites<'a>(
+    prepared: &Prepared,
+    (brush, surface): (&Brush, u16),
+    ranks: &[u16],
+    start: &State,
+    events: impl Iterator<Item = (&'a Event, f64)>,
+) -> bool {
+    let mut state = start.clone();
+    let mut close: Vec<Cause> = Vec::new();
+    for (event, margin) in events {
+        if (event.depth - brush.depth).abs() <= brush.margin + margin {
+            close.push(event.cause);
+        } else if event.depth < brush.depth {
+            state.apply(event);
+        }
+    }
+    let cut = prepared.surfaces[surface as usize].cut;
+    ranks.iter().any(|rank| {
+        let cuts = &prepared.parts[*rank as usize].cuts;
+        let mesh_is_close =
+            (close.iter()).any(|c| matches!(c, Cause::Mesh { rank: of, .. } if of == rank));
+        if !cuts.contains(&cut) || !(state.is_inside(*rank) || mesh_is_close) {
+            return false;
+        }
+        let other_is_close = close.iter().any(|c| {
+            matches!(c, Cause::Clip { surface: of, .. }
+                if *of != surface && cuts.contains(&prepared.surfaces[*of as usize].cut))
+        });
+        let mut removes = |removed: bool| {
+            state.removed[surface as usize] = removed;
+            state.removes(prepared, *rank)
+        };
+        other_is_close || removes(true) != removes(false)
+    })
+}

@@ -1,0 +1,282 @@
+//! The exact reference: what every pixel shows, in f64, from the definition alone.
+//!
+//! Along the ray through a pixel centre the visible point is the first one, beyond the near plane, at which the ray enters
+//! some solid less what is removed from it. It shows a *surface* where the ray crosses the mesh there and a *cap* where it
+//! leaves the removed region. This module lists every crossing of the ray with every triangle (`raster`) and with every
+//! clip-surface (`clip`, `relief`, `cutter`), walks them in order (`follow`, `walk`), and says which answers hang on less than a
+//! picture can tell (`ambiguity`). [`trace`] gives the list of one pixel. With the strategies that it judges it shares the scene, and with it
+//! which faces lie in which plane, and no algorithm.
+//!
+//! *Inside* is by the part's [`Fill`](cutaway::scene::Fill). The crossings of the whole line count, behind the eye too: inside
+//! at the near plane is what those before it say. An open part has pixels where all of them together still say inside: an odd
+//! number or, where the rule is nonzero, a sum that is not 0; they are marked ([`Exact::odd_parity`]) and drawn as if the line
+//! started outside, and ended where it last crosses the part. An eye that is on a mesh to the last bit has no side, and gets odd pixels
+//! too.
+//!
+//! Cost: time and memory of the crossings, plus one step per texel border near the relief between the first and the last
+//! crossing of a ray. Rows are handled in bands, each with lists of its own, on all threads.
+
+mod ambiguity;
+mod blocks;
+mod clip;
+mod cutter;
+mod facet;
+mod follow;
+mod order;
+mod outline;
+mod quadratic;
+mod raster;
+mod ray_scratch;
+mod relief;
+mod screen;
+mod settle;
+mod shading;
+mod table;
+mod trace;
+mod truth;
+mod walk;
+mod winding;
+
+use cutaway::layers::{Kind, Layer, Layers};
+use cutaway::scene::{Prepared, View};
+use glam::DVec2;
+use rayon::prelude::*;
+
+use self::ambiguity::{Case, Openness};
+use self::clip::{Clip, Ray};
+use self::cutter::Cutters;
+use self::follow::Followed;
+use self::outline::{Brush, Outline};
+use self::raster::{BAND_ROWS, Bands, Crossing, Projected};
+use self::ray_scratch::RayScratch;
+use self::settle::SettledFaces;
+
+pub use trace::{Crossed, RayCrossing, Trace, trace};
+pub use truth::Truth;
+pub use winding::Windings;
+
+/// The right answer for every pixel of a view, rows from the top.
+#[derive(Clone, Debug)]
+pub struct Exact {
+    /// What each pixel shows.
+    pub layers: Layers,
+    /// Whether sampling itself is ambiguous there: within [`View::doubt_px`] of an outline, or two events too close to order.
+    pub undecided: Vec<bool>,
+    /// Whether kind, part and clip-surface are decided there but the depth is not: it jumps within as much, as between two
+    /// folds of a relief. No undecided pixel is one of them.
+    pub depth_open: Vec<bool>,
+    /// Whether solids overlap at the cap is open, be it because its depth is. No undecided pixel is one of them.
+    pub overlap_open: Vec<bool>,
+    /// Whether some part has an odd number of crossings along the whole line, or crossings that do not cancel where its rule
+    /// is nonzero: it is open there, or its faces do not agree which side is out.
+    pub odd_parity: Vec<bool>,
+}
+
+impl Exact {
+    /// Number of pixels that do not show the background.
+    pub fn covered_px(&self) -> usize {
+        self.layers.pixels.len() - self.layers.count(Kind::Background)
+    }
+
+    /// Number of undecided pixels.
+    pub fn undecided_px(&self) -> usize {
+        self.undecided.iter().filter(|u| **u).count()
+    }
+
+    /// Number of pixels that show something and are decided.
+    pub fn judged_px(&self) -> usize {
+        let pixels = self.layers.pixels.iter().zip(&self.undecided);
+        let is_judged =
+            |(layer, undecided): &(&Layer, &bool)| layer.kind != Kind::Background && !**undecided;
+        pixels.filter(is_judged).count()
+    }
+
+    /// Undecided pixels per covered pixel; 0 where nothing is covered and nothing undecided.
+    pub fn undecided_share(&self) -> f64 {
+        self.undecided_px() as f64 / (self.covered_px().max(1)) as f64
+    }
+}
+
+/// Evaluates a scene for a view. The scene must be whole: [`Prepared::must_be_whole`].
+pub fn evaluate(prepared: &Prepared, view: &View) -> Exact {
+    prepared.must_be_whole();
+    let [width, height] = view.size_px;
+    let scene = Lines::with(prepared, view, Outlining::With);
+    let mut exact = Exact {
+        layers: Layers::background(view.size_px),
+        undecided: vec![false; width as usize * height as usize],
+        depth_open: vec![false; width as usize * height as usize],
+        overlap_open: vec![false; width as usize * height as usize],
+        odd_parity: vec![false; width as usize * height as usize],
+    };
+    let band_pixels = (width * BAND_ROWS) as usize;
+    exact
+        .layers
+        .pixels
+        .par_chunks_mut(band_pixels)
+        .zip(exact.undecided.par_chunks_mut(band_pixels))
+        .zip(exact.depth_open.par_chunks_mut(band_pixels))
+        .zip(exact.overlap_open.par_chunks_mut(band_pixels))
+        .zip(exact.odd_parity.par_chunks_mut(band_pixels))
+        .enumerate()
+        .for_each(
+            |(band, ((((layers, undecided), depth_open), overlap), odd))| {
+                scene.band(band, |pixel, answer| {
+                    layers[pixel] = answer.layer;
+                    undecided[pixel] = answer.open == Openness::All;
+                    depth_open[pixel] = answer.open == Openness::Depth;
+                    overlap[pixel] = matches!(answer.open, Openness::Depth | Openness::Overlap);
+                    odd[pixel] = answer.layer.unreliable;
+                });
+            },
+        );
+    exact
+}
+
+/// A scene sorted into bands of rows.
+struct Lines<'a> {
+    prepared: &'a Prepared,
+    view: &'a View,
+    /// Parts by rank, then cutters.
+    parts: Vec<Projected<'a>>,
+    cutters: Cutters,
+    /// By number; those of cutters are not asked.
+    clips: Vec<Clip>,
+    /// By rank.
+    settled: Vec<SettledFaces>,
+    /// By number, planes that parts share, as the depth buffer of the view has them; none of those seen edge-on.
+    shared_in_view: Vec<Option<[f64; 3]>>,
+    triangles: Bands,
+    outlines: Vec<Vec<Outline>>,
+    outline_bands: Bands,
+}
+
+struct Answer {
+    layer: Layer,
+    open: Openness,
+}
+
+/// Whether outlines are wanted: they say where sampling is ambiguous, and nothing else.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Outlining {
+    With,
+    Without,
+}
+
+impl<'a> Lines<'a> {
+    fn with(prepared: &'a Prepared, view: &'a View, outlining: Outlining) -> Self {
+        let volumes = prepared.surfaces.iter().filter_map(|s| s.volume.as_deref());
+        let solids = prepared.parts.iter().map(|p| Projected::of(view, p));
+        let parts: Vec<Projected<'a>> = solids
+            .chain(volumes.map(|v| Projected::of_volume(view, v)))
+            .collect();
+        let triangle_rows: Vec<_> = parts.iter().map(|p| raster::rows_of(view, p)).collect();
+        let outlines: Vec<Vec<Outline>> = parts
+            .par_iter()
+            .enumerate()
+            .filter(|_| outlining == Outlining::With)
+            .map(|(rank, p)| outline::outlines(view, rank as u16, p))
+            .collect();
+        let outline_rows: Vec<Vec<_>> = outlines
+            .iter()
+            .map(|all| all.iter().map(|o| o.rows(view)).collect())
+            .collect();
+        let radius = prepared
+            .bounds
+            .corners()
+            .map(|c| c.length())
+            .into_iter()
+            .fold(0.0, f64::max);
+        Self {
+            prepared,
+            view,
+            clips: prepared
+                .surfaces
+                .iter()
+                .enumerate()
+                .map(|(i, s)| Clip::of(i as u16, s, radius))
+                .collect(),
+            settled: (prepared.parts.par_iter().enumerate())
+                .map(|part| SettledFaces::of(prepared, part))
+                .collect(),
+            shared_in_view: (prepared.shared.planes().iter())
+                .map(|p| p.in_view(view))
+                .collect(),
+            triangles: Bands::of(view.size_px[1], &triangle_rows),
+            outline_bands: Bands::of(view.size_px[1], &outline_rows),
+            cutters: Cutters::of(prepared),
+            parts,
+            outlines,
+        }
+    }
+
+    /// Answers for the pixels of a band that are anything but plain background.
+    fn band(&self, band: usize, mut answer: impl FnMut(usize, Answer)) {
+        let [width, height] = self.view.size_px;
+        let first_row = band as u32 * BAND_ROWS;
+        let rows = [first_row, (first_row + BAND_ROWS).min(height)];
+        let pixels = (rows[1] - rows[0]) as usize * width as usize;
+        let (crossings, starts) =
+            raster::crossings_of_band(self.view, &self.parts, self.triangles.items(band), rows);
+        let mut brushes = Vec::new();
+        for (rank, index) in self.outline_bands.items(band) {
+            self.outlines[*rank as usize][*index as usize].brush(self.view, rows, &mut brushes);
+        }
+        let (brushes, brush_starts) = raster::sort_by_pixel(&brushes, pixels, |b| b.pixel);
+        let mut bench = RayScratch::of(self.prepared);
+        for pixel in 0..pixels {
+            let crossings = &crossings[starts[pixel]..starts[pixel + 1]];
+            let brushes = &brushes[brush_starts[pixel]..brush_starts[pixel + 1]];
+            if crossings.is_empty() && brushes.is_empty() {
+                continue;
+            }
+            let at = DVec2::new(
+                (pixel as u32 % width) as f64 + 0.5,
+                f64::from(first_row + pixel as u32 / width) + 0.5,
+            );
+            answer(pixel, self.pixel(at, crossings, brushes, &mut bench));
+        }
+    }
+
+    fn pixel(
+        &self,
+        at: DVec2,
+        found: &[Crossing],
+        brushes: &[Brush],
+        bench: &mut RayScratch,
+    ) -> Answer {
+        let (brushes, cutter_brushes) = brushes.split_at(self.cutters.split(brushes, |b| b.rank));
+        let ray = Ray::through(self.view, at);
+        let Followed {
+            layer,
+            sight,
+            meets_something,
+        } = self.follow(at, &ray, found, brushes, bench);
+        let open = match meets_something {
+            false => Openness::Nothing,
+            true => {
+                let case = Case {
+                    prepared: self.prepared,
+                    view: self.view,
+                    parts: &self.parts,
+                    ray,
+                    ranks: &bench.ranks,
+                    start: &bench.start,
+                    events: &bench.events,
+                    crossings: &bench.crossings,
+                    roots: &bench.roots,
+                    grazes: &bench.grazes,
+                    brushes,
+                    cutter_brushes,
+                    cutters: &self.cutters,
+                    sight,
+                    settled: &bench.settled,
+                    shared: &bench.shared,
+                };
+                case.openness(&mut bench.scratch)
+            }
+        };
+        bench.clear();
+        Answer { layer, open }
+    }
+}

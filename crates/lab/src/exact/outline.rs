@@ -1,0 +1,267 @@
+//! Edges at which the number of crossings changes, and the samples that are too close to them to be decided.
+//!
+//! An edge shared by exactly two faces that lie on different sides of it in the picture is no outline: whichever of the
+//! two a sample hits, the ray crosses once. Every other edge is one: a fold (*silhouette*), a rim (*boundary*), an edge
+//! with more than two faces, and, where the rule is nonzero, one whose faces do not agree which side is out. Vertices are matched by position here, because a mesh may store one point twice.
+//!
+//! A needle narrower than the sub-pixel grid lies on no side of its edges: they are outlines too (see [`sliver_reach`]), but for needles
+//! that reach past the near plane.
+//!
+//! An adapter with fewer sub-pixel bits than usual (SwiftShader) clips each triangle at the near plane for itself, so that two which
+//! share an edge part there by a step: all edges through the near plane are outlines then, beyond which the part may be open. On
+//! llvmpipe, with 8 bits, that was not seen.
+//!
+//! Rasterisers snap vertices to a fraction of a pixel, 1/256 as a rule, and transforms in f32 move them too: a sample farther than
+//! [`View::doubt_px`] from every outline was hit alike by those that were tried: llvmpipe, SwiftShader, compute.
+
+use cutaway::scene::{View, longest_edge};
+use glam::{DVec2, DVec3};
+use rayon::prelude::*;
+
+use super::ambiguity::rounding;
+use super::facet::{Facet, lateral};
+use super::raster::{Projected, centres};
+use super::screen::Corner;
+
+/// No two depths of a scene are farther apart: it lies in a ball of radius 1. The plane of a needle seen edge-on has no such bound.
+const SCENE_DIAMETER: f64 = 2.0;
+
+/// Two steps of f32 near 1: what is no wider than that has no plane in f32.
+const LINE_WIDTH: f64 = 2.0 * f32::EPSILON as f64;
+
+/// An edge that is an outline, from a little before the near plane on.
+pub(super) struct Outline {
+    ends: [Corner; 2],
+    rank: u16,
+    odd: bool,
+    margin: f64,
+}
+
+/// A sample near an outline.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Brush {
+    /// Number of the pixel in its band.
+    pub(super) pixel: u32,
+    /// Rank of the part.
+    pub(super) rank: u16,
+    /// Beyond the edge the part is open: it has an odd number of faces, or directions that do not cancel where the rule is nonzero, or a
+    /// coarse adapter parts its triangles there.
+    pub(super) odd: bool,
+    /// Depth of the edge.
+    pub(super) depth: f64,
+    /// How far in depth the faces at the edge may reach within [`View::doubt_px`].
+    pub(super) margin: f64,
+}
+
+/// One face at an edge. `side` tells where the face lies in the picture: 1 and -1 are opposite, 0 is edge-on.
+struct Use {
+    key: (u32, u32),
+    triangle: u32,
+    side: i8,
+    /// 1 where the face runs along the key, -1 where it runs against it.
+    direction: i8,
+}
+
+/// The outlines of a part.
+pub(super) fn outlines(view: &View, rank: u16, projected: &Projected<'_>) -> Vec<Outline> {
+    let names = points(projected);
+    let mut uses: Vec<Use> = projected
+        .triangles
+        .par_iter()
+        .enumerate()
+        .flat_map_iter(|(index, t)| {
+            let facing = match sliver_reach(view, projected, index as u32) {
+                Some(_) => 0,
+                None => projected.facing[index],
+            };
+            let t = t.map(|i| names[i as usize]);
+            // A triangle with two equal corners is an edge, and no face of it.
+            let degenerate = t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+            (0..if degenerate { 0 } else { 3 }).map(move |e| {
+                let (from, to) = (t[e], t[(e + 1) % 3]);
+                Use {
+                    key: (from.min(to), from.max(to)),
+                    triangle: index as u32,
+                    side: if from < to { facing } else { -facing },
+                    direction: if from < to { 1 } else { -1 },
+                }
+            })
+        })
+        .collect();
+    uses.par_sort_unstable_by_key(|u| (u.key, u.triangle));
+    let fill = projected.fill;
+    let is_coarse = view.precision.is_coarse();
+    let is_clipped = |(from, to): (u32, u32)| {
+        let is_beyond = |i: u32| projected.corners[i as usize].depth > view.near;
+        is_coarse && is_beyond(from) != is_beyond(to)
+    };
+    let sum = |faces: &[Use]| -> i32 { faces.iter().map(|f| i32::from(f.direction)).sum() };
+    uses.chunk_by(|a, b| a.key == b.key)
+        .filter(|faces| {
+            let across = faces.len() == 2 && faces[0].side != 0 && faces[0].side == -faces[1].side;
+            !across || fill.holds(sum(faces)) || is_clipped(faces[0].key)
+        })
+        .filter_map(|faces| {
+            let (from, to) = faces[0].key;
+            let [a, b] = [from, to].map(|i| projected.corners[i as usize]);
+            let margin = faces
+                .iter()
+                .map(|f| {
+                    let facet = projected.facet(f.triangle);
+                    let within = || plane_change(view, &facet).min(facet.extent());
+                    sliver_reach(view, projected, f.triangle).unwrap_or_else(within)
+                })
+                .fold(0.0, f64::max);
+            // Faces at an edge just before the near plane may reach beyond it beside the edge, or by rounding.
+            let before = view.before_near(margin + rounding(view, view.near));
+            let ends = beyond(before, a, b)?;
+            Some(Outline {
+                ends,
+                rank,
+                odd: fill.holds(sum(faces)) || is_clipped((from, to)),
+                margin,
+            })
+        })
+        .collect()
+}
+
+/// For each vertex, the first vertex at the same position.
+fn points(projected: &Projected<'_>) -> Vec<u32> {
+    let positions = projected.positions;
+    // Adding 0 turns -0 into 0.
+    let bits = |i: u32| {
+        positions[i as usize]
+            .to_array()
+            .map(|c| (c + 0.0).to_bits())
+    };
+    let mut order: Vec<u32> = (0..positions.len() as u32).collect();
+    order.par_sort_unstable_by_key(|i| (bits(*i), *i));
+    let mut names = vec![0; positions.len()];
+    let mut first = 0;
+    for (i, vertex) in order.iter().enumerate() {
+        if i == 0 || bits(first) != bits(*vertex) {
+            first = *vertex;
+        }
+        names[*vertex as usize] = first;
+    }
+    names
+}
+
+/// How far depth reaches at a needle that rounding its corners to the sub-pixel grid may turn over: which of its sides a rasteriser sees,
+/// and so the depth it finds in it, is anybody's guess. Its edges are outlines: there is no telling on which side of them it lies.
+///
+/// If its depths differ by more than the width of a pixel, the reach is that difference. If by less, what its plane changes by within
+/// [`View::doubt_px`] counts too, which has no bound where it is seen edge-on: some rasterisers cover samples beside it, by the rounded
+/// corners, and read the plane of the others there. Where its corners lie on a line there is no plane, and any depth may be read. However
+/// little its depth changes, the side that is seen is open: a needle that is turned over shows its back.
+///
+/// None for what is no needle, nor for one that reaches past the near plane, of which only a piece is drawn.
+fn sliver_reach(view: &View, projected: &Projected<'_>, triangle: u32) -> Option<f64> {
+    let corners = projected.corners(triangle);
+    if corners.iter().any(|c| c.depth <= view.near) {
+        return None;
+    }
+    let [a, b, c] = corners.map(Corner::pixel);
+    let longest = [b - a, c - b, a - c]
+        .map(DVec2::length)
+        .into_iter()
+        .fold(0.0, f64::max);
+    let is_narrow = (b - a).perp_dot(c - a).abs() < 2.0 * view.doubt_px() * longest;
+    if !is_narrow {
+        return None;
+    }
+    let facet = projected.facet(triangle);
+    let extent = facet.extent();
+    Some(if is_line(facet.points) {
+        SCENE_DIAMETER
+    } else if extent > view.pixel_size(corners[0].depth) {
+        extent
+    } else {
+        extent.max(plane_change(view, &facet)).min(SCENE_DIAMETER)
+    })
+}
+
+/// Whether three corners lie on a line but for what f32 rounds.
+fn is_line(points: [DVec3; 3]) -> bool {
+    let [a, b, c] = points;
+    (b - a).cross(c - a).length() <= LINE_WIDTH * longest_edge(points)
+}
+
+/// How much depth changes on the plane of a face within [`View::doubt_px`].
+fn plane_change(view: &View, facet: &Facet) -> f64 {
+    facet.plane_change_at(view, facet.points.iter().sum::<DVec3>() / 3.0)
+}
+
+/// The piece of an edge beyond a depth.
+fn beyond(near: f64, a: Corner, b: Corner) -> Option<[Corner; 2]> {
+    match (a.depth > near, b.depth > near) {
+        (true, true) => Some([a, b]),
+        (true, false) => Some([a, a.at_depth(&b, near)]),
+        (false, true) => Some([a.at_depth(&b, near), b]),
+        (false, false) => None,
+    }
+}
+
+impl Outline {
+    /// Rows whose samples may be near.
+    pub(super) fn rows(&self, view: &View) -> Option<[u32; 2]> {
+        let ([a, b], near_px) = (self.ends.map(|e| e.pixel()), view.doubt_px());
+        centres(a.x.min(b.x), a.x.max(b.x), near_px, view.size_px[0])?;
+        centres(a.y.min(b.y), a.y.max(b.y), near_px, view.size_px[1])
+    }
+
+    /// Lists the samples of a band that are near.
+    pub(super) fn brush(
+        &self,
+        view: &View,
+        [first_row, end_row]: [u32; 2],
+        found: &mut Vec<Brush>,
+    ) {
+        let ([a, b], near_px) = (self.ends.map(|e| e.pixel()), view.doubt_px());
+        let Some([lo, hi]) = centres(a.y.min(b.y), a.y.max(b.y), near_px, view.size_px[1]) else {
+            return;
+        };
+        let along = b - a;
+        for row in lo.max(first_row)..(hi + 1).min(end_row) {
+            let y = f64::from(row) + 0.5;
+            let share = |y: f64| ((y - a.y) / along.y).clamp(0.0, 1.0);
+            // The piece of the edge that passes this row; all of it when it runs along the row.
+            let (from, to) = if along.y.abs() > near_px {
+                (share(y - near_px), share(y + near_px))
+            } else {
+                (0.0, 1.0)
+            };
+            let (x0, x1) = (a.x + along.x * from, a.x + along.x * to);
+            let Some([left, right]) = centres(x0.min(x1), x0.max(x1), near_px, view.size_px[0])
+            else {
+                continue;
+            };
+            for column in left..=right {
+                let at = DVec2::new(f64::from(column) + 0.5, y);
+                let t = (at - a).dot(along) / along.length_squared();
+                let t = if t.is_nan() { 0.0 } else { t.clamp(0.0, 1.0) };
+                if (a + along * t).distance_squared(at) > near_px * near_px {
+                    continue;
+                }
+                let [za, zb] = self.ends.map(|e| e.depth);
+                let depth = if view.orthographic {
+                    za + (zb - za) * t
+                } else {
+                    1.0 / ((1.0 - t) / za + t / zb)
+                };
+                found.push(Brush {
+                    pixel: (row - first_row) * view.size_px[0] + column,
+                    rank: self.rank,
+                    odd: self.odd,
+                    depth,
+                    margin: self.margin + rounding(view, depth),
+                });
+            }
+        }
+    }
+}
+
+/// Length of a vector's part in the picture, per pixel at a depth.
+pub(super) fn change_per_px(view: &View, gradient: DVec3, depth: f64) -> f64 {
+    lateral(view, gradient) * view.pixel_size(depth)
+}

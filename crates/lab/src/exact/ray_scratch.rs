@@ -1,0 +1,125 @@
+//! What one ray is worked out on: its lists of crossings, roots and events, and its states, reused from ray to ray.
+
+use cutaway::scene::Prepared;
+
+use super::ambiguity::Scratch;
+use super::clip::{Graze, Root};
+use super::outline::Brush;
+use super::raster::Crossing;
+use super::walk::{Cause, Event, State, by_depth};
+
+/// What one ray is worked out on; reused from ray to ray.
+pub(super) struct RayScratch {
+    pub(super) crossings: Vec<Crossing>,
+    /// With one cutter.
+    pub(super) of_cutter: Vec<Crossing>,
+    pub(super) roots: Vec<Root>,
+    pub(super) grazes: Vec<Graze>,
+    pub(super) events: Vec<Event>,
+    /// Ranks of the parts the ray meets or almost meets, in order.
+    pub(super) ranks: Vec<u16>,
+    /// Per surface: its roots are listed.
+    pub(super) met: Vec<bool>,
+    /// Crossings and the clip-surfaces that their triangles are settled by, each with its place as [`Crossing::place`] has it: no
+    /// rounding changes their order.
+    pub(super) settled: Vec<(u32, u16, i8)>,
+    /// Crossings, and the numbers of the planes that their triangles share with those of other parts.
+    pub(super) shared: Vec<(u32, u16)>,
+    pub(super) start: State,
+    pub(super) state: State,
+    pub(super) scratch: Scratch,
+    /// Winding numbers after all crossings of the line.
+    pub(super) end: State,
+}
+
+impl RayScratch {
+    pub(super) fn of(prepared: &Prepared) -> Self {
+        Self {
+            crossings: Vec::new(),
+            of_cutter: Vec::new(),
+            roots: Vec::new(),
+            grazes: Vec::new(),
+            events: Vec::new(),
+            ranks: Vec::new(),
+            met: vec![false; prepared.surfaces.len()],
+            settled: Vec::new(),
+            shared: Vec::new(),
+            start: State::of(prepared),
+            state: State::of(prepared),
+            scratch: Scratch::of(prepared),
+            end: State::of(prepared),
+        }
+    }
+
+    /// Takes the crossings beyond a depth, counts those before it, and tells whether some part is open.
+    pub(super) fn sort_crossings(
+        &mut self,
+        found: &[Crossing],
+        brushes: &[Brush],
+        from: f64,
+    ) -> bool {
+        self.ranks.extend(found.iter().map(|c| c.rank));
+        self.ranks.extend(brushes.iter().map(|b| b.rank));
+        self.ranks.sort_unstable();
+        self.ranks.dedup();
+        for crossing in found {
+            let rank = crossing.rank as usize;
+            let step = i32::from(crossing.step());
+            self.end.winding[rank] += step;
+            if crossing.depth > from {
+                self.crossings.push(*crossing);
+            } else {
+                self.start.winding[rank] += step;
+            }
+        }
+        self.ranks.iter().any(|r| self.end.is_inside(*r))
+    }
+
+    /// Ends the parts that are open along the line where they are last crossed: beyond there is nothing of them to cap.
+    pub(super) fn end_open_parts(&mut self, found: &[Crossing]) {
+        for rank in self.ranks.iter().filter(|r| self.end.is_inside(**r)) {
+            let depths = found.iter().filter(|c| c.rank == *rank).map(|c| c.depth);
+            self.start.ends[usize::from(*rank)] = depths.fold(f64::NEG_INFINITY, f64::max);
+        }
+    }
+
+    pub(super) fn merge_events(&mut self) {
+        self.events
+            .extend(self.crossings.iter().enumerate().map(|(i, c)| Event {
+                depth: c.depth,
+                place: c.place,
+                cause: Cause::Mesh {
+                    rank: c.rank,
+                    step: c.step(),
+                },
+                source: i as u32,
+            }));
+        self.events
+            .extend(self.roots.iter().enumerate().map(|(i, r)| Event {
+                depth: r.depth,
+                place: 0,
+                cause: Cause::Clip {
+                    surface: r.surface,
+                    to_kept: r.to_kept,
+                },
+                source: i as u32,
+            }));
+        self.events.sort_unstable_by(by_depth);
+    }
+
+    pub(super) fn clear(&mut self) {
+        for rank in self.ranks.drain(..) {
+            self.start.winding[rank as usize] = 0;
+            self.start.ends[rank as usize] = f64::INFINITY;
+            self.end.winding[rank as usize] = 0;
+        }
+        self.crossings.clear();
+        self.roots.clear();
+        self.grazes.clear();
+        self.events.clear();
+        self.settled.clear();
+        self.shared.clear();
+        self.met.fill(false);
+        self.start.removed.fill(false);
+    }
+}

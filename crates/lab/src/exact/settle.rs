@@ -1,0 +1,176 @@
+//! Crossings whose order against a clip-surface is known of their whole triangle, and not left to rounding.
+//!
+//! A triangle close to a flat clip-surface lies on one side of it ([`Settled`]): a crossing with it that rounding has put on the
+//! other side of the surface's root gets the depth of that root bit for bit, and its place before it or behind. So all of a face in
+//! a clip-surface is kept or removed alike, in every view. A sample by the rim of what lies alike may, moved a little, meet a triangle
+//! of another side: there the order is as open as any.
+//!
+//! Faces of several parts in one plane, facing the same way, have the depth of that plane, and the first part in rank has them
+//! ([`SharedPlanes`](cutaway::scene::SharedPlanes)).
+//!
+//! A face of a part in a face of a cutter is before the cutter where the ray leaves the part by it, behind where it enters; only
+//! exact coincidence counts there, and what is merely close is left to [`super::ambiguity`].
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use cutaway::scene::{Prepared, PreparedPart, Settled, Side, lies_in};
+use glam::DVec2;
+
+use super::clip::{Ray, Root};
+use super::raster::Crossing;
+use super::ray_scratch::RayScratch;
+use super::walk::Event;
+use super::{Lines, ambiguity, cutter};
+
+/// What is settled of the triangles of a part.
+pub(super) struct SettledFaces {
+    /// Triangles in planes that parts share, each with the number of its plane.
+    shared: Arc<[(u32, u16)]>,
+    /// Of each of these, whether the edges from its corners on are at the rim of those in the plane.
+    shared_rims: Vec<[bool; 3]>,
+    /// By triangle.
+    all: Vec<Settled>,
+    /// Of each, whether the edges from its corners on are at its rim: whether the next triangle is on another side, or may be.
+    rims: Vec<[bool; 3]>,
+}
+
+impl SettledFaces {
+    /// That of a part.
+    pub(super) fn of(prepared: &Prepared, (rank, part): (usize, &PreparedPart)) -> Self {
+        let all = prepared.settled(part);
+        let shared = prepared.shared.faces(rank);
+        let alike = all.iter().map(|s| (s.triangle, (s.surface, s.side)));
+        Self {
+            rims: rims(part, alike),
+            shared_rims: rims(part, shared.iter().copied()),
+            all,
+            shared,
+        }
+    }
+
+    /// The number of the plane that a triangle shares with other parts, and where its rim is.
+    fn plane_of(&self, triangle: u32) -> Option<(u16, [bool; 3])> {
+        let at = self.shared.binary_search_by_key(&triangle, |s| s.0).ok()?;
+        Some((self.shared[at].1, self.shared_rims[at]))
+    }
+
+    /// What settles a triangle, and where its rim is.
+    fn by(&self, triangle: u32) -> impl Iterator<Item = (&Settled, [bool; 3])> {
+        let first = self.all.partition_point(|s| s.triangle < triangle);
+        let after = self.all[first..].partition_point(|s| s.triangle == triangle);
+        let range = first..first + after;
+        self.all[range.clone()]
+            .iter()
+            .zip(self.rims[range].iter().copied())
+    }
+}
+
+/// Of triangles that lie alike by a key, whether the edges from their corners on are at the rim of those.
+fn rims<K: Ord + Copy>(
+    part: &PreparedPart,
+    alike: impl Iterator<Item = (u32, K)> + Clone,
+) -> Vec<[bool; 3]> {
+    let edges = |(triangle, key): (u32, K)| {
+        let corners = part.triangles[triangle as usize];
+        [0, 1, 2].map(|i| {
+            let (a, b) = (corners[i], corners[(i + 1) % 3]);
+            (a.min(b), a.max(b), key)
+        })
+    };
+    let mut uses: BTreeMap<_, u32> = BTreeMap::new();
+    for edge in alike.clone().flat_map(edges) {
+        *uses.entry(edge).or_default() += 1;
+    }
+    alike.map(|s| edges(s).map(|e| uses[&e] != 2)).collect()
+}
+
+/// Whether two crossings are with faces of parts in one plane, and at its depth: a clip-surface may have moved one of them. `shared` are
+/// the crossings in such planes, with their numbers.
+pub(super) fn share_plane(shared: &[(u32, u16)], events: [&Event; 2]) -> bool {
+    let of = |event: &Event| {
+        let at = shared.iter().find(|(source, _)| *source == event.source);
+        at.map(|(_, plane)| *plane)
+    };
+    let [a, b] = events.map(of);
+    let is_at_once = events[0].depth == events[1].depth && events[0].place == events[1].place;
+    is_at_once && a.is_some() && a == b
+}
+
+impl Lines<'_> {
+    /// Gives crossings in a plane that parts share the depth of the plane: at one depth parts happen by rank.
+    fn share(&self, at: DVec2, index: u32, bench: &mut RayScratch) {
+        let crossing = &mut bench.crossings[index as usize];
+        let rank = usize::from(crossing.rank);
+        let Some((plane, rim)) = self.settled[rank].plane_of(crossing.triangle) else {
+            return;
+        };
+        let Some([right, down, corner]) = self.shared_in_view[usize::from(plane)] else {
+            return;
+        };
+        let buffer = corner + right * at.x + down * at.y;
+        crossing.depth = self.view.depth_from_buffer(buffer);
+        let corners = self.parts[rank].corners(crossing.triangle);
+        if !(0..3).any(|e| rim[e] && cutter::is_by_edge(self.view.doubt_px(), at, corners, e)) {
+            bench.shared.push((index, plane));
+        }
+    }
+
+    /// Puts crossings on the side of each clip-surface that their triangles are known to lie on.
+    pub(super) fn settle(&self, at: DVec2, ray: &Ray, bench: &mut RayScratch) {
+        for index in 0..bench.crossings.len() {
+            self.share(at, index as u32, bench);
+        }
+        for (index, crossing) in bench.crossings.iter_mut().enumerate() {
+            let rank = usize::from(crossing.rank);
+            for (settled, rim) in self.settled[rank].by(crossing.triangle) {
+                let corners = self.parts[rank].corners(crossing.triangle);
+                let is_by_the_rim = (0..3)
+                    .any(|e| rim[e] && cutter::is_by_edge(self.view.doubt_px(), at, corners, e));
+                let mut roots = bench.roots.iter();
+                if let Some(root) = roots.find(|r| r.surface == settled.surface) {
+                    let is_behind = (settled.side == Side::Kept) == root.to_kept;
+                    if !is_by_the_rim {
+                        let place = if is_behind { 1 } else { -1 };
+                        bench.settled.push((index as u32, settled.surface, place));
+                    }
+                    if (crossing.depth > root.depth) != is_behind || crossing.depth == root.depth {
+                        crossing.depth = root.depth;
+                        crossing.place = if is_behind { 1 } else { -1 };
+                    }
+                }
+            }
+            for root in bench.roots.iter().filter(|r| r.face.is_some()) {
+                if self.coincides(ray, root, crossing) {
+                    crossing.depth = root.depth;
+                    crossing.place = crossing.step();
+                    if self.goes_on(at, root, crossing) {
+                        let place = crossing.place;
+                        bench.settled.push((index as u32, root.surface, place));
+                    }
+                }
+            }
+        }
+    }
+
+    /// Whether a crossing is with a face that lies in the face of a cutter, to the last bit.
+    fn coincides(&self, ray: &Ray, root: &Root, crossing: &Crossing) -> bool {
+        let distance = (crossing.depth - root.depth).abs();
+        let close = ambiguity::rounding(self.view, root.depth) + root.depth_change(self.view, ray);
+        distance <= close
+            && root.face.is_some_and(|face| {
+                let of_part = self.parts[usize::from(crossing.rank)].facet(crossing.triangle);
+                let of_cutter = self.mesh_of_cutter(root.surface).facet(face.triangle);
+                lies_in(of_part.points, of_cutter.points)
+            })
+    }
+
+    /// Whether both triangles of a coincidence are still met when the sample moves a little.
+    fn goes_on(&self, at: DVec2, root: &Root, crossing: &Crossing) -> bool {
+        root.face.is_none_or(|face| {
+            let of_cutter = self.mesh_of_cutter(root.surface).corners(face.triangle);
+            let of_part = self.parts[usize::from(crossing.rank)].corners(crossing.triangle);
+            cutter::share_the_sample(self.view.doubt_px(), at, [of_cutter, of_part])
+        })
+    }
+}

@@ -1,0 +1,43 @@
+//! Addresses of texels wrapped once for all rays, as far as they are around the scene.
+
+use cutaway::scene::Wrap;
+
+/// The largest table of wrapped addresses; beyond it they are wrapped one by one.
+const TABLE_TEXELS: i64 = 1 << 20;
+
+/// Texels of the addresses around a point, along one axis.
+pub(super) struct Table {
+    first: i64,
+    texels: Vec<u32>,
+    wrap: Wrap,
+    size: u32,
+}
+
+impl Table {
+    /// The table of addresses within a reach of a centre.
+    pub(super) fn of(wrap: Wrap, size: u32, centre: f64, reach: f64) -> Self {
+        let first = (centre - reach).floor() as i64 - 2;
+        let last = (centre + reach).ceil() as i64 + 3;
+        let texels = if last.saturating_sub(first) < TABLE_TEXELS {
+            (first..=last).map(|i| wrap.texel(i, size)).collect()
+        } else {
+            Vec::new()
+        };
+        Self {
+            first,
+            texels,
+            wrap,
+            size,
+        }
+    }
+
+    /// The texel at an address.
+    pub(super) fn texel(&self, address: i64) -> usize {
+        let known = usize::try_from(address.wrapping_sub(self.first))
+            .ok()
+            .and_then(|i| self.texels.get(i));
+        known
+            .copied()
+            .unwrap_or_else(|| self.wrap.texel(address, self.size)) as usize
+    }
+}

@@ -1,0 +1,267 @@
+//! The definition itself: walk the events along a ray in order of depth and stop where it first enters what is left.
+//!
+//! State: per part, the winding number, of which the part's rule makes inside or outside; per clip-surface, removed or kept
+//! side. A cut removes where all its
+//! surfaces do, a part loses what any of its cuts removes. A part *shows* where the ray is inside it and nothing removes
+//! it; the visible point is the first, beyond the near plane, at which some part goes from not showing to showing.
+//!
+//! Ties. A solid is taken without its boundary: a mesh event whose triangle lies in a clip-surface is before the clip event where the
+//! ray leaves the solid by it, and behind it where the ray enters ([`super::settle`]); so a cut leaves nothing without thickness. Any
+//! other mesh event that happens to be at the very depth of a clip event counts as on its kept side. Clip events at one depth happen
+//! at once: two cuts that share a plane leave no sheet between them. Parts at one depth happen by rank, and of one part entering comes
+//! first, so that of faces that coincide the one that faces the eye is seen.
+
+use std::cmp::Ordering;
+
+use cutaway::scene::{Fill, Prepared};
+
+/// What happens.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Cause {
+    /// The ray crosses the mesh of a part.
+    Mesh {
+        /// Rank of the part.
+        rank: u16,
+        /// What it adds to the winding number: 1 into the mesh, -1 out of it.
+        step: i8,
+    },
+    /// The ray crosses a clip-surface.
+    Clip {
+        /// Number of the surface.
+        surface: u16,
+        /// To the kept side.
+        to_kept: bool,
+    },
+}
+
+/// Something that happens along a ray.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Event {
+    /// Where.
+    pub(super) depth: f64,
+    /// Where it is among events at that depth: -1 before all clip events, 1 behind them.
+    pub(super) place: i8,
+    /// What.
+    pub(super) cause: Cause,
+    /// Index of the crossing or the root it stands for.
+    pub(super) source: u32,
+}
+
+impl Event {
+    fn precedence(&self) -> (i8, u8, u16, i8) {
+        match self.cause {
+            Cause::Clip {
+                surface,
+                to_kept: true,
+            } => (self.place, 0, surface, 0),
+            Cause::Mesh { rank, step } => (self.place, 1, rank, -step),
+            Cause::Clip { surface, .. } => (self.place, 2, surface, 0),
+        }
+    }
+}
+
+/// Order along the ray.
+pub(super) fn by_depth(a: &Event, b: &Event) -> Ordering {
+    a.depth
+        .total_cmp(&b.depth)
+        .then_with(|| a.precedence().cmp(&b.precedence()))
+        .then_with(|| a.source.cmp(&b.source))
+}
+
+/// Sorts events of which all but a few are in order, by insertion: it costs as many steps as there are events, and as many more as
+/// the few are moved by.
+pub(super) fn restore_order(events: &mut [Event]) {
+    for unplaced in 1..events.len() {
+        let mut at = unplaced;
+        while at > 0 && by_depth(&events[at], &events[at - 1]).is_lt() {
+            events.swap(at, at - 1);
+            at -= 1;
+        }
+    }
+}
+
+/// Where a ray stands.
+#[derive(Clone, Debug, Default)]
+pub(super) struct State {
+    /// Per rank: the winding number.
+    pub(super) winding: Vec<i32>,
+    /// Per rank.
+    pub(super) fill: Vec<Fill>,
+    /// Per clip-surface: on its removed side.
+    pub(super) removed: Vec<bool>,
+    /// Per rank: the depth from which on there is nothing of the part. Of an open part that is its last crossing, whatever the winding
+    /// number is there; of a closed one it never matters.
+    pub(super) ends: Vec<f64>,
+}
+
+impl State {
+    /// A state outside everything.
+    pub(super) fn of(prepared: &Prepared) -> Self {
+        Self {
+            winding: vec![0; prepared.parts.len()],
+            fill: prepared.parts.iter().map(|p| p.fill).collect(),
+            removed: vec![false; prepared.surfaces.len()],
+            ends: vec![f64::INFINITY; prepared.parts.len()],
+        }
+    }
+
+    /// Becomes a copy.
+    pub(super) fn set(&mut self, other: &Self) {
+        self.winding.copy_from_slice(&other.winding);
+        self.removed.copy_from_slice(&other.removed);
+        self.ends.copy_from_slice(&other.ends);
+    }
+
+    /// Whether the ray is inside a part here.
+    pub(super) fn is_inside(&self, rank: u16) -> bool {
+        self.fill[rank as usize].holds(self.winding[rank as usize])
+    }
+
+    fn cut_removes(&self, prepared: &Prepared, cut: usize) -> bool {
+        let surfaces = &prepared.cuts[cut].surfaces;
+        !surfaces.is_empty() && surfaces.iter().all(|s| self.removed[*s])
+    }
+
+    /// Whether a part is removed here.
+    pub(super) fn removes(&self, prepared: &Prepared, rank: u16) -> bool {
+        prepared.parts[rank as usize]
+            .cuts
+            .iter()
+            .any(|c| self.cut_removes(prepared, *c))
+    }
+
+    /// Whether the ray is inside a part here, and nothing removes it.
+    pub(super) fn shows(&self, prepared: &Prepared, rank: u16) -> bool {
+        self.is_inside(rank) && !self.removes(prepared, rank)
+    }
+
+    /// Lets an event happen.
+    pub(super) fn apply(&mut self, event: &Event) {
+        match event.cause {
+            Cause::Mesh { rank, step } => self.winding[rank as usize] += i32::from(step),
+            Cause::Clip { surface, .. } => self.removed[surface as usize] ^= true,
+        }
+    }
+}
+
+/// What a ray sees.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sight {
+    /// Rank of the part.
+    pub(super) rank: u16,
+    /// Where.
+    pub(super) depth: f64,
+    /// The event that brought it into sight; none where the near plane did.
+    pub(super) event: Option<Event>,
+    /// A cap at which the same event brought other parts into sight too: solids overlap there.
+    pub(super) overlap: bool,
+}
+
+impl Sight {
+    /// What two sights must share to be the same answer: the part and, for a cap, the clip-surface; for a surface, the side it shows.
+    pub(super) fn class(&self) -> (u16, Option<Cause>) {
+        let cause = self.event.map(|e| match e.cause {
+            Cause::Clip { surface, .. } => Cause::Clip {
+                surface,
+                to_kept: true,
+            },
+            mesh @ Cause::Mesh { .. } => mesh,
+        });
+        (self.rank, cause)
+    }
+}
+
+/// Walks sorted events from a state. `ranks` are the parts the ray meets, in order; `state` is left at the end.
+pub(super) fn walk(
+    prepared: &Prepared,
+    (near, near_cap): (f64, bool),
+    ranks: &[u16],
+    events: &[Event],
+    state: &mut State,
+) -> Option<Sight> {
+    let first = events.partition_point(|e| e.depth <= near);
+    for event in &events[..first] {
+        state.apply(event);
+    }
+    if near_cap {
+        let mut shown = ranks.iter().filter(|r| state.shows(prepared, **r));
+        if let Some(rank) = shown.next() {
+            return Some(Sight {
+                rank: *rank,
+                depth: near,
+                event: None,
+                overlap: shown.next().is_some(),
+            });
+        }
+    }
+    let mut rest = &events[first..];
+    while let Some(event) = rest.first() {
+        let count = match event.cause {
+            Cause::Mesh { .. } => 1,
+            Cause::Clip { .. } => rest
+                .iter()
+                .take_while(|e| e.depth == event.depth && matches!(e.cause, Cause::Clip { .. }))
+                .count(),
+        };
+        let (now, later) = rest.split_at(count);
+        rest = later;
+        let seen = match event.cause {
+            Cause::Mesh { rank, .. } => {
+                // An inner shell is passed while the part shows already.
+                let showed = state.shows(prepared, rank);
+                state.apply(event);
+                let enters = !showed && state.shows(prepared, rank);
+                enters.then_some((rank, *event, false))
+            }
+            Cause::Clip { .. } => pass_clips(prepared, ranks, now, state),
+        };
+        if let Some((rank, event, overlap)) = seen {
+            return Some(Sight {
+                rank,
+                depth: event.depth,
+                event: Some(event),
+                overlap,
+            });
+        }
+    }
+    None
+}
+
+/// Lets clip events at one depth happen, and finds the part that thereby comes to show, with the event that freed it and
+/// whether that freed others with it.
+pub(super) fn pass_clips(
+    prepared: &Prepared,
+    ranks: &[u16],
+    events: &[Event],
+    state: &mut State,
+) -> Option<(u16, Event, bool)> {
+    let freed = |state: &State, rank: u16| {
+        events.iter().copied().find(|e| {
+            let Cause::Clip { surface, .. } = e.cause else {
+                return false;
+            };
+            let cut = prepared.surfaces[surface as usize].cut;
+            prepared.parts[rank as usize].cuts.contains(&cut) && state.cut_removes(prepared, cut)
+        })
+    };
+    // Usually no part is inside and removed, or none comes free.
+    let candidates: Vec<(u16, Event)> = ranks
+        .iter()
+        .filter(|r| state.is_inside(**r))
+        .filter(|r| {
+            events
+                .iter()
+                .any(|e| e.depth <= state.ends[usize::from(**r)])
+        })
+        .filter_map(|r| freed(state, *r).map(|e| (*r, e)))
+        .collect();
+    for event in events {
+        state.apply(event);
+    }
+    let mut shown = candidates
+        .into_iter()
+        .filter(|(rank, _)| state.shows(prepared, *rank));
+    let (rank, event) = shown.next()?;
+    let overlap = shown.any(|(_, other)| other.cause == event.cause);
+    Some((rank, event, overlap))
+}

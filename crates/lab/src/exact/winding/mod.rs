@@ -1,0 +1,277 @@
+//! Layers by generalised winding numbers: caps for meshes that are open or cross themselves.
+//!
+//! Counting crossings along one ray goes wrong wherever that ray slips through a hole. The generalised winding number of a point
+//! (Jacobson, Kavan, Sorkine-Hornung 2013) asks all of the mesh instead: the share of the view from the point that the faces cover,
+//! with their orientation. It is the winding number where the mesh is closed, and goes over it smoothly where it is not. A candidate
+//! for a cap is inside where the nearest whole number is one that the part's [`Fill`](cutaway::scene::Fill) holds to be: with holes, as
+//! long as less than half of the view from there goes out through them.
+//!
+//! What is drawn: clip-surfaces are crossed where the exact reference crosses them. Where that frees a part, and the point is
+//! inside it, there is a cap; where the mesh is crossed and not removed, its surface shows, front or back: a hole in the mesh stays a
+//! hole in the picture, but caps have none. On a closed mesh whose faces agree which side is out all decided pixels are
+//! those of [`super::evaluate`].
+//!
+//! A pixel is marked where a number asked for there is nearer to a half than to a whole, and where the mesh shows its inner side to
+//! an eye that is, by the number before it, inside of the solid: no closed mesh does.
+//!
+//! Cost: a tree over the faces, once per mesh ([`Windings::new`]); per pixel, the crossings, and one walk down the tree per candidate:
+//! some hundred faces and balls. Limit: the tree answers to about a hundredth, which only a point whose number is as near as that to
+//! a half could notice. Faces that are turned over count against the solid: with half of them, nothing is inside.
+
+mod tree;
+
+use cutaway::layers::{Layer, Layers};
+use cutaway::scene::{Bounds, Prepared, View};
+use glam::{DVec2, DVec3};
+use rayon::prelude::*;
+
+use self::tree::Tree;
+use super::clip::Ray;
+use super::raster::{self, BAND_ROWS, Crossing};
+use super::ray_scratch::RayScratch;
+use super::walk::{Cause, Event, Sight, pass_clips};
+use super::{Lines, Outlining};
+
+/// How far before a clip-surface the number is asked for, in scene units: a face that lies in the surface is then behind the
+/// point, as it is for the exact reference. Half of the last bit of a coordinate of the scene.
+const BEFORE: f64 = 1.0 / (1 << 24) as f64;
+
+/// Farther from a whole number than this, a number is a guess.
+const SURE: f64 = 0.25;
+
+/// The meshes of a scene, ready to be asked for winding numbers.
+pub struct Windings {
+    /// By rank.
+    trees: Vec<Tree>,
+}
+
+impl Windings {
+    /// Of a scene. It must be whole: [`Prepared::must_be_whole`].
+    pub fn new(prepared: &Prepared) -> Self {
+        prepared.must_be_whole();
+        let trees = prepared.parts.par_iter();
+        Self {
+            trees: trees
+                .map(|p| Tree::of(&p.positions, &p.triangles))
+                .collect(),
+        }
+    }
+
+    /// The generalised winding number of a mesh around a point of the scene; the part by its rank.
+    pub fn around(&self, rank: usize, point: DVec3) -> f64 {
+        self.trees[rank].winding(point)
+    }
+
+    /// Bytes of the trees.
+    pub fn bytes(&self) -> u64 {
+        self.trees.iter().map(Tree::bytes).sum()
+    }
+
+    /// What a view of the scene shows.
+    pub fn layers(&self, prepared: &Prepared, view: &View) -> Layers {
+        let lines = Lines::with(prepared, view, Outlining::Without);
+        let mut layers = Layers::background(view.size_px);
+        let band_pixels = (view.size_px[0] * BAND_ROWS) as usize;
+        let bands = layers.pixels.par_chunks_mut(band_pixels).enumerate();
+        bands.for_each(|(band, pixels)| self.band(&lines, band, pixels));
+        layers
+    }
+
+    fn band(&self, lines: &Lines<'_>, band: usize, pixels: &mut [Layer]) {
+        let [width, _] = lines.view.size_px;
+        let first_row = band as u32 * BAND_ROWS;
+        let rows = [first_row, first_row + pixels.len() as u32 / width];
+        let (crossings, starts) =
+            raster::crossings_of_band(lines.view, &lines.parts, lines.triangles.items(band), rows);
+        let mut bench = RayScratch::of(lines.prepared);
+        for (pixel, layer) in pixels.iter_mut().enumerate() {
+            let at = DVec2::new(
+                f64::from(pixel as u32 % width) + 0.5,
+                f64::from(first_row + pixel as u32 / width) + 0.5,
+            );
+            let found = &crossings[starts[pixel]..starts[pixel + 1]];
+            self.pixel(lines, at, found, &mut bench, layer);
+            bench.clear();
+        }
+    }
+
+    fn pixel(
+        &self,
+        lines: &Lines<'_>,
+        at: DVec2,
+        found: &[Crossing],
+        bench: &mut RayScratch,
+        layer: &mut Layer,
+    ) {
+        let (prepared, view) = (lines.prepared, lines.view);
+        let (found, of_cutters) = found.split_at(lines.cutters.split(found, |c| c.rank));
+        let ray = Ray::through(view, at);
+        // A ray may pass through a solid without crossing its mesh, in and out by holes.
+        let mut reach = [f64::INFINITY, f64::NEG_INFINITY];
+        for (rank, part) in prepared.parts.iter().enumerate() {
+            if let Some([from, to]) = within(&ray, &part.bounds)
+                && !part.is_removed
+                && to >= view.near
+            {
+                bench.ranks.push(rank as u16);
+                reach = [reach[0].min(from), reach[1].max(to)];
+            }
+        }
+        if bench.ranks.is_empty() {
+            return;
+        }
+        bench.sort_crossings(found, &[], view.near);
+        let range = [
+            (reach[0] - lines.pad(reach[0])).max(view.near),
+            reach[1] + lines.pad(reach[1]),
+        ];
+        lines.meet_clips(&ray, range, of_cutters, bench);
+        lines.settle(at, &ray, bench);
+        bench.merge_events();
+        // What is removed, as the range begins; numbers are asked for where they are needed.
+        bench.start.winding.fill(0);
+        bench.state.set(&bench.start);
+        let mut ask = Ask {
+            windings: self,
+            ray,
+            is_sure: true,
+        };
+        if let Some(sight) = ask.walk(lines, bench) {
+            lines.show(&ray, &sight, bench, layer);
+            // The wall of a void shows its inner side too; but before that is no solid.
+            layer.unreliable = layer.back_face
+                && sight.event.is_some()
+                && (prepared.parts[usize::from(sight.rank)].fill)
+                    .holds(ask.at(sight.rank, sight.depth));
+        }
+        layer.unreliable |= !ask.is_sure;
+    }
+}
+
+/// Numbers along a ray.
+struct Ask<'a> {
+    windings: &'a Windings,
+    ray: Ray,
+    /// All numbers so far were near to whole ones.
+    is_sure: bool,
+}
+
+impl Ask<'_> {
+    /// The whole number next to the winding number of a part at a depth.
+    fn at(&mut self, rank: u16, depth: f64) -> i32 {
+        let point = self.ray.origin + self.ray.direction * depth;
+        let before = self.ray.direction.normalize_or_zero() * BEFORE;
+        let number = self.windings.around(usize::from(rank), point - before);
+        self.is_sure &= (number - number.round()).abs() <= SURE;
+        number.round() as i32
+    }
+
+    /// What is seen first: as [`super::walk::walk`], but that numbers are asked for, not counted.
+    fn walk(&mut self, lines: &Lines<'_>, bench: &mut RayScratch) -> Option<Sight> {
+        let (prepared, view) = (lines.prepared, lines.view);
+        let RayScratch {
+            ranks,
+            events,
+            state,
+            ..
+        } = bench;
+        // Parts that the eye is inside of: their solid goes on until crossings lead out of it.
+        let mut within = Vec::new();
+        for rank in ranks.iter().copied() {
+            let eye = self.ray.origin + self.ray.direction * view.near;
+            let bounds = &prepared.parts[usize::from(rank)].bounds;
+            if holds(bounds, eye) && !state.removes(prepared, rank) {
+                let number = self.at(rank, view.near);
+                if prepared.parts[usize::from(rank)].fill.holds(number) {
+                    within.push((rank, number));
+                }
+            }
+        }
+        if view.near_cap
+            && let Some((rank, _)) = within.first()
+        {
+            return Some(Sight {
+                rank: *rank,
+                depth: view.near,
+                event: None,
+                overlap: within.len() > 1,
+            });
+        }
+        let mut rest: &[Event] = events;
+        while let Some(event) = rest.first() {
+            let Cause::Mesh { rank, step } = event.cause else {
+                let is_beside =
+                    |e: &&Event| e.depth == event.depth && matches!(e.cause, Cause::Clip { .. });
+                let (now, later) = rest.split_at(rest.iter().take_while(is_beside).count());
+                rest = later;
+                let was_removed: Vec<bool> =
+                    ranks.iter().map(|r| state.removes(prepared, *r)).collect();
+                let pass = |state: &mut super::walk::State| {
+                    now.iter().for_each(|event| state.apply(event));
+                };
+                pass(state);
+                for (rank, was_removed) in ranks.iter().zip(was_removed) {
+                    // A face in the clip-surface by which the ray leaves the solid is before it.
+                    let has_left = events.iter().any(|e| {
+                        e.depth == event.depth
+                            && e.place < 0
+                            && matches!(e.cause, Cause::Mesh { rank: of, .. } if of == *rank)
+                    });
+                    let is_free = was_removed && !has_left && !state.removes(prepared, *rank);
+                    state.winding[usize::from(*rank)] = if is_free {
+                        self.at(*rank, event.depth)
+                    } else {
+                        0
+                    };
+                }
+                // Each event is undone by itself.
+                pass(state);
+                if let Some((rank, event, overlap)) = pass_clips(prepared, ranks, now, state) {
+                    return Some(Sight {
+                        rank,
+                        depth: event.depth,
+                        event: Some(event),
+                        overlap,
+                    });
+                }
+                continue;
+            };
+            rest = &rest[1..];
+            let still = within.iter().position(|(of, _)| *of == rank);
+            if let Some(still) = still {
+                within[still].1 += i32::from(step);
+                if !prepared.parts[usize::from(rank)]
+                    .fill
+                    .holds(within[still].1)
+                {
+                    within.swap_remove(still);
+                }
+            } else if !state.removes(prepared, rank) {
+                return Some(Sight {
+                    rank,
+                    depth: event.depth,
+                    event: Some(*event),
+                    overlap: false,
+                });
+            }
+        }
+        None
+    }
+}
+
+fn holds(bounds: &Bounds, point: DVec3) -> bool {
+    point.cmpge(bounds.min).all() && point.cmple(bounds.max).all()
+}
+
+/// The depths between which a ray is in a box.
+fn within(ray: &Ray, bounds: &Bounds) -> Option<[f64; 2]> {
+    let mut range = [f64::NEG_INFINITY, f64::INFINITY];
+    for axis in 0..3 {
+        let (from, along) = (ray.origin[axis], ray.direction[axis]);
+        let ends = [bounds.min[axis], bounds.max[axis]].map(|b| (b - from) / along);
+        // A ray in a face of the box gives no number, and is no less in the box for it.
+        range[0] = range[0].max(ends[0].min(ends[1]));
+        range[1] = range[1].min(ends[0].max(ends[1]));
+    }
+    (range[0] <= range[1]).then_some(range)
+}

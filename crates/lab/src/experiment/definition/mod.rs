@@ -1,0 +1,208 @@
+//! An experiment as it is written: one TOML file with a question, scenes, what is varied, who is asked, and what is expected.
+//!
+//! Reading a file checks all that can be checked without opening a scene: every key is known, every strategy has a name, every
+//! path can be set and every value has a use, and every expectation means somebody. What is read is already expanded: each run
+//! of scenes holds its points twice, in full and as `--quick` takes them, each with its document.
+//!
+//! The format is described in `experiments/README.md`; the readers of its parts are beside this file.
+
+mod charts;
+mod claims;
+mod drift;
+mod moves;
+mod others;
+mod scenes;
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+pub use claims::{Claim, Wanted};
+pub use moves::Moves;
+pub use others::{AskedCases, AskedSearch};
+pub use scenes::{Pictures, SceneRun};
+
+use cutaway::{Error, Result};
+use cutaway_io::document::reader::{Entry, Table, with_table};
+
+use super::{RunSynopsis, Synopsis};
+
+const FILE_KEYS: &[&str] = &["question", "analysis", "run", "chart"];
+
+/// An experiment.
+#[derive(Clone, Debug)]
+pub struct Definition {
+    /// The file it was read from, as it was named.
+    pub path: PathBuf,
+    /// The stem of the file.
+    pub name: String,
+    /// What is run.
+    pub runs: Vec<DefinedRun>,
+    /// What a record of it tells, but for the points, which are those in full or of `--quick`.
+    pub synopsis: Synopsis,
+}
+
+/// A run of an experiment.
+#[derive(Clone, Debug)]
+pub struct DefinedRun {
+    /// Its name, unique in the experiment.
+    pub name: String,
+    /// What is asked.
+    pub full: Asked,
+    /// What is asked by `--quick`.
+    pub quick: Asked,
+    /// Whether that is said: otherwise it is what is asked in full.
+    pub has_quick: bool,
+}
+
+impl DefinedRun {
+    /// What is asked.
+    pub fn asked(&self, is_quick: bool) -> &Asked {
+        if is_quick { &self.quick } else { &self.full }
+    }
+}
+
+/// What a run asks.
+#[derive(Clone, Debug)]
+pub enum Asked {
+    /// Strategies on scenes.
+    Scenes(SceneRun),
+    /// Hard cases of the library.
+    Cases(AskedCases),
+    /// Random scenes, searched for faults.
+    Search(AskedSearch),
+}
+
+impl Definition {
+    /// Reads an experiment from its file.
+    pub fn load(path: &Path) -> Result<Self> {
+        let text = std::fs::read_to_string(path).map_err(|e| {
+            let help = "check the path; an experiment is TOML text in UTF-8";
+            Error::file(path, format!("cannot be read: {e}"), help)
+        })?;
+        Self::read(path, &text)
+    }
+
+    /// Reads an experiment from text that a file holds.
+    pub fn read(path: &Path, text: &str) -> Result<Self> {
+        let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+        let name = stem.into_owned();
+        if !is_name(&name) || path.extension().is_none_or(|e| e != "toml") {
+            return Err(Error::file(
+                path,
+                "the file's name is the experiment's name: [a-z0-9-]+ and .toml, and neither `experiment` nor `peers`",
+                "call it for example 01-paper.toml",
+            ));
+        }
+        with_table(path, text, FILE_KEYS, |root| {
+            let question = question(root)?;
+            let analysis = root.need("analysis", "\"\"\"What was asked.\"\"\"")?;
+            let analysis = analysis.text()?.trim().to_owned();
+            let (runs, synopses): (Vec<_>, _) = runs(root, path)?.into_iter().unzip();
+            let charts = root.tables("chart")?;
+            let charts = charts.iter().map(|e| charts::read(e, &runs));
+            let synopsis = Synopsis {
+                name: name.clone(),
+                question,
+                analysis,
+                charts: charts.collect::<Result<_>>()?,
+                runs: synopses,
+                points: Vec::new(),
+                toml: text.to_owned(),
+            };
+            Ok(Self {
+                path: path.to_owned(),
+                name,
+                runs,
+                synopsis,
+            })
+        })
+    }
+}
+
+/// What a folder of records has beside them: no record may be called so.
+const TAKEN: [&str; 2] = ["experiment", "peers"];
+
+/// A name that can be a file's, on any system.
+fn is_name(name: &str) -> bool {
+    let is_plain = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-';
+    !name.is_empty() && name.chars().all(is_plain) && !TAKEN.contains(&name)
+}
+
+fn question(root: &Table<'_>) -> Result<String> {
+    let entry = root.need("question", "\"What does it cost?\"")?;
+    let question = entry.text()?.trim();
+    if question.len() < 2 || !question.ends_with('?') {
+        let help = "ask something: one sentence that ends in a question mark";
+        return Err(entry.fault("it is no question", help));
+    }
+    Ok(question.to_owned())
+}
+
+fn runs(root: &Table<'_>, path: &Path) -> Result<Vec<(DefinedRun, RunSynopsis)>> {
+    let entries = root.tables("run")?;
+    if entries.is_empty() {
+        let help = "add `[[run]]` with `name`, `scene` and `strategies`";
+        return Err(root.entry.fault("the experiment runs nothing", help));
+    }
+    let runs: Vec<_> = entries
+        .iter()
+        .map(|e| run(e, path))
+        .collect::<Result<_>>()?;
+    let mut seen = BTreeSet::new();
+    match runs.iter().position(|(r, _)| !seen.insert(&*r.name)) {
+        Some(i) => Err(entries[i].fault("the name is taken", "give every run its own name")),
+        None => Ok(runs),
+    }
+}
+
+fn run(entry: &Entry<'_>, path: &Path) -> Result<(DefinedRun, RunSynopsis)> {
+    let table = entry.open_table()?;
+    let is_cases = table.get("cases").is_some();
+    let is_search = table.get("random").is_some();
+    if usize::from(is_cases) + usize::from(is_search) + usize::from(table.get("scene").is_some())
+        != 1
+    {
+        let help = "say what is run by one of `scene`, `cases` and `random`";
+        return Err(entry.fault("it runs nothing, or several things", help));
+    }
+    let name = table.need("name", "\"crank\"")?;
+    if !is_name(name.text()?) {
+        let help = "use small letters, digits and `-`, and neither `experiment` nor `peers`: files are called by it";
+        return Err(name.fault("it cannot be a name", help));
+    }
+    let about = table.get("about");
+    let about = about.map(|e| e.text().map(str::to_owned)).transpose()?;
+    let moves = table.get("moves").map(|e| moves::read(&e)).transpose()?;
+    let input = table.get("input").map(|e| input(&e)).transpose()?;
+    let (full, quick) = if is_cases {
+        others::read_cases(entry)?
+    } else if is_search {
+        others::read_search(entry)?
+    } else {
+        scenes::read(entry, path)?
+    };
+    let name = name.text()?.to_owned();
+    let synopsis = RunSynopsis {
+        name: name.clone(),
+        about,
+        input,
+        moves: moves.unwrap_or_default(),
+    };
+    let run = DefinedRun {
+        name,
+        full,
+        quick,
+        has_quick: table.get("quick").is_some(),
+    };
+    Ok((run, synopsis))
+}
+
+fn input(entry: &Entry<'_>) -> Result<String> {
+    match entry.text()?.trim() {
+        "" => Err(entry.fault(
+            "it is empty",
+            "say what a user would call it: \"plane cuts\"",
+        )),
+        text => Ok(text.to_owned()),
+    }
+}

@@ -1,0 +1,178 @@
+//! A camera that drifts sideways by parts of a pixel, comes nearer or goes around the scene, and how much flickers while it does.
+//!
+//! From frame to frame some pixels change what they show, kind, part, clip-surface or side, because the picture moves. A strategy
+//! that is as good as exact changes where exact does; what it changes beyond that, and what it fails to change, is what an eye sees
+//! flicker. The frames are those of one camera whose picture is shifted: no part moves before another, so that little has to
+//! change. Costs one frame of every renderer and one of exact for each step, and as many more as pictures are held against, where
+//! they are.
+
+use std::collections::BTreeMap;
+
+use cutaway::Result;
+use cutaway::layers::{Kind, Layer, Layers};
+use cutaway::scene::{Prepared, View};
+use cutaway::session::{Outcome, Session};
+use glam::{DQuat, DVec2};
+
+use super::figures::OF_DRIFT;
+use super::picture_flicker::{PictureFlicker, luminance, sampled};
+use super::{Question, Renderer};
+use crate::exact::{Exact, evaluate};
+
+/// How a camera drifts.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Drift {
+    /// How many frames are drawn.
+    pub frames: u32,
+    /// By how many pixels the picture is shifted from each to the next.
+    pub px: f64,
+    /// How much larger it is each time.
+    pub zoom: f64,
+    /// By how many degrees the camera goes around the middle of the scene each time.
+    pub turn_deg: f64,
+    /// With how many samples along each side of a pixel the pictures are drawn; 1 is what a frame has.
+    pub fineness: u32,
+    /// With how many samples along each side of a pixel the pictures are drawn that pictures are held against; 0 for none.
+    pub samples: u32,
+}
+
+impl Drift {
+    /// The view in a frame.
+    fn view(&self, first: &View, prepared: &Prepared, frame: u32) -> View {
+        let frame = f64::from(frame);
+        let turn = DQuat::from_axis_angle(prepared.up(), (frame * self.turn_deg).to_radians());
+        let centre = prepared.bounds.centre();
+        let turned = View {
+            eye: centre + turn * (first.eye - centre),
+            right: turn * first.right,
+            up: turn * first.up,
+            forward: turn * first.forward,
+            half_height: first.half_height / self.zoom.powf(frame),
+            ..*first
+        };
+        // A corner of the scene that comes nearer than any did is not to be cut by the near plane.
+        let corners = prepared.bounds.corners().into_iter();
+        let nearest = corners.map(|c| turned.depth_of(c));
+        let nearest = nearest.fold(f64::INFINITY, f64::min) * 0.99;
+        let turned = View {
+            near: match nearest > 0.0 {
+                true => first.near.min(nearest),
+                false => first.near,
+            },
+            ..turned
+        };
+        // A camera that only shifts keeps its numbers.
+        let moved = if self.turn_deg == 0.0 && self.zoom == 1.0 {
+            *first
+        } else {
+            turned
+        };
+        moved.sampled_at(DVec2::new(frame * self.px, 0.0) + 0.5)
+    }
+}
+
+/// Pixels that change while a camera drifts: the sum over all pairs of frames that follow each other.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Flicker {
+    /// Pixels of the strategy that change.
+    pub px: usize,
+    /// Pixels of exact that change.
+    pub exact_px: usize,
+    /// Pixels that exact is sure of in both frames, where one of the two changes and the other does not.
+    pub excess_px: usize,
+}
+
+impl Flicker {
+    /// As figures of a record.
+    pub fn figures(self) -> BTreeMap<String, f64> {
+        let names = OF_DRIFT.map(str::to_owned);
+        let values = [self.px, self.exact_px, self.excess_px].map(|n| n as f64);
+        names.into_iter().zip(values).collect()
+    }
+
+    /// Adds what changes from one frame to the next, each with its exact image.
+    pub fn add(&mut self, [before, after]: [(&Exact, &Layers); 2]) {
+        for pixel in 0..after.1.pixels.len() {
+            let changes =
+                |a: &Layers, b: &Layers| class(&a.pixels[pixel]) != class(&b.pixels[pixel]);
+            let drawn = changes(before.1, after.1);
+            let exact = changes(&before.0.layers, &after.0.layers);
+            let is_sure = !before.0.undecided[pixel] && !after.0.undecided[pixel];
+            self.px += usize::from(drawn);
+            self.exact_px += usize::from(exact);
+            self.excess_px += usize::from(is_sure && drawn != exact);
+        }
+    }
+}
+
+/// What a pixel shows.
+fn class(layer: &Layer) -> (Kind, u16, u8, bool) {
+    match layer.kind {
+        Kind::Background => (Kind::Background, 0, 0, false),
+        Kind::Surface => (Kind::Surface, layer.part, 0, layer.back_face),
+        Kind::Cap => (Kind::Cap, layer.part, layer.clip_surface, false),
+    }
+}
+
+/// Lets the camera of a scene drift; the figures of each renderer, none of one that refuses or is no method. Ends early with `None` as soon as
+/// `goes_on` says no.
+pub fn flicker(
+    session: &mut Session,
+    question: &Question<'_>,
+    renderers: &[Renderer],
+    drift: Drift,
+    step: &mut dyn FnMut(String),
+    goes_on: &dyn Fn() -> bool,
+) -> Result<Option<Vec<BTreeMap<String, f64>>>> {
+    let truth = question.truth.unwrap_or(question.shown).truth()?;
+    let mut sums: Vec<Option<Flicker>> = vec![Some(Flicker::default()); renderers.len()];
+    let mut pictures = vec![PictureFlicker::default(); renderers.len()];
+    let mut before: Option<(Exact, Vec<Option<Layers>>)> = None;
+    for frame in 0..drift.frames {
+        if !goes_on() {
+            return Ok(None);
+        }
+        step(format!("drift {} of {}", frame + 1, drift.frames));
+        let view = drift.view(&question.view, &question.shown.model.prepared, frame);
+        let exact = evaluate(truth, &view);
+        let mut drawn = Vec::with_capacity(renderers.len());
+        for (renderer, pictures) in renderers.iter().zip(&mut pictures) {
+            let Some(method) = renderer.or(question.means).method() else {
+                drawn.push(None);
+                continue;
+            };
+            let outcome = session.draw(&question.shown.model, &view, method);
+            let layers = match outcome.map(|d| d.outcome) {
+                Ok(Outcome::Refused(_)) => Ok(None),
+                Ok(_) => session.layers(method).map(Some),
+                Err(e) => Err(e),
+            };
+            let layers = layers?;
+            if let Some(layers) = layers.as_ref().filter(|_| drift.samples > 0) {
+                let channels = session.style_channels(&question.shown.model, &view, layers)?;
+                let picture = match drift.fineness {
+                    0 | 1 => luminance(session, method)?,
+                    fineness => sampled(session, question.shown, &view, (method, fineness))?,
+                };
+                let truth = sampled(session, question.shown, &view, (method, drift.samples))?;
+                pictures.add(&picture, &truth, layers, &channels);
+            }
+            drawn.push(layers);
+        }
+        if let Some((last, drawn_before)) = &before {
+            for (sum, (a, b)) in sums.iter_mut().zip(drawn_before.iter().zip(&drawn)) {
+                match (a, b, &mut *sum) {
+                    (Some(a), Some(b), Some(sum)) => sum.add([(last, a), (&exact, b)]),
+                    _ => *sum = None,
+                }
+            }
+        }
+        before = Some((exact, drawn));
+    }
+    let figures = sums.iter().zip(&pictures).map(|(sum, pictures)| {
+        let mut figures = sum.map(Flicker::figures).unwrap_or_default();
+        figures.extend(pictures.figures());
+        figures
+    });
+    Ok(Some(figures.collect()))
+}

@@ -1,0 +1,50 @@
+//! What a comparison may take of the memory of the machine.
+
+use cutaway::layers::Layer;
+use cutaway::{Error, Result};
+
+/// Most bytes of layers that a comparison may keep: those of exact, and of one frame for each renderer.
+const MOST_LAYER_BYTES: u64 = 8 << 30;
+
+/// Refuses what would take minutes to run out of memory.
+///
+/// # Errors
+///
+/// A size at which the layers of exact and of so many renderers would take more than that.
+pub fn check_memory(size_px: [u32; 2], renderers: usize) -> Result<()> {
+    let [width, height] = size_px.map(u64::from);
+    let frames = renderers as u64 + 1;
+    let bytes = width * height * size_of::<Layer>() as u64 * frames;
+    if bytes <= MOST_LAYER_BYTES {
+        return Ok(());
+    }
+    let gib = |bytes: u64| bytes as f64 / f64::from(1 << 30);
+    Err(Error::input(
+        format!("--resolution {width},{height}"),
+        format!(
+            "the layers of {frames} frames, exact and each strategy, would take {:.1} GiB of memory, and at most {:.0} are used",
+            gib(bytes),
+            gib(MOST_LAYER_BYTES)
+        ),
+        "lower --resolution, or name fewer --strategies",
+    ))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_no_memory_would_hold_is_refused_at_once() {
+        assert!(check_memory([1024, 768], 40).is_ok(), "a usual comparison");
+        assert!(check_memory([8192, 8192], 1).is_ok(), "a large one");
+        let refused = check_memory([16_384, 16_384], 12).unwrap_err().to_string();
+        for phrase in [
+            "--resolution 16384,16384",
+            "13 frames",
+            "fewer --strategies",
+        ] {
+            assert!(refused.contains(phrase), "{refused}");
+        }
+    }
+}

@@ -1,0 +1,63 @@
+//! A value of what is varied, as the experiment writes it: it keeps its type from there to the record and the chart.
+
+use std::collections::BTreeMap;
+use std::fmt;
+
+use cutaway::scene::Amount;
+use cutaway_io::document::Value;
+use serde::{Deserialize, Serialize};
+
+/// A value of an axis.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum Parameter {
+    /// True or false.
+    Flag(bool),
+    /// A number without a point.
+    Whole(i64),
+    /// A number.
+    Number(f64),
+    /// A text.
+    Text(String),
+}
+
+/// Values of what is varied, by the name of the axis.
+pub type Parameters = BTreeMap<String, Parameter>;
+
+impl Parameter {
+    /// What a value of a document is called; lists and tables have no name.
+    pub fn of(value: &Value) -> Option<Self> {
+        match value {
+            Value::Flag(flag) => Some(Self::Flag(*flag)),
+            Value::Number(number) => Some(match number.whole {
+                Some(whole) => Self::Whole(whole),
+                None => Self::Number(number.value),
+            }),
+            Value::Text(text) => Some(Self::Text(text.to_string())),
+            Value::Date(_) | Value::List(_) | Value::Table(_) => None,
+        }
+    }
+
+    /// The number that it is, as a chart shows it: that of percent without the sign.
+    pub fn number(&self) -> Option<f64> {
+        match self {
+            Self::Flag(_) => None,
+            Self::Whole(whole) => Some(*whole as f64),
+            Self::Number(number) => Some(*number),
+            Self::Text(text) => match Amount::parse(text).ok()? {
+                Amount::Units(number) | Amount::Percent(number) => Some(number),
+            },
+        }
+    }
+}
+
+impl fmt::Display for Parameter {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Flag(flag) => flag.fmt(f),
+            Self::Whole(whole) => whole.fmt(f),
+            Self::Number(number) => number.fmt(f),
+            Self::Text(text) => text.fmt(f),
+        }
+    }
+}

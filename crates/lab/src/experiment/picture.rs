@@ -1,0 +1,253 @@
+//! Pictures of a scene, by a strategy or from the exact reference, smoothed by drawing them finer.
+//!
+//! Supersampling draws the picture N x N times, each time with the pixel centres elsewhere in their pixels, and averages in
+//! linear light: mixing sRGB values would darken every edge. It costs N² the time of one frame, but no larger frame on the
+//! device, and changes nothing about what is measured: layers and times are always those of the plain resolution.
+
+use std::io::Cursor;
+
+use cutaway::passes::{GroundShadow, Model};
+use cutaway::scene::{View, linear_from_srgb, srgb_from_linear};
+use cutaway::session::{Drawn, Outcome, Session};
+use cutaway::strategies::{Obstacle, Refusal, Strategy};
+use cutaway::{Error, Result};
+use glam::Vec3;
+use image::{ImageFormat, RgbaImage};
+use rayon::prelude::*;
+
+use crate::experiment::{Renderer, SceneAtTime};
+
+/// A picture, and the frames that it was made of.
+pub struct Picture {
+    /// What it shows.
+    pub image: RgbaImage,
+    /// One for each sample, in order; none of exact.
+    pub frames: Vec<Drawn>,
+}
+
+/// Draws a picture.
+pub fn draw(
+    session: &mut Session,
+    shown: &SceneAtTime,
+    view: &View,
+    renderer: Renderer,
+    supersample: u32,
+) -> Result<Picture> {
+    let n = supersample;
+    let grounded = on_ground(session, shown, renderer)?;
+    let model = grounded.as_ref().unwrap_or(&shown.model);
+    let mut samples = Samples::new(view.size_px, n);
+    let mut frames = Vec::new();
+    for (at, view) in view.samples(n) {
+        let rgba = match renderer {
+            Renderer::Cpu(evaluator) => {
+                let layers = evaluator.evaluate(shown.truth()?, &view).layers;
+                session.shade(model, &view, &layers)?
+            }
+            Renderer::Method(method) => {
+                let drawn = session.draw(model, &view, method)?;
+                if let Outcome::Refused(refusal) = &drawn.outcome {
+                    return Err(refused(renderer, refusal));
+                }
+                frames.push(drawn);
+                session.picture(method)?
+            }
+        };
+        samples.add(at, &rgba);
+    }
+    let image = filtered(&samples);
+    Ok(Picture { image, frames })
+}
+
+/// The model with its shadow on the ground, where the style has one.
+fn on_ground(session: &Session, shown: &SceneAtTime, renderer: Renderer) -> Result<Option<Model>> {
+    if !shown.model.prepared.style.shadow.is_drawn() {
+        return Ok(None);
+    }
+    let shadow = match renderer {
+        Renderer::Cpu(evaluator) => {
+            let truth = shown.truth()?;
+            let views = GroundShadow::views(truth);
+            let [below, above] = views.map(|view| evaluator.evaluate(truth, &view).layers);
+            GroundShadow::of(truth, &views, [&below, &above])
+        }
+        Renderer::Method(method) => session
+            .ground_shadow(&shown.model, method)?
+            .map_err(|refusal| refused(renderer, &refusal))?,
+    };
+    Ok(Some(shown.model.on_ground(shadow)))
+}
+
+/// The samples of a picture: N x N in each pixel, as if it were drawn so much finer.
+struct Samples {
+    size_px: [u32; 2],
+    n: u32,
+    rgba: Vec<u8>,
+}
+
+impl Samples {
+    fn new([width, height]: [u32; 2], n: u32) -> Self {
+        let size_px = [width * n, height * n];
+        let count = size_px[0] as usize * size_px[1] as usize;
+        Self {
+            size_px,
+            n,
+            rgba: vec![0; count * 4],
+        }
+    }
+
+    /// Puts a frame into its place in every pixel.
+    fn add(&mut self, [i, j]: [u32; 2], rgba: &[u8]) {
+        let [width, n] = [self.size_px[0], self.n].map(|v| v as usize);
+        let (i, j, columns) = (i as usize, j as usize, width / n);
+        for (pixel, color) in rgba.chunks_exact(4).enumerate() {
+            let at = (pixel / columns * n + j) * width + pixel % columns * n + i;
+            self.rgba[at * 4..at * 4 + 4].copy_from_slice(color);
+        }
+    }
+}
+
+/// The strategy of a renderer, by whatever means, as JSON names it.
+pub fn strategy_name(renderer: Renderer) -> String {
+    match renderer.method() {
+        Some(method) => method.strategy.to_string(),
+        None => renderer.to_string(),
+    }
+}
+
+/// The error of a strategy that does not draw what it was asked to.
+pub fn refused(renderer: Renderer, refusal: &Refusal) -> Error {
+    let help = if refusal.obstacle == Obstacle::Cuts {
+        "cut the mesh by some of them first (`cutaway export MODEL --section ... -o part.ply`), then draw part.ply with the others"
+    } else if renderer
+        .method()
+        .is_some_and(|m| m.strategy == Strategy::RAYCAST_MASK)
+    {
+        "lower --resolution, or cut by fewer or flatter clip-surfaces"
+    } else {
+        "use --strategy raycast+mask, or see `cutaway compare` for those that draw this scene"
+    };
+    Error::input(format!("strategy {renderer}"), &refusal.reason, help)
+}
+
+/// A picture as PNG.
+pub fn png(picture: &RgbaImage) -> Result<Vec<u8>> {
+    let mut bytes = Cursor::new(Vec::new());
+    picture
+        .write_to(&mut bytes, ImageFormat::Png)
+        .map_err(|e| {
+            Error::input(
+                "the picture",
+                format!("cannot be encoded: {e}"),
+                "lower --resolution",
+            )
+        })?;
+    Ok(bytes.into_inner())
+}
+
+/// A picture of RGBA8 words, as they come from a session.
+pub fn plain(rgba: &[u8], size_px: [u32; 2]) -> RgbaImage {
+    let mut samples = Samples::new(size_px, 1);
+    samples.add([0, 0], rgba);
+    filtered(&samples)
+}
+
+fn filtered(samples: &Samples) -> RgbaImage {
+    let Samples { size_px, n, .. } = *samples;
+    if n == 1 {
+        return of_one(samples);
+    }
+    let [width, height] = size_px.map(|s| s / n);
+    let linear: Vec<f32> = (0..=255_u8)
+        .map(|v| linear_from_srgb(f32::from(v) / 255.0))
+        .collect();
+    let mut out = vec![0_u8; width as usize * height as usize * 4];
+    let rows = out.par_chunks_mut(width as usize * 4).enumerate();
+    rows.for_each(|(y, row)| {
+        for (x, pixel) in row.chunks_exact_mut(4).enumerate() {
+            let (mut sum, mut cover) = (Vec3::ZERO, 0.0_f32);
+            for (i, j) in (0..n).flat_map(|j| (0..n).map(move |i| (i, j))) {
+                let (fx, fy) = (x as u32 * n + i, y as u32 * n + j);
+                let at = (fy * size_px[0] + fx) as usize * 4;
+                let own = |c: usize| linear[usize::from(samples.rgba[at + c])];
+                let share = f32::from(samples.rgba[at + 3]) / 255.0;
+                sum += Vec3::new(own(0), own(1), own(2)) * share;
+                cover += share;
+            }
+            // Not premultiplied, as PNG has it.
+            let color = if cover > 0.0 { sum / cover } else { Vec3::ZERO };
+            let byte = |v: f32| (v.clamp(0.0, 1.0) * 255.0).round() as u8;
+            for (slot, v) in pixel.iter_mut().zip(color.to_array()) {
+                *slot = byte(srgb_from_linear(v));
+            }
+            pixel[3] = byte(cover / (n * n) as f32);
+        }
+    });
+    RgbaImage::from_raw(width, height, out).unwrap_or_default()
+}
+
+/// A picture of one sample a pixel.
+fn of_one(samples: &Samples) -> RgbaImage {
+    let [width, height] = samples.size_px;
+    let mut rgba = samples.rgba.clone();
+    let pixels = rgba.as_chunks_mut::<4>().0.iter_mut();
+    pixels.filter(|p| p[3] == 0).for_each(|p| *p = [0; 4]);
+    RgbaImage::from_raw(width, height, rgba).unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A picture of one pixel from 2 x 2 samples.
+    fn of_four(rgba: [[u8; 4]; 4]) -> RgbaImage {
+        let mut samples = Samples::new([1, 1], 2);
+        for (at, color) in [[0, 0], [1, 0], [0, 1], [1, 1]].into_iter().zip(rgba) {
+            samples.add(at, &color);
+        }
+        filtered(&samples)
+    }
+
+    #[test]
+    fn samples_find_their_places() {
+        let mut samples = Samples::new([2, 1], 2);
+        for (v, at) in [[0, 0], [1, 0], [0, 1], [1, 1]].into_iter().enumerate() {
+            let v = v as u8 * 10;
+            samples.add(at, &[v, v, v, v, v + 1, v + 1, v + 1, v + 1]);
+        }
+        let firsts: Vec<u8> = samples.rgba.chunks_exact(4).map(|c| c[0]).collect();
+        assert_eq!(firsts, [0, 10, 1, 11, 20, 30, 21, 31]);
+    }
+
+    #[test]
+    fn without_supersampling_nothing_changes() {
+        let rgba: Vec<u8> = (0..=255).flat_map(|v| [v, 255 - v, v / 2, 255]).collect();
+        let picture = plain(&rgba, [16, 16]);
+        assert_eq!(
+            picture.into_raw(),
+            rgba,
+            "every value survives the round trip"
+        );
+    }
+
+    #[test]
+    fn black_and_white_mix_in_linear_light() {
+        let (black, white) = ([0, 0, 0, 255], [255, 255, 255, 255]);
+        let picture = of_four([black, white, white, black]);
+        assert_eq!(picture.get_pixel(0, 0).0, [188, 188, 188, 255], "not 128");
+    }
+
+    #[test]
+    fn what_covers_nothing_has_no_say_in_the_colour() {
+        let (model, nothing) = ([200, 100, 50, 255], [9, 9, 9, 0]);
+        let clear = of_four([model, nothing, nothing, nothing]);
+        assert_eq!(
+            clear.get_pixel(0, 0).0,
+            [200, 100, 50, 64],
+            "a quarter is covered"
+        );
+        let half = [200, 100, 50, 128];
+        let soft = of_four([model, half, nothing, nothing]);
+        assert_eq!(soft.get_pixel(0, 0).0, [200, 100, 50, 96], "three eighths");
+    }
+}

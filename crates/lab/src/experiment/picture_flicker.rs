@@ -1,0 +1,143 @@
+//! How much a picture flickers while the camera drifts: by how much the colour of a pixel strays from that of the same pixel drawn with many
+//! samples, and how much that changes from frame to frame.
+//!
+//! What strays alike in all frames is blur or sharpness and stands still; what changes is seen to flicker. So the figure is the standard
+//! deviation over the frames of (picture - picture of many samples), in linear luminance, as the root of the mean square over pixels of a kind.
+
+use std::collections::BTreeMap;
+
+use cutaway::Result;
+use cutaway::layers::{Kind, Layers};
+use cutaway::scene::{View, linear_from_srgb};
+use cutaway::session::{Session, StyleChannels};
+use cutaway::strategies::Method;
+
+use super::SceneAtTime;
+use super::figures::OF_PICTURES;
+
+/// What a pixel has shown in all frames so far.
+#[derive(Clone, Copy, Debug, Default)]
+struct Seen {
+    sum: f64,
+    squares: f64,
+    /// It was background in no frame, a cap without strokes in all, touched by a stroke in some.
+    is_other: bool,
+    is_shown: bool,
+    is_stroked: bool,
+}
+
+/// The pictures of a drifting camera, by one method.
+#[derive(Clone, Debug, Default)]
+pub(super) struct PictureFlicker {
+    frames: f64,
+    pixels: Vec<Seen>,
+}
+
+impl PictureFlicker {
+    /// Adds a frame: its colours, those of many samples, both in linear luminance, and what is in each pixel.
+    pub(super) fn add(
+        &mut self,
+        picture: &[f32],
+        truth: &[f32],
+        layers: &Layers,
+        channels: &StyleChannels,
+    ) {
+        self.frames += 1.0;
+        self.pixels.resize(picture.len(), Seen::default());
+        for (i, seen) in self.pixels.iter_mut().enumerate() {
+            let strays = f64::from(picture[i]) - f64::from(truth[i]);
+            seen.sum += strays;
+            seen.squares += strays * strays;
+            let kind = layers.pixels[i].kind;
+            let is_stroked = channels.stroke.get(i).is_some_and(|s| *s > 0.0);
+            seen.is_shown |= kind != Kind::Background || is_stroked;
+            seen.is_stroked |= is_stroked;
+            seen.is_other |= kind != Kind::Cap;
+        }
+    }
+
+    /// As figures of a record: of all pixels that show something, of caps away from strokes, and of strokes.
+    pub(super) fn figures(&self) -> BTreeMap<String, f64> {
+        let of = |is_of: fn(&Seen) -> bool| {
+            let pixels = self.pixels.iter().filter(|p| is_of(p));
+            let (count, sum) = pixels.fold((0.0, 0.0), |(count, sum), pixel| {
+                let mean = pixel.sum / self.frames;
+                (
+                    count + 1.0,
+                    sum + (pixel.squares / self.frames - mean * mean).max(0.0),
+                )
+            });
+            (count > 0.0).then(|| (sum / count).sqrt())
+        };
+        let values = [
+            of(|p| p.is_shown),
+            of(|p| !p.is_other && !p.is_stroked),
+            of(|p| p.is_stroked),
+        ];
+        let named = OF_PICTURES.iter().zip(values);
+        named
+            .filter_map(|(name, value)| Some(((*name).to_owned(), value?)))
+            .collect()
+    }
+}
+
+/// The picture of the last frame by a method in linear luminance.
+pub(super) fn luminance(session: &Session, method: Method) -> Result<Vec<f32>> {
+    let rgba = session.picture(method)?;
+    Ok(rgba
+        .chunks_exact(4)
+        .map(|c| {
+            let [r, g, b] = [c[0], c[1], c[2]].map(|v| linear_from_srgb(f32::from(v) / 255.0));
+            0.2126 * r + 0.7152 * g + 0.0722 * b
+        })
+        .collect())
+}
+
+/// The same of a picture with so many samples along each side of a pixel; nothing where a sample is refused.
+pub(super) fn sampled(
+    session: &mut Session,
+    shown: &SceneAtTime,
+    view: &View,
+    (method, samples): (Method, u32),
+) -> Result<Vec<f32>> {
+    let mut mean = Vec::new();
+    for (_, view) in view.samples(samples) {
+        // The whole of it was drawn from the middle of the pixels.
+        let _ = session.draw(&shown.model, &view, method)?;
+        let sample = luminance(session, method)?;
+        mean.resize(sample.len(), 0.0);
+        let share = 1.0 / (samples * samples) as f32;
+        mean.iter_mut()
+            .zip(sample)
+            .for_each(|(m, s)| *m += s * share);
+    }
+    Ok(mean)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_strays_alike_in_all_frames_is_no_flicker() {
+        let mut layers = Layers::background([4, 1]);
+        layers.pixels[1].kind = Kind::Cap;
+        layers.pixels[2].kind = Kind::Surface;
+        layers.pixels[3].kind = Kind::Cap;
+        let channels = StyleChannels {
+            stroke: vec![0.0, 0.0, 0.0, 0.5],
+            ..StyleChannels::default()
+        };
+        let mut flicker = PictureFlicker::default();
+        for strays in [0.1, -0.1] {
+            let picture = [0.5, 0.5 + strays, 0.7, 0.5 + 2.0 * strays];
+            flicker.add(&picture, &[0.0, 0.5, 0.5, 0.5], &layers, &channels);
+        }
+        let figures = flicker.figures();
+        let [whole, cap, stroke] = OF_PICTURES.map(|name| figures[name]);
+        assert!((cap - 0.1).abs() < 1e-6, "{cap}");
+        assert!((stroke - 0.2).abs() < 1e-6, "{stroke}");
+        // Of three pixels, one of which stands still.
+        assert!((whole - (0.05_f64 / 3.0).sqrt()).abs() < 1e-6, "{whole}");
+    }
+}

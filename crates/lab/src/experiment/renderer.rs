@@ -1,0 +1,186 @@
+//! Renderers: what makes the layers of a frame.
+//!
+//! Methods draw on the device. Exact and `winding`, generalised winding numbers ([`Windings`](crate::exact::Windings)), are evaluated on
+//! all cores of the CPU: the one is the reference, the other is no way of drawing in a frame, but what else could be said of open meshes.
+//! The times of an evaluation are those of the wall, whatever the clocks of the device are.
+
+use std::fmt;
+use std::str::FromStr;
+
+use cutaway::layers::Layers;
+use cutaway::scene::{Prepared, View};
+use cutaway::strategies::{Means, Method, Strategy};
+use cutaway::{Error, Result};
+
+use super::Stopwatch;
+use crate::exact::{Windings, evaluate};
+
+/// What makes the layers of a frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Renderer {
+    /// A method, on the device.
+    Method(Method),
+    /// An evaluator, on the CPU.
+    Cpu(Evaluator),
+}
+
+/// What evaluates the layers of a frame on the CPU.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Evaluator {
+    /// The exact reference.
+    Exact,
+    /// Generalised winding numbers.
+    Winding,
+}
+
+/// A frame that was evaluated on the CPU.
+pub struct Evaluation {
+    /// What it shows.
+    pub layers: Layers,
+    /// Bytes of what was built from the meshes.
+    pub bytes: u64,
+    /// Time to build it, in milliseconds.
+    pub solid_ms: f64,
+    /// Time to evaluate the pixels, in milliseconds.
+    pub frame_ms: f64,
+}
+
+impl Evaluator {
+    /// Evaluates a frame of a scene whose meshes are posed.
+    pub fn evaluate(self, truth: &Prepared, view: &View) -> Evaluation {
+        let watch = Stopwatch::start();
+        match self {
+            Self::Exact => Evaluation {
+                layers: evaluate(truth, view).layers,
+                bytes: 0,
+                solid_ms: 0.0,
+                frame_ms: watch.ms(),
+            },
+            Self::Winding => {
+                let windings = Windings::new(truth);
+                let solid_ms = watch.ms();
+                Evaluation {
+                    layers: windings.layers(truth, view),
+                    bytes: windings.bytes(),
+                    solid_ms,
+                    frame_ms: watch.ms() - solid_ms,
+                }
+            }
+        }
+    }
+}
+
+impl Renderer {
+    /// The exact reference.
+    pub const EXACT: Self = Self::Cpu(Evaluator::Exact);
+
+    /// The renderers to be measured that a name stands for: `all` are all strategies with their usual parameters.
+    ///
+    /// # Errors
+    ///
+    /// `exact`, by which the others are measured, and what is no name.
+    pub fn named(name: &str) -> Result<Vec<Self>> {
+        if name.trim() == "all" {
+            return Ok(Strategy::all().into_iter().map(Self::from).collect());
+        }
+        match name.parse()? {
+            Self::EXACT => Err(Error::input(
+                "`exact`",
+                "exact is what strategies are measured against",
+                "leave it out; its picture and time are part of every comparison",
+            )),
+            renderer => Ok(vec![renderer]),
+        }
+    }
+
+    /// The method, if it is one.
+    pub fn method(&self) -> Option<Method> {
+        match self {
+            Self::Method(method) => Some(*method),
+            Self::Cpu(_) => None,
+        }
+    }
+
+    /// By which means it draws; the usual where it runs on the CPU.
+    pub fn means(&self) -> Means {
+        self.method().map_or_else(Means::default, |m| m.means)
+    }
+
+    /// The same, with means for what a method leaves open.
+    #[must_use]
+    pub fn or(self, usual: Means) -> Self {
+        match self {
+            Self::Method(method) => Self::Method(method.or(usual)),
+            Self::Cpu(_) => self,
+        }
+    }
+}
+
+impl From<Method> for Renderer {
+    fn from(method: Method) -> Self {
+        Self::Method(method)
+    }
+}
+
+impl From<Strategy> for Renderer {
+    fn from(strategy: Strategy) -> Self {
+        Self::Method(strategy.into())
+    }
+}
+
+impl fmt::Display for Evaluator {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Exact => "exact",
+            Self::Winding => "winding",
+        })
+    }
+}
+
+impl fmt::Display for Renderer {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Method(method) => method.fmt(f),
+            Self::Cpu(evaluator) => evaluator.fmt(f),
+        }
+    }
+}
+
+impl FromStr for Renderer {
+    type Err = Error;
+
+    fn from_str(text: &str) -> Result<Self> {
+        let (name, means) = match text.trim().split_once('@') {
+            Some((name, means)) => (name, Some(means)),
+            None => (text.trim(), None),
+        };
+        let evaluators = [Evaluator::Exact, Evaluator::Winding];
+        match evaluators.into_iter().find(|e| e.to_string() == name) {
+            Some(evaluator) if means.is_none() => Ok(Self::Cpu(evaluator)),
+            Some(evaluator) => Err(Error::input(
+                text,
+                format!("{evaluator} runs on the CPU: there are no means to choose"),
+                "leave out the @ and what follows",
+            )),
+            None => text.parse().map(Self::Method),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn renderers_are_written_as_they_are_read() {
+        for text in ["raycast+mask@compute", "winding", "exact"] {
+            let renderer: Renderer = text.parse().unwrap();
+            assert_eq!(renderer.to_string(), text);
+        }
+        for text in ["winding@compute", "exact@32-bit"] {
+            let message = text.parse::<Renderer>().unwrap_err().to_string();
+            assert!(message.contains("on the CPU"), "{message}");
+        }
+        assert!(Renderer::named("exact").is_err(), "nothing to measure");
+    }
+}

@@ -1,0 +1,269 @@
+//! One point of an experiment, from its scene to its record.
+//!
+//! Errors come first; expectations are compared with them and reported before any time is taken, so that whoever watches can end a run
+//! that has already failed. Then times are taken in turns, warnings are worked out, and the pictures are drawn last of all.
+//!
+//! Progress is reported by a watcher from outside.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use cutaway::scene::{Remark, doubts};
+use cutaway::session::Session;
+use cutaway::{Error, Result};
+use cutaway_io::document::{Document, Timeline};
+use cutaway_io::load::Assets;
+use image::RgbaImage;
+
+use super::definition::SceneRun;
+use super::drift::flicker;
+use super::expect::{Findings, reached};
+use super::judge::{Judgement, Question, error_steps, errors, times, timing_steps};
+use super::sweep::Point;
+use super::{Invocation, Machine, Picture, Reached, Record, Renderer, SceneAtTime, Warning, means};
+
+/// Whoever watches a run.
+pub trait Watcher {
+    /// A step begins.
+    fn step(&self, what: String);
+    /// The scene was opened, and something is to be said of it: once, also where the truth has the same fault.
+    fn opened(&self, remark: &Remark);
+    /// An expectation was held against what was found.
+    fn reached(&self, reached: &Reached);
+    /// Whether to go on: a point that is not complete is not kept.
+    fn goes_on(&self) -> bool;
+}
+
+/// A point to be measured, and what its record says beside what is found.
+pub struct Assignment<'a> {
+    /// Name of the experiment.
+    pub experiment: &'a str,
+    /// Name of the run.
+    pub run_name: &'a str,
+    /// The run.
+    pub run: &'a SceneRun,
+    /// The point.
+    pub point: &'a Point,
+    /// Measured rounds.
+    pub rounds: usize,
+    /// Whether it is as `--quick` takes it.
+    pub is_quick: bool,
+    /// Whether pictures are kept.
+    pub keeps_pictures: bool,
+    /// As [`Record::identity`].
+    pub identity: String,
+    /// The command line that measures it again.
+    pub command: String,
+    /// Where it is measured.
+    pub machine: &'a Machine,
+    /// By which command.
+    pub invocation: &'a Invocation,
+}
+
+impl SceneRun {
+    /// How many steps of one of its points are reported.
+    pub fn steps(&self, point: &Point, rounds: usize) -> usize {
+        let drift = self.drift.map_or(0, |d| d.frames as usize);
+        1 + drift + error_steps(point.trials.len()) + timing_steps(rounds)
+    }
+}
+
+/// The name of the files of a point, without an extension.
+pub fn file_stem(run: &str, point: &Point) -> String {
+    match point.stem.as_str() {
+        "" => run.to_owned(),
+        stem => format!("{run}.{stem}"),
+    }
+}
+
+/// Pictures by the names of their files.
+pub type Images = Vec<(String, RgbaImage)>;
+
+/// A point that was measured.
+pub struct Measured {
+    /// Its record.
+    pub record: Record,
+    /// Its pictures, by the names that the record gives them.
+    pub pictures: Images,
+}
+
+/// Measures a point; none if it was ended early. Nothing stays in the session.
+pub fn measure(
+    session: &mut Session,
+    assignment: &Assignment<'_>,
+    watcher: &dyn Watcher,
+) -> Result<Option<Measured>> {
+    let measured = measure_with(session, assignment, watcher);
+    session.forget();
+    measured
+}
+
+fn measure_with(
+    session: &mut Session,
+    assignment: &Assignment<'_>,
+    watcher: &dyn Watcher,
+) -> Result<Option<Measured>> {
+    let point = assignment.point;
+    watcher.step(format!("opening {}", point.scene.name()));
+    let mut assets = Assets::default();
+    let mut said: Vec<Remark> = Vec::new();
+    let mut open = |document: &Document| -> Result<(Timeline, SceneAtTime)> {
+        let timeline = document.timeline(&mut assets)?;
+        let scene = timeline.scene()?;
+        let notes = timeline.notes().iter().map(Remark::note);
+        for remark in notes.chain(doubts(&scene)) {
+            if !said.contains(&remark) {
+                watcher.opened(&remark);
+                said.push(remark);
+            }
+        }
+        Ok((timeline, SceneAtTime::new(&scene)))
+    };
+    let (timeline, shown) = open(&point.scene)?;
+    let truth = point.truth.as_ref().map(&mut open).transpose()?;
+    let truth = truth.map(|(_, truth)| truth);
+    must_be_framed_alike(&shown, truth.as_ref())?;
+    let question = Question {
+        name: point.scene.name(),
+        view: shown.model.prepared.view(timeline.settings().size_px()),
+        shown: &shown,
+        truth: truth.as_ref(),
+        means: means(timeline.settings())?,
+        command: assignment.command.clone(),
+    };
+    let renderers: Vec<Renderer> = point.trials.iter().map(|e| e.renderer).collect();
+    let mut step = |what| watcher.step(what);
+    let goes_on = || watcher.goes_on();
+    let figures = match assignment.run.drift {
+        None => vec![BTreeMap::new(); renderers.len()],
+        Some(drift) => {
+            let found = flicker(session, &question, &renderers, drift, &mut step, &goes_on)?;
+            let Some(found) = found else {
+                return Ok(None);
+            };
+            found
+        }
+    };
+    let mut judgement = errors(session, &question, &renderers, &mut step)?;
+    let found = Findings {
+        measurement: &judgement.measurement,
+        figures: &figures,
+    };
+    let expectations = reached(assignment.run, point, &found);
+    for reached in &expectations {
+        watcher.reached(reached);
+    }
+    let rounds = assignment.rounds;
+    if !times(
+        session,
+        &question,
+        &mut judgement,
+        rounds,
+        &mut step,
+        &goes_on,
+    )? {
+        return Ok(None);
+    }
+    let (pictures, images) = if assignment.keeps_pictures {
+        pictures(
+            session,
+            &question,
+            &judgement,
+            &file_stem(assignment.run_name, point),
+        )?
+    } else {
+        Default::default()
+    };
+    let measurement = judgement.measurement;
+    let mut warnings = Warning::all_of(&measurement, assignment.machine, assignment.is_quick);
+    warnings.extend(said.iter().map(|r| Warning::of_opening(&r.text)));
+    let record = Record {
+        format: Record::FORMAT,
+        experiment: assignment.experiment.to_owned(),
+        run: assignment.run_name.to_owned(),
+        parameters: point.parameters.clone(),
+        is_quick: assignment.is_quick,
+        identity: assignment.identity.clone(),
+        scene: point.scene.moved_to(Path::new("scene.toml"))?,
+        truth: (point.truth.as_ref())
+            .map(|truth| truth.moved_to(Path::new("scene.toml")))
+            .transpose()?,
+        families: (point.trials.iter())
+            .map(|e| {
+                e.families
+                    .iter()
+                    .map(|(_, member)| member.clone())
+                    .collect()
+            })
+            .collect(),
+        figures,
+        expectations,
+        warnings,
+        pictures,
+        invocation: Some(assignment.invocation.clone()),
+        measurement,
+    };
+    Ok(Some(Measured {
+        record,
+        pictures: images,
+    }))
+}
+
+/// Pixels of two scenes show the same place only if both are placed and scaled alike.
+fn must_be_framed_alike(shown: &SceneAtTime, truth: Option<&SceneAtTime>) -> Result<()> {
+    let Some(truth) = truth else {
+        return Ok(());
+    };
+    let [a, b] = [shown, truth].map(|s| &s.model.prepared);
+    let apart = (a.centre_in_world - b.centre_in_world).length() * a.scale;
+    if apart < 1e-9 && (a.scale / b.scale - 1.0).abs() < 1e-9 {
+        return Ok(());
+    }
+    Err(Error::input(
+        "truth",
+        "its bounds are not those of the scene, so that cameras and sections in percent are elsewhere",
+        "let both fill the same box",
+    ))
+}
+
+/// Pictures of exact and of all that drew, with their names.
+fn pictures(
+    session: &mut Session,
+    question: &Question<'_>,
+    judgement: &Judgement,
+    stem: &str,
+) -> Result<(Vec<Picture>, Images)> {
+    let [width, height] = question.view.size_px;
+    let image = |rgba| RgbaImage::from_raw(width, height, rgba).unwrap_or_default();
+    let exact = session.shade(
+        &question.shown.model,
+        &question.view,
+        &judgement.exact.layers,
+    )?;
+    let file = format!("{stem}.exact.png");
+    let mut images = vec![(file.clone(), image(exact))];
+    let mut pictures = vec![Picture {
+        drawer: "exact".to_owned(),
+        file,
+        heatmap: None,
+    }];
+    for frame in &judgement.frames {
+        let Some(heatmap) = judgement.heatmap(frame) else {
+            continue;
+        };
+        let renderer = frame.renderer.to_string();
+        let safe = renderer.replace([':', ',', '@'], "-");
+        let (file, map) = (
+            format!("{stem}.{safe}.png"),
+            format!("{stem}.{safe}.heatmap.png"),
+        );
+        images.push((file.clone(), image(judgement.picture(session, frame)?)));
+        images.push((map.clone(), heatmap));
+        pictures.push(Picture {
+            drawer: renderer,
+            file,
+            heatmap: Some(map),
+        });
+    }
+    Ok((pictures, images))
+}

@@ -1,0 +1,350 @@
+//! What is varied: axes with values, and the points and renderers that they make.
+//!
+//! An axis of the scene sets values of the document by their paths and makes *points*: one frame and one record for each value, and for
+//! each combination where there are several such axes. An axis whose name stands in braces in a strategy, `grid:{cells}+mask`, makes
+//! more *renderers* within each point, so that they are measured in turns.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use cutaway::error::did_you_mean;
+use cutaway::{Error, Result};
+use cutaway_io::document::{Document, Node};
+
+use super::{FamilyMember, Parameter, Parameters, Renderer};
+
+/// Points that one run may have: more are a slip.
+const MOST_POINTS: usize = 10_000;
+
+/// Renderers that one point may have: all of them are kept on the device, and measured in turns.
+const MOST_RENDERERS: usize = 200;
+
+/// Values of a document, by their paths, in order.
+pub type Changes = Vec<(String, Node)>;
+
+/// One value of an axis.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Value {
+    /// What it is called.
+    pub is: Parameter,
+    /// What it sets in the scene; nothing of an axis of strategies.
+    pub sets: Changes,
+}
+
+/// What is varied.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Axis {
+    /// Its name.
+    pub name: String,
+    /// Paths that all its values set, where it has one list of values for them.
+    pub paths: Vec<String>,
+    /// Its values, in the order they are written.
+    pub values: Vec<Value>,
+}
+
+impl Axis {
+    /// An axis, if its values can be told apart and set the same paths.
+    pub fn of(name: &str, paths: Vec<String>, values: Vec<Value>) -> Result<Self> {
+        let fault = |what: &str, help: &str| Error::input(format!("axis `{name}`"), what, help);
+        let Some(first) = values.first() else {
+            return Err(fault(
+                "it has no values",
+                "write at least one, or leave it out",
+            ));
+        };
+        let set_by = |value: &Value| -> BTreeSet<String> {
+            value.sets.iter().map(|(path, _)| path.clone()).collect()
+        };
+        if values.iter().any(|v| set_by(v) != set_by(first)) {
+            let help = "let every value set the same paths";
+            return Err(fault("its values set different paths", help));
+        }
+        let mut seen = BTreeSet::new();
+        if let Some(twice) = values.iter().find(|v| !seen.insert(v.is.to_string())) {
+            let what = format!("the value `{}` is there twice", twice.is);
+            return Err(fault(&what, "write each value once"));
+        }
+        Ok(Self {
+            name: name.to_owned(),
+            paths,
+            values,
+        })
+    }
+
+    /// Whether it is of strategies, not of the scene.
+    pub(super) fn is_of_strategies(&self) -> bool {
+        self.values.iter().all(|v| v.sets.is_empty())
+    }
+
+    fn is_in(&self, text: &str) -> bool {
+        text.contains(&format!("{{{}}}", self.name))
+    }
+}
+
+/// Axes by name.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Axes(pub Vec<Axis>);
+
+impl Axes {
+    /// Puts an axis in the place of that of the same name.
+    pub fn replace(&mut self, axis: Axis) {
+        for place in self.0.iter_mut().filter(|a| a.name == axis.name) {
+            *place = axis.clone();
+        }
+    }
+
+    /// Leaves out axes of strategies that none has any more.
+    pub fn forget_unused(&mut self, strategies: &[String]) {
+        let is_kept = |a: &Axis| !a.is_of_strategies() || strategies.iter().any(|s| a.is_in(s));
+        self.0.retain(is_kept);
+    }
+
+    /// An axis by its name.
+    pub fn get(&self, name: &str) -> Option<&Axis> {
+        self.0.iter().find(|a| a.name == name)
+    }
+
+    /// Names of the axes.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        self.0.iter().map(|a| a.name.as_str())
+    }
+}
+
+/// What is varied: scenes and strategies.
+#[derive(Clone, Debug)]
+pub struct Variable {
+    /// The scene, before anything is varied.
+    pub scene: Document,
+    /// What its truth has otherwise, where that is another scene.
+    pub truth: Option<Changes>,
+    /// Names of renderers.
+    pub strategies: Vec<String>,
+}
+
+/// One frame to be measured.
+#[derive(Clone, Debug)]
+pub struct Point {
+    /// Values of what is varied of its scene.
+    pub parameters: Parameters,
+    /// What tells it from the other points of its run, for names of files; empty where there is but one.
+    pub stem: String,
+    /// The scene.
+    pub scene: Document,
+    /// The scene that is the truth, where that is another.
+    pub truth: Option<Document>,
+    /// Who is asked.
+    pub trials: Vec<Trial>,
+}
+
+/// A renderer, and what made it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Trial {
+    /// Who is asked.
+    pub renderer: Renderer,
+    /// What made it: each text of the strategies, with values, that comes to this renderer.
+    pub families: Vec<(usize, FamilyMember)>,
+}
+
+impl Trial {
+    /// Whether something holds for what made it.
+    pub fn is_made_by(&self, holds: impl Fn(&Parameters) -> bool) -> bool {
+        self.families
+            .iter()
+            .any(|(_, member)| holds(&member.parameters))
+    }
+}
+
+/// A document with changes.
+pub fn changed(document: &Document, changes: &Changes) -> Result<Document> {
+    let mut changed = document.clone();
+    for (path, node) in changes {
+        changed.set_node(path, node.clone())?;
+    }
+    Ok(changed)
+}
+
+/// Makes all points.
+pub fn expand(axes: &Axes, of: &Variable) -> Result<Vec<Point>> {
+    check_braces(axes, &of.strategies)?;
+    let (of_renderers, of_points): (Vec<&Axis>, Vec<&Axis>) =
+        axes.0.iter().partition(|a| a.is_of_strategies());
+    let Some(count) = product(&of_points).filter(|count| *count <= MOST_POINTS) else {
+        let what = "the values make too many points";
+        let help = format!("leave some out: at most {MOST_POINTS} are measured");
+        return Err(Error::input("sweep", what, help));
+    };
+    must_be_apart(axes, &of.scene)?;
+    let trials = trials(&of.strategies, &of_renderers)?;
+    let mut stems = BTreeSet::new();
+    let mut points = Vec::with_capacity(count);
+    for values in combinations(&of_points) {
+        let mut scene = of.scene.clone();
+        for (path, node) in values.iter().flat_map(|v| &v.sets) {
+            scene.set_node(path, node.clone())?;
+        }
+        let truth = of.truth.as_ref().map(|t| changed(&scene, t)).transpose()?;
+        points.push(Point {
+            parameters: named_values(&of_points, &values),
+            stem: stem(&values, &mut stems),
+            trials: trials.clone(),
+            scene,
+            truth,
+        });
+    }
+    Ok(points)
+}
+
+/// Refuses two axes of which one sets what the other does.
+fn must_be_apart(axes: &Axes, scene: &Document) -> Result<()> {
+    let paths = |axis: &Axis| -> Vec<String> {
+        let first = axis.values.first().map_or(&[] as &[_], |v| &v.sets);
+        first.iter().map(|(path, _)| path.clone()).collect()
+    };
+    for (index, axis) in axes.0.iter().enumerate() {
+        for other in &axes.0[..index] {
+            for path in paths(axis) {
+                if paths(other).iter().any(|p| scene.overlap(p, &path)) {
+                    let what = format!("axis `{}` sets `{path}` too", other.name);
+                    let help = "let each value be set by one axis: the last would count alone";
+                    return Err(Error::input(format!("axis `{}`", axis.name), what, help));
+                }
+            }
+        }
+    }
+    Ok(())
+}
+
+fn named_values(axes: &[&Axis], values: &[&Value]) -> Parameters {
+    let pairs = axes.iter().zip(values);
+    pairs
+        .map(|(axis, value)| (axis.name.clone(), value.is.clone()))
+        .collect()
+}
+
+/// Every name in braces has values, and every axis without paths is in a strategy.
+fn check_braces(axes: &Axes, strategies: &[String]) -> Result<()> {
+    let of_strategies: Vec<&str> = (axes.0.iter())
+        .filter(|a| a.is_of_strategies())
+        .map(|a| a.name.as_str())
+        .collect();
+    for text in strategies {
+        for name in in_braces(text)? {
+            if !of_strategies.contains(&name) {
+                let what = format!("nothing says what {{{name}}} is");
+                let help = if of_strategies.is_empty() {
+                    format!("add `sweep = {{ {name} = [1, 2] }}`, or leave the braces out")
+                } else {
+                    did_you_mean(name, of_strategies)
+                };
+                return Err(Error::input(format!("`{text}`"), what, help));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Names between braces.
+fn in_braces(text: &str) -> Result<Vec<&str>> {
+    let fault = || {
+        let help = "write {name}, with both braces and a name between";
+        Error::input(format!("`{text}`"), "a brace stands alone", help)
+    };
+    let mut names = Vec::new();
+    for piece in text.split('{').skip(1) {
+        let (name, _) = piece.split_once('}').ok_or_else(fault)?;
+        names.push(name);
+    }
+    if text.matches('}').count() != names.len() || names.contains(&"") {
+        return Err(fault());
+    }
+    Ok(names)
+}
+
+/// All choices of one value from each axis; the last axis varies fastest.
+fn combinations<'a>(axes: &[&'a Axis]) -> Vec<Vec<&'a Value>> {
+    axes.iter().fold(vec![Vec::new()], |chosen, axis| {
+        let longer = |c: &Vec<&'a Value>| {
+            let mut all = Vec::new();
+            for value in &axis.values {
+                let mut longer = c.clone();
+                longer.push(value);
+                all.push(longer);
+            }
+            all
+        };
+        chosen.iter().flat_map(longer).collect()
+    })
+}
+
+/// A name that files of the point can have, unlike those of the others.
+fn stem(values: &[&Value], taken: &mut BTreeSet<String>) -> String {
+    let is_safe = |c: char| c.is_ascii_alphanumeric() || "+-".contains(c);
+    let safe = |text: String| -> String {
+        text.chars()
+            .map(|c| if is_safe(c) { c } else { '_' })
+            .collect()
+    };
+    let plain: Vec<String> = values.iter().map(|v| safe(v.is.to_string())).collect();
+    let plain = plain.join("_");
+    // The files of hard cases are called so, and a stem of dots and spaces says nothing.
+    let is_taken = |s: &String| s == "cases" || taken.contains(s);
+    let mut stem = plain.clone();
+    let mut count = 1;
+    while is_taken(&stem) {
+        count += 1;
+        stem = format!("{plain}_{count}");
+    }
+    taken.insert(stem.clone());
+    stem
+}
+
+fn trials(texts: &[String], axes: &[&Axis]) -> Result<Vec<Trial>> {
+    let mut trials: Vec<Trial> = Vec::new();
+    let mut places: BTreeMap<String, usize> = BTreeMap::new();
+    for (template, text) in texts.iter().enumerate() {
+        let own: Vec<&Axis> = axes.iter().copied().filter(|a| a.is_in(text)).collect();
+        if product(&own).is_none_or(|count| count > MOST_RENDERERS) {
+            let help = format!("leave some out: at most {MOST_RENDERERS} are measured in turns");
+            return Err(Error::input(
+                format!("`{text}`"),
+                "it has too many values",
+                help,
+            ));
+        }
+        for values in combinations(&own) {
+            let parameters = named_values(&own, &values);
+            let fill = |text: String, (name, value): (&String, &Parameter)| {
+                text.replace(&format!("{{{name}}}"), &value.to_string())
+            };
+            let name = parameters.iter().fold(text.clone(), fill);
+            for renderer in Renderer::named(&name)? {
+                let name = renderer.to_string();
+                let member = FamilyMember {
+                    family: match own.is_empty() {
+                        false => text.clone(),
+                        true => name.clone(),
+                    },
+                    parameters: parameters.clone(),
+                };
+                let place = *places.entry(name).or_insert_with(|| {
+                    trials.push(Trial {
+                        renderer,
+                        families: Vec::new(),
+                    });
+                    trials.len() - 1
+                });
+                trials[place].families.push((template, member));
+            }
+        }
+    }
+    if trials.len() > MOST_RENDERERS {
+        let what = format!("the values make {} renderers", trials.len());
+        let help = format!("leave some out: at most {MOST_RENDERERS} are measured in turns");
+        return Err(Error::input("strategies", what, help));
+    }
+    Ok(trials)
+}
+
+/// How many combinations there are; none where that is more than can be counted.
+fn product(axes: &[&Axis]) -> Option<usize> {
+    (axes.iter()).try_fold(1_usize, |count, axis| count.checked_mul(axis.values.len()))
+}

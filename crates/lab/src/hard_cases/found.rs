@@ -1,0 +1,177 @@
+//! The table asked of a session.
+
+use cutaway::layers::Kind;
+use cutaway::scene::glob_matches;
+use cutaway::session::Session;
+use cutaway::strategies::Method;
+use cutaway::{Error, Result};
+
+use super::methods::{usual_methods, usual_sizes_px};
+use super::{Case, Question, Tally, cases, list};
+
+/// A case, and what came of it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct CaseFound {
+    /// Its number in the list, or its letter and number.
+    pub id: String,
+    /// What it is.
+    pub name: String,
+    /// The tests that hold what is more than its pictures, as one would type them after `cargo test`.
+    pub held_by: Option<String>,
+    /// What each strategy was expected to reach, and did; empty where the case has no pictures.
+    pub reached: Vec<Reached>,
+}
+
+/// What was expected of a strategy, and what came of it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Reached {
+    /// Of whom.
+    pub strategy: String,
+    /// What was expected.
+    pub expected: String,
+    /// Why it cannot be better, where it is a failure or a bound that is declared.
+    pub why: Option<String>,
+    /// What was found.
+    pub found: String,
+    /// Whether that is what was expected. A declared failure that passes is not.
+    pub holds: bool,
+}
+
+/// What is asked of a session.
+#[derive(Clone, Copy, Debug)]
+pub struct Asked<'a> {
+    /// Globs over the numbers of cases.
+    pub ids: &'a [String],
+    /// Sides of the pictures.
+    pub sizes_px: &'a [u32],
+    /// Who is asked: exactly these, or [the usual](super::usual_methods). The bounds of the table are of the latter.
+    pub methods: Option<&'a [Method]>,
+}
+
+/// Refuses globs that fit no case.
+pub fn check_ids(ids: &[String]) -> Result<()> {
+    let fits_none = |glob: &&String| !list().any(|l| glob_matches(glob, l.id));
+    match ids.iter().find(fits_none) {
+        None => Ok(()),
+        Some(glob) => Err(Error::input(
+            format!("hard case `{glob}`"),
+            "no case has such a number",
+            "write a number from 1 to 50, B1 to B14, U1 to U7, or a glob such as B*",
+        )),
+    }
+}
+
+/// Asks the cases whose ids fit one of the globs, at each size, and tells each before it is asked. Ends early, with nothing, as soon as
+/// `goes_on` says no; it is called before each method.
+pub fn found(
+    session: &mut Session,
+    asked: &Asked<'_>,
+    step: &mut dyn FnMut(String),
+    goes_on: &dyn Fn() -> bool,
+) -> Result<Option<Vec<CaseFound>>> {
+    check_ids(asked.ids)?;
+    let is_asked = |id: &str| asked.ids.iter().any(|glob| glob_matches(glob, id));
+    let mut all = Vec::new();
+    for listed in list().filter(|l| is_asked(l.id)) {
+        let mut of_it = cases().filter(|c| c.id == listed.id).peekable();
+        if of_it.peek().is_none() {
+            all.push(CaseFound {
+                id: listed.id.to_owned(),
+                name: listed.name.to_owned(),
+                held_by: listed.held_by(),
+                reached: Vec::new(),
+            });
+        }
+        for case in of_it {
+            let Some(reached) = reached(session, case, asked, step, goes_on)? else {
+                return Ok(None);
+            };
+            all.push(CaseFound {
+                id: case.id.to_owned(),
+                name: case.name.to_owned(),
+                held_by: listed.held_by(),
+                reached,
+            });
+        }
+    }
+    Ok(Some(all))
+}
+
+/// The pictures of a case, each with the name of its scene.
+pub fn pictures(case: &Case, size_px: u32) -> Vec<(String, Question)> {
+    let scenes = (case.scenes)(size_px);
+    let of = |s: &cutaway::scene::Scene| (s.name.clone(), Question::new(s, [size_px; 2]));
+    scenes.iter().map(of).collect()
+}
+
+/// What a method makes of the pictures of a case.
+pub fn tallied(
+    session: &mut Session,
+    case: &Case,
+    method: &Method,
+    pictures: &[(String, Question)],
+) -> Result<Tally> {
+    let is_unasked = |px: &u32| pictures.iter().all(|(_, q)| q.view.size_px[0] != *px);
+    let mut tally = Tally {
+        unasked_px: (usual_sizes_px(method).iter().copied())
+            .filter(is_unasked)
+            .collect(),
+        ..Tally::default()
+    };
+    for (name, question) in pictures {
+        let judged = question.answer(session, method)?;
+        let fault = case.fault(question, &judged, method);
+        tally.add(&judged, name, fault);
+    }
+    Ok(tally)
+}
+
+/// Whether a case shows a cap at all: what shows none proves nothing about caps.
+pub fn caps_px(pictures: &[(String, Question)]) -> usize {
+    let caps = pictures
+        .iter()
+        .map(|(_, q)| q.exact.layers.count(Kind::Cap));
+    caps.sum()
+}
+
+fn reached(
+    session: &mut Session,
+    case: &Case,
+    asked: &Asked<'_>,
+    step: &mut dyn FnMut(String),
+    goes_on: &dyn Fn() -> bool,
+) -> Result<Option<Vec<Reached>>> {
+    let mut tallies: Vec<(Method, Tally)> = Vec::new();
+    for size_px in asked.sizes_px {
+        step(format!("case {} at {size_px} px", case.id));
+        let pictures = pictures(case, *size_px);
+        let methods = match asked.methods {
+            Some(named) => named.to_vec(),
+            None => usual_methods(*size_px),
+        };
+        for method in methods {
+            if !goes_on() {
+                session.forget();
+                return Ok(None);
+            }
+            let tally = tallied(session, case, &method, &pictures)?;
+            match tallies.iter_mut().find(|(e, _)| *e == method) {
+                Some((_, so_far)) => so_far.join(tally),
+                None => tallies.push((method, tally)),
+            }
+        }
+        // Nothing of these scenes is asked for again.
+        session.forget();
+    }
+    let describe = |(method, tally): (Method, Tally)| {
+        let expected = case.expected_on(&method, tally.is_coarse);
+        Reached {
+            strategy: method.to_string(),
+            expected: expected.to_string(),
+            why: expected.why().filter(|_| tally.is_short_of_exact()),
+            found: tally.describe(&expected),
+            holds: tally.faults_of(&expected).is_empty(),
+        }
+    };
+    Ok(Some(tallies.into_iter().map(describe).collect()))
+}

@@ -1,0 +1,145 @@
+//! Scenes without a pattern: unions of boxes, lumpy balls and bundles of long prisms, flush with one another or not, turned or not, some with
+//! needles; one or two cuts of one or two planes or reliefs; eyes outside and inside; small pictures, and some rows of large ones.
+//!
+//! Scene after scene is drawn by each method and held against exact: exact strategies to no decided wrong pixel, depth images to their
+//! reach, tessellations by one list to no hole. A scene that comes out wrong is made simpler as long as it stays wrong, and printed as code,
+//! to become a numbered regression. A scene costs an exact image of 64 x 48 pixels, one in twelve of 2400 x 8, and a frame for each
+//! method; shrinking one, some hundred of both.
+
+mod recipe;
+
+pub use recipe::{Bumps, Recipe, Solid, Surface};
+
+use cutaway::Result;
+use cutaway::session::{Outcome, Session};
+use cutaway::strategies::Method;
+
+use super::expected::{list_fault, unmarked_fault};
+use super::numbers::Numbers;
+use super::{Judged, Question, band};
+
+/// More findings of one method say nothing new.
+const MOST_FINDINGS: usize = 5;
+
+/// A scene that came out wrong.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Finding {
+    /// By whom.
+    pub strategy: String,
+    /// Number of the scene in the search.
+    pub scene: u64,
+    /// What is wrong with the simplest scene that was reached.
+    pub what: String,
+    /// That scene.
+    pub recipe: Recipe,
+}
+
+/// What a search came to.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Searched {
+    /// What came out wrong.
+    pub findings: Vec<Finding>,
+    /// By each method, in order: how many scenes it drew to the end; the others it refused, or drew with an overflow.
+    pub drawn: Vec<usize>,
+    /// Pixels that show a cap in exact.
+    pub caps_px: usize,
+    /// Pixels that exact covers.
+    pub covered_px: usize,
+    /// Pixels that exact leaves undecided.
+    pub undecided_px: usize,
+}
+
+/// Recipe of a scene by the seed of the search and its number in it.
+pub fn recipe(seed: u64, scene: u64) -> Recipe {
+    Recipe::random(&mut Numbers(seed ^ (scene << 32)))
+}
+
+/// Draws so many scenes by each method, and says which came out wrong. Each scene is printed before it is drawn. Ends early, with nothing,
+/// as soon as `goes_on` says no; it is called before each frame.
+pub fn search(
+    session: &mut Session,
+    scenes: u64,
+    seed: u64,
+    methods: &[Method],
+    step: &mut dyn FnMut(String),
+    goes_on: &dyn Fn() -> bool,
+) -> Result<Option<Searched>> {
+    let mut searched = Searched {
+        drawn: vec![0; methods.len()],
+        ..Searched::default()
+    };
+    for scene in 0..scenes {
+        step(format!("random scene {} of {scenes}", scene + 1));
+        let recipe = recipe(seed, scene);
+        let question = recipe.question();
+        searched.covered_px += question.exact.covered_px();
+        searched.undecided_px += question.exact.undecided_px();
+        searched.caps_px += question.exact.layers.count(cutaway::layers::Kind::Cap);
+        for (method, drawn) in methods.iter().zip(&mut searched.drawn) {
+            let strategy = method.to_string();
+            let by_it = searched.findings.iter().filter(|f| f.strategy == strategy);
+            if by_it.count() == MOST_FINDINGS {
+                continue;
+            }
+            if !goes_on() {
+                return Ok(None);
+            }
+            let judged = question.answer(session, method)?;
+            *drawn += usize::from(judged.outcome == Outcome::Complete);
+            let Some(what) = fault(&question, &judged, method) else {
+                continue;
+            };
+            let (recipe, what) = shrunk(recipe.clone(), what, &mut |recipe| {
+                // Without a fault nothing is simpler: the search ends where it stands.
+                if !goes_on() {
+                    return Ok(None);
+                }
+                let question = recipe.question();
+                let judged = question.answer(session, method)?;
+                Ok(fault(&question, &judged, method))
+            })?;
+            searched.findings.push(Finding {
+                strategy,
+                scene,
+                what,
+                recipe,
+            });
+        }
+    }
+    Ok(goes_on().then_some(searched))
+}
+
+/// What is wrong with an answer. A refusal is none, nor is an overflow that is reported, as long as what is wrong is marked.
+pub fn fault(question: &Question, judged: &Judged, method: &Method) -> Option<String> {
+    let strategy = &method.strategy;
+    let is_whole = |judged: &Judged| judged.layers.pixels.iter().all(|p| !p.depth.is_nan());
+    match &judged.outcome {
+        Outcome::Refused(_) => None,
+        _ if strategy.is_by_the_papers_rule() => {
+            (!is_whole(judged)).then(|| "a depth that is no number".to_owned())
+        }
+        Outcome::Overflowed(_) => unmarked_fault(judged),
+        Outcome::Complete if strategy.is_tessellated() => list_fault(judged),
+        Outcome::Complete => match strategy.resolution() {
+            Some(resolution) => band::fault(question, judged, resolution),
+            None => judged.fault_of_exact(),
+        },
+    }
+}
+
+/// The simplest recipe that can be reached without mending the fault, and its fault.
+pub fn shrunk(
+    mut recipe: Recipe,
+    mut what: String,
+    fault: &mut dyn FnMut(&Recipe) -> Result<Option<String>>,
+) -> Result<(Recipe, String)> {
+    'again: loop {
+        for simpler in recipe.simpler() {
+            if let Some(fault) = fault(&simpler)? {
+                (recipe, what) = (simpler, fault);
+                continue 'again;
+            }
+        }
+        return Ok((recipe, what));
+    }
+}

@@ -1,0 +1,264 @@
+//! What one method does at all points of a report: its answer, its errors, what it costs and what it refuses.
+
+use cutaway::error::{Error, Result, did_you_mean};
+
+use super::figures::{percent, times};
+use super::point::Points;
+use super::{costs, counted, expectations, glossary, head};
+use crate::experiment::{Record, StrategyMeasurement};
+use crate::report::derived::{Situation, Spread, StrategyTotals, has_other_truth, ranked, usage};
+use crate::report::document::{Block, Cell, Document, Grid, Line, Ranking, Tone};
+use crate::report::look::look;
+use crate::report::number::{mebibytes, milliseconds};
+use crate::report::recorded::Recorded;
+
+/// The page of a method.
+///
+/// # Errors
+///
+/// That no point asked it, with the names of those that some did.
+pub(in crate::report) fn method_document(recorded: &Recorded, name: &str) -> Result<Document> {
+    let points = Points::of(recorded);
+    let records: Vec<&Record> = points.all.iter().map(|p| p.record).collect();
+    let known = names(&records);
+    if !known.contains(&name) {
+        let what = "no point of these records was drawn by it";
+        return Err(Error::input(
+            format!("--method {name}"),
+            what,
+            did_you_mean(name, known),
+        ));
+    }
+    let mut blocks = Vec::new();
+    for setup in points.setups() {
+        let on_it = points.on(setup);
+        let records: Vec<&Record> = on_it
+            .iter()
+            .map(|p| p.record)
+            .filter(|r| of(r, name).is_some())
+            .collect();
+        if records.is_empty() {
+            continue;
+        }
+        let place = match points.setups().count() {
+            1 => String::new(),
+            _ => format!(" on {}", points.label(setup)),
+        };
+        blocks.push(Block::Heading(2, format!("In short{place}")));
+        blocks.extend(short(name, &records));
+        blocks.push(Block::Ranking(by_run(name, &records)));
+        let refused = refusals(name, &records);
+        if !refused.rows.is_empty() {
+            blocks.push(Block::Heading(
+                2,
+                format!("What it refuses or cannot finish{place}"),
+            ));
+            blocks.push(Block::Grid(refused));
+        }
+        if let Some(expected) = expectations::of_run(&records, Some(name)) {
+            blocks.push(Block::Heading(2, format!("What was expected of it{place}")));
+            blocks.push(expected);
+        }
+        blocks.push(Block::Heading(2, format!("Every point{place}")));
+        let labelled: Vec<costs::Labelled<'_>> = (on_it.iter())
+            .map(|p| (format!("{} {}", p.record.experiment, p.name()), p.record))
+            .collect();
+        blocks.extend(costs::of_method(name, &labelled));
+    }
+    for (heading, section) in [
+        ("What the words mean", glossary::chapter(recorded)),
+        ("What was run", head::chapter(recorded)),
+    ] {
+        blocks.push(Block::Heading(2, heading.to_owned()));
+        blocks.extend(section);
+    }
+    Ok(Document {
+        title: format!("What {name} does"),
+        blocks,
+    })
+}
+
+/// Names of all strategies, each once.
+fn names<'a>(records: &[&'a Record]) -> Vec<&'a str> {
+    let all = records.iter().flat_map(|r| &r.measurement.strategies);
+    let mut names: Vec<&str> = all.map(|s| s.name.as_str()).collect();
+    names.sort_unstable();
+    names.dedup();
+    names
+}
+
+fn of<'a>(record: &'a Record, name: &str) -> Option<&'a StrategyMeasurement> {
+    record
+        .measurement
+        .strategies
+        .iter()
+        .find(|s| s.name == name)
+}
+
+/// The answer in a few sentences.
+fn short(name: &str, records: &[&Record]) -> Vec<Block> {
+    let sound: Vec<&Record> = records
+        .iter()
+        .copied()
+        .filter(|r| !has_other_truth(r))
+        .collect();
+    let totals = StrategyTotals::of(name, sound.iter().copied());
+    let usage = usage(name);
+    let limit = usage.as_ref().and_then(|u| u.limit);
+    let limit = limit.map_or_else(String::new, |limit| format!(" It is limited to: {limit}."));
+    let wrong = match (totals.drawn, totals.worst_px) {
+        (0, _) => String::new(),
+        (_, 0) => " No decided pixel is wrong at any of them.".to_owned(),
+        (_, px) => format!(" At worst {px} decided pixels are wrong."),
+    };
+    let mut blocks = vec![Block::Text(format!(
+        "`{name}` drew {} of {}, and is exact at {} of them.{wrong}{limit}",
+        totals.drawn,
+        counted(totals.asked, "point"),
+        totals.exact
+    ))];
+    if let Some(ratio) = totals.ratio {
+        let found = sound
+            .iter()
+            .filter_map(|r| of(r, name))
+            .filter(|s| s.was_drawn());
+        let found: Vec<&StrategyMeasurement> = found.collect();
+        let median = |value: fn(&StrategyMeasurement) -> f64| {
+            Spread::of(found.iter().map(|s| value(s)).collect()).unwrap_or_default()
+        };
+        let [frame, cut, solid] = [
+            median(|s| s.time_ms.frame.median),
+            median(|s| s.time_ms.cut.median),
+            median(|s| s.time_ms.solid.median),
+        ];
+        let memory = median(|s| (s.bytes.solid + s.bytes.cut + s.bytes.frame) as f64);
+        blocks.push(Block::Text(format!(
+            "A frame takes {} of drawing uncut in the median ({} to {}): {} ms. When the cut changes {} ms come on top, when the mesh changes {} ms. \
+             It takes {} MiB in the median, {} MiB at most.{}",
+            times(ratio.median),
+            times(ratio.least),
+            times(ratio.most),
+            milliseconds(frame.median),
+            milliseconds(cut.median),
+            milliseconds(solid.median),
+            mebibytes(memory.median as u64),
+            mebibytes(memory.most as u64),
+            over_fastest(name, &sound)
+        )));
+    }
+    let broken: Vec<&Record> = records
+        .iter()
+        .copied()
+        .filter(|r| has_other_truth(r))
+        .collect();
+    let shares = broken.iter().filter_map(|r| {
+        let wrong = of(r, name)?.comparison?.decided_wrong_px as f64;
+        Some(wrong / r.measurement.exact.cap_px.max(1) as f64)
+    });
+    if let Some(share) = Spread::of(shares.collect()) {
+        blocks.push(Block::Text(format!(
+            "On {} judged by the exact image of another scene, as broken meshes are by that of the whole one, it gets {} of the cap wrong in the median, \
+             {} at most.",
+            counted(broken.len(), "point"),
+            percent(share.median),
+            percent(share.most)
+        )));
+    }
+    if let Some(usage) = usage {
+        blocks.push(Block::Text("To draw a picture by it:".to_owned()));
+        blocks.push(Block::Command(format!(
+            "cutaway render MODEL --section x=50% --strategy {} -o picture.png",
+            usage.words
+        )));
+    }
+    blocks
+}
+
+/// How it stands to the fastest exact method of each point.
+fn over_fastest(name: &str, records: &[&Record]) -> String {
+    let factors = records.iter().filter_map(|record| {
+        let own = Situation::View.ratio(record, of(record, name)?)?;
+        let first = ranked(&[record], Situation::View).into_iter().next()?;
+        Some(own / first.ratio.median)
+    });
+    Spread::of(factors.collect()).map_or_else(String::new, |s| {
+        format!(
+            " Over the fastest exact method of each point its frame takes {} in the median ({} to {}).",
+            times(s.median),
+            times(s.least),
+            times(s.most)
+        )
+    })
+}
+
+/// A line for each run, in the order of the experiments.
+fn by_run(name: &str, records: &[&Record]) -> Ranking {
+    let mut runs: Vec<(&str, &str)> = Vec::new();
+    for record in records {
+        let run = (record.experiment.as_str(), record.run.as_str());
+        if !runs.contains(&run) {
+            runs.push(run);
+        }
+    }
+    let line = |(experiment, run): &(&str, &str)| {
+        let of_run = records.iter().copied();
+        let of_run = of_run.filter(|r| r.experiment == *experiment && r.run == *run);
+        let totals = StrategyTotals::of(name, of_run);
+        let refused = match totals.refused() {
+            0 => String::new(),
+            refused => format!(", refuses {refused} of {}", totals.asked),
+        };
+        Line {
+            name: format!("{experiment}, {run}"),
+            look: look(name),
+            cost: totals.ratio,
+            words: match (totals.drawn, totals.is_exact()) {
+                (0, _) => Cell::from("refuses").toned(Tone::Faint),
+                (_, true) => Cell::from(format!("exact{refused}")).toned(Tone::Good),
+                _ => Cell::from(format!("{} px{refused}", totals.worst_px)).toned(Tone::Fair),
+            },
+        }
+    };
+    let lines: Vec<Line> = runs.iter().map(line).collect();
+    let ends = lines.iter().filter_map(|l| l.cost);
+    Ranking {
+        title: format!("{name} by run"),
+        names: "run",
+        axis: "time over drawing uncut".to_owned(),
+        is_factor: true,
+        heading: "wrong px, at most".to_owned(),
+        range: ends.fold([1.0, 1.0], |[least, most], s| {
+            [f64::min(least, s.least), f64::max(most, s.most)]
+        }),
+        lines,
+    }
+}
+
+/// A row for each reason, with the points that it concerns.
+fn refusals(name: &str, records: &[&Record]) -> Grid {
+    let mut reasons: Vec<(&str, Vec<String>)> = Vec::new();
+    for record in records {
+        let Some(reason) = of(record, name).and_then(|s| s.reason.as_deref()) else {
+            continue;
+        };
+        let values = record.parameters.values().map(ToString::to_string);
+        let point: Vec<String> = [record.experiment.clone(), record.run.clone()]
+            .into_iter()
+            .chain(values)
+            .collect();
+        let point = point.join(" ");
+        match reasons.iter_mut().find(|(r, _)| *r == reason) {
+            Some((_, points)) => points.push(point),
+            None => reasons.push((reason, vec![point])),
+        }
+    }
+    let mut grid = Grid::new("refusals", ["reason", "points", "where"]);
+    for (reason, points) in reasons {
+        grid.row([
+            Cell::from(reason),
+            Cell::number(points.len().to_string(), points.len() as f64),
+            Cell::from(points.join("; ")),
+        ]);
+    }
+    grid
+}

@@ -1,0 +1,194 @@
+//! Points that are judged by the exact image of another scene: broken meshes, by that of the whole one.
+//!
+//! No strategy can be expected to be exact there, so that counts of exact points leave them out. The question is how near a strategy
+//! comes, as a share of the cap there should be, and how much of what is wrong it marks as unreliable. A mark is a cost too: a pixel that
+//! is marked is of no use either, wrong or not. A strategy that loses [`TOO_MUCH`] in this way is not one to use.
+
+use cutaway_io::document::Node;
+
+use super::totals::names;
+use super::{Spread, StrategyTotals};
+use crate::Comparison;
+use crate::experiment::{Parameter, Record};
+
+/// Whether the truth of a point is the exact image of another scene.
+pub(crate) fn has_other_truth(record: &Record) -> bool {
+    record.truth.is_some()
+}
+
+/// Whether something is broken: a sweep may begin with a defect of amount 0.
+pub(crate) fn has_defect(record: &Record) -> bool {
+    let amounts = |part: &Node| -> Vec<Option<f64>> {
+        let defects = part.get("defects").map_or(&[] as &[_], Node::items);
+        let amount = |defect: &Node| Parameter::of(&defect.get("amount")?.value)?.number();
+        defects.iter().map(amount).collect()
+    };
+    let parts = record
+        .scene
+        .root()
+        .get("part")
+        .map_or(&[] as &[_], Node::items);
+    let mut amounts = parts.iter().flat_map(amounts);
+    // Without an amount it is the usual one.
+    has_other_truth(record) && amounts.any(|a| a != Some(0.0))
+}
+
+/// What a strategy makes of broken meshes.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Harm {
+    /// Points asked and drawn, and what a frame costs.
+    pub totals: StrategyTotals,
+    /// Pixels that are wrong over those of the exact cap.
+    pub wrong: Option<Spread>,
+    /// Pixels that are wrong and not marked.
+    pub unmarked_px: Option<Spread>,
+    /// The same over those of the exact cap.
+    pub unmarked: Option<Spread>,
+    /// Pixels that are marked, wrong or not, over those of the exact cap.
+    pub marked: Option<Spread>,
+    /// Pixels that are marked, or wrong and not marked, over those of the exact cap.
+    pub lost: Option<Spread>,
+}
+
+/// Share of the exact cap that may not be lost, in the median.
+pub(crate) const TOO_MUCH: f64 = 0.5;
+
+impl Harm {
+    /// Whether it drew at all points and leaves enough to be used.
+    pub(crate) fn is_usable(&self) -> bool {
+        self.totals.refused() == 0 && self.lost.is_some_and(|l| l.median < TOO_MUCH)
+    }
+}
+
+/// Each strategy over some points: those that can be used come first, sorted by how much is wrong, then by how much of that is not
+/// marked, then by cost.
+pub(crate) fn harms(records: &[&Record]) -> Vec<Harm> {
+    let all = names(records).into_iter();
+    let mut all: Vec<Harm> = all.map(|name| harm(name, records)).collect();
+    let key = |h: &Harm| {
+        let median = |s: Option<Spread>| s.map_or(f64::INFINITY, |s| s.median);
+        let most = |s: Option<Spread>| s.map_or(f64::INFINITY, |s| s.most);
+        [
+            f64::from(u8::from(!h.is_usable())),
+            median(h.wrong),
+            most(h.wrong),
+            median(h.unmarked),
+            most(h.unmarked),
+            median(h.totals.ratio),
+        ]
+    };
+    all.sort_by(|a, b| {
+        let pairs = key(a).into_iter().zip(key(b));
+        pairs.fold(std::cmp::Ordering::Equal, |order, (a, b)| {
+            order.then(a.total_cmp(&b))
+        })
+    });
+    all
+}
+
+fn harm(name: &str, records: &[&Record]) -> Harm {
+    let drawn: Vec<(Comparison, f64)> = (records.iter())
+        .flat_map(|record| {
+            let cap_px = record.measurement.exact.cap_px.max(1) as f64;
+            let found = record.measurement.strategies.iter();
+            let of_it = found.filter(|s| s.name == name);
+            of_it.filter_map(move |s| Some((s.comparison?, cap_px)))
+        })
+        .collect();
+    let share = |px: fn(&Comparison) -> usize| {
+        let shares = drawn.iter().map(|(c, cap_px)| px(c) as f64 / cap_px);
+        Spread::of(shares.collect())
+    };
+    let unmarked_px = drawn.iter().map(|(c, _)| c.unmarked_wrong_px as f64);
+    Harm {
+        totals: StrategyTotals::of(name, records.iter().copied()),
+        wrong: share(|c| c.decided_wrong_px),
+        unmarked_px: Spread::of(unmarked_px.collect()),
+        unmarked: share(|c| c.unmarked_wrong_px),
+        marked: share(|c| c.odd_parity_px),
+        lost: share(|c| c.odd_parity_px + c.unmarked_wrong_px),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::experiment::{Ending, example};
+    use crate::report::derived::totals::tests::record_of;
+    use cutaway_io::document::{Document, part};
+
+    fn broken(wrong: [usize; 2], amount: &str) -> Record {
+        let mut measurement = example();
+        measurement.exact.cap_px = 200;
+        let one = measurement.strategies[0].clone();
+        let named = ["parity", "winding"].into_iter().zip(wrong);
+        let named = named.map(|(name, px)| {
+            let mut found = one.clone();
+            found.name = name.to_owned();
+            if let Some(c) = &mut found.comparison {
+                (c.decided_wrong_px, c.unmarked_wrong_px) = (px, px / 2);
+            }
+            found
+        });
+        measurement.strategies = named.collect();
+        let mut record = record_of(measurement);
+        let mut scene = Document::new();
+        let defect = format!("holes:amount={amount},patch=1");
+        scene.add_part(part("shape:cube").defect(&defect)).unwrap();
+        record.scene = scene;
+        record.truth = Some(Document::new());
+        record
+    }
+
+    #[test]
+    fn the_least_wrong_comes_first() {
+        let [a, b] = [broken([10, 4], "1%"), broken([2, 6], "5%")];
+        let harms = harms(&[&a, &b, &b]);
+        let found: Vec<(&str, f64, f64)> = (harms.iter())
+            .map(|h| {
+                (
+                    h.totals.name.as_str(),
+                    h.wrong.unwrap().median,
+                    h.wrong.unwrap().most,
+                )
+            })
+            .collect();
+        assert_eq!(found, [("parity", 0.01, 0.05), ("winding", 0.03, 0.03)]);
+        assert_eq!(harms[1].unmarked_px.unwrap().most, 3.0);
+        assert_eq!(harms[1].unmarked.unwrap().most, 0.015);
+    }
+
+    #[test]
+    fn what_refuses_comes_last() {
+        let mut a = broken([0, 4], "1%");
+        let refused = &mut a.measurement.strategies[0];
+        (refused.outcome, refused.comparison) = (Ending::Refused, None);
+        let b = broken([0, 4], "1%");
+        assert_eq!(harms(&[&b])[0].totals.name, "parity", "the control");
+        assert_eq!(harms(&[&a, &b])[0].totals.name, "winding");
+    }
+
+    #[test]
+    fn what_marks_nearly_everything_comes_last() {
+        let mut a = broken([2, 4], "1%");
+        let marked = |record: &mut Record, px| {
+            let comparison = &mut record.measurement.strategies[0].comparison;
+            comparison.as_mut().unwrap().odd_parity_px = px;
+        };
+        marked(&mut a, 98);
+        assert_eq!(harms(&[&a])[0].totals.name, "parity", "the control");
+        // Half of the 200 pixels of the cap: 99 marked, and 1 wrong and unmarked.
+        marked(&mut a, 99);
+        assert_eq!(harms(&[&a])[0].totals.name, "winding");
+        assert!(!harms(&[&a])[1].is_usable());
+    }
+
+    #[test]
+    fn a_defect_of_no_amount_is_none() {
+        assert!(has_defect(&broken([0, 0], "0.5%")));
+        assert!(!has_defect(&broken([0, 0], "0%")));
+        let mut sound = broken([0, 0], "1%");
+        sound.truth = None;
+        assert!(!has_defect(&sound));
+    }
+}

@@ -1,0 +1,192 @@
+//! What has to be drawn anew, and what that costs.
+//!
+//! Structures are redone on their own clocks. When only the view moves, a frame costs the clock of the frame; when the cut moves, the
+//! clock of the cut comes on top; when the mesh moves, all three. Clocks are added round by round.
+
+use cutaway_io::document::Node;
+
+use crate::experiment::Moves;
+use crate::experiment::{Ending, Record, Samples, StrategyMeasurement};
+
+/// What moves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Situation {
+    /// Only the view.
+    View,
+    /// The cut, and maybe the view.
+    Cut,
+    /// The mesh, and maybe the rest.
+    Mesh,
+}
+
+impl From<Moves> for Situation {
+    fn from(moves: Moves) -> Self {
+        match moves {
+            Moves::View => Self::View,
+            Moves::Cut => Self::Cut,
+            Moves::Mesh => Self::Mesh,
+        }
+    }
+}
+
+impl Situation {
+    /// All, the least work first.
+    pub(crate) const ALL: [Self; 3] = [Self::View, Self::Cut, Self::Mesh];
+
+    /// In words.
+    pub(crate) fn describe(self) -> &'static str {
+        match self {
+            Self::View => "only the view moves",
+            Self::Cut => "the cut moves",
+            Self::Mesh => "the mesh moves",
+        }
+    }
+
+    /// The name of its ratio among the figures.
+    pub(crate) fn figure(self) -> &'static str {
+        match self {
+            Self::View => "ratio.view_moves",
+            Self::Cut => "ratio.cut_moves",
+            Self::Mesh => "ratio.mesh_moves",
+        }
+    }
+
+    /// Time of a strategy's frame, round by round; none where none was taken.
+    fn samples(self, found: &StrategyMeasurement) -> Option<Samples> {
+        let time = &found.time_ms;
+        if !found.was_drawn() || time.frame.samples.is_empty() {
+            return None;
+        }
+        let clocks: &[&Samples] = match self {
+            Self::View => &[&time.frame],
+            Self::Cut => &[&time.frame, &time.cut],
+            Self::Mesh => &[&time.frame, &time.cut, &time.solid],
+        };
+        let of_round = |round: usize| {
+            // A clock that never runs has no samples.
+            let of_clock = clocks.iter().filter_map(|c| c.samples.get(round));
+            of_clock.sum()
+        };
+        Some(Samples::new(
+            (0..time.frame.samples.len()).map(of_round).collect(),
+        ))
+    }
+
+    /// That time over drawing the uncut scene, quotient by quotient of the rounds.
+    pub(crate) fn ratios(self, record: &Record, found: &StrategyMeasurement) -> Option<Samples> {
+        let ratios = self.samples(found)?.over(&record.measurement.draw_only_ms);
+        (ratios.median.is_finite() && ratios.median > 0.0).then_some(ratios)
+    }
+
+    /// The ratio in the middle.
+    pub(crate) fn ratio(self, record: &Record, found: &StrategyMeasurement) -> Option<f64> {
+        self.ratios(record, found).map(|r| r.median)
+    }
+}
+
+/// Whether a strategy drew all of a frame and got no pixel wrong that the reference is sure of.
+pub(crate) fn is_exact(found: &StrategyMeasurement) -> bool {
+    found.outcome == Ending::Complete && found.comparison.is_some_and(|c| c.decided_wrong_px == 0)
+}
+
+/// By what a scene is cut.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kind {
+    /// One plane alone.
+    Plane,
+    /// Several planes, or what is made of planes.
+    Planes,
+    /// At least one relief.
+    Relief,
+}
+
+impl Kind {
+    pub(crate) const ALL: [Self; 3] = [Self::Plane, Self::Planes, Self::Relief];
+
+    /// Of the scene of a point.
+    pub(crate) fn of(record: &Record) -> Self {
+        let cuts = record.scene.root().get("cut");
+        let cuts = cuts.map_or(&[] as &[_], Node::items);
+        let regions = |cut: &'_ Node| -> Vec<Node> {
+            let keys = ["box", "wedge", "volume"].iter();
+            let held = keys.filter_map(|key| cut.get(key));
+            // One or several.
+            held.flat_map(|node| match node.items() {
+                [] => vec![node.clone()],
+                several => several.to_vec(),
+            })
+            .collect()
+        };
+        let regions: Vec<Node> = cuts.iter().flat_map(regions).collect();
+        let surfaces = cuts.iter().filter_map(|cut| cut.get("surfaces"));
+        let surfaces: Vec<&Node> = surfaces.flat_map(Node::items).collect();
+        let mut faces = surfaces.iter().copied().chain(&regions);
+        if faces.any(|face| face.get("relief").is_some()) {
+            Self::Relief
+        } else if surfaces.len() == 1 && regions.is_empty() {
+            Self::Plane
+        } else {
+            Self::Planes
+        }
+    }
+
+    /// In words.
+    pub(crate) fn describe(self) -> &'static str {
+        match self {
+            Self::Relief => "reliefs",
+            Self::Plane => "one plane",
+            Self::Planes => "several planes",
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::experiment::{PerClock, Samples, example};
+    use cutaway_io::document::Value;
+
+    /// A strategy that has something to do on each clock.
+    fn record() -> Record {
+        let mut measurement = example();
+        let [solid, cut, frame] = [50.0, 3.0, 4.0].map(|ms| Samples::new(vec![ms]));
+        measurement.strategies[0].time_ms = PerClock { solid, cut, frame };
+        super::super::totals::tests::record_of(measurement)
+    }
+
+    #[test]
+    fn what_is_paid_depends_on_what_moves() {
+        let record = record();
+        let ratios = Situation::ALL.map(|s| s.ratio(&record, &record.measurement.strategies[0]));
+        // Drawing the uncut scene takes 2 ms.
+        assert_eq!(ratios, [Some(2.0), Some(3.5), Some(28.5)]);
+    }
+
+    #[test]
+    fn a_document_says_by_what_its_scene_is_cut() {
+        let mut record = record();
+        for (cuts, kind) in [
+            ("[{ surfaces = [{ section = \"x=1\" }] }]", Kind::Plane),
+            (
+                "[{ surfaces = [{ section = \"x=1\" }, { section = \"y=1\" }] }]",
+                Kind::Planes,
+            ),
+            (
+                "[{ surfaces = [{ section = \"x=1\" }], wedge = { axis = \"x\" } }]",
+                Kind::Planes,
+            ),
+            ("[{ wedge = { axis = \"x\" } }]", Kind::Planes),
+            (
+                "[{ wedge = { axis = \"x\", relief = \"a\" } }]",
+                Kind::Relief,
+            ),
+            (
+                "[{ surfaces = [{ section = \"x=1\", relief = \"a\" }] }]",
+                Kind::Relief,
+            ),
+        ] {
+            record.scene.set("cut", Value::read(cuts)).unwrap();
+            assert_eq!(Kind::of(&record), kind, "{cuts}");
+        }
+    }
+}

@@ -1,0 +1,207 @@
+//! How strategies stand over many points: how often exact, how often refused, at what cost.
+
+use std::collections::BTreeMap;
+
+use super::is_exact;
+use crate::experiment::{Ending, Record, Samples, StrategyMeasurement};
+
+/// Least, median and greatest of some numbers.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Spread {
+    pub least: f64,
+    pub median: f64,
+    /// Greatest.
+    pub most: f64,
+}
+
+impl Spread {
+    /// Of some numbers; none of none.
+    pub(crate) fn of(numbers: Vec<f64>) -> Option<Self> {
+        let first = *numbers.first()?;
+        let least = numbers.iter().copied().fold(first, f64::min);
+        let most = numbers.iter().copied().fold(first, f64::max);
+        Some(Self {
+            least,
+            median: Samples::new(numbers).median,
+            most,
+        })
+    }
+}
+
+/// A strategy over some points.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct StrategyTotals {
+    pub name: String,
+    /// Points that it was asked to draw.
+    pub asked: usize,
+    /// Points that it drew, overflowed or not.
+    pub drawn: usize,
+    /// Points that it drew whole and without a wrong pixel that the reference is sure of.
+    pub exact: usize,
+    /// Points where a bounded buffer was too small.
+    pub overflowed: usize,
+    /// Reasons why it refused, each once, with how often.
+    pub refusals: BTreeMap<String, usize>,
+    /// Most decided wrong pixels of a point.
+    pub worst_px: usize,
+    /// Frame time over drawing the uncut scene.
+    pub ratio: Option<Spread>,
+}
+
+impl StrategyTotals {
+    /// Of a strategy over the points where it was asked.
+    pub(crate) fn of<'a>(name: &str, records: impl IntoIterator<Item = &'a Record>) -> Self {
+        let all = records.into_iter().flat_map(|r| &r.measurement.strategies);
+        Self::over(name, all.filter(|found| found.name == name))
+    }
+
+    /// Of several strategies as one, each counted where it was asked.
+    pub(crate) fn over<'a>(
+        name: &str,
+        all: impl IntoIterator<Item = &'a StrategyMeasurement>,
+    ) -> Self {
+        let mut totals = Self {
+            name: name.to_owned(),
+            ..Self::default()
+        };
+        let mut ratios = Vec::new();
+        for found in all {
+            totals.count(found);
+            ratios.extend(found.frame_over_draw_only);
+        }
+        totals.ratio = Spread::of(ratios);
+        totals
+    }
+
+    fn count(&mut self, found: &StrategyMeasurement) {
+        self.asked += 1;
+        self.exact += usize::from(is_exact(found));
+        self.overflowed += usize::from(found.outcome == Ending::Overflowed);
+        match &found.comparison {
+            Some(comparison) => {
+                self.drawn += 1;
+                self.worst_px = self.worst_px.max(comparison.decided_wrong_px);
+            }
+            None => {
+                let reason = found.reason.clone().unwrap_or_default();
+                *self.refusals.entry(reason).or_default() += 1;
+            }
+        }
+    }
+
+    /// Points that it refused.
+    pub(crate) fn refused(&self) -> usize {
+        self.asked - self.drawn
+    }
+
+    /// Whether it was exact wherever it drew.
+    pub(crate) fn is_exact(&self) -> bool {
+        self.drawn > 0 && self.exact == self.drawn
+    }
+}
+
+/// Names of all strategies of some points, each once.
+pub(super) fn names<'a>(records: &[&'a Record]) -> Vec<&'a str> {
+    let mut names: Vec<&str> = Vec::new();
+    for found in records.iter().flat_map(|r| &r.measurement.strategies) {
+        if !names.contains(&found.name.as_str()) {
+            names.push(&found.name);
+        }
+    }
+    names
+}
+
+/// Names of strategies that stand for themselves: those that some point asked for by name rather than by a sweep over their
+/// parameters.
+pub(super) fn self_standing<'a>(records: &[&'a Record]) -> Vec<&'a str> {
+    let mut names: Vec<&str> = Vec::new();
+    for record in records {
+        for (found, swept) in record.measurement.strategies.iter().zip(&record.families) {
+            if swept.iter().any(|m| m.parameters.is_empty())
+                && !names.contains(&found.name.as_str())
+            {
+                names.push(&found.name);
+            }
+        }
+    }
+    names
+}
+
+/// The strategies that stand for themselves. The exact ones come first, then the least wrong, then the cheapest; those that never drew are
+/// last.
+pub(crate) fn totals_of_strategies(records: &[&Record]) -> Vec<StrategyTotals> {
+    let mut found: Vec<StrategyTotals> = self_standing(records)
+        .iter()
+        .map(|name| StrategyTotals::of(name, records.iter().copied()))
+        .collect();
+    let cost = |s: &StrategyTotals| s.ratio.map_or(f64::INFINITY, |r| r.median);
+    found.sort_by(|a, b| {
+        (b.is_exact().cmp(&a.is_exact()))
+            .then((a.drawn == 0).cmp(&(b.drawn == 0)))
+            .then(a.worst_px.cmp(&b.worst_px))
+            .then(cost(a).total_cmp(&cost(b)))
+    });
+    found
+}
+
+#[cfg(test)]
+pub(super) mod tests {
+    use super::*;
+    use crate::experiment::{FamilyMember, Measurement, Parameter, example};
+    use cutaway_io::document::Document;
+
+    pub(crate) fn record_of(measurement: Measurement) -> Record {
+        let count = measurement.strategies.len();
+        Record {
+            format: Record::FORMAT,
+            experiment: "01-example".to_owned(),
+            run: "crank".to_owned(),
+            parameters: BTreeMap::new(),
+            is_quick: false,
+            identity: String::new(),
+            scene: Document::new(),
+            truth: None,
+            measurement,
+            families: vec![vec![FamilyMember::default()]; count],
+            figures: vec![BTreeMap::new(); count],
+            expectations: Vec::new(),
+            warnings: Vec::new(),
+            pictures: Vec::new(),
+            invocation: None,
+        }
+    }
+
+    #[test]
+    fn standings_count_points() {
+        let exact = record_of(example());
+        let mut wrong = record_of(example());
+        if let Some(c) = &mut wrong.measurement.strategies[0].comparison {
+            c.decided_wrong_px = 7;
+        }
+        wrong.measurement.strategies[0].frame_over_draw_only = Some(2.5);
+        let found = totals_of_strategies(&[&exact, &wrong, &wrong]);
+        let names: Vec<&str> = found.iter().map(|s| s.name.as_str()).collect();
+        assert_eq!(names, ["raycast+mask", "planar+<mask>"]);
+        let drawn = &found[0];
+        assert_eq!(
+            (drawn.asked, drawn.drawn, drawn.exact, drawn.worst_px),
+            (3, 3, 1, 7)
+        );
+        assert!(!drawn.is_exact(), "two of three are wrong");
+        let ratio = drawn.ratio.unwrap();
+        assert_eq!([ratio.least, ratio.median, ratio.most], [1.5, 2.5, 2.5]);
+        assert_eq!((found[1].refused(), found[1].refusals.len()), (3, 1));
+    }
+
+    #[test]
+    fn strategies_of_sweeps_do_not_stand_for_themselves() {
+        let mut record = record_of(example());
+        let own = &mut record.families[0][0].parameters;
+        own.insert("cells".to_owned(), Parameter::Whole(64));
+        let names: Vec<String> = totals_of_strategies(&[&record])
+            .into_iter()
+            .map(|s| s.name)
+            .collect();
+        assert_eq!(names, ["planar+<mask>"]);
+    }
+}

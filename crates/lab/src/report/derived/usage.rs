@@ -1,0 +1,77 @@
+//! How a strategy of a record is asked for on the command line, and what it is limited to.
+//!
+//! Records name what `cutaway compare` takes, which is more than `cutaway render` does: `winding` draws no picture, and after an `@` stand
+//! means that are options there.
+
+use cutaway::passes::{Rasteriser, ReliefWalk};
+use cutaway::scene::HeightFilter;
+use cutaway::strategies::Method;
+
+/// What to write after `cutaway render --strategy`, and what to know beside it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Usage {
+    /// The name, and the options for its means.
+    pub words: String,
+    /// What the strategy is limited to.
+    pub limit: Option<&'static str>,
+}
+
+/// The usage of a strategy by the name that records have for it; none where `cutaway render` cannot draw it.
+///
+/// Which way rays walk through a relief is no option of `cutaway render`, which chooses it: it stands beside the name.
+pub(crate) fn usage(name: &str) -> Option<Usage> {
+    let Ok(Method { strategy, means }) = name.parse() else {
+        return None;
+    };
+    if means.wide_atomics == Some(false) || means.list == Some(true) {
+        return None;
+    }
+    let mut words = strategy.to_string();
+    if means.rasteriser == Some(Rasteriser::Compute) {
+        words.push_str(" --rasteriser compute");
+    }
+    if means.height_filter == Some(HeightFilter::Hardware) {
+        words.push_str(" --height-filter hardware");
+    }
+    let limit = match means.relief_walk {
+        Some(ReliefWalk::Cells) => Some("cell by cell, as it does by itself where that pays"),
+        Some(ReliefWalk::Pyramid) => Some("over the pyramid, as it does by itself where that pays"),
+        None => Some(strategy.limit()).filter(|limit| !limit.is_empty()),
+    };
+    Some(Usage { words, limit })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_of_records_become_words_of_render() {
+        for (name, words, limit) in [
+            ("raycast+mask", "raycast+mask", None),
+            (
+                "raycast+mask@compute",
+                "raycast+mask --rasteriser compute",
+                None,
+            ),
+            ("stencil", "stencil", Some("one plane, eye outside the cut")),
+            ("planar", "planar", Some("planes only")),
+            (
+                "raycast+mask@pyramid",
+                "raycast+mask",
+                Some("over the pyramid, as it does by itself where that pays"),
+            ),
+            (
+                "grid:64+vds:512@hardware-filter",
+                "grid:64+vds:512 --height-filter hardware",
+                None,
+            ),
+        ] {
+            let words = words.to_owned();
+            assert_eq!(usage(name), Some(Usage { words, limit }), "{name}");
+        }
+        for name in ["winding", "raycast+mask@compute,32-bit", "no such thing"] {
+            assert_eq!(usage(name), None, "{name}");
+        }
+    }
+}

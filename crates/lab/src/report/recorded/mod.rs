@@ -1,0 +1,100 @@
+//! Folders of runs, read whole and checked before anything is made of them.
+//!
+//! A folder is what `cutaway measure` and the outside baselines leave: `run.json`, a folder for each experiment with `experiment.json` and
+//! one file for each point, and `peers/*.json`. A folder in it without `experiment.json` is of something else, and passed over. A file that is half-written, of a form that is not known, or at odds with itself is an
+//! error that names it; what is no JSON is left alone. Nothing is worked out here.
+
+mod folder;
+mod peers;
+
+pub use folder::{Experiment, Folder};
+pub use peers::{PeerCheck, PeerRecord, PeerRow};
+
+use std::path::{Path, PathBuf};
+
+use cutaway::{Error, Result};
+
+/// The folders of a report.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Recorded {
+    /// As they were named, each once for each device that measured in it.
+    pub folders: Vec<Folder>,
+}
+
+impl Recorded {
+    /// Reads folders of runs.
+    ///
+    /// # Errors
+    ///
+    /// Names the file that is missing, half-written, or of a form that is not known.
+    pub fn read(folders: &[PathBuf]) -> Result<Self> {
+        let mut seen: Vec<PathBuf> = Vec::new();
+        let mut read = Vec::new();
+        for folder in folders {
+            let place = std::fs::canonicalize(folder).unwrap_or_else(|_| folder.clone());
+            if !seen.contains(&place) {
+                seen.push(place);
+                read.extend(Folder::read(folder)?);
+            }
+        }
+        Ok(Self { folders: read })
+    }
+
+    /// How many points are there, how many the experiments ask for, and the names of those that are missing, by experiment.
+    pub fn completeness(&self) -> (usize, usize, Vec<String>) {
+        let mut seen: Vec<(&Path, &str)> = Vec::new();
+        let (mut asked, mut missing) = (0, Vec::new());
+        for folder in &self.folders {
+            for experiment in &folder.experiments {
+                let name = experiment.synopsis.name.as_str();
+                if !seen.contains(&(&*folder.path, name)) {
+                    seen.push((&folder.path, name));
+                    asked += experiment.synopsis.points.len();
+                    missing.extend(experiment.missing.iter().map(|p| format!("{name}/{p}")));
+                }
+            }
+        }
+        (asked - missing.len(), asked, missing)
+    }
+}
+
+/// A JSON file of a form that has a number.
+fn read_numbered<T: serde::de::DeserializeOwned>(path: &Path, known: u32) -> Result<T> {
+    let value: serde_json::Value = read_json(path)?;
+    match value.get("format").and_then(serde_json::Value::as_u64) {
+        Some(format) if format == u64::from(known) => {}
+        Some(format) => {
+            return Err(Error::file(
+                path,
+                format!("it has form {format}, and this version reads form {known}"),
+                "make the report with the version that measured, or measure again with this one",
+            ));
+        }
+        None => {
+            return Err(Error::file(
+                path,
+                "it does not say which form it has (`format`)",
+                "take files that are no records out of the folder, or measure again",
+            ));
+        }
+    }
+    serde_json::from_value(value).map_err(|e| misread(path, &e))
+}
+
+fn read_json<T: serde::de::DeserializeOwned>(path: &Path) -> Result<T> {
+    let text = std::fs::read_to_string(path)
+        .map_err(|e| Error::file(path, format!("cannot be read: {e}"), MISSING))?;
+    serde_json::from_str(&text).map_err(|e| misread(path, &e))
+}
+
+const MISSING: &str =
+    "name the folder that `cutaway measure` wrote with --out, or measure into it again";
+
+fn misread(path: &Path, e: &serde_json::Error) -> Error {
+    let help = "remove the file and measure again: points that are whole are kept";
+    let what = format!("it is no whole record: {e}");
+    match e.line() {
+        0 => Error::file(path, what, help),
+        line => Error::file_line(path, line, what, help),
+    }
+}

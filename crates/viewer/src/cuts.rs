@@ -1,0 +1,394 @@
+//! The cuts of a document: what lists show of them, new ones, and planes that are moved.
+//!
+//! A plane is moved in the words in which the document has it: `z=50%` stays an axis and a percentage, a normal and an origin stay vectors.
+//!
+//! Cannot: move a surface of the paper's own form (`u`, `v`), which is changed by its numbers.
+
+use cutaway::scene::{Bounds, PlaneSpec, Up};
+use cutaway::{Error, Result};
+use cutaway_io::Document;
+use cutaway_io::document::{CutDraft, Node, Value, cut, section};
+use glam::DVec3;
+
+/// What a cut removes with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CutKind {
+    /// One plane.
+    Plane,
+    /// One plane with a relief.
+    Relief,
+    /// Several surfaces.
+    Surfaces,
+    /// A box.
+    Box,
+    /// A slice of pie.
+    Wedge,
+    /// What is inside a mesh.
+    Cutter,
+    /// A wedge that places itself.
+    Cutout,
+    /// What hides the interior.
+    Breakaway,
+}
+
+impl CutKind {
+    /// What it is called.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Plane => "plane",
+            Self::Relief => "relief",
+            Self::Surfaces => "surfaces",
+            Self::Box => "box",
+            Self::Wedge => "wedge",
+            Self::Cutter => "cutter",
+            Self::Cutout => "cutout",
+            Self::Breakaway => "breakaway",
+        }
+    }
+}
+
+/// A cut, as a list shows it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct CutEntry {
+    /// Its name, or its number where it has none.
+    pub name: String,
+    /// What it removes with.
+    pub kind: CutKind,
+    /// Whether it removes anything.
+    pub is_enabled: bool,
+}
+
+/// The cuts of a document, in its order.
+pub fn cuts(document: &Document) -> Vec<CutEntry> {
+    let entries = document.root().get("cut").map_or(&[] as &[_], Node::items);
+    entries.iter().enumerate().map(entry).collect()
+}
+
+fn entry((index, cut): (usize, &Node)) -> CutEntry {
+    let has = |key: &str| cut.get(key).is_some();
+    let surfaces = cut.get("surfaces").map_or(&[] as &[_], Node::items);
+    let kind = match surfaces {
+        [one] if one.get("relief").is_some() => CutKind::Relief,
+        [_] => CutKind::Plane,
+        [_, ..] => CutKind::Surfaces,
+        [] if has("box") => CutKind::Box,
+        [] if has("wedge") => CutKind::Wedge,
+        [] if has("cutout") => CutKind::Cutout,
+        [] if has("breakaway") => CutKind::Breakaway,
+        [] => CutKind::Cutter,
+    };
+    let named = cut.get("name").and_then(Node::text);
+    CutEntry {
+        name: named.map_or_else(|| index.to_string(), str::to_owned),
+        kind,
+        is_enabled: cut.get("enabled").is_none_or(|n| n.value != false.into()),
+    }
+}
+
+/// A cut to be added.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NewCut {
+    /// A plane across an axis: 0 is x.
+    Plane(usize),
+    /// A ragged plane across an axis.
+    Relief(usize),
+    /// The eighth of the box that is nearest to the eye.
+    Box,
+    /// A quarter about the axis that is up.
+    Wedge,
+    /// A wedge that places itself.
+    Cutout,
+    /// What hides the interior.
+    Breakaway,
+}
+
+impl NewCut {
+    /// The cut, of which the side towards the eye is removed.
+    pub fn draft(self, forward: DVec3, up: Up) -> CutDraft {
+        let across = |axis: usize| section(&facing(DVec3::AXES[axis], forward));
+        match self {
+            Self::Plane(axis) => cut([across(axis)]),
+            Self::Relief(axis) => cut([across(axis).relief("fractal:amplitude=4%,seed=7")]),
+            Self::Box => {
+                let sides = forward.to_array().map(|f| match f < 0.0 {
+                    true => ["50%", "100%"],
+                    false => ["0%", "50%"],
+                });
+                let corner = |end: usize| sides.map(|s| s[end]).join(",");
+                cut([]).block(&format!("{}:{}", corner(0), corner(1)))
+            }
+            Self::Wedge => {
+                // About +Y angles count from z, and about +Z from x: to where the eye is.
+                let (axis, across, along) = match up {
+                    Up::PlusY => ("y", forward.x, forward.z),
+                    Up::PlusZ => ("z", forward.y, forward.x),
+                };
+                let middle = (-across).atan2(-along).to_degrees().round();
+                let [from, to] = [middle - 45.0, middle + 45.0];
+                cut([]).wedge(&format!("{axis}:{from}:{to}"))
+            }
+            Self::Cutout => cut([]).cutout(""),
+            Self::Breakaway => cut([]).breakaway(""),
+        }
+    }
+}
+
+/// The plane through the middle whose removed side faces the eye.
+fn facing(axis: DVec3, forward: DVec3) -> String {
+    let letter = ["x", "y", "z"][(axis.y + 2.0 * axis.z) as usize];
+    let minus = if forward.dot(axis) < 0.0 { "-" } else { "" };
+    format!("{minus}{letter}=50%")
+}
+
+/// How a plane is moved.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum PlaneMove {
+    /// Along its normal, in world units.
+    Along(f64),
+    /// Along its normal, to a distance from the origin of the world, in world units.
+    To(f64),
+    /// Along its normal, in shares of the model.
+    Step(f64),
+    /// Across an axis, through where it is; once more keeps the other side.
+    Across(usize),
+    /// Keeps the other side.
+    Flip,
+    /// Looks where a direction leads, through where it is.
+    Turn(DVec3),
+    /// Through a point, of a normal.
+    Through(DVec3, DVec3),
+    /// In itself, to an angle in degrees.
+    Spin(f64),
+    /// The same by a hand that holds it.
+    Tilt(DVec3, DVec3),
+}
+
+/// A surface of a cut, and the words that it is in.
+struct Surface {
+    path: String,
+    words: Words,
+}
+
+enum Words {
+    Section(PlaneSpec),
+    Vectors { normal: DVec3, origin: DVec3 },
+}
+
+impl Surface {
+    fn find(document: &Document, cut: usize, surface: usize) -> Result<Self> {
+        let path = format!("cut.{cut}.surfaces.{surface}");
+        let node = document.get(&path)?;
+        let vector = |key: &str| node.get(key).and_then(|n| vector(&n.value));
+        let section = node.get("section").and_then(Node::text);
+        let words = match (section, vector("normal")) {
+            (Some(text), _) => Words::Section(PlaneSpec::parse(text)?),
+            (None, Some(normal)) => Words::Vectors {
+                normal,
+                origin: vector("origin").unwrap_or_default(),
+            },
+            (None, None) => {
+                return Err(Error::input(
+                    format!("`{path}`"),
+                    "a surface in the form of u and v is not moved by hand",
+                    "write it as a section or as a normal and an origin",
+                ));
+            }
+        };
+        Ok(Self { path, words })
+    }
+
+    /// Its normal of length 1 and a point of it.
+    fn plane(&self, bounds: &Bounds) -> Result<(DVec3, DVec3)> {
+        match &self.words {
+            Words::Section(spec) => {
+                let surface = spec.surface(bounds, Up::PlusY)?;
+                Ok((surface.frame().normal, surface.origin))
+            }
+            Words::Vectors { normal, origin } => Ok((normal.normalize_or(DVec3::Z), *origin)),
+        }
+    }
+}
+
+/// The plane of a surface of a cut: the normal, which points to what stays, and a point of it.
+///
+/// # Errors
+///
+/// A surface that is none, or one that makes no sense beside such bounds.
+pub fn plane(document: &Document, cut: usize, bounds: &Bounds) -> Result<(DVec3, DVec3)> {
+    let surface = Surface::find(document, cut, 0)?;
+    let (normal, origin) = surface.plane(bounds)?;
+    let is_flipped = is_flipped(document, &surface.path);
+    Ok((if is_flipped { -normal } else { normal }, origin))
+}
+
+/// The direction that the first surface of a cut is spun about, as its words have it, and by how many degrees it is; none of one
+/// without a relief, in which nothing would change.
+pub fn spin(document: &Document, cut: usize, bounds: &Bounds) -> Option<(DVec3, f64)> {
+    let surface = Surface::find(document, cut, 0).ok()?;
+    let node = document.get(&surface.path).ok()?;
+    node.get("relief")?;
+    let degrees = match node.get("spin_deg").map(|n| &n.value) {
+        Some(Value::Number(degrees)) => degrees.value,
+        _ => 0.0,
+    };
+    let (normal, _) = surface.plane(bounds).ok()?;
+    Some((normal, degrees))
+}
+
+/// Whether a surface keeps the other side than its plane says.
+fn is_flipped(document: &Document, surface: &str) -> bool {
+    let flip = document.get(&format!("{surface}.flip"));
+    flip.is_ok_and(|n| n.value == true.into())
+}
+
+/// Moves the first plane of a cut.
+///
+/// # Errors
+///
+/// As of [`plane`].
+pub fn move_plane(
+    document: &mut Document,
+    cut: usize,
+    by: PlaneMove,
+    bounds: &Bounds,
+) -> Result<()> {
+    let was = plane(document, cut, bounds)?;
+    let Surface { path, words } = Surface::find(document, cut, 0)?;
+    if let PlaneMove::Spin(degrees) = by {
+        return document.set(&format!("{path}.spin_deg"), degrees);
+    }
+    let mut spec = match &words {
+        Words::Section(spec) => spec.clone(),
+        Words::Vectors { normal, origin } => PlaneSpec::through(*origin, *normal)?,
+    };
+    // Which side stays is said by the plane itself from now on.
+    let flip = format!("{path}.flip");
+    if is_flipped(document, &path) {
+        spec = spec.flipped();
+    }
+    document.remove(&flip)?;
+    let moved = match by {
+        PlaneMove::Along(distance) => spec.moved(distance, bounds),
+        PlaneMove::To(distance) => spec.moved(distance - was.1.dot(was.0), bounds),
+        PlaneMove::Step(share) => {
+            let extent = (bounds.max - bounds.min).dot(was.0.abs());
+            spec.moved(share * extent, bounds)
+        }
+        PlaneMove::Across(axis) if was.0.dot(DVec3::AXES[axis]).abs() > 1.0 - 1e-9 => {
+            spec.flipped()
+        }
+        PlaneMove::Across(axis) => {
+            let towards = DVec3::AXES[axis];
+            let sign = if was.0.dot(towards) < 0.0 { -1.0 } else { 1.0 };
+            spec.turned(towards * sign, bounds)?
+        }
+        PlaneMove::Flip => spec.flipped(),
+        PlaneMove::Turn(normal) => spec.turned(normal, bounds)?,
+        PlaneMove::Spin(_) => spec,
+        PlaneMove::Through(point, normal) | PlaneMove::Tilt(point, normal) => {
+            PlaneSpec::through(point, normal)?.turned(normal, bounds)?
+        }
+    };
+    match words {
+        Words::Section(_) => document.set(&format!("{path}.section"), moved.to_string()),
+        Words::Vectors { .. } => {
+            let surface = moved.surface(bounds, Up::PlusY)?;
+            let list = |v: DVec3| Value::from(v.to_array().to_vec());
+            document.set(&format!("{path}.normal"), list(surface.frame().normal))?;
+            document.set(&format!("{path}.origin"), list(surface.origin))
+        }
+    }
+}
+
+fn vector(value: &Value) -> Option<DVec3> {
+    let Value::List(list) = value else {
+        return None;
+    };
+    let number = |node: &Node| match &node.value {
+        Value::Number(number) => Some(number.value),
+        _ => None,
+    };
+    let numbers: Option<Vec<f64>> = list.iter().map(number).collect();
+    Some(DVec3::from_array(numbers?.try_into().ok()?))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use cutaway_io::document::part;
+
+    fn document(surface: &str) -> Document {
+        let text = format!("[[part]]\nshape = \"cube\"\n\n[[cut]]\nsurfaces = [{{ {surface} }}]\n");
+        Document::parse("scene.toml", &text).expect("a scene")
+    }
+
+    #[test]
+    fn planes_are_moved_in_their_own_words() {
+        let bounds = Bounds::from_points([DVec3::splat(-1.0), DVec3::splat(3.0)]);
+        for (surface, by, expected) in [
+            (
+                "section = \"z=50%\"",
+                PlaneMove::Along(1.0),
+                "section = \"z=75%\"",
+            ),
+            (
+                "section = \"-x=50%\"",
+                PlaneMove::Step(0.1),
+                "section = \"-x=40%\"",
+            ),
+            (
+                "section = \"z=50%\"",
+                PlaneMove::Flip,
+                "section = \"-z=50%\"",
+            ),
+            (
+                "section = \"z=50%\"",
+                PlaneMove::Across(0),
+                "section = \"x=50%\"",
+            ),
+            (
+                "section = \"-x=25%\"",
+                PlaneMove::Across(0),
+                "section = \"x=25%\"",
+            ),
+            (
+                "section = \"z=50%\", flip = true",
+                PlaneMove::Along(1.0),
+                "section = \"-z=25%\"",
+            ),
+            (
+                "normal = [0, 0, 2], origin = [0, 0, 1]",
+                PlaneMove::Along(0.5),
+                "normal = [0.0, 0.0, 1.0], origin = [0.0, 0.0, 1.5]",
+            ),
+        ] {
+            let mut document = document(surface);
+            let before = plane(&document, 0, &bounds).expect(surface);
+            move_plane(&mut document, 0, by, &bounds).expect(surface);
+            assert!(document.to_string().contains(expected), "{document}");
+            let after = plane(&document, 0, &bounds).expect(surface);
+            if let PlaneMove::Along(distance) = by {
+                let moved = (after.1 - before.1).dot(before.0);
+                assert!((moved - distance).abs() < 1e-9, "{surface}: {moved}");
+            }
+        }
+        let mut own = document("u = [1, 0, 0], v = [0, 1, 0]");
+        let refused = move_plane(&mut own, 0, PlaneMove::Flip, &bounds);
+        assert!(refused.is_err(), "of the paper's form");
+    }
+
+    #[test]
+    fn new_cuts_open_to_the_eye() {
+        let bounds = Bounds::from_points([DVec3::splat(-1.0), DVec3::splat(1.0)]);
+        for forward in [DVec3::new(-1.0, -0.5, -0.7), DVec3::new(0.3, 0.8, 0.2)] {
+            for axis in 0..3 {
+                let mut document = Document::new();
+                document.add_part(part("shape:cube")).expect("a part");
+                let draft = NewCut::Plane(axis).draft(forward, Up::PlusY);
+                document.add_cut(draft).expect("a cut");
+                let (normal, _) = plane(&document, 0, &bounds).expect("a plane");
+                assert!(normal.dot(forward) > 0.0, "{normal} from {forward}");
+            }
+        }
+    }
+}

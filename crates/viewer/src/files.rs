@@ -1,0 +1,67 @@
+//! Files by what they are to the viewer, and where they are kept: on the disk, or in the memory of a page.
+
+use std::path::Path;
+
+use cutaway::{Error, Result};
+use cutaway_io::load::{Files, place_of};
+
+/// Where files are read from and written to.
+pub trait Store: Files {
+    /// Writes a file that is there whole or not at all.
+    ///
+    /// # Errors
+    ///
+    /// A place that takes no file.
+    fn write(&self, path: &Path, bytes: &[u8]) -> Result<()>;
+
+    /// Whether two paths lead to one file.
+    fn is_one(&self, a: &Path, b: &Path) -> bool {
+        place_of(a) == place_of(b)
+    }
+}
+
+/// What a file is, by its name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// A scene file.
+    Scene,
+    /// A mesh.
+    Model,
+    /// An image: heights of a relief.
+    Image,
+}
+
+/// Endings of names of meshes.
+const MODELS: [&str; 6] = ["obj", "stl", "ply", "glb", "gltf", "3mf"];
+
+/// Endings of names of images.
+const IMAGES: [&str; 11] = [
+    "png", "jpg", "jpeg", "tif", "tiff", "bmp", "pgm", "ppm", "pnm", "tga", "exr",
+];
+
+/// What a file is, by its name; a built-in shape is a model.
+///
+/// # Errors
+///
+/// A name that says nothing.
+pub fn kind(path: &Path) -> Result<Kind> {
+    let name = path.to_string_lossy().to_lowercase();
+    if name.starts_with("shape:") {
+        return Ok(Kind::Model);
+    }
+    let name = name.strip_suffix(".gz").unwrap_or(&name);
+    let ending = name.rsplit('.').next().unwrap_or_default();
+    if ending == "toml" {
+        Ok(Kind::Scene)
+    } else if MODELS.contains(&ending) {
+        Ok(Kind::Model)
+    } else if IMAGES.contains(&ending) {
+        Ok(Kind::Image)
+    } else {
+        Err(Error::file(
+            path,
+            "it is no scene, no mesh and no image by its name",
+            "open .toml, .obj, .stl, .ply, .glb, .gltf, .3mf, or an image such as .png",
+        ))
+    }
+}

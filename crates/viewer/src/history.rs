@@ -1,0 +1,69 @@
+//! Undo and redo: documents as they were.
+//!
+//! A document is small, and knows its text: a step back is the document before it, whole. Changes by one gesture, such as a slider that
+//! is held, are one step. Where the eye is is no step: who takes back a cut wants to see what becomes of it.
+
+use std::sync::Arc;
+
+use cutaway_io::Document;
+
+/// So many steps are kept.
+const MOST_STEPS: usize = 200;
+
+/// What a change is part of: changes with the same, one after the other, are one step.
+pub type Gesture = String;
+
+/// Documents before and after the present one.
+#[derive(Clone, Debug, Default)]
+pub struct History {
+    past: Vec<Arc<Document>>,
+    future: Vec<Arc<Document>>,
+    gesture: Option<Gesture>,
+}
+
+impl History {
+    /// Keeps a document that is about to be changed, unless the change goes on with a gesture.
+    pub fn keep(&mut self, before: &Document, gesture: Option<Gesture>) {
+        let goes_on = gesture.is_some() && gesture == self.gesture;
+        self.gesture = gesture;
+        if goes_on {
+            return;
+        }
+        self.future.clear();
+        self.past.push(Arc::new(before.clone()));
+        if self.past.len() > MOST_STEPS {
+            self.past.remove(0);
+        }
+    }
+
+    /// Ends the gesture: the next change is a step of its own.
+    pub fn end_gesture(&mut self) {
+        self.gesture = None;
+    }
+
+    /// The document before this one.
+    pub fn undo(&mut self, present: &Document) -> Option<Arc<Document>> {
+        self.gesture = None;
+        let before = self.past.pop()?;
+        self.future.push(Arc::new(present.clone()));
+        Some(before)
+    }
+
+    /// The document that was taken back.
+    pub fn redo(&mut self, present: &Document) -> Option<Arc<Document>> {
+        self.gesture = None;
+        let after = self.future.pop()?;
+        self.past.push(Arc::new(present.clone()));
+        Some(after)
+    }
+
+    /// Whether there is something to take back, and something to do again.
+    pub fn reaches(&self) -> [bool; 2] {
+        [&self.past, &self.future].map(|steps| !steps.is_empty())
+    }
+
+    /// Forgets all steps, for another document.
+    pub fn clear(&mut self) {
+        *self = Self::default();
+    }
+}

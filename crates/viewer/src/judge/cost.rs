@@ -1,0 +1,135 @@
+//! What a frame of a slot costs: its passes with their clocks, their times and the bytes that they write.
+//!
+//! The window's own frames are parts of an encoder and are not timed; the judge draws the same frame on its own device, and runs all
+//! clocks of it again.
+
+use cutaway::Result;
+use cutaway::gpu::{ClockSet, RunTimes};
+use cutaway::plan::{Clock, Plan};
+use cutaway::strategies::Method;
+use cutaway::{Error, Outcome};
+use cutaway_lab::experiment::{PerClock, Renderer};
+
+use super::Subject;
+use super::context::JudgeContext;
+use crate::slot::Side;
+
+/// How often a frame is run for its times.
+const RUNS: usize = 3;
+
+/// What is asked.
+#[derive(Clone, Debug)]
+pub struct Question {
+    /// Its number, which answers name.
+    pub id: u64,
+    /// The picture.
+    pub subject: Subject,
+    /// Who draws the slots; none that is not seen.
+    pub renderers: [Option<Renderer>; 2],
+}
+
+impl Question {
+    /// The slots that are seen.
+    pub(super) fn slots(&self) -> impl Iterator<Item = (Side, Renderer)> + '_ {
+        let of = |side: Side| Some((side, self.renderers[side.index()]?));
+        Side::BOTH.into_iter().filter_map(of)
+    }
+}
+
+/// What a frame costs.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cost {
+    /// Its passes and what the CPU does for it, in order.
+    pub passes: Vec<PassCost>,
+    /// Bytes of what the passes of each clock produce.
+    pub bytes: PerClock<u64>,
+    /// Bytes of the scene itself, on all clocks.
+    pub scene_bytes: u64,
+    /// Whether times are those of the device, or by the clock of the wall with each pass waited for.
+    pub is_device_time: bool,
+    /// In how many bands of rows it is drawn; passes and the bytes of the scene are those of the first.
+    pub bands: usize,
+}
+
+/// What a pass costs.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PassCost {
+    /// Its name.
+    pub name: String,
+    /// When it runs.
+    pub clock: Clock,
+    /// Why it is there.
+    pub reason: String,
+    /// What it takes, in milliseconds: the least of a few runs.
+    pub time_ms: f64,
+    /// Bytes of the resources that it writes; of the CPU, those that it uploads.
+    pub bytes: u64,
+}
+
+impl Cost {
+    /// What the passes of a clock take, in milliseconds.
+    pub fn time_ms(&self, clock: Clock) -> f64 {
+        let of_clock = self.passes.iter().filter(|p| p.clock == clock);
+        of_clock.map(|p| p.time_ms).sum()
+    }
+}
+
+/// Answers a question for a slot.
+pub(super) async fn answer(
+    context: &mut JudgeContext,
+    question: &Question,
+    by: Renderer,
+) -> Result<Cost> {
+    let subject = &question.subject;
+    let Renderer::Method(method) = by else {
+        return Err(Error::input(
+            by.to_string(),
+            "it runs on the CPU and has no passes",
+            "choose a method for the slot",
+        ));
+    };
+    let session = context.session().await?;
+    let drawn = session.draw(&subject.at.model, &subject.view(), method)?;
+    if let Outcome::Refused(refusal) = drawn.outcome {
+        return Err(Error::Limit(refusal.reason));
+    }
+    let runs = (0..RUNS).map(|_| session.repeat(method, ClockSet::ALL));
+    let runs = runs.collect::<Result<Vec<_>>>()?;
+    let plan = session.plan(method)?;
+    let bytes = session.bytes(method)?;
+    Ok(Cost {
+        passes: passes(plan, &runs),
+        bytes: PerClock::from_fn(|clock| bytes[clock as usize]),
+        scene_bytes: Clock::ALL.map(|c| plan.scene_bytes_on(c)).iter().sum(),
+        is_device_time: session.gpu().has_timestamps(),
+        bands: session.bands(Method::from(&method))?,
+    })
+}
+
+/// The passes of a plan, with the least of their times.
+fn passes(plan: &Plan, runs: &[RunTimes]) -> Vec<PassCost> {
+    let least_ms = |name: &str| {
+        let all = runs.iter().flat_map(|run| &run.passes);
+        let own = all.filter(|p| p.name == name).filter_map(|p| p.time_ms);
+        own.reduce(f64::min).unwrap_or(0.0)
+    };
+    let bytes = |ids: Vec<cutaway::plan::ResourceId>| {
+        let all = ids.into_iter().map(|id| plan.resource(id).shape.bytes());
+        all.sum::<u64>()
+    };
+    let on_cpu = plan.on_cpu.iter().map(|step| PassCost {
+        time_ms: least_ms(&step.name),
+        name: format!("{} (CPU)", step.name),
+        clock: step.clock,
+        reason: step.reason.clone(),
+        bytes: bytes(step.makes.clone()),
+    });
+    let on_device = plan.passes.iter().map(|pass| PassCost {
+        time_ms: least_ms(&pass.name),
+        name: pass.name.clone(),
+        clock: pass.clock,
+        reason: pass.reason.clone(),
+        bytes: bytes(pass.writes()),
+    });
+    on_cpu.chain(on_device).collect()
+}

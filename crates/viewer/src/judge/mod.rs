@@ -1,0 +1,159 @@
+//! The reference, and what is compared with it, aside of the window, which never waits for it: on a thread with a device of its own, or in a
+//! worker of a page, which has one too.
+//!
+//! Of each kind of question the newest is answered: the errors of the slots, a pixel that is [magnified](magnify), the [cost] of a
+//! frame, a [survey] of all methods. The errors are found at a quarter of the resolution, then at half, then whole, so that the first
+//! answer comes while a hand still moves; a newer question ends the one before it between two steps.
+//!
+//! The reference of the present scene is kept at each of these resolutions, 53 bytes a pixel of the picture: a click after the errors are
+//! known does not evaluate it again, nor does another method.
+//!
+//! Cannot: end in the middle of a step; tell costs and times on a page, whose clocks are coarse.
+
+#![cfg_attr(
+    target_arch = "wasm32",
+    allow(dead_code, reason = "a page asks for no times")
+)]
+
+mod context;
+pub mod cost;
+mod errors;
+pub mod magnify;
+#[cfg(target_arch = "wasm32")]
+mod message;
+pub mod survey;
+#[cfg(not(target_arch = "wasm32"))]
+mod thread;
+#[cfg(target_arch = "wasm32")]
+pub mod worker;
+
+use std::sync::Arc;
+
+use cutaway::Layers;
+use cutaway::scene::{Camera, View};
+use cutaway_lab::compare::Comparison;
+use cutaway_lab::experiment::{Renderer, SceneAtTime};
+use image::RgbaImage;
+
+use crate::slot::Side;
+use crate::state::State;
+use cost::Cost;
+use magnify::Magnified;
+use survey::Surveyed;
+
+#[cfg(not(target_arch = "wasm32"))]
+pub use thread::Judge;
+#[cfg(target_arch = "wasm32")]
+pub use worker::Judge;
+
+/// A picture that is asked about.
+#[derive(Clone, Debug)]
+pub struct Subject {
+    /// Another number whenever solids, cuts or the eye may be others.
+    pub revision: u64,
+    /// The scene.
+    pub at: Arc<SceneAtTime>,
+    /// From where it is seen.
+    pub camera: Camera,
+    /// Width and height in pixels.
+    pub size_px: [u32; 2],
+}
+
+impl Subject {
+    /// The picture that a state shows, where it shows one.
+    pub fn of(state: &State, size_px: [u32; 2]) -> Option<Self> {
+        let shown = state.shown()?;
+        Some(Self {
+            revision: state.scene_revision(),
+            at: shown.at.clone(),
+            camera: shown.scene.camera,
+            size_px,
+        })
+    }
+
+    /// Its view at the whole resolution.
+    pub fn view(&self) -> View {
+        let prepared = &self.at.model.prepared;
+        prepared.view_of(&self.camera, self.size_px)
+    }
+
+    /// Whether the rays meet the same in it, however that is dressed.
+    pub fn has_the_rays_of(&self, other: &Self) -> bool {
+        let scale = |subject: &Self| subject.at.model.prepared.scale;
+        self.revision == other.revision
+            && self.view() == other.view()
+            && scale(self) == scale(other)
+    }
+}
+
+/// What is asked of the errors of the slots.
+#[derive(Clone, Debug)]
+pub struct Question {
+    /// Its number, which answers name.
+    pub id: u64,
+    /// The picture that is looked at.
+    pub subject: Subject,
+    /// Who draws the slots; none that is not seen.
+    pub renderers: [Option<Renderer>; 2],
+    /// Whether errors are wanted, or only the layers of slots that are found on the CPU.
+    pub wants_errors: bool,
+}
+
+/// A part of the answer.
+#[derive(Debug)]
+pub struct Answer {
+    /// The number of the question.
+    pub id: u64,
+    /// The slot that it is about.
+    pub side: Side,
+    /// By how much coarser than the picture it is.
+    pub divisor: u32,
+    /// What is known.
+    pub what: Content,
+}
+
+/// What is known of a slot.
+#[derive(Debug)]
+pub enum Content {
+    /// The layers of one that is found on the CPU.
+    Layers(Layers),
+    /// What is wrong where in one that is not.
+    Errors {
+        /// What is wrong where: transparent where nothing is.
+        marks: RgbaImage,
+        /// The counts.
+        comparison: Comparison,
+    },
+    /// The method refuses the scene, or something failed.
+    Failed(String),
+}
+
+/// That nothing is known of either slot, and why.
+fn failed(id: u64, why: &str) -> [Answer; 2] {
+    Side::BOTH.map(|side| Answer {
+        id,
+        side,
+        divisor: 1,
+        what: Content::Failed(why.to_owned()),
+    })
+}
+
+/// What else was found.
+#[derive(Debug)]
+pub enum Finding {
+    /// The neighbourhood of a pixel, by the number of the question.
+    Magnified(u64, Result<Magnified, String>),
+    /// The cost of a frame of a slot, by the number of the question.
+    Cost(u64, Side, Result<Cost, String>),
+    /// A step of a survey, by the number of the question.
+    Surveyed(u64, Surveyed),
+}
+
+/// Where answers go.
+trait AnswerSink {
+    /// Sends a part of the answer.
+    fn send(&self, answer: Answer);
+
+    /// Whether a newer question has come, so that the rest of this answer is of no use; looked at between two steps.
+    async fn is_superseded(&self) -> bool;
+}

@@ -1,0 +1,204 @@
+//! Error and time of every method on one picture, method by method.
+//!
+//! A method draws the picture until its buffers are settled, is compared with the reference, runs once more unmeasured, and then a few
+//! times for its time: the median of what the passes of the frame clock take. What it holds on the device is given back before the next.
+//!
+//! Cannot: time a frame in turns with the others, as `cutaway compare` does; what else the machine does in between is in the times.
+
+use std::sync::Arc;
+
+use cutaway::gpu::ClockSet;
+use cutaway::plan::Clock;
+use cutaway::strategies::{Means, Method, Rasteriser, Strategy};
+use cutaway::{Outcome, Result, Session};
+use cutaway_lab::Exact;
+use cutaway_lab::compare::compare;
+use cutaway_lab::experiment::{Samples, Stopwatch};
+
+use super::Subject;
+use super::context::JudgeContext;
+
+/// How many frames are measured of a method, at most.
+const MOST_FRAMES: usize = 7;
+
+/// How many frames are measured of a method, however long they take.
+const FEWEST_FRAMES: usize = 3;
+
+/// After how long no further frame is begun.
+const LONG_ENOUGH_MS: f64 = 1000.0;
+
+/// What is asked.
+#[derive(Clone, Debug)]
+pub struct Question {
+    /// Its number, which answers name.
+    pub id: u64,
+    /// The picture.
+    pub subject: Subject,
+}
+
+/// What was found of a method.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Surveyed {
+    /// How many methods there are.
+    pub total: usize,
+    /// The method.
+    pub method: Method,
+    /// What was found.
+    pub found: Found,
+}
+
+/// What was found.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Found {
+    /// It draws the picture.
+    Point(Point),
+    /// It refuses the scene, or failed.
+    Refused(String),
+}
+
+/// Error and time of a method.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Point {
+    /// What the passes of the frame clock take, in milliseconds: the median.
+    pub time_ms: f64,
+    /// Whether that is time on the device, or by the clock of the wall.
+    pub is_device_time: bool,
+    /// Wrong pixels that the reference is sure of.
+    pub wrong_px: usize,
+    /// Those of them that the method does not mark as unreliable.
+    pub unmarked_px: usize,
+    /// What bounded buffer was too small, if one was.
+    pub overflow: Option<String>,
+}
+
+/// A survey under way.
+pub(super) struct Survey {
+    question: Question,
+    methods: Vec<Method>,
+    done: usize,
+    exact: Option<Arc<Exact>>,
+}
+
+impl Survey {
+    /// One that is to be done.
+    pub(super) fn new(question: Question) -> Self {
+        Self {
+            question,
+            methods: methods(),
+            done: 0,
+            exact: None,
+        }
+    }
+
+    /// The number of its question.
+    pub(super) fn id(&self) -> u64 {
+        self.question.id
+    }
+
+    /// Whether all is done.
+    pub(super) fn is_done(&self) -> bool {
+        self.done == self.methods.len()
+    }
+
+    /// Takes the next method, of which there is one.
+    pub(super) fn begin_step(&mut self) -> Method {
+        let method = self.methods[self.done];
+        self.done += 1;
+        method
+    }
+
+    /// What was found of a method.
+    pub(super) fn surveyed(&self, method: Method, found: Found) -> Surveyed {
+        Surveyed {
+            total: self.methods.len(),
+            method,
+            found,
+        }
+    }
+
+    /// Measures a method.
+    pub(super) async fn step(
+        &mut self,
+        context: &mut JudgeContext,
+        method: Method,
+    ) -> Result<Found> {
+        let subject = &self.question.subject;
+        let exact = match &self.exact {
+            Some(exact) => exact.clone(),
+            None => self.exact.insert(context.exact(subject)?).clone(),
+        };
+        let measured = context.retried(async |context| {
+            let session = context.session().await?;
+            let measured = measure(session, subject, &exact, method);
+            session.forget();
+            measured
+        });
+        measured.await
+    }
+}
+
+/// Every strategy by every rasteriser that draws it.
+pub fn methods() -> Vec<Method> {
+    let by_each = |strategy: Strategy| {
+        let by_compute = Method::new(strategy, Means::by(Rasteriser::Compute));
+        let by_compute = strategy.can().compute.then_some(by_compute);
+        [Some(Method::from(strategy)), by_compute]
+            .into_iter()
+            .flatten()
+    };
+    Strategy::all().into_iter().flat_map(by_each).collect()
+}
+
+fn measure(
+    session: &mut Session,
+    subject: &Subject,
+    exact: &Exact,
+    method: Method,
+) -> Result<Found> {
+    let (model, view) = (&subject.at.model, subject.view());
+    let overflow = match session.draw(model, &view, method)?.outcome {
+        Outcome::Refused(refusal) => return Ok(Found::Refused(refusal.reason)),
+        Outcome::Overflowed(reason) => Some(reason),
+        Outcome::Complete => None,
+    };
+    let layers = session.layers(method)?;
+    let comparison = compare(exact, &layers, &view, model.prepared.scale);
+    session.repeat(method, ClockSet::FRAME)?;
+    let watch = Stopwatch::start();
+    let mut times_ms = Vec::new();
+    while times_ms.len() < FEWEST_FRAMES
+        || times_ms.len() < MOST_FRAMES && watch.ms() < LONG_ENOUGH_MS
+    {
+        let times = session.repeat(method, ClockSet::FRAME)?;
+        times_ms.push(times.clock_ms(Clock::Frame));
+    }
+    Ok(Found::Point(Point {
+        time_ms: Samples::new(times_ms).median,
+        is_device_time: session.gpu().has_timestamps(),
+        wrong_px: comparison.decided_wrong_px,
+        unmarked_px: comparison.unmarked_wrong_px,
+        overflow,
+    }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_strategy_is_measured_by_each_rasteriser_that_it_has() {
+        let methods = methods();
+        let names: Vec<String> = methods.iter().map(Method::to_string).collect();
+        for (name, is_there) in [
+            ("raycast+mask", true),
+            ("raycast+mask@compute", true),
+            ("grid:256+vds:1024", true),
+            ("grid:256+vds:1024@compute", false),
+        ] {
+            assert_eq!(names.contains(&name.to_owned()), is_there, "{name}");
+        }
+        let mut once = names.clone();
+        once.dedup();
+        assert_eq!(names, once, "each once");
+    }
+}

@@ -1,0 +1,400 @@
+//! A worker of a page that answers, with a device of its own: a second instance of this very program, which is asked by messages.
+//!
+//! ```text
+//! page    [question, scene, path, further files] -> worker
+//! worker  [reply, bytes]                         -> page
+//! ```
+//!
+//! The worker opens the document by itself, and keeps files and what it has prepared from one question to the next.
+
+use std::cell::{Cell, RefCell};
+use std::path::PathBuf;
+use std::rc::Rc;
+use std::sync::Arc;
+
+use cutaway::{Error, Result};
+use cutaway_io::{Document, load::Assets};
+use js_sys::{Array, Function, Promise, Uint8Array};
+use wasm_bindgen::prelude::{Closure, wasm_bindgen};
+use wasm_bindgen::{JsCast, JsValue};
+use wasm_bindgen_futures::{JsFuture, spawn_local};
+use web_sys::{DedicatedWorkerGlobalScope, Event, MessageEvent, Worker, WorkerOptions, WorkerType};
+
+use super::context::JudgeContext;
+use super::message::{About, QuestionMessage, Reply};
+use super::{Answer, AnswerSink, Finding, Question, Subject, cost, errors, magnify, survey};
+use crate::shown::Shown;
+use crate::state::State;
+use crate::web::files::PageFiles;
+
+/// The script that starts this program as a worker.
+const SCRIPT: &str = "./judge.js";
+
+/// The worker, as the page sees it.
+pub struct Judge {
+    worker: Option<Worker>,
+    replies: Rc<RefCell<Replies>>,
+    /// Whether it has failed: it answers nothing any more.
+    is_lost: Rc<Cell<bool>>,
+    /// So many files it has been given.
+    given: Cell<usize>,
+    /// The last question of each kind.
+    asked: Rc<RefCell<[Option<QuestionMessage>; 2]>>,
+    /// What takes in its messages, and that it has failed.
+    _on_message: Closure<dyn FnMut(MessageEvent)>,
+    _on_error: Closure<dyn FnMut(Event)>,
+}
+
+/// What has come from the worker and is still to be taken.
+#[derive(Default)]
+struct Replies {
+    answers: Vec<Answer>,
+    findings: Vec<Finding>,
+}
+
+impl Replies {
+    fn add(&mut self, reply: Reply) {
+        match reply {
+            Reply::Answer(answer) => self.answers.push(answer),
+            Reply::Finding(finding) => self.findings.push(finding),
+        }
+    }
+}
+
+/// The error where the worker fails.
+const LOST: &str = "the worker that compares has failed: reload the page";
+
+impl Judge {
+    /// Starts the worker, on the adapter that the browser gives; `wake` is called whenever there is an answer.
+    pub fn start(_adapter: &str, wake: impl Fn() + 'static) -> Self {
+        let replies = Rc::new(RefCell::new(Replies::default()));
+        let (own, wake) = (replies.clone(), Rc::new(wake));
+        let woken = wake.clone();
+        let on_message = Closure::new(move |event: MessageEvent| {
+            if let Some(reply) = Reply::from_message(&event.data()) {
+                own.borrow_mut().add(reply);
+                woken();
+            }
+        });
+        let options = WorkerOptions::new();
+        options.set_type(WorkerType::Module);
+        let worker = Worker::new_with_options(SCRIPT, &options).ok();
+        let asked = Rc::new(RefCell::new([const { None::<QuestionMessage> }; 2]));
+        let is_lost = Rc::new(Cell::new(false));
+        let (own, questions, lost_now) = (replies.clone(), asked.clone(), is_lost.clone());
+        let on_error = Closure::new(move |_: Event| {
+            lost_now.set(true);
+            let lost = questions.borrow();
+            let unanswered = lost.iter().flatten().flat_map(|q| q.unanswered(LOST));
+            unanswered.for_each(|reply| own.borrow_mut().add(reply));
+            wake();
+        });
+        if let Some(worker) = &worker {
+            worker.set_onmessage(Some(on_message.as_ref().unchecked_ref()));
+            worker.set_onerror(Some(on_error.as_ref().unchecked_ref()));
+        }
+        Self {
+            worker,
+            replies,
+            asked,
+            is_lost,
+            given: Cell::new(0),
+            _on_message: on_message,
+            _on_error: on_error,
+        }
+    }
+
+    /// Asks about what is seen; what was asked before is not answered any more.
+    pub fn ask(&self, state: &State, question: Question) {
+        let wants_errors = question.wants_errors;
+        self.send(
+            state,
+            QuestionMessage::new(
+                question.id,
+                &question.subject,
+                question.renderers,
+                About::Slots { wants_errors },
+            ),
+        );
+    }
+
+    /// Asks about a pixel; the one that was asked about before is not answered any more.
+    pub fn magnify(&self, state: &State, question: magnify::Question) {
+        self.send(
+            state,
+            QuestionMessage::new(
+                question.id,
+                &question.subject,
+                question.renderers,
+                About::Pixel(question.at_px),
+            ),
+        );
+    }
+
+    fn send(&self, state: &State, question: QuestionMessage) {
+        if let Err(why) = self.try_send(state, &question) {
+            let mut replies = self.replies.borrow_mut();
+            (question.unanswered(&why).into_iter()).for_each(|reply| replies.add(reply));
+        }
+        let kind = question.about.kind();
+        self.asked.borrow_mut()[kind] = Some(question);
+    }
+
+    fn try_send(&self, state: &State, question: &QuestionMessage) -> Result<(), String> {
+        let worker = (self.worker.as_ref()).ok_or("the browser started no worker to judge by")?;
+        if self.is_lost.get() {
+            return Err(LOST.to_owned());
+        }
+        let document = state.as_seen().map_err(|e| e.to_string())?;
+        let asked = serde_json::to_string(question).map_err(|e| e.to_string())?;
+        let path = document.path().to_string_lossy().into_owned();
+        let further = Array::new();
+        let mut given = self.given.get();
+        for (path, bytes) in PageFiles::of_page().since(given) {
+            further.push(&Array::of2(
+                &path.to_string_lossy().as_ref().into(),
+                &Uint8Array::from(&*bytes),
+            ));
+            given += 1;
+        }
+        let text = document.to_string();
+        let message = Array::of4(&asked.into(), &text.into(), &path.into(), &further);
+        let sent = worker.post_message(&message);
+        sent.map_err(|_| "the browser does not reach its worker".to_owned())?;
+        self.given.set(given);
+        Ok(())
+    }
+
+    /// What was answered since.
+    pub fn answers(&self) -> impl Iterator<Item = Answer> + '_ {
+        std::mem::take(&mut self.replies.borrow_mut().answers).into_iter()
+    }
+
+    /// What else was found since.
+    pub fn findings(&self) -> impl Iterator<Item = Finding> + '_ {
+        std::mem::take(&mut self.replies.borrow_mut().findings).into_iter()
+    }
+
+    /// Not offered on a page, whose clocks are coarse.
+    pub fn cost(&self, _: cost::Question) {}
+
+    /// Not offered on a page, whose clocks are coarse.
+    pub fn survey(&self, _: survey::Question) {}
+
+    /// Not offered on a page.
+    pub fn cancel_survey(&self) {}
+}
+
+impl Drop for Judge {
+    fn drop(&mut self) {
+        if let Some(worker) = &self.worker {
+            worker.terminate();
+        }
+    }
+}
+
+/// A question that has come to the worker, and the scene that it is about.
+struct Received {
+    asked: QuestionMessage,
+    scene: Document,
+}
+
+/// What the worker keeps.
+struct Mailbox {
+    /// The newest question of each kind that is still to be answered.
+    pending: RefCell<[Option<Received>; 2]>,
+    /// What it works with; taken while it does.
+    state: RefCell<Option<WorkerState>>,
+    files: Arc<PageFiles>,
+    /// Whether files have come since they were last looked at.
+    has_further: Cell<bool>,
+}
+
+/// What is kept from one question to the next.
+struct WorkerState {
+    context: JudgeContext,
+    assets: Assets,
+    /// The scene of the last question, by the text of its document.
+    shown: Option<(String, Shown)>,
+}
+
+thread_local! {
+    static MAILBOX: Rc<Mailbox> = Rc::new(Mailbox::new());
+}
+
+/// Takes in a message of the page; called by the script of the worker.
+#[wasm_bindgen]
+pub fn judge(message: &JsValue) {
+    let mailbox = MAILBOX.with(Rc::clone);
+    let Some(received) = read_question(message, &mailbox) else {
+        return;
+    };
+    let kind = received.asked.about.kind();
+    mailbox.pending.borrow_mut()[kind] = Some(received);
+    // Without a state it is at work, and finds the question when it looks.
+    if let Some(state) = mailbox.state.take() {
+        spawn_local(work(mailbox, state));
+    }
+}
+
+fn read_question(message: &JsValue, mailbox: &Mailbox) -> Option<Received> {
+    let message: &Array = message.dyn_ref()?;
+    let text = |index| message.get(index).as_string();
+    let asked: QuestionMessage = serde_json::from_str(&text(0)?).ok()?;
+    let further = message.get(3).dyn_into::<Array>().ok()?;
+    mailbox
+        .has_further
+        .set(mailbox.has_further.get() || further.length() > 0);
+    for file in further.iter() {
+        let file: Array = file.dyn_into().ok()?;
+        let bytes: Uint8Array = file.get(1).dyn_into().ok()?;
+        mailbox
+            .files
+            .insert(file.get(0).as_string()?, bytes.to_vec());
+    }
+    Some(Received {
+        asked,
+        scene: Document::parse(PathBuf::from(text(2)?), &text(1)?).ok()?,
+    })
+}
+
+/// Answers questions until there is none, a pixel before slots.
+async fn work(mailbox: Rc<Mailbox>, mut state: WorkerState) {
+    loop {
+        let received = mailbox
+            .pending
+            .borrow_mut()
+            .iter_mut()
+            .find_map(Option::take);
+        let Some(received) = received else {
+            break;
+        };
+        let page = PageSink { mailbox: &mailbox };
+        if mailbox.has_further.take() {
+            // One of them may be of a name that was read before.
+            state.assets = Assets::from_files(mailbox.files.clone());
+            state.shown = None;
+        }
+        let asked = &received.asked;
+        let shown = match open(&received.scene, &mut state.assets, &mut state.shown) {
+            Ok(shown) => shown,
+            Err(error) => {
+                let unanswered = asked.unanswered(&error.to_string());
+                unanswered.into_iter().for_each(post);
+                continue;
+            }
+        };
+        let (id, renderers) = (asked.id, asked.renderers());
+        let subject = Subject {
+            revision: asked.revision,
+            at: shown.at.clone(),
+            camera: shown.scene.camera,
+            size_px: asked.size_px,
+        };
+        match asked.about {
+            About::Slots { wants_errors } => {
+                let question = Question {
+                    id,
+                    subject,
+                    renderers,
+                    wants_errors,
+                };
+                let is_done = errors::answer(&mut state.context, &question, &page).await;
+                let kind = asked.about.kind();
+                let mut pending = mailbox.pending.borrow_mut();
+                if !is_done && pending[kind].is_none() {
+                    // It gave way to a pixel, and begins again after it.
+                    pending[kind] = Some(received);
+                }
+            }
+            About::Pixel(at_px) => {
+                let question = magnify::Question {
+                    id,
+                    subject,
+                    renderers,
+                    at_px,
+                };
+                let answer =
+                    async |context: &mut JudgeContext| magnify::answer(context, &question).await;
+                let magnified = state.context.retried(answer).await;
+                let magnified = magnified.map_err(|e| e.to_string());
+                post(Reply::Finding(Finding::Magnified(id, magnified)));
+            }
+        }
+    }
+    *mailbox.state.borrow_mut() = Some(state);
+}
+
+/// The scene of a document, prepared after the last where that was another.
+fn open<'a>(
+    document: &Document,
+    assets: &mut Assets,
+    shown: &'a mut Option<(String, Shown)>,
+) -> Result<&'a Shown> {
+    let text = document.to_string();
+    let next = match shown.take() {
+        Some((of, same)) if of == text => same,
+        last => {
+            let last = last.as_ref().map(|(_, shown)| shown);
+            let time_s = document.timeline(assets)?.settings().time_s;
+            let opened = Shown::open(document, assets, time_s, last)?;
+            let none = || Error::input("the scene", "it has no parts", "add one");
+            let mut opened = opened.ok_or_else(none)?;
+            opened.settle()?;
+            opened
+        }
+    };
+    let (_, shown) = shown.insert((text, next));
+    Ok(shown)
+}
+
+impl Mailbox {
+    fn new() -> Self {
+        let files = Arc::new(PageFiles::default());
+        let state = WorkerState {
+            context: JudgeContext::new(None),
+            assets: Assets::from_files(files.clone()),
+            shown: None,
+        };
+        Self {
+            pending: RefCell::default(),
+            state: RefCell::new(Some(state)),
+            files,
+            has_further: Cell::new(false),
+        }
+    }
+}
+
+/// Sends answers to the page.
+struct PageSink<'a> {
+    mailbox: &'a Mailbox,
+}
+
+/// Sends a reply to the page.
+fn post(reply: Reply) {
+    let worker: DedicatedWorkerGlobalScope = js_sys::global().unchecked_into();
+    if let Some(message) = reply.into_message() {
+        // A page that is closed has nobody left to tell.
+        let _ = worker.post_message(&message);
+    }
+}
+
+impl AnswerSink for PageSink<'_> {
+    fn send(&self, answer: Answer) {
+        post(Reply::Answer(answer));
+    }
+
+    async fn is_superseded(&self) -> bool {
+        // Messages come in between two tasks of the worker: this one ends here and goes on in the next.
+        let next_task = Promise::new(&mut |resolve: Function, _| {
+            let worker: DedicatedWorkerGlobalScope = js_sys::global().unchecked_into();
+            let set = worker.set_timeout_with_callback(&resolve);
+            if set.is_err() {
+                let _ = resolve.call0(&JsValue::NULL);
+            }
+        });
+        // It never fails.
+        let _ = JsFuture::from(next_task).await;
+        self.mailbox.pending.borrow().iter().any(Option::is_some)
+    }
+}

@@ -1,0 +1,199 @@
+//! Files that were opened last, in a small text of the user: a line for each, the newest first.
+//!
+//! It is read again before it is written, for another window may have written it, and is there whole or not at all. Two windows that
+//! write at once take turns by a lock on a file beside it, for which one waits 0.1 s at most.
+//!
+//! Cannot: keep a name with a line break in it, nor, on other systems than Unix, one that is no Unicode.
+
+use std::ffi::OsStr;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+use std::{env, fs, thread};
+
+use cutaway::{Error, Result};
+use cutaway_cli::write_file;
+
+/// So many are kept.
+const MOST: usize = 8;
+
+/// How often the lock is asked for, and how long after each time.
+const TRIES: usize = 20;
+const BETWEEN_TRIES: Duration = Duration::from_millis(5);
+
+/// The files that were opened last.
+#[derive(Clone, Debug)]
+pub struct Recent {
+    file: PathBuf,
+    paths: Vec<PathBuf>,
+}
+
+impl Recent {
+    /// Where the text is: in `$XDG_STATE_HOME`, or in `~/.local/state`; nowhere without a home.
+    pub fn usual_file() -> Option<PathBuf> {
+        let folder = |name: &str| {
+            env::var_os(name)
+                .map(PathBuf::from)
+                .filter(|f| f.is_absolute())
+        };
+        let state = folder("XDG_STATE_HOME").or_else(|| Some(folder("HOME")?.join(".local/state")));
+        Some(state?.join("cutaway/recent"))
+    }
+
+    /// Reads a text; one that is not there has no files.
+    pub fn read(file: impl Into<PathBuf>) -> Self {
+        let file = file.into();
+        let paths = lines_of(&file);
+        Self { file, paths }
+    }
+
+    /// The files, the newest first.
+    pub fn paths(&self) -> &[PathBuf] {
+        &self.paths
+    }
+
+    /// Puts a file first.
+    ///
+    /// # Errors
+    ///
+    /// A text that cannot be written.
+    pub fn add(&mut self, path: &Path) -> Result<()> {
+        let path = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
+        self.change(|paths| {
+            paths.retain(|held| *held != path);
+            paths.insert(0, path);
+            paths.truncate(MOST);
+        })
+    }
+
+    /// Leaves a file out.
+    ///
+    /// # Errors
+    ///
+    /// A text that cannot be written.
+    pub fn forget(&mut self, path: &Path) -> Result<()> {
+        self.change(|paths| paths.retain(|held| held != path))
+    }
+
+    fn change(&mut self, change: impl FnOnce(&mut Vec<PathBuf>)) -> Result<()> {
+        if let Some(folder) = self.file.parent() {
+            fs::create_dir_all(folder).map_err(|e| {
+                let help = "make the folder, or set $XDG_STATE_HOME to one that can be written";
+                Error::file(folder, format!("cannot be made: {e}"), help)
+            })?;
+        }
+        let _lock = locked(&self.file.with_extension("lock"));
+        let mut paths = lines_of(&self.file);
+        change(&mut paths);
+        self.paths = paths;
+        let bytes: Vec<u8> = self.paths.iter().flat_map(|path| line_of(path)).collect();
+        write_file(&self.file, &bytes)
+    }
+}
+
+/// A lock that other windows respect, as long as it is held; without it the list is written all the same.
+fn locked(file: &Path) -> Option<fs::File> {
+    let file = fs::File::create(file).ok()?;
+    for _ in 0..TRIES {
+        if file.try_lock().is_ok() {
+            return Some(file);
+        }
+        thread::sleep(BETWEEN_TRIES);
+    }
+    None
+}
+
+/// A line of the text; nothing for a name that is two lines.
+fn line_of(path: &Path) -> Vec<u8> {
+    #[cfg(unix)]
+    let name = std::os::unix::ffi::OsStrExt::as_bytes(path.as_os_str()).to_vec();
+    #[cfg(not(unix))]
+    let name = path.to_string_lossy().into_owned().into_bytes();
+    match name.contains(&b'\n') {
+        true => Vec::new(),
+        false => [name, b"\n".to_vec()].concat(),
+    }
+}
+
+/// The files that a text names.
+fn lines_of(file: &Path) -> Vec<PathBuf> {
+    let text = fs::read(file).unwrap_or_default();
+    let lines = text.split(|byte| *byte == b'\n');
+    let lines = lines.map(|line| line.strip_suffix(b"\r").unwrap_or(line));
+    let named = lines.filter(|line| !line.trim_ascii().is_empty());
+    named.filter_map(path_of).take(MOST).collect()
+}
+
+/// The file that a line names.
+fn path_of(line: &[u8]) -> Option<PathBuf> {
+    #[cfg(unix)]
+    let name: Option<&OsStr> = Some(std::os::unix::ffi::OsStrExt::from_bytes(line));
+    #[cfg(not(unix))]
+    let name = std::str::from_utf8(line).ok().map(OsStr::new);
+    name.map(PathBuf::from)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_newest_eight_are_kept_and_two_windows_lose_none() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let file = folder.path().join("state/cutaway/recent");
+        let mut recent = Recent::read(&file);
+        assert!(recent.paths().is_empty(), "there is no text");
+        let mut other = Recent::read(&file);
+        other.add(Path::new("/a/other.stl")).expect("written");
+        for number in [0, 1, 2, 3, 1] {
+            let path = format!("/a/{number}.stl");
+            recent.add(Path::new(&path)).expect("written");
+        }
+        let names = |recent: &Recent| -> Vec<String> {
+            let names = recent.paths().iter().filter_map(|p| p.file_name());
+            names.map(|n| n.to_string_lossy().into_owned()).collect()
+        };
+        assert_eq!(
+            names(&recent),
+            ["1.stl", "3.stl", "2.stl", "0.stl", "other.stl"]
+        );
+        recent.forget(Path::new("/a/3.stl")).expect("written");
+        assert_eq!(names(&Recent::read(&file)).len(), 4, "and it is written");
+        for number in 10..20 {
+            let path = format!("/a/{number}.stl");
+            recent.add(Path::new(&path)).expect("written");
+        }
+        assert_eq!(names(&recent).len(), MOST);
+        assert_eq!(names(&recent)[0], "19.stl");
+    }
+    #[test]
+    fn windows_that_write_at_once_lose_none() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let file = folder.path().join("recent");
+        thread::scope(|scope| {
+            for window in 0..4 {
+                let mut recent = Recent::read(&file);
+                scope.spawn(move || {
+                    for number in 0..2 {
+                        let path = format!("/a/{window}-{number}.stl");
+                        recent.add(Path::new(&path)).expect("written");
+                    }
+                });
+            }
+        });
+        assert_eq!(Recent::read(&file).paths().len(), MOST);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_name_that_is_no_unicode_is_found_again() {
+        use std::os::unix::ffi::OsStrExt;
+
+        let folder = tempfile::tempdir().expect("a folder");
+        let file = folder.path().join("recent");
+        let name = Path::new(OsStr::from_bytes(b"/a/caf\xe9 .stl"));
+        let mut recent = Recent::read(&file);
+        recent.add(name).expect("written");
+        recent.add(Path::new("/a/two\nlines.stl")).expect("written");
+        assert_eq!(Recent::read(&file).paths(), [name]);
+    }
+}

@@ -1,0 +1,114 @@
+//! The scene that a document shows, prepared to be drawn.
+//!
+//! Opening costs what reading the files costs, once: assets keep them. After that a change costs the tree of the document and what hangs on
+//! the change, for what is as it was keeps its address.
+
+use std::sync::Arc;
+
+use cutaway::scene::{Fit, View};
+use cutaway::{Result, Scene};
+use cutaway_io::Document;
+use cutaway_io::document::{Timeline, Value, named_style};
+use cutaway_io::load::Assets;
+use cutaway_lab::experiment::SceneAtTime;
+
+/// The style of documents that name none, as pictures have it.
+pub const USUAL_STYLE: &str = "technical";
+
+/// A scene at a moment. A clone shares what is large.
+#[derive(Clone, Debug)]
+pub struct Shown {
+    /// The scene over time.
+    pub timeline: Arc<Timeline>,
+    /// The scene at the moment, with the camera that is looked through.
+    pub scene: Scene,
+    /// The same, prepared.
+    pub at: Arc<SceneAtTime>,
+}
+
+impl Shown {
+    /// Opens what a document shows at a moment, or at its own; `None` where there is nothing to be shown. What it has in common with the
+    /// last scene is not prepared again.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Document::timeline`].
+    pub fn open(
+        document: &Document,
+        assets: &mut Assets,
+        time_s: Option<f64>,
+        last: Option<&Self>,
+    ) -> Result<Option<Self>> {
+        let parts = document.root().get("part");
+        let none = Value::List(Vec::new());
+        if parts.is_none_or(|parts| parts.value == none) {
+            return Ok(None);
+        }
+        let timeline = document.timeline(assets)?;
+        // The view stays where it is while a cut is dragged: it is not fitted to what the cut keeps.
+        let timeline = timeline
+            .with_usual_style(named_style(USUAL_STYLE)?)?
+            .with_usual_fit(Fit::All);
+        let scene = match time_s.filter(|_| timeline.moves()) {
+            Some(time_s) => timeline.at(time_s)?,
+            None => timeline.scene()?,
+        };
+        let at = match last {
+            Some(last) => last.at.updated(&scene),
+            // Hatches hang on where parts are at the beginning, as in pictures.
+            None if timeline.moves() => SceneAtTime::new(&timeline.at(0.0)?).updated(&scene),
+            None => SceneAtTime::new(&scene),
+        };
+        Ok(Some(Self {
+            timeline: Arc::new(timeline),
+            scene,
+            at: Arc::new(at),
+        }))
+    }
+
+    /// Shows another moment of the same document.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Timeline::at`].
+    pub fn seek(&mut self, time_s: f64) -> Result<()> {
+        let camera = self.scene.camera;
+        self.scene = self.timeline.at(time_s)?;
+        if !self.moves_camera() {
+            self.scene.camera = camera;
+        }
+        self.at = Arc::new(self.at.updated(&self.scene));
+        Ok(())
+    }
+
+    /// Prepares the scene as a picture of it would: while something moves, hatches stay as they were laid when it began.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Timeline::at`].
+    pub fn settle(&mut self) -> Result<()> {
+        let at = match self.timeline.moves() {
+            true => {
+                let first = Scene {
+                    camera: self.scene.camera,
+                    ..self.timeline.at(0.0)?
+                };
+                self.at.anew(&first).updated(&self.scene)
+            }
+            false => self.at.anew(&self.scene),
+        };
+        self.at = Arc::new(at);
+        Ok(())
+    }
+
+    /// Whether the camera has keys.
+    fn moves_camera(&self) -> bool {
+        let mut keys = self.timeline.keys();
+        keys.any(|key| key.target.starts_with("camera."))
+    }
+
+    /// What is seen in a picture of some pixels.
+    pub fn view(&self, size_px: [u32; 2]) -> View {
+        self.at.model.prepared.view_of(&self.scene.camera, size_px)
+    }
+}

@@ -1,0 +1,128 @@
+//! What is compared: two slots, each a method or the reference, and how they are seen together.
+
+use std::fmt;
+use std::str::FromStr;
+
+use cutaway::gpu::Gpu;
+use cutaway::scene::View;
+use cutaway::strategies::{AUTO, Means, choose};
+use cutaway::{Error, Model, Result};
+use cutaway_lab::experiment::Renderer;
+
+/// One of the two slots.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Side {
+    /// The one that is seen alone.
+    A,
+    /// The other.
+    B,
+}
+
+impl Side {
+    /// Both.
+    pub const BOTH: [Self; 2] = [Self::A, Self::B];
+
+    /// Its place in an array of both.
+    pub fn index(self) -> usize {
+        match self {
+            Self::A => 0,
+            Self::B => 1,
+        }
+    }
+}
+
+impl fmt::Display for Side {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::A => "A",
+            Self::B => "B",
+        })
+    }
+}
+
+/// Who draws a slot.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Painter {
+    /// Whom scene and adapter ask for.
+    Auto,
+    /// A renderer.
+    Named(Renderer),
+}
+
+impl Painter {
+    /// The renderer, for a scene in a view on a device.
+    pub fn settle(self, gpu: &Gpu, model: &Model, view: &View) -> Renderer {
+        match self {
+            Self::Named(renderer) => renderer,
+            Self::Auto => choose(model, view, Means::default(), Some(gpu.traits()))
+                .method
+                .into(),
+        }
+    }
+}
+
+impl fmt::Display for Painter {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Auto => f.write_str(AUTO),
+            Self::Named(renderer) => renderer.fmt(f),
+        }
+    }
+}
+
+impl FromStr for Painter {
+    type Err = Error;
+
+    fn from_str(name: &str) -> Result<Self> {
+        match name.trim() {
+            AUTO => Ok(Self::Auto),
+            name => Ok(Self::Named(name.parse()?)),
+        }
+    }
+}
+
+/// How the two slots are seen.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Layout {
+    /// A alone.
+    #[default]
+    Single,
+    /// A to the left of a line that is dragged, B to the right of it.
+    Wipe,
+    /// Two pictures of one view.
+    SideBySide,
+    /// B while a key is held.
+    Flicker,
+    /// How far apart the colours of A and B are.
+    Difference,
+}
+
+impl Layout {
+    /// All of them.
+    pub const ALL: [Self; 5] = [
+        Self::Single,
+        Self::Wipe,
+        Self::SideBySide,
+        Self::Flicker,
+        Self::Difference,
+    ];
+
+    /// What it is called.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Single => "Single",
+            Self::Wipe => "Wipe",
+            Self::SideBySide => "Side by side",
+            Self::Flicker => "Flicker",
+            Self::Difference => "Difference",
+        }
+    }
+
+    /// Which slots are to be drawn.
+    pub fn sides(self) -> &'static [Side] {
+        match self {
+            Self::Single => &[Side::A],
+            _ => &Side::BOTH,
+        }
+    }
+}

@@ -1,0 +1,392 @@
+//! What the window shows, and what actions make of it: a document with its history, the scene that it shows, two slots, a selection.
+//!
+//! Nothing here knows of a window: a test applies actions and looks at the document. What is refused changes nothing, and is told
+//! ([`State::notices`]).
+//!
+//! Cost of an action that changes the scene: the tree of the document, and what [`Shown::open`] costs.
+
+mod ahead;
+mod edits;
+mod intake;
+mod keys;
+mod writing;
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use crate::action::{Action, Selection};
+use crate::camera;
+use crate::command::{self, Picture};
+use crate::cuts::{self, CutEntry, PlaneMove};
+use crate::files::Store;
+use crate::history::History;
+use crate::notice::Notice;
+use crate::parts;
+use crate::removal;
+use crate::shown::Shown;
+use crate::slot::{Layout, Painter, Side};
+use crate::styles;
+use crate::timeline;
+use ahead::Ahead;
+pub use ahead::Moment;
+use cutaway::Result;
+use cutaway::scene::{Bounds, Fit};
+use cutaway_io::Document;
+use cutaway_io::load::Assets;
+
+/// What the window shows. A clone shares what is large.
+#[derive(Clone, Debug)]
+pub struct State {
+    document: Document,
+    /// At the moment that is shown, where keys move something.
+    posed: Option<Document>,
+    /// As it was read or saved.
+    saved: Document,
+    history: History,
+    assets: Assets,
+    store: Arc<dyn Store>,
+    shown: Option<Shown>,
+    /// Counts changes of the scene and of the eye.
+    scene_revision: u64,
+    /// Counts changes of who draws the slots and how they are seen.
+    slots_revision: u64,
+    /// Counts actions.
+    acted: u64,
+    /// What was read and prepared elsewhere for the action that is carried out.
+    ahead: Option<Ahead>,
+    time_s: Option<f64>,
+    selection: Selection,
+    slots: [Painter; 2],
+    layout: Layout,
+    wipe: f32,
+    shows_errors: bool,
+    shows_open_edges: bool,
+    notices: Vec<Notice>,
+    /// Files that were opened or saved.
+    opened: Vec<PathBuf>,
+}
+
+impl State {
+    /// Shows a document of the disk, whose files are in the assets as far as they have been read.
+    ///
+    /// # Errors
+    ///
+    /// A document that cannot be opened.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub fn open(document: Document, assets: Assets) -> Result<Self> {
+        Self::open_from(Arc::new(cutaway_io::load::Disk), document, assets)
+    }
+
+    /// As [`State::open`], of files that are elsewhere.
+    ///
+    /// # Errors
+    ///
+    /// As of [`State::open`].
+    pub fn open_from(store: Arc<dyn Store>, document: Document, assets: Assets) -> Result<Self> {
+        Self::open_like(store, document, assets, None)
+    }
+
+    /// The same; what it has in common with another scene is not prepared again.
+    fn open_like(
+        store: Arc<dyn Store>,
+        mut document: Document,
+        mut assets: Assets,
+        alike: Option<&Shown>,
+    ) -> Result<Self> {
+        document.guess_up(&mut assets)?;
+        let shown = Shown::open(&document, &mut assets, None, alike)?;
+        // What options have made of a scene file is a change of it.
+        let is_file = !document.path().as_os_str().is_empty();
+        let read = is_file.then(|| Document::read_from(document.path(), &*store).ok());
+        let mut state = Self {
+            saved: read.flatten().unwrap_or_else(|| document.clone()),
+            document,
+            posed: None,
+            history: History::default(),
+            assets,
+            store,
+            shown,
+            scene_revision: 0,
+            slots_revision: 0,
+            acted: 0,
+            ahead: None,
+            time_s: None,
+            selection: Selection::Scene,
+            slots: [Painter::Auto; 2],
+            layout: Layout::Single,
+            wipe: 0.5,
+            shows_errors: false,
+            shows_open_edges: false,
+            notices: Vec::new(),
+            opened: Vec::new(),
+        };
+        state.opened = intake::files_of(&state.document);
+        state.take_settings()?;
+        state.pose();
+        Ok(state)
+    }
+
+    /// The document.
+    pub fn document(&self) -> &Document {
+        &self.document
+    }
+
+    /// Where its files are.
+    pub fn store(&self) -> &Arc<dyn Store> {
+        &self.store
+    }
+
+    /// The document with what keys move where it is at the moment that is shown.
+    pub fn posed(&self) -> &Document {
+        self.posed.as_ref().unwrap_or(&self.document)
+    }
+
+    /// Whether it says something else than its file.
+    pub fn is_changed(&self) -> bool {
+        self.document != self.saved
+    }
+
+    /// The scene that it shows; nothing, where it has no parts.
+    pub fn shown(&self) -> Option<&Shown> {
+        self.shown.as_ref()
+    }
+
+    /// Another number whenever something else is to be drawn.
+    pub fn revision(&self) -> u64 {
+        self.scene_revision + self.slots_revision
+    }
+
+    /// Another number whenever solids, cuts or the eye may be others.
+    pub fn scene_revision(&self) -> u64 {
+        self.scene_revision
+    }
+
+    /// Whether there is a step to be taken back, and one to be done again.
+    pub fn can_undo_redo(&self) -> [bool; 2] {
+        self.history.reaches()
+    }
+
+    /// What the panels are about.
+    pub fn selection(&self) -> Selection {
+        self.selection
+    }
+
+    /// Who draws a slot.
+    pub fn painter(&self, side: Side) -> Painter {
+        self.slots[side.index()]
+    }
+
+    /// How the slots are seen.
+    pub fn layout(&self) -> Layout {
+        self.layout
+    }
+
+    /// Where the line between the slots is: 0 at the left end.
+    pub fn wipe(&self) -> f32 {
+        self.wipe
+    }
+
+    /// Whether errors are shown over the slots.
+    pub fn shows_errors(&self) -> bool {
+        self.shows_errors
+    }
+
+    /// Whether the open edges of meshes are shown over the picture.
+    pub fn shows_open_edges(&self) -> bool {
+        self.shows_open_edges
+    }
+
+    /// The moment that is shown; `None` for the scene at rest.
+    pub fn time_s(&self) -> Option<f64> {
+        self.time_s
+    }
+
+    /// What is to be told since the last time.
+    pub fn notices(&mut self) -> Vec<Notice> {
+        std::mem::take(&mut self.notices)
+    }
+
+    /// Files that were opened or saved since the last time.
+    pub fn take_opened(&mut self) -> Vec<PathBuf> {
+        std::mem::take(&mut self.opened)
+    }
+
+    /// Something to be told.
+    pub fn tell(&mut self, notice: impl Into<Notice>) {
+        self.notices.push(notice.into());
+    }
+
+    /// The cuts of the document.
+    pub fn cuts(&self) -> Vec<CutEntry> {
+        cuts::cuts(&self.document)
+    }
+
+    /// The box of the model; empty where there is none.
+    pub fn bounds(&self) -> Bounds {
+        (self.shown.as_ref()).map_or(Bounds::EMPTY, |shown| shown.scene.bounds())
+    }
+
+    /// The document of what is seen: with the eye where it is, at the moment that is shown, by who draws the first slot. Keys do not move that
+    /// eye any more.
+    ///
+    /// # Errors
+    ///
+    /// A document that cannot be changed.
+    pub fn as_seen(&self) -> Result<Document> {
+        let mut document = self.as_moving()?;
+        timeline::remove_below(&mut document, "camera")?;
+        Ok(document)
+    }
+
+    /// As [`State::as_seen`], with all keys.
+    ///
+    /// # Errors
+    ///
+    /// A document that cannot be changed.
+    pub fn as_moving(&self) -> Result<Document> {
+        let mut document = self.document.clone();
+        if let Some(shown) = &self.shown {
+            camera::write(&shown.scene.camera, &mut document)?;
+            if shown.scene.camera.fit == Fit::All {
+                document.set("camera.fit", "all")?;
+            }
+        }
+        self.with_settings(document)
+    }
+
+    /// A document with the moment that is shown and who draws the first slot.
+    fn with_settings(&self, mut document: Document) -> Result<Document> {
+        if let Some(time_s) = self.time_s {
+            document.set("time_s", time_s)?;
+        }
+        let painter = self.painter(Side::A);
+        match painter {
+            Painter::Auto => document.remove("strategy.name")?,
+            named => document.set("strategy.name", named.to_string())?,
+        }
+        Ok(document)
+    }
+
+    /// The command that makes this very picture.
+    ///
+    /// # Errors
+    ///
+    /// As of [`command::words`].
+    pub fn command(&self, size_px: [u32; 2]) -> Result<String> {
+        let document = self.as_seen()?;
+        let picture = Picture {
+            painter: self.painter(Side::A),
+            size_px,
+        };
+        let words = command::words(&document, &self.saved, picture)?;
+        Ok(command::quoted(&words))
+    }
+
+    /// Prepares the scene as a picture of it would, when nothing has moved for a while.
+    pub fn settle(&mut self) {
+        let settled = self.shown.as_mut().map_or(Ok(()), Shown::settle);
+        if let Err(error) = settled {
+            self.tell(error);
+        }
+    }
+
+    /// Carries an action out; what refuses it is told.
+    pub fn apply(&mut self, action: Action) {
+        // To let go changes nothing by itself.
+        self.acted += u64::from(action != Action::Release);
+        if let Err(error) = self.carry_out(action) {
+            self.tell(error);
+        }
+    }
+
+    fn carry_out(&mut self, action: Action) -> Result<()> {
+        match action {
+            Action::Take(paths) => self.take(&paths),
+            Action::Save(path) => self.save(&path),
+            Action::SaveOver(path) => self.save_over(&path),
+            Action::Reload => self.reload(),
+            Action::Undo => self.undo(),
+            Action::Redo => self.redo(),
+            Action::Set { path, value } => {
+                let gesture = Some(path.clone());
+                self.edit(gesture, |document| {
+                    styles::make_room(document, &path)?;
+                    document.set(&path, value.clone())
+                })
+            }
+            Action::Change(changes) => self.edit(None, |document| {
+                changes.iter().try_for_each(|(path, value)| match value {
+                    Some(value) => document.set(path, value.clone()),
+                    None => removal::take_out(document, path),
+                })
+            }),
+            Action::TakeBack(path) => {
+                self.edit(None, |document| styles::take_back(document, &path))
+            }
+            Action::ShowPart(index, is_shown) => {
+                self.edit(None, |document| parts::show(document, index, is_shown))
+            }
+            Action::Add(new) => self.add(new),
+            Action::Duplicate(index) => self.duplicate(index),
+            Action::Remove(index) => {
+                self.change(None, |document| timeline::take_out_cut(document, index))?;
+                self.selection = Selection::Scene;
+                Ok(())
+            }
+            Action::MovePlane(by) => self.move_plane(by),
+            Action::MoveRegion(by) => self.move_region(by),
+            Action::CutThrough(point, normal) => self.cut_through(point, normal),
+            Action::FaceEye => match &self.shown {
+                Some(shown) => {
+                    let forward = shown.view([64, 64]).forward;
+                    self.move_plane(PlaneMove::Turn(forward))
+                }
+                None => Ok(()),
+            },
+            Action::Release => {
+                self.history.end_gesture();
+                Ok(())
+            }
+            Action::Select(selection) => {
+                self.selection = selection;
+                Ok(())
+            }
+            Action::MoveCamera(by) => self.move_camera(by),
+            Action::Choose(side, painter) => {
+                self.slots[side.index()] = painter;
+                self.slots_revision += 1;
+                Ok(())
+            }
+            Action::Swap => {
+                self.slots.swap(0, 1);
+                self.slots_revision += 1;
+                Ok(())
+            }
+            Action::Arrange(layout) => {
+                self.layout = layout;
+                self.slots_revision += 1;
+                Ok(())
+            }
+            Action::Wipe(at) => {
+                self.wipe = at.clamp(0.0, 1.0);
+                Ok(())
+            }
+            Action::ShowErrors(shows) => {
+                self.shows_errors = shows;
+                Ok(())
+            }
+            Action::AddKey => self.add_key(),
+            Action::Animate => self.animate(),
+            Action::MoveKey(key, to_s) => {
+                let gesture = Some(format!("key {key:?}"));
+                self.change(gesture, |document| timeline::move_key(document, key, to_s))
+            }
+            Action::RemoveKey(key) => self.remove_key(key),
+            Action::ShowOpenEdges(shows) => {
+                self.shows_open_edges = shows;
+                Ok(())
+            }
+            Action::Seek(time_s) => self.seek(time_s),
+        }
+    }
+}

@@ -1,0 +1,139 @@
+//! Frames of the slots: when they are drawn, and how finely.
+
+use std::time::Duration;
+
+use cutaway::Result;
+use cutaway_lab::experiment::{Renderer, Stopwatch};
+use eframe::egui::Context;
+
+use super::Viewer;
+use crate::pace::{Detail, REST};
+use crate::slot::{Layout, Side};
+
+/// Samples along each side of a pixel where a document says nothing of it, as pictures have them.
+const USUAL_SAMPLES: u32 = 2;
+
+/// Most of them: as many layers of a picture are kept until all are there.
+const MOST_SAMPLES: u32 = 3;
+
+/// What was last drawn.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) struct Last {
+    revision: u64,
+    is_settled: bool,
+    size_px: [u32; 2],
+    pub(super) renderers: [Option<Renderer>; 2],
+    detail: Detail,
+}
+
+impl Viewer {
+    /// Whether a whole picture of what the state is now is still to come.
+    pub(super) fn is_drawing(&self) -> bool {
+        let Some(last) = self.last else {
+            return self.state.shown().is_some();
+        };
+        let is_of_now = (last.revision, last.is_settled) == (self.state.revision(), true);
+        let is_whole = is_of_now && last.detail.divisor() == 1;
+        let is_under_way = self.screen.is_busy() && last.detail.sample().is_none();
+        self.state.shown().is_some() && (!is_whole || is_under_way)
+    }
+
+    /// Whether samples of that picture are still to come.
+    pub(super) fn is_refining(&self) -> bool {
+        let last = self.last.filter(|_| self.state.shown().is_some());
+        let per_side = self.samples_per_side();
+        let is_open = |last: Last| Detail::next(Some(last.detail), 1, false, per_side).is_some();
+        last.is_some_and(is_open) || self.screen.is_busy()
+    }
+
+    /// How many samples of a pixel follow at rest along each of its sides: as many as the document asks for.
+    fn samples_per_side(&self) -> u32 {
+        let asked = (self.state.shown()).and_then(|s| s.timeline.settings().supersample);
+        let drawn = self.last.map_or([None; 2], |last| last.renderers);
+        let is_refused = |side: Side| self.screen.refusal(side).is_some();
+        let seen = || drawn.iter().flatten();
+        // What is compared has one sample a pixel everywhere: the reference has, and a difference is of pixels, not of means.
+        let is_compared = self.state.layout() == Layout::Difference
+            || seen().any(|renderer| renderer.method().is_none());
+        let is_idle = seen().next().is_none() || Side::BOTH.into_iter().all(is_refused);
+        match self.is_smooth && !is_compared && !is_idle {
+            true => asked.unwrap_or(USUAL_SAMPLES).min(MOST_SAMPLES),
+            false => 1,
+        }
+    }
+
+    /// Draws what has changed, as finely as there is time for.
+    pub(super) fn draw(&mut self, ctx: &Context) {
+        if let Err(error) = self.try_draw(ctx) {
+            self.toasts.add(ctx, error.into());
+        }
+    }
+
+    fn try_draw(&mut self, ctx: &Context) -> Result<()> {
+        let (done, must_redraw) = self.screen.settle()?;
+        if let Some((divisor, took_ms)) = done {
+            self.pace.learn(divisor, took_ms);
+        }
+        if must_redraw {
+            self.last = None;
+        }
+        let revision = self.state.revision();
+        let now = ctx.input(|input| input.time);
+        if self.changed.0 != revision {
+            self.changed = (revision, now);
+        }
+        let rested = now - self.changed.1;
+        let is_moving = self.last.is_some() && rested < REST.as_secs_f64();
+        if !is_moving && self.settled != Some(revision) {
+            let watch = Stopwatch::start();
+            self.state.settle();
+            self.cost.scene_ms += watch.ms();
+            self.settled = Some(revision);
+        }
+        let Some(shown) = self.state.shown() else {
+            return Ok(());
+        };
+        let is_settled = self.settled == Some(revision);
+        let divisor = self.pace.divisor(is_moving);
+        let view = shown.view(self.size_px);
+        let mut renderers = [None; 2];
+        for side in self.state.layout().sides() {
+            let painter = self.state.painter(*side);
+            let settled = painter.settle(self.screen.gpu(), &shown.at.model, &view);
+            renderers[side.index()] = Some(settled);
+        }
+        let about = (self.size_px, renderers, is_settled);
+        self.judged.ask(ctx, &self.state, &self.screen, about);
+        let next = Last {
+            revision,
+            is_settled,
+            size_px: self.size_px,
+            renderers,
+            detail: Detail::WHOLE,
+        };
+        let is_same = |last: &Last| {
+            Last {
+                detail: Detail::WHOLE,
+                ..*last
+            } == next
+        };
+        let same = self.last.filter(is_same).map(|last| last.detail);
+        let detail = Detail::next(same, divisor, is_moving, self.samples_per_side());
+        if let Some(detail) = detail.filter(|_| !self.screen.is_busy()) {
+            let wants_difference = self.state.layout() == Layout::Difference;
+            let watch = Stopwatch::start();
+            let drawn = self
+                .screen
+                .draw(shown, renderers, self.size_px, detail, wants_difference);
+            self.cost.picture_ms = Some(watch.ms());
+            self.last = Some(Last { detail, ..next });
+            drawn?;
+        }
+        if self.screen.is_busy() || detail.is_some() {
+            ctx.request_repaint_after(Duration::from_millis(5));
+        } else if !is_settled {
+            ctx.request_repaint_after(REST);
+        }
+        Ok(())
+    }
+}

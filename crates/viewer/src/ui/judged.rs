@@ -1,0 +1,226 @@
+//! What the judge has answered: marks of what is wrong, counts, pictures of slots that are drawn on the CPU.
+
+use cutaway_lab::compare::Comparison;
+use cutaway_lab::experiment::Renderer;
+use eframe::egui::{ColorImage, Context, TextureHandle};
+use image::RgbaImage;
+
+use super::latest::Latest;
+use crate::judge::{Answer, Content, Finding, Judge, Question, Subject};
+use crate::screen::{PLAIN, Screen};
+use crate::slot::Side;
+use crate::state::State;
+
+/// What is known of the errors of a slot.
+#[derive(Default)]
+struct Errors {
+    /// Of which question.
+    id: u64,
+    divisor: u32,
+    marks: Option<TextureHandle>,
+    comparison: Comparison,
+    failed: Option<String>,
+}
+
+/// What a question was about.
+#[derive(Clone, Copy, PartialEq)]
+struct About {
+    revision: u64,
+    is_settled: bool,
+    size_px: [u32; 2],
+    renderers: [Option<Renderer>; 2],
+    wants_errors: bool,
+}
+
+/// The judge, and what it has answered.
+#[derive(Default)]
+pub(super) struct Judged {
+    judge: Option<Judge>,
+    latest: Latest<About>,
+    /// The picture that the last question was about.
+    subject: Option<Subject>,
+    errors: [Errors; 2],
+    /// Of which question the pictures are that slots have from here, and how coarse they are.
+    pictures: [(u64, u32); 2],
+}
+
+impl Judged {
+    /// Asks about what is seen, if something is to be known of it that was not asked.
+    pub(super) fn ask(
+        &mut self,
+        ctx: &Context,
+        state: &State,
+        screen: &Screen,
+        (size_px, renderers, is_settled): ([u32; 2], [Option<Renderer>; 2], bool),
+    ) {
+        let wants_errors = state.shows_errors();
+        let is_on_cpu = |r: &Renderer| r.method().is_none();
+        let paints = renderers.iter().flatten().any(is_on_cpu);
+        let is_needed = wants_errors || paints;
+        // Hatches make a difference to pictures, and none to errors.
+        let is_settled = paints && is_settled;
+        let about = About {
+            revision: state.revision(),
+            is_settled,
+            size_px,
+            renderers,
+            wants_errors,
+        };
+        let subject = Subject::of(state, size_px).filter(|_| is_needed);
+        let Some((subject, id)) = subject.and_then(|s| Some((s, self.latest.ask(about)?))) else {
+            return;
+        };
+        self.subject = Some(subject.clone());
+        let question = Question {
+            id,
+            subject,
+            renderers,
+            wants_errors,
+        };
+        self.judge(ctx, screen).ask(state, question);
+    }
+
+    /// The judge, started by the first question.
+    pub(super) fn judge(&mut self, ctx: &Context, screen: &Screen) -> &Judge {
+        let wake = ctx.clone();
+        let adapter = screen.gpu().name();
+        (self.judge).get_or_insert_with(|| Judge::start(adapter, move || wake.request_repaint()))
+    }
+
+    /// What was found since, beside errors.
+    pub(super) fn findings(&self) -> Vec<Finding> {
+        self.judge.iter().flat_map(Judge::findings).collect()
+    }
+
+    /// Takes in what was answered since; whether a picture has come.
+    pub(super) fn take_in(&mut self, ctx: &Context, state: &State, screen: &mut Screen) {
+        let answers: Vec<Answer> = self.judge.iter().flat_map(Judge::answers).collect();
+        for Answer {
+            id,
+            side,
+            divisor,
+            what,
+        } in answers
+        {
+            // An answer to an older question is better than none: it is shown, faded, until the next.
+            let wants_difference = state.layout() == crate::slot::Layout::Difference;
+            let by = self.renderer(side);
+            let errors = &mut self.errors[side.index()];
+            match what {
+                Content::Layers(layers) if id == self.latest.id() => {
+                    self.pictures[side.index()] = (id, divisor);
+                    if let (Some(by), Some(subject)) = (by, &self.subject) {
+                        let put = screen.put(side, by, subject, &layers, wants_difference);
+                        if let Err(error) = put {
+                            screen.refuse(side, error.to_string());
+                        }
+                    }
+                }
+                Content::Layers(_) => {}
+                Content::Failed(why) => {
+                    if id == self.latest.id() && by.is_some_and(|by| by.method().is_none()) {
+                        screen.refuse(side, why.clone());
+                    }
+                    *errors = Errors {
+                        id,
+                        failed: Some(why),
+                        ..Errors::default()
+                    };
+                }
+                Content::Errors { marks, comparison } => {
+                    let name = format!("errors of {side}");
+                    let marks = Some(ctx.load_texture(name, as_egui(&marks), PLAIN));
+                    *errors = Errors {
+                        id,
+                        divisor,
+                        marks,
+                        comparison,
+                        failed: None,
+                    };
+                }
+            }
+        }
+    }
+
+    /// Who draws a slot in the picture that was asked about last.
+    fn renderer(&self, side: Side) -> Option<Renderer> {
+        self.latest.about()?.renderers[side.index()]
+    }
+
+    /// The marks of what is wrong in a slot, and whether it is of what is seen now.
+    pub(super) fn marks(&self, side: Side) -> Option<(&TextureHandle, bool)> {
+        let errors = &self.errors[side.index()];
+        errors
+            .marks
+            .as_ref()
+            .map(|map| (map, errors.id == self.latest.id()))
+    }
+
+    /// Whether an answer is still to come.
+    pub(super) fn is_busy(&self) -> bool {
+        let Some(About {
+            renderers,
+            wants_errors,
+            ..
+        }) = self.latest.about()
+        else {
+            return false;
+        };
+        let whole = (self.latest.id(), 1);
+        let is_open = |side: Side| {
+            let errors = &self.errors[side.index()];
+            let has_failed = errors.failed.is_some() && errors.id == self.latest.id();
+            let Some(renderer) = renderers[side.index()].filter(|_| !has_failed) else {
+                return false;
+            };
+            let is_painted = renderer.method().is_some() || self.pictures[side.index()] == whole;
+            let is_judged = !wants_errors
+                || renderer == Renderer::EXACT
+                || (errors.id, errors.divisor) == whole;
+            !(is_painted && is_judged)
+        };
+        Side::BOTH.into_iter().any(is_open)
+    }
+
+    /// The counts of a slot, at which resolution.
+    pub(super) fn counts(&self, side: Side) -> Option<(&Comparison, u32)> {
+        let errors = &self.errors[side.index()];
+        let is_known = errors.marks.is_some() && errors.id == self.latest.id();
+        is_known.then_some((&errors.comparison, errors.divisor))
+    }
+
+    /// What is to be said of a slot in a line.
+    pub(super) fn sentence(&self, side: Side, state: &State, screen: &Screen) -> String {
+        let painter = state.painter(side);
+        let errors = &self.errors[side.index()];
+        if let Some(why) = screen.refusal(side) {
+            return format!("{side}: {painter} refuses: {why}");
+        }
+        if !state.shows_errors() || painter == crate::slot::Painter::Named(Renderer::EXACT) {
+            return format!("{side}: {painter}");
+        }
+        if let Some(why) = errors
+            .failed
+            .as_ref()
+            .filter(|_| errors.id == self.latest.id())
+        {
+            return format!("{side}: {painter}: {why}");
+        }
+        let Some((counts, divisor)) = self.counts(side) else {
+            return format!("{side}: {painter}: comparing with exact ...");
+        };
+        let at = match divisor {
+            1 => String::new(),
+            divisor => format!(" at 1/{divisor} of the resolution"),
+        };
+        format!(
+            "{side}: {painter}: {} px decided wrong, {} missed cap, {} leaked cap, {} cracks{at}",
+            counts.decided_wrong_px, counts.missed_cap_px, counts.leaked_cap_px, counts.crack_px
+        )
+    }
+}
+
+fn as_egui(image: &RgbaImage) -> ColorImage {
+    let size = [image.width() as usize, image.height() as usize];
+    ColorImage::from_rgba_unmultiplied(size, image.as_raw())
+}

@@ -1,0 +1,369 @@
+//! All of the window: panels around the picture. Panels read the [`State`] and say what is to be done; nothing but [`Viewer::show`] does
+//! it.
+
+#[cfg(not(target_arch = "wasm32"))]
+mod closing;
+mod compare;
+mod cost;
+mod defects;
+#[cfg(not(target_arch = "wasm32"))]
+mod desktop;
+mod errands;
+mod frames;
+mod handles;
+mod judged;
+mod keys;
+mod latest;
+mod magnifier;
+mod menu;
+mod naming;
+mod opening;
+#[cfg(target_arch = "wasm32")]
+mod page;
+mod pointing;
+mod properties;
+mod scene;
+mod style;
+mod survey;
+mod time;
+mod toasts;
+mod value;
+mod viewport;
+
+use cutaway::Result;
+use cutaway::strategies::Method;
+use cutaway_lab::compare::Comparison;
+use cutaway_lab::experiment::Stopwatch;
+use eframe::egui::{CentralPanel, Context, Frame, Panel, Ui};
+use egui_wgpu::RenderState;
+
+use crate::action::Action;
+use crate::inspect::Inspector;
+use crate::judge::Finding;
+use crate::judge::cost::Cost;
+use crate::judge::magnify::Magnified;
+use crate::judge::survey::Found;
+use crate::notice::Notice;
+use crate::opening::Opening;
+use crate::pace::Pace;
+use crate::pick::Picked;
+use crate::profile::{FrameCost, Profile};
+#[cfg(not(target_arch = "wasm32"))]
+use crate::recent::Recent;
+use crate::screen::Screen;
+use crate::slot::Side;
+use crate::state::State;
+use crate::watch::Watch;
+use cost::Costs;
+use defects::Badges;
+#[cfg(not(target_arch = "wasm32"))]
+use desktop::Outside;
+use frames::Last;
+use judged::Judged;
+use magnifier::Magnifier;
+use naming::Asks;
+#[cfg(target_arch = "wasm32")]
+use page::Outside;
+use pointing::Pointing;
+use survey::Chart;
+use time::Strip;
+use toasts::Toasts;
+use viewport::Held;
+
+/// The window.
+pub struct Viewer {
+    state: State,
+    opening: Opening,
+    screen: Screen,
+    judged: Judged,
+    toasts: Toasts,
+    pace: Pace,
+    last: Option<Last>,
+    /// Which revision was last seen, and since when, on egui's clock in seconds.
+    changed: (u64, f64),
+    /// The revision that is prepared as a picture would be.
+    settled: Option<u64>,
+    held: Held,
+    flickers: bool,
+    plays: bool,
+    strip: Strip,
+    pointing: Pointing,
+    magnifier: Magnifier,
+    chart: Chart,
+    costs: Costs,
+    /// The files of the scene, and when they were last looked at.
+    watch: (Watch, f64),
+    outside: Outside,
+    shows_keys: bool,
+    asks: Option<Asks>,
+    inspector: Inspector,
+    badges: Badges,
+    #[cfg(not(target_arch = "wasm32"))]
+    closing: closing::Closing,
+    /// What is done when the changes are saved or discarded; nothing where the window is closed.
+    #[cfg(not(target_arch = "wasm32"))]
+    leaves_for: Option<Action>,
+    #[cfg(not(target_arch = "wasm32"))]
+    recent: Option<Recent>,
+    size_px: [u32; 2],
+    /// Whether edges are smoothed while nothing moves.
+    is_smooth: bool,
+    /// What frames cost, where that is asked for, and the present one.
+    profile: Option<Profile>,
+    cost: FrameCost,
+}
+
+impl Viewer {
+    /// Shows a state, on the device that egui draws with.
+    ///
+    /// # Errors
+    ///
+    /// A device with less than core WebGPU.
+    pub fn on(host: &RenderState, state: State) -> Result<Self> {
+        Ok(Self::with(Screen::on(host)?, state))
+    }
+
+    /// Shows a state by a screen.
+    pub fn with(screen: Screen, state: State) -> Self {
+        Self {
+            state,
+            opening: Opening::default(),
+            screen,
+            judged: Judged::default(),
+            toasts: Toasts::default(),
+            pace: Pace::default(),
+            last: None,
+            changed: (0, 0.0),
+            settled: None,
+            held: Held::default(),
+            flickers: false,
+            plays: false,
+            strip: Strip::default(),
+            pointing: Pointing::default(),
+            magnifier: Magnifier::default(),
+            chart: Chart::default(),
+            costs: Costs::default(),
+            watch: (Watch::default(), 0.0),
+            outside: Outside::default(),
+            shows_keys: false,
+            asks: None,
+            inspector: Inspector::default(),
+            badges: Badges::default(),
+            #[cfg(not(target_arch = "wasm32"))]
+            closing: closing::Closing::default(),
+            #[cfg(not(target_arch = "wasm32"))]
+            leaves_for: None,
+            #[cfg(not(target_arch = "wasm32"))]
+            recent: None,
+            size_px: [16, 16],
+            is_smooth: true,
+            profile: None,
+            cost: FrameCost::default(),
+        }
+    }
+
+    /// The same in a window with another device, in the place of one that is lost: with the scene and its history, and with what goes on
+    /// beside the window. What the lost device has drawn is drawn anew.
+    #[must_use]
+    pub fn reopened_on(self, screen: Screen) -> Self {
+        let mut reopened = Self {
+            opening: self.opening,
+            outside: self.outside,
+            #[cfg(not(target_arch = "wasm32"))]
+            recent: self.recent,
+            is_smooth: self.is_smooth,
+            profile: self.profile,
+            ..Self::with(screen, self.state)
+        };
+        reopened.state.tell(Notice {
+            text: "The graphics device was lost. It has been opened again; the scene is whole."
+                .to_owned(),
+            // It stays until it is closed: a driver that does so is worth a look.
+            is_error: true,
+        });
+        reopened
+    }
+
+    /// What the window shows.
+    pub fn state(&self) -> &State {
+        &self.state
+    }
+
+    /// The pictures.
+    pub fn screen(&self) -> &Screen {
+        &self.screen
+    }
+
+    /// The size of the picture of a slot, in pixels.
+    pub fn size_px(&self) -> [u32; 2] {
+        self.size_px
+    }
+
+    /// The errors of a slot against the reference, and by how much coarser than the picture they were taken, once they are known.
+    pub fn errors(&self, side: Side) -> Option<(&Comparison, u32)> {
+        self.judged.counts(side)
+    }
+
+    /// What is under the pointer, once it is known.
+    pub fn picked(&self) -> Option<&Picked> {
+        self.pointing.under_pointer()
+    }
+
+    /// The pixel that was clicked, magnified, once it is known.
+    pub fn magnified(&self) -> Option<&Magnified> {
+        self.magnifier.magnified()
+    }
+
+    /// What was found of the methods that have been measured so far.
+    pub fn surveyed(&self) -> &[(Method, Found)] {
+        self.chart.entries()
+    }
+
+    /// What a frame of a slot costs, where that is shown, once it is known.
+    pub fn cost(&self, side: Side) -> Option<&Cost> {
+        self.costs.cost(side)
+    }
+
+    /// Whether something is still to come: a frame, an answer of the judge, a pixel that was asked for, a file that is opened or
+    /// exported, a mesh that is inspected.
+    pub fn is_busy(&self) -> bool {
+        let is_judging = self.judged.is_busy()
+            || self.magnifier.is_busy()
+            || self.chart.is_busy()
+            || self.costs.is_busy();
+        let is_outside = self.outside.is_busy() || self.opening.is_busy();
+        let is_asked = is_judging || self.screen.is_picking() || self.inspector.is_busy();
+        self.is_drawing() || self.is_refining() || is_asked || is_outside
+    }
+
+    /// Carries out an action, as a button would have it done.
+    pub fn apply(&mut self, action: Action) {
+        match Opening::is_for(&action) {
+            true => self.opening.ask(action),
+            false => self.state.apply(action),
+        }
+    }
+
+    /// Smooths edges while nothing moves, or does not.
+    pub fn smooth(&mut self, is_smooth: bool) {
+        self.is_smooth = is_smooth;
+    }
+
+    /// Begins to keep what frames cost.
+    pub fn begin_profile(&mut self) {
+        self.profile = Some(Profile::default());
+    }
+
+    /// What frames have cost since.
+    pub fn profile(&self) -> Option<&Profile> {
+        self.profile.as_ref()
+    }
+
+    /// All of the window.
+    pub fn show(&mut self, ui: &mut Ui) {
+        let watch = Stopwatch::start();
+        self.cost = FrameCost::default();
+        self.show_all(ui);
+        self.cost.whole_ms = watch.ms();
+        if let Some(profile) = &mut self.profile {
+            profile.add(self.cost);
+        }
+    }
+
+    fn show_all(&mut self, ui: &mut Ui) {
+        let ctx = ui.ctx().clone();
+        let mut actions = Vec::new();
+        self.run_errands(&ctx, &mut actions);
+        self.inspect(&ctx);
+        self.keys(&ctx, &mut actions);
+        Panel::top("menu").show(ui, |ui| self.menu(ui, &mut actions));
+        // Of one height, whatever it says: the picture does not change its size with the counts.
+        Panel::bottom("compare").exact_size(84.0).show(ui, |ui| {
+            let windows = (&mut self.chart.is_asked, &mut self.costs.is_open);
+            let pictures = (&self.screen, &self.judged);
+            compare::show(ui, &self.state, pictures, windows, &mut actions);
+            ui.label(self.pointing.sentence());
+        });
+        if self.state.shown().is_some_and(|s| s.timeline.moves()) {
+            // Of a size of its own, or the picture would change its size with what the keys say.
+            let height = time::height(&self.state);
+            Panel::bottom("time").exact_size(height).show(ui, |ui| {
+                let strip = (&mut self.plays, &mut self.strip);
+                time::show(ui, &self.state, strip, &mut actions);
+            });
+        }
+        Panel::left("scene").default_size(220.0).show(ui, |ui| {
+            scene::show(ui, &self.state, &self.badges, &mut actions);
+        });
+        Panel::right("properties")
+            // As wide as what it can hold: the picture does not change its size with the selection.
+            .size_range(300.0..=600.0)
+            .show(ui, |ui| {
+                properties::show(ui, &self.state, &mut actions);
+            });
+        // What panels hold is let go with the pointer.
+        if ctx.input(|input| input.pointer.any_released()) {
+            actions.push(Action::Release);
+        }
+        CentralPanel::default()
+            .frame(Frame::NONE.fill(ui.visuals().panel_fill))
+            .show(ui, |ui| {
+                let rect = ui.available_rect_before_wrap();
+                self.size_px = viewport::size_px(rect, self.state.layout(), ctx.pixels_per_point());
+                self.judged.take_in(&ctx, &self.state, &mut self.screen);
+                self.take_findings(&ctx);
+                self.draw(&ctx);
+                let pictures = (&self.screen, &self.judged, &self.inspector);
+                let pointer = (&mut self.held, self.flickers);
+                let at = viewport::show(ui, rect, &self.state, pictures, pointer, &mut actions);
+                self.point(&ctx, at);
+            });
+        self.ask_the_judge(&ctx);
+        self.magnifier(&ctx);
+        self.chart(&ctx, &mut actions);
+        self.costs(&ctx);
+        if !actions.is_empty() {
+            ctx.request_repaint();
+        }
+        let watch = Stopwatch::start();
+        for action in actions {
+            #[cfg(not(target_arch = "wasm32"))]
+            self.apply_or_ask(action);
+            #[cfg(target_arch = "wasm32")]
+            self.apply(action);
+        }
+        self.cost.scene_ms += watch.ms();
+        self.dialogs(&ctx);
+        self.open_files(&ctx);
+        let notices = self.state.notices();
+        notices
+            .into_iter()
+            .for_each(|notice| self.toasts.add(&ctx, notice));
+        #[cfg(not(target_arch = "wasm32"))]
+        self.remember(&ctx);
+        #[cfg(not(target_arch = "wasm32"))]
+        self.guard_changes(&ctx);
+        self.toasts.show(&ctx);
+        if self.changed.0 != self.state.revision() {
+            ctx.request_repaint();
+        }
+    }
+
+    /// Asks the judge what open windows want to know.
+    fn ask_the_judge(&mut self, ctx: &Context) {
+        self.magnify(ctx);
+        self.survey(ctx);
+        self.ask_costs(ctx);
+    }
+
+    /// Takes in what the judge has found beside errors.
+    fn take_findings(&mut self, ctx: &Context) {
+        for finding in self.judged.findings() {
+            match finding {
+                Finding::Magnified(id, magnified) => self.magnifier.take_in(ctx, id, magnified),
+                Finding::Surveyed(id, surveyed) => self.chart.take_in(id, surveyed),
+                Finding::Cost(id, side, cost) => self.costs.take_in(id, side, cost),
+            }
+        }
+    }
+}

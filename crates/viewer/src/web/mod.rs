@@ -1,0 +1,268 @@
+//! The window on a page: a canvas, files that are dropped into it or chosen, a link that holds the scene, and what the page itself may ask.
+//!
+//! The same [`Viewer`] as on a desktop, on the browser's WebGPU. Nothing is sent anywhere: files stay in the memory of the page.
+//!
+//! Cannot: make films, which the command does; watch files; keep files from one visit to the next; go on with another device where the
+//! browser takes the present one away.
+
+pub mod files;
+
+use std::cell::RefCell;
+use std::path::Path;
+use std::rc::Rc;
+use std::sync::Arc;
+
+use cutaway::Result;
+use cutaway_io::Document;
+use cutaway_io::load::Assets;
+use eframe::egui::{FontData, FontDefinitions, FontFamily, Ui};
+use epaint_default_fonts::UBUNTU_LIGHT;
+use js_sys::{Function, Promise, Uint8Array};
+use wasm_bindgen::prelude::{Closure, wasm_bindgen};
+use wasm_bindgen::{JsCast, JsValue};
+use wasm_bindgen_futures::future_to_promise;
+use web_sys::{BeforeUnloadEvent, HtmlCanvasElement};
+
+use crate::action::Action;
+use crate::device::{DeviceLoss, on_our_device};
+use crate::link;
+use crate::slot::{Painter, Side};
+use crate::state::State;
+use crate::ui::Viewer;
+use files::PageFiles;
+
+/// The viewer, as the page sees it.
+#[wasm_bindgen]
+pub struct Cutaway {
+    viewer: Rc<RefCell<Viewer>>,
+    ctx: eframe::egui::Context,
+    on_lost: Rc<RefCell<Option<Function>>>,
+}
+
+/// Shows the viewer on a canvas, with the scene of a link: the fragment of the page's address.
+///
+/// # Errors
+///
+/// A browser without WebGPU.
+#[wasm_bindgen]
+pub async fn start(canvas: HtmlCanvasElement, fragment: String) -> Result<Cutaway, JsValue> {
+    let mut options = eframe::WebOptions {
+        renderer: eframe::Renderer::Wgpu,
+        ..eframe::WebOptions::default()
+    };
+    on_our_device(&mut options.wgpu_options);
+    let made = Rc::new(RefCell::new(None));
+    let given = made.clone();
+    let runner = eframe::WebRunner::new();
+    let run = runner.start(
+        canvas,
+        options,
+        Box::new(move |creation| {
+            let host = creation.wgpu_render_state.as_ref();
+            let host = host.ok_or("egui draws without wgpu")?;
+            creation.egui_ctx.set_fonts(fonts());
+            let viewer = Rc::new(RefCell::new(Viewer::on(host, open(&fragment)?)?));
+            let on_lost = Rc::default();
+            *given.borrow_mut() = Some(Cutaway {
+                viewer: viewer.clone(),
+                ctx: creation.egui_ctx.clone(),
+                on_lost: Rc::clone(&on_lost),
+            });
+            let woken = creation.egui_ctx.clone();
+            let loss = DeviceLoss::watch(&host.device, move || woken.request_repaint());
+            ask_before_leaving(viewer.clone(), loss.clone());
+            Ok(Box::new(App {
+                viewer,
+                loss,
+                on_lost,
+            }))
+        }),
+    );
+    run.await?;
+    made.take().ok_or_else(|| "the viewer did not start".into())
+}
+
+/// Has the browser ask who leaves the page with changes that no file has. After a loss of the device the scene is kept elsewhere.
+fn ask_before_leaving(viewer: Rc<RefCell<Viewer>>, loss: DeviceLoss) {
+    let on_leaving = Closure::<dyn FnMut(_)>::new(move |event: BeforeUnloadEvent| {
+        let is_changed = viewer.borrow().state().has_unsaved_changes();
+        if is_changed && loss.reason().is_none() {
+            event.prevent_default();
+            // Browsers that do not ask because of the line above ask because of this one; none shows the text.
+            event.set_return_value("The scene was changed and is not saved.");
+        }
+    });
+    if let Some(window) = web_sys::window() {
+        window.set_onbeforeunload(Some(on_leaving.as_ref().unchecked_ref()));
+    }
+    // It is there as long as the page is.
+    on_leaving.forget();
+}
+
+/// The one font of egui's four that something here is written in.
+fn fonts() -> FontDefinitions {
+    let mut fonts = FontDefinitions::empty();
+    let name = "Ubuntu-Light".to_owned();
+    let data = Arc::new(FontData::from_static(UBUNTU_LIGHT));
+    fonts.font_data.insert(name.clone(), data);
+    for family in [FontFamily::Proportional, FontFamily::Monospace] {
+        fonts.families.insert(family, vec![name.clone()]);
+    }
+    fonts
+}
+
+/// The scene of a fragment; where it cannot be opened an empty one, which says why.
+fn open(fragment: &str) -> Result<State> {
+    let store = PageFiles::of_page();
+    let open = |document| {
+        let assets = Assets::from_files(store.clone());
+        State::open_from(store.clone(), document, assets)
+    };
+    match link::document(fragment).and_then(|d| open(d.unwrap_or_else(Document::new))) {
+        Ok(state) => Ok(state),
+        Err(error) => {
+            let mut empty = open(Document::new())?;
+            empty.tell(error);
+            Ok(empty)
+        }
+    }
+}
+
+/// Keeps a scene beside the page: in a link, whose fragment is given, or, where it names files, as a download.
+fn keep(scene: Document) -> Result<Option<String>> {
+    if let Ok(fragment) = link::fragment(&scene) {
+        return Ok(Some(fragment));
+    }
+    files::download(Path::new("scene.toml"), scene.to_string().as_bytes())?;
+    Ok(None)
+}
+
+#[wasm_bindgen]
+impl Cutaway {
+    /// Takes a file in, as if it were dropped: a scene in the place of this one, a model as a further part, an image as the relief of the
+    /// selected cut.
+    pub fn take(&self, name: &str, bytes: &[u8]) {
+        PageFiles::of_page().insert(name, bytes);
+        self.apply(Action::Take(vec![name.into()]));
+    }
+
+    /// The scene file.
+    pub fn scene(&self) -> Result<String, JsValue> {
+        let scene = self.viewer.borrow().state().as_seen();
+        Ok(scene.map_err(text)?.to_string())
+    }
+
+    /// The command that makes the picture of slot A.
+    pub fn command(&self) -> Result<String, JsValue> {
+        let viewer = self.viewer.borrow();
+        viewer.state().command(viewer.size_px()).map_err(text)
+    }
+
+    /// The fragment of an address that shows the scene.
+    pub fn fragment(&self) -> Result<String, JsValue> {
+        let scene = self.viewer.borrow().state().as_seen();
+        scene.and_then(|scene| link::fragment(&scene)).map_err(text)
+    }
+
+    /// Has a function called once when the browser takes the device away, after which nothing is drawn any more: with the reason, and with
+    /// the fragment of an address that shows the scene, or null where the scene names files and is downloaded.
+    pub fn on_lost(&self, call: Function) {
+        *self.on_lost.borrow_mut() = Some(call);
+    }
+
+    /// Chooses who draws slot A or B: a strategy such as `raycast+mask@compute`, `auto` or `exact`.
+    pub fn choose(&self, is_b: bool, name: &str) -> Result<(), JsValue> {
+        let painter: Painter = name.parse().map_err(text)?;
+        self.apply(Action::Choose(side(is_b), painter));
+        Ok(())
+    }
+
+    /// Smooths edges while nothing moves, or does not.
+    pub fn smooth(&self, is_smooth: bool) {
+        self.viewer.borrow_mut().smooth(is_smooth);
+        self.ctx.request_repaint();
+    }
+
+    /// Compares the slots with the exact reference, or not.
+    pub fn show_errors(&self, shows: bool) {
+        self.apply(Action::ShowErrors(shows));
+    }
+
+    /// What is wrong in slot A or B at the whole resolution, as JSON, once it is known.
+    pub fn errors(&self, is_b: bool) -> Option<String> {
+        let viewer = self.viewer.borrow();
+        let (errors, _) = viewer.errors(side(is_b)).filter(|(_, at)| *at == 1)?;
+        serde_json::to_string(errors).ok()
+    }
+
+    /// What the ray of the pixel crosses that was clicked while errors are shown, as JSON, once it is known.
+    pub fn crossings(&self) -> Option<String> {
+        let viewer = self.viewer.borrow();
+        serde_json::to_string(&viewer.magnified()?.depths).ok()
+    }
+
+    /// Why slot A or B shows nothing, where it does not.
+    pub fn refusal(&self, is_b: bool) -> Option<String> {
+        let viewer = self.viewer.borrow();
+        viewer.screen().refusal(side(is_b)).map(str::to_owned)
+    }
+
+    /// Whether something is still to come: a frame, an answer of the judge, a pixel that was asked for.
+    pub fn is_busy(&self) -> bool {
+        self.viewer.borrow().is_busy()
+    }
+
+    /// Width and height of the picture of a slot, in pixels.
+    pub fn size_px(&self) -> Vec<u32> {
+        self.viewer.borrow().size_px().to_vec()
+    }
+
+    /// The pixels of slot A or B: RGBA8, rows from the top.
+    pub fn picture(&self, is_b: bool) -> Promise {
+        let read = self.viewer.borrow().screen().read(side(is_b));
+        future_to_promise(async move {
+            let read = read.ok_or("the slot has no picture")?;
+            let image = read.await.map_err(text)?;
+            Ok(Uint8Array::from(image.as_raw().as_slice()).into())
+        })
+    }
+
+    fn apply(&self, action: Action) {
+        self.viewer.borrow_mut().apply(action);
+        self.ctx.request_repaint();
+    }
+}
+
+fn side(is_b: bool) -> Side {
+    if is_b { Side::B } else { Side::A }
+}
+
+fn text(error: cutaway::Error) -> JsValue {
+    error.to_string().into()
+}
+
+struct App {
+    viewer: Rc<RefCell<Viewer>>,
+    loss: DeviceLoss,
+    on_lost: Rc<RefCell<Option<Function>>>,
+}
+
+impl eframe::App for App {
+    fn ui(&mut self, ui: &mut Ui, _: &mut eframe::Frame) {
+        let Some(why) = self.loss.reason() else {
+            self.viewer.borrow_mut().show(ui);
+            return;
+        };
+        // Taken before it is called: what it does may be to set another.
+        let call = self.on_lost.borrow_mut().take();
+        if let Some(call) = call {
+            let kept = self.viewer.borrow().state().as_seen().and_then(keep);
+            // Where it cannot be kept either, nothing is promised.
+            let kept = kept.map_or(JsValue::UNDEFINED, |link| {
+                link.map_or(JsValue::NULL, JsValue::from)
+            });
+            // What the page makes of it is its own.
+            let _ = call.call2(&JsValue::NULL, &why.into(), &kept);
+        }
+    }
+}

@@ -1,7 +1,0 @@
-//! The command `cutaway` with a window: `cutaway view` starts it.
-
-use std::process::ExitCode;
-
-fn main() -> ExitCode {
-    cutaway::cmd::main_with(Some(cutaway_viewer::window::open))
-}
