@@ -2,7 +2,7 @@
 //!
 //! A sample is undecided where an implementation that moves it by [`View::doubt_px`], or rounds a depth by four ulp of f32, may
 //! rightly answer otherwise. Three things can make it so: an outline nearby, two events of one ray that are so close that
-//! their order is open ([`super::order`]), and a ray that grazes a clip-surface. Of the latter two nearness alone is not enough: the walk is repeated with the
+//! their order is open ([`super::order`]; at a seam, of which of two triangles is crossed, as close as the worse of the two leaves it), and a ray that grazes a clip-surface. Of the latter two nearness alone is not enough: the walk is repeated with the
 //! pair swapped, or the graze taken the other way, and only another kind, part or clip-surface leaves the sample undecided;
 //! if all of these stay and the depth jumps, as between the folds of a relief, the depth alone is open; if only other solids
 //! come to overlap at a cap or cease to, that alone is. An outline leaves
@@ -16,7 +16,7 @@ use cutaway::scene::{Prepared, View};
 
 use super::clip::{Graze, Ray, Root};
 use super::cutter::{self, Cutters};
-use super::outline::Brush;
+use super::outline::{Brush, Edge};
 use super::raster::{Crossing, Projected};
 use super::walk::{Cause, Event, Sight, State, restore_order, walk};
 
@@ -130,12 +130,22 @@ impl Case<'_> {
     pub(super) fn margin(&self, event: &Event) -> f64 {
         let change = match event.cause {
             Cause::Mesh { rank, .. } => {
-                let triangle = self.crossings[event.source as usize].triangle;
-                self.parts[rank as usize].facet(triangle).depth_change(
-                    self.view,
-                    self.ray.direction,
-                    event.depth,
-                )
+                let change = |triangle| {
+                    let facet = self.parts[usize::from(rank)].facet(triangle);
+                    facet.depth_change(self.view, self.ray.direction, event.depth)
+                };
+                let own = change(self.crossings[event.source as usize].triangle);
+                // Who rounds corners may find a triangle beyond a seam in its place.
+                let beyond = self.brushes.iter().filter_map(|brush| {
+                    let apart = (brush.depth - event.depth).abs();
+                    match brush.edge {
+                        Edge::Seam(two) if brush.rank == rank && apart <= own + brush.margin => {
+                            Some(two)
+                        }
+                        _ => None,
+                    }
+                });
+                beyond.flatten().map(change).fold(own, f64::max)
             }
             Cause::Clip { .. } => {
                 self.roots[event.source as usize].depth_change(self.view, &self.ray)
@@ -149,10 +159,10 @@ impl Case<'_> {
     fn brushed(&self, scratch: &mut Scratch) -> bool {
         self.brushes.iter().any(|brush| {
             let is_hidden = brush.depth - brush.margin > self.seen_depth();
-            if brush.odd {
-                !is_hidden || self.start_matters(scratch, brush.rank)
-            } else {
-                !is_hidden && !self.clearly_removed(brush)
+            match brush.edge {
+                Edge::Rim => !is_hidden || self.start_matters(scratch, brush.rank),
+                Edge::Fold => !is_hidden && !self.clearly_removed(brush),
+                Edge::Seam(_) => false,
             }
         })
     }

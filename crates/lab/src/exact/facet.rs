@@ -71,6 +71,16 @@ impl Facet {
         (self.plane_change(view, direction, depth) + slopes).min(self.extent())
     }
 
+    /// About how much [`Self::depth_change`] is anywhere in the triangle, of which the farthest corner is at a depth.
+    pub(super) fn greatest_change(&self, view: &View, far: f64) -> f64 {
+        let slopes = match view.precision.slopes_in_f32 {
+            true => self.slope_rounding(view, far),
+            false => 0.0,
+        };
+        let middle = self.points.iter().sum::<DVec3>() / 3.0;
+        (self.plane_change_at(view, middle).abs() + slopes).min(self.extent())
+    }
+
     /// How much the depth on the plane changes, wherever that leads, when a sample moves by [`View::doubt_px`].
     pub(super) fn plane_change(&self, view: &View, direction: DVec3, depth: f64) -> f64 {
         let along = self.normal.dot(direction).abs();

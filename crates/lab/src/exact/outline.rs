@@ -1,8 +1,11 @@
-//! Edges at which the number of crossings changes, and the samples that are too close to them to be decided.
+//! Edges at which the number of crossings changes, or the depth at which they are found, and the samples that are too close to them.
 //!
 //! An edge shared by exactly two faces that lie on different sides of it in the picture is no outline: whichever of the
 //! two a sample hits, the ray crosses once. Every other edge is one: a fold (*silhouette*), a rim (*boundary*), an edge
 //! with more than two faces, and, where the rule is nonzero, one whose faces do not agree which side is out. Vertices are matched by position here, because a mesh may store one point twice.
+//!
+//! Where one of the two faces is far steeper than the other, or its depths are interpolated far less well, their edge is a *seam*: whoever
+//! hits the other face finds one crossing too, but maybe at another depth.
 //!
 //! A needle narrower than the sub-pixel grid lies on no side of its edges: they are outlines too (see [`sliver_reach`]), but for needles
 //! that reach past the near plane.
@@ -26,6 +29,9 @@ use super::screen::Corner;
 /// No two depths of a scene are farther apart: it lies in a ball of radius 1. The plane of a needle seen edge-on has no such bound.
 const SCENE_DIAMETER: f64 = 2.0;
 
+/// Depths beyond an edge that move by up to this many times as much are no worse than those on this side of it.
+const SEAM: f64 = 4.0;
+
 /// Two steps of f32 near 1: what is no wider than that has no plane in f32.
 const LINE_WIDTH: f64 = 2.0 * f32::EPSILON as f64;
 
@@ -33,8 +39,20 @@ const LINE_WIDTH: f64 = 2.0 * f32::EPSILON as f64;
 pub(super) struct Outline {
     ends: [Corner; 2],
     rank: u16,
-    odd: bool,
+    edge: Edge,
     margin: f64,
+}
+
+/// What is open beside an edge.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Edge {
+    /// Whether there are two crossings more.
+    Fold,
+    /// Whether the part is open: it has an odd number of faces, or directions that do not cancel where the rule is nonzero, or a coarse
+    /// adapter parts its triangles there.
+    Rim,
+    /// Which of two triangles is crossed.
+    Seam([u32; 2]),
 }
 
 /// A sample near an outline.
@@ -44,9 +62,8 @@ pub(super) struct Brush {
     pub(super) pixel: u32,
     /// Rank of the part.
     pub(super) rank: u16,
-    /// Beyond the edge the part is open: it has an odd number of faces, or directions that do not cancel where the rule is nonzero, or a
-    /// coarse adapter parts its triangles there.
-    pub(super) odd: bool,
+    /// What is open there.
+    pub(super) edge: Edge,
     /// Depth of the edge.
     pub(super) depth: f64,
     /// How far in depth the faces at the edge may reach within [`View::doubt_px`].
@@ -60,6 +77,8 @@ struct Use {
     side: i8,
     /// 1 where the face runs along the key, -1 where it runs against it.
     direction: i8,
+    /// About how much depth on the face may move.
+    change: f64,
 }
 
 /// The outlines of a part.
@@ -74,6 +93,7 @@ pub(super) fn outlines(view: &View, rank: u16, projected: &Projected<'_>) -> Vec
                 Some(_) => 0,
                 None => projected.facing[index],
             };
+            let change = depth_change(view, projected, index as u32);
             let t = t.map(|i| names[i as usize]);
             // A triangle with two equal corners is an edge, and no face of it.
             let degenerate = t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
@@ -84,6 +104,7 @@ pub(super) fn outlines(view: &View, rank: u16, projected: &Projected<'_>) -> Vec
                     triangle: index as u32,
                     side: if from < to { facing } else { -facing },
                     direction: if from < to { 1 } else { -1 },
+                    change,
                 }
             })
         })
@@ -97,12 +118,17 @@ pub(super) fn outlines(view: &View, rank: u16, projected: &Projected<'_>) -> Vec
     };
     let sum = |faces: &[Use]| -> i32 { faces.iter().map(|f| i32::from(f.direction)).sum() };
     uses.chunk_by(|a, b| a.key == b.key)
-        .filter(|faces| {
-            let across = faces.len() == 2 && faces[0].side != 0 && faces[0].side == -faces[1].side;
-            !across || fill.holds(sum(faces)) || is_clipped(faces[0].key)
-        })
         .filter_map(|faces| {
             let (from, to) = faces[0].key;
+            let edge = match faces {
+                _ if fill.holds(sum(faces)) || is_clipped((from, to)) => Edge::Rim,
+                [a, b] if a.side != 0 && a.side == -b.side => {
+                    let least = a.change.min(b.change) + rounding(view, view.near);
+                    let is_seam = a.change.max(b.change) > SEAM * least;
+                    is_seam.then_some(Edge::Seam([a.triangle, b.triangle]))?
+                }
+                _ => Edge::Fold,
+            };
             let [a, b] = [from, to].map(|i| projected.corners[i as usize]);
             let margin = faces
                 .iter()
@@ -118,11 +144,18 @@ pub(super) fn outlines(view: &View, rank: u16, projected: &Projected<'_>) -> Vec
             Some(Outline {
                 ends,
                 rank,
-                odd: fill.holds(sum(faces)) || is_clipped((from, to)),
+                edge,
                 margin,
             })
         })
         .collect()
+}
+
+/// About how much depth on a triangle may move, by snapping and by how it is interpolated.
+fn depth_change(view: &View, projected: &Projected<'_>, triangle: u32) -> f64 {
+    let far = projected.corners(triangle).map(|c| c.depth);
+    let far = far.into_iter().fold(view.near, f64::max);
+    projected.facet(triangle).greatest_change(view, far)
 }
 
 /// For each vertex, the first vertex at the same position.
@@ -252,7 +285,7 @@ impl Outline {
                 found.push(Brush {
                     pixel: (row - first_row) * view.size_px[0] + column,
                     rank: self.rank,
-                    odd: self.odd,
+                    edge: self.edge,
                     depth,
                     margin: self.margin + rounding(view, depth),
                 });

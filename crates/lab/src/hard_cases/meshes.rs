@@ -134,6 +134,30 @@ pub fn prisms(count: usize, sides: u32) -> Mesh {
     mesh
 }
 
+/// A closed rod with so many teeth around it, 2 wide and 6 long: walls side by side are long and narrow, and face four ways.
+pub fn toothed(teeth: u32) -> Mesh {
+    let count = 4 * teeth;
+    let corner = |i: u32, y: f64| {
+        let radius = if i % 4 < 2 { 1.0 } else { 0.92 };
+        let at = radius * DVec2::from_angle(TAU * f64::from(i) / f64::from(count));
+        DVec3::new(at.x, at.y, y)
+    };
+    let mut mesh = Mesh::default();
+    for end in [-3.0, 3.0] {
+        mesh.positions.extend((0..count).map(|i| corner(i, end)));
+    }
+    let [low, high] = [2 * count, 2 * count + 1];
+    mesh.positions.extend([-3.0 * DVec3::Z, 3.0 * DVec3::Z]);
+    for i in 0..count {
+        let [a, b] = [i, (i + 1) % count];
+        let wall = [[a, b, b + count], [a, b + count, a + count]];
+        mesh.triangles.extend(wall);
+        mesh.triangles
+            .extend([[low, b, a], [high, a + count, b + count]]);
+    }
+    mesh
+}
+
 /// A ball with lumps: each vertex of an icosphere moved along its radius by `lumps` at most, in smooth waves.
 pub fn lumpy(subdivisions: u32, lumps: f64, phase: f64) -> Mesh {
     let mut ball = shape(&format!("sphere?radius=0.5&subdivisions={subdivisions}"));

@@ -1,6 +1,7 @@
 //! Triangles that are narrower than rasterisers can place.
 
-use cutaway::scene::{Cut, Precision, Up, Wrap};
+use cutaway::Model;
+use cutaway::scene::{ClipSurface, Cut, Precision, Up, Wrap};
 use cutaway::strategies::{Method, Strategy};
 use cutaway_lab::hard_cases;
 use cutaway_lab::hard_cases::random::{Bumps, Recipe, Solid, Surface};
@@ -181,6 +182,26 @@ fn regression_0017_a_triangle_without_a_plane_has_any_depth() {
     }
     .question();
     nothing_is_wrong(&question);
+}
+
+/// Beside a wall is a narrower one, which was crossed in its place: its depths are interpolated in f32, and lay behind the next
+/// wall. Exact was sure of the first, whose own depths are good.
+#[test]
+fn regression_0018_beyond_a_seam_depths_are_worse() {
+    let mut scene = scenes::scene("rod", meshes::toothed(900), vec![]);
+    let half = ClipSurface::parse("0.3,0.5,0.8@50%,50%,50%", &scene.bounds()).expect("a plane");
+    scene.cuts = vec![Cut::new("half", vec![half])];
+    let model = Model::new(&scene);
+    let view = model.prepared.view([2400, 1800]).rows(1560, 8);
+    let question = hard_cases::Question::of_model(model, &scene, view);
+    nothing_is_wrong(&question);
+    let in_f32 = Precision {
+        slopes_in_f32: true,
+        ..Precision::USUAL
+    };
+    let pixel = 7 * 2400 + 809;
+    let undecided = |precision| question.exact.at(precision).undecided[pixel];
+    assert!(undecided(in_f32) && !undecided(Precision::USUAL));
 }
 
 fn nothing_is_wrong(question: &hard_cases::Question) {

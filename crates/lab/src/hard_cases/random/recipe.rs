@@ -19,8 +19,8 @@ const PRINT_PX: [u32; 2] = [2400, 1800];
 /// So many rows.
 const ROWS: u32 = 8;
 
-/// What prisms, which are 4 long, are scaled by.
-const PRISM: f64 = 0.25;
+/// What prisms and rods, which are 4 and 6 long, are scaled by.
+const LONG: f64 = 0.25;
 
 /// A solid.
 #[derive(Clone, Debug, PartialEq)]
@@ -42,6 +42,11 @@ pub enum Solid {
         count: usize,
         /// Sides of each.
         sides: u32,
+    },
+    /// A rod with teeth, whose walls are narrower still.
+    Toothed {
+        /// How many.
+        teeth: u32,
     },
 }
 
@@ -145,6 +150,11 @@ impl Recipe {
         if n.once_in(8) {
             recipe.needles = Some(10.0_f64.powf(n.between(-7.0, -1.5)));
         }
+        if n.once_in(16) {
+            let teeth = 20 + n.below(600) as u32;
+            recipe.solids[0].0 = Solid::Toothed { teeth };
+            recipe.first_row = Some(n.below(u64::from(PRINT_PX[1] - ROWS)) as u32);
+        }
         recipe
     }
 
@@ -173,7 +183,11 @@ impl Recipe {
                 } => meshes::lumpy(*subdivisions, *lumps, *phase),
                 Solid::Prisms { count, sides } => meshes::moved(
                     &meshes::prisms(*count, *sides),
-                    DAffine3::from_scale(DVec3::splat(PRISM)),
+                    DAffine3::from_scale(DVec3::splat(LONG)),
+                ),
+                Solid::Toothed { teeth } => meshes::moved(
+                    &meshes::toothed(*teeth),
+                    DAffine3::from_scale(DVec3::splat(LONG)),
                 ),
             };
             let mesh = match self.needles {
@@ -258,6 +272,10 @@ impl Recipe {
                     for (count, sides) in [(count.div_ceil(2), sides), (count, sides.max(4) - 1)] {
                         with(&|r| r.solids[i].0 = Solid::Prisms { count, sides });
                     }
+                }
+                Solid::Toothed { teeth } if *teeth > 3 => {
+                    let teeth = teeth / 2;
+                    with(&|r| r.solids[i].0 = Solid::Toothed { teeth });
                 }
                 _ => {}
             }
