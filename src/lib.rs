@@ -1,5 +1,5 @@
-//! Cuts solid triangle meshes with planes and 2.5D relief clip-surfaces, draws the caps that make the cut look solid, and measures
-//! every way to do so against one exact reference.
+//! Cuts solid triangle meshes with planes and 2.5D relief clip-surfaces, and draws the caps that make the cut look solid, by several
+//! strategies.
 //!
 //! ```
 //! use cutaway::scene::relief::{Placement, Procedure};
@@ -51,7 +51,7 @@
 //! # Map
 //!
 //! ```text
-//! data     file -> document -> scene -> plan -> passes -> layers -> image / comparison -> record -> report
+//! data     scene -> plan -> passes -> layers -> image
 //! imports  scene <- generate
 //!          scene <- slice <- shader <- plan <- passes <- effects <- strategies <- gpu <- session
 //! ```

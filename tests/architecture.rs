@@ -1,4 +1,4 @@
-//! The maps of the crates, held against its source: who imports whom, what files are called, how long they are, what they begin
+//! The maps of the crates, held against their source: who imports whom, what files are called, how long they are, what they begin
 //! with, and what must not be in them.
 //!
 //! Every rule is a function of text that returns its violations, so that a planted violation proves that it can fail.
@@ -309,7 +309,7 @@ const DATA: [&str; 5] = [
 
 #[test]
 fn numbers_are_stated_once() {
-    // On the CPU and in the shaders apart: `tests/shaders.rs` holds one to the other.
+    // On the CPU and in the shaders apart: `tests/it/shaders.rs` holds one to the other.
     none(&stated_twice(&files("shaders", "wgsl")));
     // A limit of the device is stated by whoever is held to it first; others take it from there.
     let of_modules: BTreeMap<String, String> = sources()

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Section areas of this crate against those of two others, for many planes: trimesh with shapely, and VTK. See README.md.
+"""Section areas of cutaway against those of two others, for many planes: trimesh with shapely, and VTK. See README.md.
 
-    cargo test --test it areas_of_closed -- --nocapture | grep '^section ' > sections.txt
+    cargo test -p cutaway-tests --test it areas_of_closed -- --nocapture | grep '^section ' > sections.txt
     target/peers-venv/bin/python experiments/peers/section_areas.py DATA < sections.txt
 
 Each line of input is `section FILE px py pz nx ny nz area perimeter`; FILE is relative to DATA, in which each file is one part.

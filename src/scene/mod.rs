@@ -123,7 +123,8 @@ pub(crate) use prepared::{facing_out, tolerance_of};
 pub use regions::in_common;
 pub use regions::{Block, Face, Wedge, next_axis};
 pub use settled::{FlatSurface, Settled, Side};
-pub(crate) use shared_planes::SharedPlanes;
+#[doc(hidden)]
+pub use shared_planes::SharedPlanes;
 pub use smooth::{DEFAULT_CREASE_DEG, Faces, ShadingMesh};
 pub use style::Style;
 pub use texture::{MOST_TEXELS_ALONG, Texture, TextureKind};

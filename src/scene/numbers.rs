@@ -1,7 +1,6 @@
 //! Numbers for readers.
 
 /// A number with six significant digits and no more zeros than it needs.
-#[doc(hidden)]
 pub fn round(value: f64) -> String {
     if value == 0.0 || !value.is_finite() {
         return format!("{value}");
@@ -28,7 +27,6 @@ pub(crate) fn coordinate(value: f64) -> String {
 }
 
 /// Bounds, axis by axis.
-#[doc(hidden)]
 pub fn describe_bounds(min: [f64; 3], max: [f64; 3]) -> String {
     let axis = |i: usize| {
         format!(

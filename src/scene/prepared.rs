@@ -152,6 +152,7 @@ pub struct Prepared {
     /// How it looks.
     pub style: Style,
     /// Planes that faces of several parts lie in.
+    #[doc(hidden)]
     pub shared: Arc<SharedPlanes>,
     camera: Camera,
     outline: Option<Arc<Outline>>,

@@ -5,19 +5,15 @@
 use super::Bounds;
 
 /// Largest magnitude of coordinates and of numbers that are written for a scene: the product of three is still a number.
-#[doc(hidden)]
 pub const LARGEST: f64 = 1e100;
 
 /// Least length that is not 0, for the same reason.
-#[doc(hidden)]
 pub const SMALLEST: f64 = 1e-100;
 
 /// So many radii of the model anything may reach: farther away its coordinates are no f32 in the space of the model.
-#[doc(hidden)]
 pub const MOST_RADII: f64 = 1e30;
 
 /// Why a box is more, or less, than can be computed with, if it is.
-#[doc(hidden)]
 pub fn defect(of: &Bounds) -> Option<String> {
     if of.is_empty() {
         return None;
@@ -33,7 +29,6 @@ pub fn defect(of: &Bounds) -> Option<String> {
 }
 
 /// Why a length in the world is no number beside a model with these bounds, if it is not.
-#[doc(hidden)]
 pub fn beside(length: f64, model: &Bounds) -> Option<String> {
     let radius = model.radius();
     let radii = length.abs() / if radius > 0.0 { radius } else { 1.0 };

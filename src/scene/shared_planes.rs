@@ -53,7 +53,6 @@ pub struct SharedPlane {
 impl SharedPlane {
     /// The value of the depth buffer in a view: how much it changes per pixel to the right and downwards, and what it is in the upper
     /// left corner. None where the plane is seen edge-on.
-    #[doc(hidden)]
     pub fn in_view(&self, view: &View) -> Option<[f64; 3]> {
         let buffer = |at: DVec2| {
             let (origin, direction) = view.ray(at);
@@ -152,13 +151,11 @@ impl SharedPlanes {
     }
 
     /// The planes, by number.
-    #[doc(hidden)]
     pub fn planes(&self) -> &[SharedPlane] {
         &self.planes
     }
 
     /// The triangles of a part that lie in some of them, in order, each with the number of the plane.
-    #[doc(hidden)]
     pub fn faces(&self, rank: usize) -> Arc<[(u32, u16)]> {
         self.faces.get(rank).cloned().unwrap_or_default()
     }

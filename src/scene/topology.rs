@@ -11,8 +11,8 @@ mod rays;
 use glam::DVec3;
 use rayon::prelude::*;
 
-#[doc(hidden)]
-pub use edges::{EdgeCount, EdgeUse, EdgeUses, Edges, Sets};
+pub use edges::{EdgeCount, Edges, Sets};
+pub(crate) use edges::{EdgeUse, EdgeUses};
 use rays::Rays;
 
 use super::{Bounds, Mesh, Part};

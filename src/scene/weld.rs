@@ -33,7 +33,6 @@ pub struct Weld {
 }
 
 /// Welds a mesh with open edges; `None` if nothing is to be joined. Indices must be in range, coordinates finite.
-#[doc(hidden)]
 pub fn weld(positions: &[DVec3], triangles: &[[u32; 3]]) -> Option<Weld> {
     let open_before = Edges::of(triangles).count().open;
     if open_before == 0 {
@@ -139,7 +138,6 @@ fn moved(triangles: &[[u32; 3]], new_from_old: &[u32]) -> Vec<[u32; 3]> {
 }
 
 /// True for a triangle with three different vertices.
-#[doc(hidden)]
 pub fn has_three(t: &[u32; 3]) -> bool {
     t[0] != t[1] && t[1] != t[2] && t[2] != t[0]
 }
@@ -189,7 +187,6 @@ fn join_near(at: &[DVec3], triangles: &[[u32; 3]], edges: &Edges, now: EdgeCount
 }
 
 /// A number with commas between thousands.
-#[doc(hidden)]
 pub fn thousands(n: usize) -> String {
     let digits = n.to_string();
     let mut text = String::with_capacity(digits.len() + digits.len() / 3);

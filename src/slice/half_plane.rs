@@ -31,7 +31,7 @@ impl HalfPlane {
     }
 
     /// Whether all points are outside or on its line.
-    pub fn misses(&self, points: &[DVec2], size: f64) -> bool {
+    pub(super) fn misses(&self, points: &[DVec2], size: f64) -> bool {
         let slack = self.slack(size);
         points.iter().all(|p| self.value(*p) >= -slack)
     }

@@ -143,7 +143,7 @@ impl SlicePlane {
 
     /// Whether all of a box is clearly on one side, and farther away than `margin`. May say no of a box that is, never yes of one that
     /// is not.
-    pub fn misses(&self, bounds: &Bounds, margin: f64) -> bool {
+    pub(super) fn misses(&self, bounds: &Bounds, margin: f64) -> bool {
         // Halves first: the sum of two coordinates may be too large.
         let (low, high) = (bounds.min * 0.5, bounds.max * 0.5);
         let (centre, reach) = (low + high, high - low);

@@ -2,7 +2,7 @@
 //!
 //! The meshes are not part of the repository. They are looked for in `$CUTAWAY_DATA`, then in `../shared/data`; where
 //! neither exists the tests say so and pass, because the suite must pass on a machine that has only the repository.
-//! `facts.json` there was measured by other code, with vertices welded wherever positions are bit-equal. This crate welds
+//! `facts.json` there was measured by other code, with vertices welded wherever positions are bit-equal. `cutaway-io` welds
 //! only what is open, and never across parts; the rows of [`EXCEPTIONS`] say where that changes a count, and why.
 
 #![allow(

@@ -1,7 +1,7 @@
-//! The command `cutaway`: one file per subcommand, and the few things they share. `main.rs` calls [`main`]; the window calls
-//! [`main_with`] with itself, and what writes files.
+//! The command `cutaway`: one file per subcommand, and the few things they share. [`main`] is the command as it is installed, [`main_with`]
+//! the same with a window; the window takes [`write_file`] and [`is_one_file`] too, so that both treat files alike.
 //!
-//! Imports: [`cutaway`], [`cutaway_io`], [`cutaway_lab`]. Nothing but the window imports it.
+//! Imports: [`cutaway`], [`cutaway_io`], [`cutaway_lab`].
 //!
 //! Everything a user can get wrong is looked at before the work starts: options, scene files, meshes, and whether the
 //! outputs can be written. Standard output carries only what was asked for; notes, warnings, progress and errors go to
@@ -55,13 +55,12 @@ mod when;
 use std::process::ExitCode;
 
 use clap::{CommandFactory, Parser, Subcommand};
+use cutaway::Result;
+use cutaway::generate::shapes::SHAPES;
 
 pub use output::write_file;
 pub use places::is_one_file;
 pub use view::{Opened, Window};
-
-use cutaway::Result;
-use cutaway::generate::shapes::SHAPES;
 
 /// Exit code of a command that Ctrl-C or SIGTERM has ended: 128 and the number of SIGINT, as shells have it.
 const INTERRUPTED: u8 = 130;

@@ -5,7 +5,7 @@
 //!
 //! ```text
 //! imports  load <- document
-//!          cutaway::scene, cutaway::slice <- save
+//!          cutaway <- save
 //! ```
 
 pub mod document;

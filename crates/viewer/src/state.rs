@@ -14,6 +14,11 @@ mod writing;
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use cutaway::Result;
+use cutaway::scene::{Bounds, Fit};
+use cutaway_io::Document;
+use cutaway_io::load::Assets;
+
 use crate::action::{Action, Selection};
 use crate::camera;
 use crate::command::{self, Picture};
@@ -28,11 +33,8 @@ use crate::slot::{Layout, Painter, Side};
 use crate::styles;
 use crate::timeline;
 use ahead::Ahead;
+
 pub use ahead::Moment;
-use cutaway::Result;
-use cutaway::scene::{Bounds, Fit};
-use cutaway_io::Document;
-use cutaway_io::load::Assets;
 
 /// What the window shows. A clone shares what is large.
 #[derive(Clone, Debug)]

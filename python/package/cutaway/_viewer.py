@@ -27,7 +27,7 @@ def show(what: Any, *, wait: bool = False) -> subprocess.Popen[bytes]:
     if program is None:
         raise FileNotFoundError(
             f"{PROGRAM}: there is no such program on the PATH"
-            "\n  help: install it from the folder of cutaway: cargo install --path viewer"
+            "\n  help: install it from the folder of cutaway: cargo install --path crates/viewer"
         )
     scene = _scene_of(what)
     folder = tempfile.mkdtemp(prefix="cutaway-")

@@ -29,7 +29,6 @@ use rayon::prelude::*;
 
 use self::inside::Insides;
 pub(super) use self::pieces::bound_of;
-#[doc(hidden)]
 pub use self::pieces::{Pieces, body_name};
 use self::shells::{Facing, Shells};
 use super::Mesh;

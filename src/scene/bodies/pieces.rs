@@ -29,7 +29,6 @@ struct Piece {
 
 impl Pieces {
     /// Takes a part apart into bodies, which are those of a mesh with the same triangles.
-    #[doc(hidden)]
     pub fn of(part: &Part, bodies: &Bodies) -> Self {
         let pieces = match bodies.count() {
             0 | 1 => Vec::new(),
@@ -46,7 +45,6 @@ impl Pieces {
     }
 
     /// Whether they are those of a part.
-    #[doc(hidden)]
     pub fn are_of(&self, part: &Part) -> bool {
         let bound = match (bound_of(part), &self.bound) {
             (Some(a), Some(b)) => Arc::ptr_eq(a, b),
@@ -59,7 +57,6 @@ impl Pieces {
     }
 
     /// The parts that a part comes apart into, all by its name; itself if it is one body.
-    #[doc(hidden)]
     pub fn parts(&self, part: &Part) -> Vec<Part> {
         if self.pieces.is_empty() {
             return vec![part.clone()];

@@ -62,7 +62,6 @@ type Known = (Arc<Mesh>, Option<Arc<Motion>>, Arc<Motion>);
 
 impl Outwards {
     /// Gives a part the directions that its pose asks for.
-    #[doc(hidden)]
     pub fn complete(&self, part: &mut Part) {
         if !part.lacks_outward() {
             return;

@@ -34,7 +34,6 @@ pub struct Stand {
 }
 
 impl Stand {
-    #[doc(hidden)]
     pub fn affine(self) -> DAffine3 {
         DAffine3::from_scale_rotation_translation(self.scale, self.rotation, self.translation)
     }
@@ -93,7 +92,6 @@ pub struct Rig {
 
 impl Rig {
     /// Nodes and skins without clips.
-    #[doc(hidden)]
     pub fn new(nodes: Vec<RigNode>, skins: Vec<RigSkin>) -> Self {
         Self {
             nodes,
@@ -103,13 +101,11 @@ impl Rig {
     }
 
     /// The clips of the file.
-    #[doc(hidden)]
     pub fn clips(&self) -> &[Clip] {
         &self.clips
     }
 
     /// Adds a clip by what it changes of each node. A node may have tracks only if it comes apart.
-    #[doc(hidden)]
     pub fn add(&mut self, clip: Clip, of_node: BTreeMap<usize, NodeTracks>) {
         let mut is_moved: Vec<bool> = Vec::with_capacity(self.nodes.len());
         for (index, node) in self.nodes.iter().enumerate() {
@@ -121,7 +117,6 @@ impl Rig {
     }
 
     /// Removes the clip that was added last.
-    #[doc(hidden)]
     pub fn take_back(&mut self) {
         self.clips.pop();
         self.moves.pop();
@@ -178,7 +173,6 @@ impl Rig {
     }
 
     /// Where all nodes are.
-    #[doc(hidden)]
     pub fn worlds(&self, moment: Option<Moment>) -> Vec<DAffine3> {
         let mut worlds: Vec<DAffine3> = Vec::with_capacity(self.nodes.len());
         for (index, node) in self.nodes.iter().enumerate() {
@@ -189,7 +183,6 @@ impl Rig {
     }
 
     /// Where the joints of a skin take what they pull, from bind space to the file's world.
-    #[doc(hidden)]
     pub fn palette(&self, skin: usize, moment: Option<Moment>) -> Vec<DAffine3> {
         let worlds = self.worlds(moment);
         let joints = self.skins[skin].joints.iter();

@@ -117,7 +117,6 @@ pub struct Track<V> {
 
 impl<V: Value> Track<V> {
     /// Checks what a file has; the error says what is wrong with it.
-    #[doc(hidden)]
     pub fn new(times_s: Vec<f64>, way: Way, mut values: Vec<V>) -> Result<Self, String> {
         let per_key = if way == Way::Cubic { 3 } else { 1 };
         if times_s.is_empty() || values.len() != per_key * times_s.len() {
@@ -158,13 +157,11 @@ impl<V: Value> Track<V> {
     }
 
     /// Time of the last key.
-    #[doc(hidden)]
     pub fn end_s(&self) -> f64 {
         self.times_s.last().copied().unwrap_or_default()
     }
 
     /// Times and values of the keys.
-    #[doc(hidden)]
     pub fn keys(&self) -> impl Iterator<Item = (f64, &V)> {
         (self.times_s.iter().enumerate()).map(|(key, time_s)| (*time_s, self.value(key)))
     }

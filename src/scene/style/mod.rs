@@ -4,7 +4,7 @@
 //! hundred parts stays calm. Lengths are in thousandths of the picture's height ([`Style::px`]): a picture looks the same at 768 and at
 //! 4000 rows. What a style does not ask for costs nothing: no pass, no binding, no instruction.
 //!
-//! The default is `lit`, which is what measurements take. The others are files (`document::styles`).
+//! The default is `lit`, which is what measurements take. The others are files (`crates/io/src/document/styles`).
 
 mod engraving;
 mod ghost;

@@ -22,7 +22,6 @@ pub struct EdgeCount {
 }
 
 impl Edges {
-    #[doc(hidden)]
     pub fn of(triangles: &[[u32; 3]]) -> Self {
         let mut keys: Vec<u64> = triangles.par_iter().flat_map_iter(keys_of).collect();
         keys.par_sort_unstable();
@@ -33,7 +32,6 @@ impl Edges {
         self.keys.chunk_by(|a, b| a >> 1 == b >> 1)
     }
 
-    #[doc(hidden)]
     pub fn count(&self) -> EdgeCount {
         let mut count = EdgeCount::default();
         for run in self.runs() {
@@ -47,7 +45,6 @@ impl Edges {
     }
 
     /// Edges with an odd number of uses, by their vertices.
-    #[doc(hidden)]
     pub fn open(&self) -> impl Iterator<Item = [u32; 2]> {
         self.runs()
             .filter(|run| run.len() % 2 == 1)
@@ -65,14 +62,14 @@ fn keys_of([a, b, c]: &[u32; 3]) -> [u64; 3] {
 
 /// A triangle at an edge.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct EdgeUse {
+pub(crate) struct EdgeUse {
     pub(crate) triangle: u32,
     /// It has the edge from the larger index to the smaller.
     pub(crate) is_down: bool,
 }
 
 /// The uses of all edges with who uses them, sorted as those of [`Edges`], then by triangle.
-pub struct EdgeUses(Vec<(u64, u32)>);
+pub(crate) struct EdgeUses(Vec<(u64, u32)>);
 
 impl EdgeUses {
     pub(crate) fn of(triangles: &[[u32; 3]]) -> Self {
@@ -104,12 +101,10 @@ fn vertices_of(key: u64) -> [u32; 2] {
 pub struct Sets(Vec<u32>);
 
 impl Sets {
-    #[doc(hidden)]
     pub fn new(n: usize) -> Self {
         Self((0..n as u32).collect())
     }
 
-    #[doc(hidden)]
     pub fn find(&mut self, mut i: u32) -> u32 {
         while self.0[i as usize] != i {
             let up = self.0[self.0[i as usize] as usize];
@@ -119,7 +114,6 @@ impl Sets {
         i
     }
 
-    #[doc(hidden)]
     pub fn join(&mut self, a: u32, b: u32) {
         let (a, b) = (self.find(a), self.find(b));
         self.0[a.max(b) as usize] = a.min(b);

@@ -19,7 +19,6 @@ mod solid;
 use self::filled::filled;
 use self::sheet::{Sheet, below};
 pub(super) use self::solid::Undivided;
-#[doc(hidden)]
 pub use self::solid::is_at_work;
 use self::solid::{Origin, Solid};
 use super::SlicePlane;

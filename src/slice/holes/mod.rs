@@ -27,8 +27,6 @@ use glam::DVec3;
 
 use crate::scene::topology::EdgeUses;
 use crate::scene::{Bounds, Mesh};
-
-#[doc(hidden)]
 pub use parts::close_holes_of;
 use planar::Plane;
 

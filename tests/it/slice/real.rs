@@ -1,7 +1,7 @@
 //! Meshes that others made (see `real_meshes.rs`), cut obliquely: closed ones leave nothing open, their fills are what their
 //! loops enclose, and the areas within loops add up to the volume.
 //!
-//! `cargo test --test it areas -- --nocapture` prints a line per section that `experiments/peers/section_areas.py` takes.
+//! `cargo test -p cutaway-tests --test it areas -- --nocapture` prints a line per section that `experiments/peers/section_areas.py` takes.
 
 use cutaway::scene::{Fill, Mesh, Topology};
 use cutaway_io::load::load_mesh_file;

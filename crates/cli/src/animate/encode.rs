@@ -25,7 +25,7 @@ use super::target::Target;
 use super::times::{Times, parse_fps};
 use super::{gif, note_of_even_size};
 
-pub(in crate) const EXAMPLES: &str = "\
+pub(crate) const EXAMPLES: &str = "\
 Examples:
   cutaway encode 'frames/%04d.png' -o run.gif --fps 12.5
   cutaway encode 'frames/%04d.png' -o run.mp4

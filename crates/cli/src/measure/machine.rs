@@ -55,7 +55,8 @@ pub(super) fn place(shard: Option<Shard>) -> Invocation {
 }
 
 /// What the program is built from, seen from the folder of the project.
-const SOURCES: [&str; 7] = [
+const SOURCES: [&str; 8] = [
+    "build.rs",
     "src",
     "shaders",
     "crates/io",

@@ -37,7 +37,13 @@ use std::fmt;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use cutaway::error::{Error, Result};
+use cutaway::scene::Scene;
 use toml_edit::DocumentMut;
+
+use crate::load::{Assets, Disk, Files, input_file};
+#[doc(hidden)]
+pub use read::reader;
 
 pub(crate) use address::{Lost, Step, astray, children, farther, walk};
 pub use build::{
@@ -47,16 +53,9 @@ pub(crate) use node::Place;
 pub use node::{Node, Number, Origin, Value};
 pub(crate) use parse::parse;
 pub(crate) use paths::Keys;
-#[doc(hidden)]
-pub use read::reader;
 pub use read::{Interpolation, Key, RoleBy, Settings, named_style, style_names};
 pub use timeline::Timeline;
 pub use upright::{GuessedUp, UpReason};
-
-use cutaway::error::{Error, Result};
-use cutaway::scene::Scene;
-
-use crate::load::{Assets, Disk, Files, input_file};
 
 /// The tree of a scene.
 #[derive(Clone, Debug)]

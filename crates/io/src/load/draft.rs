@@ -8,7 +8,8 @@
 use std::path::Path;
 
 use cutaway::error::{Error, Result};
-use cutaway::scene::topology::{Edges, Sets};
+use cutaway::scene::Edges;
+use cutaway::scene::topology::Sets;
 use cutaway::scene::weld::{has_three, thousands, weld};
 use cutaway::scene::{Coat, Mesh, MeshDefect, Motion, range};
 use glam::Vec3;

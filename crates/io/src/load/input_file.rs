@@ -19,14 +19,12 @@ const MOST_RATIO: u64 = 250;
 const RATIO_COUNTS_FROM: u64 = 64 << 20;
 
 /// Refuses what on disk is no regular file, or too long.
-#[doc(hidden)]
 pub fn check(path: &Path) -> Result<()> {
     Disk::length(path).map_err(|e| unreadable(path, &e))?;
     Ok(())
 }
 
 /// The bytes of a file.
-#[doc(hidden)]
 pub fn read<'a>(path: &Path, store: &'a dyn Files) -> Result<Cow<'a, [u8]>> {
     store.read(path).map_err(|e| unreadable(path, &e))
 }
@@ -42,7 +40,6 @@ pub(crate) fn read_unpacked<'a>(path: &Path, store: &'a dyn Files) -> Result<Cow
 }
 
 /// Bytes from elsewhere, unpacked if they are gzipped; `path` is what errors call them.
-#[doc(hidden)]
 pub fn unpack(path: &Path, bytes: Vec<u8>) -> Result<Vec<u8>> {
     match bytes.starts_with(&[0x1f, 0x8b]) {
         true => unpacked(path, &bytes),

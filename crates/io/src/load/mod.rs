@@ -37,23 +37,23 @@ use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use cutaway::error::{Error, Result, did_you_mean};
+use cutaway::scene::{Driver, Edges, LengthUnit, Material, Mesh, Part, Role, Up, range};
 use glam::{DAffine3, Vec3};
+
+#[doc(hidden)]
+pub use content::mesh_format;
+use draft::{Draft, Group, Solid};
+#[doc(hidden)]
+pub use files::MOST_BYTES;
 
 pub use assets::Assets;
 pub use companions::companions;
-#[doc(hidden)]
-pub use content::mesh_format;
-#[doc(hidden)]
-pub use files::MOST_BYTES;
 pub use files::{Disk, Files, Memory};
 pub use image::{read_offset_map, read_offset_map_from};
 pub use pat::read_patterns;
 pub use place::place_of;
 pub use texture::read_texture_from;
-
-use cutaway::error::{Error, Result, did_you_mean};
-use cutaway::scene::{Driver, Edges, LengthUnit, Material, Mesh, Part, Role, Up, range};
-use draft::{Draft, Group, Solid};
 
 /// What a mesh file holds.
 #[derive(Clone, Debug, Default)]

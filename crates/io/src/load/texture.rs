@@ -1,11 +1,11 @@
 //! Textures from image files: 8 bits a channel, as they are written.
 
+use std::io::Cursor;
 use std::path::Path;
 
 use cutaway::error::{Error, Result};
 use cutaway::scene::{MOST_TEXELS_ALONG, Texture, TextureKind};
 use image::{GenericImageView, ImageFormat, ImageReader, Limits};
-use std::io::Cursor;
 
 use super::{Files, input_file};
 

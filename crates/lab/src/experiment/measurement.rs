@@ -230,7 +230,7 @@ pub struct Measurement {
     pub scene: String,
     /// The command line, to do it again.
     pub command: String,
-    /// Version of this crate.
+    /// Version of cutaway.
     pub version: String,
     /// Triangles of all parts.
     pub triangles: usize,

@@ -189,7 +189,7 @@ pub struct CaseRecord {
     pub name: String,
     /// What was expected of each strategy, and what was reached.
     pub expectations: Vec<Reached>,
-    /// The test that holds what is more than a picture of it, as one would type its name after `cargo test`.
+    /// The test that holds what is more than a picture of it, as one would type its name after `cargo test -p cutaway-tests`.
     pub held_by: Option<String>,
 }
 
@@ -331,7 +331,7 @@ pub struct Run {
     pub format: u32,
     /// The command line.
     pub command: String,
-    /// Version of this crate.
+    /// Version of cutaway.
     pub version: String,
     /// Commit of its sources, with `+` where they differ from it; none where that is not known.
     pub commit: Option<String>,

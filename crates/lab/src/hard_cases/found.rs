@@ -16,7 +16,7 @@ pub struct CaseFound {
     pub id: String,
     /// What it is.
     pub name: String,
-    /// The tests that hold what is more than its pictures, as one would type them after `cargo test`.
+    /// The tests that hold what is more than its pictures, as one would type them after `cargo test -p cutaway-tests`.
     pub held_by: Option<String>,
     /// What each strategy was expected to reach, and did; empty where the case has no pictures.
     pub reached: Vec<Reached>,

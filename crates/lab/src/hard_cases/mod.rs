@@ -1,7 +1,7 @@
 //! Hard cases: scenes with a known answer, and what every strategy is expected to make of them.
 //!
 //! A [`Case`] is scenes and, for each [method](cutaway::strategies::Method), what is [`Expected`] of it: nothing wrong, wrong within what theory allows, a refusal,
-//! or a failure with its reason. [`cases`] is the table, [`found`] asks it of a session, and `cargo test --test it hard_cases::` holds it.
+//! or a failure with its reason. [`cases`] is the table, [`found`] asks it of a session, and `cargo test -p cutaway-tests --test it hard_cases::` holds it.
 //! What of a case is more than a picture is held by tests that [`list`] names, so that each of the fifty numbers has its keeper.
 //!
 //! [`random`] makes scenes without a pattern, and the simplest of those that come out wrong.

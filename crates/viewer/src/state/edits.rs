@@ -1,12 +1,12 @@
 //! Changes of the document, and what they make of the scene.
 
-use super::State;
 use cutaway::scene::{PlaneSpec, Viewpoint};
 use cutaway::{Error, Result};
 use cutaway_io::Document;
 use cutaway_io::document::{Key, Node, cut, section};
 use glam::DVec3;
 
+use super::State;
 use crate::action::Selection;
 use crate::camera::{self, CameraMove};
 use crate::cuts::{self, CutEntry, CutKind, NewCut, PlaneMove};

@@ -168,22 +168,6 @@ mod target;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
-pub(super) use camera::Seen;
-pub(super) use check::check;
-pub(super) use cutaways::cutouts;
-pub use keys::{Interpolation, Key};
-pub(super) use keys::{Keyed, Moment};
-pub(super) use known::sights_of;
-pub(super) use parts::all as parts_with_roles;
-use reader::{Entry, Source, Table};
-pub(super) use reliefs::{Images, Resolved};
-pub use roles::RoleBy;
-pub use settings::Settings;
-use stock::Opening;
-pub(super) use stock::PartSource;
-pub(super) use style::is_file as is_style_file;
-pub use style::{named_style, style_names};
-
 use cutaway::error::Result;
 use cutaway::generate::defects::Defect;
 use cutaway::scene::{
@@ -193,6 +177,22 @@ use cutaway::scene::{
 use super::node::Node;
 use super::paths::Keys;
 use crate::load::Assets;
+use reader::{Entry, Source, Table};
+use stock::Opening;
+
+pub(super) use camera::Seen;
+pub(super) use check::check;
+pub(super) use cutaways::cutouts;
+pub use keys::{Interpolation, Key};
+pub(super) use keys::{Keyed, Moment};
+pub(super) use known::sights_of;
+pub(super) use parts::all as parts_with_roles;
+pub(super) use reliefs::{Images, Resolved};
+pub use roles::RoleBy;
+pub use settings::Settings;
+pub(super) use stock::PartSource;
+pub(super) use style::is_file as is_style_file;
+pub use style::{named_style, style_names};
 
 /// Keys of a scene.
 static KEYS: Keys = Keys::below("");

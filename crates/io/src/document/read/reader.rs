@@ -6,15 +6,15 @@
 use std::fmt::Display;
 use std::path::Path;
 
-use super::keys::Moment;
-#[doc(hidden)]
-pub use super::table::{Table, with_table};
 use cutaway::error::{Error, Result, did_you_mean};
 use cutaway::scene::Amount;
 use cutaway::scene::range::{LARGEST, SMALLEST};
 
+use super::keys::Moment;
 use super::target::Shape;
 use crate::document::{Node, Origin, Value};
+
+pub use super::table::{Table, with_table};
 
 /// Where values come from, for errors.
 #[derive(Clone, Copy)]
@@ -26,16 +26,16 @@ pub(crate) struct Source<'a> {
 
 /// A value, where it stands and what its key is.
 #[derive(Clone)]
-#[doc(hidden)]
 pub struct Entry<'a> {
     source: Source<'a>,
     /// Dotted path, as keys of animations write it.
     pub(crate) key: String,
+    /// The value itself.
     pub node: &'a Node,
 }
 
 impl<'a> Entry<'a> {
-    #[doc(hidden)]
+    /// An error at its place: what is wrong, and how it is mended.
     pub fn fault(&self, what: impl Display, help: impl Into<String>) -> Error {
         let what = match (&self.node.origin, self.key.as_str()) {
             // The file as a whole has no key, and words of an option are their own.
@@ -67,7 +67,6 @@ impl<'a> Entry<'a> {
     }
 
     /// An error from elsewhere, placed at this value. Errors about other files already name their place.
-    #[doc(hidden)]
     pub fn place(&self, error: Error) -> Error {
         match (error, &self.node.origin) {
             (Error::Missing(error), _) => self.place(*error).missing(),
@@ -110,7 +109,6 @@ impl<'a> Entry<'a> {
     }
 
     /// A finite number.
-    #[doc(hidden)]
     pub fn number(&self) -> Result<f64> {
         let value = match &self.node.value {
             Value::Number(n) => Some(n.value),
@@ -134,7 +132,6 @@ impl<'a> Entry<'a> {
     }
 
     /// A whole number that fits.
-    #[doc(hidden)]
     pub fn whole<T: TryFrom<i64>>(&self) -> Result<T> {
         let value = match &self.node.value {
             Value::Number(n) => n.whole,
@@ -146,7 +143,6 @@ impl<'a> Entry<'a> {
     }
 
     /// The same of a value in its place.
-    #[doc(hidden)]
     pub fn of(&self, node: &'a Node) -> Self {
         Self {
             node,
@@ -164,7 +160,7 @@ impl<'a> Entry<'a> {
         }
     }
 
-    #[doc(hidden)]
+    /// Text.
     pub fn text(&self) -> Result<&'a str> {
         match &self.node.value {
             Value::Text(s) => Ok(s),
@@ -173,7 +169,6 @@ impl<'a> Entry<'a> {
     }
 
     /// `true` or `false`.
-    #[doc(hidden)]
     pub fn flag(&self) -> Result<bool> {
         match &self.node.value {
             Value::Flag(b) => Ok(*b),
@@ -182,7 +177,6 @@ impl<'a> Entry<'a> {
     }
 
     /// One of some words.
-    #[doc(hidden)]
     pub fn choice<T: Copy>(&self, choices: &[(&str, T)]) -> Result<T> {
         let word = self.text()?;
         choices
@@ -196,7 +190,6 @@ impl<'a> Entry<'a> {
     }
 
     /// The elements of a list.
-    #[doc(hidden)]
     pub fn list(&self) -> Result<Vec<Self>> {
         let Value::List(list) = &self.node.value else {
             return Err(self.expected("a list", "[ ... ]"));
@@ -277,7 +270,6 @@ impl<'a> Entry<'a> {
     }
 
     /// Texts of a list.
-    #[doc(hidden)]
     pub fn texts(&self) -> Result<Vec<String>> {
         match &self.node.value {
             Value::List(_) => self
@@ -290,25 +282,21 @@ impl<'a> Entry<'a> {
     }
 
     /// Whether the value is text: some keys take a number or text with a unit.
-    #[doc(hidden)]
     pub fn is_text(&self) -> bool {
         matches!(self.node.value, Value::Text(_))
     }
 
     /// Whether the value is a table.
-    #[doc(hidden)]
     pub fn is_table(&self) -> bool {
         matches!(self.node.value, Value::Table(_))
     }
 
     /// Whether the value is a list.
-    #[doc(hidden)]
     pub fn is_list(&self) -> bool {
         matches!(self.node.value, Value::List(_))
     }
 
     /// The table, if all its keys are among `known`.
-    #[doc(hidden)]
     pub fn table(&self, known: &[&str]) -> Result<Table<'a>> {
         let table = self.open_table()?;
         for (key, node) in table.entries {
@@ -322,7 +310,6 @@ impl<'a> Entry<'a> {
     }
 
     /// The table, whose keys are names of the user.
-    #[doc(hidden)]
     pub fn open_table(&self) -> Result<Table<'a>> {
         match &self.node.value {
             Value::Table(entries) => Ok(Table {

@@ -35,14 +35,12 @@ impl<'a> Table<'a> {
     }
 
     /// The value of a key, if it is there.
-    #[doc(hidden)]
     pub fn get(&self, key: &str) -> Option<Entry<'a>> {
         let (key, node) = self.entries.iter().find(|(name, _)| **name == *key)?;
         Some(self.entry.child(key, node))
     }
 
     /// The value of a key that has to be there.
-    #[doc(hidden)]
     pub fn need(&self, key: &str, example: &str) -> Result<Entry<'a>> {
         self.get(key).ok_or_else(|| {
             let help = format!("add for example `{key} = {example}`");
@@ -51,7 +49,6 @@ impl<'a> Table<'a> {
     }
 
     /// All values with their keys, by name.
-    #[doc(hidden)]
     pub fn all(&self) -> impl Iterator<Item = (&'a str, Entry<'a>)> {
         let mut all: Vec<_> = self.entries.iter().collect();
         all.sort_by(|(a, _), (b, _)| a.cmp(b));
@@ -61,7 +58,6 @@ impl<'a> Table<'a> {
     }
 
     /// The tables of a list `[[key]]`; none if the key is missing.
-    #[doc(hidden)]
     pub fn tables(&self, key: &str) -> Result<Vec<Entry<'a>>> {
         match self.get(key) {
             Some(entry) => Ok(entry.list()?.into_iter().map(Entry::named).collect()),

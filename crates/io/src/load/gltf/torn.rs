@@ -6,7 +6,8 @@
 
 use std::sync::Arc;
 
-use cutaway::scene::topology::{Edges, Sets};
+use cutaway::scene::Edges;
+use cutaway::scene::topology::Sets;
 use cutaway::scene::weld::weld;
 use cutaway::scene::{Coat, CoatedTriangle, Material, Mesh, Texture};
 use glam::{DAffine3, Vec3};

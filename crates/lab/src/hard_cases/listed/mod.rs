@@ -26,7 +26,7 @@ pub struct Listed {
 }
 
 impl Listed {
-    /// The tests as one would type them after `cargo test`, one after the other; none if pictures are all of it.
+    /// The tests as one would type them after `cargo test -p cutaway-tests`, one after the other; none if pictures are all of it.
     pub fn held_by(&self) -> Option<String> {
         let functions = self.tests.iter().filter_map(|t| t.split_once(' '));
         let typed: Vec<String> = functions

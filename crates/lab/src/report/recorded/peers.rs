@@ -19,7 +19,7 @@ pub struct PeerRecord {
     /// Versions of the other tools, by name.
     #[serde(default)]
     pub versions: BTreeMap<String, String>,
-    /// Version and commit of this crate.
+    /// Version and commit of cutaway.
     #[serde(default)]
     pub cutaway: BTreeMap<String, Option<String>>,
     /// The command line.
