@@ -3,9 +3,9 @@
 
 use super::borders::Strokes;
 use super::hatch::{hatch, zoom_of};
-use super::illustrate::style_numbers;
 use super::occlusion::occlusion;
 use super::pixels::{Pixels, over_picture, per_pixel};
+use super::style_numbers::style_numbers;
 use crate::passes::SceneBuffers;
 use crate::plan::{Binding, Plan, ResourceId};
 use crate::shader::Shader;

@@ -6,8 +6,8 @@
 //! Cannot: show what is removed behind something else that is removed.
 
 use super::borders::borders_of;
-use super::illustrate::half_px;
 use super::pixels::{numbers, over_picture};
+use super::style_numbers::half_px;
 use crate::passes::{DrawPass, SceneBuffers, Surfaces, gather_into};
 use crate::plan::{Binding, Draw, Plan, ResourceId, pack};
 use crate::scene::style::Style;

@@ -5,13 +5,16 @@
 //! passes before it for what it needs of the neighbourhood of a pixel; what a style does not ask for adds no pass, no binding and no
 //! instruction, for each effect fills an open module.
 
+mod backdrop;
 mod borders;
 mod channels;
 mod coat;
 mod dress;
+mod effect_tile_search;
 mod effect_tiles;
 mod ghost;
 mod ground;
+mod halo;
 mod hatch;
 mod hatch_lines;
 mod horizon;
@@ -20,10 +23,11 @@ mod occlusion;
 mod pixels;
 mod relief_sky;
 mod shade;
+mod style_numbers;
 mod unsharp;
 
 pub(crate) use channels::{HATCH, STROKE};
-pub(crate) use occlusion::VISIBILITY;
+pub(crate) use pixels::VISIBILITY;
 
 use crate::passes::{Input, Lanes, Layered, Model, Refusal, SceneBuffers};
 use crate::plan::{Capacities, Clock, Contents, Plan, Resource, ResourceId, Role};
@@ -41,7 +45,7 @@ pub(crate) struct Picture {
 /// How many rows around a band the effects of a model look at.
 pub(crate) fn halo_rows(model: &Model, view: &View) -> u32 {
     let style = &model.prepared.style;
-    let strokes = illustrate::halo_rows(style, view.band[1]);
+    let strokes = halo::halo_rows(style, view.band[1]);
     let of_style = strokes.max(occlusion::halo_rows(&style.occlusion, view));
     // Surfaces may take their coats from the next pixel.
     of_style.max(u32::from(model.dress.is_some()))

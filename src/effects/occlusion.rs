@@ -1,13 +1,10 @@
 //! Occlusion: how much of the sky is seen, a number for each pixel, by what the style asks for.
 
-use super::pixels::Pixels;
+use super::pixels::{Pixels, VISIBILITY};
 use super::{horizon, relief_sky, unsharp};
 use crate::plan::{Plan, ResourceId};
 use crate::scene::View;
 use crate::scene::style::{Occlusion, OcclusionKind};
-
-/// The buffer of what occlusion leaves of the light, an f32 for each pixel.
-pub(crate) const VISIBILITY: &str = "visibility";
 
 /// What of the light reaches each pixel, one f32 a pixel; none where the style has no occlusion.
 pub(super) fn occlusion(

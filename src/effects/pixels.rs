@@ -5,6 +5,9 @@ use crate::passes::SceneBuffers;
 use crate::plan::{Binding, Clock, Contents, Pass, Plan, Resource, ResourceId, Role, Work};
 use crate::shader::Shader;
 
+/// The buffer of what occlusion leaves of the light, an f32 for each pixel.
+pub(crate) const VISIBILITY: &str = "visibility";
+
 /// The pixels of a frame that effects go over.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pixels<'a> {

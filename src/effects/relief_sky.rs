@@ -3,8 +3,7 @@
 //!
 //! One pass over the pixels; the maps are made once for each relief, on the clock of the cut. Cannot: know of other caps or of the mesh.
 
-use super::occlusion::VISIBILITY;
-use super::pixels::{Pixels, numbers, per_pixel};
+use super::pixels::{Pixels, VISIBILITY, numbers, per_pixel};
 use crate::passes::SceneBuffers;
 use crate::plan::{Binding, Clock, Plan, Resource, ResourceId, Role, pack};
 use crate::shader::Shader;

@@ -1,0 +1,119 @@
+//! The tiles of the picture that effects go over: those in which something is shown, or beside which, as far as strokes reach, and those
+//! of the frame before, which have to become background again. All others have been background all along.
+//!
+//! One pass over the layers, one over the tiles, and one over the picture where its background changes; 12 bytes a tile of 16 x 16 pixels.
+//! The list outlives its frame, with what its background depends on. It is made of the layers alone, whichever rasteriser drew them.
+//!
+//! Cannot: help effects that draw on the background, as the shadow on the ground and ghosts do, nor unsharp occlusion, which looks far: these go
+//! over all of the picture.
+
+use super::backdrop::backdrop;
+use super::borders::Strokes;
+use super::effect_tiles::EffectTiles;
+use super::style_numbers::reach_px;
+use super::{halo, horizon};
+use crate::passes::{SceneBuffers, TILE_PX, tiles_in};
+use crate::plan::{Binding, Clock, Contents, Pass, Plan, Resource, ResourceId, Role, Work};
+use crate::scene::View;
+use crate::scene::style::{Paper, Style};
+use crate::shader::Shader;
+
+/// Bytes before the tiles, and of a tile: `shaders/lib/effect_tile_list.wgsl`.
+const BYTES_OF_HEAD: u64 = 112;
+const BYTES_OF_TILE: u64 = 12;
+
+/// Tiles that a workgroup of the pass over tiles owns.
+const TILES_LISTED_AT_ONCE: u32 = 64;
+
+/// How many rows around a band effects make something of for others. A search for horizons looks farther, but at layers alone.
+fn computed_halo_rows(style: &Style, view: &View) -> u32 {
+    halo::halo_rows(style, view.band[1]).max(horizon::SMOOTH_PX + 1)
+}
+
+impl EffectTiles {
+    /// Finds them from the layers of the frame, and makes what is in none of them background, without strokes; none where effects draw on
+    /// the background.
+    pub(super) fn find(
+        plan: &mut Plan,
+        scene: &SceneBuffers<'_>,
+        style_numbers: &Binding,
+        layers: ResourceId,
+        (picture, strokes): (ResourceId, Option<Strokes>),
+    ) -> Option<Self> {
+        let model = scene.input.model;
+        let style = &model.prepared.style;
+        if style.ghost.is_drawn() || model.ground.is_some() {
+            return None;
+        }
+        let size_px = scene.input.view.size_px;
+        let tile_count = tiles_in(size_px);
+        // A struct of WGSL is a multiple of its alignment long, that of one tile too.
+        let bytes = (BYTES_OF_HEAD + u64::from(tile_count) * BYTES_OF_TILE).next_multiple_of(16);
+        let room = Contents::in_pieces(bytes, Vec::new(), true);
+        let list = Resource::upload("effect tiles", Role::Storage, room, Clock::Frame);
+        let list = plan.add_resource(list);
+        let drawn = Binding::update("effect_tiles", list);
+        let tiles = Self { list, tile_count };
+        // The gradient asks for no number of the style.
+        let numbers = (style.paper != Paper::Gradient).then(|| style_numbers.clone());
+        let mut bindings = vec![
+            scene.frame.clone(),
+            Binding::read("layers", layers),
+            drawn.clone(),
+        ];
+        bindings.extend(numbers.clone());
+        plan.add_pass(Pass::new(
+            "find tiles",
+            "in which tiles of the picture something is shown: effects look at no other",
+            Shader::from("effects/tiles/show.wgsl").with(backdrop(style.paper)),
+            bindings,
+            Work::over(size_px),
+        ));
+        let mut bindings = vec![
+            scene.frame.clone(),
+            tiles.listed(),
+            Binding::write("picture", picture),
+        ];
+        bindings.extend(numbers);
+        let shader = Shader::from("effects/tiles/clear.wgsl").with(backdrop(style.paper));
+        let shader = match strokes {
+            Some(Strokes { borders, strokes }) => {
+                bindings.push(Binding::write("borders", borders));
+                bindings.push(Binding::write("strokes", strokes));
+                shader.with("lib/blank_strokes/drawn.wgsl")
+            }
+            None => shader.with("lib/blank_strokes/none.wgsl"),
+        };
+        plan.add_pass(Pass::new(
+            "clear picture",
+            "all of it is background where the frame before had another one, or there was none",
+            shader,
+            bindings,
+            tiles.shared(),
+        ));
+        let reach_px = match strokes {
+            // A border is between two samples of which one may be background.
+            Some(_) => reach_px(style, scene.input.view.band[1]) as u32 + 1,
+            None => 0,
+        };
+        let list_tiles = Pass::new(
+            "list tiles",
+            "these tiles, those beside them as far as strokes reach, and those of the frame before",
+            "effects/tiles/list.wgsl",
+            vec![scene.frame.clone(), drawn],
+            Work::Compute {
+                groups: [tile_count.div_ceil(TILES_LISTED_AT_ONCE), 1, 1],
+            },
+        );
+        // Rows that the picture does not keep are left out, but for those that effects read from each other.
+        let [above, below] = scene.input.view.halo_rows;
+        let asked = computed_halo_rows(style, scene.input.view);
+        let end_row = size_px[1] - below.saturating_sub(asked);
+        plan.add_pass(list_tiles.with_constants(vec![
+            ("reach", f64::from(reach_px.div_ceil(TILE_PX))),
+            ("first_row", f64::from(above.saturating_sub(asked))),
+            ("end_row", f64::from(end_row)),
+        ]));
+        Some(tiles)
+    }
+}

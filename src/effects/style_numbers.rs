@@ -1,0 +1,67 @@
+//! The numbers of a style as shaders read them, and how wide its strokes are in pixels.
+
+use glam::Vec3;
+
+use super::{pixels, relief_sky};
+use crate::passes::SceneBuffers;
+use crate::plan::{Binding, Plan, pack};
+use crate::scene::style::{Paper, Style};
+use crate::scene::{View, linear_from_srgb, map_channels};
+
+/// The widest strokes have 32 pixels.
+const MOST_HALF_PX: f32 = 16.0;
+
+/// The numbers of the style, as a binding.
+pub(super) fn style_numbers(plan: &mut Plan, scene: &SceneBuffers<'_>) -> Binding {
+    let style = &scene.input.model.prepared.style;
+    let mut numbers = numbers(style, scene.input.view);
+    if relief_sky::is_drawn(scene) {
+        // How much of it caps have is in what was found.
+        numbers.occlusion_cap = 1.0;
+    }
+    pixels::numbers(plan, "style", numbers)
+}
+
+/// How many pixels away a border may be whose stroke is seen.
+pub(super) fn reach_px(style: &Style, rows: u32) -> i32 {
+    (half_px(style.strokes.widest(), rows)).ceil() as i32 + 1
+}
+
+/// Half the width of a stroke in pixels: its cost grows with the square, and wider ones are cut.
+pub(super) fn half_px(width: f32, rows: u32) -> f32 {
+    (Style::px(width, rows) / 2.0).min(MOST_HALF_PX)
+}
+
+fn numbers(style: &Style, view: &View) -> pack::Style {
+    let (rows, fineness) = (view.band[1], view.fineness);
+    let linear = |color: Vec3| map_channels(color, linear_from_srgb);
+    let strokes = &style.strokes;
+    let mut halves = [0.0; 8];
+    for (half, width) in halves.iter_mut().zip(strokes.widths()) {
+        *half = half_px(width, rows);
+    }
+    let [a, b, c, d, rest @ ..] = halves;
+    let gooch = &style.gooch;
+    pack::Style {
+        ink: linear(style.ink).extend(1.0).to_array(),
+        paper: match style.paper {
+            Paper::Color(color) => linear(color).extend(1.0).to_array(),
+            Paper::Gradient | Paper::None => [0.0; 4],
+        },
+        gooch: [gooch.blue, gooch.yellow, gooch.of_cool, gooch.of_warm],
+        stroke_halves: [[a, b, c, d], rest],
+        crease_cos: strokes.crease_deg.to_radians().cos(),
+        depth_px: strokes.depth_px,
+        cap_light: style.cap.light,
+        cap_relief: style.cap.relief,
+        stroke_reach_px: reach_px(style, rows),
+        fineness: fineness as f32,
+        occlusion_surface: style.occlusion.surface,
+        occlusion_cap: style.occlusion.cap,
+        engraving: [style.engraving.across, style.engraving.across_dark].map(|across| {
+            let across = Vec3::from(across).normalize_or(Vec3::X);
+            let spacing_px = Style::px(style.engraving.spacing, rows);
+            across.extend(spacing_px).to_array()
+        }),
+    }
+}
