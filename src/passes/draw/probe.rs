@@ -1,0 +1,57 @@
+//! Probing: the mask by asking an image of each part's volume for the points that matter.
+//!
+//! One invocation per pixel; an answer for each crossing at which a part goes from removed to kept, and for the near plane where
+//! it may be inside a solid. As exact as the image is; the resolve is that of every other inside test.
+
+use std::ops::Range;
+
+use crate::passes::frame::buffers::SceneBuffers;
+use crate::passes::frame::crossings::{Crossings, LISTED};
+use crate::plan::{Binding, Pass, Plan, ResourceId, Work};
+use crate::shader::Shader;
+
+/// An image of the volume of parts that says which points are inside.
+#[derive(Clone, Debug)]
+pub(crate) struct Volume {
+    /// File that fills `cutaway::volume`.
+    pub file: &'static str,
+    /// What it binds.
+    pub bindings: Vec<Binding>,
+}
+
+impl Volume {
+    /// Asks for the parts at some places of the table.
+    pub(crate) fn probe(
+        &self,
+        plan: &mut Plan,
+        scene: &SceneBuffers<'_>,
+        places: Range<usize>,
+        mask: ResourceId,
+        crossings: &Crossings,
+    ) {
+        let mut bindings = vec![
+            scene.frame.clone(),
+            scene.cut_table.clone(),
+            scene.parts.clone(),
+            Binding::update("mask", mask),
+        ];
+        bindings.extend(self.bindings.iter().cloned());
+        bindings.extend(crossings.bindings());
+        let near_inside = f64::from(u8::from(scene.input.relevance.near_inside));
+        let pass = Pass::new(
+            format!("probe {}", places.start),
+            "whether a crossing is inside, asked where its part goes from removed to kept",
+            Shader::from("passes/probe.wgsl")
+                .with(self.file)
+                .with_all(&LISTED),
+            bindings,
+            Work::over(scene.input.view.size_px),
+        );
+        plan.add_pass(pass.with_constants(vec![
+            scene.lanes.constant(),
+            ("near_inside", near_inside),
+            ("first_place", places.start as f64),
+            ("end_place", places.end as f64),
+        ]));
+    }
+}

@@ -1,0 +1,294 @@
+//! A frame by the compute rasteriser: candidates, one pass over the mesh, one decision per pixel, and paint where there is something.
+//!
+//! Every sample leaves to the inside test what that wants and keeps the nearest kept triangle. With atomics of 64 bits that is
+//! one sweep over the triangles. Core WebGPU lacks them: there a first sweep finds the greatest depth-buffer value and a second
+//! one the first triangle at it, to the same picture.
+//!
+//! Pixels are looked at in touched tiles alone ([`Touched`]).
+//!
+//! Cost per frame: that of the screen and the sweeps, and 12 bytes a pixel after what the inside test wants.
+
+use super::layers::{Layered, layers, overlap, picture};
+use super::resolve::{Inside, cap_normal, constants_of_decision};
+use super::screen::{Fresh, ScreenOf};
+use super::share::Share;
+use super::store::Store;
+use super::sweep::Sweep;
+use crate::passes::frame::buffers::SceneBuffers;
+use crate::passes::frame::crossings::AskedCrossings;
+use crate::passes::frame::dispatch::groups_along;
+use crate::passes::frame::on_screen::{OnScreen, Screen};
+use crate::passes::frame::rasteriser::Rasteriser;
+use crate::passes::frame::refusal::Refusal;
+use crate::passes::frame::touched::Touched;
+use crate::plan::{Access, Binding, Clock, Pass, Plan, Resource, ResourceId, Work};
+use crate::shader::Shader;
+
+impl<'a> SceneBuffers<'a> {
+    /// Takes the mesh to the screen before crossings are looked for, so that this is done in touched tiles alone; makes pixels ready for
+    /// fragments on the way. `to_come` are the crossings as they will be listed. Nothing is done for the GPU's own rasteriser, and where lists
+    /// are to be those of all pixels, as for hosts. The reason where there are too many parts.
+    pub(crate) fn on_screen_first(
+        mut self,
+        plan: &mut Plan,
+        store: &Store,
+        to_come: &AskedCrossings,
+    ) -> Result<Self, Refusal> {
+        let input = self.input;
+        if input.rasteriser == Rasteriser::Compute && !input.keeps_list {
+            let share = Share::of_crossings(&self, store, to_come);
+            self.on_screen = Some(take_to_screen(plan, &self, Some(store), share)?);
+        }
+        Ok(self)
+    }
+}
+
+/// What the sweeps over the mesh leave.
+#[derive(Clone, Debug)]
+pub(crate) struct Swept {
+    /// The nearest kept triangle of each pixel.
+    nearest: ResourceId,
+    /// The layers, and the picture where it is made along with them: background so far.
+    layers: ResourceId,
+    picture: Option<ResourceId>,
+    touched: Touched,
+    /// How the screen of the frame was gone over, and the table of the parts on it; file that fills `cutaway::rows`.
+    rows: &'static str,
+    sweep: ResourceId,
+    drawn_parts: ResourceId,
+}
+
+/// Takes all parts to the screen of the frame. `store` is of fragments for which no other pass makes pixels ready.
+fn take_to_screen(
+    plan: &mut Plan,
+    scene: &SceneBuffers<'_>,
+    store: Option<&Store>,
+    share: Share,
+) -> Result<OnScreen, Refusal> {
+    let input = scene.input;
+    let nearest = Resource::storage("nearest", input.pixel_count() * 8, Clock::Frame);
+    let nearest = plan.add_resource(nearest);
+    let layers = layers(plan, input);
+    let picture = input.is_plain().then(|| picture(plan, input));
+    let touched = Touched::of_picture(plan, input.view.size_px);
+    let kind = match picture {
+        Some(_) => "lib/blank/picture.wgsl",
+        None => "lib/blank/layers.wgsl",
+    };
+    let mut bindings = vec![
+        scene.frame.clone(),
+        touched.binding(Access::Read),
+        Binding::write("nearest", nearest),
+        Binding::write("layers", layers),
+    ];
+    bindings.extend(picture.map(|p| Binding::write("picture", p)));
+    let shader = Shader::from("passes/rasterise/blank.wgsl").with(kind);
+    let shader = match store {
+        Some(store) => {
+            bindings.extend(store.begun());
+            shader.with("lib/begun/store.wgsl").with(store.file)
+        }
+        None => shader.with("lib/begun/nothing.wgsl"),
+    };
+    plan.add_pass(Pass::new(
+        "blank",
+        "tiles that the frame before has touched are background again; the others have been so all along",
+        shader,
+        bindings,
+        touched.shared(),
+    ));
+    let of = ScreenOf {
+        name: "",
+        view: input.view,
+        frame: scene.frame.clone(),
+        clock: Clock::Frame,
+        ranks: &input.relevance.order,
+        settles: true,
+        share,
+        fresh: Fresh {
+            files: vec!["lib/fresh/tiles.wgsl", kind],
+            bindings: vec![touched.binding(Access::ReadWrite)],
+            items: touched.tile_count(),
+        },
+    };
+    let mut screen = Screen::record(plan, scene, of)?;
+    // Nobody looks at pixels before the sweep.
+    let by_sweep = input.relevance.lanes == 0 || (store.is_some() && input.asks_plane());
+    if !by_sweep {
+        find_tiles(plan, &screen, touched);
+        screen.is_queued = true;
+    }
+    Ok(OnScreen {
+        screen,
+        nearest,
+        layers,
+        picture,
+        touched,
+    })
+}
+
+/// Finds the touched tiles, of small triangles one by one, then of the pieces of the others, which are queued on the way.
+fn find_tiles(plan: &mut Plan, screen: &Screen, touched: Touched) {
+    let bindings = |queue_access| {
+        let mut all = screen.bindings();
+        all.extend([
+            touched.binding(Access::ReadWrite),
+            screen.queue(queue_access),
+        ]);
+        all
+    };
+    let pass = Pass::new(
+        "tiles",
+        "which tiles of the picture have something, and between which depths the cut parts lie in each: no other is looked at",
+        Shader::from("passes/rasterise/tiles.wgsl").with(screen.rows()),
+        bindings(Access::ReadWrite),
+        Work::Compute {
+            groups: groups_along(screen.triangle_count),
+        },
+    );
+    plan.add_pass(pass.with_constants(screen.share.constants().into()));
+    screen.count_pieces(plan);
+    plan.add_pass(Pass::new(
+        "large tiles",
+        "the same for triangles of many samples",
+        Shader::from("passes/rasterise/large_tiles.wgsl").with(screen.rows()),
+        bindings(Access::Read),
+        screen.over_pieces(),
+    ));
+}
+
+/// Rasterises all parts into what an inside test wants, and into the nearest kept triangle of each pixel; the reason where there
+/// are too many parts.
+pub(crate) fn rasterise(
+    plan: &mut Plan,
+    scene: &SceneBuffers<'_>,
+    store: &Store,
+    crossings: &AskedCrossings,
+) -> Result<Swept, Refusal> {
+    let input = scene.input;
+    let OnScreen {
+        screen,
+        nearest,
+        layers,
+        picture,
+        touched,
+    } = match &scene.on_screen {
+        Some(on_screen) => on_screen.clone(),
+        None => {
+            let share = Share::of_crossings(scene, store, crossings);
+            take_to_screen(plan, scene, None, share)?
+        }
+    };
+    let marking = Sweep {
+        name: "mark",
+        reason: "each sample marks the crossings it is behind, and keeps its triangle where it is the nearest kept",
+        sample: "lib/sample/fused.wgsl",
+        store: Some(store),
+        crossings: Some(crossings),
+        bindings: vec![Binding::update("nearest", nearest)],
+        touched: (!screen.is_queued).then_some(touched),
+        again: false,
+    };
+    if input.wide_atomics {
+        marking.record(plan, scene, &screen);
+    } else {
+        let marking = Sweep {
+            reason: "each sample marks the crossings it is behind, and raises the depth of its pixel where it is kept",
+            sample: "lib/sample/raised.wgsl",
+            ..marking
+        };
+        marking.record(plan, scene, &screen);
+        let claiming = Sweep {
+            name: "claim",
+            reason: "the first triangle at the depth of a pixel claims it",
+            again: true,
+            ..marking
+        };
+        claiming.record(plan, scene, &screen);
+    }
+    Ok(Swept {
+        nearest,
+        layers,
+        picture,
+        touched,
+        rows: screen.rows(),
+        sweep: screen.sweep.resource,
+        drawn_parts: screen.drawn_parts.resource,
+    })
+}
+
+/// Decides what each pixel shows, and paints what is not background.
+pub(crate) fn decide_and_paint(
+    plan: &mut Plan,
+    scene: &SceneBuffers<'_>,
+    swept: Swept,
+    inside: Inside,
+    crossings: &AskedCrossings,
+) -> Layered {
+    let mut bindings = vec![
+        scene.frame.clone(),
+        scene.cut_table.clone(),
+        scene.parts.clone(),
+        Binding::read("nearest", swept.nearest),
+        Binding::update("layers", swept.layers),
+        swept.touched.binding(Access::Read),
+    ];
+    bindings.extend(inside.bindings);
+    bindings.extend(crossings.bindings.iter().cloned());
+    let decide = Pass::new(
+        "decide",
+        "the nearest crossing that is inside a part and enters it is a cap, unless a surface is before it",
+        Shader::from("passes/rasterise/decide.wgsl")
+            .with("lib/share/touched.wgsl")
+            .with(inside.file)
+            .with_all(&crossings.files()),
+        bindings,
+        swept.touched.shared(),
+    );
+    plan.add_pass(decide.with_constants(constants_of_decision(scene)));
+    paint(plan, scene, swept, crossings)
+}
+
+/// Completes the layers of what is not background, and colours it where that is all that the style asks for.
+fn paint(
+    plan: &mut Plan,
+    scene: &SceneBuffers<'_>,
+    swept: Swept,
+    crossings: &AskedCrossings,
+) -> Layered {
+    let [vertices, indices] = scene.mesh_in_storage(Clock::Frame);
+    let mut bindings = vec![
+        scene.frame.clone(),
+        scene.cut_table.clone(),
+        vertices,
+        indices,
+        swept.touched.binding(Access::Read),
+        Binding::update("layers", swept.layers),
+        Binding::read("sweep", swept.sweep),
+        Binding::read("drawn_parts", swept.drawn_parts),
+    ];
+    let cap_normal = cap_normal(scene, &mut bindings);
+    let mut shader = Shader::from("passes/rasterise/paint.wgsl")
+        .with("lib/share/touched.wgsl")
+        .with(swept.rows)
+        .with(crossings.surfaces_file)
+        .with(cap_normal);
+    let mut reason =
+        "the triangle that claimed a pixel gives it part, side and normal, a cap has its own";
+    shader = match swept.picture {
+        Some(picture) => {
+            reason = "the triangle that claimed a pixel gives it part, side and normal, a cap has its own; lit shading colours both";
+            bindings.push(scene.parts.clone());
+            bindings.push(Binding::update("picture", picture));
+            let overlap = overlap(plan, scene.input, &mut bindings);
+            shader.with("lib/coloring/lit.wgsl").with(overlap)
+        }
+        None => shader.with("lib/coloring/none.wgsl"),
+    };
+    let work = swept.touched.shared();
+    plan.add_pass(Pass::new("paint", reason, shader, bindings, work));
+    Layered {
+        layers: swept.layers,
+        picture: swept.picture,
+    }
+}

@@ -1,0 +1,126 @@
+//! Resolving: what each pixel shows, decided from its crossings, the inside test and the nearest kept surface.
+//!
+//! The same decision for every inside test and both rasterisers; what differs fills open modules. Time in proportion to pixels
+//! and, where they have crossings, to cut parts. After the GPU's own rasteriser it is one pass; the compute rasteriser has
+//! `decide` and `paint` in its place.
+
+use super::layers::{Layered, layers};
+use super::rasterise::decide_and_paint;
+use super::solid::NearestKept;
+use super::surface::Surfaces;
+use crate::passes::frame::buffers::SceneBuffers;
+use crate::passes::frame::crossings::AskedCrossings;
+use crate::plan::{Binding, Pass, Plan, ResourceId, Work};
+use crate::shader::Shader;
+
+/// How the inside test is answered.
+#[derive(Clone, Debug)]
+pub(crate) struct Inside {
+    /// File that fills `cutaway::inside`.
+    pub file: &'static str,
+    /// What it binds.
+    pub bindings: Vec<Binding>,
+}
+
+impl Inside {
+    /// No part is cut, and none is asked about.
+    pub(crate) fn unasked() -> Self {
+        Self {
+            file: "lib/inside/nothing.wgsl",
+            bindings: Vec::new(),
+        }
+    }
+
+    /// The answers in the lanes of a mask, all of bits.
+    pub(crate) fn mask(mask: ResourceId) -> Self {
+        Self {
+            file: "lib/inside/mask.wgsl",
+            bindings: vec![Binding::read("mask", mask)],
+        }
+    }
+
+    /// The answers in the lanes of a mask, some of counts.
+    pub(crate) fn winding(mask: ResourceId) -> Self {
+        Self {
+            file: "lib/inside/winding.wgsl",
+            ..Self::mask(mask)
+        }
+    }
+}
+
+/// Records the passes that decide.
+pub(crate) fn resolve(
+    plan: &mut Plan,
+    scene: &SceneBuffers<'_>,
+    nearest: NearestKept,
+    inside: Inside,
+    crossings: &AskedCrossings,
+) -> Layered {
+    match nearest {
+        NearestKept::Drawn(surfaces) => resolve_drawn(plan, scene, &surfaces, inside, crossings),
+        NearestKept::Swept(swept) => decide_and_paint(plan, scene, swept, inside, crossings),
+    }
+}
+
+fn resolve_drawn(
+    plan: &mut Plan,
+    scene: &SceneBuffers<'_>,
+    surfaces: &Surfaces,
+    inside: Inside,
+    crossings: &AskedCrossings,
+) -> Layered {
+    let layers = layers(plan, scene.input);
+    let mut bindings = vec![
+        scene.frame.clone(),
+        scene.cut_table.clone(),
+        scene.parts.clone(),
+    ];
+    bindings.extend(surfaces.bindings());
+    bindings.push(Binding::write("layers", layers));
+    bindings.extend(inside.bindings);
+    bindings.extend(crossings.bindings.iter().cloned());
+    let cap_normal = cap_normal(scene, &mut bindings);
+    let pass = Pass::new(
+        "resolve",
+        "the nearest crossing that is inside a part and enters it is a cap, unless a surface is before it",
+        Shader::from("passes/resolve.wgsl")
+            .with(inside.file)
+            .with_all(&crossings.files())
+            .with(cap_normal),
+        bindings,
+        Work::over(scene.input.view.size_px),
+    );
+    plan.add_pass(pass.with_constants(constants_of_decision(scene)));
+    Layered {
+        layers,
+        picture: None,
+    }
+}
+
+/// The constants of a pass that decides.
+pub(crate) fn constants_of_decision(scene: &SceneBuffers<'_>) -> Vec<(&'static str, f64)> {
+    let relevance = &scene.input.relevance;
+    let mut constants = vec![
+        scene.lanes.constant(),
+        ("lane_count", relevance.lanes as f64),
+        ("near_inside", f64::from(u8::from(relevance.near_inside))),
+    ];
+    if scene.input.shows_overlaps() {
+        constants.push(("overlaps", 1.0));
+    }
+    constants
+}
+
+/// The file that fills `cutaway::cap_normal`, and what it binds.
+pub(crate) fn cap_normal(scene: &SceneBuffers<'_>, bindings: &mut Vec<Binding>) -> &'static str {
+    let reliefs = scene.input.has_reliefs();
+    if reliefs {
+        bindings.push(scene.heights.clone());
+    }
+    match (scene.input.has_cutters(), reliefs) {
+        (false, false) => "lib/cap_normal/planes.wgsl",
+        (false, true) => "lib/cap_normal/reliefs.wgsl",
+        (true, false) => "lib/cap_normal/cutters.wgsl",
+        (true, true) => "lib/cap_normal/cutters_reliefs.wgsl",
+    }
+}

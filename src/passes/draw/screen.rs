@@ -1,0 +1,282 @@
+//! The mesh on a screen: vertices in fixed point for one view, be it the frame's own or that of a sprite.
+//!
+//! One pass takes every vertex there once; any number of sweeps then look for the samples of its triangles. Cost: 16 bytes a
+//! vertex, 12 bytes a triangle for the queue, which therefore cannot overflow, 32 KiB for the table of parts.
+//!
+//! Limits: [`MOST_DRAWN_PARTS`] parts, 2^23 vertices (a storage binding of core WebGPU). Nothing is clipped at the far plane:
+//! views have it beyond all parts.
+
+use std::ops::Range;
+
+use bytemuck::Zeroable;
+use glam::DVec2;
+
+use super::share::{Share, first_piece_at};
+use crate::passes::frame::buffers::SceneBuffers;
+use crate::passes::frame::dispatch::groups_along;
+use crate::passes::frame::input::Input;
+use crate::passes::frame::lanes::Lanes;
+use crate::passes::frame::on_screen::Screen;
+use crate::passes::frame::refusal::Refusal;
+use crate::plan::pack::{DrawnPart, MOST_DRAWN_PARTS, Sweep};
+use crate::plan::{
+    Access, Binding, Clock, Contents, DISPATCH_ARGUMENT_BYTES, Pass, Plan, Resource, Role, Work,
+};
+use crate::scene::View;
+use crate::shader::Shader;
+
+/// No point this near to the upper left corner is beyond the guard band of `screen.wgsl`, 16,000 px wide to the right and
+/// below, and to the left and above by as much less as the picture is wide.
+const SAFE_PX: f64 = 7000.0;
+
+/// A place of a part that needs no inside test: `NO_LANE` in `shaders/lib/sweep.wgsl`.
+pub const NO_LANE: u32 = u32::MAX;
+
+/// What is to be taken to a screen.
+#[derive(Clone, Debug)]
+pub(crate) struct ScreenOf<'a> {
+    /// What its passes and resources are named after; empty for the view of the frame.
+    pub name: &'a str,
+    pub view: &'a View,
+    /// The view as the shaders read it, under the name `frame`; of the same size.
+    pub frame: Binding,
+    /// When it is done again.
+    pub clock: Clock,
+    /// Ranks of the parts, in the order of the part table.
+    pub ranks: &'a [usize],
+    /// Whether groups of settled triangles have rows of their own.
+    pub settles: bool,
+    /// How samples are shared out to invocations.
+    pub share: Share,
+    /// What begins anew with it.
+    pub fresh: Fresh,
+}
+
+/// What begins anew with a screen beside its queue.
+#[derive(Clone, Debug)]
+pub(crate) struct Fresh {
+    /// Files that fill `cutaway::fresh` and what that asks for.
+    pub files: Vec<&'static str>,
+    /// What they bind.
+    pub bindings: Vec<Binding>,
+    /// For how many numbers they are called.
+    pub items: u32,
+}
+
+impl Fresh {
+    /// Nothing.
+    pub(crate) fn nothing() -> Self {
+        Self {
+            files: vec!["lib/fresh/nothing.wgsl"],
+            bindings: Vec::new(),
+            items: 0,
+        }
+    }
+}
+
+impl Screen {
+    /// The name of a pass or a resource of this screen.
+    pub(crate) fn named(&self, what: &str) -> String {
+        named(self.name.as_str(), what)
+    }
+
+    /// The file that fills `cutaway::rows`.
+    pub(crate) fn rows(&self) -> &'static str {
+        match self.has_one_row {
+            true => "lib/rows/one.wgsl",
+            false => "lib/rows/any.wgsl",
+        }
+    }
+
+    /// What every pass over its triangles binds of it.
+    pub(crate) fn bindings(&self) -> Vec<Binding> {
+        vec![
+            self.frame.clone(),
+            self.sweep.clone(),
+            self.drawn_parts.clone(),
+            self.indices.clone(),
+            self.vertices(),
+        ]
+    }
+
+    /// The queue of triangles.
+    pub(crate) fn queue(&self, access: Access) -> Binding {
+        Binding {
+            access,
+            ..Binding::read("queue", self.queue)
+        }
+    }
+
+    /// The vertices, to be read.
+    pub(crate) fn vertices(&self) -> Binding {
+        Binding::read("screen", self.vertices)
+    }
+}
+
+fn named(screen: &str, what: &str) -> String {
+    if screen.is_empty() {
+        what.to_owned()
+    } else {
+        format!("{screen} {what}")
+    }
+}
+
+impl Screen {
+    /// Records the pass that takes parts to a screen; the reason where they are too many.
+    pub(crate) fn record(
+        plan: &mut Plan,
+        scene: &SceneBuffers<'_>,
+        of: ScreenOf<'_>,
+    ) -> Result<Self, Refusal> {
+        let input = scene.input;
+        let settled = scene.settled.as_ref().filter(|_| of.settles);
+        let groups = settled.map_or(0, |_| input.settled_groups().len());
+        let rows = of.ranks.len() + groups;
+        if rows > MOST_DRAWN_PARTS {
+            return Err(Refusal::amount(format!(
+                "the compute rasteriser draws {MOST_DRAWN_PARTS} parts and groups of faces in clip-surfaces, there are {rows}"
+            )));
+        }
+        // Vertices from the first to the last that some part needs.
+        let (first_vertex, end_vertex) = (of.ranks.iter())
+            .map(|rank| input.vertices_of(*rank))
+            .fold((u32::MAX, 0), |(first, end), range| {
+                (first.min(range.start), end.max(range.end))
+            });
+        let first_vertex = first_vertex.min(end_vertex);
+        let (table, triangle_count) =
+            input.drawn_parts(of.ranks, &scene.lanes, settled.is_some(), first_vertex);
+        let vertex_count = end_vertex - first_vertex;
+        let sweep = Sweep {
+            triangle_count,
+            vertex_count,
+            search_steps: rows.next_power_of_two().ilog2(),
+            again: 0,
+            first_vertex,
+            first_group: of.ranks.len() as u32,
+        };
+        let [vertices, indices] = scene.mesh_in_storage(of.clock);
+        let mut made = |what, words: u64| {
+            let name = named(of.name, what);
+            plan.add_resource(Resource::storage(name, words * 4, of.clock))
+        };
+        let screen_vertices = made("screen", u64::from(vertex_count).max(1) * 4);
+        let queue_words = u64::from(first_piece_at(triangle_count)) + u64::from(triangle_count);
+        let queue = made("queue", queue_words);
+        let name = named(of.name, "pieces");
+        let pieces =
+            plan.add_resource(Resource::arguments(name, DISPATCH_ARGUMENT_BYTES, of.clock));
+        // Tables that change with the cuts, if what reads them is not done more rarely.
+        let mut table_of = |variable, what, contents| {
+            let (name, clock) = (named(of.name, what), of.clock.min(Clock::Cut));
+            let table = Resource::upload(name, Role::Uniform, contents, clock);
+            Binding::read(variable, plan.add_resource(table))
+        };
+        let again = Sweep { again: 1, ..sweep };
+        let screen = Self {
+            name: of.name.to_owned(),
+            clock: of.clock,
+            frame: of.frame,
+            drawn_parts: table_of("drawn_parts", "drawn_parts", Contents::from_values(&table)),
+            indices,
+            settled: settled.cloned(),
+            vertices: screen_vertices,
+            queue,
+            pieces,
+            share: of.share,
+            is_queued: false,
+            sweep: table_of("sweep", "sweep", Contents::from_values(&[sweep])),
+            sweep_again: table_of("sweep", "sweep again", Contents::from_values(&[again])),
+            triangle_count,
+            has_one_row: rows == 1,
+            may_clip: of.ranks.iter().any(|rank| input.may_clip(of.view, *rank)),
+        };
+        let mut bindings = vec![
+            screen.frame.clone(),
+            screen.sweep.clone(),
+            vertices,
+            Binding::write("screen", screen.vertices),
+            Binding::write("queue", screen.queue),
+        ];
+        bindings.extend(of.fresh.bindings);
+        let pass = Pass::new(
+            screen.named("transform"),
+            "each vertex goes to fixed point once; the queue of triangles that are not small begins empty, as does the list of tiles",
+            Shader::from("passes/rasterise/transform.wgsl").with_all(&of.fresh.files),
+            bindings,
+            Work::Compute {
+                groups: groups_along(vertex_count.max(of.fresh.items)),
+            },
+        );
+        plan.add_pass(pass.on(of.clock));
+        Ok(screen)
+    }
+}
+
+impl Input<'_> {
+    /// The table of drawn parts, those of settled triangles at its end, and how many triangles they have.
+    fn drawn_parts(
+        &self,
+        ranks: &[usize],
+        lanes: &Lanes,
+        settles: bool,
+        first_vertex: u32,
+    ) -> (Vec<DrawnPart>, u32) {
+        let groups = match settles {
+            true => self.settled_groups(),
+            false => &[],
+        };
+        let of_rank = |rank: &usize| {
+            let mut indices = self.model.ranges[*rank].indices.clone();
+            if settles {
+                indices.end = self.end_of_rest(*rank);
+            }
+            (*rank, indices)
+        };
+        let of_groups = groups.iter().map(|(rank, g)| (*rank, g.indices.clone()));
+        let rows: Vec<_> = ranks.iter().map(of_rank).chain(of_groups).collect();
+        let mut table = vec![DrawnPart::zeroed(); MOST_DRAWN_PARTS];
+        let mut triangle_count = 0;
+        for (row, (rank, indices)) in table.iter_mut().zip(&rows) {
+            let range = &self.model.ranges[*rank];
+            let place = self.relevance.place_of(*rank);
+            let [lane_word, lane_shift] = lanes.of_place(place);
+            *row = DrawnPart {
+                first_triangle: triangle_count,
+                first_index: indices.start,
+                base_vertex: range.base_vertex.cast_unsigned() - first_vertex,
+                cuts: self.relevance.cuts_of(*rank),
+                lane_word,
+                lane_shift,
+                place: if place < self.relevance.lanes {
+                    place as u32
+                } else {
+                    NO_LANE
+                },
+                part: self.model.prepared.parts[*rank].part as u32,
+            };
+            triangle_count += (indices.end - indices.start) / 3;
+        }
+        for row in &mut table[rows.len()..] {
+            row.first_triangle = u32::MAX;
+        }
+        (table, triangle_count)
+    }
+
+    /// Numbers of the vertices of a part.
+    fn vertices_of(&self, rank: usize) -> Range<u32> {
+        let range = &self.model.ranges[rank];
+        let first = range.base_vertex.cast_unsigned();
+        first..first + range.vertex_count
+    }
+
+    /// Whether a part reaches beyond the near plane or anywhere near the guard band, by its box.
+    fn may_clip(&self, view: &View, rank: usize) -> bool {
+        let corners = self.model.prepared.parts[rank].bounds.corners();
+        corners.into_iter().any(|corner| {
+            let (at, depth) = view.project(corner);
+            // Rounding is kept far away from: what is clipped needlessly costs an empty pass.
+            depth < view.near * 1.001 || !at.abs().cmplt(DVec2::splat(SAFE_PX)).all()
+        })
+    }
+}

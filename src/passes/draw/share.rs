@@ -1,0 +1,85 @@
+//! How the samples of triangles are shared out to invocations.
+
+use super::store::Store;
+use crate::passes::frame::buffers::SceneBuffers;
+use crate::passes::frame::crossings::AskedCrossings;
+
+/// Rounds of loops that samples may take in one invocation: below those 65,535, with room for the rest.
+const ROUNDS_OF_SAMPLES: u32 = 48_000;
+
+/// How samples are shared out to invocations.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Share {
+    /// Longest side of the box of a triangle that one invocation covers, in pixels.
+    small_px: u32,
+    /// Samples of a line that one invocation covers of a larger one, but for three tiles of 64; below 1 one tile.
+    piece_px: f64,
+}
+
+impl Share {
+    /// For fragments that leave something in a store and count no crossings.
+    pub(crate) fn of_store(store: &Store) -> Self {
+        Self::of_rounds(store.rounds)
+    }
+
+    /// For fragments that count the crossings before them as well.
+    pub(crate) fn of_crossings(
+        scene: &SceneBuffers<'_>,
+        store: &Store,
+        crossings: &AskedCrossings,
+    ) -> Self {
+        // A settled face is moved to its side of each crossing, then of those with cutters.
+        let settled = match scene.settled {
+            Some(_) => 2 * crossings.capacity,
+            None => 0,
+        };
+        Self::of_rounds(store.rounds + crossings.rounds() + settled)
+    }
+
+    /// The largest share of samples that take so many rounds each.
+    fn of_rounds(rounds: u32) -> Self {
+        let most = ROUNDS_OF_SAMPLES / (rounds + 2);
+        let small = [64, 32, 16, 8].into_iter().find(|px| px * px <= most);
+        let piece = [512, 256, 64].into_iter().find(|px| px + 192 <= most);
+        Self {
+            small_px: small.unwrap_or(4),
+            piece_px: piece.map_or(0.25, f64::from),
+        }
+    }
+
+    /// As constants of shaders.
+    pub(crate) fn constants(self) -> [(&'static str, f64); 2] {
+        [
+            ("small_px", f64::from(self.small_px)),
+            ("piece_px", self.piece_px),
+        ]
+    }
+}
+
+/// Word of the queue with the first piece of the first queued triangle: `shaders/lib/queue.wgsl`.
+pub(crate) fn first_piece_at(triangle_count: u32) -> u32 {
+    2 + 2 * triangle_count
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn shares_keep_within_the_rounds_of_an_invocation() {
+        for rounds in [0, 1, 9, 43, 100, 257, 600] {
+            let Share { small_px, piece_px } = Share::of_rounds(rounds);
+            let small = small_px * (small_px * (rounds + 1) + 1);
+            let line = if piece_px < 1.0 {
+                64
+            } else {
+                piece_px as u32 + 192
+            };
+            let large = line * (rounds + 1) + 257;
+            assert!(small.max(large) < 65_535, "{rounds}: {small}, {large}");
+        }
+        assert_eq!(Share::of_rounds(1).small_px, 64, "a plane costs nothing");
+        // The control: what is given for one round is too much for a thousand.
+        assert!(Share::of_rounds(1000).small_px < 8);
+    }
+}

@@ -1,0 +1,36 @@
+//! What fragments leave for inside tests.
+
+use crate::plan::{Access, Binding};
+
+/// What the pass over the mesh leaves for an inside test.
+#[derive(Clone, Debug)]
+pub(crate) struct Store {
+    /// File that fills `cutaway::store`.
+    pub file: &'static str,
+    /// What it binds: what every fragment updates, and what says how.
+    pub bindings: Vec<Binding>,
+    /// Rounds of a loop that one fragment may take.
+    pub rounds: u32,
+}
+
+impl Store {
+    /// Fragments leave nothing: the inside test asks elsewhere, or draws the mesh again. What is bound begins empty.
+    pub(crate) fn nothing(bindings: Vec<Binding>) -> Self {
+        Self {
+            file: "lib/store/nothing.wgsl",
+            bindings,
+            rounds: 0,
+        }
+    }
+
+    /// The bindings of the pass that makes every pixel ready for its first fragment.
+    pub(crate) fn begun(&self) -> impl Iterator<Item = Binding> + '_ {
+        self.bindings.iter().map(|b| Binding {
+            access: match b.access {
+                Access::Read => Access::Read,
+                Access::Write | Access::ReadWrite => Access::Write,
+            },
+            ..b.clone()
+        })
+    }
+}

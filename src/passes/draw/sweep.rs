@@ -1,0 +1,135 @@
+//! Sweeps: passes over all triangles of a screen, small ones by one invocation each, the rest in pieces by workgroups.
+//!
+//! Edge functions are exact integers and the top-left rule gives a sample on a shared edge to exactly one triangle: coverage is
+//! that of the GPU's own rasteriser, on devices that have few units for that. What a covered sample does is a file that fills
+//! `cutaway::sample`; where that leaves fragments to an inside test, how is a file that fills `cutaway::store`.
+//!
+//! The first sweep over a screen queues the triangles that are not small, and lists the small ones of which a sample asked to be
+//! seen again; later ones go by these lists. A prefix sum over the queue counts the pieces of its triangles, and a workgroup is dispatched
+//! for each ([`Share`](super::share::Share)). Sweeps over one screen with the same sample run the same pipelines, so that they compute the same depths bit for bit. After
+//! Laine & Karras, *High-performance software rasterization on GPUs* (2011).
+
+use super::store::Store;
+use crate::passes::frame::buffers::SceneBuffers;
+use crate::passes::frame::crossings::AskedCrossings;
+use crate::passes::frame::dispatch::groups_along;
+use crate::passes::frame::on_screen::Screen;
+use crate::passes::frame::touched::Touched;
+use crate::plan::{Access, Binding, Pass, Plan, Work};
+use crate::shader::Shader;
+
+/// What a sweep does.
+#[derive(Clone, Debug)]
+pub(crate) struct Sweep<'a> {
+    /// What its passes are named after: "mark" makes "mark small" and "mark large".
+    pub name: &'a str,
+    /// Why it is there: what a sample does.
+    pub reason: &'a str,
+    /// File that fills `cutaway::sample`.
+    pub sample: &'static str,
+    /// What fragments leave, where the sample says so.
+    pub store: Option<&'a Store>,
+    /// The crossings, where the sample counts the crossings before it.
+    pub crossings: Option<&'a AskedCrossings>,
+    /// What else the sample binds.
+    pub bindings: Vec<Binding>,
+    /// The tiles that it touches, where it is to find them.
+    pub touched: Option<Touched>,
+    /// There was a sweep over the same screen before.
+    pub again: bool,
+}
+
+impl<'a> Sweep<'a> {
+    /// A first sweep in which fragments do nothing but leave what an inside test wants.
+    pub(crate) fn of_fragments(name: &'a str, reason: &'a str, store: &'a Store) -> Self {
+        Self {
+            name,
+            reason,
+            sample: "lib/sample/bare.wgsl",
+            store: Some(store),
+            crossings: None,
+            bindings: Vec::new(),
+            touched: None,
+            again: false,
+        }
+    }
+
+    /// Records the sweep over a screen: small triangles, then the pieces of the others, counted by the first sweep.
+    pub(crate) fn record(&self, plan: &mut Plan, scene: &SceneBuffers<'_>, screen: &Screen) {
+        let shader = |path: &'static str| {
+            let touch = match self.touched {
+                Some(_) => "lib/touch/tiles.wgsl",
+                None => "lib/touch/nothing.wgsl",
+            };
+            let mut shader = Shader::from(path)
+                .with(self.sample)
+                .with(touch)
+                .with(screen.rows());
+            if let Some(crossings) = self.crossings {
+                shader = shader
+                    .with_all(&crossings.files())
+                    .with(if screen.settled.is_some() {
+                        "lib/settling/groups.wgsl"
+                    } else {
+                        "lib/settling/none.wgsl"
+                    });
+            }
+            match self.store {
+                Some(store) => shader.with(store.file),
+                None => shader,
+            }
+        };
+        let mut bindings = screen.bindings();
+        if self.again {
+            let first = bindings.iter_mut().find(|b| **b == screen.sweep);
+            first
+                .into_iter()
+                .for_each(|b| *b = screen.sweep_again.clone());
+        }
+        bindings.extend(self.bindings.iter().cloned());
+        bindings.extend(self.touched.map(|t| t.binding(Access::ReadWrite)));
+        if let Some(store) = self.store {
+            bindings.extend(store.bindings.iter().cloned());
+        }
+        if let Some(crossings) = self.crossings {
+            bindings.push(scene.cut_table.clone());
+            bindings.extend(crossings.bindings.iter().cloned());
+            bindings.extend(screen.settled.clone());
+        }
+        let mut small = bindings.clone();
+        small.push(screen.queue(match self.again {
+            true => Access::Read,
+            false => Access::ReadWrite,
+        }));
+        bindings.push(screen.queue(Access::Read));
+        let lane_bits = scene.lanes.constant();
+        let name = |what: &str| screen.named(&format!("{} {what}", self.name));
+        let groups = groups_along(screen.triangle_count);
+        let pass = Pass::new(
+            name("small"),
+            self.reason,
+            shader("passes/rasterise/small.wgsl"),
+            small,
+            Work::Compute { groups },
+        );
+        let mut constants = vec![lane_bits];
+        constants.extend(screen.share.constants());
+        constants.push(("fills_queue", f64::from(u8::from(!screen.is_queued))));
+        plan.add_pass(pass.on(screen.clock).with_constants(constants));
+        if !self.again && !screen.is_queued {
+            screen.count_pieces(plan);
+        }
+        let polygon = match screen.may_clip {
+            true => "lib/polygon/clipped.wgsl",
+            false => "lib/polygon/plain.wgsl",
+        };
+        let pass = Pass::new(
+            name("large"),
+            "the same for triangles of many samples, and for clipped ones",
+            shader("passes/rasterise/large.wgsl").with(polygon),
+            bindings,
+            screen.over_pieces(),
+        );
+        plan.add_pass(pass.on(screen.clock).with_constants(vec![lane_bits]));
+    }
+}

@@ -1,0 +1,210 @@
+//! The scene of a frame on the device: handles of the uploads that passes share.
+//!
+//! All of them are described, and those that no pass mentions leave the plan again ([`Plan::without_unused`]): describing one copies
+//! a few rows, or shares bytes that the model already holds. No pass can be recorded before the scene is there, parts that
+//! move included, for it takes these handles.
+
+use bytemuck::Zeroable;
+
+use super::input::Input;
+use super::lanes::{Lanes, MOST_LANE_WORDS};
+use super::on_screen::OnScreen;
+use super::pose::pose_parts;
+use super::refusal::Refusal;
+use crate::plan::pack::{self, CutTable, MAX_SURFACES, Part};
+use crate::plan::{Binding, Clock, Contents, Format, Plan, Resource, ResourceId, Role, Vertices};
+
+/// What passes bind of a scene.
+#[derive(Clone, Debug)]
+pub(crate) struct SceneBuffers<'a> {
+    /// What they were made of.
+    pub input: &'a Input<'a>,
+    /// Where the words of parts are among those of a pixel.
+    pub lanes: Lanes,
+    /// The view.
+    pub frame: Binding,
+    /// The cuts and clip-surfaces that matter.
+    pub cut_table: Binding,
+    /// The clip-surfaces as rays see them.
+    pub ray_table: Binding,
+    /// The parts that are drawn, in table order, and where in it each part of the scene is.
+    pub parts: Binding,
+    /// Vertices of all parts.
+    pub vertices: ResourceId,
+    /// Indices of all parts in a frame, with settled triangles at the end of each.
+    pub indices: ResourceId,
+    /// Indices of all parts as they are, whatever cuts them.
+    pub solid_indices: ResourceId,
+    /// The groups of settled triangles, where there are some.
+    pub settled: Option<Binding>,
+    /// The heights of all reliefs.
+    pub heights: Binding,
+    /// Heights for who asks at points, through a sampler where that is asked for.
+    pub filtered_heights: Vec<Binding>,
+    /// Depths at the resolution of the view.
+    pub depth: ResourceId,
+    /// Indices of the triangle that covers the picture.
+    pub screen_indices: ResourceId,
+    /// The mesh on the screen, where it was taken there before all else.
+    pub on_screen: Option<OnScreen>,
+}
+
+impl<'a> SceneBuffers<'a> {
+    /// Uploads the scene and places the parts that move and are drawn; the reason where one cannot be.
+    pub(crate) fn upload(
+        plan: &mut Plan,
+        input: &'a Input<'a>,
+        lanes: Lanes,
+    ) -> Result<Self, Refusal> {
+        if lanes.words > MOST_LANE_WORDS {
+            return Err(Refusal::amount(format!(
+                "{} words of crossings for each pixel are more than the {MOST_LANE_WORDS} that passes go over",
+                lanes.words
+            )));
+        }
+        let scene = Self::unposed(plan, input, lanes);
+        pose_parts(plan, input, scene.vertices)?;
+        Ok(scene)
+    }
+
+    /// The same for passes that look at no vertex.
+    pub(crate) fn unposed(plan: &mut Plan, input: &'a Input<'a>, lanes: Lanes) -> Self {
+        let model = input.model;
+        let mut upload = |name: &'static str, role, clock, contents| {
+            let id = plan.add_resource(Resource::upload(name, role, contents, clock));
+            Binding::read(name, id)
+        };
+        let frame = Contents::from_values(&[pack::frame(input.view, &input.relevance.cut_box)]);
+        let frame = upload("frame", Role::Uniform, Clock::Frame, frame);
+        let vertices = upload(
+            "vertices",
+            Role::Vertex,
+            Clock::Solid,
+            model.vertices.clone(),
+        );
+        let indices = upload("indices", Role::Index, Clock::Solid, model.indices.clone());
+        let sorted = input.sorted_indices().map(|sorted| {
+            let sorted = upload("sorted indices", Role::Index, Clock::Cut, sorted.clone());
+            sorted.resource
+        });
+        let cut_table = upload("cut_table", Role::Uniform, Clock::Cut, cut_table(input));
+        let ray_table = upload("ray_table", Role::Uniform, Clock::Frame, ray_table(input));
+        let parts = upload("parts", Role::Storage, Clock::Cut, parts(input, &lanes));
+        let settled = (input.settled.as_ref()).map(|_| {
+            upload(
+                "settled",
+                Role::Uniform,
+                input.settled_clock(),
+                input.settled_table(),
+            )
+        });
+        let heights = upload("heights", Role::Storage, Clock::Cut, model.heights.clone());
+        let filtered_heights = match input.sampled() {
+            None => vec![heights.clone()],
+            Some(maps) => maps.upload(plan, model.heights.clone()),
+        };
+        let format = Format::Depth32Float;
+        let depth = Resource::texture("surface_depth", input.view.size_px, 1, format, Clock::Frame);
+        let depth = plan.add_resource(depth);
+        let triangle = Contents::from_values(&[0_u32, 1, 2]);
+        let triangle = Resource::own_upload("screen indices", Role::Index, triangle, Clock::Cut);
+        Self {
+            input,
+            lanes,
+            frame,
+            cut_table,
+            ray_table,
+            parts,
+            vertices: vertices.resource,
+            indices: sorted.unwrap_or(indices.resource),
+            solid_indices: indices.resource,
+            settled,
+            heights,
+            filtered_heights,
+            depth,
+            screen_indices: plan.add_resource(triangle),
+            on_screen: None,
+        }
+    }
+
+    /// The mesh of all parts, for draws of the frame: vertices and indices.
+    pub(crate) fn mesh(&self) -> (Vertices, ResourceId) {
+        (Vertices::Mesh(self.vertices), self.indices)
+    }
+
+    /// The mesh of all parts, for draws on the clock of the solid.
+    pub(crate) fn solid_mesh(&self) -> (Vertices, ResourceId) {
+        (Vertices::Mesh(self.vertices), self.solid_indices)
+    }
+
+    /// The mesh of all parts in storage bindings, for passes on a clock.
+    pub(crate) fn mesh_in_storage(&self, clock: Clock) -> [Binding; 2] {
+        let indices = match clock {
+            Clock::Frame => self.indices,
+            Clock::Solid | Clock::Cut => self.solid_indices,
+        };
+        [
+            Binding::read("vertices", self.vertices),
+            Binding::read("indices", indices),
+        ]
+    }
+}
+
+fn cut_table(input: &Input<'_>) -> Contents {
+    let (relevance, model) = (&input.relevance, input.model);
+    let mut table = CutTable::zeroed();
+    table.surface_count = relevance.surfaces.len() as u32;
+    table.cut_count = relevance.cuts.len() as u32;
+    table.has_normals = u32::from(input.has_cutters());
+    for (i, bits) in relevance.cuts.iter().enumerate() {
+        table.surfaces_of_cut[i / 4][i % 4] = *bits;
+    }
+    let reach = input.reach();
+    for (slot, number) in table.surfaces.iter_mut().zip(&relevance.surfaces) {
+        let surface = &model.prepared.surfaces[*number];
+        *slot = pack::clip_surface(surface, *number, model.first_texel[*number], reach);
+    }
+    Contents::from_values(&[table])
+}
+
+fn ray_table(input: &Input<'_>) -> Contents {
+    let mut table = [pack::RaySurface::zeroed(); MAX_SURFACES];
+    for (slot, number) in table.iter_mut().zip(&input.relevance.surfaces) {
+        *slot = pack::ray_surface(&input.model.prepared.surfaces[*number], input.view);
+    }
+    Contents::from_values(&table)
+}
+
+fn parts(input: &Input<'_>, lanes: &Lanes) -> Contents {
+    let (relevance, style) = (&input.relevance, &input.model.prepared.style);
+    let prepared = &input.model.prepared.parts;
+    let mut rows: Vec<Part> = (relevance.order.iter().enumerate())
+        .map(|(place, rank)| {
+            let part = &prepared[*rank];
+            let [lane_word, lane_shift] = lanes.of_place(place);
+            Part {
+                cuts: relevance.cuts_of(*rank),
+                lane_word,
+                lane_shift,
+                part: part.part as u32,
+                color: style.surface_color(&part.material).extend(1.0).to_array(),
+                cap_color: style.cap_color(&part.material).extend(1.0).to_array(),
+                ..Part::zeroed()
+            }
+        })
+        .collect();
+    // A row for each part of the scene, drawn or not: the numbers of layers are looked up there.
+    rows.resize(rows.len().max(prepared.len()), Part::zeroed());
+    for (place, rank) in relevance.order.iter().enumerate() {
+        rows[prepared[*rank].part].place = place as u32;
+    }
+    Contents::from_values(&or_one(rows))
+}
+
+/// WebGPU has no empty bindings: a table with no rows gets one of zeros.
+pub(crate) fn or_one<T: Zeroable>(mut rows: Vec<T>) -> Vec<T> {
+    if rows.is_empty() {
+        rows.push(T::zeroed());
+    }
+    rows
+}

@@ -1,0 +1,42 @@
+//! Dispatches with one invocation per item, of as many items as there may be.
+
+/// Invocations along x of a dispatch folded into two dimensions: `shaders/lib/sweep.wgsl`.
+pub const INVOCATIONS_PER_ROW: u32 = 1 << 21;
+/// Invocations of a workgroup that owns triangles or vertices.
+pub(crate) const GROUP: u32 = 64;
+
+/// Workgroups for one invocation per item, folded into two dimensions where one is not enough.
+pub(crate) fn groups_along(items: u32) -> [u32; 3] {
+    let groups = items.div_ceil(GROUP).max(1);
+    let row = INVOCATIONS_PER_ROW / GROUP;
+    [groups.min(row), groups.div_ceil(row), 1]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn folded_dispatches_cover_every_item_within_the_limits() {
+        for items in [
+            0,
+            1,
+            64,
+            65,
+            INVOCATIONS_PER_ROW,
+            INVOCATIONS_PER_ROW + 1,
+            u32::MAX,
+        ] {
+            let [x, y, z] = groups_along(items);
+            assert!(x.max(y) <= 65_535 && z == 1, "{items}: {x} x {y}");
+            assert!(
+                y == 1 || x * GROUP == INVOCATIONS_PER_ROW,
+                "{items}: rows of another length"
+            );
+            assert!(
+                u64::from(x) * u64::from(y) * u64::from(GROUP) >= u64::from(items),
+                "{items}"
+            );
+        }
+    }
+}

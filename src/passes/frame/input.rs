@@ -1,0 +1,152 @@
+//! What a frame is recorded from. Nothing of it changes while a plan is made; what passes make and read are handles beside it.
+
+use super::rasteriser::Rasteriser;
+use super::refusal::Refusal;
+use super::relevance::Relevance;
+use super::relief_walk::ReliefWalk;
+use super::settled::GroupOfPart;
+use crate::passes::pack::model::Model;
+use crate::plan::pack::most_box_margin;
+use crate::plan::{Capacities, Draw};
+use crate::scene::{Fill, HeightFilter, PreparedPart, View};
+
+/// What a frame is recorded from.
+#[derive(Clone, Debug)]
+pub(crate) struct Input<'a> {
+    /// The scene.
+    pub model: &'a Model,
+    pub view: &'a View,
+    /// What of the cuts matters.
+    pub relevance: Relevance,
+    /// Sizes of bounded buffers.
+    pub capacities: &'a Capacities,
+    /// Who turns the mesh into samples.
+    pub rasteriser: Rasteriser,
+    /// The compute rasteriser may use atomics of 64 bits.
+    pub wide_atomics: bool,
+    /// How rays are followed through reliefs; `None` chooses by what the view makes of them.
+    pub relief_walk: Option<ReliefWalk>,
+    /// The one list of crossings is made also where one plane could be asked, and holds those that no part is near.
+    pub keeps_list: bool,
+    /// Who interpolates heights at points.
+    pub height_filter: HeightFilter,
+    /// The groups of settled triangles; none where the frame settles nothing.
+    pub settled: Option<Vec<GroupOfPart<'a>>>,
+}
+
+impl<'a> Input<'a> {
+    /// A scene in a view, with the means that any device has; the reason where the scene is too much.
+    pub(crate) fn new(
+        model: &'a Model,
+        view: &'a View,
+        capacities: &'a Capacities,
+    ) -> Result<Self, Refusal> {
+        let mut input = Self {
+            model,
+            view,
+            relevance: Relevance::new(&model.prepared, view)?,
+            capacities,
+            rasteriser: Rasteriser::Hardware,
+            wide_atomics: false,
+            relief_walk: None,
+            keeps_list: false,
+            height_filter: HeightFilter::Exact,
+            settled: None,
+        };
+        input.settled = input.find_settled();
+        Ok(input)
+    }
+
+    /// Whether passes may ask the only clip-surface, a plane, where a ray crosses it: then no list need be made. The GPU's own rasteriser
+    /// has no pass beside the list that makes pixels ready for fragments, and hosts clip by lists.
+    pub(crate) fn asks_plane(&self) -> bool {
+        self.rasteriser == Rasteriser::Compute
+            && !self.keeps_list
+            && self.relevance.surfaces.len() == 1
+            && !self.has_reliefs()
+            && !self.has_cutters()
+    }
+
+    /// Whether lists hold crossings with one clip-surface, without normals of their own.
+    pub(crate) fn has_one_surface(&self) -> bool {
+        self.relevance.surfaces.len() < 2 && !self.has_cutters()
+    }
+
+    /// The longest way on which a ray is followed: through the box of the cut parts and its margins.
+    pub(crate) fn reach(&self) -> f64 {
+        self.relevance.cut_box.size().length() + 4.0 * most_box_margin(self.view.precision)
+    }
+
+    /// Pixels of the picture.
+    pub(crate) fn pixel_count(&self) -> u64 {
+        pixels(self.view.size_px)
+    }
+
+    /// Whether some clip-surface that matters is a relief.
+    pub(crate) fn has_reliefs(&self) -> bool {
+        let surfaces = &self.relevance.surfaces;
+        surfaces.iter().any(|s| self.model.is_relief(*s))
+    }
+
+    /// Whether some clip-surface that matters is a cutter.
+    pub(crate) fn has_cutters(&self) -> bool {
+        let surfaces = &self.relevance.surfaces;
+        surfaces.iter().any(|s| self.model.is_cutter(*s))
+    }
+
+    /// Whether some part that needs an inside test is filled nonzero.
+    pub(crate) fn has_nonzero(&self) -> bool {
+        let parts = &self.model.prepared.parts;
+        let mut ranks = self.relevance.cut_parts().iter();
+        ranks.any(|r| parts[*r].fill == Fill::Nonzero)
+    }
+
+    /// A part that needs an inside test whose box the near plane meets, which goes on beyond the picture.
+    pub(crate) fn cut_part_in_near_plane(&self) -> Option<&PreparedPart> {
+        let meets = |rank: usize| {
+            let part = &self.model.prepared.parts[rank];
+            // The box of a posed part is generous: what it is without that takes its vertices.
+            let is_met = self.view.near_plane_meets(&part.bounds)
+                && (self.view).near_plane_meets(&self.model.sliced(rank).bounds(part));
+            is_met.then_some(part)
+        };
+        self.relevance.cut_parts().iter().find_map(|r| meets(*r))
+    }
+
+    /// Whether anything asks where solids overlap, and two are there that could.
+    pub(crate) fn shows_overlaps(&self) -> bool {
+        self.model.prepared.interference.is_some() && self.relevance.lanes > 1
+    }
+
+    /// Whether the picture is one that is made of layers alone, a pixel at a time.
+    pub(crate) fn is_plain(&self) -> bool {
+        self.model.prepared.style.is_plain() && self.model.dress.is_none()
+    }
+
+    /// The draws of some parts, by rank; the instance is the part's place in the table.
+    pub(crate) fn draws_of(&self, ranks: &[usize]) -> Vec<Draw> {
+        ranks
+            .iter()
+            .map(|rank| {
+                let range = &self.model.ranges[*rank];
+                Draw {
+                    indices: range.indices.clone(),
+                    base_vertex: range.base_vertex,
+                    vertex_count: range.vertex_count,
+                    instance: self.relevance.place_of(*rank) as u32,
+                    arguments: None,
+                }
+            })
+            .collect()
+    }
+}
+
+/// `1 part`, `2 parts`.
+pub(crate) fn counted(count: usize, what: &str) -> String {
+    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
+}
+
+/// Pixels of a picture.
+pub(crate) fn pixels(size: [u32; 2]) -> u64 {
+    u64::from(size[0]) * u64::from(size[1])
+}

@@ -1,0 +1,104 @@
+//! Where the words of each part are among those of a pixel, for inside tests that keep such words; and the mask that they make.
+//!
+//! Parts filled even-odd have lanes of bits, as many to a word as fit, or several words each where lists are long. Parts filled
+//! nonzero have words of their own after all of those, where the inside test gives them some.
+//!
+//! The mask is written by fragments, or made once they have left what they know. What is made from something bounded has one more
+//! plane of a word per pixel, which says where not all found room.
+
+use super::input::Input;
+use crate::plan::{Clock, Plan, Resource, ResourceId};
+use crate::scene::Fill;
+
+/// `lane_shift` of a part whose lane holds counts; `WINDING` in `shaders/lib/lanes.wgsl`.
+const COUNTS: u32 = 32;
+
+/// Words of a pixel, at most: `shaders/lib/lanes.wgsl`. Passes that go over the words of a pixel take as many rounds.
+pub(crate) const MOST_LANE_WORDS: u32 = 1024;
+
+/// The lanes of all parts that need an inside test.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Lanes {
+    /// Bits of a lane of bits.
+    pub bits: u32,
+    /// First word and shift, in table order.
+    places: Vec<[u32; 2]>,
+    /// Words of a pixel.
+    pub words: u32,
+}
+
+impl Lanes {
+    /// No lanes: of a strategy that keeps no words.
+    pub(crate) fn none() -> Self {
+        Self {
+            bits: 32,
+            places: Vec::new(),
+            words: 0,
+        }
+    }
+
+    /// Lanes wide enough for lists of so many crossings, all of bits. Up to 32 bits they are a power of two, beyond that whole words,
+    /// so that none straddles a word.
+    pub(crate) fn of_bits(input: &Input<'_>, crossings: u32) -> Self {
+        Self::with_counts(input, crossings, 0)
+    }
+
+    /// The same, but that parts filled nonzero have so many words each.
+    pub(crate) fn with_counts(input: &Input<'_>, crossings: u32, words_of_counts: u32) -> Self {
+        let bits = crossings + 1;
+        let bits = if bits > 32 {
+            bits.next_multiple_of(32)
+        } else {
+            bits.next_power_of_two().max(2)
+        };
+        let parts = &input.model.prepared.parts;
+        let counts = |rank: &usize| words_of_counts > 0 && parts[*rank].fill == Fill::Nonzero;
+        let ranks = input.relevance.cut_parts();
+        let of_bits = ranks.iter().filter(|r| !counts(r)).count() as u32;
+        let mut lane = 0;
+        let mut words = (of_bits * bits).div_ceil(32);
+        let places = ranks
+            .iter()
+            .map(|rank| {
+                if counts(rank) {
+                    words += words_of_counts;
+                    [words - words_of_counts, COUNTS]
+                } else {
+                    lane += 1;
+                    let bit = (lane - 1) * bits;
+                    [bit / 32, bit % 32]
+                }
+            })
+            .collect();
+        Self {
+            bits,
+            places,
+            words,
+        }
+    }
+
+    /// First word and shift of the part at a place of the table; zeros where it has no lane.
+    pub(crate) fn of_place(&self, place: usize) -> [u32; 2] {
+        self.places.get(place).copied().unwrap_or_default()
+    }
+
+    /// The width as a constant of shaders.
+    pub(crate) fn constant(&self) -> (&'static str, f64) {
+        ("lane_bits", f64::from(self.bits))
+    }
+
+    /// The mask that fragments write.
+    pub(crate) fn mask(&self, plan: &mut Plan, input: &Input<'_>) -> ResourceId {
+        self.planes(plan, input, u64::from(self.words))
+    }
+
+    /// The mask that is made from what fragments left.
+    pub(crate) fn reduced_mask(&self, plan: &mut Plan, input: &Input<'_>) -> ResourceId {
+        self.planes(plan, input, u64::from(self.words) + 1)
+    }
+
+    fn planes(&self, plan: &mut Plan, input: &Input<'_>, words: u64) -> ResourceId {
+        let bytes = input.pixel_count() * 4 * words;
+        plan.add_resource(Resource::storage("mask", bytes, Clock::Frame))
+    }
+}

@@ -1,0 +1,20 @@
+//! What a frame is recorded from, and what its passes share: the input, what matters to it, the buffers and lists.
+
+pub(crate) mod buffers;
+pub(crate) mod crossings;
+pub(crate) mod dispatch;
+pub(crate) mod fragments;
+pub(crate) mod height_filter;
+pub(crate) mod input;
+pub(crate) mod lanes;
+pub(crate) mod need;
+pub(crate) mod on_screen;
+pub(crate) mod pose;
+pub(crate) mod pyramid;
+pub(crate) mod rasteriser;
+pub(crate) mod refusal;
+pub(crate) mod relevance;
+pub(crate) mod relief_walk;
+pub(crate) mod sections;
+pub(crate) mod settled;
+pub(crate) mod touched;

@@ -1,0 +1,44 @@
+//! The mesh on a screen, as buffers and bindings: what takes it there is [`draw::screen`](crate::passes::draw::screen).
+
+use super::touched::Touched;
+use crate::passes::draw::share::Share;
+use crate::plan::{Binding, Clock, ResourceId};
+
+/// A mesh on a screen, ready to be swept.
+#[derive(Clone, Debug)]
+pub(crate) struct Screen {
+    pub(crate) name: String,
+    pub(crate) clock: Clock,
+    pub(crate) frame: Binding,
+    pub(crate) drawn_parts: Binding,
+    pub(crate) indices: Binding,
+    /// The groups of settled triangles, where they have rows of their own.
+    pub(crate) settled: Option<Binding>,
+    /// How a first sweep goes over it.
+    pub(crate) sweep: Binding,
+    /// How one that comes again does.
+    pub(crate) sweep_again: Binding,
+    pub(crate) triangle_count: u32,
+    pub(crate) vertices: ResourceId,
+    pub(crate) queue: ResourceId,
+    /// How many workgroups the queued triangles take.
+    pub(crate) pieces: ResourceId,
+    pub(crate) share: Share,
+    /// Whether a pass before the first sweep has filled the queue.
+    pub(crate) is_queued: bool,
+    /// Whether there is no part but one.
+    pub(crate) has_one_row: bool,
+    /// Some part may reach beyond the near plane or the guard band.
+    pub(crate) may_clip: bool,
+}
+
+/// The mesh on the screen of a frame, before anything is swept.
+#[derive(Clone, Debug)]
+pub(crate) struct OnScreen {
+    pub(crate) screen: Screen,
+    pub(crate) nearest: ResourceId,
+    pub(crate) layers: ResourceId,
+    pub(crate) picture: Option<ResourceId>,
+    /// The tiles that have something: to be found by the first sweep unless a pass has, which then has filled the queue as well.
+    pub(crate) touched: Touched,
+}

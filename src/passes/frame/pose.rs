@@ -1,0 +1,125 @@
+//! The pose pass: a part that moves is placed on the device, its vertices at rest taken through morph targets, skin, deformers
+//! and placement into its range of the vertices of all parts, where every other pass finds them as if they had been uploaded.
+//!
+//! One pass per part that moves, on the clock of the solid; each has resources of its own, so that a part that stands still is
+//! not placed again; how it stands is multiplied out beforehand ([`PackedPose`](crate::passes::pack::packed_pose::PackedPose)). Time: in proportion to vertices times targets with a weight and pulls.
+//! Memory: what is known of the mesh, 16 bytes a vertex and 12 a position and target, and at each time 48 bytes a joint.
+//!
+//! Error: a few units in the last place of f32 at the scene's size, times how much the motion stretches; bending and twisting
+//! tightly stretches. Cannot: more than [`MOST_DEFORMERS`](crate::plan::pack::MOST_DEFORMERS) deformers in a part, and what shares no axis with the skin cannot be
+//! more precise than the part is large, so a skin that carries a part far away before deformers follow loses digits.
+
+use super::dispatch::groups_along;
+use super::input::Input;
+use super::refusal::Refusal;
+use crate::passes::pack::packed_pose::Moving;
+use crate::plan::{
+    Binding, Clock, Contents, Pass, Plan, Resource, ResourceId, Role, VERTEX_BYTES, Work,
+};
+use crate::shader::Shader;
+
+/// Places the parts that move and are drawn, as they are or as ghosts, into the vertices of all parts; the reason where one cannot be.
+pub(crate) fn pose_parts(
+    plan: &mut Plan,
+    input: &Input<'_>,
+    vertices: ResourceId,
+) -> Result<(), Refusal> {
+    // A ghost shows parts that are not drawn.
+    let ghost = input.model.prepared.style.ghost.is_drawn();
+    let removed = ghost.then(|| input.relevance.removed_parts());
+    let drawn = input.relevance.order.iter().copied();
+    for rank in drawn.chain(removed.into_iter().flatten()) {
+        let Some(moving) = &input.model.moving[rank] else {
+            continue;
+        };
+        if let Some(reason) = &moving.packed_pose.refusal {
+            return Err(Refusal::amount(reason.clone()));
+        }
+        pose_part(plan, input, rank, moving, vertices);
+    }
+    Ok(())
+}
+
+fn pose_part(
+    plan: &mut Plan,
+    input: &Input<'_>,
+    rank: usize,
+    moving: &Moving,
+    vertices: ResourceId,
+) {
+    let Moving { rest, packed_pose } = moving;
+    let part = &input.model.prepared.parts[rank];
+    let number = part.part;
+    let range = &input.model.ranges[rank];
+    let first = u64::from(range.base_vertex.unsigned_abs());
+    let end = first + u64::from(range.vertex_count);
+    let bytes = first * VERTEX_BYTES..end * VERTEX_BYTES;
+    // Resources of the part's own, bound under their kind.
+    let mut own = |kind: &'static str, role: Role, contents: &Contents| {
+        let name = format!("{kind} {number}");
+        let resource = Resource::upload(name, role, contents.clone(), Clock::Solid);
+        Binding::read(kind, plan.add_resource(resource))
+    };
+    let mut bindings = vec![
+        own("pose", Role::Uniform, &packed_pose.pose),
+        own("rest", Role::Storage, &rest.vertices),
+        Binding::write("posed", vertices).within(bytes),
+    ];
+    let mut shader = Shader::from("passes/pose.wgsl");
+    let mut how = Vec::new();
+    let mut per_position = false;
+    shader = match (&rest.displacements, &packed_pose.weights) {
+        (Some(displacements), Some(weights)) => {
+            per_position = true;
+            how.push("morph targets");
+            bindings.push(own("displacements", Role::Storage, displacements));
+            bindings.push(own("weights", Role::Storage, weights));
+            shader.with("lib/morph/targets.wgsl")
+        }
+        _ => shader.with("lib/morph/none.wgsl"),
+    };
+    shader = match (&rest.pulls, &packed_pose.joints) {
+        (Some(pulls), Some(joints)) => {
+            per_position = true;
+            how.push("its skin");
+            bindings.push(own("pulls", Role::Storage, pulls));
+            bindings.push(own("joints", Role::Storage, joints));
+            shader.with("lib/skin/linear.wgsl")
+        }
+        _ => shader.with("lib/skin/none.wgsl"),
+    };
+    shader = match (&packed_pose.deformers, &rest.outward) {
+        (None, _) => shader.with("lib/deform/none.wgsl"),
+        (Some(deformers), outward) => {
+            how.push("deformers");
+            bindings.push(own("deformers", Role::Uniform, deformers));
+            match outward.as_ref().filter(|_| packed_pose.inflates) {
+                Some(outward) => {
+                    per_position = true;
+                    bindings.push(own("outward", Role::Storage, outward));
+                    shader.with("lib/deform/mesh.wgsl")
+                }
+                None => shader.with("lib/deform/space.wgsl"),
+            }
+        }
+    };
+    if per_position {
+        let contents = &rest.position_of_vertex;
+        bindings.push(own("position_of_vertex", Role::Storage, contents));
+    }
+    how.push("its placement");
+    let pass = Pass::new(
+        format!("place {number}"),
+        format!(
+            "`{}` moves: {} take it from rest to the scene",
+            part.name,
+            how.join(", ")
+        ),
+        shader,
+        bindings,
+        Work::Compute {
+            groups: groups_along(rest.vertex_count),
+        },
+    );
+    plan.add_pass(pass.on(Clock::Solid));
+}

@@ -1,0 +1,280 @@
+//! What of the cuts matters to which part: the ground of a minimal plan.
+//!
+//! A part whose box lies wholly on the kept side of some clip-surface of a cut does not notice the cut; one whose box lies
+//! wholly in the removed region is not drawn. Only what is left needs structures. The box is conservative: a part may be
+//! called cut though only its box is.
+
+use super::refusal::{Obstacle, Refusal};
+use crate::plan::pack::{MAX_CUTS, MAX_SURFACES};
+use crate::scene::{Bounds, Prepared, PreparedPart, PreparedSurface, View};
+
+/// Parts that the 16 bits of a layer can name.
+const MOST_PARTS: usize = 1 << 16;
+/// Clip-surfaces that the 8 bits of a layer can name beside the near plane.
+const MOST_NAMED_SURFACES: usize = 255;
+/// Texels from an origin at which f32 still has two bits for the place within a texel.
+const MOST_TEXELS: f64 = (1 << 22) as f64;
+/// Height of a relief times texels per unit of which the square, in the discriminant of a crossing, is still an f32.
+const STEEPEST: f64 = 1e18;
+
+/// How a part is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Treatment {
+    /// No cut reaches it.
+    Plain,
+    /// A cut removes all of it.
+    Removed,
+    /// These cuts may remove some of it (bits of [`Relevance::cuts`]), and it needs an inside test. No bits: only the near
+    /// plane opens it.
+    Cut(u32),
+}
+
+/// What of the cuts matters.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Relevance {
+    /// Clip-surfaces that matter, by number in the scene.
+    pub surfaces: Vec<usize>,
+    /// Cuts that matter, as bits of `surfaces`.
+    pub cuts: Vec<u32>,
+    /// How each part is drawn, by rank.
+    pub parts: Vec<Treatment>,
+    /// Parts in the order of the part table: those that need an inside test first, each group by rank.
+    pub order: Vec<usize>,
+    /// The place of each part in `order`, by rank.
+    places: Vec<usize>,
+    /// How many parts need an inside test.
+    pub lanes: usize,
+    /// The near plane meets a part that needs an inside test.
+    pub near_inside: bool,
+    /// Box around the parts that cuts reach; where none does, around those that the near plane opens.
+    pub cut_box: Bounds,
+}
+
+/// Touching within rounding counts as across: the list of crossings settles it.
+const TOUCHING: f64 = 1e-5;
+
+/// Where a box lies with respect to a clip-surface.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Side {
+    Kept,
+    Removed,
+    Across,
+}
+
+impl Relevance {
+    /// What matters in a scene seen in a view; the reason where the scene has more than a frame can tell apart.
+    pub fn new(prepared: &Prepared, view: &View) -> Result<Self, Refusal> {
+        if prepared.parts.len() > MOST_PARTS {
+            return Err(Refusal::amount(format!(
+                "{} parts are more than the {MOST_PARTS} that layers can name",
+                prepared.parts.len()
+            )));
+        }
+        let mut surfaces: Vec<usize> = Vec::new();
+        let mut cuts: Vec<(usize, u32)> = Vec::new();
+        let mut parts = Vec::with_capacity(prepared.parts.len());
+        for part in &prepared.parts {
+            if part.is_hidden || part.is_removed {
+                parts.push(Treatment::Removed);
+                continue;
+            }
+            // What removes a part altogether is asked first: the other cuts of such a part do not matter.
+            let reached: Vec<(usize, bool)> = (part.cuts.iter())
+                .filter_map(|cut| Some((*cut, removes_all(prepared, *cut, part)?)))
+                .collect();
+            if reached.iter().any(|(_, all)| *all) {
+                parts.push(Treatment::Removed);
+                continue;
+            }
+            let mut bits = 0_u32;
+            for (cut, _) in &reached {
+                let numbers = &prepared.cuts[*cut].surfaces;
+                let index = match cuts.iter().position(|(c, _)| c == cut) {
+                    Some(index) => index,
+                    None => {
+                        let first = surfaces.len();
+                        surfaces.extend(numbers);
+                        if surfaces.len() > MAX_SURFACES || cuts.len() == MAX_CUTS {
+                            return Err(Refusal::new(
+                                Obstacle::Cuts,
+                                format!(
+                                    "more than {MAX_SURFACES} clip-surfaces or {MAX_CUTS} cuts meet the parts"
+                                ),
+                            ));
+                        }
+                        cuts.push((*cut, (first..surfaces.len()).fold(0, |b, i| b | 1 << i)));
+                        cuts.len() - 1
+                    }
+                };
+                bits |= 1 << index;
+            }
+            let near = view.near_cap && view.near_plane_meets(&part.bounds);
+            parts.push(match bits {
+                0 if !near => Treatment::Plain,
+                bits => Treatment::Cut(bits),
+            });
+        }
+        let of_kind = |wanted: fn(&Treatment) -> bool| {
+            parts
+                .iter()
+                .enumerate()
+                .filter(move |(_, t)| wanted(t))
+                .map(|(i, _)| i)
+                .collect::<Vec<_>>()
+        };
+        let mut order = of_kind(|t| matches!(t, Treatment::Cut(_)));
+        let lanes = order.len();
+        order.extend(of_kind(|t| *t == Treatment::Plain));
+        // Where no cut reaches nobody asks about crossings: a part that only the near plane opens is not to widen what hangs on the
+        // box, for it would change with the camera.
+        let asks = |i: &&usize| surfaces.is_empty() || parts[**i] != Treatment::Cut(0);
+        let cut_box = (order[..lanes].iter().filter(asks))
+            .map(|i| prepared.parts[*i].bounds)
+            .fold(Bounds::EMPTY, Bounds::union);
+        let near_inside = order[..lanes]
+            .iter()
+            .any(|i| view.near_plane_meets(&prepared.parts[*i].bounds));
+        for number in &surfaces {
+            if let Some(reason) = beyond_words(*number, &prepared.surfaces[*number], &cut_box) {
+                return Err(Refusal::amount(reason));
+            }
+        }
+        let mut places = vec![0; parts.len()];
+        for (place, rank) in order.iter().enumerate() {
+            places[*rank] = place;
+        }
+        Ok(Self {
+            surfaces,
+            cuts: cuts.into_iter().map(|(_, bits)| bits).collect(),
+            parts,
+            order,
+            places,
+            lanes,
+            near_inside,
+            cut_box,
+        })
+    }
+
+    /// Bits of the cuts that reach a part, by rank.
+    pub fn cuts_of(&self, rank: usize) -> u32 {
+        match self.parts[rank] {
+            Treatment::Cut(bits) => bits,
+            Treatment::Plain | Treatment::Removed => 0,
+        }
+    }
+
+    /// Clip-surfaces of the cuts that reach a part, by rank: their indices in the table.
+    pub fn surfaces_of(&self, rank: usize) -> impl Iterator<Item = usize> {
+        let cuts = self.cuts_of(rank);
+        let bits = (self.cuts.iter().enumerate())
+            .filter(|(cut, _)| cuts >> cut & 1 == 1)
+            .fold(0, |bits, (_, of_cut)| bits | of_cut);
+        (0..self.surfaces.len()).filter(move |slot| bits >> slot & 1 == 1)
+    }
+
+    /// Of each part, by its index in the scene, the bits of the cuts that reach it, and whether a cut removes all of it.
+    pub(crate) fn clips_of_parts(&self, prepared: &Prepared) -> Vec<(u32, bool)> {
+        let mut clips = vec![(0, false); prepared.parts.len()];
+        for (rank, part) in prepared.parts.iter().enumerate() {
+            let is_removed = self.parts[rank] == Treatment::Removed;
+            clips[part.part] = (self.cuts_of(rank), is_removed);
+        }
+        clips
+    }
+
+    /// Ranks of the parts that need an inside test, in table order.
+    pub fn cut_parts(&self) -> &[usize] {
+        &self.order[..self.lanes]
+    }
+
+    /// Ranks of the parts that are drawn plainly, in table order.
+    pub fn plain_parts(&self) -> &[usize] {
+        &self.order[self.lanes..]
+    }
+
+    /// Ranks of the parts that a cut removes altogether.
+    pub fn removed_parts(&self) -> impl Iterator<Item = usize> {
+        let parts = self.parts.iter().enumerate();
+        parts
+            .filter(|(_, t)| **t == Treatment::Removed)
+            .map(|(rank, _)| rank)
+    }
+
+    /// Place of a part in the part table, by rank; 0 for parts that are not drawn.
+    pub fn place_of(&self, rank: usize) -> usize {
+        self.places[rank]
+    }
+}
+
+/// Why a clip-surface is more than the words of a frame can hold, if it is.
+fn beyond_words(number: usize, surface: &PreparedSurface, cut_box: &Bounds) -> Option<String> {
+    if number >= MOST_NAMED_SURFACES {
+        return Some(format!(
+            "clip-surface {number} meets the parts, but layers can name only the first {MOST_NAMED_SURFACES}"
+        ));
+    }
+    let map = surface.relief.as_ref()?;
+    if surface.flat_height().is_some() {
+        return None;
+    }
+    let axes = [surface.frame.u_hat, surface.frame.v_hat];
+    let mut steepest = 1.0_f64;
+    for (i, axis) in axes.into_iter().enumerate() {
+        let per_unit = surface.map_per_unit[i].abs() * f64::from(map.size()[i]);
+        let reach = cut_box
+            .corners()
+            .map(|c| ((c - surface.origin).dot(axis) * per_unit).abs())
+            .into_iter()
+            .fold(0.0, f64::max);
+        if reach > MOST_TEXELS {
+            return Some(format!(
+                "the relief of clip-surface {number} reaches {reach:.1e} texels across the parts; f32 tells \
+                 {MOST_TEXELS:.1e} apart"
+            ));
+        }
+        steepest = steepest.max(per_unit);
+    }
+    let [low, high] = surface.slab();
+    let height = low.abs().max(high.abs());
+    (height * steepest > STEEPEST).then(|| {
+        format!(
+            "the relief of clip-surface {number} is {height:.1e} high, more than f32 can square"
+        )
+    })
+}
+
+/// Whether a cut removes all of a box; `None` where it does not reach it.
+fn removes_all(prepared: &Prepared, cut: usize, part: &PreparedPart) -> Option<bool> {
+    // Faces in a surface may be so far off it.
+    let touching = TOUCHING.max(part.plane_tolerance);
+    let sides: Vec<Side> = (prepared.cuts[cut].surfaces.iter())
+        .map(|s| side_of(&prepared.surfaces[*s], &part.bounds, touching))
+        .collect();
+    (!sides.contains(&Side::Kept)).then(|| sides.iter().all(|s| *s == Side::Removed))
+}
+
+fn side_of(surface: &PreparedSurface, bounds: &Bounds, touching: f64) -> Side {
+    if let Some(volume) = &surface.volume {
+        // What is beside the cutter's box is outside of the cutter; of the rest nothing is known.
+        let apart = (volume.bounds.min - bounds.max).max_element() > touching
+            || (bounds.min - volume.bounds.max).max_element() > touching;
+        return match (apart, volume.keeps_inside) {
+            (false, _) => Side::Across,
+            (true, false) => Side::Kept,
+            (true, true) => Side::Removed,
+        };
+    }
+    let heights = bounds
+        .corners()
+        .map(|c| (c - surface.origin).dot(surface.frame.normal));
+    let [lowest, highest] = surface.slab();
+    let low = heights.iter().copied().fold(f64::INFINITY, f64::min) + lowest;
+    let high = heights.iter().copied().fold(f64::NEG_INFINITY, f64::max) + highest;
+    if low > touching {
+        Side::Kept
+    } else if high < -touching {
+        Side::Removed
+    } else {
+        Side::Across
+    }
+}

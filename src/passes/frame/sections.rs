@@ -1,0 +1,228 @@
+//! The sections of cut parts by planes as uploads: sliced and triangulated on the CPU, drawn from any camera.
+//!
+//! What was sliced before by the same plane is not sliced again; the rest is, on all cores. The time goes to the clock of the cut,
+//! and that of the slicers, which are made once for each mesh and pose, to the clock of the solid.
+//! Buffers have room for more than they hold, so that a plane that moves a little finds them large enough.
+
+use std::sync::Arc;
+
+use glam::DVec3;
+use rayon::prelude::*;
+use web_time::Instant;
+
+use super::input::{Input, counted};
+use crate::passes::pack::sliced::{PackedSection, Sliced};
+use crate::plan::pack::MAX_SURFACES;
+use crate::plan::{
+    Clock, Contents, CpuStep, CpuWork, Draw, Piece, Plan, Resource, ResourceId, Role,
+};
+use crate::scene::PreparedPart;
+use crate::slice::SlicePlane;
+
+/// The sections of a frame that have an inside, or may have one.
+pub(crate) struct Sections {
+    /// As [`Vertices::Mesh`](crate::plan::Vertices::Mesh).
+    pub vertices: ResourceId,
+    /// Three to a triangle.
+    pub indices: ResourceId,
+    /// A draw for each section; the instance is the part's place in the table times [`MAX_SURFACES`], and the clip-surface's place.
+    pub draws: Vec<Draw>,
+    /// As `draws`, of all that a plane can meet of a part whose section by it is not whole.
+    pub doubts: Vec<Draw>,
+}
+
+/// A part that is to be sliced, and by which plane.
+struct Wanted {
+    part: PreparedPart,
+    sliced: Arc<Sliced>,
+    plane: SlicePlane,
+    instance: u32,
+}
+
+impl Wanted {
+    fn sliced(&self) -> PackedSection {
+        self.sliced.slice(&self.part, &self.plane)
+    }
+}
+
+/// One of what is wanted for each part.
+fn of_each_part<'a>(wanted: impl IntoIterator<Item = &'a Wanted>) -> Vec<&'a Wanted> {
+    let mut of_each: Vec<&Wanted> = wanted.into_iter().collect();
+    of_each.dedup_by(|a, b| Arc::ptr_eq(&a.sliced, &b.sliced));
+    of_each
+}
+
+impl Sections {
+    /// The sections of the cut parts by the planes that cut them, none where all planes pass by; and the work for the steps that the
+    /// plan has on the CPU for them. All clip-surfaces must be planes.
+    pub(crate) fn slice(plan: &mut Plan, input: &Input<'_>) -> (Option<Self>, Vec<CpuWork>) {
+        let wanted = wanted(input);
+        let known: Vec<_> =
+            (wanted.iter().map(|w| w.sliced.known(&w.plane, w.part.fill))).collect();
+        let slicers_ms = make_slicers(&wanted, &known);
+        let started = now();
+        let all: Vec<Arc<PackedSection>> = (wanted.par_iter().zip(&known))
+            .map(|(w, known)| known.clone().unwrap_or_else(|| Arc::new(w.sliced())))
+            .collect();
+        let took_ms =
+            (known.iter().any(Option::is_none)).then(|| started.elapsed().as_secs_f64() * 1e3);
+        for ((w, known), section) in wanted.iter().zip(&known).zip(&all) {
+            if known.is_none() {
+                w.sliced.keep(w.plane, w.part.fill, section.clone());
+            }
+        }
+        let met: Vec<_> = (wanted.iter().zip(&all))
+            .filter(|(_, s)| s.index_count + s.doubt_count > 0)
+            .collect();
+        let found = met.iter().filter(|(_, s)| s.index_count > 0).count();
+        let sections = (!met.is_empty()).then(|| {
+            let [vertices, indices] = upload(plan, &met);
+            let (draws, doubts) = draws(&met);
+            Self {
+                vertices,
+                indices,
+                draws,
+                doubts,
+            }
+        });
+        if wanted.is_empty() {
+            return (None, Vec::new());
+        }
+        let parts = of_each_part(wanted.iter()).len();
+        plan.on_cpu.push(CpuStep {
+            name: "slicers".to_owned(),
+            clock: Clock::Solid,
+            reason: format!(
+                "{} made ready to be sliced by any plane",
+                counted(parts, "part")
+            ),
+            makes: Vec::new(),
+        });
+        plan.on_cpu.push(CpuStep {
+            name: "slice".to_owned(),
+            clock: Clock::Cut,
+            reason: format!(
+                "{}, triangulated: where a plane is inside a part",
+                counted(found, "section")
+            ),
+            makes: (sections.iter().flat_map(|s| [s.vertices, s.indices])).collect(),
+        });
+        let work = work(wanted, slicers_ms, took_ms);
+        (sections, work.into())
+    }
+}
+
+/// The work of making slicers, and of slicing: how long each took, if what it makes was not known from before.
+fn work(wanted: Vec<Wanted>, slicers_ms: Option<f64>, took_ms: Option<f64>) -> [CpuWork; 2] {
+    let wanted = Arc::new(wanted);
+    let of_slicers = wanted.clone();
+    let slicers = CpuWork {
+        took_ms: slicers_ms,
+        again: Arc::new(move || {
+            let made = of_each_part(of_slicers.iter()).into_par_iter();
+            made.for_each(|w| drop(w.sliced.new_slicer(&w.part)));
+        }),
+    };
+    let slices = CpuWork {
+        took_ms,
+        again: Arc::new(move || {
+            wanted.par_iter().for_each(|w| drop(w.sliced()));
+        }),
+    };
+    [slicers, slices]
+}
+
+fn wanted(input: &Input<'_>) -> Vec<Wanted> {
+    let prepared = &input.model.prepared;
+    let mut wanted = Vec::new();
+    for (place, rank) in input.relevance.cut_parts().iter().enumerate() {
+        for slot in input.relevance.surfaces_of(*rank) {
+            let surface = &prepared.surfaces[input.relevance.surfaces[slot]];
+            let lift = surface.flat_height().unwrap_or(0.0);
+            wanted.push(Wanted {
+                part: prepared.parts[*rank].clone(),
+                sliced: input.model.sliced(*rank),
+                // All parts are near the centre of scene space; the origin of the plane may be anywhere.
+                plane: (SlicePlane::from(surface).keeping(lift)).seen_from(DVec3::ZERO),
+                instance: (place * MAX_SURFACES + slot) as u32,
+            });
+        }
+    }
+    wanted
+}
+
+fn upload(plan: &mut Plan, met: &[(&Wanted, &Arc<PackedSection>)]) -> [ResourceId; 2] {
+    let mut ends = [0_u64; 2];
+    let mut pieces = [Vec::new(), Vec::new()];
+    for (_, section) in met {
+        for (i, bytes) in [&section.vertices, &section.indices]
+            .into_iter()
+            .enumerate()
+        {
+            pieces[i].push(Piece {
+                offset: ends[i],
+                bytes: bytes.clone(),
+            });
+            ends[i] += bytes.len() as u64;
+        }
+    }
+    let of = [
+        ("section vertices", Role::Vertex),
+        ("section indices", Role::Index),
+    ];
+    let mut pieces = pieces.into_iter();
+    [0, 1].map(|i| {
+        let contents = Contents::in_pieces(room(ends[i]), pieces.next().unwrap_or_default(), true);
+        plan.add_resource(Resource::own_upload(of[i].0, of[i].1, contents, Clock::Cut))
+    })
+}
+
+/// Makes the slicers that sections which are not known ask for; how long that took, if any was made.
+fn make_slicers(wanted: &[Wanted], known: &[Option<Arc<PackedSection>>]) -> Option<f64> {
+    let started = now();
+    let missing = (wanted.iter().zip(known))
+        .filter(|(w, known)| known.is_none() && !w.sliced.has_slicer())
+        .map(|(w, _)| w);
+    // Each once: a thread that makes one must not come upon the same again while it waits for others.
+    let missing = of_each_part(missing);
+    missing.par_iter().for_each(|w| w.sliced.prepare(&w.part));
+    (!missing.is_empty()).then(|| started.elapsed().as_secs_f64() * 1e3)
+}
+
+/// Draws of the sections that have an inside, and of those that are not whole.
+fn draws(met: &[(&Wanted, &Arc<PackedSection>)]) -> (Vec<Draw>, Vec<Draw>) {
+    let (mut draws, mut doubts) = (Vec::new(), Vec::new());
+    let (mut first_vertex, mut first_index) = (0_u32, 0_u32);
+    for (wanted, section) in met {
+        for (all, count) in [
+            (&mut draws, section.index_count),
+            (&mut doubts, section.doubt_count),
+        ] {
+            if count > 0 {
+                all.push(Draw {
+                    indices: first_index..first_index + count,
+                    base_vertex: first_vertex.cast_signed(),
+                    vertex_count: section.vertex_count,
+                    instance: wanted.instance,
+                    arguments: None,
+                });
+            }
+            first_index += count;
+        }
+        first_vertex += section.vertex_count;
+    }
+    (draws, doubts)
+}
+
+#[allow(
+    clippy::disallowed_methods,
+    reason = "no pass does this work, so that nobody else can time it"
+)]
+fn now() -> Instant {
+    Instant::now()
+}
+
+/// Bytes of a buffer for so many: the next power of two.
+fn room(bytes: u64) -> u64 {
+    bytes.next_power_of_two()
+}

@@ -1,0 +1,151 @@
+//! The settled triangles of a frame: groups of the parts that are drawn, their table, and the draws of them and of the rest
+//! ([`SettledParts`](crate::passes::pack::settled::SettledParts)).
+
+use bytemuck::Zeroable;
+
+use super::input::Input;
+use crate::passes::pack::settlers::{Group, NORMAL_STEPS};
+use crate::plan::pack::{MOST_SETTLED_GROUPS, SettledGroup};
+use crate::plan::{Clock, Contents, Draw};
+use crate::scene::Side;
+
+/// A group of settled triangles, with the rank of its part.
+pub(crate) type GroupOfPart<'a> = (usize, &'a Group);
+
+impl<'a> Input<'a> {
+    /// The groups of the parts that are drawn, in table order: of as many parts as there are numbers for. None where no clip-surface that
+    /// matters settles a triangle of these parts, none lie on each other, and none share a plane.
+    pub(crate) fn find_settled(&self) -> Option<Vec<GroupOfPart<'a>>> {
+        let (model, order) = (self.model, &self.relevance.order);
+        let of_parts = &model.settled.as_ref()?.groups;
+        let settles = |group: &Group| {
+            let [surfaces, _, cutters, _] = self.bits_of(group);
+            group.lie.is_doubled || group.lie.plane.is_some() || surfaces | cutters != 0
+        };
+        if !order.iter().any(|rank| of_parts[*rank].iter().any(settles)) {
+            return None;
+        }
+        // Of a part all groups or none; with the parts themselves no more than the compute rasteriser has rows for.
+        let most = MOST_SETTLED_GROUPS.saturating_sub(order.len());
+        let mut all = Vec::new();
+        for rank in order {
+            let groups = &of_parts[*rank];
+            if all.len() + groups.len() <= most {
+                all.extend(groups.iter().map(|g| (*rank, g)));
+            }
+        }
+        Some(all)
+    }
+
+    /// The groups that the frame settles.
+    pub(crate) fn settled_groups(&self) -> &[GroupOfPart<'a>] {
+        self.settled.as_deref().unwrap_or_default()
+    }
+
+    /// Bits of the clip-surfaces that settle a group, of those it lies on the removed side of, of cutters that it shares faces with, and
+    /// of clip-surfaces that it lies in.
+    fn bits_of(&self, group: &Group) -> [u32; 4] {
+        let mut bits = [0; 4];
+        for (slot, number) in self.relevance.surfaces.iter().enumerate() {
+            let is_shared = group.lie.in_cutters.contains(&(*number as u16));
+            bits[2] |= u32::from(is_shared) << slot;
+            // Of triangles that lie on each other the depths tell which is seen.
+            let is_alone = !group.lie.is_doubled && group.lie.plane.is_none();
+            let is_flush = is_alone && group.lie.flush.contains(&(*number as u16));
+            bits[3] |= u32::from(is_flush) << slot;
+            let side = group
+                .lie
+                .sides
+                .iter()
+                .find(|(n, _)| usize::from(*n) == *number);
+            if let Some((_, side)) = side {
+                bits[0] |= 1 << slot;
+                bits[1] |= u32::from(*side == Side::Removed) << slot;
+            }
+        }
+        bits
+    }
+
+    /// The table of groups.
+    pub(crate) fn settled_table(&self) -> Contents {
+        let mut table = vec![SettledGroup::zeroed(); MOST_SETTLED_GROUPS];
+        for (row, (rank, group)) in table.iter_mut().zip(self.settled_groups()) {
+            let [surfaces, removed, cutters, flush] = self.bits_of(group);
+            let [x, y, z] = group.lie.normal.map(|n| n as f32 / NORMAL_STEPS);
+            *row = SettledGroup {
+                place: self.relevance.place_of(*rank) as u32,
+                surfaces,
+                removed,
+                flush,
+                doubled: u32::from(group.lie.is_doubled),
+                cutters,
+                padding: [0; 2],
+                normal: [x, y, z, 0.0],
+                plane: self.plane_of(*rank, group),
+            };
+        }
+        Contents::from_values(&table)
+    }
+
+    /// The plane that a group shares with other parts, as [`SettledGroup::plane`] has it.
+    fn plane_of(&self, rank: usize, group: &Group) -> [f32; 4] {
+        let shared = self.model.prepared.shared.planes();
+        let plane = group.lie.plane.map(|number| &shared[usize::from(number)]);
+        let seen = plane.and_then(|plane| Some((plane, plane.in_view(self.view)?)));
+        seen.map_or([0.0; 4], |(plane, [right, down, corner])| {
+            let centre = corner + 0.5 * (right + down);
+            [right, down, centre, f64::from(plane.level(rank))].map(|v| v as f32)
+        })
+    }
+
+    /// How often the table of groups changes: depths of shared planes are those of a view.
+    pub(crate) fn settled_clock(&self) -> Clock {
+        let mut groups = self.settled_groups().iter();
+        match groups.any(|(_, group)| group.lie.plane.is_some()) {
+            true => Clock::Frame,
+            false => Clock::Cut,
+        }
+    }
+
+    /// The indices of all parts with settled triangles at the end of each, where some are settled in the frame.
+    pub(crate) fn sorted_indices(&self) -> Option<&Contents> {
+        let settled = self.model.settled.as_ref();
+        settled
+            .filter(|_| self.settled.is_some())
+            .map(|s| &s.indices)
+    }
+
+    /// The draws of some parts less their groups, by rank; the instance is the part's place in the table.
+    pub(crate) fn draws_of_rest(&self, ranks: &[usize]) -> Vec<Draw> {
+        let mut draws = self.draws_of(ranks);
+        for (draw, rank) in draws.iter_mut().zip(ranks) {
+            draw.indices.end = self.end_of_rest(*rank);
+        }
+        if self.settled.is_some() {
+            draws.retain(|d| !d.indices.is_empty());
+        }
+        draws
+    }
+
+    /// The end of the indices of a part less its groups, by rank.
+    pub(crate) fn end_of_rest(&self, rank: usize) -> u32 {
+        let mut groups = self.settled_groups().iter();
+        let first = groups.find(|(r, _)| *r == rank);
+        first.map_or(self.model.ranges[rank].indices.end, |(_, g)| {
+            g.indices.start
+        })
+    }
+
+    /// The draws of the groups of some parts, by rank; the instance is the number of the group.
+    pub(crate) fn draws_of_groups(&self, ranks: &[usize]) -> Vec<Draw> {
+        let numbered = self.settled_groups().iter().enumerate();
+        numbered
+            .filter(|(_, (rank, _))| ranks.contains(rank))
+            .map(|(number, (rank, group))| Draw {
+                indices: group.indices.clone(),
+                instance: number as u32,
+                ..self.draws_of(&[*rank]).remove(0)
+            })
+            .collect()
+    }
+}

@@ -1,0 +1,72 @@
+//! The tiles of the picture that a frame touches: passes over pixels go over these alone, and what is in none of them stays background.
+//!
+//! The list is made by a pass over the triangles before all else, or by the first sweep where nothing looks at pixels before that
+//! (`shaders/lib/touching.wgsl`). It outlives its frame: what that has drawn the next one sets back, so that what no frame touches is
+//! written once. For that it says of which picture it is; a buffer that was made anew says of none.
+//!
+//! Cost: 16 bytes a tile of 16 x 16 pixels. Whole tiles are gone over: of small or thin things many pixels are beside them.
+
+use crate::plan::{Access, Binding, Clock, Contents, Plan, Resource, ResourceId, Role, Work};
+
+/// Pixels along a side of a tile: `shaders/lib/touched.wgsl`.
+pub(crate) const TILE_PX: u32 = 16;
+/// Bytes before the tiles, and of a tile: `shaders/lib/touched_list.wgsl`.
+const HEAD_BYTES: u64 = 40;
+const TILE_BYTES: u64 = 16;
+
+/// Tiles that come to each workgroup, at least, if all are touched: the last turn of one may find none left.
+const TILES_OF_GROUP: u32 = 8;
+/// Workgroups that share the list, at most.
+const MOST_GROUPS: u32 = 65_535;
+
+/// The touched tiles of a frame.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Touched {
+    list: ResourceId,
+    tile_count: u32,
+}
+
+impl Touched {
+    /// The tiles of a picture, of which none is touched yet.
+    pub(crate) fn of_picture(plan: &mut Plan, size_px: [u32; 2]) -> Self {
+        let tile_count = tiles_in(size_px);
+        let bytes = HEAD_BYTES + u64::from(tile_count) * TILE_BYTES;
+        let room = Contents::in_pieces(bytes, Vec::new(), true);
+        let list = Resource::upload("touched", Role::Storage, room, Clock::Frame);
+        Self {
+            list: plan.add_resource(list),
+            tile_count,
+        }
+    }
+
+    /// How many tiles the picture has.
+    pub(crate) fn tile_count(self) -> u32 {
+        self.tile_count
+    }
+
+    /// For who goes over them, or adds some.
+    pub(crate) fn binding(self, access: Access) -> Binding {
+        Binding {
+            access,
+            ..Binding::read("touched", self.list)
+        }
+    }
+
+    /// A dispatch whose workgroups share them.
+    pub(crate) fn shared(self) -> Work {
+        share_tiles(self.tile_count)
+    }
+}
+
+/// How many tiles a picture has.
+pub(crate) fn tiles_in(size_px: [u32; 2]) -> u32 {
+    size_px.map(|px| px.div_ceil(TILE_PX)).iter().product()
+}
+
+/// A dispatch whose workgroups share a list of up to so many tiles.
+pub(crate) fn share_tiles(tile_count: u32) -> Work {
+    let groups = (tile_count / TILES_OF_GROUP).clamp(1, MOST_GROUPS);
+    Work::Compute {
+        groups: [groups, 1, 1],
+    }
+}

@@ -1,0 +1,82 @@
+//! Coats of parts, packed for upload: a row for each part that has one, and 13 words for each of its triangles.
+//!
+//! The corners of a triangle are named by their vertices in the buffer that all parts share, so that a coat goes wherever the pose pass takes
+//! them. Coats that stay the same objects are packed once.
+
+use super::packed::{Packed, Room};
+use crate::plan::pack::{COAT_WORDS, CoatRow};
+use crate::plan::{Contents, Piece};
+use crate::scene::{Coat, Part, Scene};
+
+/// Words of all coats together: what one binding of any device holds, 2.5 million triangles. Parts beyond are shown in one colour.
+const MOST_WORDS: u64 = 32 << 20;
+
+/// The coats of a scene.
+#[derive(Clone, Debug)]
+pub(crate) struct Coats {
+    /// A row for each part that has one.
+    pub(crate) rows: Vec<CoatRow>,
+    /// How many triangles each has.
+    pub(crate) triangles: Vec<u32>,
+    pub(crate) words: Contents,
+    /// 0, 1, 2 and so on, three for each triangle of the part that has most.
+    pub(crate) indices: Contents,
+}
+
+/// Whether a part shows the coat of its mesh.
+pub(crate) fn shown(part: &Part) -> Option<&Coat> {
+    let coat = part.mesh.coat.as_ref();
+    coat.filter(|_| !part.material.is_painted_over)
+}
+
+impl Coats {
+    /// Of the parts that show one; none where none does. Their textures begin at `first_image`, in the order of parts. Numbers that count
+    /// up are those of before where there are as many.
+    pub(crate) fn of(
+        scene: &Scene,
+        (packed, rooms): (&[Packed], &[Room]),
+        first_image: u32,
+        before: Option<&Self>,
+    ) -> Option<Self> {
+        let mut next = CoatRow {
+            first_image,
+            ..bytemuck::Zeroable::zeroed()
+        };
+        let (mut rows, mut triangles, mut pieces) = (Vec::new(), Vec::new(), Vec::new());
+        for (part, (of, packed)) in (0..).zip(scene.parts.iter().zip(packed)) {
+            let (Some(coat), Some(words)) = (shown(of), &packed.coat) else {
+                continue;
+            };
+            // Their textures have numbers all the same.
+            let first_image = next.first_image;
+            next.first_image += coat.images.len() as u32;
+            let end = u64::from(next.first_word) + u64::from(words.triangles) * COAT_WORDS as u64;
+            if end > MOST_WORDS || words.triangles == 0 {
+                continue;
+            }
+            rows.push(CoatRow {
+                part,
+                first_vertex: rooms[part as usize].first_vertex,
+                first_image,
+                ..next
+            });
+            triangles.push(words.triangles);
+            pieces.push(Piece {
+                offset: u64::from(next.first_word) * 4,
+                bytes: words.words.clone(),
+            });
+            next.first_word += words.triangles * COAT_WORDS as u32;
+        }
+        let most = triangles.iter().max()? * 3;
+        let is_long = |before: &&Self| before.indices.len() >= u64::from(most) * 4;
+        Some(Self {
+            rows,
+            triangles,
+            words: Contents::in_pieces(u64::from(next.first_word) * 4, pieces, false),
+            indices: match before.filter(is_long) {
+                Some(before) => before.indices.clone(),
+                None => Contents::from_values(&(0..most).collect::<Vec<u32>>()),
+            },
+        })
+    }
+}

@@ -1,0 +1,280 @@
+//! What caps are made of and what surfaces are painted with, packed for upload: the textures of all one after the other, and for each part
+//! what it has.
+//!
+//! Textures that stay the same objects are packed once. A part that is bent is dressed as it stood: its solid texture goes where the part is
+//! placed, and not with its vertices.
+
+use std::sync::Arc;
+
+use glam::{DAffine3, DMat3, DVec3};
+
+use super::coat::{self, Coats};
+use super::packed::{Packed, Room};
+use crate::plan::pack::{self, FILLED_STACK, NO_TEXTURE};
+use crate::plan::{Contents, Piece};
+use crate::scene::{Amount, Bounds, Part, Scene, SceneSpace, SolidTexture, Texture, TextureKind};
+
+/// Of what repeats and has no size, in percent of the diagonal of the scene.
+const USUAL_SIZE: Amount = Amount::Percent(10.0);
+
+/// The materials and coats of a scene.
+#[derive(Clone, Debug)]
+pub(crate) struct Dress {
+    textures: Vec<Arc<Texture>>,
+    table: Contents,
+    texels: Contents,
+    /// By the number of a part in the scene.
+    materials: Vec<pack::CapMaterial>,
+    /// Whether some part has a material.
+    has_materials: bool,
+    /// Repeats in a scene unit where nothing is said.
+    default_per_unit: f32,
+    /// What surfaces are painted with.
+    pub(crate) coats: Option<Coats>,
+}
+
+impl Dress {
+    /// Of a scene of these bounds, with the textures of before where they are the same; none where no part has a material, or a coat that is shown.
+    pub(crate) fn of(
+        scene: &Scene,
+        space: &SceneSpace,
+        (world, places): (&Bounds, (&[Packed], &[Room])),
+        before: Option<&Arc<Self>>,
+    ) -> Option<Arc<Self>> {
+        let materials = scene
+            .parts
+            .iter()
+            .filter_map(|part| part.material.cap.as_ref());
+        let has_materials = materials.clone().next().is_some();
+        let mut textures: Vec<Arc<Texture>> =
+            (materials.flat_map(|m| m.textures().cloned())).collect();
+        let coats = scene.style.coat.then(|| {
+            let known = before.and_then(|b| b.coats.as_ref());
+            Coats::of(scene, places, textures.len() as u32, known)
+        });
+        let coats = coats.flatten();
+        if !has_materials && coats.is_none() {
+            return None;
+        }
+        if coats.is_some() {
+            let shown = scene.parts.iter().filter_map(coat::shown);
+            textures.extend(shown.flat_map(|coat| coat.images.iter().cloned()));
+        }
+        let is_same = |before: &&Arc<Self>| {
+            let pairs = before.textures.iter().zip(&textures);
+            before.textures.len() == textures.len()
+                && pairs.into_iter().all(|(a, b)| Arc::ptr_eq(a, b))
+        };
+        let [table, texels] = match before.filter(is_same) {
+            Some(before) => [before.table.clone(), before.texels.clone()],
+            None => packed(&textures),
+        };
+        let diagonal = world.size().length();
+        let length = |size: Amount| size.between(0.0, diagonal);
+        let mut first = 0;
+        let rows = scene.parts.iter().map(|part| {
+            let row = row_of(part, space, first, length);
+            first += part
+                .material
+                .cap
+                .as_ref()
+                .map_or(0, |m| m.textures().count()) as u32;
+            row
+        });
+        Some(Arc::new(Self {
+            materials: rows.collect(),
+            has_materials,
+            coats,
+            default_per_unit: (1.0 / (length(USUAL_SIZE) * space.scale)) as f32,
+            textures,
+            table,
+            texels,
+        }))
+    }
+
+    /// Whether some part has a material.
+    pub(crate) fn has_materials(&self) -> bool {
+        self.has_materials
+    }
+
+    /// What each part has, by its number in the scene.
+    pub(crate) fn materials(&self) -> Contents {
+        Contents::from_values(&self.materials)
+    }
+
+    /// Where each texture is among texels, and the texels.
+    pub(crate) fn textures(&self) -> [Contents; 2] {
+        [self.table.clone(), self.texels.clone()]
+    }
+
+    /// Repeats in a scene unit where nothing is said.
+    pub(crate) fn default_per_unit(&self) -> f32 {
+        self.default_per_unit
+    }
+}
+
+/// All texels together: what one binding of any device holds. Larger images are there without their largest sizes.
+const MOST_TEXELS_OF_TEXTURES: usize = 30 << 20;
+
+/// How many sizes to leave out, of all textures alike.
+fn left_out(textures: &[Arc<Texture>]) -> u32 {
+    let count = |level: u32| {
+        let all = textures.iter();
+        all.map(|t| t.level_on(level).1.len()).sum::<usize>()
+    };
+    (0..14)
+        .find(|level| count(*level) <= MOST_TEXELS_OF_TEXTURES)
+        .unwrap_or(14)
+}
+
+/// Textures that several parts have are there once.
+fn packed(textures: &[Arc<Texture>]) -> [Contents; 2] {
+    if textures.is_empty() {
+        // WebGPU has no empty bindings.
+        return [
+            Contents::from_values(&[[0_u32; 4]]),
+            Contents::from_values(&[0_u32]),
+        ];
+    }
+    let mut different: Vec<Arc<Texture>> = Vec::new();
+    let numbers = (textures.iter()).map(|t| Texture::number_among(&mut different, t));
+    let numbers: Vec<usize> = numbers.collect();
+    let level = left_out(&different);
+    let (mut rows, mut pieces, mut count) = (Vec::new(), Vec::new(), 0_u64);
+    for texture in &different {
+        let (size, texels) = texture.level_on(level);
+        rows.push(pack::Texture {
+            first: count as u32,
+            is_color: u32::from(texture.kind() == TextureKind::Color),
+            size,
+        });
+        pieces.push(Piece::from_values(count * 4, texels));
+        count += texels.len() as u64;
+    }
+    let rows: Vec<pack::Texture> = numbers.iter().map(|number| rows[*number]).collect();
+    [
+        Contents::from_values(&rows),
+        Contents::in_pieces(count * 4, pieces, false),
+    ]
+}
+
+/// What a part has, whose textures begin at `first`.
+fn row_of(
+    part: &Part,
+    space: &SceneSpace,
+    first: u32,
+    length: impl Fn(Amount) -> f64,
+) -> pack::CapMaterial {
+    let Some(material) = &part.material.cap else {
+        return bytemuck::Zeroable::zeroed();
+    };
+    let mut next = first;
+    let mut number_of = |image: &Option<Arc<Texture>>| match image {
+        Some(_) => {
+            next += 1;
+            next - 1
+        }
+        None => NO_TEXTURE,
+    };
+    let [diffuse, normal, light] =
+        [&material.diffuse, &material.normal, &material.light].map(&mut number_of);
+    let (solid, image_count) = match &material.solid {
+        None => (0, 0),
+        Some(SolidTexture::Wood) => (1, 0),
+        Some(SolidTexture::Marble) => (2, 0),
+        Some(SolidTexture::Granite) => (3, 0),
+        Some(SolidTexture::Stack(images)) if material.size.is_some() => (4, images.len() as u32),
+        Some(SolidTexture::Stack(images)) => (FILLED_STACK, images.len() as u32),
+    };
+    let size = length(material.size.unwrap_or(USUAL_SIZE));
+    let is_filled = image_count > 0 && material.size.is_none();
+    let rows = solid_from_scene(part, space, (!is_filled).then_some(size)).transpose_rows();
+    pack::CapMaterial {
+        x_row: rows[0],
+        y_row: rows[1],
+        z_row: rows[2],
+        diffuse,
+        normal,
+        light,
+        solid,
+        first_image: next,
+        image_count,
+        per_unit: material
+            .size
+            .map_or(0.0, |size| (1.0 / (length(size) * space.scale)) as f32),
+        is_there: 1,
+    }
+}
+
+/// From scene space to the solid of a part: in repeats of a size around its middle, the third axis along its longest side, or without a size
+/// once through its box, with the rows of images downwards.
+fn solid_from_scene(part: &Part, space: &SceneSpace, size: Option<f64>) -> DAffine3 {
+    let part_from_scene = (space.from_world() * part.world_from_part).inverse();
+    let bounds = part.mesh.bounds();
+    let solid_from_part = match size {
+        Some(size) => {
+            // In units of the world, whatever scales the part.
+            let m = part.world_from_part.matrix3;
+            let lengths = DVec3::from([0, 1, 2].map(|i| m.col(i).length()));
+            let sides = (bounds.size() * lengths).to_array();
+            let longest = (0..3).max_by(|a, b| sides[*a].total_cmp(&sides[*b]));
+            let longest = longest.unwrap_or(2);
+            let rows = DMat3::from_diagonal(lengths / size);
+            let [x, y, z] = [longest + 1, longest + 2, longest].map(|i| rows.col(i % 3));
+            let turned = DMat3::from_cols(x, y, z).transpose();
+            DAffine3::from_mat3_translation(turned, -(turned * bounds.centre()))
+        }
+        None => {
+            let sides = bounds.size().max(DVec3::splat(1e-300));
+            let scale = DMat3::from_diagonal(DVec3::new(1.0, -1.0, 1.0) / sides);
+            let corner = DVec3::new(bounds.min.x, bounds.max.y, bounds.min.z);
+            DAffine3::from_mat3_translation(scale, -(scale * corner))
+        }
+    };
+    solid_from_part * part_from_scene
+}
+
+trait Rows {
+    /// The rows that take a point (x, y, z, 1) to each coordinate.
+    fn transpose_rows(&self) -> [[f32; 4]; 3];
+}
+
+impl Rows for DAffine3 {
+    fn transpose_rows(&self) -> [[f32; 4]; 3] {
+        [0, 1, 2].map(|i| {
+            let row = self.matrix3.row(i).extend(self.translation[i]);
+            row.as_vec4().to_array()
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::generate::shapes::shape;
+
+    #[test]
+    fn the_longest_side_is_along_the_grain_and_boxes_are_filled() {
+        let parts = shape("cube").expect("a shape");
+        let mut part = parts[0].clone();
+        part.world_from_part = DAffine3::from_scale(DVec3::new(1.0, 4.0, 1.0));
+        let mut mesh = (*part.mesh).clone();
+        mesh.positions.iter_mut().for_each(|p| p.y *= 3.0);
+        part.mesh = Arc::new(mesh);
+        let world = part.bounds_in_world();
+        let space = SceneSpace::new(&world);
+        let scene = |p: DVec3| space.point(p);
+        let once = solid_from_scene(&part, &space, None);
+        assert!(
+            once.transform_point3(scene(world.max))
+                .abs_diff_eq(DVec3::new(1.0, 0.0, 1.0), 1e-9)
+        );
+        assert!(
+            once.transform_point3(scene(world.min))
+                .abs_diff_eq(DVec3::new(0.0, 1.0, 0.0), 1e-9)
+        );
+        let grain = solid_from_scene(&part, &space, Some(0.5));
+        let up = grain.transform_vector3(DVec3::Y * space.scale);
+        assert!(up.z.abs() > 0.0 && up.truncate().length() < 1e-9, "{up}");
+    }
+}

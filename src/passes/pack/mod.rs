@@ -1,0 +1,19 @@
+//! A scene packed for upload: what follows from it alone, whatever the view and the strategy.
+
+pub(crate) mod at_rest;
+pub(crate) mod coat;
+pub(crate) mod cutters;
+pub(crate) mod dress;
+pub(crate) mod ground;
+pub(crate) mod heights;
+pub(crate) mod kept;
+pub(crate) mod model;
+pub(crate) mod packed;
+pub(crate) mod packed_coat;
+pub(crate) mod packed_pose;
+pub(crate) mod relief_sky;
+pub(crate) mod rest;
+pub(crate) mod settled;
+pub(crate) mod settlers;
+pub(crate) mod sliced;
+pub(crate) mod vertex;

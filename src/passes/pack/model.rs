@@ -1,0 +1,259 @@
+//! A scene packed for upload: vertices, indices and heights do not change with the view or the strategy.
+//!
+//! A scene that moves is packed once by [`Model::new`] and then, frame by frame, by [`Model::updated`], which looks only at what
+//! is not the very same object as before: its cost does not depend on the triangles of parts that keep their mesh.
+
+use std::borrow::Cow;
+use std::sync::Arc;
+
+use rayon::prelude::*;
+
+use super::at_rest::{AtRest, Moved};
+use super::cutters::Cutters;
+use super::dress::Dress;
+use super::ground::GroundShadow;
+use super::heights::{Heights, PackedMap};
+use super::kept::KeptContents;
+use super::packed::{self, Packed, Room};
+use super::packed_pose::{Moving, PackedPose};
+use super::relief_sky::ReliefSky;
+use super::settled::SettledParts;
+use super::sliced::Sliced;
+use super::vertex::MeshRange;
+use crate::plan::Contents;
+use crate::plan::pack::NO_RELIEF;
+use crate::scene::{
+    Cutter, Part, Prepared, PreparedPart, PreparedVolume, Scene, SceneSpace, SharedPlanes, Style,
+};
+
+/// A scene ready to be recorded.
+#[derive(Clone, Debug)]
+pub struct Model {
+    /// The scene in scene space, without the vertices of parts that move: [`Model::truth`] has all of them.
+    pub prepared: Prepared,
+    /// Vertices of all parts, with room for those that the pose pass writes.
+    pub vertices: Contents,
+    /// Indices of all parts.
+    pub indices: Contents,
+    /// Where each part is, by rank.
+    pub ranges: Vec<MeshRange>,
+    /// The parts that the pose pass places, by rank.
+    pub moving: Vec<Option<Moving>>,
+    /// Heights of all reliefs, one after the other; parts that share a map share its texels.
+    pub heights: Contents,
+    /// First texel of each clip-surface, or [`NO_RELIEF`] for planes and flat reliefs.
+    pub first_texel: Vec<u32>,
+    pub cutters: Cutters,
+    /// The maps that `heights` holds.
+    maps: Vec<PackedMap>,
+    /// By index in the scene.
+    packed: Arc<Vec<Packed>>,
+    rooms: Vec<Room>,
+    /// Triangles whose sides of clip-surfaces are known; none where there is none.
+    pub(crate) settled: Option<SettledParts>,
+    /// The indices of grids, which go with no scene but are asked for in every frame.
+    pub grid_indices: Arc<KeptContents>,
+    /// What its hatches hang on.
+    pub(crate) at_rest: Arc<AtRest>,
+    /// What reliefs hide of the sky.
+    pub(crate) relief_sky: Arc<ReliefSky>,
+    /// What caps are made of and surfaces painted with, where that is more than a colour.
+    pub(crate) dress: Option<Arc<Dress>>,
+    /// The shadow on the ground, where there is one.
+    pub(crate) ground: Option<Arc<GroundShadow>>,
+    /// How parts have moved since, by index in the scene.
+    pub(crate) moved: Vec<Option<Moved>>,
+    lineage: Arc<()>,
+    /// Of this model and its copies alone.
+    identity: Arc<()>,
+}
+
+impl Model {
+    /// Packs a scene.
+    pub fn new(scene: &Scene) -> Self {
+        Self::after(scene, None)
+    }
+
+    /// The scene at another time: what did not change is shared with this model. Meshes, motions and maps are told apart as
+    /// objects, so a scene over time must keep those that stay.
+    #[must_use]
+    pub fn updated(&self, scene: &Scene) -> Self {
+        Self::after(scene, Some(self))
+    }
+
+    /// The scene as if it were seen for the first time, with all that it shares with this model: hatches hang on where its parts and its
+    /// eye are now.
+    #[must_use]
+    pub fn anew(&self, scene: &Scene) -> Self {
+        let updated = self.updated(scene);
+        let at_rest = Arc::new(self.at_rest.anew(scene, &updated.prepared));
+        Self {
+            moved: at_rest.moved(scene, &updated.prepared),
+            at_rest,
+            ..updated
+        }
+    }
+
+    fn after(scene: &Scene, before: Option<&Self>) -> Self {
+        let world = scene.bounds();
+        let space = SceneSpace::new(&world);
+        let old = before.map_or(&[] as &[Packed], |b| &b.packed);
+        let packed: Vec<Packed> = (scene.parts.par_iter().enumerate())
+            .map(|(index, part)| Packed::of(index, part, &space, old.get(index)))
+            .collect();
+        let place = |index: usize, part: &Part, _: &SceneSpace, cuts: Vec<usize>| PreparedPart {
+            name: part.name.clone(),
+            material: part.material.clone(),
+            fill: part.fill,
+            cuts,
+            ..packed[index].part.clone()
+        };
+        let place_volume = |cutter: &Cutter, space: &SceneSpace, surface: usize| {
+            let before = before.and_then(|b| b.prepared.surfaces.get(surface)?.volume.as_deref());
+            Arc::new(PreparedVolume::place(cutter, space, before))
+        };
+        let shared =
+            |parts: &[PreparedPart]| SharedPlanes::of(parts, before.map(|b| &b.prepared.shared));
+        let prepared = Prepared::with_parts(scene, &world, place, place_volume, shared);
+
+        let rooms = packed::rooms(&packed, before.map_or(&[], |b| &b.rooms));
+        let changes =
+            before.is_some_and(|b| b.vertices.changes()) || packed.iter().any(|p| p.rest.is_some());
+        let [mut vertices, mut indices] = packed::contents(&packed, &rooms, changes);
+        if let Some(before) = before {
+            // What another call made stays the one in use: that a mesh changed is known only now.
+            if vertices != before.vertices || indices != before.indices {
+                [vertices, indices] = packed::contents(&packed, &rooms, true);
+            } else {
+                vertices = before.vertices.clone();
+                indices = before.indices.clone();
+            }
+        }
+        let of_rank = |part: &PreparedPart| (&packed[part.part], &rooms[part.part]);
+        let ranges = prepared.parts.iter().map(|part| {
+            let (packed, room) = of_rank(part);
+            MeshRange {
+                indices: room.first_index..room.first_index + packed.index_count(),
+                base_vertex: room.first_vertex.cast_signed(),
+                vertex_count: packed.vertex_count,
+            }
+        });
+        let moving = prepared.parts.iter().map(|part| {
+            let (packed, room) = of_rank(part);
+            let rest = packed.rest.clone()?;
+            let of = &scene.parts[part.part];
+            Some(Moving {
+                packed_pose: PackedPose::of(of, &rest, &space, room.first_vertex),
+                rest,
+            })
+        });
+        let (ranges, moving) = (ranges.collect(), moving.collect());
+        let Heights {
+            contents: heights,
+            first_texel,
+            maps,
+        } = Heights::of(&prepared, before.map(|b| (&b.heights, b.maps.as_slice())));
+        let relief_sky = ReliefSky::of(&prepared, &first_texel, before.map(|b| &b.relief_sky));
+        let known = before.and_then(|b| b.dress.as_ref());
+        let dress = Dress::of(scene, &space, (&world, (&packed, &rooms)), known);
+        let cutters = Cutters::of(&prepared.surfaces, before.map(|b| &b.cutters));
+        let known = before.and_then(|b| b.settled.as_ref());
+        let settled = SettledParts::of(&prepared, &packed, &rooms, known);
+        let at_rest = AtRest::of(scene, &prepared, before.map(|b| &b.at_rest));
+        Self {
+            cutters,
+            ranges,
+            moving,
+            vertices,
+            indices,
+            heights,
+            first_texel,
+            maps,
+            packed: Arc::new(packed),
+            rooms,
+            settled,
+            grid_indices: before.map_or_else(Arc::default, |b| b.grid_indices.clone()),
+            relief_sky,
+            dress,
+            ground: None,
+            moved: at_rest.moved(scene, &prepared),
+            at_rest,
+            lineage: before.map_or_else(Arc::default, |b| b.lineage.clone()),
+            identity: Arc::default(),
+            prepared,
+        }
+    }
+
+    /// The same scene as the exact reference is to be asked about it: posed in f64, with all vertices. `scene` is the one that
+    /// this model was made of. The view is taken from either.
+    pub fn truth(&self, scene: &Scene) -> Cow<'_, Prepared> {
+        if self.prepared.is_whole() {
+            Cow::Borrowed(&self.prepared)
+        } else {
+            let shared = self.prepared.shared.clone();
+            Cow::Owned(Prepared::in_planes(scene, |_| shared))
+        }
+    }
+
+    /// The same scene with nothing removed, sharing what is packed: what `draw_only_ms` measures.
+    #[must_use]
+    pub fn without_cuts(&self) -> Self {
+        let mut uncut = self.clone();
+        uncut.prepared.cuts.clear();
+        uncut.prepared.surfaces.clear();
+        for part in &mut uncut.prepared.parts {
+            part.cuts.clear();
+            part.is_hidden = false;
+            part.is_removed = false;
+        }
+        uncut.first_texel.clear();
+        uncut.settled = None;
+        uncut.identity = Arc::default();
+        uncut
+    }
+
+    /// The same scene on a ground with a shadow.
+    #[must_use]
+    pub fn on_ground(&self, shadow: GroundShadow) -> Self {
+        Self {
+            ground: Some(Arc::new(shadow)),
+            identity: Arc::default(),
+            ..self.clone()
+        }
+    }
+
+    /// The same scene in another style, in the colours of its parts alone.
+    #[must_use]
+    pub(crate) fn in_style(&self, style: Style) -> Self {
+        let mut styled = self.clone();
+        styled.prepared.style = style;
+        styled.dress = None;
+        styled.identity = Arc::default();
+        styled
+    }
+
+    /// What slicing a part needs again, by rank.
+    pub(crate) fn sliced(&self, rank: usize) -> Arc<Sliced> {
+        self.packed[self.prepared.parts[rank].part].sliced.clone()
+    }
+
+    /// Whether a clip-surface is a true relief rather than a plane, a flat map or a cutter.
+    pub fn is_relief(&self, surface: usize) -> bool {
+        self.first_texel[surface] != NO_RELIEF
+    }
+
+    /// Whether a clip-surface is a cutter.
+    pub fn is_cutter(&self, surface: usize) -> bool {
+        self.prepared.surfaces[surface].volume.is_some()
+    }
+
+    /// Whether one is a copy of the other.
+    pub(crate) fn is(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.identity, &other.identity)
+    }
+
+    /// Whether one is the other at another time, or of the same solids.
+    pub fn is_kin_of(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.lineage, &other.lineage) || self.vertices == other.vertices
+    }
+}

@@ -1,0 +1,244 @@
+//! A part packed for upload, and its room in the buffers that all parts share.
+//!
+//! A part that stands still is uploaded as it stands. One that moves (it has a pose, or it was elsewhere a frame ago) is
+//! uploaded once, at rest, and placed by the pose pass; its room in the vertices is left to that pass. A part whose mesh is
+//! another is packed anew, alone: rooms keep their places as long as everything fits, and those of parts that were seen to
+//! change their mesh have a quarter to spare.
+
+use std::sync::Arc;
+
+use glam::DAffine3;
+
+use super::packed_coat::PackedCoat;
+use super::rest::Rest;
+use super::settlers::{Settlers, Sorted};
+use super::sliced::Sliced;
+use super::vertex::{Vertex, packed_triangles};
+use crate::plan::pack::pack_normal;
+use crate::plan::{Contents, INDEX_BYTES, Piece, VERTEX_BYTES};
+use crate::scene::{
+    Bounds, Mesh, Motion, Part, PreparedPart, SceneSpace, doubled_faces, is_same_motion,
+    tolerance_of,
+};
+
+/// A part packed for upload.
+#[derive(Clone, Debug)]
+pub(crate) struct Packed {
+    mesh: Arc<Mesh>,
+    motion: Option<Arc<Motion>>,
+    world_from_part: DAffine3,
+    space: SceneSpace,
+    /// The part without what a cut or a material says of it.
+    pub(crate) part: PreparedPart,
+    /// Of a part that stands still.
+    vertices: Option<Arc<[u8]>>,
+    pub(crate) indices: Arc<[u8]>,
+    pub(crate) vertex_count: u32,
+    /// Of a part that moves.
+    pub(crate) rest: Option<Arc<Rest>>,
+    /// Its coat, if its mesh has one.
+    pub(crate) coat: Option<Arc<PackedCoat>>,
+    /// Triangles that lie on another one.
+    doubled: Arc<Vec<u32>>,
+    /// What slicing it needs again.
+    pub(crate) sliced: Arc<Sliced>,
+    /// Whether its mesh was another before.
+    is_other: bool,
+}
+
+impl Packed {
+    /// Packs a part, with what is still right of how it was packed before.
+    pub(crate) fn of(index: usize, part: &Part, space: &SceneSpace, before: Option<&Self>) -> Self {
+        let known = before.filter(|b| b.is_of(part));
+        let moves = |known: &Self| {
+            known.rest.is_some()
+                || known.world_from_part != part.world_from_part
+                || known.space != *space
+        };
+        let packed = if !part.pose.is_rest() || known.is_some_and(moves) {
+            Self::moving(index, part, space, known)
+        } else if let Some(known) = known {
+            known.clone()
+        } else {
+            Self::still(index, part, space)
+        };
+        Self {
+            is_other: before.is_some_and(|b| b.is_other || !Arc::ptr_eq(&b.mesh, &part.mesh)),
+            ..packed
+        }
+    }
+
+    /// Whether the mesh and what can move it are the same; those that are equal but not the same are not looked at.
+    fn is_of(&self, part: &Part) -> bool {
+        is_same_motion(self.motion.as_ref(), part.motion.as_ref())
+            && Arc::ptr_eq(&self.mesh, &part.mesh)
+    }
+
+    fn still(index: usize, part: &Part, space: &SceneSpace) -> Self {
+        let placed = PreparedPart::place(index, part, space, Vec::new());
+        let shading = &placed.shading;
+        let at = shading.positions_of_vertex.iter();
+        let vertices: Vec<Vertex> = (at.zip(&shading.normals))
+            .map(|(p, n)| Vertex {
+                position: placed.positions[*p as usize].to_array(),
+                normal: pack_normal(*n),
+            })
+            .collect();
+        Self {
+            vertices: Some(Piece::from_values(0, &vertices).bytes),
+            vertex_count: vertices.len() as u32,
+            indices: packed_triangles(shading.triangles.iter().copied(), |v| {
+                placed.positions[shading.positions_of_vertex[v as usize] as usize]
+            }),
+            rest: None,
+            coat: part.mesh.coat.as_ref().map(|coat| {
+                let mirrored = part.world_from_part.matrix3.determinant() < 0.0;
+                Arc::new(PackedCoat::of(coat, &shading.triangles, mirrored))
+            }),
+            doubled: Arc::new(doubled_faces(&part.mesh)),
+            ..Self::unpacked(part, space, placed)
+        }
+    }
+
+    fn moving(index: usize, part: &Part, space: &SceneSpace, known: Option<&Self>) -> Self {
+        let mirrored = part.world_from_part.matrix3.determinant() < 0.0;
+        let rest = match known.and_then(|k| k.rest.clone()) {
+            Some(rest) if rest.mirrored == mirrored => rest,
+            _ => Arc::new(Rest::of(part, mirrored)),
+        };
+        let of_part = if part.pose.is_rest() {
+            rest.bounds
+        } else {
+            part.posed_bounds()
+        };
+        let corners = of_part.corners().map(|c| {
+            let in_world = part.world_from_part.transform_point3(c);
+            space.point(in_world)
+        });
+        let outline = PreparedPart::outline(
+            index,
+            part,
+            Bounds::from_points(corners),
+            rest.volume,
+            Vec::new(),
+        );
+        let placed = PreparedPart {
+            triangles: rest.triangles.clone(),
+            plane_tolerance: tolerance_of(part, &rest.bounds, space),
+            ..outline
+        };
+        Self {
+            vertices: None,
+            vertex_count: rest.vertex_count,
+            indices: rest.indices.clone(),
+            coat: rest.coat.clone(),
+            rest: Some(rest),
+            doubled: match known {
+                Some(known) => known.doubled.clone(),
+                None => Arc::new(doubled_faces(&part.mesh)),
+            },
+            sliced: match known {
+                Some(k) if k.sliced.stands_as(part, space) => k.sliced.clone(),
+                _ => Arc::new(Sliced::posed(part, space)),
+            },
+            ..Self::unpacked(part, space, placed)
+        }
+    }
+
+    fn unpacked(part: &Part, space: &SceneSpace, placed: PreparedPart) -> Self {
+        Self {
+            mesh: part.mesh.clone(),
+            motion: part.motion.clone(),
+            world_from_part: part.world_from_part,
+            space: *space,
+            part: placed,
+            vertices: None,
+            indices: Arc::new([]),
+            vertex_count: 0,
+            rest: None,
+            coat: None,
+            doubled: Arc::default(),
+            sliced: Arc::default(),
+            is_other: false,
+        }
+    }
+
+    /// The indices with triangles that are settled at the end; nothing where none is.
+    pub(crate) fn sorted(&self, part: &PreparedPart, by: &Settlers) -> Option<Arc<Sorted>> {
+        match (by.is_empty(), self.doubled.as_slice()) {
+            (true, []) => None,
+            _ => self.sliced.sorted(part, by, (&self.indices, &self.doubled)),
+        }
+    }
+
+    pub(crate) fn index_count(&self) -> u32 {
+        (self.indices.len() as u64 / INDEX_BYTES) as u32
+    }
+}
+
+/// The places of a part in the shared buffers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Room {
+    pub(crate) first_vertex: u32,
+    vertices: u32,
+    pub(crate) first_index: u32,
+    indices: u32,
+}
+
+impl Room {
+    /// The first index behind it.
+    pub(crate) fn end_index(&self) -> u32 {
+        self.first_index + self.indices
+    }
+}
+
+/// Rooms for all parts: those of before where all fit.
+pub(crate) fn rooms(packed: &[Packed], before: &[Room]) -> Vec<Room> {
+    let fits = |(p, room): (&Packed, &Room)| {
+        p.vertex_count <= room.vertices && p.index_count() <= room.indices
+    };
+    if packed.len() == before.len() && packed.iter().zip(before).all(fits) {
+        return before.to_vec();
+    }
+    let (mut first_vertex, mut first_index) = (0, 0);
+    let rooms = packed.iter().map(|p| {
+        let spare = |count: u32| {
+            if p.is_other { count + count / 4 } else { count }
+        };
+        let room = Room {
+            first_vertex,
+            vertices: spare(p.vertex_count),
+            first_index,
+            indices: spare(p.index_count()),
+        };
+        first_vertex += room.vertices;
+        first_index += room.indices;
+        room
+    });
+    rooms.collect()
+}
+
+/// The vertices and the indices of all parts; `changes` says that they will not stay as they are.
+pub(crate) fn contents(packed: &[Packed], rooms: &[Room], changes: bool) -> [Contents; 2] {
+    let end = rooms
+        .last()
+        .map_or([0, 0], |r| [r.first_vertex + r.vertices, r.end_index()]);
+    let piece = |offset: u64, bytes: &Arc<[u8]>| Piece {
+        offset,
+        bytes: bytes.clone(),
+    };
+    let vertices = (packed.iter().zip(rooms)).filter_map(|(p, room)| {
+        let offset = u64::from(room.first_vertex) * VERTEX_BYTES;
+        p.vertices.as_ref().map(|bytes| piece(offset, bytes))
+    });
+    let indices = (packed.iter().zip(rooms))
+        .map(|(p, room)| piece(u64::from(room.first_index) * INDEX_BYTES, &p.indices));
+    [
+        Contents::in_pieces(
+            u64::from(end[0]) * VERTEX_BYTES,
+            vertices.collect(),
+            changes,
+        ),
+        Contents::in_pieces(u64::from(end[1]) * INDEX_BYTES, indices.collect(), changes),
+    ]
+}

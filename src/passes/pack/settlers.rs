@@ -1,0 +1,155 @@
+//! What triangles of a part may be settled by, and its triangles sorted by what settles them.
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+use std::sync::Arc;
+
+use glam::Vec3;
+
+use crate::plan::Piece;
+use crate::scene::{FlatSurface, PreparedVolume, Side};
+
+/// What triangles may be settled by.
+#[derive(Clone, Debug)]
+pub(crate) enum Settling {
+    /// A clip-surface without relief.
+    Flat(FlatSurface),
+    /// A cutter.
+    Volume(Arc<PreparedVolume>),
+}
+
+impl PartialEq for Settling {
+    fn eq(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Flat(a), Self::Flat(b)) => a == b,
+            (Self::Volume(a), Self::Volume(b)) => Arc::ptr_eq(&a.positions, &b.positions),
+            _ => false,
+        }
+    }
+}
+
+/// A clip-surface with its number.
+pub(crate) type Numbered = (u16, Settling);
+
+/// What triangles of a part may be settled by.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Settlers {
+    /// Clip-surfaces that pass close by.
+    pub(crate) surfaces: Vec<Numbered>,
+    /// Triangles in planes that parts share, each with the number of its plane.
+    pub(crate) shared: Arc<[(u32, u16)]>,
+}
+
+impl Settlers {
+    /// Whether there is nothing.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.surfaces.is_empty() && self.shared.is_empty()
+    }
+}
+
+/// So many steps of a component of a normal tell planes apart.
+pub(crate) const NORMAL_STEPS: f32 = 4096.0;
+
+/// How triangles lie.
+#[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) struct Lie {
+    /// Sides by number of the clip-surface.
+    pub(crate) sides: Vec<(u16, Side)>,
+    /// Numbers of the clip-surfaces that they lie in.
+    pub(crate) flush: Vec<u16>,
+    /// Numbers of the cutters in faces of which they lie.
+    pub(crate) in_cutters: Vec<u16>,
+    /// Normal of those faces, either way round, in steps of 1 / [`NORMAL_STEPS`].
+    pub(crate) normal: [i32; 3],
+    /// On other triangles.
+    pub(crate) is_doubled: bool,
+    /// Number of the plane that they share with triangles of other parts.
+    pub(crate) plane: Option<u16>,
+}
+
+/// Triangles of a part that lie alike.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Group {
+    pub(crate) lie: Lie,
+    pub(crate) indices: Range<u32>,
+}
+
+/// The indices of a part with its settled triangles at the end.
+#[derive(Debug)]
+pub(crate) struct Sorted {
+    /// With ranges among the part's own indices, in order.
+    pub(crate) groups: Vec<Group>,
+    pub(crate) indices: Arc<[u8]>,
+}
+
+impl Sorted {
+    /// Sorts the triangles of a part; nothing where none is settled. `indices` are the triangles as they are drawn, in the same order;
+    /// `doubled` are those that lie on another one.
+    pub(crate) fn of(
+        by: &Settlers,
+        (positions, triangles): (&[Vec3], &[[u32; 3]]),
+        plane_tolerance: f64,
+        (indices, doubled): (&[u8], &[u32]),
+    ) -> Option<Self> {
+        let mut lies: BTreeMap<u32, Lie> = BTreeMap::new();
+        for (number, surface) in &by.surfaces {
+            match surface {
+                Settling::Flat(flat) => {
+                    for settled in flat.settled(positions, triangles, plane_tolerance) {
+                        let lie = lies.entry(settled.triangle).or_default();
+                        lie.sides.push((*number, settled.side));
+                        if settled.is_in {
+                            lie.flush.push(*number);
+                        }
+                    }
+                }
+                Settling::Volume(volume) => {
+                    for triangle in volume.shared_faces(positions, triangles) {
+                        let lie = lies.entry(triangle).or_default();
+                        lie.in_cutters.push(*number);
+                        lie.normal =
+                            normal_of(triangles[triangle as usize].map(|i| positions[i as usize]));
+                    }
+                }
+            }
+        }
+        for triangle in doubled {
+            lies.entry(*triangle).or_default().is_doubled = true;
+        }
+        for (triangle, plane) in by.shared.iter() {
+            lies.entry(*triangle).or_default().plane = Some(*plane);
+        }
+        if lies.is_empty() {
+            return None;
+        }
+        let drawn: &[[u32; 3]] = bytemuck::cast_slice(indices);
+        let rest = (0..drawn.len() as u32).filter(|t| !lies.contains_key(t));
+        let mut sorted: Vec<[u32; 3]> = rest.map(|t| drawn[t as usize]).collect();
+        let mut alike: BTreeMap<Lie, Vec<u32>> = BTreeMap::new();
+        for (triangle, lie) in lies {
+            alike.entry(lie).or_default().push(triangle);
+        }
+        let mut groups = Vec::new();
+        for (lie, triangles) in alike {
+            let first = 3 * sorted.len() as u32;
+            sorted.extend(triangles.iter().map(|t| drawn[*t as usize]));
+            groups.push(Group {
+                lie,
+                indices: first..3 * sorted.len() as u32,
+            });
+        }
+        Some(Self {
+            groups,
+            indices: Piece::from_values(0, sorted.as_flattened()).bytes,
+        })
+    }
+}
+
+/// The normal of a triangle, in steps, with the sign that makes its first component that is not 0 positive.
+fn normal_of([a, b, c]: [Vec3; 3]) -> [i32; 3] {
+    let cross = (b - a).as_dvec3().cross((c - a).as_dvec3());
+    let steps = (cross.normalize_or_zero().as_vec3() * NORMAL_STEPS).round();
+    let steps = steps.to_array().map(|s| s as i32);
+    let first = steps.into_iter().find(|s| *s != 0).unwrap_or(0);
+    steps.map(|s| s * first.signum())
+}

@@ -1,0 +1,44 @@
+//! Vertices and triangles as shaders read them, and where those of a part are in the buffers of all.
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use glam::Vec3;
+
+use crate::plan::Piece;
+
+/// A vertex as the shaders read it.
+#[repr(C)]
+#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
+pub(crate) struct Vertex {
+    pub(crate) position: [f32; 3],
+    pub(crate) normal: u32,
+}
+
+/// Where a part is in the shared buffers.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct MeshRange {
+    /// Range of indices.
+    pub indices: Range<u32>,
+    /// Added to each index.
+    pub base_vertex: i32,
+    /// Vertices from there on.
+    pub vertex_count: u32,
+}
+
+/// The corners of triangles, each beginning with the first of its corners by coordinates: rasterisers find the depth of a sample from
+/// the first corner on, and triangles that coincide are to have the same, wherever their lists begin.
+pub(crate) fn packed_triangles(
+    triangles: impl Iterator<Item = [u32; 3]>,
+    position: impl Fn(u32) -> Vec3,
+) -> Arc<[u8]> {
+    let from_first = |corners: [u32; 3]| {
+        let at = corners.map(|c| position(c).to_array());
+        let first = (0..3).reduce(|i, j| if at[j] < at[i] { j } else { i });
+        let mut corners = corners;
+        corners.rotate_left(first.unwrap_or(0));
+        corners
+    };
+    let corners: Vec<[u32; 3]> = triangles.map(from_first).collect();
+    Piece::from_values(0, corners.as_flattened()).bytes
+}
