@@ -40,11 +40,12 @@ fn allowed(chains: &[Vec<Vec<String>>], module: &str) -> Option<BTreeSet<String>
     is_on_map.then_some(left)
 }
 
-/// What modules that judge may import of the core, so that they are not wrong in the way of what they judge. Others may import what is
+/// Modules that judge: they share little with what they judge, so that they are not wrong in the same way. Others may import what is
 /// public; which crate may import which is said by the manifests.
-const JUDGES: [(&str, &[&str]); 2] = [("exact", OF_CORE), ("compare", OF_CORE)];
+const JUDGES: [&str; 2] = ["exact", "compare"];
 
-const OF_CORE: &[&str] = &[
+/// What judges may import of the core.
+const FOR_JUDGES: [&str; 7] = [
     "scene", "layers", "error", "Error", "Layers", "Result", "Scene",
 ];
 
@@ -152,17 +153,16 @@ fn violations(maps: &Maps, file: &str, text: &str) -> Vec<String> {
         ));
         return found;
     };
-    let judge = JUDGES.iter().find(|(name, _)| *name == module);
-    let of_core = judge.map_or_else(Vec::new, |(_, core)| {
-        let mut names = imported(text, "cutaway");
-        names.retain(|(_, name)| !core.contains(&name.as_str()));
-        names.extend(imported(text, "cutaway_io"));
-        names
-    });
-    let mut own = imported(text, "crate");
+    let mut all = imported(text, "crate");
     // `crate::Error` is `crate::error::Error` by its public name.
-    own.retain(|(_, name)| !allowed.contains(name) && !name.starts_with(char::is_uppercase));
-    let all = own.into_iter().chain(of_core);
+    all.retain(|(_, name)| !allowed.contains(name) && !name.starts_with(char::is_uppercase));
+    if JUDGES.contains(&module) {
+        let mut of_core = imported(text, "cutaway");
+        of_core.retain(|(_, name)| !FOR_JUDGES.contains(&name.as_str()));
+        all.extend(of_core);
+        all.extend(imported(text, "cutaway_io"));
+    }
+    let all = all.into_iter();
     found.extend(all.map(|(line, name)| format!("{file}:{line}: `{module}` imports `{name}`")));
     found
 }

@@ -1,4 +1,12 @@
 //! How the samples of triangles are shared out to invocations.
+//!
+//! **Bounded work.** Drivers end loops: llvmpipe after 65,535 rounds of all loops of an invocation together, cards by a watchdog. A covered
+//! sample takes as many rounds as its crossings, its lane and its settled faces say; how many samples an invocation may cover follows from
+//! that ([`Share`]), and nothing else grows with mesh or picture. What is larger is queued, by whichever pass goes over the triangles first;
+//! a prefix sum over the queue counts the pieces, and one workgroup is dispatched for each (`shaders/lib/pieces.wgsl`).
+//!
+//! Cannot: stay below that limit of llvmpipe where one sample alone takes more than 700 rounds, as with lists of that many crossings with
+//! several clip-surfaces; a triangle of 64 samples in a line is then cut off, which the parity bit shows.
 
 use super::store::Store;
 use crate::passes::frame::buffers::SceneBuffers;

@@ -2,12 +2,13 @@
 //! and placement into its range of the vertices of all parts, where every other pass finds them as if they had been uploaded.
 //!
 //! One pass per part that moves, on the clock of the solid; each has resources of its own, so that a part that stands still is
-//! not placed again; how it stands is multiplied out beforehand ([`PackedPose`](crate::passes::pack::packed_pose::PackedPose)). Time: in proportion to vertices times targets with a weight and pulls.
+//! not placed again; how it stands is multiplied out beforehand ([`PackedPose`](crate::passes::pack::packed_pose::PackedPose)).
+//! Time: in proportion to vertices times targets with a weight and pulls.
 //! Memory: what is known of the mesh, 16 bytes a vertex and 12 a position and target, and at each time 48 bytes a joint.
 //!
 //! Error: a few units in the last place of f32 at the scene's size, times how much the motion stretches; bending and twisting
-//! tightly stretches. Cannot: more than [`MOST_DEFORMERS`](crate::plan::pack::MOST_DEFORMERS) deformers in a part, and what shares no axis with the skin cannot be
-//! more precise than the part is large, so a skin that carries a part far away before deformers follow loses digits.
+//! tightly stretches. Cannot: more than [`MOST_DEFORMERS`](crate::plan::pack::MOST_DEFORMERS) deformers in a part, and what shares no
+//! axis with the skin cannot be more precise than the part is large, so a skin that carries a part far away before deformers follow loses digits.
 
 use super::dispatch::groups_along;
 use super::input::Input;

@@ -63,22 +63,21 @@ impl Facet {
     /// How much the depth may change within the triangle when a sample moves by [`View::doubt_px`], and by how the view's rasteriser
     /// interpolates.
     pub(super) fn depth_change(&self, view: &View, direction: DVec3, depth: f64) -> f64 {
-        let slopes = match view.precision.slopes_in_f32 {
-            true => self.slope_rounding(view, depth),
-            false => 0.0,
-        };
         // Of an edge-on triangle both are infinite, or no number.
-        (self.plane_change(view, direction, depth) + slopes).min(self.extent())
+        (self.plane_change(view, direction, depth) + self.slopes(view, depth)).min(self.extent())
     }
 
     /// About how much [`Self::depth_change`] is anywhere in the triangle, of which the farthest corner is at a depth.
     pub(super) fn greatest_change(&self, view: &View, far: f64) -> f64 {
-        let slopes = match view.precision.slopes_in_f32 {
-            true => self.slope_rounding(view, far),
+        (self.plane_change_in_middle(view).abs() + self.slopes(view, far)).min(self.extent())
+    }
+
+    /// How far off depths are by how the view's rasteriser interpolates.
+    fn slopes(&self, view: &View, depth: f64) -> f64 {
+        match view.precision.slopes_in_f32 {
+            true => self.slope_rounding(view, depth),
             false => 0.0,
-        };
-        let middle = self.points.iter().sum::<DVec3>() / 3.0;
-        (self.plane_change_at(view, middle).abs() + slopes).min(self.extent())
+        }
     }
 
     /// How much the depth on the plane changes, wherever that leads, when a sample moves by [`View::doubt_px`].
@@ -86,6 +85,11 @@ impl Facet {
         let along = self.normal.dot(direction).abs();
         let across = lateral(view, self.normal) * view.pixel_size(depth) * view.doubt_px();
         across / along
+    }
+
+    /// The same on the ray through the middle of the triangle.
+    pub(super) fn plane_change_in_middle(&self, view: &View) -> f64 {
+        self.plane_change_at(view, self.points.iter().sum::<DVec3>() / 3.0)
     }
 
     /// The same on the ray through a point of the plane.

@@ -22,7 +22,7 @@ use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 
 use super::ambiguity::rounding;
-use super::facet::{Facet, lateral};
+use super::facet::lateral;
 use super::raster::{Projected, centres};
 use super::screen::Corner;
 
@@ -134,7 +134,7 @@ pub(super) fn outlines(view: &View, rank: u16, projected: &Projected<'_>) -> Vec
                 .iter()
                 .map(|f| {
                     let facet = projected.facet(f.triangle);
-                    let within = || plane_change(view, &facet).min(facet.extent());
+                    let within = || facet.plane_change_in_middle(view).min(facet.extent());
                     sliver_reach(view, projected, f.triangle).unwrap_or_else(within)
                 })
                 .fold(0.0, f64::max);
@@ -210,7 +210,9 @@ fn sliver_reach(view: &View, projected: &Projected<'_>, triangle: u32) -> Option
     } else if extent > view.pixel_size(corners[0].depth) {
         extent
     } else {
-        extent.max(plane_change(view, &facet)).min(SCENE_DIAMETER)
+        extent
+            .max(facet.plane_change_in_middle(view))
+            .min(SCENE_DIAMETER)
     })
 }
 
@@ -218,11 +220,6 @@ fn sliver_reach(view: &View, projected: &Projected<'_>, triangle: u32) -> Option
 fn is_line(points: [DVec3; 3]) -> bool {
     let [a, b, c] = points;
     (b - a).cross(c - a).length() <= LINE_WIDTH * longest_edge(points)
-}
-
-/// How much depth changes on the plane of a face within [`View::doubt_px`].
-fn plane_change(view: &View, facet: &Facet) -> f64 {
-    facet.plane_change_at(view, facet.points.iter().sum::<DVec3>() / 3.0)
 }
 
 /// The piece of an edge beyond a depth.
