@@ -8,11 +8,11 @@ use crate::common;
 
 use std::collections::BTreeMap;
 
-use common::Question;
 use common::meshes::{self, block};
 use common::numbers::Numbers;
 use common::real::files;
 use common::scenes::{looking, of_parts, sectioned};
+use common::{Question, is_long};
 use cutaway::layers::Kind;
 use cutaway::scene::{Camera, ClipSurface, Mesh, Part, Scene};
 use cutaway::slice::{SlicePlane, Slicer};
@@ -33,12 +33,9 @@ const EXACT: [&str; 8] = [
     "planar@compute",
 ];
 
-/// How many views are looked at: a quarter of all, unless CUTAWAY_ALL_VIEWS is set, for they take minutes.
+/// How many views are looked at: a quarter of all, unless tests run whole.
 fn views(all: usize) -> usize {
-    match std::env::var_os("CUTAWAY_ALL_VIEWS") {
-        Some(_) => all,
-        None => all / 4,
-    }
+    if is_long() { all } else { all / 4 }
 }
 
 /// What is wrong with the answers of the exact strategies.

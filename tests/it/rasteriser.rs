@@ -4,6 +4,7 @@ mod agree;
 mod coverage;
 mod long_triangles;
 mod plans;
+mod print_sizes;
 mod solids;
 mod touched;
 mod ways;

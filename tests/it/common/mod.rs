@@ -39,6 +39,11 @@ pub(crate) fn root() -> &'static Path {
     tests.parent().expect("tests lie in the project")
 }
 
+/// Whether tests that take minutes or hours run whole: with CUTAWAY_LONG set.
+pub(crate) fn is_long() -> bool {
+    std::env::var_os("CUTAWAY_LONG").is_some()
+}
+
 /// The session of this test, which others use in turn, on the device of [`gpu`]: what is read from a frame is read by the guard
 /// that drew it, for between two guards another test may draw.
 pub(crate) fn session() -> MutexGuard<'static, Session> {
