@@ -42,8 +42,8 @@ doctor() {
 
 doctor "nothing planted" 0 "" "" ""
 # A sample on an edge belongs to both of its triangles, or to neither.
-doctor "fill rule: all edges are in" 1 lib/screen.wgsl 'select(-1, 0, edge.y < 0' 'select(0, 0, edge.y < 0'
-doctor "fill rule: all edges are out" 1 lib/screen.wgsl 'select(-1, 0, edge.y < 0' 'select(-1, -1, edge.y < 0'
+doctor "fill rule: all edges are in" 1 lib/rasterise/screen.wgsl 'select(-1, 0, edge.y < 0' 'select(0, 0, edge.y < 0'
+doctor "fill rule: all edges are out" 1 lib/rasterise/screen.wgsl 'select(-1, 0, edge.y < 0' 'select(-1, -1, edge.y < 0'
 # The last column of every triangle is lost.
-doctor "coverage: one column less" 1 lib/screen.wgsl '(high - 128) >> ' '(high - 384) >> '
+doctor "coverage: one column less" 1 lib/rasterise/screen.wgsl '(high - 128) >> ' '(high - 384) >> '
 exit $failed

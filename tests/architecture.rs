@@ -10,6 +10,8 @@ use cutaway::shader;
 
 #[path = "architecture/imports.rs"]
 mod imports;
+#[path = "architecture/shape.rs"]
+mod shape;
 
 /// Files may be this long without their unit tests: what is longer has more than one subject.
 const MOST_LINES: usize = 400;
@@ -241,9 +243,9 @@ fn files_are_short() {
 /// What of the viewer may know of a window or a device; the rest is tested without either.
 const OF_WINDOWS: [&str; 7] = [
     "ui/",
-    "screen.rs",
-    "screen/",
-    "device.rs",
+    "picture/screen.rs",
+    "picture/screen/",
+    "picture/device.rs",
     "web/mod.rs",
     "window.rs",
     "main.rs",
@@ -264,7 +266,11 @@ fn state_and_actions_know_of_no_window() {
     none(&toolkit_in_state(&files("crates/viewer/src", "rs")));
     let planted =
         |name: &str| BTreeMap::from([(name.to_owned(), "use eframe::egui;\n".to_owned())]);
-    assert_eq!(toolkit_in_state(&planted("state.rs")).len(), 1, "planted");
+    assert_eq!(
+        toolkit_in_state(&planted("picture/slot.rs")).len(),
+        1,
+        "planted"
+    );
     assert_eq!(toolkit_in_state(&planted("ui/menu.rs")).len(), 0, "a panel");
 }
 
@@ -309,7 +315,7 @@ const DATA: [&str; 5] = [
 
 #[test]
 fn numbers_are_stated_once() {
-    // On the CPU and in the shaders apart: `tests/it/shaders.rs` holds one to the other.
+    // On the CPU and in the shaders apart: `tests/it/plans/shaders.rs` holds one to the other.
     none(&stated_twice(&files("shaders", "wgsl")));
     // A limit of the device is stated by whoever is held to it first; others take it from there.
     let of_modules: BTreeMap<String, String> = sources()

@@ -38,7 +38,7 @@ fn tile_at(place: vec2<u32>) -> u32 {
     return place.y * tiles_of_row() + place.x;
 }
 
-// Tiles that one workgroup takes, at most: `src/passes/touched.rs` gives each eight, and one more where they do not go up.
+// Tiles that one workgroup takes, at most: `src/passes/frame/touched.rs` gives each eight, and one more where they do not go up.
 const MOST_TURNS: u32 = 16u;
 
 // How many of `count` tiles a workgroup takes, where of N workgroups each takes every N-th.

@@ -1,9 +1,9 @@
 //! What effects drew, as numbers: the shares of strokes, hatches and light in each pixel, so that a picture can be checked. The shader
 //! modules are those of the picture; the plan of a picture has no part of this.
 
+use super::ambient::occlusion::occlusion;
 use super::borders::Strokes;
 use super::hatch::{hatch, zoom_of};
-use super::occlusion::occlusion;
 use super::pixels::{Pixels, over_picture, per_pixel};
 use super::style_numbers::style_numbers;
 use crate::passes::SceneBuffers;

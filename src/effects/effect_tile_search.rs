@@ -7,18 +7,19 @@
 //! Cannot: help effects that draw on the background, as the shadow on the ground and ghosts do, nor unsharp occlusion, which looks far: these go
 //! over all of the picture.
 
+use super::ambient::horizon;
 use super::backdrop::backdrop;
 use super::borders::Strokes;
 use super::effect_tiles::EffectTiles;
+use super::halo;
 use super::style_numbers::reach_px;
-use super::{halo, horizon};
 use crate::passes::{SceneBuffers, TILE_PX, tiles_in};
 use crate::plan::{Binding, Clock, Contents, Pass, Plan, Resource, ResourceId, Role, Work};
 use crate::scene::View;
 use crate::scene::style::{Paper, Style};
 use crate::shader::Shader;
 
-/// Bytes before the tiles, and of a tile: `shaders/lib/effect_tile_list.wgsl`.
+/// Bytes before the tiles, and of a tile: `shaders/lib/effects/effect_tile_list.wgsl`.
 const BYTES_OF_HEAD: u64 = 112;
 const BYTES_OF_TILE: u64 = 12;
 

@@ -3,6 +3,7 @@
 //! Cannot: shade what layers do not have, such as what is behind glass.
 
 use super::Picture;
+use super::ambient::occlusion::occlusion;
 use super::backdrop::backdrop;
 use super::borders::Strokes;
 use super::dress::dress;
@@ -10,7 +11,6 @@ use super::effect_tiles::EffectTiles;
 use super::ghost;
 use super::ground::ground;
 use super::hatch::{hatch, zoom_of};
-use super::occlusion::occlusion;
 use super::pixels::Pixels;
 use super::style_numbers::style_numbers;
 use crate::passes::{SceneBuffers, overlap, picture};

@@ -5,6 +5,7 @@
 //! passes before it for what it needs of the neighbourhood of a pixel; what a style does not ask for adds no pass, no binding and no
 //! instruction, for each effect fills an open module.
 
+mod ambient;
 mod backdrop;
 mod borders;
 mod channels;
@@ -17,14 +18,10 @@ mod ground;
 mod halo;
 mod hatch;
 mod hatch_lines;
-mod horizon;
 mod illustrate;
-mod occlusion;
 mod pixels;
-mod relief_sky;
 mod shade;
 mod style_numbers;
-mod unsharp;
 
 pub(crate) use channels::{HATCH, STROKE};
 pub(crate) use pixels::VISIBILITY;
@@ -46,7 +43,7 @@ pub(crate) struct Picture {
 pub(crate) fn halo_rows(model: &Model, view: &View) -> u32 {
     let style = &model.prepared.style;
     let strokes = halo::halo_rows(style, view.band[1]);
-    let of_style = strokes.max(occlusion::halo_rows(&style.occlusion, view));
+    let of_style = strokes.max(ambient::occlusion::halo_rows(&style.occlusion, view));
     // Surfaces may take their coats from the next pixel.
     of_style.max(u32::from(model.dress.is_some()))
 }

@@ -2,7 +2,8 @@
 
 use glam::Vec3;
 
-use super::{pixels, relief_sky};
+use super::ambient::relief_sky;
+use super::pixels;
 use crate::passes::SceneBuffers;
 use crate::plan::{Binding, Plan, pack};
 use crate::scene::style::{Paper, Style};

@@ -11,7 +11,7 @@
 use std::sync::Arc;
 
 use super::Gpu;
-use super::program::Program;
+use super::programs::program::Program;
 use crate::shader::{self, BindingKind, Composed, Shader};
 use crate::{Error, Result};
 

@@ -3,8 +3,8 @@
 use std::ops::Range;
 
 use super::Gpu;
-use super::bind::{Reals, bind_groups, buffer, layer_view, texture};
-use super::pipelines::Pipeline;
+use super::programs::bind::{Reals, bind_groups, buffer, layer_view, texture};
+use super::programs::pipelines::Pipeline;
 use super::timing::Stopwatch;
 use super::viewport::viewport_px;
 use crate::Result;

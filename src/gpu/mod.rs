@@ -2,16 +2,13 @@
 
 mod adapter;
 mod arrival;
-mod bind;
 mod clip;
 mod composite;
 mod device;
 mod draw;
 mod layer_words;
 mod pick;
-mod pipelines;
-mod preparation;
-mod program;
+mod programs;
 mod readback;
 mod real;
 mod report;
@@ -32,9 +29,9 @@ pub(crate) use composite::Compositor;
 pub use device::{Gpu, GpuOptions};
 pub use layer_words::{layers_from_words, words_from_layers};
 pub use pick::Pick;
-pub use preparation::Preparation;
+pub use programs::preparation::Preparation;
 #[doc(hidden)]
-pub use program::Program;
+pub use programs::program::Program;
 pub(crate) use report::Report;
 pub(crate) use target::Destination;
 pub use target::{Attachment, GBuffer, Target, TargetDepth};

@@ -1,7 +1,7 @@
 //! The viewport of a draw: larger than its target, so that no triangle is clipped at the borders of a picture.
 //!
 //! What a rasteriser cuts from a needle at a border is a needle still thinner, whose depth can lie anywhere between those of its ends
-//! (regression 0007). `shaders/lib/viewport.wgsl` takes clip space to the same viewport.
+//! (regression 0007). `shaders/lib/rasterise/viewport.wgsl` takes clip space to the same viewport.
 //!
 //! Limits: a target of 8192 px has no room left, nor has the near plane.
 

@@ -5,7 +5,7 @@
 //! poisoned before the run: a word that nobody wrote differs from every word that somebody meant to be zero.
 
 use super::Gpu;
-use super::bind::bind_group;
+use super::programs::bind::bind_group;
 use super::real::{Real, make};
 use crate::plan::Resource;
 use crate::shader::{self, BindingKind};

@@ -70,7 +70,7 @@ pub use pose::{BEND, Deformer, INFLATE, MOST_DEFORMERS, Pose, TWIST, WAVE};
 pub use refinement::{BORDERS_OF_DOMAIN, Domain, MOST_HALF_BITS, Refinement};
 
 shared! {
-    /// A clip-surface as functions of a point: `shaders/lib/cuts.wgsl`.
+    /// A clip-surface as functions of a point: `shaders/lib/along_ray/cuts.wgsl`.
     ClipSurface {
         /// Height over the plane.
         height_row: [f32; 4],
@@ -102,7 +102,7 @@ shared! {
 }
 
 shared! {
-    /// All cuts: `shaders/lib/cuts.wgsl`.
+    /// All cuts: `shaders/lib/along_ray/cuts.wgsl`.
     CutTable {
         /// How many clip-surfaces.
         surface_count: u32,
@@ -120,7 +120,7 @@ shared! {
 }
 
 shared! {
-    /// A part: `shaders/lib/cuts.wgsl`.
+    /// A part: `shaders/lib/along_ray/cuts.wgsl`.
     Part {
         /// Bits of the cuts that apply.
         cuts: u32,
@@ -146,7 +146,7 @@ shared! {
 }
 
 shared! {
-    /// A value linear in pixel and depth: `shaders/lib/rays.wgsl`.
+    /// A value linear in pixel and depth: `shaders/lib/along_ray/rays.wgsl`.
     RayRow {
         /// At depth 0: constant, per pixel right, per pixel down.
         origin: [f32; 4],
@@ -156,7 +156,7 @@ shared! {
 }
 
 shared! {
-    /// A clip-surface as a ray sees it: `shaders/lib/rays.wgsl`.
+    /// A clip-surface as a ray sees it: `shaders/lib/along_ray/rays.wgsl`.
     RaySurface {
         /// Height over the plane.
         height: RayRow,
@@ -168,7 +168,7 @@ shared! {
 }
 
 shared! {
-    /// A quad that becomes a cap grid: `shaders/lib/quads.wgsl`.
+    /// A quad that becomes a cap grid: `shaders/lib/reliefs/quads.wgsl`.
     Quad {
         /// First corner.
         corner: [f32; 4],
@@ -182,7 +182,7 @@ shared! {
 }
 
 shared! {
-    /// A sweep of the compute rasteriser: `shaders/lib/sweep.wgsl`.
+    /// A sweep of the compute rasteriser: `shaders/lib/rasterise/sweep.wgsl`.
     Sweep {
         /// Triangles of all parts that are drawn.
         triangle_count: u32,
@@ -200,7 +200,7 @@ shared! {
 }
 
 shared! {
-    /// Triangles of a part that lie alike: `shaders/lib/settled.wgsl`.
+    /// Triangles of a part that lie alike: `shaders/lib/along_ray/settled.wgsl`.
     SettledGroup {
         /// Place of the part in the part table.
         place: u32,
@@ -225,7 +225,7 @@ shared! {
 }
 
 shared! {
-    /// A part as the compute rasteriser draws it: `shaders/lib/sweep.wgsl`.
+    /// A part as the compute rasteriser draws it: `shaders/lib/rasterise/sweep.wgsl`.
     DrawnPart {
         /// Number of its first triangle among all that are drawn.
         first_triangle: u32,
@@ -299,7 +299,7 @@ pub fn clip_surface(
     }
 }
 
-/// Cells of a relief that a ray is followed through, at most: `shaders/lib/cuts.wgsl`.
+/// Cells of a relief that a ray is followed through, at most: `shaders/lib/along_ray/cuts.wgsl`.
 pub const MOST_CELLS: u32 = 32_768;
 
 /// Most cells of a relief that a ray may pass on a way of length `reach`: more are not walked, which the frame reports.

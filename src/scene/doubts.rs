@@ -1,6 +1,6 @@
 //! What is nearly always a slip in a scene, or makes its caps a matter of opinion.
 
-use super::numbers::describe_bounds;
+use super::units::numbers::describe_bounds;
 use super::{Bounds, Cut, Cutter, Fill, Part, Role, Scene, Topology};
 
 fn described(bounds: &Bounds) -> String {

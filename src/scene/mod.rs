@@ -4,136 +4,105 @@
 //! recentred and scaled by a power of two so that everything fits in a ball of radius 1 (see [`Prepared`]). The GPU and
 //! the exact reference both start from the f32 vertices of [`Prepared`], so they are asked the same question.
 
-mod base;
 mod bodies;
-mod bounds;
-mod camera;
-mod cap_material;
-mod clip_surface;
-mod coat;
-mod coincide;
-mod color;
-mod color_names;
-mod contacts;
-mod cut;
+mod clip;
+mod coincidence;
 mod cutaway;
-mod cutter;
-mod decimals;
-mod doubled;
 mod doubts;
-mod exact_sum;
-mod faces_in_plane;
-mod facing;
 mod fill;
-mod fitting;
-mod grown;
-mod hatch_pattern;
-mod height_filter;
-mod host_view;
-mod hull;
-mod length_unit;
-mod material;
-mod mesh;
+mod geometry;
+mod materials;
+pub(crate) mod meshes;
 #[doc(hidden)]
 pub mod motion;
-#[doc(hidden)]
-pub mod numbers;
-mod offset_map;
-mod outline;
 mod part;
-mod plane_spec;
 mod prepared;
-#[doc(hidden)]
-pub mod range;
-mod regions;
 pub mod relief;
-mod settled;
-mod shared_planes;
-mod smooth;
 pub mod style;
-mod texture;
-#[doc(hidden)]
-pub mod topology;
-pub(crate) mod tree;
-mod triangle;
-mod upright;
-mod view;
-#[doc(hidden)]
-pub mod weld;
+pub(crate) mod units;
+mod viewing;
 
 use std::borrow::Cow;
 use std::sync::Arc;
 
-#[doc(hidden)]
-pub use base::standing_up;
 pub use bodies::Bodies;
 #[doc(hidden)]
 pub use bodies::{Pieces, body_name};
-pub use bounds::Bounds;
-pub use camera::{Camera, Fit, Projection, STANDARD_VIEWS, Up, Viewpoint};
-pub use cap_material::{CapMaterial, SolidTexture};
-pub use clip_surface::{ClipSurface, SurfaceFrame};
-pub use coat::{Coat, CoatedTriangle};
+pub use clip::clip_surface::{ClipSurface, SurfaceFrame};
 #[doc(hidden)]
-pub use coincide::lies_in;
-pub use color::parse_color;
+pub use clip::cut::glob_matches;
+pub use clip::cut::{Cut, Offset};
+pub use clip::cutter::Cutter;
 #[doc(hidden)]
-pub use color::{color_help, linear_from_srgb, map_channels, srgb_from_linear};
-pub(crate) use contacts::{classes, contacts};
+pub use clip::cutter::too_far;
+pub use clip::height_filter::HeightFilter;
+pub use clip::offset_map::{OffsetMap, Wrap};
+pub use clip::plane_spec::{Amount, PlaneSpec};
 #[doc(hidden)]
-pub use cut::glob_matches;
-pub use cut::{Cut, Offset};
+pub use clip::regions::in_common;
+pub use clip::regions::{Block, Face, Wedge, next_axis};
+#[doc(hidden)]
+pub use coincidence::coincide::lies_in;
+pub(crate) use coincidence::contacts::{classes, contacts};
+pub(crate) use coincidence::faces_in_plane::{Candidates, FacesInPlane, plane_tolerance};
+pub use coincidence::settled::{FlatSurface, Settled, Side};
+#[doc(hidden)]
+pub use coincidence::shared_planes::SharedPlanes;
 pub(crate) use cutaway::is_removed_whole;
 pub use cutaway::{
     AxisRule, Breakaway, BreakawayView, Clusters, CutoutFrame, MainAxes, Sight, sights,
 };
-pub use cutter::Cutter;
-#[doc(hidden)]
-pub use cutter::too_far;
-pub use decimals::to_decimals;
-pub(crate) use doubled::doubled_faces;
 pub use doubts::{Remark, doubts};
 #[doc(hidden)]
 pub use doubts::{empty_picture, misses};
-pub(crate) use faces_in_plane::{Candidates, FacesInPlane, plane_tolerance};
 pub use fill::Fill;
+pub use geometry::bounds::Bounds;
 #[doc(hidden)]
-pub use fitting::{distance_around, half_height_around};
-pub(crate) use grown::Grown;
-pub use hatch_pattern::{CapHatch, Dash, HatchPattern, LineFamily, MOST_STROKES};
-pub use height_filter::HeightFilter;
-pub use host_view::HostDepth;
-pub use length_unit::LengthUnit;
-pub use material::Material;
-pub use mesh::{Mesh, MeshDefect};
+pub use geometry::fitting::{distance_around, half_height_around};
+pub use materials::cap_material::{CapMaterial, SolidTexture};
+pub use materials::coat::{Coat, CoatedTriangle};
+pub use materials::color::parse_color;
+#[doc(hidden)]
+pub use materials::color::{color_help, linear_from_srgb, map_channels, srgb_from_linear};
+pub use materials::hatch_pattern::{CapHatch, Dash, HatchPattern, LineFamily, MOST_STROKES};
+pub use materials::material::Material;
+pub use materials::texture::{MOST_TEXELS_ALONG, Texture, TextureKind};
+#[doc(hidden)]
+pub use meshes::base::standing_up;
+pub(crate) use meshes::doubled::doubled_faces;
+pub(crate) use meshes::grown::Grown;
+pub use meshes::mesh::{Mesh, MeshDefect};
+pub use meshes::smooth::{DEFAULT_CREASE_DEG, Faces, ShadingMesh};
+#[doc(hidden)]
+pub use meshes::topology;
+#[doc(hidden)]
+pub use meshes::topology::Edges;
+pub use meshes::topology::{DepthComplexity, Extent, Topology};
+#[doc(hidden)]
+pub use meshes::triangle::longest_edge;
+#[doc(hidden)]
+pub use meshes::weld;
 pub use motion::{Axis, Clip, Deformer, Driver, Motion, MotionDefect, Pose, Pull};
 #[doc(hidden)]
 pub use motion::{Outwards, is_same_motion};
-pub use offset_map::{OffsetMap, Wrap};
-pub use outline::Outline;
 #[doc(hidden)]
 pub use part::who_wins;
 pub use part::{Part, Role};
-pub use plane_spec::{Amount, PlaneSpec};
 pub use prepared::{
     Prepared, PreparedCut, PreparedPart, PreparedSurface, PreparedVolume, SceneSpace,
 };
 pub(crate) use prepared::{facing_out, tolerance_of};
-#[doc(hidden)]
-pub use regions::in_common;
-pub use regions::{Block, Face, Wedge, next_axis};
-pub use settled::{FlatSurface, Settled, Side};
-#[doc(hidden)]
-pub use shared_planes::SharedPlanes;
-pub use smooth::{DEFAULT_CREASE_DEG, Faces, ShadingMesh};
 pub use style::Style;
-pub use texture::{MOST_TEXELS_ALONG, Texture, TextureKind};
+pub use units::decimals::to_decimals;
+pub use units::length_unit::LengthUnit;
 #[doc(hidden)]
-pub use topology::Edges;
-pub use topology::{DepthComplexity, Extent, Topology};
+pub use units::numbers;
 #[doc(hidden)]
-pub use triangle::longest_edge;
-pub use view::{Precision, USUAL_SUB_PIXEL_BITS, View};
+pub use units::range;
+pub use viewing::camera::{Camera, Fit, Projection, STANDARD_VIEWS, Up, Viewpoint};
+pub use viewing::host_view::HostDepth;
+pub use viewing::outline::Outline;
+pub use viewing::view::{Precision, USUAL_SUB_PIXEL_BITS, View};
 
 /// Everything a frame shows, in world space.
 #[derive(Clone, Debug, Default)]

@@ -19,7 +19,7 @@ use std::sync::Arc;
 use glam::{DAffine3, DMat3, DVec3, Vec3};
 use rayon::prelude::*;
 
-use super::shared_planes::SharedPlanes;
+use super::coincidence::shared_planes::SharedPlanes;
 use super::{
     Bounds, Camera, ClipSurface, Cutter, FlatSurface, OffsetMap, Outline, Part, Scene, Style,
     SurfaceFrame, View, Wrap, is_removed_whole, who_wins,

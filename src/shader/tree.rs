@@ -5,8 +5,8 @@ include!(concat!(env!("OUT_DIR"), "/shaders.rs"));
 /// Files that core WebGPU does not run, and why there is another way without them: shaders that they are part of are validated
 /// with atomics of 64 bits, and plans with such a shader are held to adapters that have them.
 pub const NATIVE: &[(&str, &str)] = &[(
-    "lib/nearest_wide.wgsl",
-    "depth and triangle in one atomic maximum; lib/nearest.wgsl takes two sweeps instead",
+    "lib/rasterise/nearest_wide.wgsl",
+    "depth and triangle in one atomic maximum; lib/rasterise/nearest.wgsl takes two sweeps instead",
 )];
 
 /// Both lists.

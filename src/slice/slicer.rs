@@ -11,7 +11,7 @@ use super::fill::{Filled, fill};
 use super::loops::{Curves, Piece, join};
 use super::plane::is_within;
 use super::{Loop, Section, SectionDefect, SlicePlane};
-use crate::scene::tree::{BRANCHES, Tree, sort};
+use crate::scene::meshes::tree::{BRANCHES, Tree, sort};
 use crate::scene::{Bounds, Candidates, FacesInPlane, Fill, Part, SceneSpace, Side, tolerance_of};
 
 /// A mesh with a tree over its triangles. Building it looks at every triangle, a section only at those near the plane.

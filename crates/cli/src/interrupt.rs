@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use cutaway::{Error, Result};
 
-use super::output::remove_pending;
+use super::writing::output::remove_pending;
 
 /// Whether the work is to end.
 pub(super) struct Interrupt(Arc<AtomicBool>);

@@ -7,7 +7,7 @@ use cutaway_lab::experiment::{
 };
 
 use super::console::Console;
-use super::subject::Subject;
+use super::input::subject::Subject;
 
 /// How many steps [`judge`] tells the console of.
 pub(super) fn steps(renderers: usize, rounds: usize) -> usize {

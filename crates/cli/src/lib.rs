@@ -10,47 +10,16 @@
 //! Exit codes: 0 done; 1 done, but a stated expectation failed; 2 bad input or usage; 130 ended by Ctrl-C or SIGTERM, where what is
 //! complete is kept.
 
-mod animate;
-mod args;
-mod camera;
-mod compare;
-mod completions;
+mod commands;
 mod console;
-mod defects;
-mod demo;
-mod doctor;
 mod drawer;
-mod edits;
 mod environment;
-mod export;
-mod holes;
 mod image_test;
-mod inspect;
+mod input;
 mod interrupt;
 mod judge;
-mod layers_file;
-mod look;
-mod measure;
 mod notes;
-mod output;
-mod places;
-mod plan;
-mod reference;
-mod relief;
-mod render;
-mod report;
-mod results;
-mod roles;
-mod scene;
-mod section;
-mod sections;
-mod shard;
-mod split;
-mod stdin;
-mod subject;
-mod unit;
-mod view;
-mod when;
+mod writing;
 
 use std::process::ExitCode;
 
@@ -58,9 +27,9 @@ use clap::{CommandFactory, Parser, Subcommand};
 use cutaway::Result;
 use cutaway::generate::shapes::SHAPES;
 
-pub use output::write_file;
-pub use places::is_one_file;
-pub use view::{Opened, Window};
+pub use commands::view::{Opened, Window};
+pub use writing::output::write_file;
+pub use writing::places::is_one_file;
 
 /// Exit code of a command that Ctrl-C or SIGTERM has ended: 128 and the number of SIGINT, as shells have it.
 const INTERRUPTED: u8 = 130;
@@ -109,60 +78,60 @@ struct Cli {
 #[derive(Subcommand)]
 enum Command {
     /// Draw a cut model to a PNG
-    #[command(after_help = render::EXAMPLES, after_long_help = with_shapes(render::EXAMPLES))]
-    Render(render::RenderArgs),
+    #[command(after_help = commands::render::EXAMPLES, after_long_help = with_shapes(commands::render::EXAMPLES))]
+    Render(commands::render::RenderArgs),
     /// Open a window in which cuts are dragged and strategies compared
     #[command(
-        after_help = view::EXAMPLES,
-        after_long_help = with_shapes(view::EXAMPLES),
+        after_help = commands::view::EXAMPLES,
+        after_long_help = with_shapes(commands::view::EXAMPLES),
         mut_arg("inputs", |inputs| inputs.required(false))
     )]
-    View(view::ViewArgs),
+    View(commands::view::ViewArgs),
     /// Measure strategies against the exact reference and against each other
-    #[command(after_help = compare::EXAMPLES, after_long_help = with_shapes(compare::EXAMPLES))]
-    Compare(compare::CompareArgs),
+    #[command(after_help = commands::compare::EXAMPLES, after_long_help = with_shapes(commands::compare::EXAMPLES))]
+    Compare(commands::compare::CompareArgs),
     /// Draw a scene over time, or from all sides, to a GIF, an animated PNG, a film or numbered pictures
-    #[command(after_help = animate::EXAMPLES, after_long_help = with_shapes(animate::EXAMPLES))]
-    Animate(animate::AnimateArgs),
+    #[command(after_help = commands::animate::EXAMPLES, after_long_help = with_shapes(commands::animate::EXAMPLES))]
+    Animate(commands::animate::AnimateArgs),
     /// Make one animation of numbered pictures
-    #[command(after_help = animate::encode::EXAMPLES)]
-    Encode(animate::encode::EncodeArgs),
+    #[command(after_help = commands::animate::encode::EXAMPLES)]
+    Encode(commands::animate::encode::EncodeArgs),
     /// Say what a model is like: closed or not, how many pieces, how deep
-    #[command(after_help = inspect::EXAMPLES, after_long_help = with_shapes(inspect::EXAMPLES))]
-    Inspect(inspect::InspectArgs),
+    #[command(after_help = commands::inspect::EXAMPLES, after_long_help = with_shapes(commands::inspect::EXAMPLES))]
+    Inspect(commands::inspect::InspectArgs),
     /// Slice a model by planes: areas, outlines as SVG or DXF, everything as JSON; needs no graphics adapter
-    #[command(after_help = section::EXAMPLES, after_long_help = with_shapes(section::EXAMPLES))]
-    Section(section::SectionCommandArgs),
+    #[command(after_help = commands::section::EXAMPLES, after_long_help = with_shapes(commands::section::EXAMPLES))]
+    Section(commands::section::SectionCommandArgs),
     /// Write what cuts leave of a model as a mesh with its caps: STL, PLY, OBJ, GLB or 3MF; needs no graphics adapter
-    #[command(after_help = export::EXAMPLES, after_long_help = with_shapes(export::EXAMPLES))]
-    Export(export::ExportArgs),
+    #[command(after_help = commands::export::EXAMPLES, after_long_help = with_shapes(commands::export::EXAMPLES))]
+    Export(commands::export::ExportArgs),
     /// Say what a scene file can hold: every path, what it takes, its unit; needs no graphics adapter
-    #[command(after_help = scene::EXAMPLES, after_long_help = scene::long_help())]
-    Scene(scene::SceneCommandArgs),
+    #[command(after_help = commands::scene::EXAMPLES, after_long_help = commands::scene::long_help())]
+    Scene(commands::scene::SceneCommandArgs),
     /// Say how large, high and steep a relief is, and write its heights, normals and occlusion as images; needs no graphics adapter
-    #[command(after_help = relief::EXAMPLES)]
-    Relief(relief::ReliefCommandArgs),
+    #[command(after_help = commands::relief::EXAMPLES)]
+    Relief(commands::relief::ReliefCommandArgs),
     /// Show the passes of a frame and why each is there; needs no graphics adapter
-    #[command(after_help = plan::EXAMPLES, after_long_help = with_shapes(plan::EXAMPLES))]
-    Plan(plan::PlanArgs),
+    #[command(after_help = commands::plan::EXAMPLES, after_long_help = with_shapes(commands::plan::EXAMPLES))]
+    Plan(commands::plan::PlanArgs),
     /// Run experiments: files that say what is varied, who is asked and what is expected; leaves a record of each point
-    #[command(after_help = measure::EXAMPLES)]
-    Measure(measure::MeasureArgs),
+    #[command(after_help = commands::measure::EXAMPLES)]
+    Measure(commands::measure::MeasureArgs),
     /// Make pages and tables of what was measured; needs no graphics adapter
-    #[command(after_help = report::EXAMPLES)]
-    Report(report::ReportArgs),
+    #[command(after_help = commands::report::EXAMPLES)]
+    Report(commands::report::ReportArgs),
     /// Cut the built-in crank with every strategy: pictures, heat maps, a report
-    #[command(after_help = demo::EXAMPLES)]
-    Demo(demo::DemoArgs),
+    #[command(after_help = commands::demo::EXAMPLES)]
+    Demo(commands::demo::DemoArgs),
     /// Say which graphics adapters there are, and test whether what is claimed of strategies holds on one
-    #[command(after_help = doctor::EXAMPLES)]
-    Doctor(doctor::DoctorArgs),
+    #[command(after_help = commands::doctor::EXAMPLES)]
+    Doctor(commands::doctor::DoctorArgs),
     /// Print what a shell needs to complete the options of this command
-    #[command(after_help = completions::EXAMPLES)]
-    Completions(completions::CompletionsArgs),
+    #[command(after_help = commands::completions::EXAMPLES)]
+    Completions(commands::completions::CompletionsArgs),
     /// Write the pages of the manual
-    #[command(after_help = completions::MAN_EXAMPLES)]
-    Man(completions::ManArgs),
+    #[command(after_help = commands::completions::MAN_EXAMPLES)]
+    Man(commands::completions::ManArgs),
 }
 
 /// Runs the command of this process's arguments.
@@ -186,23 +155,23 @@ pub fn main_with(window: Option<Window>) -> ExitCode {
     silence_booleans();
     let cli = Cli::parse();
     let ended = match cli.command {
-        Command::View(args) => return view::run(&args, window),
-        Command::Render(args) => render::run(&args),
-        Command::Compare(args) => compare::run(&args),
-        Command::Animate(args) => animate::run(&args),
-        Command::Encode(args) => animate::encode::run(&args),
-        Command::Inspect(args) => inspect::run(&args),
-        Command::Section(args) => section::run(&args),
-        Command::Export(args) => export::run(&args),
-        Command::Scene(args) => scene::run(&args),
-        Command::Relief(args) => relief::run(&args),
-        Command::Plan(args) => plan::run(&args),
-        Command::Measure(args) => measure::run(&args),
-        Command::Report(args) => report::run(&args),
-        Command::Demo(args) => demo::run(&args),
-        Command::Doctor(args) => doctor::run(&args),
-        Command::Completions(args) => completions::completions(&args, Cli::command()),
-        Command::Man(args) => completions::man(&args, Cli::command()),
+        Command::View(args) => return commands::view::run(&args, window),
+        Command::Render(args) => commands::render::run(&args),
+        Command::Compare(args) => commands::compare::run(&args),
+        Command::Animate(args) => commands::animate::run(&args),
+        Command::Encode(args) => commands::animate::encode::run(&args),
+        Command::Inspect(args) => commands::inspect::run(&args),
+        Command::Section(args) => commands::section::run(&args),
+        Command::Export(args) => commands::export::run(&args),
+        Command::Scene(args) => commands::scene::run(&args),
+        Command::Relief(args) => commands::relief::run(&args),
+        Command::Plan(args) => commands::plan::run(&args),
+        Command::Measure(args) => commands::measure::run(&args),
+        Command::Report(args) => commands::report::run(&args),
+        Command::Demo(args) => commands::demo::run(&args),
+        Command::Doctor(args) => commands::doctor::run(&args),
+        Command::Completions(args) => commands::completions::completions(&args, Cli::command()),
+        Command::Man(args) => commands::completions::man(&args, Cli::command()),
     };
     exit_code(ended)
 }

@@ -5,10 +5,10 @@ use std::path::PathBuf;
 use cutaway_io::document::Value;
 use glam::DVec3;
 
-use crate::camera::CameraMove;
-use crate::cuts::{NewCut, PlaneMove};
-use crate::regions::RegionMove;
-use crate::slot::{Layout, Painter, Side};
+use crate::editing::cuts::{NewCut, PlaneMove};
+use crate::editing::regions::RegionMove;
+use crate::picture::camera::CameraMove;
+use crate::picture::slot::{Layout, Painter, Side};
 
 /// What the panels are about.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -22,11 +22,11 @@ use eframe::egui::{
 };
 use egui_wgpu::{WgpuConfiguration, WgpuError, WgpuSetup, wgpu};
 
-use crate::device::{DeviceLoss, on_our_device};
-use crate::recent::Recent;
-use crate::recovery;
-use crate::screen::Screen;
+use crate::picture::device::{DeviceLoss, on_our_device};
+use crate::picture::screen::Screen;
 use crate::state::State;
+use crate::storage::recent::Recent;
+use crate::storage::recovery;
 use crate::ui::Viewer;
 
 /// A device that is lost so soon after the window was opened again, in seconds, is not worth another.

@@ -10,7 +10,7 @@
 // Number of the target, and its weight as bits.
 @group(1) @binding(4) var<storage, read> weights: array<vec2<u32>>;
 
-// Targets with a weight at one time, at most: `src/passes/pose.rs`.
+// Targets with a weight at one time, at most: `src/passes/frame/pose.rs`.
 const MOST_TARGETS: u32 = 4096u;
 
 fn morphed(point: vec3<f32>, vertex: u32) -> vec3<f32> {

@@ -34,7 +34,7 @@ mod spec;
 use std::sync::Arc;
 
 use crate::scene::Amount;
-use crate::scene::weld::thousands;
+use crate::scene::meshes::weld::thousands;
 use crate::scene::{Bounds, Mesh, Part};
 use crate::{Error, Result};
 use edit::Edit;

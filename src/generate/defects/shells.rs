@@ -8,7 +8,7 @@ use super::edit::Edit;
 use super::select::{charts, shuffled, signed};
 use super::{middle, within};
 use crate::scene::Bounds;
-use crate::scene::weld::thousands;
+use crate::scene::meshes::weld::thousands;
 
 /// Divides the surface into charts and moves the vertices of their rims by half of a width towards the middles of the charts, at
 /// most half the way.

@@ -9,7 +9,7 @@
 
 use crate::plan::{Binding, Clock, Pass, Plan, Resource, ResourceId, Work};
 
-/// Words that a workgroup sums: `shaders/lib/scan.wgsl`.
+/// Words that a workgroup sums: `shaders/lib/rasterise/scan.wgsl`.
 pub const BLOCK_WORDS: u32 = 2048;
 
 /// A prefix sum to be recorded.

@@ -29,7 +29,7 @@ use crate::shader::Shader;
 /// below, and to the left and above by as much less as the picture is wide.
 const SAFE_PX: f64 = 7000.0;
 
-/// A place of a part that needs no inside test: `NO_LANE` in `shaders/lib/sweep.wgsl`.
+/// A place of a part that needs no inside test: `NO_LANE` in `shaders/lib/rasterise/sweep.wgsl`.
 pub const NO_LANE: u32 = u32::MAX;
 
 /// What is to be taken to a screen.

@@ -3,7 +3,7 @@
 //! **Bounded work.** Drivers end loops: llvmpipe after 65,535 rounds of all loops of an invocation together, cards by a watchdog. A covered
 //! sample takes as many rounds as its crossings, its lane and its settled faces say; how many samples an invocation may cover follows from
 //! that ([`Share`]), and nothing else grows with mesh or picture. What is larger is queued, by whichever pass goes over the triangles first;
-//! a prefix sum over the queue counts the pieces, and one workgroup is dispatched for each (`shaders/lib/pieces.wgsl`).
+//! a prefix sum over the queue counts the pieces, and one workgroup is dispatched for each (`shaders/lib/rasterise/pieces.wgsl`).
 //!
 //! Cannot: stay below that limit of llvmpipe where one sample alone takes more than 700 rounds, as with lists of that many crossings with
 //! several clip-surfaces; a triangle of 64 samples in a line is then cut off, which the parity bit shows.
@@ -64,7 +64,7 @@ impl Share {
     }
 }
 
-/// Word of the queue with the first piece of the first queued triangle: `shaders/lib/queue.wgsl`.
+/// Word of the queue with the first piece of the first queued triangle: `shaders/lib/rasterise/queue.wgsl`.
 pub(crate) fn first_piece_at(triangle_count: u32) -> u32 {
     2 + 2 * triangle_count
 }

@@ -150,7 +150,7 @@ impl Sheets {
     }
 }
 
-/// The lists of sheet fragments of a frame: `shaders/lib/sheet_pool.wgsl`.
+/// The lists of sheet fragments of a frame: `shaders/lib/lists/sheet_pool.wgsl`.
 struct SheetLists {
     buffer: ResourceId,
     pool: Binding,

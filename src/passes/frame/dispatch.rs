@@ -1,6 +1,6 @@
 //! Dispatches with one invocation per item, of as many items as there may be.
 
-/// Invocations along x of a dispatch folded into two dimensions: `shaders/lib/sweep.wgsl`.
+/// Invocations along x of a dispatch folded into two dimensions: `shaders/lib/rasterise/sweep.wgsl`.
 pub const INVOCATIONS_PER_ROW: u32 = 1 << 21;
 /// Invocations of a workgroup that owns triangles or vertices.
 pub(crate) const GROUP: u32 = 64;

@@ -51,7 +51,7 @@ impl FragmentLists {
         }
     }
 
-    /// The bindings of `shaders/lib/fragment_lists.wgsl` while fragments come.
+    /// The bindings of `shaders/lib/lists/fragment_lists.wgsl` while fragments come.
     pub(crate) fn updated(&self) -> [Binding; 2] {
         [
             Binding::update("fragments", self.fragments),
@@ -67,7 +67,7 @@ impl FragmentLists {
         ]
     }
 
-    /// The bindings of `shaders/lib/fragment_runs.wgsl`.
+    /// The bindings of `shaders/lib/lists/fragment_runs.wgsl`.
     pub(crate) fn read(&self) -> [Binding; 2] {
         [
             Binding::read("fragments", self.fragments),

@@ -10,10 +10,10 @@ use super::input::Input;
 use crate::plan::{Clock, Plan, Resource, ResourceId};
 use crate::scene::Fill;
 
-/// `lane_shift` of a part whose lane holds counts; `WINDING` in `shaders/lib/lanes.wgsl`.
+/// `lane_shift` of a part whose lane holds counts; `WINDING` in `shaders/lib/inside_tests/lanes.wgsl`.
 const COUNTS: u32 = 32;
 
-/// Words of a pixel, at most: `shaders/lib/lanes.wgsl`. Passes that go over the words of a pixel take as many rounds.
+/// Words of a pixel, at most: `shaders/lib/inside_tests/lanes.wgsl`. Passes that go over the words of a pixel take as many rounds.
 pub(crate) const MOST_LANE_WORDS: u32 = 1024;
 
 /// The lanes of all parts that need an inside test.

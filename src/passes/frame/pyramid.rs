@@ -5,7 +5,7 @@
 //! or be scaled, and its pyramid stays.
 //!
 //! Cost: a pass for every five levels, three for the largest map; 8 bytes for a node, a node for 12 texels: a sixth of
-//! what the heights take. Where blocks are taken from and how they lie in maps that go on is explained in `shaders/lib/pyramid.wgsl`.
+//! what the heights take. Where blocks are taken from and how they lie in maps that go on is explained in `shaders/lib/reliefs/pyramid.wgsl`.
 
 use super::buffers::SceneBuffers;
 use super::input::Input;
@@ -86,7 +86,7 @@ impl Input<'_> {
     }
 }
 
-/// The pyramids of all reliefs that matter, with the passes that build them: what `shaders/lib/pyramid.wgsl` binds.
+/// The pyramids of all reliefs that matter, with the passes that build them: what `shaders/lib/reliefs/pyramid.wgsl` binds.
 pub(crate) fn pyramids(plan: &mut Plan, scene: &SceneBuffers<'_>) -> [Binding; 2] {
     plan.has_pyramids = true;
     let (rows, nodes) = scene.input.pyramid_rows();

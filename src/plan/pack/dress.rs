@@ -17,7 +17,7 @@ pub const COAT_WORDS: usize = 13;
 pub const MOST_CAP_PLANES: usize = 256;
 
 shared! {
-    /// An image in the buffer of texels: `shaders/lib/texture.wgsl`.
+    /// An image in the buffer of texels: `shaders/lib/colors/texture.wgsl`.
     Texture {
         /// Its first texel.
         first: u32,

@@ -5,7 +5,7 @@ use bytemuck::{Pod, Zeroable};
 use super::Layout;
 
 shared! {
-    /// How what is removed looks: `shaders/lib/ghost_look.wgsl`.
+    /// How what is removed looks: `shaders/lib/effects/ghost_look.wgsl`.
     Ghost {
         /// Of lines and glass, linear light.
         color: [f32; 4],

@@ -6,7 +6,7 @@ use super::Layout;
 use crate::scene::MOST_STROKES;
 
 shared! {
-    /// The plane of a clip-surface: `shaders/lib/cap_plane.wgsl`.
+    /// The plane of a clip-surface: `shaders/lib/colors/cap_plane.wgsl`.
     CapPlane {
         /// First coordinate of a point in the plane, in scene units.
         u_row: [f32; 4],

@@ -5,7 +5,7 @@ use bytemuck::{Pod, Zeroable};
 use super::Layout;
 
 shared! {
-    /// Lists of fragments in one buffer: `shaders/lib/fragment_pool.wgsl`.
+    /// Lists of fragments in one buffer: `shaders/lib/lists/fragment_pool.wgsl`.
     FragmentPool {
         /// How many lists.
         lists: u32,
@@ -19,7 +19,7 @@ shared! {
 }
 
 shared! {
-    /// Lists of sheet fragments in one buffer: `shaders/lib/sheet_pool.wgsl`.
+    /// Lists of sheet fragments in one buffer: `shaders/lib/lists/sheet_pool.wgsl`.
     SheetPool {
         /// How many lists.
         lists: u32,
@@ -31,7 +31,7 @@ shared! {
 }
 
 shared! {
-    /// The nearest fragments of each pixel and part: `shaders/lib/cascade.wgsl`.
+    /// The nearest fragments of each pixel and part: `shaders/lib/lists/cascade.wgsl`.
     Cascade {
         /// How many are kept.
         slots: u32,

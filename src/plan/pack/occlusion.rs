@@ -19,7 +19,7 @@ shared! {
 }
 
 shared! {
-    /// Depth and blurred depth: `shaders/lib/depth_blur.wgsl`.
+    /// Depth and blurred depth: `shaders/lib/effects/depth_blur.wgsl`.
     Unsharp {
         /// The length that is 1, in scene units.
         diagonal: f32,

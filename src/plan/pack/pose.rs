@@ -1,11 +1,11 @@
-//! How a part stands, as `shaders/lib/pose.wgsl` and `shaders/lib/deformers.wgsl` read it.
+//! How a part stands, as `shaders/lib/vertices/pose.wgsl` and `shaders/lib/vertices/deformers.wgsl` read it.
 
 use bytemuck::{Pod, Zeroable};
 
 use super::Layout;
 
 shared! {
-    /// How a part stands: `shaders/lib/pose.wgsl`.
+    /// How a part stands: `shaders/lib/vertices/pose.wgsl`.
     Pose {
         /// Rows of the placement.
         scene_from_rest: [[f32; 4]; 3],
@@ -29,7 +29,7 @@ shared! {
 }
 
 shared! {
-    /// A deformer in rest space: `shaders/lib/deformers.wgsl`.
+    /// A deformer in rest space: `shaders/lib/vertices/deformers.wgsl`.
     Deformer {
         /// A point of the axis.
         centre: [f32; 4],

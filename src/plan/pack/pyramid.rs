@@ -4,13 +4,13 @@ use bytemuck::{Pod, Zeroable};
 
 use super::Layout;
 
-/// The lowest level that is kept: within its blocks rays go from cell to cell. In `shaders/lib/pyramid.wgsl` as well.
+/// The lowest level that is kept: within its blocks rays go from cell to cell. In `shaders/lib/reliefs/pyramid.wgsl` as well.
 pub const LOWEST: u32 = 2;
 /// Nodes of the lowest level of a pass along a side of its workgroups: `shaders/passes/pyramid.wgsl`.
 pub const SIDE: u32 = 16;
 
 shared! {
-    /// The pyramid of the map of a clip-surface: `shaders/lib/pyramid.wgsl`.
+    /// The pyramid of the map of a clip-surface: `shaders/lib/reliefs/pyramid.wgsl`.
     Pyramid {
         /// First texel in the heights buffer.
         first_texel: u32,

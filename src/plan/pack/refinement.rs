@@ -6,11 +6,11 @@ use super::Layout;
 
 /// Borders that triangles are held against: the near plane, the sides of the picture, the faces of the box of the cut solids.
 pub const BORDERS_OF_DOMAIN: usize = 11;
-/// Texels of half the side of a patch, at most, as a power of two: `shaders/lib/domain.wgsl`.
+/// Texels of half the side of a patch, at most, as a power of two: `shaders/lib/reliefs/domain.wgsl`.
 pub const MOST_HALF_BITS: u32 = 5;
 
 shared! {
-    /// The part of a clip-surface that is tessellated: `shaders/lib/domain.wgsl`.
+    /// The part of a clip-surface that is tessellated: `shaders/lib/reliefs/domain.wgsl`.
     Domain {
         /// Vertex (0, 0) on the plane.
         corner: [f32; 4],
@@ -65,7 +65,7 @@ impl Domain {
 }
 
 shared! {
-    /// What a view asks of a tessellation: `shaders/lib/refinement.wgsl`.
+    /// What a view asks of a tessellation: `shaders/lib/reliefs/refinement.wgsl`.
     Refinement {
         /// Values at vertex (0, 0), per step along rows, per step along columns.
         borders: [[f32; 4]; BORDERS_OF_DOMAIN],

@@ -6,7 +6,7 @@ use glam::{Mat4, Vec4};
 use super::{Frame, Layout};
 
 shared! {
-    /// The box of a part seen along an axis: `shaders/lib/sprite.wgsl`.
+    /// The box of a part seen along an axis: `shaders/lib/inside_tests/sprite.wgsl`.
     Sprite {
         /// First texture coordinate.
         s_row: [f32; 4],

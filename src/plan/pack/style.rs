@@ -5,7 +5,7 @@ use bytemuck::{Pod, Zeroable};
 use super::Layout;
 
 shared! {
-    /// How a picture looks: `shaders/lib/style.wgsl`. Colours are in linear light.
+    /// How a picture looks: `shaders/lib/effects/style.wgsl`. Colours are in linear light.
     Style {
         /// Of strokes and hatches.
         ink: [f32; 4],

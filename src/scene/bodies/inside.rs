@@ -12,7 +12,7 @@
 use glam::DVec3;
 use robust::{Coord, Coord3D, orient2d, orient3d};
 
-use super::super::tree::{BRANCHES, Tree, order};
+use super::super::meshes::tree::{BRANCHES, Tree, order};
 use super::super::{Bounds, Mesh};
 use super::shells::Shells;
 

@@ -10,7 +10,7 @@
 
 use std::cmp::Ordering;
 
-use super::super::topology::{EdgeUse, EdgeUses, Sets};
+use super::super::meshes::topology::{EdgeUse, EdgeUses, Sets};
 use super::super::{Bounds, Mesh};
 use super::around_edge::walls;
 

@@ -9,7 +9,7 @@
 
 use glam::{DMat3, DVec3};
 
-use crate::scene::hull::ConvexHull;
+use crate::scene::geometry::hull::ConvexHull;
 use crate::scene::{Part, Role, View, next_axis};
 
 /// Gaps between spreads, as shares of the greatest: by less two axes are alike.

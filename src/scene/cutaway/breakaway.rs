@@ -13,7 +13,7 @@ use std::sync::LazyLock;
 use glam::DVec3;
 
 use crate::error::Result;
-use crate::scene::hull::ConvexHull;
+use crate::scene::geometry::hull::ConvexHull;
 use crate::scene::{Amount, Bounds, Cutter, Mesh, View};
 
 /// Sides of the cone.

@@ -7,8 +7,9 @@
 use std::sync::Arc;
 
 use crate::error::{Error, Result, did_you_mean};
-use crate::scene::plane_spec::Amount;
-use crate::scene::{Bounds, ClipSurface, OffsetMap, Wrap, range};
+use crate::scene::clip::plane_spec::Amount;
+use crate::scene::units::range;
+use crate::scene::{Bounds, ClipSurface, OffsetMap, Wrap};
 
 /// How a map stands on a section.
 #[derive(Clone, Copy, Debug, PartialEq)]

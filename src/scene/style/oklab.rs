@@ -2,7 +2,7 @@
 
 use glam::{Mat3, Vec3};
 
-use crate::scene::color::{linear_from_srgb, map_channels, srgb_from_linear};
+use crate::scene::materials::color::{linear_from_srgb, map_channels, srgb_from_linear};
 
 /// From linear sRGB to the responses of the three cones, by columns.
 const CONES_FROM_LINEAR: Mat3 = Mat3::from_cols(

@@ -4,7 +4,7 @@
 
 use super::solid::{Solid, Undivided};
 use super::turned;
-use crate::scene::topology::Sets;
+use crate::scene::meshes::topology::Sets;
 use crate::scene::{Bodies, Bounds, Fill, Mesh};
 
 /// The solid, and the numbers that its faces are found by later, which are called after the triangles of the mesh.

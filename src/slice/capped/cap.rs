@@ -19,7 +19,7 @@ use super::super::SectionDefect;
 use super::super::cover::{Cover, cover};
 use super::super::loops::{self, Curves, join};
 use super::complex::{CAP, Complex, Face, MarkedPlane, Splits, State};
-use crate::scene::weld::has_three;
+use crate::scene::meshes::weld::has_three;
 
 /// A use of an edge in a plane by a candidate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

@@ -28,7 +28,7 @@ use super::super::slicer::share;
 use super::super::{SectionDefect, SlicePlane};
 use super::cap::{Piece, PlaneUse, pieces};
 use super::groups::groups;
-use crate::scene::weld::has_three;
+use crate::scene::meshes::weld::has_three;
 use crate::scene::{Bounds, FacesInPlane, Mesh, Side};
 
 /// What has become of a face.

@@ -5,7 +5,7 @@
 //!
 //! Cost: a pass over the triangles; those of [`Bodies`] where not all of them hang together.
 
-use crate::scene::topology::Sets;
+use crate::scene::meshes::topology::Sets;
 use crate::scene::{Bodies, Mesh};
 
 /// The group of each of some triangles of a mesh.

@@ -38,7 +38,7 @@ use self::in_scene::InScene;
 use super::plane::is_within;
 use super::{SectionDefect, SlicePlane};
 use crate::scene::Mesh;
-use crate::scene::weld::has_three;
+use crate::scene::meshes::weld::has_three;
 
 /// What is left of a mesh, and what is removed.
 #[derive(Clone, Debug, Default)]

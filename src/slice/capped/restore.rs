@@ -9,7 +9,7 @@
 use std::collections::BTreeMap;
 
 use super::complex::{Complex, Face, divided};
-use crate::scene::weld::has_three;
+use crate::scene::meshes::weld::has_three;
 
 /// A triangle of the mesh that can be put together: the vertices on its sides, and a face of it.
 struct Whole {

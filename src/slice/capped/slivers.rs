@@ -9,7 +9,7 @@
 
 use super::complex::{Complex, State};
 use crate::scene::Bounds;
-use crate::scene::weld::has_three;
+use crate::scene::meshes::weld::has_three;
 
 /// Edges shorter than this share of the diagonal of the mesh are points: half of what f32 tells apart at that size.
 const SHORT: f64 = 1.0 / 33_554_432.0;

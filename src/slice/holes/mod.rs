@@ -25,7 +25,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use glam::DVec3;
 
-use crate::scene::topology::EdgeUses;
+use crate::scene::meshes::topology::EdgeUses;
 use crate::scene::{Bounds, Mesh};
 pub use parts::close_holes_of;
 use planar::Plane;

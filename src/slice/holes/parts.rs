@@ -7,8 +7,8 @@ use glam::DVec3;
 use super::{
     Closing, Hole, HoleDefect, MOST_EDGES, SMALL_EDGES, SMALL_SHARE, box_of, close_holes, perimeter,
 };
-use crate::scene::numbers::round;
-use crate::scene::weld::thousands;
+use crate::scene::meshes::weld::thousands;
+use crate::scene::units::numbers::round;
 use crate::scene::{Grown, Mesh, Part};
 
 /// Holes that are told of one by one, of each sort of a part.

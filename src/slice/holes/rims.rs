@@ -7,7 +7,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::scene::topology::EdgeUses;
+use crate::scene::meshes::topology::EdgeUses;
 
 /// The rims of holes.
 #[derive(Debug, Default)]

@@ -16,7 +16,7 @@ use crate::plan::{Arguments, Binding, Draw, Plan, ResourceId, Vertices};
 use crate::scene::{PreparedSurface, View};
 use crate::shader::Shader;
 
-/// Clip-surfaces per part in the number of an instance: `surface_of` and `place_of` in `shaders/lib/facets.wgsl`.
+/// Clip-surfaces per part in the number of an instance: `surface_of` and `place_of` in `shaders/lib/reliefs/facets.wgsl`.
 const SURFACES_PER_PLACE: u32 = 32;
 
 /// How much farther than rays are followed beyond the box of the cut solids a tessellation reaches at least, in scene units.

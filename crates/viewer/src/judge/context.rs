@@ -13,7 +13,7 @@ use image::RgbaImage;
 
 use super::Subject;
 use super::errors::DIVISORS;
-use crate::device::DeviceLoss;
+use crate::picture::device::DeviceLoss;
 
 /// So many references are kept: one for each resolution at which errors are found.
 const MOST_REFERENCES: usize = DIVISORS.len();
@@ -131,8 +131,8 @@ pub(super) fn picture([width, height]: [u32; 2], rgba: Vec<u8>) -> RgbaImage {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::camera::CameraMove;
-    use crate::slot::{Layout, Painter, Side};
+    use crate::picture::camera::CameraMove;
+    use crate::picture::slot::{Layout, Painter, Side};
     use crate::{Action, State};
     use cutaway_io::Document;
     use cutaway_io::document::part;

@@ -12,7 +12,7 @@ use cutaway_lab::experiment::{PerClock, Renderer};
 
 use super::Subject;
 use super::context::JudgeContext;
-use crate::slot::Side;
+use crate::picture::slot::Side;
 
 /// How often a frame is run for its times.
 const RUNS: usize = 3;

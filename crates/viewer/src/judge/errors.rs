@@ -6,7 +6,7 @@ use cutaway_lab::experiment::{Evaluator, Renderer};
 
 use super::context::JudgeContext;
 use super::{Answer, AnswerSink, Content, Question, Subject};
-use crate::slot::Side;
+use crate::picture::slot::Side;
 
 /// By how much coarser the answers are that come one after the other.
 pub(super) const DIVISORS: [u32; 3] = [4, 2, 1];

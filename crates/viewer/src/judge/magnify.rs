@@ -14,7 +14,7 @@ use image::RgbaImage;
 
 use super::Subject;
 use super::context::{JudgeContext, picture};
-use crate::slot::Side;
+use crate::picture::slot::Side;
 
 /// Width and height of a neighbourhood, in pixels; its middle is the pixel that is asked about.
 pub const SIDE_PX: u32 = 15;

@@ -12,7 +12,7 @@ use wasm_bindgen::{JsCast, JsValue};
 
 use super::magnify::{DepthRow, Magnified, Neighbourhood, SIDE_PX};
 use super::{Answer, Content, Finding, Subject, failed};
-use crate::slot::Side;
+use crate::picture::slot::Side;
 
 /// A question.
 #[derive(Clone, Serialize, Deserialize)]

@@ -35,7 +35,7 @@ use cutaway_lab::compare::Comparison;
 use cutaway_lab::experiment::{Renderer, SceneAtTime};
 use image::RgbaImage;
 
-use crate::slot::Side;
+use crate::picture::slot::Side;
 use crate::state::State;
 use cost::Cost;
 use magnify::Magnified;

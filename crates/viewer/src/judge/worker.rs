@@ -23,7 +23,7 @@ use web_sys::{DedicatedWorkerGlobalScope, Event, MessageEvent, Worker, WorkerOpt
 use super::context::JudgeContext;
 use super::message::{About, QuestionMessage, Reply};
 use super::{Answer, AnswerSink, Finding, Question, Subject, cost, errors, magnify, survey};
-use crate::shown::Shown;
+use crate::picture::shown::Shown;
 use crate::state::State;
 use crate::web::files::PageFiles;
 

@@ -10,7 +10,7 @@ use cutaway_io::load::Assets;
 
 use super::State;
 use crate::action::Action;
-use crate::shown::Shown;
+use crate::picture::shown::Shown;
 
 /// What was read and prepared elsewhere.
 #[derive(Clone, Debug)]

@@ -8,11 +8,11 @@ use glam::DVec3;
 
 use super::State;
 use crate::action::Selection;
-use crate::camera::{self, CameraMove};
-use crate::cuts::{self, CutEntry, CutKind, NewCut, PlaneMove};
-use crate::regions::{self, RegionMove};
-use crate::shown::Shown;
-use crate::timeline;
+use crate::editing::cuts::{self, CutEntry, CutKind, NewCut, PlaneMove};
+use crate::editing::regions::{self, RegionMove};
+use crate::editing::timeline;
+use crate::picture::camera::{self, CameraMove};
+use crate::picture::shown::Shown;
 
 impl State {
     /// Changes the document, as far as keys move it at the moment that is shown, by something that may fail, in which case nothing

@@ -8,9 +8,9 @@ use cutaway_io::document::{Node, Value, part};
 
 use super::State;
 use crate::action::Selection;
-use crate::files;
 use crate::notice::Notice;
-use crate::slot::Side;
+use crate::picture::slot::Side;
+use crate::storage::files;
 
 /// The files that a document is made of at its top: itself, or the meshes of one that has no file.
 pub(super) fn files_of(document: &Document) -> Vec<PathBuf> {

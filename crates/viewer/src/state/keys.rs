@@ -4,7 +4,7 @@ use cutaway::scene::{Bounds, Camera};
 use cutaway::{Error, Result};
 
 use super::State;
-use crate::timeline;
+use crate::editing::timeline;
 
 /// How long what begins to move takes, in seconds.
 const FIRST_DURATION_S: f64 = 2.0;

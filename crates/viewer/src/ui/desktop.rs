@@ -7,9 +7,9 @@ use cutaway::{Error, Result};
 use eframe::egui::{Context, Ui};
 
 use super::Viewer;
-use super::naming::Asks;
+use super::dialogs::naming::Asks;
 use crate::action::Action;
-use crate::export::Export;
+use crate::storage::export::Export;
 
 /// What goes on beside the window.
 #[derive(Default)]

@@ -7,8 +7,8 @@ use cutaway_lab::experiment::{Renderer, Stopwatch};
 use eframe::egui::Context;
 
 use super::Viewer;
-use crate::pace::{Detail, REST};
-use crate::slot::{Layout, Side};
+use crate::picture::pace::{Detail, REST};
+use crate::picture::slot::{Layout, Side};
 
 /// Samples along each side of a pixel where a document says nothing of it, as pictures have them.
 const USUAL_SAMPLES: u32 = 2;

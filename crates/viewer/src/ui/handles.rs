@@ -4,10 +4,10 @@ use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, 
 use glam::DVec2;
 
 use crate::action::Selection;
-use crate::gizmo::{Gizmo, Grip, Handle};
-use crate::shown::Shown;
+use crate::picture::gizmo::{Gizmo, Grip, Handle};
+use crate::picture::shown::Shown;
+use crate::picture::world_view::WorldView;
 use crate::state::State;
-use crate::world_view::WorldView;
 
 const COLOR: Color32 = Color32::from_rgb(230, 120, 30);
 const LIT: Color32 = Color32::from_rgb(255, 214, 64);

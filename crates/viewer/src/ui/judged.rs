@@ -7,8 +7,8 @@ use image::RgbaImage;
 
 use super::latest::Latest;
 use crate::judge::{Answer, Content, Finding, Judge, Question, Subject};
-use crate::screen::{PLAIN, Screen};
-use crate::slot::Side;
+use crate::picture::screen::{PLAIN, Screen};
+use crate::picture::slot::Side;
 use crate::state::State;
 
 /// What is known of the errors of a slot.
@@ -103,7 +103,7 @@ impl Judged {
         } in answers
         {
             // An answer to an older question is better than none: it is shown, faded, until the next.
-            let wants_difference = state.layout() == crate::slot::Layout::Difference;
+            let wants_difference = state.layout() == crate::picture::slot::Layout::Difference;
             let by = self.renderer(side);
             let errors = &mut self.errors[side.index()];
             match what {
@@ -196,7 +196,8 @@ impl Judged {
         if let Some(why) = screen.refusal(side) {
             return format!("{side}: {painter} refuses: {why}");
         }
-        if !state.shows_errors() || painter == crate::slot::Painter::Named(Renderer::EXACT) {
+        if !state.shows_errors() || painter == crate::picture::slot::Painter::Named(Renderer::EXACT)
+        {
             return format!("{side}: {painter}");
         }
         if let Some(why) = errors

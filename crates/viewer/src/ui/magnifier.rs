@@ -13,7 +13,7 @@ use super::latest::Latest;
 use super::viewport::Pointed;
 use crate::judge::Subject;
 use crate::judge::magnify::{DepthRow, Magnified, Neighbourhood, Question, SIDE_PX};
-use crate::screen::PLAIN;
+use crate::picture::screen::PLAIN;
 
 /// How many points a pixel is wide.
 const POINTS_PER_PX: f32 = 16.0;

@@ -2,32 +2,18 @@
 //! it.
 
 #[cfg(not(target_arch = "wasm32"))]
-mod closing;
-mod compare;
-mod cost;
-mod defects;
-#[cfg(not(target_arch = "wasm32"))]
 mod desktop;
+mod dialogs;
 mod errands;
 mod frames;
 mod handles;
 mod judged;
-mod keys;
 mod latest;
 mod magnifier;
-mod menu;
-mod naming;
-mod opening;
 #[cfg(target_arch = "wasm32")]
 mod page;
+mod panels;
 mod pointing;
-mod properties;
-mod scene;
-mod style;
-mod survey;
-mod time;
-mod toasts;
-mod value;
 mod viewport;
 
 use cutaway::Result;
@@ -44,30 +30,30 @@ use crate::judge::cost::Cost;
 use crate::judge::magnify::Magnified;
 use crate::judge::survey::Found;
 use crate::notice::Notice;
-use crate::opening::Opening;
-use crate::pace::Pace;
-use crate::pick::Picked;
+use crate::picture::pace::Pace;
+use crate::picture::pick::Picked;
+use crate::picture::screen::Screen;
+use crate::picture::slot::Side;
 use crate::profile::{FrameCost, Profile};
-#[cfg(not(target_arch = "wasm32"))]
-use crate::recent::Recent;
-use crate::screen::Screen;
-use crate::slot::Side;
 use crate::state::State;
-use crate::watch::Watch;
-use cost::Costs;
-use defects::Badges;
+use crate::storage::opening::Opening;
+#[cfg(not(target_arch = "wasm32"))]
+use crate::storage::recent::Recent;
+use crate::storage::watch::Watch;
 #[cfg(not(target_arch = "wasm32"))]
 use desktop::Outside;
+use dialogs::naming::Asks;
+use dialogs::toasts::Toasts;
 use frames::Last;
 use judged::Judged;
 use magnifier::Magnifier;
-use naming::Asks;
 #[cfg(target_arch = "wasm32")]
 use page::Outside;
+use panels::cost::Costs;
+use panels::defects::Badges;
+use panels::survey::Chart;
+use panels::time::Strip;
 use pointing::Pointing;
-use survey::Chart;
-use time::Strip;
-use toasts::Toasts;
 use viewport::Held;
 
 /// The window.
@@ -99,7 +85,7 @@ pub struct Viewer {
     inspector: Inspector,
     badges: Badges,
     #[cfg(not(target_arch = "wasm32"))]
-    closing: closing::Closing,
+    closing: dialogs::closing::Closing,
     /// What is done when the changes are saved or discarded; nothing where the window is closed.
     #[cfg(not(target_arch = "wasm32"))]
     leaves_for: Option<Action>,
@@ -150,7 +136,7 @@ impl Viewer {
             inspector: Inspector::default(),
             badges: Badges::default(),
             #[cfg(not(target_arch = "wasm32"))]
-            closing: closing::Closing::default(),
+            closing: dialogs::closing::Closing::default(),
             #[cfg(not(target_arch = "wasm32"))]
             leaves_for: None,
             #[cfg(not(target_arch = "wasm32"))]
@@ -281,25 +267,25 @@ impl Viewer {
         Panel::bottom("compare").exact_size(84.0).show(ui, |ui| {
             let windows = (&mut self.chart.is_asked, &mut self.costs.is_open);
             let pictures = (&self.screen, &self.judged);
-            compare::show(ui, &self.state, pictures, windows, &mut actions);
+            panels::compare::show(ui, &self.state, pictures, windows, &mut actions);
             ui.label(self.pointing.sentence());
         });
         if self.state.shown().is_some_and(|s| s.timeline.moves()) {
             // Of a size of its own, or the picture would change its size with what the keys say.
-            let height = time::height(&self.state);
+            let height = panels::time::height(&self.state);
             Panel::bottom("time").exact_size(height).show(ui, |ui| {
                 let strip = (&mut self.plays, &mut self.strip);
-                time::show(ui, &self.state, strip, &mut actions);
+                panels::time::show(ui, &self.state, strip, &mut actions);
             });
         }
         Panel::left("scene").default_size(220.0).show(ui, |ui| {
-            scene::show(ui, &self.state, &self.badges, &mut actions);
+            panels::scene::show(ui, &self.state, &self.badges, &mut actions);
         });
         Panel::right("properties")
             // As wide as what it can hold: the picture does not change its size with the selection.
             .size_range(300.0..=600.0)
             .show(ui, |ui| {
-                properties::show(ui, &self.state, &mut actions);
+                panels::properties::show(ui, &self.state, &mut actions);
             });
         // What panels hold is let go with the pointer.
         if ctx.input(|input| input.pointer.any_released()) {

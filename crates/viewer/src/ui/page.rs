@@ -15,11 +15,11 @@ use web_sys::{File, HtmlInputElement};
 
 use super::Viewer;
 use crate::action::Action;
-use crate::files::{self, Kind};
-use crate::link;
+use crate::editing::link;
 use crate::notice::Notice;
-use crate::slot::Side;
+use crate::picture::slot::Side;
 use crate::state::State;
+use crate::storage::files::{self, Kind};
 use crate::web::files::{PageFiles, download};
 
 /// What is on its way to the window.

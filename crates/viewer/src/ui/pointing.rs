@@ -7,7 +7,7 @@ use eframe::egui::Context;
 use super::Viewer;
 use super::viewport::Pointed;
 use crate::action::Action;
-use crate::pick::Picked;
+use crate::picture::pick::Picked;
 
 /// A pixel that is asked for.
 #[derive(Clone, Copy, Debug)]

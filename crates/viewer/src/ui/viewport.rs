@@ -6,17 +6,17 @@ use eframe::egui::{
 };
 use glam::DVec2;
 
-use super::defects;
 use super::handles;
 use super::judged::Judged;
+use super::panels::defects;
 use crate::action::Action;
-use crate::camera::CameraMove;
-use crate::gizmo::{Gizmo, Hold};
 use crate::inspect::Inspector;
-use crate::screen::Screen;
-use crate::slot::{Layout, Side};
+use crate::picture::camera::CameraMove;
+use crate::picture::gizmo::{Gizmo, Hold};
+use crate::picture::screen::Screen;
+use crate::picture::slot::{Layout, Side};
+use crate::picture::world_view::WorldView;
 use crate::state::State;
-use crate::world_view::WorldView;
 
 /// Degrees of an orbit for a point of a drag.
 const DEGREES_PER_POINT: f64 = 0.4;

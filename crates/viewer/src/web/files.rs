@@ -11,7 +11,7 @@ use js_sys::{Array, Uint8Array};
 use wasm_bindgen::{JsCast, JsValue};
 use web_sys::{Blob, HtmlAnchorElement, Url};
 
-use crate::files::Store;
+use crate::storage::files::Store;
 
 type File = (PathBuf, Arc<[u8]>);
 

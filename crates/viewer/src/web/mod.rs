@@ -24,9 +24,9 @@ use wasm_bindgen_futures::future_to_promise;
 use web_sys::{BeforeUnloadEvent, HtmlCanvasElement};
 
 use crate::action::Action;
-use crate::device::{DeviceLoss, on_our_device};
-use crate::link;
-use crate::slot::{Painter, Side};
+use crate::editing::link;
+use crate::picture::device::{DeviceLoss, on_our_device};
+use crate::picture::slot::{Painter, Side};
 use crate::state::State;
 use crate::ui::Viewer;
 use files::PageFiles;

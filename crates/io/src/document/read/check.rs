@@ -7,8 +7,9 @@ use cutaway::generate::shapes;
 use cutaway::scene::{Bounds, Fit};
 use glam::DVec3;
 
+use super::clip::cuts;
 use super::reader::{Entry, Table};
-use super::{camera, cap_materials, cuts, hatches, keys, parts, settings, stock, style};
+use super::{camera, cap_materials, hatches, keys, parts, settings, stock, style};
 use crate::document::paths::keys_below;
 use crate::load::Assets;
 use crate::load::frames::Pattern;

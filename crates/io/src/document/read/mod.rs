@@ -145,9 +145,7 @@
 mod camera;
 mod cap_materials;
 mod check;
-mod cutaways;
-mod cuts;
-mod cutters;
+mod clip;
 mod defects;
 mod deform;
 mod hatches;
@@ -155,8 +153,6 @@ mod keys;
 mod known;
 mod parts;
 pub mod reader;
-mod regions;
-mod reliefs;
 mod roles;
 mod settings;
 mod solids;
@@ -182,12 +178,12 @@ use stock::Opening;
 
 pub(super) use camera::Seen;
 pub(super) use check::check;
-pub(super) use cutaways::cutouts;
+pub(super) use clip::cutaways::cutouts;
+pub(super) use clip::reliefs::{Images, Resolved};
 pub use keys::{Interpolation, Key};
 pub(super) use keys::{Keyed, Moment};
 pub(super) use known::sights_of;
 pub(super) use parts::all as parts_with_roles;
-pub(super) use reliefs::{Images, Resolved};
 pub use roles::RoleBy;
 pub use settings::Settings;
 pub(super) use stock::PartSource;
@@ -203,7 +199,7 @@ pub(super) struct Stock {
     /// Of each part.
     pub(super) parts: Vec<PartSource>,
     /// Of each cut.
-    cutters: Vec<Option<cutters::CutterSource>>,
+    cutters: Vec<Option<clip::cutters::CutterSource>>,
     images: Images,
     /// On which the style of the document are changes, if it has one.
     pub(super) style: Option<Style>,
@@ -244,8 +240,8 @@ pub(super) fn open(root: &Table<'_>, folder: &Path, assets: &mut Assets) -> Resu
         return Err(root.entry.fault("the scene has no part", help));
     }
     let parts = stock::open(&parts, &mut opening)?;
-    let cutters = cutters::open(&cuts, &mut opening)?;
-    let images = reliefs::open(root, folder, opening.assets)?;
+    let cutters = clip::cutters::open(&cuts, &mut opening)?;
+    let images = clip::reliefs::open(root, folder, opening.assets)?;
     let style = style::open(root, &mut opening)?;
     opening.files.extend(images.files().cloned());
     Ok(Stock {
@@ -327,11 +323,11 @@ pub(super) fn scene(
     let seen = camera.transpose()?.unwrap_or(Seen::usual(stock.fit));
     scene.camera = seen.camera;
     let maps = match root.get("relief") {
-        Some(entry) => reliefs::read(&entry, &stock.images, reliefs)?,
-        None => reliefs::Maps::new(),
+        Some(entry) => clip::reliefs::read(&entry, &stock.images, reliefs)?,
+        None => clip::reliefs::Maps::new(),
     };
     let names = names_of(stock);
-    let context = cuts::Context {
+    let context = clip::cuts::Context {
         bounds,
         up: scene.camera.up,
         parts: &scene.parts,
@@ -342,7 +338,7 @@ pub(super) fn scene(
     for (i, entry) in root.tables("cut")?.iter().enumerate() {
         let cutter = stock.cutters.get(i).and_then(Option::as_ref);
         let frame = stock.frames.get(&i);
-        let read = cuts::read(entry, i, (cutter, frame), &context, notes)?;
+        let read = clip::cuts::read(entry, i, (cutter, frame), &context, notes)?;
         // A cutout lies where the camera has it.
         if faced.is_none() && entry.open_table()?.get("cutout").is_none() {
             faced = read.iter().find_map(|cut| cut.surfaces.first().cloned());
@@ -373,19 +369,19 @@ pub(super) fn surface(
     let reliefs = vec![("relief".into(), reliefs.clone())];
     let table = Node::new(super::Value::Table(reliefs));
     let root = root(Path::new(""), &table, None)?;
-    let images = reliefs::open(&root, Path::new(""), assets)?;
+    let images = clip::reliefs::open(&root, Path::new(""), assets)?;
     let maps = match root.get("relief") {
-        Some(entry) => reliefs::read(&entry, &images, &mut Resolved::default())?,
-        None => reliefs::Maps::new(),
+        Some(entry) => clip::reliefs::read(&entry, &images, &mut Resolved::default())?,
+        None => clip::reliefs::Maps::new(),
     };
-    let context = cuts::Context {
+    let context = clip::cuts::Context {
         bounds: *bounds,
         up,
         parts: &[],
         names: &[],
         maps: &maps,
     };
-    cuts::surface(&root.entry.at("surface", surface), &context)
+    clip::cuts::surface(&root.entry.at("surface", surface), &context)
 }
 
 /// Names tell entries apart in globs, errors and animation keys.

@@ -2,9 +2,10 @@
 
 use cutaway_io::document::Document;
 
-use super::answers::situation_of;
+use super::advice::answers::situation_of;
+use super::advice::cards;
 use super::point::{Point, Points};
-use super::{cards, charts, costs, counted, expectations, head, pictures, warnings};
+use super::{charts, costs, counted, expectations, head, pictures, warnings};
 use crate::experiment::Record;
 use crate::report::derived::variants;
 use crate::report::document::Block;

@@ -1,9 +1,7 @@
 //! What a report says, one file for each section; how it looks is the business of [`super::document`].
 
-mod answers;
-mod best;
+mod advice;
 mod broken;
-mod cards;
 mod cases;
 mod charts;
 mod costs;
@@ -13,14 +11,11 @@ mod figures;
 mod fronts;
 mod glossary;
 mod head;
-mod inputs;
 mod made;
 mod matrix;
 mod method;
-mod outside;
 mod pictures;
 mod point;
-mod reasons;
 mod series;
 mod styles;
 mod warnings;
@@ -38,14 +33,14 @@ pub(super) fn document(recorded: &Recorded, options: &PictureOptions) -> Documen
     let pictures = pictures::Chosen::of(&points, options);
     let mut blocks = head::notices(recorded, &points, &pictures);
     for (heading, section) in [
-        ("What should I use?", answers::chapter(&points)),
+        ("What should I use?", advice::answers::chapter(&points)),
         ("Strategies by scenes", matrix::chapter(&points)),
         (
             "Experiments",
             experiments::chapter(recorded, &points, &pictures),
         ),
         ("Hard cases", cases::chapter(recorded)),
-        ("Outside baselines", outside::chapter(recorded)),
+        ("Outside baselines", advice::outside::chapter(recorded)),
         ("What the words mean", glossary::chapter(recorded)),
         ("What was run", head::chapter(recorded)),
         ("How it was made", made::chapter(recorded, &pictures)),

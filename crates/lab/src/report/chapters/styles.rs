@@ -1,6 +1,6 @@
 //! What a cutaway costs over the same picture without one, and what a style costs over plain light.
 
-use super::cards;
+use super::advice::cards;
 use super::figures::times;
 use super::point::Points;
 use crate::experiment::Record;

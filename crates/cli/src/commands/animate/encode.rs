@@ -1,0 +1,200 @@
+//! `encode`: numbered pictures become one animation, as if `animate` had drawn them into it.
+//!
+//! Pictures that `animate` has numbered say of which animation they are and how long it is ([`Stamp`]): one that is missing, of another
+//! animation or not complete is an error, wherever it stands. Pictures of other programs are taken as they are numbered.
+//!
+//! One picture is in memory at a time, but for a GIF, which keeps all packed until its colours are known.
+
+use std::io::Cursor;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use cutaway::{Error, Result};
+use cutaway_io::load::frames::{Pattern, USUAL_FPS};
+use cutaway_io::load::{Disk, input_file};
+use cutaway_lab::experiment::Identity;
+
+use super::encoder::encoder;
+use super::plays::LoopArgs;
+use super::stamp::Stamp;
+use super::target::Target;
+use super::times::{Times, parse_fps};
+use super::{gif, note_of_even_size};
+use crate::Verdict;
+use crate::console::{Console, ConsoleArgs};
+use crate::interrupt::Interrupt;
+use crate::writing::places::InputFiles;
+
+pub(crate) const EXAMPLES: &str = "\
+Examples:
+  cutaway encode 'frames/%04d.png' -o run.gif --fps 12.5
+  cutaway encode 'frames/%04d.png' -o run.mp4
+
+The pictures are those of one animation, drawn in one go or in shares: cutaway animate ... -o 'frames/%04d.png' [--shard I/N]. They are
+numbered without a gap, from 0 or 1 on, and stay as they are. Ctrl-C or SIGTERM ends after the present one, with exit code 130 and
+without a file.";
+
+/// Options of `encode`.
+#[derive(Args)]
+pub(crate) struct EncodeArgs {
+    /// Numbered pictures: 'frames/%04d.png'
+    #[arg(value_name = "PATTERN")]
+    frames: String,
+    /// The animation: .gif, .png or .apng (animated PNG), or .mp4 (needs ffmpeg)
+    #[arg(long, short, value_name = "FILE", help_heading = "Output")]
+    output: String,
+    /// Pictures per second; delays of a GIF are hundredths of a second
+    #[arg(long, value_name = "N", value_parser = parse_fps, default_value_t = USUAL_FPS, allow_hyphen_values = true, help_heading = "Output")]
+    fps: f64,
+    #[command(flatten)]
+    loops: LoopArgs,
+    #[command(flatten)]
+    console: ConsoleArgs,
+}
+
+/// Runs `encode`.
+pub(crate) fn run(args: &EncodeArgs) -> Result<Verdict> {
+    let console = Console::new(args.console, 1);
+    let target = Target::checked(&args.output)?;
+    if let Target::Numbered(_) = target {
+        let help = "name one file: run.gif, run.png or run.mp4";
+        return Err(Error::input(
+            "--output",
+            "the pictures are numbered already",
+            help,
+        ));
+    }
+    args.loops.must_fit(&target)?;
+    let pattern = Pattern::parse(&args.frames)?;
+    let (files, gap) = pattern.files(None, &Disk)?;
+    let (first, stamp) = picture(&files[0])?;
+    if let Some(stamp) = &stamp {
+        must_be_whole(&args.frames, &pattern, stamp)?;
+    } else if let Some(gap) = gap {
+        return Err(Error::input(&args.frames, gap, DRAW_MISSING));
+    }
+    let inputs = InputFiles::default();
+    inputs.add(files.iter().cloned());
+    inputs.keep_from([("--output", target.path())])?;
+    let fps = match target {
+        Target::Gif(_) => gif::nearest_fps(args.fps),
+        _ => args.fps,
+    };
+    let times = Times {
+        start_s: 0.0,
+        fps,
+        count: files.len() as u32,
+    };
+    let size_px = [first.width(), first.height()];
+    note_of_even_size(&target, size_px, &console);
+    let plays = args.loops.plays();
+    let interrupt = Interrupt::listen("encode", "picture")?;
+    let mut encoder = encoder(&target, size_px, &times, plays, Identity::default())?;
+    console.expect_frames(times.count);
+    for (number, file) in files.iter().enumerate() {
+        if interrupt.is_wanted() {
+            console.note("interrupted: no file was written");
+            return Ok(Verdict::Interrupted);
+        }
+        let (frame, own) = picture(file)?;
+        must_belong(file, number as u32, own.as_ref(), stamp.as_ref())?;
+        if [frame.width(), frame.height()] != size_px {
+            let [w, h] = size_px;
+            let what = format!(
+                "it has {} x {} pixels, the first has {w} x {h}",
+                frame.width(),
+                frame.height()
+            );
+            return Err(Error::file(
+                file,
+                what,
+                "take pictures of other animations out of the folder",
+            ));
+        }
+        encoder.add(number as u32, &frame, true)?;
+        console.frame_done();
+    }
+    encoder.finish(&console)?;
+    console.note(format!(
+        "{} pictures, {} a second",
+        times.count,
+        cutaway::scene::numbers::round(fps)
+    ));
+    Ok(Verdict::Done)
+}
+
+const DRAW_MISSING: &str =
+    "draw the missing pictures: the command that drew the others draws no more than those";
+
+/// Most missing pictures that are named.
+const MOST_NAMED: usize = 5;
+
+/// Refuses an animation of which pictures are not there.
+fn must_be_whole(culprit: &str, pattern: &Pattern, stamp: &Stamp) -> Result<()> {
+    let files = (1..=stamp.count).map(|number| pattern.file(number));
+    let missing: Vec<PathBuf> = files.filter(|file| !file.is_file()).collect();
+    if missing.is_empty() {
+        return Ok(());
+    }
+    let named = missing.iter().take(MOST_NAMED);
+    let named: Vec<String> = named.map(|file| file.display().to_string()).collect();
+    let what = format!(
+        "{} of {} pictures are missing: {}{}",
+        missing.len(),
+        stamp.count,
+        named.join(", "),
+        if missing.len() > MOST_NAMED {
+            ", ..."
+        } else {
+            ""
+        }
+    );
+    Err(Error::input(culprit, what, DRAW_MISSING))
+}
+
+/// Refuses a picture of another animation than the first, or one that is not complete beside those that are.
+fn must_belong(path: &Path, index: u32, own: Option<&Stamp>, first: Option<&Stamp>) -> Result<()> {
+    let (what, help) = match (own, first) {
+        (None, None) => return Ok(()),
+        (Some(own), Some(first)) => {
+            let expected = Stamp {
+                number: index + 1,
+                ..first.clone()
+            };
+            if *own == expected {
+                return Ok(());
+            }
+            if own.run == first.run && own.count == first.count {
+                let what = format!("it is frame {} of {}", own.number, own.count);
+                (
+                    what,
+                    "draw it again: remove it, and run the command that drew the others",
+                )
+            } else {
+                let what = "another command, program or device drew it than the first".to_owned();
+                (
+                    what,
+                    "draw all of them by one command, on devices that are alike",
+                )
+            }
+        }
+        (None, Some(_)) => (
+            "it is not complete, or no frame of the animation that the first is of".to_owned(),
+            "draw it again: the same command draws what is not whole",
+        ),
+        (Some(_), None) => (
+            "it is a frame of an animation, and the first is none, or is not complete".to_owned(),
+            "draw the first again: the same command draws what is not whole",
+        ),
+    };
+    Err(Error::file(path, what, help))
+}
+
+/// A picture, and what it says of itself.
+fn picture(path: &Path) -> Result<(image::RgbaImage, Option<Stamp>)> {
+    let help = "draw it again: the same command draws what is not whole";
+    let bytes = input_file::read(path, &Disk)?;
+    let read = image::load_from_memory_with_format(&bytes, image::ImageFormat::Png);
+    let picture = read.map_err(|e| Error::file(path, format!("it is no whole PNG: {e}"), help))?;
+    Ok((picture.to_rgba8(), Stamp::of_whole(Cursor::new(bytes))))
+}

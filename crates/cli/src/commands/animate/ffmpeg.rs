@@ -1,0 +1,223 @@
+//! MP4 by ffmpeg, which is given raw frames through a pipe.
+//!
+//! H.264 by libx264 where that is built in, or else by the best of the others that are. The widely read pixel format halves
+//! the resolution of colour, so that sizes have to be even: an odd one is continued by a copy of its last row or column.
+//! Colours are marked as BT.709, which players assume of anything that is not marked.
+
+use std::io::{ErrorKind, Read, Write};
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Stdio};
+use std::thread::JoinHandle;
+
+use cutaway::{Error, Result};
+use image::RgbaImage;
+
+use super::encoder::{Encoder, cannot_encode};
+use super::mp4;
+use crate::console::Console;
+use crate::writing::output::Pending;
+
+/// The program, and the options it compresses with.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Program {
+    codec: &'static [&'static str],
+}
+
+/// What ffmpeg may have built in, the best first, with what makes each look good.
+const CODECS: &[(&str, &[&str])] = &[
+    (
+        "libx264",
+        &["-c:v", "libx264", "-preset", "medium", "-crf", "16"],
+    ),
+    ("libopenh264", &["-c:v", "libopenh264", "-b:v", "12M"]),
+    ("mpeg4", &["-c:v", "mpeg4", "-q:v", "2"]),
+];
+
+impl Program {
+    /// Asks ffmpeg what it can do, before any frame is drawn.
+    pub(super) fn find(output: &Path) -> Result<Self> {
+        let culprit = || format!("--output {}", output.display());
+        let asked = Command::new("ffmpeg")
+            .args(["-hide_banner", "-encoders"])
+            .stdin(Stdio::null())
+            .output();
+        let said = match asked {
+            Ok(said) => String::from_utf8_lossy(&said.stdout).into_owned(),
+            Err(e) => {
+                let what = match e.kind() {
+                    ErrorKind::NotFound => {
+                        "ffmpeg, which makes MP4 files, is not installed".to_owned()
+                    }
+                    _ => format!("ffmpeg, which makes MP4 files, cannot be started: {e}"),
+                };
+                let help = "install the package ffmpeg (apt install ffmpeg, dnf install ffmpeg-free, pacman -S ffmpeg, \
+                            brew install ffmpeg), or write a .gif or a .png";
+                return Err(Error::input(culprit(), what, help));
+            }
+        };
+        let has = |name: &str| said.split_whitespace().any(|word| word == name);
+        let codec = CODECS.iter().find(|(name, _)| has(name));
+        let (_, codec) = codec.ok_or_else(|| {
+            let names: Vec<&str> = CODECS.iter().map(|(name, _)| *name).collect();
+            let what = format!("ffmpeg has none of the encoders {}", names.join(", "));
+            Error::input(
+                culprit(),
+                what,
+                "install a complete ffmpeg, or write a .gif or a .png",
+            )
+        })?;
+        Ok(Self { codec })
+    }
+}
+
+/// The next even size.
+pub(super) fn even(size_px: [u32; 2]) -> [u32; 2] {
+    size_px.map(|s| s.next_multiple_of(2))
+}
+
+/// A process that does not outlive whoever started it.
+struct Running(Child);
+
+impl Drop for Running {
+    fn drop(&mut self) {
+        // Both are refused where it has ended, as it should have.
+        let _ = self.0.kill();
+        let _ = self.0.wait();
+    }
+}
+
+/// A film that ffmpeg is writing.
+pub(super) struct Ffmpeg {
+    path: PathBuf,
+    // Before what it writes to: files are removed when nobody writes to them any more.
+    running: Running,
+    pending: Pending,
+    /// What it complains of, read beside so that it never waits.
+    complaint: Option<JoinHandle<String>>,
+    size_px: [u32; 2],
+}
+
+impl Ffmpeg {
+    /// Begins one.
+    pub(super) fn begin(
+        program: &Program,
+        path: &Path,
+        size_px: [u32; 2],
+        fps: f64,
+    ) -> Result<Self> {
+        let (pending, _) = Pending::begin(path)?;
+        let [width, height] = even(size_px);
+        let mut command = Command::new("ffmpeg");
+        command
+            .args(["-hide_banner", "-loglevel", "error", "-xerror", "-y"])
+            .args(["-f", "rawvideo", "-pixel_format", "rgb24"])
+            .args(["-video_size", &format!("{width}x{height}")])
+            .args(["-framerate", &fps.to_string(), "-i", "pipe:0", "-an"])
+            .args([
+                "-vf",
+                "scale=out_color_matrix=bt709:out_range=tv,format=yuv420p,\
+                 setparams=color_primaries=bt709:color_trc=bt709",
+            ])
+            .args(["-colorspace", "bt709", "-color_primaries", "bt709"])
+            .args(["-color_trc", "bt709", "-color_range", "tv"])
+            .args(program.codec)
+            .args(["-movflags", "+faststart", "-f", "mp4"])
+            // Without the word for files a name with a colon would be taken for a protocol.
+            .arg(format!("file:{}", pending.beside().display()));
+        let child = command
+            .stdin(Stdio::piped())
+            .stdout(Stdio::null())
+            .stderr(Stdio::piped())
+            .spawn();
+        let mut child = child.map_err(|e| cannot_encode(path, format!("ffmpeg: {e}")))?;
+        let complaint = child.stderr.take().map(|mut stderr| {
+            std::thread::spawn(move || {
+                let mut said = Vec::new();
+                // What was said before the pipe broke is all there is.
+                let _ = stderr.read_to_end(&mut said);
+                String::from_utf8_lossy(&said).into_owned()
+            })
+        });
+        Ok(Self {
+            path: path.to_owned(),
+            running: Running(child),
+            pending,
+            complaint,
+            size_px,
+        })
+    }
+
+    /// The error of an ffmpeg that stopped, in its own last words.
+    fn stopped(&mut self, how: &str) -> Error {
+        let said = self.complaint.take().and_then(|c| c.join().ok());
+        let said = said.unwrap_or_default();
+        let last = said.lines().rfind(|l| !l.trim().is_empty());
+        Error::file(
+            &self.path,
+            format!("ffmpeg {how}: {}", last.unwrap_or("it does not say why")),
+            "check the room on the disk and whether ffmpeg works by itself, or write a .gif or a .png",
+        )
+    }
+}
+
+impl Encoder for Ffmpeg {
+    fn add(&mut self, _: u32, frame: &RgbaImage, _: bool) -> Result<()> {
+        let bytes = rgb_of_even_size(frame, self.size_px);
+        let written = match &mut self.running.0.stdin {
+            Some(stdin) => stdin.write_all(&bytes),
+            None => Ok(()),
+        };
+        written.map_err(|e| {
+            // It reads no more because it has gone; waiting for it closes what it says.
+            let _ = self.running.0.wait();
+            self.stopped(&format!("takes no more frames ({e})"))
+        })
+    }
+
+    fn finish(mut self: Box<Self>, _: &Console) -> Result<()> {
+        // The end of its input tells it that this was all.
+        drop(self.running.0.stdin.take());
+        match self.running.0.wait() {
+            Ok(status) if status.success() => {}
+            Ok(status) => return Err(self.stopped(&format!("failed ({status})"))),
+            Err(e) => return Err(self.stopped(&format!("was lost ({e})"))),
+        }
+        match mp4::missing(self.pending.beside()) {
+            Ok(None) => {}
+            Ok(Some(missing)) => {
+                let how = format!("left a file that cannot be played, for {missing}");
+                return Err(self.stopped(&how));
+            }
+            Err(e) => return Err(self.stopped(&format!("left a file that cannot be read ({e})"))),
+        }
+        let Self { pending, .. } = *self;
+        pending.place()
+    }
+}
+
+/// The pixels without alpha, continued to an even size.
+fn rgb_of_even_size(frame: &RgbaImage, size_px: [u32; 2]) -> Vec<u8> {
+    let [width, height] = even(size_px);
+    let mut bytes = Vec::with_capacity(width as usize * height as usize * 3);
+    for (y, x) in (0..height).flat_map(|y| (0..width).map(move |x| (y, x))) {
+        let [r, g, b, _] = frame
+            .get_pixel(x.min(size_px[0] - 1), y.min(size_px[1] - 1))
+            .0;
+        bytes.extend([r, g, b]);
+    }
+    bytes
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use image::Rgba;
+
+    #[test]
+    fn odd_sizes_are_continued() {
+        let frame = RgbaImage::from_fn(3, 1, |x, _| Rgba([x as u8, 9, 9, 255]));
+        let bytes = rgb_of_even_size(&frame, [3, 1]);
+        let reds: Vec<u8> = bytes.chunks_exact(3).map(|c| c[0]).collect();
+        assert_eq!(reds, [0, 1, 2, 2, 0, 1, 2, 2]);
+    }
+}

@@ -1,0 +1,157 @@
+//! The frames of an animation: drawn one after the other by one session, and accounted for.
+
+use std::ops::Range;
+
+use cutaway::Result;
+use cutaway::scene::numbers::round;
+use cutaway::scene::{Breakaway, BreakawayView, Cut, Scene};
+use cutaway::session::{Outcome, Session};
+use cutaway_lab::compare::may_be_wrong;
+use cutaway_lab::experiment::{Renderer, SceneAtTime, Stopwatch, picture};
+use serde_json::{Value, json};
+
+use super::AnimateArgs;
+use super::report::{self, FrameReport};
+use super::target::Target;
+use super::times::Times;
+use super::turntable::turned;
+use crate::Verdict;
+use crate::console::Console;
+use crate::drawer::Chosen;
+use crate::input::subject::Subject;
+use crate::notes::warn_of_doubt;
+
+/// What takes longer than this says beforehand how long, where no bar shows it.
+const PATIENCE_S: f64 = 10.0;
+
+/// All that frames are drawn from.
+pub(super) struct Film<'a> {
+    pub(super) args: &'a AnimateArgs,
+    pub(super) subject: &'a Subject,
+    pub(super) times: Times,
+    /// The frames that are drawn: all, or a share.
+    pub(super) own: Range<u32>,
+    pub(super) chosen: Chosen,
+    /// The scene at the time of the last frame, as it is prepared.
+    pub(super) shown: SceneAtTime,
+    pub(super) scene: Scene,
+    /// Some frame has failed by a fault that is not of the mesh.
+    pub(super) has_failed: bool,
+}
+
+impl Film<'_> {
+    /// A frame, and what there is to say of it.
+    pub(super) fn draw(
+        &mut self,
+        frame: u32,
+        session: &mut Session,
+        console: &Console,
+    ) -> Result<(image::RgbaImage, FrameReport)> {
+        let watch = Stopwatch::start();
+        let (subject, time_s) = (self.subject, self.times.at(frame));
+        // The first was opened, and what stands still stays as it is.
+        if frame > 0 && subject.timeline.moves() {
+            self.scene = subject.timeline.at(time_s)?;
+            self.shown = self.shown.updated(&self.scene);
+        }
+        let outline = self.shown.model.prepared.outline();
+        let camera = match self.args.turn_deg {
+            Some(turn_deg) => {
+                let share = self.times.share(frame);
+                turned(
+                    &self.scene.camera,
+                    (&subject.scene.bounds(), outline),
+                    subject.size_px(),
+                    turn_deg,
+                    share,
+                )
+            }
+            None => self.scene.camera,
+        };
+        // The timeline knows of no turn.
+        let follows = |b: &Breakaway| b.view == BreakawayView::Each;
+        let mut breakaways = self.scene.cuts.iter().filter_map(|c| c.breakaway.as_ref());
+        if self.args.turn_deg.is_some() && breakaways.any(follows) {
+            let view = self.scene.view_through(&camera, subject.size_px());
+            let opened = |_: &Cut, b: &Breakaway| follows(b).then_some(&view);
+            self.scene.open_breakaways_to(opened)?;
+            self.shown = self.shown.updated(&self.scene);
+        }
+        let prepared = &self.shown.model.prepared;
+        let view = prepared.view_of(&camera, subject.size_px());
+        let fineness = subject.supersample();
+        let drawn = picture::draw(session, &self.shown, &view, self.chosen.renderer, fineness)?;
+        let report = FrameReport::of(time_s, &drawn.frames, watch.ms());
+        if let (true, Renderer::Method(method), Outcome::Complete) = (
+            frame == self.own.start,
+            self.chosen.renderer,
+            &report.outcome,
+        ) {
+            let layers = session.layers(method)?;
+            let doubted = may_be_wrong(&layers, &self.shown.model.prepared, &view);
+            let verdict = warn_of_doubt(&doubted, self.chosen.renderer, &self.scene, console);
+            self.has_failed |= matches!(verdict, Verdict::Failed);
+        }
+        Ok((drawn.image, report))
+    }
+
+    /// Says how long the frames that are left may take, as if all took as long as the last: the first also builds what all share.
+    pub(super) fn announce(&self, frames: &[FrameReport], console: &Console) {
+        let left = self.own.len() - frames.len();
+        let Some(ms) = frames.last().and_then(|f| f.drawn_ms) else {
+            return;
+        };
+        let left_s = left as f64 * ms / 1000.0;
+        if left_s > PATIENCE_S {
+            console.milestone(format!(
+                "{left} frames of {ms:.0} ms are left: about {left_s:.0} s; a smaller --resolution, --fps or --supersample takes less"
+            ));
+        }
+    }
+
+    /// The run and its frames as JSON.
+    pub(super) fn json(&self, session: &Session, target: &Target, frames: &[FrameReport]) -> Value {
+        let means = self.chosen.renderer.means();
+        json!({
+            "scene": self.subject.scene.name,
+            "output": target.path(),
+            "format": target.name(),
+            "resolution": self.subject.size_px(),
+            "supersample": self.subject.supersample(),
+            "fps": self.times.fps,
+            "start_s": self.times.start_s,
+            "duration_s": self.times.duration_s(),
+            "clip": self.subject.timeline.settings().clip,
+            "turntable_deg": self.args.turn_deg,
+            "adapter": session.gpu().report(),
+            "strategy": picture::strategy_name(self.chosen.renderer),
+            "chosen_for": self.chosen.reason,
+            "rasteriser": means.rasteriser.unwrap_or_default().to_string(),
+            "height_filter": means.height_filter.unwrap_or_default().to_string(),
+            "median_drawn_ms": report::median_ms(frames),
+            "frames": frames.iter().map(FrameReport::json).collect::<Vec<_>>(),
+        })
+    }
+
+    /// All of it in a line.
+    pub(super) fn say(&self, frames: &[FrameReport], console: &Console) {
+        let [width, height] = self.subject.size_px();
+        let clocks = report::clocks(frames);
+        let clocks = if clocks.is_empty() {
+            clocks
+        } else {
+            format!("; clocks that ran: {clocks}")
+        };
+        let kept = match frames.iter().filter(|f| f.is_kept()).count() {
+            0 => String::new(),
+            kept => format!("; {kept} were there from an earlier run of this command"),
+        };
+        console.note(format!(
+            "{} frames of {width} x {height}, {} s at {} a second, drawn in {:.0} ms each{clocks}{kept}",
+            frames.len(),
+            round(self.times.duration_s()),
+            round(self.times.fps),
+            report::median_ms(frames),
+        ));
+    }
+}

@@ -1,0 +1,377 @@
+//! `animate`: a scene over time, or from all sides, as a GIF, an animated PNG, a film, or numbered pictures.
+//!
+//! All frames are drawn by one session, so that what does not change from frame to frame is built once. Time is that of as
+//! many pictures, plus the encoder's. The file takes its place when it is whole.
+
+mod apng;
+pub(crate) mod encode;
+mod encoder;
+mod ffmpeg;
+mod film;
+mod gif;
+mod identity;
+mod mp4;
+mod numbered;
+mod palette;
+mod plays;
+mod report;
+mod stamp;
+mod sweep;
+mod target;
+mod times;
+mod turntable;
+
+use clap::Args;
+use cutaway::session::Outcome;
+use cutaway::{Error, Result};
+use cutaway_io::document::{Document, Value};
+use cutaway_io::load::frames::{Pattern, USUAL_FPS};
+use cutaway_lab::experiment::{Identity, Renderer};
+
+use crate::Verdict;
+use crate::console::{Console, ConsoleArgs};
+use crate::input::args::{AdapterArgs, MeansArgs, SceneArgs, parse_finite};
+use crate::input::look::{LookArgs, Usual};
+use crate::input::shard::Shard;
+use crate::input::stdin;
+use crate::input::subject::Subject;
+use crate::input::when::ClipArgs;
+use crate::interrupt::Interrupt;
+use crate::writing::output::Output;
+use crate::writing::places::{no_place_twice, paths_of};
+use crate::writing::results::Results;
+use encoder::encoder;
+use film::Film;
+use plays::LoopArgs;
+use report::FrameReport;
+use sweep::{Sweep, parse_sweep};
+use target::Target;
+use times::{Times, TimesArgs};
+
+pub(crate) const EXAMPLES: &str = "\
+Examples:
+  cutaway animate shape:crank --section -z=50% --relief fractal --turntable -o crank.gif
+  cutaway animate walk.glb --clip run --section x=50% -o run.mp4
+  cutaway animate scene.toml --duration 6 --fps 30 --loop 1 -o scene.png     # an animated PNG, without loss
+  cutaway animate part.stl --sweep y=10%:90% -o sweep.gif
+  cutaway animate part.stl --section z=50% --turntable=90 --frames 12 -o 'frames/%04d.png'
+
+What moves is the scene's business: keys of a scene file, animations of a glTF file. A turntable comes on top of it.
+Ctrl-C or SIGTERM ends after the present frame, with exit code 130. Numbered frames that are there stay, and the same command goes on
+from them; of an animation in one file no file is written.";
+
+/// The usual rate of a GIF, whose delays are then 8 hundredths: about half of that of a film, for a file of half the bytes in half the time.
+const USUAL_GIF_FPS: f64 = 12.5;
+
+/// The usual size of a GIF: its file has no better compression than that of runs.
+const USUAL_GIF_SIZE_PX: [i64; 2] = [640, 480];
+
+/// Options of `animate`.
+#[derive(Args)]
+pub(crate) struct AnimateArgs {
+    #[command(flatten)]
+    scene: SceneArgs,
+    #[command(flatten)]
+    clip: ClipArgs,
+    #[command(flatten)]
+    times: TimesArgs,
+    /// A plane that moves through the model from one place to another: `y=10%:90%`, `-z=0:25`; the side its axis points to stays
+    #[arg(
+        long,
+        value_name = "AXIS=FROM:TO",
+        value_parser = parse_sweep,
+        allow_hyphen_values = true,
+        help_heading = "Cuts"
+    )]
+    sweep: Option<Sweep>,
+    /// The camera goes round the up axis, all the way or by so many degrees, on top of what moves: --turntable=90
+    #[arg(
+        long = "turntable",
+        value_name = "DEGREES",
+        num_args = 0..=1,
+        require_equals = true,
+        default_missing_value = "360",
+        value_parser = parse_turn,
+        help_heading = "Camera"
+    )]
+    turn_deg: Option<f64>,
+    /// The animation: .gif, .png or .apng (animated PNG), .mp4 (needs ffmpeg), or a PNG for each frame: 'frames/%04d.png'
+    #[arg(long, short, value_name = "FILE|PATTERN", help_heading = "Output")]
+    output: String,
+    /// Draw one share of numbered frames, a row of them: 0/8 to 7/8, or auto for that of a task of an array (Slurm and others), auto/8 where some of 8 tasks are submitted again
+    #[arg(long, value_name = "I/N|auto", help_heading = "Output")]
+    shard: Option<Shard>,
+    #[command(flatten)]
+    loops: LoopArgs,
+    #[command(flatten)]
+    look: LookArgs,
+    /// Outcome, clocks and times of every frame as JSON
+    #[arg(long, value_name = "FILE|-", help_heading = "Output")]
+    json: Option<String>,
+    #[command(flatten)]
+    device: AdapterArgs,
+    #[command(flatten)]
+    means: MeansArgs,
+    #[command(flatten)]
+    console: ConsoleArgs,
+}
+
+/// Runs `animate`.
+pub(crate) fn run(args: &AnimateArgs) -> Result<Verdict> {
+    let console = Console::new(args.console, 1);
+    console.step("opening");
+    let (target, json) = outputs(args)?;
+    turn_is_no_input(args)?;
+    // One numbered mesh to a frame: at any other rate some would be seen twice and others not at all.
+    let played_fps = rate(args, &target, false).1;
+    let mut document = args.scene.document(Some(played_fps))?;
+    args.clip.amend(&mut document)?;
+    args.look.amend(&mut document)?;
+    args.means.amend(&mut document)?;
+    // After all options, and for cutaways that are fitted to the picture.
+    if matches!(target, Target::Gif(_)) && document.get("resolution").is_err() {
+        document.set("resolution", USUAL_GIF_SIZE_PX.map(Value::from).to_vec())?;
+    }
+    if let Some(sweep) = args.sweep {
+        add_sweep(sweep, &mut document, args, &target)?;
+    }
+    let subject = args.scene.open(
+        document,
+        Some(args.times.start_s),
+        Usual::of_pictures()?,
+        &console,
+    )?;
+    let times = times(args, &target, &subject, &console)?;
+    note_of_even_size(&target, subject.size_px(), &console);
+
+    let drawer = subject.drawer()?;
+    let plays = args.loops.plays();
+    let files = target.files(times.count).into_iter();
+    let files = files.map(|file| ("--output", file));
+    let json_file = [("--json", json.as_ref())];
+    subject.save_beside(files.chain(paths_of(&json_file)), &args.scene.edits)?;
+    let mut session = args.device.session(args.json.is_some())?;
+    // Its files are read once more for it, which only numbered frames have any use for.
+    let run = match target {
+        Target::Numbered(_) => identity::of(&subject, &times, args.turn_deg, &session),
+        _ => Identity::default(),
+    };
+    // Before the encoder begins a file, which Ctrl-C would leave behind half written.
+    let interrupt = Interrupt::listen("animate", "frame")?;
+    let mut encoder = encoder(&target, subject.size_px(), &times, plays, run)?;
+    let own = args.shard.unwrap_or(Shard::WHOLE).of_row(times.count);
+    console.expect_frames(own.len() as u32);
+    let shown = subject.shown()?;
+    let view = subject.view(&shown.model.prepared);
+    let chosen = drawer.settle(Some(session.gpu()), (&shown.model, &view), &console);
+    let renderer = chosen.renderer;
+    let mut film = Film {
+        args,
+        subject: &subject,
+        times,
+        own: own.clone(),
+        chosen,
+        shown,
+        scene: subject.scene.clone(),
+        has_failed: false,
+    };
+    let mut frames = Vec::with_capacity(own.len());
+    for frame in own.clone() {
+        if interrupt.is_wanted() {
+            break;
+        }
+        let report = if encoder.has(frame) {
+            FrameReport::kept(times.at(frame))
+        } else {
+            let (image, report) = film.draw(frame, &mut session, &console)?;
+            match encoder.add(frame, &image, report.outcome == Outcome::Complete) {
+                // An encoder of its own process may have ended by the same Ctrl-C.
+                Err(_) if interrupt.is_wanted() => break,
+                added => added?,
+            }
+            report
+        };
+        frames.push(report);
+        console.frame_done();
+        if frame == own.start + 1 {
+            film.announce(&frames, &console);
+        }
+    }
+    if interrupt.is_wanted() && frames.len() < own.len() {
+        console.note(match &target {
+            Target::Numbered(_) => format!(
+                "{} of {} frames are there: the same command goes on from them",
+                frames.len(),
+                own.len()
+            ),
+            _ => "interrupted: no file was written".to_owned(),
+        });
+        return Ok(Verdict::Interrupted);
+    }
+    let mut results = Results::default();
+    if let Some(output) = &json {
+        let json = film.json(&session, &target, &frames);
+        results.add(output, format!("{json:#}\n").into_bytes())?;
+    }
+    encoder.finish(&console)?;
+    results.place()?;
+    film.say(&frames, &console);
+    Ok(match verdict(&frames, renderer, &console) {
+        Verdict::Done if film.has_failed => Verdict::Failed,
+        verdict => verdict,
+    })
+}
+
+/// Lets a plane move as long as anything else does, or as is asked for.
+fn add_sweep(
+    sweep: Sweep,
+    document: &mut Document,
+    args: &AnimateArgs,
+    target: &Target,
+) -> Result<()> {
+    let timeline = document.timeline(&mut stdin::assets())?;
+    let bounds = timeline
+        .stage()?
+        .unwrap_or_else(|| timeline.rest().bounds());
+    let times = args
+        .times
+        .times(rate(args, target, false).1, timeline.duration_s())?;
+    // The last frame, which is one before the end of the animation, shows where it ends.
+    let steps = times.count.max(2) as f64;
+    let end_s = times.start_s + times.duration_s();
+    let last_s = end_s - times.duration_s() / steps;
+    let span_s = [times.start_s, last_s, end_s];
+    sweep.amend(document, &bounds, span_s, &args.scene.sections)
+}
+
+fn outputs(args: &AnimateArgs) -> Result<(Target, Option<Output>)> {
+    let target = Target::checked(&args.output)?;
+    let json = args
+        .json
+        .as_ref()
+        .map(|v| Output::checked("--json", v, &[]));
+    let json = json.transpose()?;
+    let file = Output::File(target.path());
+    no_place_twice(&[("--output", Some(&file)), ("--json", json.as_ref())])?;
+    if args.shard.is_some() && !matches!(target, Target::Numbered(_)) {
+        return Err(Error::input(
+            "--shard",
+            "only numbered frames are drawn in shares",
+            "write -o 'frames/%04d.png', and when all shares are there: cutaway encode 'frames/%04d.png' -o run.gif",
+        ));
+    }
+    args.loops.must_fit(&target)?;
+    if args.look.no_background && matches!(target, Target::Mp4(..)) {
+        let help = "leave it out, or write a .gif or a .png";
+        let what = "an MP4 has no transparent pixels";
+        return Err(Error::input("--no-background", what, help));
+    }
+    Ok((target, json))
+}
+
+/// `--turntable 90` reads as an input called 90: nearly always a slip.
+fn turn_is_no_input(args: &AnimateArgs) -> Result<()> {
+    let number = |i: &&String| i.parse::<f64>().is_ok() && !std::path::Path::new(i).exists();
+    match args.scene.inputs.iter().find(number) {
+        Some(input) if args.turn_deg.is_some() => Err(Error::input(
+            input.as_str(),
+            "there is no such file",
+            format!("for a turn of so many degrees write --turntable={input}"),
+        )),
+        _ => Ok(()),
+    }
+}
+
+/// The times of the frames; an error where all of them would show the same.
+fn times(
+    args: &AnimateArgs,
+    target: &Target,
+    subject: &Subject,
+    console: &Console,
+) -> Result<Times> {
+    let timeline = &subject.timeline;
+    let moving_s = timeline
+        .duration_s()
+        .filter(|s| timeline.moves() && *s > 0.0);
+    if moving_s.is_none() && args.turn_deg.is_none() {
+        return Err(Error::input(
+            args.scene.inputs.join(" "),
+            "nothing moves in this scene: all frames would be the same",
+            "add --turntable to see it from all sides, or --sweep y=10%:90% to let a plane move, or give a scene whose [[key]] times lie after 0, an animated glTF file, or \
+             meshes numbered frame by frame as in 'frames/%04d.obj'",
+        ));
+    }
+    let (asked, fps) = rate(args, target, moving_s.is_none());
+    if args.times.fps.is_some() && (fps - asked).abs() > 1e-9 * asked {
+        console.note(format!(
+            "delays of a GIF are hundredths of a second, 2 at least: {} frames per second instead of {asked}",
+            cutaway::scene::numbers::round(fps)
+        ));
+    }
+    args.times.times(fps, moving_s)
+}
+
+/// Frames a second that are asked for, and those that the target can have.
+fn rate(args: &AnimateArgs, target: &Target, stands_still: bool) -> (f64, f64) {
+    match target {
+        Target::Gif(_) => {
+            // Numbered meshes are played as fast as elsewhere, each of them once.
+            let usual = match args.scene.inputs.iter().any(|i| Pattern::is_in(i)) {
+                true => USUAL_FPS,
+                false => USUAL_GIF_FPS,
+            };
+            let asked = args.times.rate(usual, stands_still);
+            (asked, gif::nearest_fps(asked))
+        }
+        _ => {
+            let asked = args.times.rate(USUAL_FPS, stands_still);
+            (asked, asked)
+        }
+    }
+}
+
+fn note_of_even_size(target: &Target, size_px: [u32; 2], console: &Console) {
+    let [width, height] = ffmpeg::even(size_px);
+    if matches!(target, Target::Mp4(..)) && [width, height] != size_px {
+        console.note(format!(
+            "sizes of an MP4 are even: it becomes {width} x {height}, continued at its border"
+        ));
+    }
+}
+
+fn verdict(frames: &[FrameReport], renderer: Renderer, console: &Console) -> Verdict {
+    let incomplete: Vec<&FrameReport> = frames
+        .iter()
+        .filter(|f| f.outcome != Outcome::Complete)
+        .collect();
+    let Some(first) = incomplete.first() else {
+        return Verdict::Done;
+    };
+    console.failed(format!(
+        "{renderer} did not draw all of {} frames, the first at {} s: {}",
+        incomplete.len(),
+        cutaway::scene::numbers::round(first.time_s),
+        first.outcome.reason().unwrap_or_default()
+    ));
+    Verdict::Failed
+}
+
+fn parse_turn(text: &str) -> Result<f64, String> {
+    let degrees = parse_finite(text)
+        .ok()
+        .filter(|d| d.abs() > 0.0 && d.abs() <= 36_000.0);
+    degrees.ok_or_else(|| "it must be a number of degrees, not 0\n  help: write for example --turntable=90, or --turntable for all round".to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn degrees_are_read_or_refused() {
+        assert_eq!(parse_turn("-90"), Ok(-90.0));
+        for text in ["0", "nan", "1e9", "all"] {
+            assert!(parse_turn(text).is_err(), "{text}");
+        }
+    }
+}

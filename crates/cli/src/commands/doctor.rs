@@ -1,0 +1,219 @@
+//! `doctor`: which adapters there are, what the chosen one can do, and whether what is claimed of exact strategies holds on it.
+//!
+//! The self-test has a budget of [`SELF_TEST_S`] seconds. It asks small pictures of the table of [hard cases](cutaway_lab::hard_cases), then
+//! random scenes, of each exact strategy by each rasteriser, and prints how much it got through. What it finds wrong is a fault of the
+//! adapter's driver or of this program; either belongs in a bug report, with the rest of what is printed.
+//!
+//! Cannot: prove. A table without a fault says that none was met in so many pictures of 64 px.
+
+use clap::Args;
+use cutaway::gpu::Gpu;
+use cutaway::session::{Outcome, Session};
+use cutaway::strategies::Method;
+use cutaway::{Error, Result};
+use cutaway_lab::experiment::Stopwatch;
+use cutaway_lab::hard_cases::{Asked, found, list, random};
+use cutaway_lab::report::Table;
+use serde::Serialize;
+use serde_json::json;
+
+use crate::Verdict;
+use crate::console::{Console, ConsoleArgs};
+use crate::input::args::AdapterArgs;
+use crate::writing::output::{Output, write_stdout};
+
+pub(crate) const EXAMPLES: &str = "\
+Examples:
+  cutaway doctor
+  cutaway doctor --adapter llvmpipe --json doctor.json
+
+It is the first thing that a report of a fault needs. Exit code 1: something that is claimed of a strategy does not hold on this adapter.";
+
+/// So long a self-test goes on, but for the picture it is at.
+const SELF_TEST_S: f64 = 20.0;
+/// The part of it that hard cases may take.
+const CASES_S: f64 = 12.0;
+/// Sides of the pictures of hard cases.
+const SIDE_PX: u32 = 64;
+/// More faults of one strategy in random scenes tell nothing new.
+const MOST_FAULTS: usize = 5;
+/// Of the random scenes. Any would do; one that stays lets two reports be compared.
+const SEED: u64 = 34;
+/// The strategies that are claimed to be exact, by each rasteriser that draws them.
+const EXACT: [&str; 8] = [
+    "raycast+mask@hardware",
+    "raycast+mask@compute",
+    "raycast+abuffer@hardware",
+    "raycast+abuffer@compute",
+    "raycast+stencil",
+    "stencil",
+    "planar",
+    "planar@compute",
+];
+
+/// Options of `doctor`.
+#[derive(Args)]
+pub(crate) struct DoctorArgs {
+    /// The same as JSON; with `-` instead of the text
+    #[arg(long, value_name = "FILE|-", help_heading = "Output")]
+    json: Option<String>,
+    #[command(flatten)]
+    adapter: AdapterArgs,
+    #[command(flatten)]
+    console: ConsoleArgs,
+}
+
+/// What the self-test found of a strategy.
+#[derive(Clone, Debug, Default, Serialize)]
+struct Examined {
+    /// Its name, with the rasteriser.
+    strategy: String,
+    /// Hard cases that came out as the table of them expects.
+    cases: usize,
+    /// Random scenes that it drew.
+    scenes: usize,
+    /// What is not as it is claimed; at most one for each case.
+    faults: Vec<String>,
+}
+
+/// Runs `doctor`.
+pub(crate) fn run(args: &DoctorArgs) -> Result<Verdict> {
+    let json = (args.json.as_ref()).map(|v| Output::checked("--json", v, &[]));
+    let json = json.transpose()?;
+    let adapters = Gpu::adapters();
+    let mut session = args.adapter.session(false)?;
+    let gpu = session.gpu();
+    let can = [
+        ("timestamps", gpu.has_timestamps()),
+        ("64-bit atomics", gpu.limits().wide_atomics),
+        ("32-bit depth with a stencil", gpu.limits().depth32_stencil8),
+        ("f32 heights through a sampler", gpu.limits().filters_f32),
+    ];
+    let is_text = json != Some(Output::Stdout);
+    if is_text {
+        // Before the self-test, which a driver may not survive.
+        write_stdout(about(&adapters, gpu, &can).as_bytes())?;
+    }
+    let console = Console::new(args.console, list().count());
+    let (examined, took_s) = examine(&mut session, &console)?;
+    if let Some(output) = &json {
+        let gpu = session.gpu();
+        let report = json!({
+            "version": env!("CARGO_PKG_VERSION"),
+            "adapters": adapters,
+            "adapter": gpu.report(),
+            "can": can.iter().copied().collect::<std::collections::BTreeMap<_, _>>(),
+            "limits": gpu.limits().by_name(),
+            "self_test_s": took_s,
+            "strategies": examined,
+        });
+        output.write(format!("{report:#}\n").as_bytes())?;
+    }
+    if is_text {
+        let table = table_of(&examined).to_text();
+        write_stdout(format!("\nself-test, {took_s:.0} s:\n{table}").as_bytes())?;
+    }
+    let mut verdict = Verdict::Done;
+    for examined in &examined {
+        for fault in &examined.faults {
+            console.failed(format!("{}: {fault}", examined.strategy));
+            verdict = Verdict::Failed;
+        }
+    }
+    Ok(verdict)
+}
+
+/// The adapters, which one was chosen, and what it can do.
+fn about(adapters: &[String], gpu: &Gpu, can: &[(&str, bool)]) -> String {
+    let report = gpu.report();
+    let chosen = report.in_words();
+    let bits = (report.sub_pixel_bits).map_or("unknown".to_owned(), |bits| bits.to_string());
+    let mut text = format!("cutaway {}\n\nadapters:\n", env!("CARGO_PKG_VERSION"));
+    for name in adapters {
+        let mark = if *name == chosen { '*' } else { ' ' };
+        text.push_str(&format!("{mark} {name}\n"));
+    }
+    text.push_str(&format!("\nsub-pixel bits: {bits}\n"));
+    for (what, has) in can {
+        text.push_str(&format!("{what}: {}\n", if *has { "yes" } else { "no" }));
+    }
+    for (name, limit) in gpu.limits().by_name() {
+        text.push_str(&format!("{name}: {limit}\n"));
+    }
+    text
+}
+
+fn table_of(examined: &[Examined]) -> Table {
+    let mut table = Table::new(["strategy", "hard cases", "random scenes", "verdict"]);
+    for e in examined {
+        let verdict = match (e.faults.len(), e.cases + e.scenes) {
+            (0, 0) => "not tried".to_owned(),
+            (0, _) => "as claimed here".to_owned(),
+            (1, _) => "not as claimed here: 1 fault".to_owned(),
+            (count, _) => format!("not as claimed here: {count} faults"),
+        };
+        let [cases, scenes] = [e.cases, e.scenes].map(|n| n.to_string());
+        table.row([e.strategy.clone(), cases, scenes, verdict]);
+    }
+    table
+}
+
+/// Asks as much as there is time for.
+fn examine(session: &mut Session, console: &Console) -> Result<(Vec<Examined>, f64)> {
+    let watch = Stopwatch::start();
+    let is_before = |seconds: f64| watch.ms() < seconds * 1e3;
+    let methods = EXACT.iter().map(|name| name.parse::<Method>());
+    let methods = methods.collect::<std::result::Result<Vec<_>, Error>>()?;
+    let mut all: Vec<Examined> = (methods.iter())
+        .map(|method| Examined {
+            strategy: method.to_string(),
+            ..Examined::default()
+        })
+        .collect();
+    for listed in list() {
+        if !is_before(CASES_S) {
+            break;
+        }
+        let asked = Asked {
+            ids: &[listed.id.to_owned()],
+            sizes_px: &[SIDE_PX],
+            methods: Some(&methods),
+        };
+        let cases = found(session, &asked, &mut |what| console.step(what), &|| {
+            is_before(SELF_TEST_S)
+        })?;
+        for (case, reached) in
+            (cases.iter().flatten()).flat_map(|c| c.reached.iter().map(move |r| (c, r)))
+        {
+            let Some(examined) = all.iter_mut().find(|e| e.strategy == reached.strategy) else {
+                continue;
+            };
+            match reached.holds {
+                true => examined.cases += 1,
+                false => examined.faults.push(format!(
+                    "hard case {} ({}): {} is expected, found: {}",
+                    case.id, case.name, reached.expected, reached.found
+                )),
+            }
+        }
+    }
+    for scene in 0.. {
+        if !is_before(SELF_TEST_S) {
+            break;
+        }
+        let recipe = random::recipe(SEED, scene);
+        let question = recipe.question();
+        for (method, examined) in methods.iter().zip(&mut all) {
+            if !is_before(SELF_TEST_S) {
+                break;
+            }
+            let judged = question.answer(session, method)?;
+            examined.scenes += usize::from(judged.outcome == Outcome::Complete);
+            let fault = random::fault(&question, &judged, method);
+            if let Some(what) = fault.filter(|_| examined.faults.len() < MOST_FAULTS) {
+                (examined.faults).push(format!("random scene {scene}: {what}; {recipe:?}"));
+            }
+        }
+    }
+    Ok((all, watch.ms() / 1e3))
+}

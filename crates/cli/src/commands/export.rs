@@ -1,0 +1,363 @@
+//! `export`: what cuts leave of a model, and what they remove, as mesh files with their caps. Needs no adapter.
+//!
+//! Parts are cut in f64, in world space, in their poses; nothing is rounded but for the format of the file. The file of what is removed
+//! has the name of the other with `.removed` before its extension, as the material library of an OBJ file has `.mtl` behind its stem, and an
+//! image of OBJ and PLY `.0.png`.
+//! All of them are written beside their places before the first takes its own ([`Results`]), and none where one of the places is a folder.
+
+mod facts;
+
+use std::path::PathBuf;
+
+use clap::Args;
+use cutaway::scene::weld::thousands;
+use cutaway::scene::{Fill, LengthUnit, Scene, Texture, doubts};
+use cutaway::slice::{CappedPart, Half, RELIEF_CELLS, capped_with};
+use cutaway::{Error, Result};
+use cutaway_io::save::{Format, Solid, encoded, leaves_out, rounding};
+use serde_json::{Value, json};
+
+use self::facts::Facts;
+use crate::Verdict;
+use crate::console::{Console, ConsoleArgs};
+use crate::input::args::{fill_by, parse_fill};
+use crate::input::defects::DefectArgs;
+use crate::input::edits::EditArgs;
+use crate::input::holes::HoleArgs;
+use crate::input::look::Usual;
+use crate::input::sections::SectionArgs;
+use crate::input::split::SplitArgs;
+use crate::input::stdin::StdinArgs;
+use crate::input::subject::{Subject, document};
+use crate::input::when::TimeArgs;
+use crate::interrupt::Interrupt;
+use crate::writing::output::Output;
+use crate::writing::places::{no_place_twice, paths_of};
+use crate::writing::results::Results;
+
+pub(crate) const EXAMPLES: &str = "\
+Examples:
+  cutaway export bracket.stl --section x=50% -o half.stl
+  cutaway export bracket.stl --section x=50% -o half.stl --both              # and half.removed.stl
+  cutaway export shape:gears --wedge z:0:90 -o open.3mf --unit mm            # parts, names and colours, to print
+  cutaway export engine.glb --box 50%,50%,50%: --exclude 'bolt*' -o cut.glb
+  cutaway export bracket.stl --section x=50% --relief fractal:amplitude=5% -o ragged.stl
+  cutaway export walk.glb --clip run --time 0.5 --section y=30% -o step.ply
+
+What is written is closed where the model is, and all faces of it agree which side is out where those of the model do. Each part is a
+solid of its own. Caps are a group of their own: a group in OBJ, a primitive in GLB, triangles of a material in 3MF, a property in PLY;
+STL has no groups. OBJ, PLY and 3MF hold every bit of a coordinate, STL and GLB the 24 of f32. Planes cut exactly, and open meshes too; reliefs
+and cutters cut closed meshes, by Boolean operations. Exit code 1 where a cap is missing, because the mesh is open there; 130 where Ctrl-C or
+SIGTERM has ended it, without a file.";
+
+/// Options of `export`.
+#[derive(Args)]
+pub(crate) struct ExportArgs {
+    /// Meshes, `shape:NAME?param=value`, or one scene (.toml), which brings its own cuts
+    #[arg(required = true, value_name = "SCENE|MODEL")]
+    inputs: Vec<String>,
+    #[command(flatten)]
+    stdin: StdinArgs,
+    #[command(flatten)]
+    edits: EditArgs,
+    #[command(flatten)]
+    sections: SectionArgs,
+    #[command(flatten)]
+    when: TimeArgs,
+    #[command(flatten)]
+    split: SplitArgs,
+    /// What is inside where bodies of a part overlap, for all parts: even-odd or nonzero. Reliefs and cutters cut that solid; planes leave
+    /// the bodies as they are, each with its own cap [default: as the scene says, or even-odd]
+    #[arg(long, value_name = "RULE", value_parser = parse_fill)]
+    fill: Option<Fill>,
+    #[command(flatten)]
+    defects: DefectArgs,
+    #[command(flatten)]
+    holes: HoleArgs,
+    /// What is left: .stl, .ply, .obj (with .mtl), .glb or .3mf; images lie beside .ply and .obj
+    #[arg(
+        long,
+        short,
+        required = true,
+        value_name = "FILE",
+        help_heading = "Output"
+    )]
+    output: String,
+    /// Write what is removed as well, to FILE with .removed before its extension
+    #[arg(long, help_heading = "Output")]
+    both: bool,
+    /// Triangles, volumes, areas of caps and open edges as JSON
+    #[arg(long, value_name = "FILE|-", help_heading = "Output")]
+    json: Option<String>,
+    /// How long a unit of the model is, for 3MF; other formats do not say it [default: that of the model, or mm]
+    #[arg(long, value_parser = crate::input::unit::parser(), value_name = "UNIT", help_heading = "Output")]
+    unit: Option<LengthUnit>,
+    /// Cells of a relief along the longer side of a part, 1 to 4096
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = RELIEF_CELLS,
+        value_parser = clap::value_parser!(u32).range(1..=4096),
+        help_heading = "Output"
+    )]
+    relief_cells: u32,
+    #[command(flatten)]
+    console: ConsoleArgs,
+}
+
+/// Runs `export`.
+pub(crate) fn run(args: &ExportArgs) -> Result<Verdict> {
+    let outputs = Outputs::checked(args)?;
+    // Before a file begins, which Ctrl-C would leave behind half written.
+    let interrupt = Interrupt::listen("export", "step")?;
+    let console = Console::new(args.console, 3);
+    console.step("opening");
+    let mut document = document(&args.inputs, args.stdin, None)?;
+    args.split.amend(&mut document)?;
+    fill_by(&mut document, args.fill)?;
+    args.defects.amend(&mut document)?;
+    args.holes.amend(&mut document)?;
+    args.sections.amend(&mut document)?;
+    args.when.amend(&mut document)?;
+    let subject = Subject::open(document, None, Usual::default(), &args.edits, &console)?;
+    subject.must_be_cut_by(&args.sections)?;
+    let scene = &subject.scene;
+    let coats = scene.parts.iter().filter_map(|p| p.mesh.coat.as_ref());
+    let mut images = Vec::new();
+    for image in coats.flat_map(|coat| &coat.images) {
+        Texture::number_among(&mut images, image);
+    }
+    subject.save_beside(outputs.with_images(images.len()), &args.edits)?;
+    if !scene.cuts.iter().any(|c| c.enabled) {
+        let help = "add --section SPEC, for example --section z=50%";
+        return Err(Error::input("export", "there is nothing to cut by", help));
+    }
+    doubts(scene).iter().for_each(|d| console.remark(d));
+
+    console.step("cutting");
+    let parts = capped_with(scene, args.relief_cells)?;
+    if interrupt.is_wanted() {
+        console.note("interrupted: no file was written");
+        return Ok(Verdict::Interrupted);
+    }
+    let off = parts.iter().map(|p| p.relief_off).fold(0.0, f64::max);
+    if off > 0.0 {
+        let share = 100.0 * off / scene.bounds().size().length();
+        console.note(format!(
+            "caps follow their reliefs to {off:.2e} units, {share:.2} % of the size of the model; a larger --relief-cells does better"
+        ));
+    }
+    console.step("writing");
+    let unit = match (args.unit, subject.unit()) {
+        (Some(unit), _) | (None, Some(unit)) => unit,
+        (None, None) => {
+            if outputs.kept.format == Format::ThreeMf {
+                console.note("nothing says how long a unit of the model is: it is written as a millimetre, unless --unit says otherwise");
+            }
+            LengthUnit::Mm
+        }
+    };
+    let writer = Writer {
+        scene,
+        unit,
+        console: &console,
+    };
+    let mut results = Results::default();
+    writer.add(&mut results, &outputs.kept, &parts, |p| &p.halves.kept)?;
+    if let Some(to) = &outputs.removed {
+        writer.add(&mut results, to, &parts, |p| &p.halves.removed)?;
+    }
+    let facts: Vec<Facts> = parts.iter().map(|p| Facts::of(scene, p)).collect();
+    let all: Vec<Value> = facts.iter().map(Facts::to_json).collect();
+    let json = format!("{:#}\n", json!({ "scene": scene.name, "parts": all }));
+    if let Some(output) = &outputs.json {
+        results.add(output, json.into_bytes())?;
+    }
+    results.place()?;
+    if outputs.kept.format == Format::ThreeMf && facts.iter().any(|f| f.kept.open_edges > 0) {
+        console.note("3MF asks for closed meshes: programs may refuse or mend what is open");
+    }
+    Ok(verdict(&facts, &parts, &console))
+}
+
+/// A mesh file, and what lies beside it.
+struct MeshFile {
+    path: PathBuf,
+    format: Format,
+    /// What is in it, in words.
+    what: &'static str,
+}
+
+impl MeshFile {
+    /// It and what may lie beside it, of solids with so many images.
+    fn all(&self, images: usize) -> impl Iterator<Item = PathBuf> {
+        let stem = self.path.file_stem().unwrap_or_default();
+        let beside = self.format.beside(&stem.to_string_lossy(), images);
+        let beside = beside
+            .into_iter()
+            .map(|name| self.path.with_file_name(name));
+        std::iter::once(self.path.clone()).chain(beside)
+    }
+}
+
+/// Where results go.
+struct Outputs {
+    kept: MeshFile,
+    removed: Option<MeshFile>,
+    json: Option<Output>,
+}
+
+impl Outputs {
+    fn checked(args: &ExportArgs) -> Result<Self> {
+        let value = args.output.as_str();
+        let extensions = Format::BY_EXTENSION.map(|(extension, _)| extension);
+        let path = match Output::checked("--output", value, &extensions)? {
+            Output::File(path) => path,
+            Output::Stdout => {
+                let help = "name a file that ends in .stl, .ply, .obj, .glb or .3mf";
+                return Err(Error::input(
+                    "--output -",
+                    "a mesh is written to a file",
+                    help,
+                ));
+            }
+        };
+        let extension = path.extension().unwrap_or_default().to_string_lossy();
+        let Some(format) = Format::of_extension(&extension) else {
+            let what = "it is no file, and has no extension that names a format";
+            let help = "name a file that ends in .stl, .ply, .obj, .glb or .3mf";
+            return Err(Error::input(format!("--output {value}"), what, help));
+        };
+        if args.unit.is_some() && format != Format::ThreeMf {
+            let what = format!("a .{extension} file does not say how long a unit is");
+            return Err(Error::input("--unit", what, "leave it out, or write .3mf"));
+        }
+        let json = args
+            .json
+            .as_ref()
+            .map(|v| Output::checked("--json", v, &[]));
+        let removed = args.both.then(|| MeshFile {
+            path: path.with_extension(format!("removed.{extension}")),
+            format,
+            what: "removed",
+        });
+        let outputs = Self {
+            kept: MeshFile {
+                path: path.clone(),
+                format,
+                what: "left",
+            },
+            removed,
+            json: json.transpose()?,
+        };
+        let all: Vec<(&str, Output)> = (outputs.all().into_iter())
+            .map(|(option, path)| (option, Output::File(path)))
+            .collect();
+        let all: Vec<(&str, Option<&Output>)> = all.iter().map(|(o, to)| (*o, Some(to))).collect();
+        no_place_twice(&all)?;
+        for (option, path) in outputs.all() {
+            Output::checked(option, &path.to_string_lossy(), &[])?;
+        }
+        Ok(outputs)
+    }
+
+    /// All files but images, by the options that ask for them.
+    fn all(&self) -> Vec<(&'static str, PathBuf)> {
+        self.with_images(0)
+    }
+
+    /// All files of solids with so many images.
+    fn with_images(&self, images: usize) -> Vec<(&'static str, PathBuf)> {
+        let kept = self.kept.all(images).map(|path| ("--output", path));
+        let removed = self.removed.iter().flat_map(|file| file.all(images));
+        let mut all: Vec<_> = kept.chain(removed.map(|path| ("--both", path))).collect();
+        all.extend(paths_of(&[("--json", self.json.as_ref())]));
+        all
+    }
+}
+
+/// A vertex that moves by more than this share of the model's size is worth a word.
+const COARSE: f64 = 1e-5;
+
+/// What files are written of.
+struct Writer<'a> {
+    scene: &'a Scene,
+    unit: LengthUnit,
+    console: &'a Console,
+}
+
+impl Writer<'_> {
+    /// Adds the files of one half.
+    fn add(
+        &self,
+        results: &mut Results,
+        to: &MeshFile,
+        parts: &[CappedPart],
+        half: impl Fn(&CappedPart) -> &Half,
+    ) -> Result<()> {
+        let solids: Vec<Solid<'_>> = (parts.iter())
+            .map(|p| Solid::of(&self.scene.parts[p.part], half(p)))
+            .filter(|s| !s.mesh.triangles.is_empty())
+            .collect();
+        if solids.is_empty() {
+            let what = format!(
+                "nothing of the model is {}, and a mesh is not empty",
+                to.what
+            );
+            let help = "move the section, keep the other side (--flip), or leave --both out";
+            return Err(Error::file(&to.path, what, help));
+        }
+        let size = self.scene.bounds().size().length();
+        let off = rounding(to.format, &solids).filter(|off| *off > COARSE * size);
+        if let Some(off) = off {
+            self.console.note(format!(
+                "{}: the format rounds coordinates by up to {off:.1e} units, for the model is far from the origin: move it there, or \
+                 write .ply, .obj or .3mf",
+                to.path.display()
+            ));
+        }
+        if let Some(what) = leaves_out(to.format, &solids) {
+            self.console.note(format!(
+                "{}: without {what} of the model, which the format does not hold as it is written here: .glb does",
+                to.path.display()
+            ));
+        }
+        let stem = to.path.file_stem().unwrap_or_default().to_string_lossy();
+        let encoded = encoded(to.format, &solids, &stem, self.unit).map_err(|e| {
+            let help = "write .ply or .obj, which hold all digits and any size";
+            Error::file(&to.path, e.to_string(), help)
+        })?;
+        results.add(&Output::File(to.path.clone()), encoded.file)?;
+        for (name, bytes) in encoded.beside {
+            results.add(&Output::File(to.path.with_file_name(name)), bytes)?;
+        }
+        Ok(())
+    }
+}
+
+/// Says which caps are missing, and which parts came in open.
+fn verdict(facts: &[Facts], parts: &[CappedPart], console: &Console) -> Verdict {
+    let mut verdict = Verdict::Done;
+    for (facts, part) in facts.iter().zip(parts) {
+        let Facts {
+            part: name,
+            open_edges,
+            kept,
+            ..
+        } = facts;
+        for defect in part.halves.defects.iter().filter(|d| !d.loses_cap()) {
+            console.note(format!("{name}: {defect}; {}", defect.help()));
+        }
+        if let Some(defect) = part.halves.defects.iter().find(|d| d.loses_cap()) {
+            console.failed(format!("{name}: {defect}\n  help: {}", defect.help()));
+            verdict = Verdict::Failed;
+        }
+        if *open_edges > 0 {
+            let [before, after] = [*open_edges, kept.open_edges].map(thousands);
+            console.note(format!(
+                "{name} came in with {before} open edges; what is left has {after}"
+            ));
+        }
+    }
+    verdict
+}

@@ -1,0 +1,261 @@
+//! `inspect`: what a model is like, part by part and in total.
+
+use clap::Args;
+use cutaway::scene::numbers::{describe_bounds, round};
+use cutaway::scene::weld::thousands;
+use cutaway::scene::{Bodies, Clip, Part, Topology};
+use cutaway::{Error, Result};
+use cutaway_lab::report::Table;
+use serde_json::{Value, json};
+
+use crate::Verdict;
+use crate::console::{Console, ConsoleArgs};
+use crate::input::defects::DefectArgs;
+use crate::input::edits::EditArgs;
+use crate::input::holes::HoleArgs;
+use crate::input::look::Usual;
+use crate::input::roles;
+use crate::input::split::SplitArgs;
+use crate::input::stdin::StdinArgs;
+use crate::input::subject::{Subject, document};
+use crate::input::when::TimeArgs;
+use crate::writing::output::{Output, write_stdout};
+use crate::writing::places::paths_of;
+
+pub(crate) const EXAMPLES: &str = "\
+Examples:
+  cutaway inspect bracket.stl
+  cutaway inspect shape:gears
+  cutaway inspect walk.glb --clip run --time 0.5
+  cutaway inspect engine.stl --split                                  # each connected body by itself
+  cutaway inspect engine.stl --split --roles                          # what lies inside, for --breakaway
+  cutaway inspect shape:sphere --defect holes:amount=5%,patch=12      # what the defect does to edges and rays
+  curl -s https://example.org/scan.stl | cutaway inspect -             # a model from standard input
+  cutaway inspect scan.ply --close-holes                              # which holes can be closed, and what is then left open
+  cutaway inspect engine.glb --json - | jq '.parts[] | select(.closed | not) | .name'
+
+Components share no vertex. A body could be taken away without tearing the surface, and has its cavities: --split makes each a part.
+A part that is not closed has no inside everywhere: caps can be wrong along rays through its holes. Coincident
+faces lie on the same three positions as another face, turned either way; in total also those of different parts. Depth
+complexity is how often axis-parallel rays cross the surface.";
+
+/// Options of `inspect`.
+#[derive(Args)]
+pub(crate) struct InspectArgs {
+    /// Meshes, `-` for one from standard input, `shape:NAME?param=value`, or one scene (.toml)
+    #[arg(required = true, value_name = "MODEL")]
+    inputs: Vec<String>,
+    #[command(flatten)]
+    stdin: StdinArgs,
+    #[command(flatten)]
+    edits: EditArgs,
+    #[command(flatten)]
+    when: TimeArgs,
+    #[command(flatten)]
+    split: SplitArgs,
+    /// Say which role each part has for cutouts and breakaways, and where that is said; where it is not, roles are found by what is seen
+    /// from outside
+    #[arg(long)]
+    roles: bool,
+    #[command(flatten)]
+    defects: DefectArgs,
+    #[command(flatten)]
+    holes: HoleArgs,
+    /// The same as JSON; with `-` instead of the table
+    #[arg(long, value_name = "FILE|-", help_heading = "Output")]
+    json: Option<String>,
+    #[command(flatten)]
+    console: ConsoleArgs,
+}
+
+/// Runs `inspect`.
+pub(crate) fn run(args: &InspectArgs) -> Result<Verdict> {
+    let json = args
+        .json
+        .as_ref()
+        .map(|v| Output::checked("--json", v, &[]));
+    let json = json.transpose()?;
+    let console = Console::new(args.console, 2);
+    console.step("opening");
+    let mut document = document(&args.inputs, args.stdin, None)?;
+    args.split.amend(&mut document)?;
+    args.defects.amend(&mut document)?;
+    args.holes.amend(&mut document)?;
+    args.when.amend(&mut document)?;
+    roles::amend(&mut document, &[], args.roles)?;
+    let subject = Subject::open(document, None, Usual::default(), &args.edits, &console)?;
+    subject.save_beside(paths_of(&[("--json", json.as_ref())]), &args.edits)?;
+    let clips = subject.timeline.clips();
+    let parts = subject.scene.posed().parts;
+    console.step("inspecting");
+    let facts: Vec<Facts<'_>> = parts.iter().map(Facts::of).collect();
+    let total = match facts.as_slice() {
+        [one] => one.clone(),
+        _ => Facts {
+            name: "total",
+            topology: Topology::from_parts(&parts),
+            bodies: facts.iter().map(|f| f.bodies).sum(),
+        },
+    };
+    let roles = args.roles.then(|| subject.timeline.roles()).transpose()?;
+    if let Some(output) = &json {
+        let mut json = to_json(&facts, &total, clips)?;
+        for (i, (part, by)) in roles.iter().flatten().enumerate() {
+            if let (Some(facts), Value::Object(role)) =
+                (json["parts"][i].as_object_mut(), roles::to_json(part, by))
+            {
+                facts.extend(role);
+            }
+        }
+        output.write(format!("{json:#}\n").as_bytes())?;
+    }
+    if json != Some(Output::Stdout) {
+        let mut text = match &roles {
+            Some(roles) => roles::to_text(roles),
+            None => to_text(&facts, &total),
+        };
+        text.extend(clips.iter().enumerate().map(describe));
+        write_stdout(text.as_bytes())?;
+    }
+    Ok(Verdict::Done)
+}
+
+/// What there is to say of a part, or of all.
+#[derive(Clone)]
+struct Facts<'a> {
+    name: &'a str,
+    topology: Topology,
+    /// Into how many parts `--split` would take it apart.
+    bodies: usize,
+}
+
+impl<'a> Facts<'a> {
+    fn of(part: &'a Part) -> Self {
+        Self {
+            name: &part.name,
+            topology: Topology::from_parts(std::slice::from_ref(part)),
+            bodies: Bodies::of(&part.mesh).count(),
+        }
+    }
+}
+
+/// A clip, as `--clip` takes it.
+fn describe((number, clip): (usize, &Clip)) -> String {
+    let length = round(clip.duration_s);
+    format!("clip {number}: {}, {length} s\n", clip.name)
+}
+
+fn to_json(facts: &[Facts<'_>], total: &Facts<'_>, clips: &[Clip]) -> Result<Value> {
+    let value = |of: &Facts<'_>| {
+        let mut value = serde_json::to_value(&of.topology).map_err(|e| {
+            let help = "leave --json out, and report this";
+            Error::input("--json", format!("cannot be encoded: {e}"), help)
+        })?;
+        value["bodies"] = json!(of.bodies);
+        Ok(value)
+    };
+    let mut parts = Vec::with_capacity(facts.len());
+    for of in facts {
+        let mut part = json!({ "name": of.name });
+        if let (Some(part), Value::Object(facts)) = (part.as_object_mut(), value(of)?) {
+            part.extend(facts);
+        }
+        parts.push(part);
+    }
+    let clips: Vec<Value> = (clips.iter())
+        .map(|c| json!({ "name": c.name, "duration_s": c.duration_s }))
+        .collect();
+    Ok(json!({ "parts": parts, "total": value(total)?, "clips": clips }))
+}
+
+fn to_text(facts: &[Facts<'_>], total: &Facts<'_>) -> String {
+    let mut table = Table::new([
+        "part",
+        "vertices",
+        "faces",
+        "closed",
+        "coincident",
+        "boundary",
+        "non-manifold",
+        "inconsistent",
+        "components",
+        "bodies",
+        "euler",
+        "volume",
+        "area",
+        "size",
+        "depth max",
+        "mean",
+    ]);
+    for of in facts {
+        table.row(row(of));
+    }
+    if facts.len() > 1 {
+        table.row(row(total));
+    }
+    let mut text = table.to_text();
+    let bounds = total.topology.bounds;
+    let bounds = describe_bounds(bounds.min, bounds.max);
+    text.push_str(&format!("bounds: {bounds}\n"));
+    for Facts {
+        name,
+        topology: facts,
+        ..
+    } in facts
+    {
+        if let Some(at) = facts.where_open().first() {
+            text.push_str(&format!(
+                "{name} is open: {} boundary edges, one at {},{},{}\n",
+                facts.boundary_edges,
+                round(at.x),
+                round(at.y),
+                round(at.z)
+            ));
+        }
+        if facts.coincident_faces > 0 {
+            text.push_str(&format!(
+                "{name} has {} faces that lie on another: two of them cancel, and the solid has no inside there\n",
+                facts.coincident_faces
+            ));
+        }
+        if facts.closed && facts.volume < 0.0 {
+            text.push_str(&format!("{name} is inside out: its volume is negative\n"));
+        }
+    }
+    text.extend(bodies_hint(facts));
+    text
+}
+
+/// What makes parts of bodies, where there are several in one.
+fn bodies_hint(facts: &[Facts<'_>]) -> Option<String> {
+    let several = facts.iter().filter(|f| f.bodies > 1).collect::<Vec<_>>();
+    let who = match several.as_slice() {
+        [] => return None,
+        [one] => format!("{} has {} bodies", one.name, thousands(one.bodies)),
+        all => format!("{} parts have several bodies", thousands(all.len())),
+    };
+    Some(format!("{who}: --split makes each of them a part\n"))
+}
+
+fn row(of: &Facts<'_>) -> Vec<String> {
+    let facts = &of.topology;
+    let size = [0, 1, 2].map(|i| round(facts.bounds.max[i] - facts.bounds.min[i]));
+    vec![
+        of.name.to_owned(),
+        facts.vertices.to_string(),
+        facts.faces.to_string(),
+        if facts.closed { "yes" } else { "no" }.to_owned(),
+        facts.coincident_faces.to_string(),
+        facts.boundary_edges.to_string(),
+        facts.non_manifold_edges.to_string(),
+        facts.inconsistent_edges.to_string(),
+        facts.components.to_string(),
+        of.bodies.to_string(),
+        facts.euler.to_string(),
+        round(facts.volume),
+        round(facts.area),
+        size.join(" x "),
+        facts.depth_complexity.largest.to_string(),
+        format!("{:.2}", facts.depth_complexity.mean),
+    ]
+}

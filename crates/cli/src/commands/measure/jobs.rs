@@ -1,0 +1,343 @@
+//! What is to be measured: the points of all runs that were asked for, in order, checked before the first begins.
+
+use std::collections::BTreeSet;
+use std::path::PathBuf;
+
+use cutaway::error::did_you_mean;
+use cutaway::gpu::AdapterReport;
+use cutaway::scene::glob_matches;
+use cutaway::{Error, Result};
+use cutaway_io::document::Value;
+use cutaway_io::load::{Assets, Disk};
+use cutaway_lab::experiment::definition::{Asked, AskedCases, AskedSearch, DefinedRun, SceneRun};
+use cutaway_lab::experiment::run::file_stem;
+use cutaway_lab::experiment::sweep::Point;
+use cutaway_lab::experiment::{Definition, Identity};
+use cutaway_lab::hard_cases::check_ids;
+
+use super::MeasureArgs;
+use super::folder::Folder;
+use crate::judge::quoted;
+use crate::writing::places::InputFiles;
+
+/// One thing to measure.
+pub(super) struct Job<'a> {
+    /// Of which experiment.
+    pub(super) definition: &'a Definition,
+    /// Of which run.
+    pub(super) run: &'a DefinedRun,
+    /// What it is.
+    pub(super) task: Task<'a>,
+}
+
+/// What is measured.
+pub(super) enum Task<'a> {
+    /// A point, and whether its pictures are kept.
+    Point(&'a SceneRun, &'a Point, bool),
+    /// Hard cases.
+    Cases(&'a AskedCases),
+    Search(&'a AskedSearch),
+}
+
+impl Job<'_> {
+    /// Its place in words: `01-paper, crank, amplitude = 1%`.
+    pub(super) fn place(&self) -> String {
+        let mut place = format!("{}, {}", self.definition.name, self.run.name);
+        if let Task::Point(_, point, _) = self.task {
+            for (name, value) in &point.parameters {
+                place.push_str(&format!(", {name} = {value}"));
+            }
+        }
+        place
+    }
+
+    /// The name of its record, without an extension.
+    pub(super) fn stem(&self) -> String {
+        match self.task {
+            Task::Point(_, point, _) => file_stem(&self.run.name, point),
+            Task::Cases(_) | Task::Search(_) => format!("{}.cases", self.run.name),
+        }
+    }
+
+    /// What `--only` calls it: the run, and after a colon the point as its files are called.
+    fn address(&self) -> String {
+        match self.task {
+            Task::Point(_, point, _) if !point.stem.is_empty() => {
+                format!("{}:{}", self.run.name, point.stem)
+            }
+            _ => self.run.name.clone(),
+        }
+    }
+
+    /// Whether `--only` means it: globs over the run, and over the point where there is a colon.
+    fn is_meant(&self, only: &str) -> bool {
+        let (run, point) = only.split_once(':').unwrap_or((only, "*"));
+        let stem = match self.task {
+            Task::Point(_, point, _) => point.stem.as_str(),
+            Task::Cases(_) | Task::Search(_) => "",
+        };
+        glob_matches(run, &self.run.name) && glob_matches(point, stem)
+    }
+
+    /// An error with the place where it happened.
+    pub(super) fn place_error(&self, error: Error) -> Error {
+        let place = format!(
+            "{}: run `{}`",
+            self.definition.path.display(),
+            self.run.name
+        );
+        error.within(&place)
+    }
+
+    /// How many rounds it is measured, if it is.
+    pub(super) fn rounds(&self, args: &MeasureArgs) -> usize {
+        match self.task {
+            Task::Point(run, ..) => args.rounds.map_or(run.rounds, |n| n as usize),
+            Task::Cases(_) | Task::Search(_) => 0,
+        }
+    }
+
+    /// How long it takes beside others, in pixels that are drawn: frames of every round, and the reference, which takes as long as some.
+    fn cost(&self, args: &MeasureArgs) -> f64 {
+        const REFERENCE_ROUNDS: f64 = 20.0;
+        match self.task {
+            Task::Point(_, point, _) => {
+                let side = |i: usize| {
+                    let size = point.scene.get("resolution").ok()?;
+                    match &size.items().get(i)?.value {
+                        Value::Number(number) => Some(number.value),
+                        _ => None,
+                    }
+                };
+                let pixels = side(0).unwrap_or(1024.0) * side(1).unwrap_or(768.0);
+                let frames = (self.rounds(args) + 1) * (point.trials.len() + 1);
+                pixels * (frames as f64 + REFERENCE_ROUNDS)
+            }
+            Task::Cases(asked) => 1e6 * asked.cases.len().max(1) as f64,
+            Task::Search(asked) => 1e6 * asked.scenes as f64,
+        }
+    }
+
+    /// The command line that measures it again.
+    pub(super) fn command(&self, args: &MeasureArgs) -> String {
+        let mut again = vec![
+            "measure".to_owned(),
+            self.definition.path.display().to_string(),
+            format!("--only={}", self.address()),
+        ];
+        again.extend(args.quick.then(|| "--quick".to_owned()));
+        again.extend(args.rounds.map(|n| format!("--rounds={n}")));
+        again.push("--out=target/again".to_owned());
+        again.extend(
+            args.device
+                .adapter
+                .as_ref()
+                .map(|a| format!("--adapter={a}")),
+        );
+        quoted(again.into_iter())
+    }
+
+    /// What a record of it would be of.
+    pub(super) fn identity(
+        &self,
+        program: &str,
+        adapter: &AdapterReport,
+        args: &MeasureArgs,
+    ) -> String {
+        let mut identity = Identity::default();
+        identity.add(env!("CARGO_PKG_VERSION"));
+        identity.add(program);
+        identity.add(format!("{adapter:?} {}", args.quick));
+        identity.add(&self.run.name);
+        match self.task {
+            Task::Point(run, point, keeps_pictures) => {
+                identity.add_document(&point.scene);
+                identity.add("truth");
+                if let Some(truth) = &point.truth {
+                    identity.add_document(truth);
+                }
+                for trial in &point.trials {
+                    identity.add(format!("{} {:?}", trial.renderer, trial.families));
+                }
+                let rounds = self.rounds(args);
+                identity.add(format!("{:?} {keeps_pictures} {rounds}", point.parameters));
+                // Not what is expected: a record is held against that again, and nothing has to be measured for it.
+                identity.add(format!("{:?}", run.drift));
+            }
+            Task::Cases(asked) => identity.add(format!("{asked:?}")),
+            Task::Search(asked) => identity.add(format!("{asked:?}")),
+        }
+        identity.text()
+    }
+}
+
+/// Refuses a folder where records would replace the experiments' own files, or what their points name.
+pub(super) fn keep_inputs(
+    definitions: &[Definition],
+    jobs: &[Job<'_>],
+    folder: &Folder,
+    is_quick: bool,
+) -> Result<()> {
+    let files = InputFiles::default();
+    files.add(definitions.iter().map(|d| d.path.clone()));
+    for job in jobs {
+        if let Task::Point(_, point, _) = job.task {
+            let scenes = std::iter::once(&point.scene).chain(&point.truth);
+            scenes.for_each(|scene| files.add(scene.files(&Disk)));
+        }
+    }
+    for definition in definitions {
+        let stems = stems(definition, is_quick);
+        let replaced = folder.replaced(&definition.name, &stems).into_iter();
+        files.keep_from(replaced.map(|path| ("--out", path)))?;
+    }
+    Ok(())
+}
+
+/// The experiments of some files, each name once.
+pub(super) fn load(paths: &[PathBuf]) -> Result<Vec<Definition>> {
+    let mut names = BTreeSet::new();
+    let mut all = Vec::new();
+    for path in paths {
+        let definition = Definition::load(path)?;
+        if !names.insert(definition.name.clone()) {
+            return Err(Error::file(
+                path,
+                format!("another experiment is called `{}`", definition.name),
+                "rename one of the files: records are kept by their names",
+            ));
+        }
+        all.push(definition);
+    }
+    Ok(all)
+}
+
+/// All that is asked of some experiments; refused where a scene names what is not there.
+pub(super) fn jobs<'a>(definitions: &'a [Definition], args: &MeasureArgs) -> Result<Vec<Job<'a>>> {
+    let mut jobs: Vec<Job<'_>> = definitions
+        .iter()
+        .flat_map(|d| d.runs.iter().flat_map(|r| of_run(d, r, args.quick)))
+        .collect();
+    if let Some(only) = &args.only {
+        must_mean_a_job(only, &jobs)?;
+        jobs.retain(|j| j.is_meant(only));
+    }
+    if let Some(shard) = args.shard {
+        let costs: Vec<f64> = jobs.iter().map(|j| j.cost(args)).collect();
+        let own = shard.of_costs(&costs);
+        let mut index = 0;
+        jobs.retain(|_| {
+            index += 1;
+            own.binary_search(&(index - 1)).is_ok()
+        });
+    }
+    let assets = Assets::default();
+    for job in &jobs {
+        let checked = match job.task {
+            Task::Point(_, point, _) => {
+                let mut all = std::iter::once(&point.scene).chain(&point.truth);
+                all.try_for_each(|scene| scene.check(&assets))
+            }
+            Task::Cases(asked) => check_ids(&asked.cases),
+            Task::Search(_) => Ok(()),
+        };
+        checked.map_err(|e| job.place_error(e))?;
+    }
+    Ok(jobs)
+}
+
+/// Names of jobs that mean none are a slip.
+fn must_mean_a_job(only: &str, jobs: &[Job<'_>]) -> Result<()> {
+    if jobs.iter().any(|j| j.is_meant(only)) {
+        return Ok(());
+    }
+    let (run, point) = only.split_once(':').unwrap_or((only, "*"));
+    let of_run: Vec<&Job<'_>> = (jobs.iter())
+        .filter(|j| glob_matches(run, &j.run.name))
+        .collect();
+    let fault = |what: &str, help: String| Error::input(format!("--only {only}"), what, help);
+    if of_run.is_empty() {
+        let names: BTreeSet<&str> = jobs.iter().map(|j| j.run.name.as_str()).collect();
+        return Err(fault("no run is called so", did_you_mean(run, names)));
+    }
+    let addresses: BTreeSet<String> = of_run.iter().map(|j| j.address()).collect();
+    let stems = addresses
+        .iter()
+        .map(|a| a.split_once(':').map_or("*", |(_, stem)| stem));
+    let help = did_you_mean(point, stems);
+    Err(fault(
+        "no point of the run is called so in names of files",
+        help,
+    ))
+}
+
+/// Everything that a run asks.
+pub(super) fn of_run<'a>(
+    definition: &'a Definition,
+    run: &'a DefinedRun,
+    is_quick: bool,
+) -> Vec<Job<'a>> {
+    let tasks: Vec<Task<'_>> = match run.asked(is_quick) {
+        Asked::Scenes(scenes) => (scenes.points.iter().enumerate())
+            .map(|(i, point)| {
+                let keeps_pictures = scenes.pictures.are_kept(i, scenes.points.len());
+                Task::Point(scenes, point, keeps_pictures)
+            })
+            .collect(),
+        Asked::Cases(asked) => vec![Task::Cases(asked)],
+        Asked::Search(asked) => vec![Task::Search(asked)],
+    };
+    let job = |task| Job {
+        definition,
+        run,
+        task,
+    };
+    tasks.into_iter().map(job).collect()
+}
+
+/// What tells this program from others: its own contents.
+pub(super) fn program() -> String {
+    let mut identity = Identity::default();
+    match std::env::current_exe() {
+        Ok(path) => identity.add_file(&path),
+        Err(_) => identity.add(""),
+    }
+    identity.text()
+}
+
+/// Jobs in words, one line each, with who is asked.
+pub(super) fn listed(jobs: &[Job<'_>], args: &MeasureArgs) -> String {
+    let mut text = String::new();
+    for job in jobs {
+        text.push_str(&job.place());
+        match job.task {
+            Task::Point(_, point, _) => {
+                let names: Vec<String> = point
+                    .trials
+                    .iter()
+                    .map(|e| e.renderer.to_string())
+                    .collect();
+                text.push_str(&format!(
+                    ": {} rounds of {}\n  {}\n",
+                    job.rounds(args),
+                    names.join(", "),
+                    job.command(args)
+                ));
+            }
+            Task::Cases(asked) => {
+                text.push_str(&format!(": hard cases {}\n", asked.cases.join(", ")))
+            }
+            Task::Search(asked) => text.push_str(&format!(": {} random scenes\n", asked.scenes)),
+        }
+    }
+    text
+}
+
+/// Names of all records that an experiment asks for, in its order.
+pub(super) fn stems(definition: &Definition, is_quick: bool) -> Vec<String> {
+    let jobs = definition
+        .runs
+        .iter()
+        .flat_map(|r| of_run(definition, r, is_quick));
+    jobs.map(|j| j.stem()).collect()
+}

@@ -1,0 +1,120 @@
+//! `plan`: the passes of a frame and why each is there. Needs no adapter.
+
+use clap::Args;
+use cutaway::gpu::{Gpu, GpuOptions};
+use cutaway::plan::Capacities;
+use cutaway::strategies::{self, AUTO, Means, Method, table};
+use cutaway::{Error, Result};
+use cutaway_io::document::Value;
+use cutaway_lab::experiment::picture::refused;
+use cutaway_lab::experiment::{Renderer, SceneAtTime};
+
+use crate::Verdict;
+use crate::console::{Console, ConsoleArgs};
+use crate::drawer::Drawer;
+use crate::input::args::{MeansArgs, SceneArgs, say};
+use crate::input::look::Usual;
+use crate::input::when::TimeArgs;
+use crate::writing::output::{Output, write_stdout};
+use crate::writing::places::paths_of;
+
+pub(crate) const EXAMPLES: &str = "\
+Examples:
+  cutaway plan shape:crank --section z=50%
+  cutaway plan shape:crank --section z=50% --relief waves --strategy grid:256+vds:1024
+  cutaway plan scene.toml --json - | jq '.passes[].name'
+
+A plan is the minimum for its scene: without --section there is no pass for caps. It is the plan of the first frame;
+buffers whose need only a frame can tell grow after it.";
+
+/// Options of `plan`.
+#[derive(Args)]
+pub(crate) struct PlanArgs {
+    #[command(flatten)]
+    scene: SceneArgs,
+    #[command(flatten)]
+    when: TimeArgs,
+    #[arg(long, value_name = "NAME", help = strategy_help())]
+    strategy: Option<String>,
+    /// The same as JSON; with `-` instead of the text
+    #[arg(long, value_name = "FILE|-", help_heading = "Output")]
+    json: Option<String>,
+    #[command(flatten)]
+    means: MeansArgs,
+    #[command(flatten)]
+    console: ConsoleArgs,
+}
+
+fn strategy_help() -> String {
+    format!(
+        "Whose passes: {AUTO}, raycast+mask by the rasteriser that suits the adapter; {} [default: that of the scene, or {AUTO}]",
+        table::names()
+    )
+}
+
+/// Runs `plan`.
+pub(crate) fn run(args: &PlanArgs) -> Result<Verdict> {
+    let json = args
+        .json
+        .as_ref()
+        .map(|v| Output::checked("--json", v, &[]));
+    let json = json.transpose()?;
+    let console = Console::new(args.console, 1);
+    console.step("opening");
+    let mut document = args.scene.document(None)?;
+    args.when.amend(&mut document)?;
+    args.means.amend(&mut document)?;
+    let asked = args.strategy.as_deref();
+    if let Drawer::Named(renderer) = Drawer::named(asked, Means::default())? {
+        passes_of(renderer)?;
+    }
+    say(
+        &mut document,
+        "strategy.name",
+        "--strategy",
+        asked.map(Value::from),
+    )?;
+    let subject = args
+        .scene
+        .open(document, None, Usual::default(), &console)?;
+    let drawer = subject.drawer()?;
+    if let Drawer::Named(renderer) = drawer {
+        passes_of(renderer)?;
+    }
+    subject.save_beside(paths_of(&[("--json", json.as_ref())]), &args.scene.edits)?;
+    let SceneAtTime { model, .. } = SceneAtTime::new(&subject.scene);
+    let view = subject.view(&model.prepared);
+    // A plan needs no device, but who draws it may hang on the one that there is.
+    let gpu = match drawer {
+        Drawer::Auto(_) => Gpu::open(&GpuOptions::default()).ok(),
+        Drawer::Named(_) => None,
+    };
+    let chosen = drawer.settle(gpu.as_ref(), (&model, &view), &console);
+    let method = passes_of(chosen.renderer)?;
+    let plan = strategies::plan(&model, &view, method, &Capacities::UNKNOWN)
+        .map_err(|refusal| refused(method.into(), &refusal))?;
+    if let Some(output) = &json {
+        let mut value = plan.to_json();
+        value["strategy"] = method.strategy.to_string().into();
+        value["chosen_for"] = chosen.reason.clone().into();
+        output.write(format!("{value:#}\n").as_bytes())?;
+    }
+    if json != Some(Output::Stdout) {
+        let why =
+            (chosen.reason).map_or_else(String::new, |reason| format!("{AUTO}, for {reason}\n"));
+        let text = format!("{method}\n{why}{}", plan.to_text());
+        write_stdout(text.as_bytes())?;
+    }
+    Ok(Verdict::Done)
+}
+
+/// The method, which alone has passes.
+fn passes_of(renderer: Renderer) -> Result<Method> {
+    renderer.method().ok_or_else(|| {
+        Error::input(
+            format!("--strategy {renderer}"),
+            "it runs on the CPU and has no passes",
+            "name a strategy, for example raycast+mask",
+        )
+    })
+}

@@ -1,0 +1,325 @@
+//! `render`: a cut model as a picture.
+
+use std::path::PathBuf;
+use std::time::Duration;
+
+use clap::Args;
+use cutaway::gpu::Preparation;
+use cutaway::layers::{Kind, Layers};
+use cutaway::passes::Model;
+use cutaway::plan::Clock;
+use cutaway::scene::View;
+use cutaway::session::{Outcome, Session};
+use cutaway::{Error, Result};
+use cutaway_lab::compare::may_be_wrong;
+use cutaway_lab::experiment::{PerClock, Renderer, SceneAtTime, Stopwatch, picture};
+use serde_json::{Value, json};
+
+use crate::Verdict;
+use crate::console::{Console, ConsoleArgs};
+use crate::drawer::Chosen;
+use crate::image_test::{self, Finding};
+use crate::input::args::{AdapterArgs, MeansArgs, SceneArgs};
+use crate::input::look::{LookArgs, Usual};
+use crate::input::subject::Subject;
+use crate::input::when::TimeArgs;
+use crate::notes::{adapter_in_words, note_what_is_not_seen, unreliable_px, warn_of_doubt};
+use crate::writing::layers_file;
+use crate::writing::output::Output;
+use crate::writing::places::{no_place_twice, paths_of};
+use crate::writing::results::Results;
+
+pub(crate) const EXAMPLES: &str = "\
+Examples:
+  cutaway render bracket.stl --section x=50% -o cut.png
+  cutaway render shape:crank --section -z=50% --relief fractal:amplitude=5% -o ragged.png
+  cutaway render engine.glb --section x=50% --section z=50% --cut intersection --exclude 'bolt*' -o quarter.png
+  cutaway render shape:gears --section z=50% --strategy exact --no-background -o - | display
+  cutaway render walk.glb --time 0.5 --section x=50% -o step.png
+  cutaway render part.ply --section z=50% -o part.png --reference good.png   # exit 1 where it differs";
+
+/// Options of `render`.
+#[derive(Args)]
+pub(crate) struct RenderArgs {
+    #[command(flatten)]
+    scene: SceneArgs,
+    #[command(flatten)]
+    when: TimeArgs,
+    /// The picture, .png; `-` for standard output
+    #[arg(long, short, value_name = "FILE|-", help_heading = "Output")]
+    output: String,
+    #[command(flatten)]
+    look: LookArgs,
+    /// Outcome, times, bytes and counts of pixels as JSON
+    #[arg(long, value_name = "FILE|-", help_heading = "Output")]
+    json: Option<String>,
+    /// Depth (infinite where nothing is), kind (0 nothing, 1 surface, 2 cap), part and clip-surface (numbered from 0; -1
+    /// is none), normal of every pixel and whether it may be wrong, .exr; names of the parts, the camera and the units are
+    /// its attributes
+    #[arg(long, value_name = "FILE", help_heading = "Output")]
+    layers: Option<String>,
+    /// Compare the picture with this one: exit 1 and a .diff.png beside the output where it differs
+    #[arg(long, value_name = "IMAGE", help_heading = "Test")]
+    reference: Option<PathBuf>,
+    /// Largest allowed difference of a channel of any pixel, 0 to 1
+    #[arg(
+        long,
+        value_name = "X",
+        default_value_t = 0.04,
+        value_parser = parse_threshold,
+        help_heading = "Test"
+    )]
+    reference_threshold: f64,
+    #[command(flatten)]
+    device: AdapterArgs,
+    #[command(flatten)]
+    means: MeansArgs,
+    #[command(flatten)]
+    console: ConsoleArgs,
+}
+
+/// Runs `render`.
+pub(crate) fn run(args: &RenderArgs) -> Result<Verdict> {
+    let console = Console::new(args.console, 4);
+    console.step("opening");
+    let outputs = Outputs::checked(args)?;
+    let reference = args
+        .reference
+        .as_deref()
+        .map(image_test::open)
+        .transpose()?;
+    let mut document = args.scene.document(None)?;
+    args.when.amend(&mut document)?;
+    args.look.amend(&mut document)?;
+    args.means.amend(&mut document)?;
+    let subject = args
+        .scene
+        .open(document, None, Usual::of_pictures()?, &console)?;
+    subject.files.add(args.reference.clone());
+    let drawer = subject.drawer()?;
+    subject.save_beside(outputs.paths.clone(), &args.scene.edits)?;
+    let mut session = args.device.session(args.json.is_some())?;
+    console.detail_by(|| adapter_in_words(session.gpu()));
+    let shown = subject.shown()?;
+    let view = subject.view(&shown.model.prepared);
+
+    let chosen = drawer.settle(Some(session.gpu()), (&shown.model, &view), &console);
+    let renderer = chosen.renderer;
+    console.step(renderer.to_string());
+    let facts = Facts::of(&mut session, &shown, &view, renderer, &outputs)?;
+    let mut verdict = Verdict::Done;
+    if let Some(layers) = &facts.layers {
+        // What a full buffer dropped is reported below, and need not be a fault of the mesh.
+        if facts.outcome == Outcome::Complete {
+            verdict = warn_of_doubt(&facts.may_be_wrong, renderer, &subject.scene, &console);
+        }
+        note_what_is_not_seen(layers, &subject.scene, &console);
+    }
+    if let Renderer::Method(_) = renderer {
+        console.detail(in_words(&session.gpu().preparation()));
+    }
+    console.step("picture");
+    let has_shadow = shown.model.prepared.style.shadow.is_drawn();
+    let drawn = match renderer {
+        // The frame that was looked at is the picture.
+        Renderer::Method(method) if subject.supersample() == 1 && !has_shadow => {
+            picture::plain(&session.picture(method)?, view.size_px)
+        }
+        _ => picture::draw(&mut session, &shown, &view, renderer, subject.supersample())?.image,
+    };
+
+    console.step("writing");
+    let mut results = Results::default();
+    results.add(&outputs.picture, picture::png(&drawn)?)?;
+    if let (Some(output), Some(layers)) = (&outputs.layers, &facts.layers) {
+        let drawn = session.style_channels(&shown.model, &view, layers)?;
+        let about = layers_file::About {
+            scene: &subject.scene,
+            prepared: &shown.model.prepared,
+            view: &view,
+            may_be_wrong: &facts.may_be_wrong,
+            drawn: &drawn,
+        };
+        results.add(output, layers_file::exr(layers, &about)?)?;
+    }
+    if let Some(output) = &outputs.json {
+        let json = facts.json(&subject, &session, &shown.model, &chosen);
+        results.add(output, format!("{json:#}\n").into_bytes())?;
+    }
+    if let Outcome::Overflowed(reason) = &facts.outcome {
+        console.failed(format!("{renderer} did not draw all of it: {reason}"));
+        verdict = Verdict::Failed;
+    }
+    if let (Some(reference), Some(path)) = (reference, outputs.picture.path()) {
+        let finding = image_test::compare(&drawn, &reference, args.reference_threshold);
+        if let Finding::Different { what, difference } = finding {
+            let beside = image_test::difference_path(path);
+            console.failed(format!("{}: {what}", path.display()));
+            if let Some(difference) = difference {
+                let output = Output::File(beside.clone());
+                results.add(&output, picture::png(&difference)?)?;
+                console.note(format!("the difference is in {}", beside.display()));
+            }
+            verdict = Verdict::Failed;
+        }
+    }
+    results.place()?;
+    Ok(verdict)
+}
+
+/// Where results go.
+struct Outputs {
+    picture: Output,
+    json: Option<Output>,
+    layers: Option<Output>,
+    /// Those that are files, by the options that name them.
+    paths: Vec<(&'static str, PathBuf)>,
+}
+
+impl Outputs {
+    fn checked(args: &RenderArgs) -> Result<Self> {
+        let optional = |option: &str, value: &Option<String>, extensions: &[&str]| {
+            let checked = value
+                .as_ref()
+                .map(|v| Output::checked(option, v, extensions));
+            checked.transpose()
+        };
+        let picture = Output::checked("--output", &args.output, &["png"])?;
+        let json = optional("--json", &args.json, &[])?;
+        let layers = optional("--layers", &args.layers, &["exr"])?;
+        // The difference image takes the place beside the picture.
+        let difference = match (&args.reference, picture.path()) {
+            (Some(_), Some(path)) => Some(Output::File(image_test::difference_path(path))),
+            (Some(_), None) => {
+                return Err(Error::input(
+                    "--reference",
+                    "there is no place for the difference image beside standard output",
+                    "write the picture to a file: --output FILE.png",
+                ));
+            }
+            (None, _) => None,
+        };
+        let named = [
+            ("--output", Some(&picture)),
+            ("--json", json.as_ref()),
+            ("--layers", layers.as_ref()),
+            ("--output's difference image", difference.as_ref()),
+        ];
+        no_place_twice(&named)?;
+        let paths = paths_of(&named).collect();
+        Ok(Self {
+            picture,
+            json,
+            layers,
+            paths,
+        })
+    }
+
+    fn want_facts(&self) -> bool {
+        self.json.is_some() || self.layers.is_some()
+    }
+}
+
+/// What is known of the frame at the plain resolution.
+struct Facts {
+    outcome: Outcome,
+    /// None where nobody asked for what only a second, exact evaluation could tell.
+    layers: Option<Layers>,
+    /// Of the layers, which pixels may be wrong.
+    may_be_wrong: Vec<bool>,
+    times: Value,
+    bytes: PerClock<u64>,
+}
+
+impl Facts {
+    fn of(
+        session: &mut Session,
+        shown: &SceneAtTime,
+        view: &View,
+        renderer: Renderer,
+        outputs: &Outputs,
+    ) -> Result<Self> {
+        let mut facts = match renderer {
+            Renderer::Cpu(evaluator) => {
+                let watch = Stopwatch::start();
+                let truth = shown.truth()?;
+                let evaluated = (outputs.want_facts()).then(|| evaluator.evaluate(truth, view));
+                let times = [(renderer.to_string(), watch.ms().into())];
+                Self {
+                    outcome: Outcome::Complete,
+                    layers: evaluated.map(|e| e.layers),
+                    may_be_wrong: Vec::new(),
+                    times: Value::Object(times.into_iter().collect()),
+                    bytes: PerClock::default(),
+                }
+            }
+            Renderer::Method(method) => {
+                let drawn = session.draw(&shown.model, view, method)?;
+                if let Outcome::Refused(refusal) = &drawn.outcome {
+                    return Err(picture::refused(renderer, refusal));
+                }
+                let bytes = session.bytes(method)?;
+                Self {
+                    bytes: PerClock::from_fn(|clock| bytes[clock as usize]),
+                    times: json!(PerClock::from_fn(
+                        |clock: Clock| drawn.times.clocks_ms[clock as usize]
+                    )),
+                    layers: Some(session.layers(method)?),
+                    may_be_wrong: Vec::new(),
+                    outcome: drawn.outcome,
+                }
+            }
+        };
+        if let Some(layers) = &facts.layers {
+            facts.may_be_wrong = may_be_wrong(layers, &shown.model.prepared, view);
+        }
+        Ok(facts)
+    }
+
+    fn json(&self, subject: &Subject, session: &Session, model: &Model, chosen: &Chosen) -> Value {
+        let means = chosen.renderer.means();
+        let count = |kind| self.layers.as_ref().map(|l| l.count(kind));
+        json!({
+            "scene": subject.scene.name,
+            "triangles": model.prepared.triangle_count(),
+            "resolution": subject.size_px(),
+            "time_s": subject.timeline.time_s(),
+            "supersample": subject.supersample(),
+            "adapter": session.gpu().report(),
+            "strategy": picture::strategy_name(chosen.renderer),
+            "chosen_for": chosen.reason,
+            "rasteriser": means.rasteriser.unwrap_or_default().to_string(),
+            "height_filter": means.height_filter.unwrap_or_default().to_string(),
+            "outcome": self.outcome.name(),
+            "reason": self.outcome.reason(),
+            "cap_px": count(Kind::Cap),
+            "surface_px": count(Kind::Surface),
+            "background_px": count(Kind::Background),
+            "overlap_px": self.layers.as_ref().map(Layers::overlap_px),
+            "odd_parity_px": self.layers.as_ref().map_or(0, unreliable_px),
+            "may_be_wrong_px": self.may_be_wrong.iter().filter(|w| **w).count(),
+            "bytes": self.bytes,
+            "time_ms": self.times,
+        })
+    }
+}
+
+fn parse_threshold(text: &str) -> Result<f64, String> {
+    let number = text.parse::<f64>().ok().filter(|x| (0.0..=1.0).contains(x));
+    number.ok_or_else(|| {
+        "it must be a number from 0 to 1\n  help: 0.04 allows 10 steps of 255".to_owned()
+    })
+}
+
+/// What it took to make a device ready.
+fn in_words(took: &Preparation) -> String {
+    let ms = |time: Duration| format!("{:.0} ms", time.as_secs_f64() * 1e3);
+    format!(
+        "made ready: shaders composed in {}, {} pipelines compiled in {}, {:.1} MiB of buffers uploaded in {}",
+        ms(took.composing),
+        took.pipelines,
+        ms(took.compiling),
+        took.bytes as f64 / f64::from(1 << 20),
+        ms(took.uploading),
+    )
+}

@@ -1,0 +1,100 @@
+//! `scene`: what a scene can hold.
+
+use clap::Args;
+use cutaway::{Error, Result};
+use cutaway_io::document::paths::{PATHS, Path};
+use serde_json::json;
+
+use crate::Verdict;
+use crate::writing::output::{Output, write_stdout};
+
+pub(crate) const EXAMPLES: &str = "\
+Examples:
+  cutaway scene                 # everything
+  cutaway scene camera          # what has a camera in its path
+  cutaway render scene.toml --set camera.azimuth_deg=20 --set part.crank.material.color=#f80 -o other.png
+  cutaway render bracket.stl --section x=50% --save bracket.toml -o cut.png     # the options as a file
+
+A * stands for the name of an entry, or its number from 0. Values of a `[[key]]`'s target move where `moves` says so; percentages are
+of the bounds or of their diagonal.";
+
+/// Options of `scene`.
+#[derive(Args)]
+pub(crate) struct SceneCommandArgs {
+    /// Only paths that contain this
+    part: Option<String>,
+    /// The list as JSON
+    #[arg(long, value_name = "FILE|-", help_heading = "Output")]
+    json: Option<String>,
+}
+
+/// Runs `scene`.
+pub(crate) fn run(args: &SceneCommandArgs) -> Result<Verdict> {
+    let json = args.json.as_ref();
+    let json = json
+        .map(|v| Output::checked("--json", v, &[]))
+        .transpose()?;
+    let is_asked = |p: &&Path| args.part.as_ref().is_none_or(|part| has(p.path, part));
+    let asked: Vec<&Path> = PATHS.iter().filter(is_asked).collect();
+    if let (true, Some(part)) = (asked.is_empty(), &args.part) {
+        let help =
+            "`cutaway scene` lists them all; names and numbers of parts and cuts are `*` there";
+        return Err(Error::input(part, "no path has this in it", help));
+    }
+    if let Some(output) = &json {
+        let all: Vec<_> = (asked.iter())
+            .map(|p| {
+                json!({
+                    "path": p.path,
+                    "takes": p.takes.to_string(),
+                    "unit": p.unit,
+                    "moves": p.moves,
+                    "example": p.example,
+                    "help": p.help,
+                })
+            })
+            .collect();
+        output.write(format!("{:#}\n", json!(all)).as_bytes())?;
+    }
+    if json != Some(Output::Stdout) {
+        write_stdout(listed(asked.into_iter()).as_bytes())?;
+    }
+    Ok(Verdict::Done)
+}
+
+/// Whether a path has a part, in which names may stand for `*`: `part.0.scale`, `cut.front`.
+fn has(path: &str, part: &str) -> bool {
+    let part = part.to_lowercase();
+    let (known, asked): (Vec<_>, Vec<_>) = (path.split('.').collect(), part.split('.').collect());
+    let fits = |window: &[&str]| {
+        let pairs = window.iter().zip(&asked).enumerate();
+        let last = asked.len() - 1;
+        asked.len() > 1
+            && pairs
+                .into_iter()
+                .all(|(at, (k, a))| k == a || *k == "*" || (at == last && k.starts_with(a)))
+    };
+    path.contains(&part) || known.windows(asked.len()).any(fits)
+}
+
+/// The list, with the examples of `help scene`.
+pub(crate) fn long_help() -> String {
+    format!("{}\n{EXAMPLES}", listed(PATHS.iter()))
+}
+
+/// Two lines for each: what it takes, and what it is.
+fn listed<'a>(paths: impl Iterator<Item = &'a Path>) -> String {
+    let mut text = String::new();
+    for p in paths {
+        let unit = if p.unit.is_empty() {
+            String::new()
+        } else {
+            format!(", {}", p.unit)
+        };
+        let moves = if p.moves { ", moves" } else { "" };
+        let (path, takes) = (p.path, p.takes);
+        text.push_str(&format!("{path}: {takes}{unit}{moves}\n"));
+        text.push_str(&format!("    {}; {}\n", p.help, p.example));
+    }
+    text
+}

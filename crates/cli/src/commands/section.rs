@@ -1,0 +1,312 @@
+//! `section`: what planes cut out of a model, as a drawing (SVG, DXF), as data, or as a table of areas. Needs no adapter.
+//!
+//! Every part is sliced by every plane of the cuts that apply to it: in f64, in world space, in its pose. Nothing is rounded to what a
+//! GPU draws. A section is the cap: what the rest of its cut and the other cuts leave of the plane ([`planes`]).
+
+use std::cmp::Reverse;
+use std::path::PathBuf;
+
+use clap::Args;
+use rayon::prelude::*;
+
+mod planes;
+
+use cutaway::scene::numbers::round;
+use cutaway::scene::{Fill, LengthUnit, Part, Scene, SceneSpace, doubts, who_wins};
+use cutaway::slice::{Section, Slicer, Trim};
+use cutaway::{Error, Result};
+use cutaway_io::save::section::{Drawn, PartReport, PlaneReport, SectionReport, dxf, svg};
+use cutaway_lab::report::Table;
+
+use self::planes::{Plane, planes};
+use crate::Verdict;
+use crate::console::{Console, ConsoleArgs};
+use crate::input::args::fill_by;
+use crate::input::defects::DefectArgs;
+use crate::input::edits::EditArgs;
+use crate::input::holes::HoleArgs;
+use crate::input::look::Usual;
+use crate::input::sections::SectionArgs;
+use crate::input::split::SplitArgs;
+use crate::input::stdin::StdinArgs;
+use crate::input::subject::{Subject, document};
+use crate::input::when::TimeArgs;
+use crate::writing::output::{Output, write_stdout};
+use crate::writing::places::{no_place_twice, paths_of};
+use crate::writing::results::Results;
+
+pub(crate) const EXAMPLES: &str = "\
+Examples:
+  cutaway section bracket.stl --section z=50%                                # a table of areas
+  cutaway section bracket.stl --section z=50% -o cut.svg --unit mm           # a drawing in the size of the model
+  cutaway section bracket.stl --box 0,0,0: -o corner.svg                     # the three faces of a corner that is cut out
+  cutaway section bracket.stl --section z=50% -o cut.dxf --unit mm           # closed polylines, a layer for each part
+  cutaway section shape:gears --section z=10% --section z=90% --whole -o gears.svg   # two sections of all of it
+  cutaway section engine.glb --section x=50% --exclude 'bolt*' --json - | jq '.sections[0].area'
+  cutaway section walk.glb --clip run --time 0.5 --section y=30% -o step.json
+
+A section is the cap: what the other planes of its cut and the other cuts leave of a plane. A drawing shows it as it is seen from
+the side that is removed, as `cutaway render` does. Areas and lengths are in
+units of the model. Exit code 1 where an outline does not close, because the mesh is open there: the area is then that of what
+closes.";
+
+/// Options of `section`.
+#[derive(Args)]
+pub(crate) struct SectionCommandArgs {
+    /// Meshes, `-` for one from standard input, `shape:NAME?param=value`, or one scene (.toml), which brings its own cuts
+    #[arg(required = true, value_name = "SCENE|MODEL")]
+    inputs: Vec<String>,
+    #[command(flatten)]
+    stdin: StdinArgs,
+    #[command(flatten)]
+    edits: EditArgs,
+    #[command(flatten)]
+    sections: SectionArgs,
+    #[command(flatten)]
+    when: TimeArgs,
+    #[command(flatten)]
+    split: SplitArgs,
+    #[command(flatten)]
+    defects: DefectArgs,
+    #[command(flatten)]
+    holes: HoleArgs,
+    /// Which points each mesh encloses: even-odd or nonzero [default: that of the scene, or even-odd]
+    #[arg(long, value_name = "RULE", value_parser = crate::input::args::parse_fill)]
+    fill: Option<Fill>,
+    /// Slice all of the model by every plane, whatever the rest of its cut keeps and other cuts remove
+    #[arg(long)]
+    whole: bool,
+    /// The drawing, .svg or .dxf, or the data, .json; `-` for an SVG drawing on standard output
+    #[arg(long, short, value_name = "FILE|-", help_heading = "Output")]
+    output: Option<String>,
+    /// Areas, perimeters, loops and planes as JSON; with `-` instead of the table
+    #[arg(long, value_name = "FILE|-", help_heading = "Output")]
+    json: Option<String>,
+    /// How long a unit of the model is: an SVG drawing gets the size of the model, a DXF drawing says it [default: fitted to 1000 pixels; none]
+    #[arg(long, value_parser = crate::input::unit::parser(), value_name = "UNIT", help_heading = "Output")]
+    unit: Option<LengthUnit>,
+    #[command(flatten)]
+    console: ConsoleArgs,
+}
+
+/// Runs `section`.
+pub(crate) fn run(args: &SectionCommandArgs) -> Result<Verdict> {
+    let outputs = Outputs::checked(args)?;
+    let console = Console::new(args.console, 3);
+    console.step("opening");
+    let mut document = document(&args.inputs, args.stdin, None)?;
+    args.split.amend(&mut document)?;
+    args.defects.amend(&mut document)?;
+    args.holes.amend(&mut document)?;
+    fill_by(&mut document, args.fill)?;
+    args.sections.amend(&mut document)?;
+    args.when.amend(&mut document)?;
+    let subject = Subject::open(document, None, Usual::default(), &args.edits, &console)?;
+    subject.must_be_cut_by(&args.sections)?;
+    subject.save_beside(outputs.paths.clone(), &args.edits)?;
+    let scene = &subject.scene;
+    let planes = planes(scene)?;
+    doubts(scene).iter().for_each(|d| console.remark(d));
+
+    console.step("slicing");
+    let report = sliced(scene, &planes, args.whole);
+    console.step("writing");
+    let mut results = Results::default();
+    if let Some(output) = &outputs.drawing {
+        let drawing = match has_extension(output, "dxf") {
+            true => dxf(&report, args.unit),
+            false => svg(&report, args.unit),
+        };
+        results.add(output, drawing.into_bytes())?;
+    }
+    if let Some(output) = &outputs.json {
+        let json = serde_json::to_string_pretty(&report).map_err(|e| {
+            let help = "leave --json out, and report this";
+            Error::input("--json", format!("cannot be encoded: {e}"), help)
+        })?;
+        results.add(output, format!("{json}\n").into_bytes())?;
+    }
+    results.place()?;
+    if outputs.drawing.is_none() && outputs.json != Some(Output::Stdout) {
+        write_stdout(to_text(&report).as_bytes())?;
+    }
+    Ok(verdict(&report, &console))
+}
+
+/// Where results go.
+struct Outputs {
+    drawing: Option<Output>,
+    json: Option<Output>,
+    /// Those that are files, by the options that name them.
+    paths: Vec<(&'static str, PathBuf)>,
+}
+
+impl Outputs {
+    fn checked(args: &SectionCommandArgs) -> Result<Self> {
+        let output = args.output.as_ref();
+        let output = output.map(|v| Output::checked("--output", v, &["svg", "dxf", "json"]));
+        let json = args
+            .json
+            .as_ref()
+            .map(|v| Output::checked("--json", v, &[]));
+        let (output, json) = (output.transpose()?, json.transpose()?);
+        let named = [("--output", output.as_ref()), ("--json", json.as_ref())];
+        no_place_twice(&named)?;
+        let paths = paths_of(&named).collect();
+        let is_json = |o: &Output| has_extension(o, "json");
+        match output {
+            Some(output) if is_json(&output) && json.is_some() => Err(Error::input(
+                "--json",
+                "--output asks for the same data",
+                "give one of them, or let --output name a drawing (.svg, .dxf)",
+            )),
+            Some(output) if is_json(&output) => Ok(Self {
+                drawing: None,
+                json: Some(output),
+                paths,
+            }),
+            drawing => Ok(Self {
+                drawing,
+                json,
+                paths,
+            }),
+        }
+    }
+}
+
+fn has_extension(output: &Output, wanted: &str) -> bool {
+    let extension = output.path().and_then(|p| p.extension());
+    extension.is_some_and(|e| e.eq_ignore_ascii_case(wanted))
+}
+
+fn sliced(scene: &Scene, planes: &[Plane], is_whole: bool) -> SectionReport {
+    let mut parts: Vec<(usize, &Part)> = scene.parts.iter().enumerate().collect();
+    // The part that is shown where solids share a point is drawn last, over the others: of equals the first.
+    parts.sort_by_cached_key(|(index, p)| {
+        Reverse(who_wins(p, p.placed_volume(p.mesh.volume()), *index))
+    });
+    let space = SceneSpace::new(&scene.bounds());
+    let drawn: Vec<Drawn> = (planes.iter())
+        .map(|p| Drawn::of(&p.plane, scene.camera.up))
+        .collect();
+    let of_parts: Vec<Vec<Sliced>> = (parts.par_iter())
+        .map(|(_, part)| {
+            let is_cut = |p: &&Plane| scene.cuts[p.cut].applies_to(part);
+            if !planes.iter().any(|p| is_cut(&p)) {
+                return planes.iter().map(|_| Sliced::Missed).collect();
+            }
+            let (slicer, bounds) = (Slicer::of_part_in(part, &space), part.bounds_in_world());
+            let of_plane = |(p, drawn): (&Plane, &Drawn)| {
+                if !is_cut(&p) {
+                    return Sliced::Missed;
+                }
+                let at = p.for_part(scene, part).seen_from(bounds.centre());
+                let whole = slicer.section_by(&at, part.fill);
+                if is_nothing(&whole) {
+                    return Sliced::Missed;
+                }
+                let all = is_whole.then(Trim::default);
+                let size = bounds.radius();
+                let trim = all.or_else(|| p.trim((scene, planes), part, &at, size));
+                let Some(trim) = trim else {
+                    return Sliced::Trimmed(None);
+                };
+                let Some(section) = trim.of(&whole, &at) else {
+                    return Sliced::Whole(PartReport::new(part, &whole, &at, drawn));
+                };
+                let report = || PartReport::new(part, &section, &at, drawn);
+                Sliced::Trimmed((!is_nothing(&section)).then(report))
+            };
+            planes.iter().zip(&drawn).map(of_plane).collect()
+        })
+        .collect();
+    let of_plane = |(i, (p, drawn)): (usize, (&Plane, &Drawn))| {
+        let of_plane = || of_parts.iter().map(|all| &all[i]);
+        let is_trimmed = of_plane().any(|s| matches!(s, Sliced::Trimmed(_)));
+        let met = of_plane().filter_map(Sliced::report).cloned().collect();
+        let name = &scene.cuts[p.cut].name;
+        PlaneReport {
+            trimmed: is_trimmed,
+            ..PlaneReport::new(name, p.face.clone(), p.number, *drawn, met)
+        }
+    };
+    SectionReport {
+        scene: scene.name.clone(),
+        sections: (planes.iter().zip(&drawn).enumerate())
+            .map(of_plane)
+            .collect(),
+    }
+}
+
+/// What a plane cuts out of a part.
+enum Sliced {
+    /// Nothing: it passes the part by, or is not for it.
+    Missed,
+    /// All that there is in the plane.
+    Whole(PartReport),
+    /// What the rest of its cut and other cuts leave of that, if anything.
+    Trimmed(Option<PartReport>),
+}
+
+impl Sliced {
+    fn report(&self) -> Option<&PartReport> {
+        match self {
+            Self::Missed => None,
+            Self::Whole(report) => Some(report),
+            Self::Trimmed(report) => report.as_ref(),
+        }
+    }
+}
+
+fn is_nothing(section: &Section) -> bool {
+    section.is_empty() && section.defects.is_empty()
+}
+
+fn to_text(report: &SectionReport) -> String {
+    let mut table = Table::new(["cut", "part", "area", "perimeter", "loops", "open"]);
+    for plane in &report.sections {
+        for part in &plane.parts {
+            table.row([
+                plane.name(),
+                part.part.clone(),
+                round(part.area),
+                round(part.perimeter),
+                part.loops.len().to_string(),
+                part.open_chains.len().to_string(),
+            ]);
+        }
+        if plane.parts.len() != 1 {
+            let all = match plane.parts.len() {
+                0 if plane.trimmed => "nothing is left (--whole shows all of it)".to_owned(),
+                0 => "meets no part".to_owned(),
+                count => format!("all {count} parts"),
+            };
+            let (area, perimeter) = (round(plane.area), round(plane.perimeter));
+            table.row([plane.name(), all, area, perimeter]);
+        }
+    }
+    table.to_text()
+}
+
+/// Says which outlines do not close, and notes what else is doubtful.
+fn verdict(report: &SectionReport, console: &Console) -> Verdict {
+    let mut verdict = Verdict::Done;
+    for plane in &report.sections {
+        for part in &plane.parts {
+            let message = format!(
+                "{} by {}: {}",
+                part.part,
+                plane.name(),
+                part.defects.join("; ")
+            );
+            if !part.closed {
+                let help = part.help.unwrap_or("move the section");
+                console.failed(format!("{message}\n  help: {help}"));
+                verdict = Verdict::Failed;
+            } else if !part.defects.is_empty() {
+                console.note(message);
+            }
+        }
+    }
+    verdict
+}

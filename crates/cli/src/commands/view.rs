@@ -1,0 +1,136 @@
+//! `view`: a window in which cuts are dragged and strategies compared.
+//!
+//! The window is a program of its own, `cutaway-viewer`, so that this one is built without a toolkit. It is this command with a [`Window`]:
+//! it takes the same words, makes the same document of them, and refuses the same mistakes. Without a window the command looks for that
+//! program beside itself and hands its words over.
+
+use std::env;
+use std::path::PathBuf;
+use std::process::{Command, ExitCode};
+
+use clap::Args;
+use cutaway::{Error, Result};
+use cutaway_io::document::Document;
+use cutaway_io::load::Assets;
+
+use crate::console::{Console, ConsoleArgs};
+use crate::input::args::{AdapterArgs, MeansArgs, SceneArgs};
+use crate::input::look::{LookArgs, Usual};
+use crate::input::stdin;
+use crate::input::when::TimeArgs;
+use crate::{Verdict, exit_code};
+
+pub(crate) const EXAMPLES: &str = "\
+Examples:
+  cutaway view bracket.stl
+  cutaway view engine.glb --section x=50% --relief fractal:amplitude=4%
+  cutaway view scene.toml
+  cutaway view                    # an empty window: drop a file into it";
+
+/// The program that has a window.
+const PROGRAM: &str = "cutaway-viewer";
+
+/// Options of `view`.
+#[derive(Args)]
+pub(crate) struct ViewArgs {
+    #[command(flatten)]
+    scene: SceneArgs,
+    #[command(flatten)]
+    when: TimeArgs,
+    #[command(flatten)]
+    look: LookArgs,
+    #[command(flatten)]
+    device: AdapterArgs,
+    #[command(flatten)]
+    means: MeansArgs,
+    #[command(flatten)]
+    console: ConsoleArgs,
+    /// Say at the end what the frames of the window cost the CPU
+    #[arg(long, help_heading = "Measuring")]
+    profile: bool,
+}
+
+/// What a window begins with.
+#[derive(Debug, Default)]
+pub struct Opened {
+    /// What the words of the command amount to; empty where they name nothing.
+    pub document: Document,
+    /// The files of it that were read.
+    pub assets: Assets,
+    /// Part of the name of the adapter that is wanted.
+    pub adapter: Option<String>,
+    /// Whether what frames cost is said at the end.
+    pub profile: bool,
+}
+
+/// Opens a window and stays until it is closed.
+pub type Window = fn(Opened) -> Result<()>;
+
+/// Runs `view`, in a window if there is one.
+pub(crate) fn run(args: &ViewArgs, window: Option<Window>) -> ExitCode {
+    if let Err(refused) = must_be_files(&args.scene.inputs) {
+        return exit_code(Err(refused));
+    }
+    match window {
+        Some(window) => exit_code(open(args).and_then(window).map(|()| Verdict::Done)),
+        None => hand_over().unwrap_or_else(|e| exit_code(Err(e))),
+    }
+}
+
+/// Refuses a model from standard input: a window reads files again, and saves scenes by their names.
+fn must_be_files(inputs: &[String]) -> Result<()> {
+    if inputs.iter().any(|input| input == stdin::WORD) {
+        let what = "a window reads its files again, and standard input is read once";
+        let help = "save the model to a file first, and give that";
+        return Err(Error::input(stdin::WORD, what, help));
+    }
+    Ok(())
+}
+
+fn open(args: &ViewArgs) -> Result<Opened> {
+    let adapter = args.device.adapter.clone();
+    if args.scene.inputs.is_empty() {
+        return Ok(Opened {
+            adapter,
+            profile: args.profile,
+            ..Opened::default()
+        });
+    }
+    let console = Console::new(args.console, 1);
+    console.step("opening");
+    let mut document = args.scene.document(None)?;
+    args.when.amend(&mut document)?;
+    args.look.amend(&mut document)?;
+    args.means.amend(&mut document)?;
+    let usual = Usual::of_pictures()?;
+    let subject = args.scene.open(document, None, usual, &console)?;
+    subject.save_beside([], &args.scene.edits)?;
+    let (document, assets) = subject.into_document();
+    Ok(Opened {
+        document,
+        assets,
+        adapter,
+        profile: args.profile,
+    })
+}
+
+/// Starts the program that has a window with the words of this one, and ends as it ends.
+fn hand_over() -> Result<ExitCode> {
+    let program = PROGRAM.to_owned() + env::consts::EXE_SUFFIX;
+    let beside = env::current_exe()
+        .ok()
+        .map(|own| own.with_file_name(&program));
+    let beside = beside.filter(|path| path.is_file());
+    let program = beside.unwrap_or_else(|| PathBuf::from(program));
+    let ended = Command::new(&program).args(env::args_os().skip(1)).status();
+    let ended = ended.map_err(|e| {
+        Error::input(
+            "view",
+            format!("{} cannot be started: {e}", program.display()),
+            "install it from the folder of cutaway with `cargo install --path crates/viewer`, or put it beside this program or into a folder of $PATH",
+        )
+    })?;
+    // A process that a signal has ended has no code of its own.
+    let code = ended.code().and_then(|code| u8::try_from(code).ok());
+    Ok(ExitCode::from(code.unwrap_or(1)))
+}

@@ -1,0 +1,30 @@
+//! `--defect`: meshes broken on purpose, after all else that makes them and before anything is cut.
+
+use clap::Args;
+use cutaway::Result;
+use cutaway_io::document::{Document, defect};
+
+/// What is broken.
+#[derive(Args, Clone)]
+pub(crate) struct DefectArgs {
+    /// Break the meshes of all parts, to see who copes: holes, flipped, duplicated or t-junctions (amount: share of the faces,
+    /// 5% without it), gaps or soup (a length, or percent of the diagonal of the mesh's box, 1%), overlap (size of the copies that
+    /// stick in it, 20%), open (share of the box that is gone, 20%). Further keys: seed, patch, charts, copies, axis. May be
+    /// repeated
+    #[arg(
+        long = "defect",
+        value_name = "KIND[:amount=5%,seed=1]",
+        help_heading = "Defects"
+    )]
+    defects: Vec<String>,
+}
+
+impl DefectArgs {
+    /// Breaks all parts of a document.
+    pub(crate) fn amend(&self, document: &mut Document) -> Result<()> {
+        for words in &self.defects {
+            document.push_in_each("part", "defects", &defect(words)?)?;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,182 @@
+//! Options of pictures: who draws them, how finely, and on what.
+
+use super::args::{parse_color_word, say};
+use crate::drawer::Drawer;
+use clap::Args;
+use cutaway::Result;
+use cutaway::scene::{Fit, Style, color_help, parse_color};
+use cutaway::strategies::{AUTO, Means, table};
+use cutaway_io::document::{Document, Timeline, Value, named_style, style_names};
+
+/// The style of pictures where nobody names one.
+const USUAL_STYLE: &str = "technical";
+
+/// What holds where the document says nothing of it.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Usual {
+    /// How it looks.
+    pub(crate) style: Style,
+    /// What its angles are fitted to.
+    pub(crate) fit: Fit,
+    /// Whether it is guessed which way is up in meshes that do not say it.
+    pub(crate) guesses_up: bool,
+}
+
+impl Usual {
+    /// That of pictures that are made to be looked at; the default is that of what is measured.
+    pub(crate) fn of_pictures() -> Result<Self> {
+        Ok(Self {
+            style: named_style(USUAL_STYLE)?,
+            fit: Fit::Kept,
+            guesses_up: true,
+        })
+    }
+
+    /// A timeline with all of it.
+    pub(crate) fn of(self, timeline: Timeline) -> Result<Timeline> {
+        Ok(timeline
+            .with_usual_style(self.style)?
+            .with_usual_fit(self.fit))
+    }
+}
+
+/// How pictures are drawn.
+#[derive(Args)]
+pub(crate) struct LookArgs {
+    #[arg(long, value_name = "NAME", help = strategy_help())]
+    strategy: Option<String>,
+    /// Draw N times as fine along each side and average in linear light, 1 to 4 [default: that of the scene, or 2]
+    #[arg(
+        long,
+        value_name = "N",
+        value_parser = clap::value_parser!(u32).range(1..=4),
+        help_heading = "Output"
+    )]
+    supersample: Option<u32>,
+    #[arg(long, value_name = "NAME|FILE", help = style_help(), help_heading = "Output")]
+    style: Option<String>,
+    /// One colour for the surfaces of all parts, #rrggbb or a name of CSS, as the style lights it [default: those of the parts]
+    #[arg(long, value_name = "COLOUR", value_parser = parse_color_word, help_heading = "Output")]
+    color: Option<String>,
+    /// One colour for all caps [default: that of the style]
+    #[arg(long, value_name = "COLOUR", value_parser = parse_color_word, help_heading = "Output")]
+    cap_color: Option<String>,
+    /// What is behind the model: paper, as the style has it, gradient, none, or a colour [default: that of the scene, or paper]
+    #[arg(long, value_name = "WHAT", value_parser = parse_background, help_heading = "Output")]
+    background: Option<String>,
+    /// Show what cuts remove: as phantom lines, glass or both
+    #[arg(
+        long,
+        value_name = "KIND",
+        value_parser = ["lines", "glass", "both", "none"],
+        num_args = 0..=1,
+        require_equals = true,
+        default_missing_value = "lines",
+        help_heading = "Output"
+    )]
+    ghost: Option<String>,
+    /// Let the model stand on a ground that it darkens, by so much from 0 to 1
+    #[arg(
+        long,
+        value_name = "STRENGTH",
+        num_args = 0..=1,
+        require_equals = true,
+        default_missing_value = "0.35",
+        help_heading = "Output"
+    )]
+    shadow: Option<f64>,
+    /// Leave what shows no model transparent: --background none
+    #[arg(long, help_heading = "Output", conflicts_with = "background")]
+    pub(crate) no_background: bool,
+}
+
+fn style_help() -> String {
+    format!(
+        "How the picture looks: {}, or a file of a style (.toml) [default: that of the scene, or {USUAL_STYLE}]",
+        style_names().collect::<Vec<_>>().join(", ")
+    )
+}
+
+fn parse_background(text: &str) -> Result<String, String> {
+    match text {
+        "none" => Ok("transparent".to_owned()),
+        "paper" | "gradient" | "transparent" => Ok(text.to_owned()),
+        _ if parse_color(text).is_some() => Ok(text.to_owned()),
+        _ => {
+            let colour = color_help(text);
+            Err(format!(
+                "it is no background\n  help: write paper, gradient, none or a colour: {colour}"
+            ))
+        }
+    }
+}
+
+fn strategy_help() -> String {
+    format!(
+        "How caps are drawn: {AUTO}, raycast+mask by the rasteriser that suits the adapter; {}; or, on the CPU, exact for the reference, \
+         winding for open meshes [default: that of the scene, or {AUTO}]",
+        table::names(),
+    )
+}
+
+impl LookArgs {
+    /// Puts them into a document.
+    pub(crate) fn amend(&self, document: &mut Document) -> Result<()> {
+        Drawer::named(self.strategy.as_deref(), Means::default())?;
+        let strategy = self.strategy.as_deref().map(Value::from);
+        say(document, "strategy.name", "--strategy", strategy)?;
+        let fineness = self.supersample.map(|n| i64::from(n).into());
+        say(document, "supersample", "--supersample", fineness)?;
+        if let Some(style) = &self.style {
+            document.set_style(style, "--style")?;
+        }
+        for (path, option, color) in [
+            ("style.surface.color", "--color", &self.color),
+            ("style.cap.color", "--cap-color", &self.cap_color),
+        ] {
+            if let Some(color) = color {
+                change_style(document)?;
+                forget_hue(document, path)?;
+                say(document, path, option, Some(color.as_str().into()))?;
+            }
+        }
+        if let Some(kind) = self.ghost.as_deref() {
+            change_style(document)?;
+            say(document, "style.ghost.kind", "--ghost", Some(kind.into()))?;
+        }
+        if let Some(strength) = self.shadow {
+            change_style(document)?;
+            say(
+                document,
+                "style.shadow.strength",
+                "--shadow",
+                Some(strength.into()),
+            )?;
+        }
+        let (option, background) = match (self.no_background, &self.background) {
+            (true, _) => ("--no-background", Some("transparent".into())),
+            (false, asked) => ("--background", asked.as_deref().map(Value::from)),
+        };
+        say(document, "background", option, background)
+    }
+}
+
+/// Lets changes on a style stand where a document names one alone.
+fn change_style(document: &mut Document) -> Result<()> {
+    let Some(style) = document.root().get("style").cloned() else {
+        return Ok(());
+    };
+    if matches!(style.value, Value::Text(_)) {
+        document.remove("style")?;
+        document.set_node("style.base", style)?;
+    }
+    Ok(())
+}
+
+/// Takes away the changes on hues that one colour stands in the place of.
+fn forget_hue(document: &mut Document, path: &str) -> Result<()> {
+    let table = path.trim_end_matches("color");
+    ["lightness", "chroma", "warmth"]
+        .into_iter()
+        .try_for_each(|key| document.remove(&format!("{table}{key}")))
+}

@@ -1,0 +1,16 @@
+//! What a command line is about: the scene that its words amount to, and how it is to be drawn.
+
+pub(crate) mod args;
+pub(crate) mod camera;
+pub(crate) mod defects;
+pub(crate) mod edits;
+pub(crate) mod holes;
+pub(crate) mod look;
+pub(crate) mod roles;
+pub(crate) mod sections;
+pub(crate) mod shard;
+pub(crate) mod split;
+pub(crate) mod stdin;
+pub(crate) mod subject;
+pub(crate) mod unit;
+pub(crate) mod when;

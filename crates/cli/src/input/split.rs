@@ -1,0 +1,25 @@
+//! `--split`: parts taken apart into their connected bodies, before all else that is done to them.
+
+use clap::Args;
+use cutaway::Result;
+use cutaway_io::document::{Document, Node, Origin};
+
+/// What is one part.
+#[derive(Args, Clone, Copy)]
+pub(crate) struct SplitArgs {
+    /// Make each connected body a part of its own, NAME/1, NAME/2 and so on: a gearbox in one STL file gets a colour and a hatch for each
+    /// of its wheels. Cavities stay with the body around them [default: as the scene says, or not]
+    #[arg(long)]
+    split: bool,
+}
+
+impl SplitArgs {
+    /// Splits all parts of a document.
+    pub(crate) fn amend(self, document: &mut Document) -> Result<()> {
+        if !self.split {
+            return Ok(());
+        }
+        let node = Node::new(true).said(&Origin::Option("--split".into()));
+        document.set_in_each("part", "split", &node)
+    }
+}

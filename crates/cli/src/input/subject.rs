@@ -1,0 +1,262 @@
+//! What a command is about: the document that its words amount to, and what that shows.
+
+use std::path::{Path, PathBuf};
+
+use cutaway::generate::shapes::shape;
+use cutaway::scene::{Bounds, LengthUnit, Prepared, Scene, SceneSpace, Up, View, doubts};
+use cutaway::strategies::Means;
+use cutaway::{Error, Result};
+use cutaway_io::document::{Document, GuessedUp, Timeline, UpReason, part};
+use cutaway_io::load::frames::Pattern;
+use cutaway_io::load::{Assets, place_of};
+use cutaway_lab::experiment::{SceneAtTime, means};
+
+use super::edits::EditArgs;
+use super::look::Usual;
+use super::sections::SectionArgs;
+use super::stdin::{self, StdinArgs};
+use crate::console::Console;
+use crate::drawer::Drawer;
+use crate::writing::output::write_file;
+use crate::writing::places::InputFiles;
+
+/// How many times as fine pictures are drawn where nobody says it.
+const USUAL_SUPERSAMPLE: u32 = 2;
+
+/// A document and what it shows.
+pub(crate) struct Subject {
+    /// The scene at the moment that is meant.
+    pub(crate) scene: Scene,
+    /// The same over time.
+    pub(crate) timeline: Timeline,
+    /// All files that were read.
+    pub(crate) files: InputFiles,
+    document: Document,
+    assets: Assets,
+    /// Where the document is saved.
+    saved: Option<PathBuf>,
+}
+
+impl Subject {
+    /// Opens a document that options have amended, at a time or at the moment that it asks for itself, with what holds where it says
+    /// nothing.
+    pub(crate) fn open(
+        mut document: Document,
+        at_s: Option<f64>,
+        usual: Usual,
+        edits: &EditArgs,
+        console: &Console,
+    ) -> Result<Self> {
+        edits.amend(&mut document)?;
+        let mut assets = stdin::assets();
+        let is_file = !document.path().as_os_str().is_empty();
+        let likely_up = match (usual.guesses_up, is_file) {
+            (true, false) => document.guess_up(&mut assets)?,
+            (true, true) => document.likely_up(&mut assets)?,
+            (false, _) => None,
+        };
+        let saved = edits.place(&document)?;
+        let timeline = document.timeline(&mut assets)?;
+        let timeline = usual.of(timeline)?;
+        let name = document.path().display().to_string();
+        let notes = timeline.notes().iter().map(|note| match name.as_str() {
+            "" => note.clone(),
+            name => format!("{name}: {note}"),
+        });
+        console.notes(&notes.collect::<Vec<_>>());
+        if let Some(said) = likely_up.and_then(|likely| said_of(&likely, !is_file)) {
+            console.note(said);
+        }
+        let scene = match at_s {
+            Some(time_s) => timeline.at(time_s)?,
+            None => timeline.scene()?,
+        };
+        let files = InputFiles::default();
+        files.add(timeline.files().map(Path::to_owned));
+        let subject = Self {
+            scene,
+            timeline,
+            files,
+            document,
+            assets,
+            saved,
+        };
+        if subject.timeline.settings().time_s.is_some() && !subject.timeline.moves() {
+            console.note("nothing moves in this scene: it is the same at all times");
+        }
+        Ok(subject)
+    }
+
+    /// The scene as pictures show it: what hatches hang on is that of time 0, so that a picture is that of an animation at its time, in
+    /// whatever pieces that is drawn.
+    pub(crate) fn shown(&self) -> Result<SceneAtTime> {
+        match self.timeline.moves() && self.scene.style.hatch.is_drawn() {
+            true => Ok(SceneAtTime::new(&self.timeline.at(0.0)?).updated(&self.scene)),
+            false => Ok(SceneAtTime::new(&self.scene)),
+        }
+    }
+
+    /// Refuses cuts of the command line that remove nothing.
+    pub(crate) fn must_be_cut_by(&self, sections: &SectionArgs) -> Result<()> {
+        sections.must_be_of_use(&self.document, &self.scene)
+    }
+
+    /// Says what is nearly always a slip, and refuses a camera whose rays would be no numbers.
+    pub(crate) fn doubt(&self, console: &Console) -> Result<()> {
+        doubts(&self.scene).iter().for_each(|d| console.remark(d));
+        check_view(&self.scene, self.size_px())
+    }
+
+    /// Refuses outputs that would replace what is read, or each other; then saves the document, if it is to be. Each is an option and
+    /// the file that it names.
+    pub(crate) fn save_beside<'a>(
+        &self,
+        outputs: impl IntoIterator<Item = (&'a str, PathBuf)>,
+        edits: &EditArgs,
+    ) -> Result<()> {
+        // Only the scene itself may be replaced, where that is wanted.
+        let is_own = |path: &Path| place_of(path) == place_of(self.document.path());
+        let is_checked = |path: &PathBuf| !(edits.is_forced() && is_own(path));
+        let save = self.saved.clone().filter(is_checked);
+        let save = save.map(|path| ("--save", path));
+        self.files.keep_from(outputs.into_iter().chain(save))?;
+        match &self.saved {
+            Some(path) => write_file(path, self.document.moved_to(path)?.to_string().as_bytes()),
+            None => Ok(()),
+        }
+    }
+
+    /// How long a unit of the model is, where all of its files say the same.
+    pub(crate) fn unit(&self) -> Option<LengthUnit> {
+        self.assets.unit()
+    }
+
+    /// What all options amount to.
+    pub(crate) fn document(&self) -> &Document {
+        &self.document
+    }
+
+    /// The document, and what was read for it.
+    pub(crate) fn into_document(self) -> (Document, Assets) {
+        (self.document, self.assets)
+    }
+
+    /// Size of the picture.
+    pub(crate) fn size_px(&self) -> [u32; 2] {
+        self.timeline.settings().size_px()
+    }
+
+    /// How many times as fine pictures are drawn along each side.
+    pub(crate) fn supersample(&self) -> u32 {
+        let asked = self.timeline.settings().supersample;
+        asked.unwrap_or(USUAL_SUPERSAMPLE)
+    }
+
+    /// By which means frames are drawn.
+    pub(crate) fn means(&self) -> Result<Means> {
+        means(self.timeline.settings())
+    }
+
+    /// What draws, by these means where it names no others.
+    pub(crate) fn drawer(&self) -> Result<Drawer> {
+        let name = self.timeline.settings().strategy.as_deref();
+        Drawer::named(name, self.means()?)
+    }
+
+    /// The view of the scene.
+    pub(crate) fn view(&self, prepared: &Prepared) -> View {
+        prepared.view(self.size_px())
+    }
+}
+
+/// What is to be said of an axis that is likely to be up, where the document has it now, and where it is a file, which means its own.
+fn said_of(likely: &GuessedUp, is_set: bool) -> Option<String> {
+    let why = match likely.reason {
+        UpReason::Specification if is_set => return None,
+        UpReason::Specification => "the specification of the format",
+        UpReason::Habit => "the habit of the format",
+        UpReason::Base => "it stands on a flat base that way",
+    };
+    let [own, other] = [likely.up, likely.up.other()].map(Up::name);
+    if is_set {
+        return Some(format!(
+            "up is guessed: {own} ({why}); --up {other} changes it"
+        ));
+    }
+    (likely.up != Up::default()).then(|| format!(
+        "up is {other}, for the scene file does not say it; its meshes look like {own} ({why}): `up = \"{own}\"` under [camera], or --up {own}"
+    ))
+}
+
+/// The document of the positional inputs: one scene file, or models.
+pub(crate) fn document(
+    inputs: &[String],
+    stdin: StdinArgs,
+    played_fps: Option<f64>,
+) -> Result<Document> {
+    let inputs = stdin.settle(inputs)?;
+    if let [one] = inputs.as_slice()
+        && is_scene(one)
+    {
+        return Document::read(Path::new(one));
+    }
+    if let Some(scene) = inputs.iter().find(|i| is_scene(i)) {
+        return Err(Error::input(
+            scene.as_str(),
+            "a scene file stands alone",
+            "give it by itself, and name the meshes in it as [[part]] entries",
+        ));
+    }
+    let mut document = Document::new();
+    for input in &inputs {
+        check_model(input)?;
+        let mut draft = part(input);
+        if let (true, Some(fps)) = (
+            Pattern::is_in(input) && !Path::new(input).exists(),
+            played_fps,
+        ) {
+            draft = draft.with("fps", fps);
+        }
+        document.add_part(draft)?;
+    }
+    Ok(document)
+}
+
+/// Refuses a file that is not there; a built-in shape has its prefix forgotten more often than not.
+pub(crate) fn check_model(input: &str) -> Result<()> {
+    let path = Path::new(input);
+    if input.starts_with("shape:") || stdin::is_it(input) || Pattern::is_in(input) || path.exists()
+    {
+        return Ok(());
+    }
+    let help = match shape(input) {
+        Ok(_) => format!("write shape:{input} for the built-in shape"),
+        // As in `--cutout 90`.
+        Err(_) if input.parse::<f64>().is_ok() => format!(
+            "check the path; the value of an option that can stand alone is written with `=`: --cutout={input}"
+        ),
+        Err(_) => "check the path; built-in shapes are written shape:NAME".to_owned(),
+    };
+    Err(Error::file(path, "there is no such file", help).missing())
+}
+
+/// Whether an input is a scene file by its name.
+fn is_scene(input: &str) -> bool {
+    let extension = Path::new(input).extension();
+    !input.starts_with("shape:") && extension.is_some_and(|e| e.eq_ignore_ascii_case("toml"))
+}
+
+/// Refuses a camera whose rays would be no numbers.
+fn check_view(scene: &Scene, size_px: [u32; 2]) -> Result<()> {
+    let bounds = scene.bounds();
+    let space = SceneSpace::new(&bounds);
+    let in_scene = Bounds::from_points([bounds.min, bounds.max].map(|p| space.point(p)));
+    let view = (scene.camera).view(|p| space.point(p), space.scale, in_scene, size_px);
+    match view.defect() {
+        Some(what) => {
+            let help = "move it nearer to the model, and let it look at another point than its own";
+            Err(Error::input("camera", what, help))
+        }
+        None => Ok(()),
+    }
+}

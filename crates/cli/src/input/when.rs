@@ -1,0 +1,63 @@
+//! `--time` and `--clip`: which moment of a moving scene is meant.
+
+use clap::Args;
+use cutaway::Result;
+use cutaway_io::document::{Document, Value};
+
+use super::args::{parse_finite, say};
+
+/// The moment that is shown.
+#[derive(Args, Default)]
+pub(crate) struct TimeArgs {
+    /// The scene as it stands at this time [default: at rest, as the file has it]
+    #[arg(long = "time", value_name = "SECONDS", value_parser = parse_time, allow_hyphen_values = true, help_heading = "Time")]
+    time_s: Option<f64>,
+    #[command(flatten)]
+    clip: ClipArgs,
+}
+
+/// The animation that is shown.
+#[derive(Args, Clone, Default)]
+pub(crate) struct ClipArgs {
+    /// Which animation of a file that has several, by its name or its number from 0 [default: the first]
+    #[arg(long, value_name = "NAME|NUMBER", help_heading = "Time")]
+    clip: Option<String>,
+}
+
+impl ClipArgs {
+    /// Puts the animation that is asked for into a document.
+    pub(crate) fn amend(&self, document: &mut Document) -> Result<()> {
+        let clip = self.clip.as_deref().map(Value::from);
+        say(document, "clip", "--clip", clip)
+    }
+}
+
+impl TimeArgs {
+    /// Puts the moment that is meant into a document.
+    pub(crate) fn amend(&self, document: &mut Document) -> Result<()> {
+        say(document, "time_s", "--time", self.time_s.map(Value::from))?;
+        self.clip.amend(document)
+    }
+}
+
+/// Reads a time in seconds.
+pub(crate) fn parse_time(text: &str) -> Result<f64, String> {
+    let seconds = parse_finite(text).ok().filter(|s| *s >= 0.0);
+    seconds.ok_or_else(|| {
+        "it must be a number of seconds, 0 or more\n  help: write for example 1.5".to_owned()
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn times_are_seconds_from_the_start() {
+        assert_eq!(parse_time("1.5"), Ok(1.5));
+        assert_eq!(parse_time("0"), Ok(0.0));
+        for text in ["-1", "nan", "inf", "1s", ""] {
+            assert!(parse_time(text).is_err(), "{text}");
+        }
+    }
+}

@@ -1,0 +1,139 @@
+//! No result replaces an input, and none replaces another: looked at before anything is drawn or written.
+//!
+//! Two names are of one file where they lead to the same one, through `..`, symbolic links or hard links, and also where a folder on the
+//! way is yet to be made: each is compared by the place that it will have ([`place_of`]).
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
+
+use cutaway::{Error, Result};
+use cutaway_io::load::place_of;
+use same_file::is_same_file;
+
+use super::output::Output;
+
+/// The files that a command reads; meshes are opened in parallel.
+#[derive(Debug, Default)]
+pub(crate) struct InputFiles(Mutex<BTreeSet<PathBuf>>);
+
+impl InputFiles {
+    /// Adds files that are read.
+    pub(crate) fn add(&self, files: impl IntoIterator<Item = PathBuf>) {
+        let mut all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        all.extend(files);
+    }
+
+    /// All of them, in order of their names.
+    pub(crate) fn all(&self) -> Vec<PathBuf> {
+        let all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        all.iter().cloned().collect()
+    }
+
+    /// Refuses outputs that would replace one of them, or each other. Each is an option and the file that it names.
+    pub(crate) fn keep_from<'a>(
+        &self,
+        outputs: impl IntoIterator<Item = (&'a str, PathBuf)>,
+    ) -> Result<()> {
+        let inputs = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut places = BTreeMap::new();
+        for (option, path) in outputs {
+            let place = place_of(&path);
+            if is_special(&place) {
+                continue;
+            }
+            let culprit = || format!("{option} {}", path.display());
+            let is_there = place.exists();
+            let replaced = inputs
+                .iter()
+                .find(|input| is_there && is_one_file(input, &place));
+            if let Some(input) = replaced {
+                let what = if *input == path {
+                    "it is an input of this command, and would be overwritten".to_owned()
+                } else {
+                    format!(
+                        "it is the input {}, which would be overwritten",
+                        input.display()
+                    )
+                };
+                let help = "write to another file: an output never replaces an input";
+                return Err(Error::input(culprit(), what, help));
+            }
+            if let Some(first) = places.insert(place, option) {
+                let what = format!("it is the file of {first}");
+                return Err(Error::input(culprit(), what, "give each its own name"));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Every result has a place of its own: one at most is on standard output, and none replaces another.
+pub(crate) fn no_place_twice(outputs: &[(&str, Option<&Output>)]) -> Result<()> {
+    InputFiles::default().keep_from(paths_of(outputs))?;
+    let taken: Vec<&str> = outputs
+        .iter()
+        .filter(|(_, o)| *o == Some(&Output::Stdout))
+        .map(|(option, _)| *option)
+        .collect();
+    match taken.as_slice() {
+        [_, second, ..] => Err(Error::input(
+            format!("{second} -"),
+            format!("standard output already carries {}", taken[0]),
+            "write one of them to a file",
+        )),
+        _ => Ok(()),
+    }
+}
+
+/// The outputs that are files.
+pub(crate) fn paths_of<'a>(
+    outputs: &[(&'a str, Option<&Output>)],
+) -> impl Iterator<Item = (&'a str, PathBuf)> {
+    outputs.iter().filter_map(|(option, output)| {
+        let path = output.and_then(Output::path)?;
+        Some((*option, path.to_owned()))
+    })
+}
+
+/// Whether two names lead to one file that exists, through links of both kinds. Most differ in length, which costs least to see.
+pub fn is_one_file(a: &Path, b: &Path) -> bool {
+    let length = |path: &Path| fs::metadata(path).ok().map(|m| m.len());
+    let lengths = (length(a), length(b));
+    matches!(lengths, (Some(a), Some(b)) if a == b) && is_same_file(a, b).unwrap_or(false)
+}
+
+/// A device or a pipe, which nothing replaces.
+pub(crate) fn is_special(path: &Path) -> bool {
+    fs::metadata(path).is_ok_and(|m| !m.is_file() && !m.is_dir())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn standard_output_carries_one_result() {
+        let (file, stdout) = (Output::File("a".into()), Output::Stdout);
+        assert!(no_place_twice(&[("-o", Some(&file)), ("--json", Some(&stdout))]).is_ok());
+        assert!(no_place_twice(&[("-o", None), ("--json", Some(&stdout))]).is_ok());
+        let both = no_place_twice(&[("-o", Some(&stdout)), ("--json", Some(&stdout))]);
+        assert!(both.unwrap_err().to_string().contains("--json -"));
+    }
+
+    #[test]
+    fn no_result_replaces_another() {
+        let plain = Output::File("a".into());
+        for same in ["./a", "nowhere/../a", "no/where/.././../a"] {
+            let other = Output::File(same.into());
+            let message = no_place_twice(&[("-o", Some(&plain)), ("--json", Some(&other))])
+                .unwrap_err()
+                .to_string();
+            assert!(message.contains("the file of -o"), "{message}");
+        }
+        let other = Output::File("b/a".into());
+        assert!(no_place_twice(&[("-o", Some(&plain)), ("--json", Some(&other))]).is_ok());
+        assert!(no_place_twice(&[("-o", None), ("--json", None)]).is_ok());
+    }
+}

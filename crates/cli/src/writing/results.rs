@@ -1,0 +1,44 @@
+//! The results of a command, all or none: a disk that is full, or standard output that takes no more, leaves no file beside the error.
+//!
+//! Files are written whole beside their places as they are added. At the end standard output is written, and then each file takes its
+//! place.
+
+use cutaway::Result;
+
+use super::output::{Output, Pending, begun_with, write_stdout};
+
+/// What a command has made, not yet in its places.
+#[derive(Default)]
+pub(crate) struct Results {
+    files: Vec<Pending>,
+    stdout: Option<Vec<u8>>,
+}
+
+impl Results {
+    /// Adds a result; of standard output there is one.
+    pub(crate) fn add(&mut self, output: &Output, bytes: Vec<u8>) -> Result<()> {
+        match output {
+            Output::Stdout => self.stdout = Some(bytes),
+            Output::File(path) => self.files.push(begun_with(path, &bytes)?),
+        }
+        Ok(())
+    }
+
+    /// Puts all of them into their places.
+    pub(crate) fn place(mut self) -> Result<()> {
+        self.files.iter().try_for_each(Pending::sync)?;
+        if let Some(bytes) = &self.stdout {
+            write_stdout(bytes)?;
+        }
+        std::mem::take(&mut self.files)
+            .into_iter()
+            .try_for_each(Pending::place_synced)
+    }
+}
+
+impl Drop for Results {
+    /// The first may have made the folder of the others, which is removed when it is empty.
+    fn drop(&mut self) {
+        while self.files.pop().is_some() {}
+    }
+}

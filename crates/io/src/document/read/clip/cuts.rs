@@ -1,0 +1,352 @@
+//! `[[cut]]`: clip-surfaces in three forms, boxes and wedges, and the parts they cut.
+//!
+//! `{ origin, u, v, scale }` is the paper's own parametrisation; `{ section = "z=50%" }` and `{ normal, origin }` are
+//! planes whose relief is placed by `amplitude` and `period`. `flip = true` keeps the other side in all of them. `box` and
+//! `wedge` ([`regions`]), or lists of them, stand beside `surfaces` or instead, and so does a closed mesh ([`cutters`]): what all have
+//! in common is removed. `cutout` and `breakaway` ([`cutaways`]) place themselves.
+
+use std::sync::Arc;
+
+use cutaway::error::{Result, did_you_mean};
+use cutaway::scene::relief::{Placement, parse_wrap, place_map};
+use cutaway::scene::{
+    Amount, Bounds, ClipSurface, Cut, CutoutFrame, Offset, OffsetMap, Part, PlaneSpec, Role, Up,
+    Wrap, glob_matches, range,
+};
+use glam::DVec3;
+
+use super::cutaways;
+use super::cutters;
+use super::regions::{self, Union};
+use super::reliefs::Maps;
+use crate::document::Keys;
+use crate::document::read::reader::{Entry, Table};
+
+/// Keys of a cut.
+pub(in crate::document::read) static KEYS: Keys = Keys::below("cut.*");
+const FULL: &[&str] = &["origin", "u", "v", "scale", "relief", "wrap", "flip"];
+const SECTION: &[&str] = &[
+    "section",
+    "spin_deg",
+    "relief",
+    "amplitude",
+    "period",
+    "wrap",
+    "flip",
+];
+const NORMAL: &[&str] = &[
+    "normal",
+    "origin",
+    "spin_deg",
+    "relief",
+    "amplitude",
+    "period",
+    "wrap",
+    "flip",
+];
+
+/// What a cut may refer to.
+pub(in crate::document::read) struct Context<'a> {
+    pub(in crate::document::read) parts: &'a [Part],
+    /// Names of all parts that there are at any time.
+    pub(in crate::document::read) names: &'a [&'a str],
+    pub(in crate::document::read) bounds: Bounds,
+    /// The up axis of the scene.
+    pub(in crate::document::read) up: Up,
+    pub(in crate::document::read) maps: &'a Maps,
+}
+
+/// Reads one cut. What is no intersection of clip-surfaces is made into several cuts of one name.
+pub(in crate::document::read) fn read(
+    entry: &Entry<'_>,
+    index: usize,
+    (cutter, frame): (Option<&cutters::CutterSource>, Option<&CutoutFrame>),
+    context: &Context<'_>,
+    notes: &mut Vec<String>,
+) -> Result<Vec<Cut>> {
+    let table = entry.table(KEYS.all())?;
+    let name = match table.get("name") {
+        Some(name) => name.text()?.to_owned(),
+        None => format!("{index}"),
+    };
+    let volume = cutters::read(&table, cutter, &context.bounds)?;
+    let breakaway = (table.get("breakaway")).map(|e| cutaways::breakaway(&e));
+    let breakaway = breakaway.transpose()?;
+    if let (Some(_), Some(entry)) = (&volume, table.get("breakaway")) {
+        let help = "let each be a cut of its own";
+        return Err(entry.fault(
+            "the cut has a `volume`, and there is one cutter to a cut",
+            help,
+        ));
+    }
+    let has_volume = volume.is_some() || breakaway.is_some();
+    let region = region(&table, has_volume, frame, context)?;
+    let mut cut = Cut::new(name, Vec::new());
+    cut.volume = volume;
+    cut.breakaway = breakaway;
+    if let Some(globs) = table.get("applies_to") {
+        cut.applies_to = globs_of(&globs, context)?;
+    }
+    if let Some(globs) = table.get("except") {
+        cut.except = globs_of(&globs, context)?;
+    }
+    let may_cut = |p: &Part| cut.enabled && p.role == Role::Exterior && cut.names(p);
+    if !context.parts.iter().any(may_cut) {
+        notes.push(format!("{}: it cuts no part", entry.key));
+    }
+    if let Some(offsets) = table.get("offset") {
+        if has_volume {
+            let help =
+                "a mesh has no side to move to: scale it in a cut of its own for these parts";
+            return Err(offsets.fault("the cut has a cutter, which no offset moves", help));
+        }
+        cut.offsets = offsets_of(&offsets, &cut, context, notes)?;
+    }
+    let enabled = table.get("enabled").map_or(Ok(true), |e| e.flag())?;
+    cut.enabled = enabled && !region.is_empty;
+    let of_surfaces = |surfaces: Vec<ClipSurface>| Cut {
+        surfaces,
+        ..cut.clone()
+    };
+    Ok(region.alternatives.into_iter().map(of_surfaces).collect())
+}
+
+/// The region of a cut: what `surfaces`, `box` and `wedge` have in common; all of space only beside a cutter.
+fn region(
+    table: &Table<'_>,
+    has_volume: bool,
+    frame: Option<&CutoutFrame>,
+    context: &Context<'_>,
+) -> Result<Union> {
+    let mut region = Union::everywhere();
+    let surfaces = table.get("surfaces");
+    let [boxes, wedges] = [
+        one_or_several(table, "box")?,
+        one_or_several(table, "wedge")?,
+    ];
+    if let Some(surfaces) = &surfaces {
+        let all = surfaces.list()?;
+        if all.is_empty() {
+            return Err(surfaces.fault("a cut needs a surface", "add `{ section = \"z=50%\" }`"));
+        }
+        let all = all.iter().map(|s| surface(s, context));
+        region.intersect(Union::of(all.collect::<Result<_>>()?));
+    }
+    for block in &boxes {
+        region.intersect(regions::block(block, context)?);
+    }
+    for wedge in &wedges {
+        region.intersect(regions::wedge(wedge, context)?);
+    }
+    if let Some(entry) = table.get("cutout") {
+        region.intersect(cutaways::cutout(&entry, frame, context)?);
+    }
+    if region.is_everywhere() && !has_volume {
+        if let Some(wedge) = wedges.first() {
+            let help = "let it turn by less than 360 degrees, or give it an end: `min` or `max`";
+            let what = "it turns all the way round and has no end along its axis: it would remove everything";
+            return Err(wedge.fault(what, help));
+        }
+        let help = "add for example `surfaces = [{ section = \"z=50%\" }]`, a `box`, a `wedge`, a `cutout`, a `breakaway` or a `volume`";
+        return Err(table
+            .entry
+            .fault("it has no clip-surface, and would remove everything", help));
+    }
+    Ok(region)
+}
+
+/// A table of a key, or the tables of its list.
+fn one_or_several<'a>(table: &Table<'a>, key: &str) -> Result<Vec<Entry<'a>>> {
+    match table.get(key) {
+        None => Ok(Vec::new()),
+        Some(entry) if entry.is_list() => entry.list(),
+        Some(entry) => Ok(vec![entry]),
+    }
+}
+
+/// Offsets by glob. Which of several globs counts for a part is nothing that a file says: there may be only one, beside the name
+/// itself.
+fn offsets_of(
+    entry: &Entry<'_>,
+    cut: &Cut,
+    context: &Context<'_>,
+    notes: &mut Vec<String>,
+) -> Result<Vec<Offset>> {
+    let diagonal = context.bounds.size().length();
+    let mut offsets = Vec::new();
+    for (glob, value) in entry.open_table()?.all() {
+        must_name_a_part(&value, glob, context)?;
+        let mut cut_parts = context.parts.iter().filter(|p| cut.names(p));
+        if !cut_parts.any(|p| glob_matches(glob, &p.name)) {
+            notes.push(format!("{}: no part of the cut has such a name", value.key));
+        }
+        let keeps = match value.amount()? {
+            Amount::Units(v) => v,
+            Amount::Percent(p) => diagonal * p / 100.0,
+        };
+        if let Some(what) = range::beside(keeps, &context.bounds) {
+            return Err(value.fault(format!("it is {what}"), "give a smaller offset"));
+        }
+        offsets.push(Offset {
+            parts: glob.to_owned(),
+            keeps,
+        });
+    }
+    for part in context.parts.iter().filter(|p| cut.names(p)) {
+        let fits = |o: &&Offset| glob_matches(&o.parts, &part.name);
+        let globs: Vec<&str> = (offsets.iter().filter(fits))
+            .map(|o| o.parts.as_str())
+            .collect();
+        if globs.len() > 1 && !globs.contains(&part.name.as_str()) {
+            let what = format!("part `{}` fits {}", part.name, globs.join(" and "));
+            let help = format!("add `\"{}\" = 0.1`, which counts before them", part.name);
+            return Err(entry.fault(what, help));
+        }
+    }
+    Ok(offsets)
+}
+
+/// Globs; one without a wildcard has to be the name of a part, for it can be nothing but a slip otherwise.
+fn globs_of(entry: &Entry<'_>, context: &Context<'_>) -> Result<Vec<String>> {
+    entry.texts()?;
+    let globs = entry.list()?.into_iter().map(|glob| {
+        must_name_a_part(&glob, glob.text()?, context)?;
+        glob.text().map(str::to_owned)
+    });
+    globs.collect()
+}
+
+fn must_name_a_part(entry: &Entry<'_>, glob: &str, context: &Context<'_>) -> Result<()> {
+    let names = || context.names.iter().copied();
+    if glob.contains(['*', '?']) || names().any(|n| n == glob) {
+        return Ok(());
+    }
+    let what = format!("there is no part `{glob}`");
+    Err(entry.fault(what, did_you_mean(glob, names())))
+}
+
+pub(in crate::document::read) fn surface(
+    entry: &Entry<'_>,
+    context: &Context<'_>,
+) -> Result<ClipSurface> {
+    let open = entry.open_table()?;
+    let surface = if open.get("section").is_some() {
+        let table = entry.table(SECTION)?;
+        let section = table.need("section", "\"z=50%\"")?;
+        let spec = PlaneSpec::parse(section.text()?);
+        let surface = spec.and_then(|s| s.surface(&context.bounds, context.up));
+        let plane = spun(surface.map_err(|e| section.place(e))?, &table)?;
+        on_plane(plane, &table, context)?
+    } else if open.get("normal").is_some() {
+        let table = entry.table(NORMAL)?;
+        let normal = table.need("normal", "[0, 0, 1]")?;
+        let point = match table.get("origin") {
+            Some(origin) => DVec3::from(origin.vector()?),
+            None => context.bounds.centre(),
+        };
+        let spec = PlaneSpec::through(point, DVec3::from(normal.vector()?));
+        let surface = spec.and_then(|s| s.surface(&context.bounds, context.up));
+        let plane = spun(surface.map_err(|e| normal.place(e))?, &table)?;
+        on_plane(plane, &table, context)?
+    } else {
+        in_full(&entry.table(FULL)?, context)?
+    };
+    sound(&surface, &context.bounds, entry)?;
+    let flip = open.get("flip").map_or(Ok(false), |f| f.flag())?;
+    Ok(if flip { surface.flipped() } else { surface })
+}
+
+/// Refuses what is no clip-surface.
+pub(in crate::document::read) fn sound(
+    surface: &ClipSurface,
+    model: &Bounds,
+    entry: &Entry<'_>,
+) -> Result<()> {
+    let help = "u and v must be finite, not zero and at a right angle; u = [1, 0, 0], v = [0, 1, 0] keep z > origin";
+    match surface.defect_beside(model) {
+        Some(what) => Err(entry.fault(what, help)),
+        None => Ok(()),
+    }
+}
+
+/// The paper's form: nothing is computed, nothing moved.
+fn in_full(table: &Table<'_>, context: &Context<'_>) -> Result<ClipSurface> {
+    let or = |key: &str, usual: DVec3| match table.get(key) {
+        Some(entry) => entry.vector().map(DVec3::from),
+        None => Ok(usual),
+    };
+    Ok(ClipSurface {
+        origin: or("origin", DVec3::ZERO)?,
+        u: DVec3::from(table.need("u", "[1, 0, 0]")?.vector()?),
+        v: DVec3::from(table.need("v", "[0, 1, 0]")?.vector()?),
+        scale: or("scale", DVec3::ONE)?,
+        relief: map_of(table, context)?,
+        wrap: wrap_of(table)?,
+    })
+}
+
+/// A plane turned in itself as its table says.
+fn spun(plane: ClipSurface, table: &Table<'_>) -> Result<ClipSurface> {
+    let Some(entry) = table.get("spin_deg") else {
+        return Ok(plane);
+    };
+    Ok(plane.spun(entry.number()?.to_radians()))
+}
+
+/// A plane with the relief of its table, if it has one.
+pub(in crate::document::read) fn on_plane(
+    plane: ClipSurface,
+    table: &Table<'_>,
+    context: &Context<'_>,
+) -> Result<ClipSurface> {
+    let Some(map) = map_of(table, context)? else {
+        for key in ["amplitude", "period", "wrap"] {
+            if let Some(entry) = table.get(key) {
+                let help = "add `relief = \"NAME\"`, or remove the key";
+                return Err(entry.fault("a plane has none: there is no relief", help));
+            }
+        }
+        return Ok(plane);
+    };
+    let amount = |key: &str| table.get(key).map(|e| e.amount()).transpose();
+    let placement = Placement {
+        amplitude: amount("amplitude")?.unwrap_or(Placement::default().amplitude),
+        period: amount("period")?,
+        wrap: wrap_of(table)?,
+    };
+    let placed = match placement.defect() {
+        Some(what) => Err(what),
+        None => place_map(plane, map, &placement, &context.bounds),
+    };
+    placed.map_err(|what| {
+        let help = "give `amplitude` and `period` in scene units, or as \"6%\" of the diagonal";
+        let relief = table.get("relief");
+        relief
+            .unwrap_or_else(|| table.entry.clone())
+            .fault(what, help)
+    })
+}
+
+fn map_of(table: &Table<'_>, context: &Context<'_>) -> Result<Option<Arc<OffsetMap>>> {
+    let Some(entry) = table.get("relief") else {
+        return Ok(None);
+    };
+    let name = entry.text()?;
+    if let Some(map) = context.maps.get(name) {
+        return Ok(Some(Arc::clone(map)));
+    }
+    let help = if context.maps.is_empty() {
+        format!("describe it in a table [relief.{name}]")
+    } else {
+        did_you_mean(name, context.maps.keys().map(String::as_str))
+    };
+    Err(entry.fault(format_args!("there is no relief `{name}`"), help))
+}
+
+fn wrap_of(table: &Table<'_>) -> Result<Wrap> {
+    let Some(entry) = table.get("wrap") else {
+        return Ok(Wrap::default());
+    };
+    let name = entry.text()?;
+    parse_wrap(name).map_err(|help| entry.fault(format_args!("{name:?} is no wrap mode"), help))
+}

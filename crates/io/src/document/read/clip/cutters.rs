@@ -1,0 +1,84 @@
+//! `volume = "FILE"` of a `[[cut]]`: a closed mesh as cutter, placed by the keys that place parts.
+//!
+//! As with parts, what is named by text is opened once, when the file is first read, and refused there where it is not closed;
+//! its place is read at every time.
+
+use cutaway::error::Result;
+use cutaway::scene::{Bounds, Cutter, too_far};
+
+use crate::document::read::parts;
+use crate::document::read::reader::{Entry, Table};
+use crate::document::read::stock::Opening;
+
+/// Keys of a cut that say where its cutter is, and which side of it stays.
+pub(in crate::document::read) const PLACES: &[&str] = &[
+    "translate",
+    "rotate_deg",
+    "scale",
+    "pivot",
+    "matrix",
+    "flip",
+];
+
+/// A cutter as its file has it.
+#[derive(Clone, Debug)]
+pub(in crate::document::read) struct CutterSource {
+    cutter: Cutter,
+    /// Bounds where its file puts it.
+    rest: Bounds,
+}
+
+/// Opens the cutters of a file, one for each cut that has one.
+pub(in crate::document::read) fn open(
+    entries: &[Entry<'_>],
+    opening: &mut Opening<'_>,
+) -> Result<Vec<Option<CutterSource>>> {
+    entries
+        .iter()
+        .map(|entry| {
+            let volume = entry.open_table()?.get("volume");
+            volume.map(|v| open_one(&v, opening)).transpose()
+        })
+        .collect()
+}
+
+fn open_one(entry: &Entry<'_>, opening: &mut Opening<'_>) -> Result<CutterSource> {
+    let text = entry.text()?;
+    let solids = if text.starts_with("shape:") {
+        opening.shape(entry, text)?
+    } else {
+        opening.mesh(entry, text)?
+    };
+    let cutter = Cutter::from_parts(text, &solids).map_err(|e| entry.place(e))?;
+    Ok(CutterSource {
+        rest: cutter.bounds_in_world(),
+        cutter,
+    })
+}
+
+/// The cutter of a cut where it is at the time of the text, if it has one; `model` are the bounds of what it cuts.
+pub(in crate::document::read) fn read(
+    table: &Table<'_>,
+    held: Option<&CutterSource>,
+    model: &Bounds,
+) -> Result<Option<Cutter>> {
+    let Some(held) = held else {
+        if let Some(entry) = PLACES.iter().find_map(|key| table.get(key)) {
+            let help = "add `volume = \"FILE\"`, or place and flip the surfaces themselves";
+            return Err(entry.fault("only a cutter has it", help));
+        }
+        return Ok(None);
+    };
+    let placed = held
+        .cutter
+        .clone()
+        .placed(parts::placement(table, held.rest)?);
+    let corners = held.rest.corners();
+    let corners = corners.map(|c| placed.world_from_cutter.transform_point3(c));
+    if let Some(what) = too_far(&Bounds::from_points(corners), model) {
+        let what = format!("`{}` {what} once it is placed", placed.name());
+        return Err((table.entry).fault(what, "use a smaller scale or translation"));
+    }
+    let flip = table.get("flip").map_or(Ok(false), |f| f.flag())?;
+    Ok(Some(if flip { placed.flipped() } else { placed }))
+}

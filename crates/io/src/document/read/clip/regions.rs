@@ -1,0 +1,219 @@
+//! `box` and `wedge` of a cut: regions in few numbers.
+//!
+//! ```toml
+//! box = { min = ["50%", 0, 0], max = ["100%", 1, 1] }       # percent of the bounds; without `min` or `max` it is open there
+//! box = { centre = [0, 0, 0], size = 0.5 }                  # or a size along each axis
+//! wedge = { axis = "z", from_deg = 0, to_deg = 90 }         # about the middle of the bounds, or `origin`
+//! wedge = { axis = [1, 1, 0], from_deg = -30, to_deg = 200, min = "10%", max = "90%" }
+//! ```
+//!
+//! Angles turn counter-clockwise about the axis as its tip is looked at; 0 is the next axis: x for z, y for x, z for y. A wedge of
+//! more than 180 degrees is made of two cuts of one name. `min` and `max` of a wedge are coordinates along its axis.
+//!
+//! `relief`, `amplitude`, `period` and `wrap` ruffle all faces as they do a section, or those of a list: `faces = ["from", "to"]`;
+//! faces of a box are called `-x` to `+z`, those of a wedge `from`, `to`, `min` and `max`.
+
+use cutaway::error::Result;
+use cutaway::scene::{Amount, Block, Bounds, ClipSurface, Face, Wedge, in_common, next_axis};
+use glam::DVec3;
+
+use super::cuts::{Context, on_plane, sound};
+use crate::document::read::deform::direction;
+use crate::document::read::reader::{Entry, Table};
+
+pub(in crate::document::read) const RELIEF: &[&str] =
+    &["relief", "amplitude", "period", "wrap", "faces"];
+const CORNERS: &[&str] = &["min", "max"];
+const CENTRED: &[&str] = &["centre", "size"];
+const WEDGE: &[&str] = &["axis", "origin", "from_deg", "to_deg", "min", "max"];
+
+/// A union of intersections of removed sides.
+pub(in crate::document::read) struct Union {
+    pub(in crate::document::read) alternatives: Vec<Vec<ClipSurface>>,
+    /// Whether it has no inside.
+    pub(in crate::document::read) is_empty: bool,
+}
+
+impl Union {
+    /// What clip-surfaces have in common.
+    pub(in crate::document::read) fn of(surfaces: Vec<ClipSurface>) -> Self {
+        Self {
+            alternatives: vec![surfaces],
+            is_empty: false,
+        }
+    }
+
+    /// All of space.
+    pub(in crate::document::read) fn everywhere() -> Self {
+        Self::of(Vec::new())
+    }
+
+    /// Whether one alternative is all of space.
+    pub(in crate::document::read) fn is_everywhere(&self) -> bool {
+        self.alternatives.iter().any(Vec::is_empty)
+    }
+
+    /// Keeps what is in another one too.
+    pub(in crate::document::read) fn intersect(&mut self, other: Self) {
+        self.alternatives = in_common(&self.alternatives, &other.alternatives);
+        self.is_empty |= other.is_empty;
+    }
+}
+
+/// Reads a box.
+pub(in crate::document::read) fn block(entry: &Entry<'_>, context: &Context<'_>) -> Result<Union> {
+    let open = entry.open_table()?;
+    let bounds = &context.bounds;
+    let is_centred = CENTRED.iter().any(|key| open.get(key).is_some());
+    let table = entry.table(&[if is_centred { CENTRED } else { CORNERS }, RELIEF].concat())?;
+    let block = if is_centred {
+        centred(&table, bounds)?
+    } else {
+        let corner = |key: &str| match table.get(key) {
+            Some(entry) => point(&entry, bounds).map(|p| p.to_array().map(Some)),
+            None => Ok([None; 3]),
+        };
+        Block {
+            min: corner("min")?,
+            max: corner("max")?,
+        }
+    };
+    if let Some(axis) = block.inverted_axis() {
+        let what = format!("it ends before it begins along {}", ["x", "y", "z"][axis]);
+        let help = "let every number of `min` be at most that of `max`, and no size be below 0";
+        return Err(entry.fault(what, help));
+    }
+    let faces = block.faces(bounds.centre(), context.up);
+    if faces.is_empty() {
+        let help = "add for example `min = [0, 0, 0]`, or `centre` and `size`";
+        return Err(entry.fault("it has no side", help));
+    }
+    let present: Vec<_> = faces.iter().map(|f| f.name).collect();
+    Ok(Union {
+        is_empty: block.is_empty(),
+        alternatives: vec![ruffled(faces, &listed(&present, &table)?, &table, context)?],
+    })
+}
+
+fn centred(table: &Table<'_>, bounds: &Bounds) -> Result<Block> {
+    let centre = match table.get("centre") {
+        Some(entry) => point(&entry, bounds)?,
+        None => bounds.centre(),
+    };
+    let entry = table.need("size", "[1, 1, 1]")?;
+    let amounts = if entry.is_list() {
+        entry.amounts()?
+    } else {
+        [entry.amount()?; 3]
+    };
+    let whole = bounds.size();
+    let size = DVec3::from(std::array::from_fn(|i| match amounts[i] {
+        Amount::Units(v) => v,
+        Amount::Percent(p) => whole[i] * p / 100.0,
+    }));
+    Ok(Block {
+        min: (centre - size * 0.5).to_array().map(Some),
+        max: (centre + size * 0.5).to_array().map(Some),
+    })
+}
+
+/// Reads a wedge.
+pub(in crate::document::read) fn wedge(entry: &Entry<'_>, context: &Context<'_>) -> Result<Union> {
+    let table = entry.table(&[WEDGE, RELIEF].concat())?;
+    let bounds = &context.bounds;
+    let along = direction(&table.need("axis", "\"z\"")?)?;
+    let angle = |key: &str, example: &str| table.need(key, example)?.number();
+    let [from_deg, to_deg] = [angle("from_deg", "0")?, angle("to_deg", "90")?];
+    if !(0.0..=360.0).contains(&(to_deg - from_deg)) {
+        let what = format!("it turns by {} degrees", to_deg - from_deg);
+        let help = "let `to_deg` be from 0 to 360 more than `from_deg`";
+        return Err(entry.fault(what, help));
+    }
+    let origin = match table.get("origin") {
+        Some(entry) => point(&entry, bounds)?,
+        None => bounds.centre(),
+    };
+    let extent = bounds.corners().map(|c| c.dot(along));
+    let [least, most] = extent
+        .iter()
+        .fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], c| {
+            [a.min(*c), b.max(*c)]
+        });
+    let end = |key: &str| -> Result<Option<f64>> {
+        let amount = table.get(key).map(|e| e.amount()).transpose()?;
+        Ok(amount.map(|a| a.between(least, most)))
+    };
+    let wedge = Wedge {
+        origin,
+        along,
+        zero: next_axis(along),
+        from_deg,
+        to_deg,
+        min: end("min")?,
+        max: end("max")?,
+    };
+    if matches!((wedge.min, wedge.max), (Some(a), Some(b)) if a > b) {
+        let help = "let `min` be at most `max`: both are coordinates along the axis";
+        return Err(entry.fault("it ends before it begins along its axis", help));
+    }
+    // A full turn has neither, but may be a moment of one that opens.
+    let mut present = vec!["from", "to"];
+    present.extend(wedge.min.map(|_| "min"));
+    present.extend(wedge.max.map(|_| "max"));
+    let listed = listed(&present, &table)?;
+    let ragged = listed.iter().any(|name| ["from", "to"].contains(name));
+    let alternatives = wedge.alternatives(ragged, context.up).into_iter();
+    let ruffled = alternatives.map(|faces| ruffled(faces, &listed, &table, context));
+    Ok(Union {
+        alternatives: ruffled.collect::<Result<_>>()?,
+        is_empty: wedge.is_empty(),
+    })
+}
+
+/// A point by its coordinates, or by percentages of the bounds.
+fn point(entry: &Entry<'_>, bounds: &Bounds) -> Result<DVec3> {
+    let amounts: [Amount; 3] = entry.amounts()?;
+    Ok(DVec3::from(std::array::from_fn(|i| {
+        amounts[i].between(bounds.min[i], bounds.max[i])
+    })))
+}
+
+/// The faces that are to have the relief of the table; `present` are those that there are.
+pub(in crate::document::read) fn listed(
+    present: &[&'static str],
+    table: &Table<'_>,
+) -> Result<Vec<&'static str>> {
+    let has_relief = table.get("relief").is_some();
+    match table.get("faces") {
+        None if has_relief => Ok(present.to_vec()),
+        None => Ok(Vec::new()),
+        Some(list) if !has_relief => {
+            let help = "add `relief = \"NAME\"`, or remove the key";
+            Err(list.fault("there is no relief for them", help))
+        }
+        Some(list) => {
+            let choices: Vec<_> = present.iter().map(|name| (*name, *name)).collect();
+            let named = list.list()?.into_iter().map(|e| e.choice(&choices));
+            named.collect()
+        }
+    }
+}
+
+/// The clip-surfaces of faces, with the relief of the table on those that are listed.
+pub(in crate::document::read) fn ruffled(
+    faces: Vec<Face>,
+    listed: &[&'static str],
+    table: &Table<'_>,
+    context: &Context<'_>,
+) -> Result<Vec<ClipSurface>> {
+    let surfaces = faces.into_iter().map(|face| {
+        let surface = if listed.contains(&face.name) {
+            on_plane(face.plane, table, context)?
+        } else {
+            face.plane
+        };
+        sound(&surface, &context.bounds, &table.entry)?;
+        Ok(surface)
+    });
+    surfaces.collect()
+}

@@ -1,0 +1,286 @@
+//! `[relief.NAME]`: where heights come from.
+//!
+//! ```toml
+//! [relief.steps]
+//! kind = "profile"                # one row of heights along U
+//! heights = [0, 0.2, 1, 0.2]
+//!
+//! [relief.moving]
+//! kind = "layers"                 # layer 0 at 0, layer 1 at 1, what is between at 0.5
+//! images = "frames/%03d.png"      # or `of = ["a", "b"]`, names of other reliefs
+//! at = 0.0
+//! wrap = "repeat"
+//! ```
+//!
+//! Images are read when the document is opened; what a key moves is computed again from them.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use cutaway::error::{Result, did_you_mean};
+use cutaway::scene::relief::{BlendOp, Image, MAX_TEXELS, Procedure, Relief, resolve};
+use cutaway::scene::{OffsetMap, Wrap};
+
+use crate::document::read::reader::{Entry, Table};
+use crate::load::Assets;
+use crate::load::frames::Pattern;
+
+const IMAGE_KEYS: &[&str] = &["kind", "image"];
+const BLEND_KEYS: &[&str] = &["kind", "blend", "op", "share"];
+const PROFILE_KEYS: &[&str] = &["kind", "heights"];
+const LAYERS_KEYS: &[&str] = &["kind", "of", "images", "first", "at", "wrap"];
+
+/// Kinds that are not computed.
+const OTHER_KINDS: [&str; 4] = ["image", "blend", "profile", "layers"];
+
+/// Offset maps by name.
+pub(in crate::document::read) type Maps = BTreeMap<String, Arc<OffsetMap>>;
+
+/// The images of reliefs, read once: what is opened does not change while a scene is played.
+#[derive(Debug, Default)]
+pub(crate) struct Images {
+    /// By the name of the relief: one, or several in order.
+    by_relief: BTreeMap<String, Vec<Image>>,
+}
+
+impl Images {
+    pub(crate) fn files(&self) -> impl Iterator<Item = &PathBuf> {
+        self.by_relief.values().flatten().map(|image| &image.path)
+    }
+}
+
+/// Reliefs as they were when they were last computed.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Resolved {
+    described: BTreeMap<String, Relief>,
+    maps: Maps,
+}
+
+impl Resolved {
+    /// Whether a relief, and all that it is blended from, is what it was.
+    fn still_holds(&self, name: &str, described: &BTreeMap<String, Relief>) -> bool {
+        let relief = described.get(name);
+        let parts = relief.map_or(&[] as &[String], Relief::of);
+        relief == self.described.get(name)
+            && self.maps.contains_key(name)
+            && parts.iter().all(|n| self.still_holds(n, described))
+    }
+}
+
+/// Reads all reliefs of `[relief]` and computes those that are not what they were: maps of the others stay the same.
+pub(in crate::document::read) fn read(
+    entry: &Entry<'_>,
+    images: &Images,
+    last: &mut Resolved,
+) -> Result<Maps> {
+    let table = entry.open_table()?;
+    let mut described = BTreeMap::new();
+    for (name, relief) in table.all() {
+        let images = images
+            .by_relief
+            .get(name)
+            .map_or(&[] as &[_], Vec::as_slice);
+        let read = describe(&relief, images)?;
+        if let Relief::Layers { .. } = read {
+            // Layers that are images are reliefs too.
+            let layers = images.iter();
+            described.extend(layers.map(|i| (name_of_image(&i.path), Relief::Image(i.clone()))));
+        }
+        described.insert(name.to_owned(), read);
+    }
+    let mut maps = last.maps.clone();
+    maps.retain(|name, _| last.still_holds(name, &described));
+    for (name, relief) in table.all() {
+        resolve(name, &described, &mut maps).map_err(|e| relief.place(e))?;
+    }
+    let named = table.all().filter_map(|(name, _)| {
+        let map = maps.get(name)?;
+        Some((name.to_owned(), Arc::clone(map)))
+    });
+    let named = named.collect();
+    last.described = described;
+    last.maps = maps;
+    Ok(named)
+}
+
+/// Reads the images that reliefs name.
+pub(in crate::document::read) fn open(
+    root: &Table<'_>,
+    folder: &Path,
+    assets: &mut Assets,
+) -> Result<Images> {
+    let mut opened = Images::default();
+    let Some(reliefs) = root.get("relief") else {
+        return Ok(opened);
+    };
+    for (name, relief) in reliefs.open_table()?.all() {
+        let table = relief.open_table()?;
+        let (said, paths) = match (table.get("image"), table.get("images")) {
+            (Some(image), _) => {
+                let path = folder.join(image.text()?);
+                (image, vec![path])
+            }
+            // Layers are named one way or the other, which is said where they are read.
+            (None, Some(images)) if table.get("of").is_none() => {
+                let paths = listed(&images, table.get("first"), folder, assets)?;
+                (images, paths)
+            }
+            (None, _) => continue,
+        };
+        let image = |path: PathBuf| {
+            let map = assets.image(&path).map_err(|e| said.place(e))?;
+            let map = Arc::clone(map);
+            Ok(Image { path, map })
+        };
+        let images = paths.into_iter().map(image).collect::<Result<_>>()?;
+        opened.by_relief.insert(name.to_owned(), images);
+    }
+    Ok(opened)
+}
+
+/// The name of an image among reliefs. It begins with a character that keys do not hold unless it is written in digits.
+fn name_of_image(path: &Path) -> String {
+    format!("\u{7f}{}", path.display())
+}
+
+fn describe(entry: &Entry<'_>, images: &[Image]) -> Result<Relief> {
+    let open = entry.open_table()?;
+    let sources = ["image", "blend"].map(|key| open.get(key));
+    if let [Some(_), Some(blend)] = sources {
+        return Err(blend.fault("the relief is an image too", "keep one of the two"));
+    }
+    let kind = match (open.get("kind"), &sources) {
+        (Some(kind), _) => kind.text()?,
+        (None, [Some(_), _]) => "image",
+        (None, [_, Some(_)]) => "blend",
+        (None, _) => {
+            let help = "add `kind = \"fractal\"`, `image = \"FILE\"` or `blend = [\"a\", \"b\"]`";
+            return Err(entry.fault("it does not say where its heights come from", help));
+        }
+    };
+    match (kind, Procedure::named(kind)) {
+        (_, Some(procedure)) => computed(entry, procedure),
+        ("image", _) => {
+            let image = entry.table(IMAGE_KEYS)?.need("image", "\"rock.png\"")?;
+            let read = images.first().cloned().map(Relief::Image);
+            read.ok_or_else(|| image.fault("it was not read", "open the document again"))
+        }
+        ("blend", _) => blended(&entry.table(BLEND_KEYS)?),
+        ("profile", _) => profile(&entry.table(PROFILE_KEYS)?),
+        ("layers", _) => layers(&entry.table(LAYERS_KEYS)?, images),
+        (_, None) => {
+            let known = Procedure::NAMES.into_iter().chain(OTHER_KINDS);
+            let help = did_you_mean(kind, known);
+            let kind_entry = open.get("kind").unwrap_or_else(|| entry.clone());
+            Err(kind_entry.fault(format_args!("{kind:?} is no kind of relief"), help))
+        }
+    }
+}
+
+fn computed(entry: &Entry<'_>, mut procedure: Procedure) -> Result<Relief> {
+    let known: Vec<&str> = procedure.keys().iter().copied().chain(["kind"]).collect();
+    for (key, value) in entry.table(&known)?.all() {
+        if key != "kind" {
+            let numbers = value.numbers()?;
+            procedure
+                .set(key, &numbers)
+                .map_err(|what| value.fault(what, value.help_of_number()))?;
+        }
+    }
+    Ok(Relief::Procedure(procedure))
+}
+
+fn blended(table: &Table<'_>) -> Result<Relief> {
+    let blend = table.need("blend", "[\"a\", \"b\"]")?;
+    let of = blend.texts()?;
+    if of.len() < 2 {
+        let help = "name at least two: `blend = [\"a\", \"b\"]`";
+        return Err(blend.fault("a blend is of two reliefs or more", help));
+    }
+    let op = table.need("op", "\"add\"")?;
+    let name = op.text()?;
+    let mut operation = BlendOp::named(name).ok_or_else(|| {
+        let what = format!("{name:?} is no way to blend");
+        op.fault(what, did_you_mean(name, BlendOp::NAMES))
+    })?;
+    if let Some(entry) = table.get("share") {
+        let BlendOp::Mix { share } = &mut operation else {
+            return Err(entry.fault("only op = \"mix\" has a share", "remove it"));
+        };
+        *share = entry.number()?;
+        if !(0.0..=1.0).contains(share) {
+            return Err(entry.fault("it must be from 0 to 1", "0.5 takes half of each"));
+        }
+    }
+    Ok(Relief::Blend { of, op: operation })
+}
+
+fn profile(table: &Table<'_>) -> Result<Relief> {
+    let list = table.need("heights", "[0, 1, 0.5]")?;
+    let heights: Vec<f64> = list
+        .list()?
+        .iter()
+        .map(Entry::number)
+        .collect::<Result<_>>()?;
+    let count = heights.len() as u64;
+    if count == 0 || count > MAX_TEXELS {
+        let what = format!("there are {count} heights");
+        return Err(list.fault(what, format!("give from 1 to {MAX_TEXELS}")));
+    }
+    Ok(Relief::Profile(heights))
+}
+
+fn layers(table: &Table<'_>, images: &[Image]) -> Result<Relief> {
+    let of = match (table.get("of"), table.get("images")) {
+        (Some(_), Some(images)) => {
+            return Err(images.fault("the layers are named by `of` too", "keep one of the two"));
+        }
+        (Some(of), None) => {
+            if let Some(first) = table.get("first") {
+                let what = "it says where images begin, but there are none";
+                return Err(first.fault(what, "remove it"));
+            }
+            let names = of.texts()?;
+            if names.is_empty() {
+                return Err(of.fault("it names no layer", "name reliefs: `of = [\"a\", \"b\"]`"));
+            }
+            names
+        }
+        (None, Some(_)) => images.iter().map(|i| name_of_image(&i.path)).collect(),
+        (None, None) => {
+            let help =
+                "add `of = [\"a\", \"b\"]`, names of reliefs, or `images = \"frames/%03d.png\"`";
+            return Err(table.entry.fault("it has no layers", help));
+        }
+    };
+    let wrap = match table.get("wrap") {
+        Some(entry) => entry.choice(&[
+            ("repeat", Wrap::Repeat),
+            ("mirror", Wrap::Mirror),
+            ("clamp", Wrap::Clamp),
+        ])?,
+        None => Wrap::default(),
+    };
+    Ok(Relief::Layers {
+        of,
+        at: table.get("at").map_or(Ok(0.0), |at| at.number())?,
+        wrap,
+    })
+}
+
+/// The images of a pattern, counted up from `first`, or from 0 or 1.
+fn listed(
+    entry: &Entry<'_>,
+    first: Option<Entry<'_>>,
+    folder: &Path,
+    assets: &Assets,
+) -> Result<Vec<PathBuf>> {
+    let first = first.map(|f| f.whole::<u32>()).transpose()?;
+    let pattern = Pattern::parse(entry.text()?);
+    let found = pattern.and_then(|p| p.inside(folder).files(first, assets.store()));
+    match found.map_err(|e| entry.place(e))? {
+        (files, None) => Ok(files),
+        (_, Some(gap)) => Err(entry.fault(gap, "add the missing image, or number the others anew")),
+    }
+}

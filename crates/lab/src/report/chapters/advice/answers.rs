@@ -1,0 +1,319 @@
+//! What should I use: the short answers, all of them worked out from the records.
+
+use cutaway::strategies::Strategy;
+
+use super::{best, cards, inputs, reasons};
+use crate::experiment::Record;
+use crate::report::chapters::figures::{ranged, times};
+use crate::report::chapters::point::{Point, Points, Setup};
+use crate::report::chapters::{broken, counted, figures, styles};
+use crate::report::derived::{
+    Kind, Situation, Spread, StrategyTotals, has_defect, has_other_truth, is_exact, papers,
+    totals_of_strategies,
+};
+use crate::report::document::{Block, Cell, Grid, Tone};
+
+pub(in crate::report::chapters) fn chapter(points: &Points<'_>) -> Vec<Block> {
+    if points.all.is_empty() {
+        return Vec::new();
+    }
+    let mut blocks = Vec::new();
+    for setup in points.setups() {
+        let answers = inputs::blocks(points, setup);
+        if !answers.is_empty() {
+            blocks.push(heading("What should I use for what I have?"));
+            blocks.extend(whose(points, setup));
+            blocks.extend(answers);
+        }
+    }
+    blocks.push(heading("Which strategy is exact, and what does it cost?"));
+    let others = points.all.iter().filter(|p| has_other_truth(p.record));
+    let others = others.count();
+    for setup in points.setups() {
+        let on_it = sound(points.on(setup));
+        let records: Vec<&Record> = on_it.iter().map(|p| p.record).collect();
+        let totals = totals_of_strategies(&records);
+        blocks.extend(whose(points, setup));
+        blocks.push(Block::Text(exact_ones(&totals)));
+        blocks.push(folded(
+            "All methods, their errors, costs and refusals",
+            exactness_notes(others).chain([Block::Grid(exactness(&totals))]),
+        ));
+    }
+    blocks.push(heading(
+        "What does the paper's path cost, and what does it miss?",
+    ));
+    blocks.extend(points.setups().map(|setup| {
+        let records: Vec<&Record> = (sound(points.on(setup)).iter()).map(|p| p.record).collect();
+        Block::Text(papers_path(&points.label(setup), &records))
+    }));
+    // Over one point they say what is said above.
+    let are_several = points.all.len() > 1;
+    if are_several {
+        blocks.push(heading("Which one for what moves?"));
+        blocks.push(Block::Text(
+        "The same ranking as for inputs, over all points of one kind of cut. When only the view moves, the clock of the frame is paid; when the cut moves, \
+         frame and cut; when the mesh moves, all clocks. `exact at` counts the points that have an exact strategy."
+            .to_owned(),
+    ));
+        for setup in points.setups() {
+            blocks.extend(whose(points, setup));
+            blocks.push(Block::Grid(by_situation(&sound(points.on(setup)))));
+        }
+    }
+    if others > 0 {
+        blocks.push(heading("Which strategies cope with broken meshes?"));
+    }
+    for setup in points.setups() {
+        if let Some(grid) = broken::grid(&points.on(setup)) {
+            blocks.extend(whose(points, setup));
+            let on_it = points.on(setup);
+            let broken = on_it.iter().map(|p| p.record).filter(|r| has_defect(r));
+            let broken: Vec<&Record> = broken.collect();
+            blocks.push(Block::Text(cards::sentence(&broken, Situation::View)));
+            let how = "A row for each defect and method: decided wrong pixels as a share of the cap of the whole mesh, median and worst over the points where \
+                 something is broken; how many of them are not marked as unreliable; and how many pixels are marked, wrong or not.";
+            blocks.push(folded(
+                "Each defect by each method",
+                [Block::Text(how.to_owned()), Block::Grid(grid)],
+            ));
+        }
+    }
+    blocks.extend(styles::blocks(points));
+    if are_several {
+        blocks.push(heading("Answers by question"));
+        for setup in points.setups() {
+            blocks.extend(whose(points, setup));
+            let table = Block::Grid(by_question(points, &points.on(setup)));
+            blocks.push(folded("Each experiment in a line", [table]));
+        }
+    }
+    blocks
+}
+
+fn folded(summary: &str, blocks: impl IntoIterator<Item = Block>) -> Block {
+    Block::Folded {
+        summary: summary.to_owned(),
+        open: false,
+        blocks: blocks.into_iter().collect(),
+    }
+}
+
+/// What the table of exactness counts, and what it leaves out.
+fn exactness_notes(others: usize) -> impl Iterator<Item = Block> {
+    let counts = Block::Text(
+        "A strategy is exact at a point if it drew the whole frame and has no wrong pixel where the reference is sure. \
+         The ratio is the time of a frame over that of drawing the same scene with nothing cut: the median, with the range in its tooltip. \
+         Strategies that only occur in sweeps over their own parameter are in the charts of their experiment."
+            .to_owned(),
+    );
+    let left_out = (others > 0).then(|| {
+        Block::Text(format!(
+            "Left out here, in what the paper's path costs, and in what moves: {} judged by the exact image of another scene, as broken meshes are \
+             by that of the whole one. They have a table of their own below.",
+            counted(others, "point")
+        ))
+    });
+    std::iter::once(counts).chain(left_out)
+}
+
+/// Which methods are exact wherever they drew, in a sentence.
+fn exact_ones(totals: &[StrategyTotals]) -> String {
+    let named = |is_it: fn(&StrategyTotals) -> bool| -> Vec<String> {
+        let of_it = totals.iter().filter(|s| s.drawn > 0 && is_it(s));
+        of_it
+            .map(|s| {
+                let ratio = s
+                    .ratio
+                    .map_or_else(String::new, |r| format!(" {}", times(r.median)));
+                format!("`{}`{ratio}", s.name)
+            })
+            .collect()
+    };
+    let exact = named(StrategyTotals::is_exact);
+    let wrong = named(|s| !s.is_exact());
+    match (exact.as_slice(), wrong.as_slice()) {
+        ([], _) => "None is exact at every point that it drew.".to_owned(),
+        (_, []) => format!("Exact at every point that they drew: {}.", exact.join(", ")),
+        _ => format!(
+            "Exact at every point that they drew: {}. Wrong at some point: {}. The factor is the time of a frame over that of drawing uncut, the median \
+             over all points of a method; methods were not asked at the same points, so that it ranks none.",
+            exact.join(", "),
+            wrong.join(", ")
+        ),
+    }
+}
+
+fn heading(text: &str) -> Block {
+    Block::Heading(4, text.to_owned())
+}
+
+/// Whose figures follow, where there are several.
+fn whose(points: &Points<'_>, setup: &Setup<'_>) -> Option<Block> {
+    (points.setups().count() > 1).then(|| Block::Heading(5, points.label(setup)))
+}
+
+/// Points that are judged by their own exact image.
+fn sound(mut points: Vec<Point<'_>>) -> Vec<Point<'_>> {
+    points.retain(|p| !has_other_truth(p.record));
+    points
+}
+
+fn exactness(totals_of_strategies: &[StrategyTotals]) -> Grid {
+    let mut grid = Grid::new(
+        "exactness of strategies",
+        [
+            "strategy",
+            "points",
+            "drawn",
+            "exact",
+            "worst: decided wrong px",
+            "frame, × draw only",
+            "overflowed",
+            "refused",
+            "why it refuses",
+        ],
+    );
+    for s in totals_of_strategies {
+        let count = |n: usize| Cell::number(n.to_string(), n as f64);
+        let exact = match (s.drawn, s.exact) {
+            (0, _) => Cell::from("-").toned(Tone::Faint),
+            (drawn, exact) if drawn == exact => count(exact).toned(Tone::Good),
+            (_, exact) => count(exact).toned(Tone::Fair),
+        };
+        let reasons: Vec<String> = s.refusals.keys().cloned().collect();
+        let worst = match s.drawn {
+            0 => Cell::from("-").toned(Tone::Faint),
+            _ => figures::wrong_px(s.worst_px),
+        };
+        grid.row([
+            Cell::from(s.name.as_str()),
+            count(s.asked),
+            count(s.drawn),
+            exact,
+            worst,
+            ranged(s.ratio),
+            count(s.overflowed).toned(if s.overflowed > 0 {
+                Tone::Fair
+            } else {
+                Tone::Plain
+            }),
+            count(s.refused()),
+            reasons::short(&reasons),
+        ]);
+    }
+    grid
+}
+
+/// The paper's path at some points as one strategy: where its own parameters were not asked, with all that were.
+fn totals_of_paper(records: &[&Record]) -> StrategyTotals {
+    let all = records.iter().flat_map(|r| {
+        let own = papers(r).into_iter();
+        own.map(|index| &r.measurement.strategies[index])
+    });
+    StrategyTotals::over(&Strategy::PAPER.to_string(), all)
+}
+
+/// The paper's path over all points, in a sentence or two.
+fn papers_path(setup: &str, records: &[&Record]) -> String {
+    let name = Strategy::PAPER.to_string();
+    let paper = totals_of_paper(records);
+    let Some(ratio) = paper.ratio else {
+        return format!("On {setup}: `{name}` was not timed on any point.");
+    };
+    let own = records.iter().flat_map(|r| {
+        let all = &r.measurement.strategies;
+        papers(r).into_iter().map(|index| &all[index])
+    });
+    let drawn: Vec<_> = own.filter_map(|s| s.comparison).collect();
+    let over = |of: fn(&crate::Comparison) -> usize| -> String {
+        let spread = Spread::of(drawn.iter().map(|c| of(c) as f64).collect());
+        spread.map_or_else(String::new, |s| {
+            format!("{:.0} ({:.0} to {:.0})", s.median, s.least, s.most)
+        })
+    };
+    format!(
+        "On {setup}: `{name}`, or where it was not asked the grids and sprites of other sizes that were, costs {} draw only in the median ({} to {}) over {}, and is exact in {} of them. \
+         Median and range of its decided wrong pixels: {}; of missed cap: {}; of leaked cap: {}; of cracks: {}.",
+        times(ratio.median),
+        times(ratio.least),
+        times(ratio.most),
+        counted(paper.drawn, "frame"),
+        paper.exact,
+        over(|c| c.decided_wrong_px),
+        over(|c| c.missed_cap_px),
+        over(|c| c.leaked_cap_px),
+        over(|c| c.crack_px),
+    )
+}
+
+/// How many points have an exact strategy.
+fn exact_count(records: &[&Record]) -> usize {
+    let has_exact = |r: &&&Record| r.measurement.strategies.iter().any(is_exact);
+    records.iter().filter(has_exact).count()
+}
+
+fn by_situation(points: &[Point<'_>]) -> Grid {
+    let heading = ["cut by", "situation", "exact at"];
+    let heading = heading.into_iter().chain(best::COLUMNS);
+    let mut grid = Grid::new("the fastest exact strategy by situation", heading);
+    for kind in Kind::ALL {
+        let of_kind: Vec<&Record> = (points.iter().map(|p| p.record))
+            .filter(|r| Kind::of(r) == kind)
+            .collect();
+        let exact = exact_count(&of_kind);
+        if exact == 0 {
+            continue;
+        }
+        for situation in Situation::ALL {
+            let first = [
+                Cell::from(kind.describe()),
+                Cell::from(situation.describe()),
+                Cell::number(format!("{exact} of {}", of_kind.len()), exact as f64),
+            ];
+            grid.row(first.into_iter().chain(best::cells(&of_kind, situation)));
+        }
+    }
+    grid
+}
+
+/// What moves in an experiment: what its runs say where they agree, else the view.
+pub(in crate::report::chapters) fn situation_of(points: &[Point<'_>]) -> Situation {
+    let mut all = points.iter().filter_map(Point::run).map(|run| run.moves);
+    let first = all.next().unwrap_or_default();
+    match all.all(|moves| moves == first) {
+        true => first.into(),
+        false => Situation::View,
+    }
+}
+
+fn by_question(points: &Points<'_>, on_it: &[Point<'_>]) -> Grid {
+    let heading = ["question", "what moves", "points", "exact at"];
+    let heading = heading.into_iter().chain(best::COLUMNS);
+    let heading = heading.chain(inputs::PAPER_COLUMNS);
+    let mut grid = Grid::new("answers by question", heading);
+    for (name, of_it) in points.by_experiment() {
+        let records: Vec<&Record> = (of_it.iter())
+            .filter(|p| on_it.iter().any(|q| std::ptr::eq(p.record, q.record)))
+            .map(|p| p.record)
+            .collect();
+        if records.is_empty() {
+            continue;
+        }
+        let question = of_it
+            .first()
+            .map_or("", |p| p.experiment.synopsis.question.as_str());
+        let exact = exact_count(&records);
+        let situation = situation_of(&of_it);
+        let first = [
+            Cell::from(format!("{name}: {question}")),
+            Cell::from(situation.describe()),
+            Cell::number(records.len().to_string(), records.len() as f64),
+            Cell::number(format!("{exact} of {}", records.len()), exact as f64),
+        ];
+        let best = best::cells(&records, situation);
+        let paper = inputs::paper(&records, situation);
+        grid.row(first.into_iter().chain(best).chain(paper));
+    }
+    grid
+}

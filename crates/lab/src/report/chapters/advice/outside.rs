@@ -1,0 +1,187 @@
+//! Other tools on the same cuts: their areas and times beside ours.
+//!
+//! Times of different tools cover different work, as each row says: no ratio is made of them.
+
+use crate::report::chapters::figures::timed;
+use crate::report::document::{Block, Cell, Grid, Tone};
+use crate::report::number::significant;
+use crate::report::recorded::{PeerCheck, PeerRecord, PeerRow, Recorded};
+
+pub(in crate::report::chapters) fn chapter(recorded: &Recorded) -> Vec<Block> {
+    let mut blocks = Vec::new();
+    for folder in &recorded.folders {
+        for record in &folder.peers {
+            let title = match record.what.as_str() {
+                "planar" => "Planar cuts".to_owned(),
+                "relief" => "Cuts by a relief, as Booleans with a height-field solid".to_owned(),
+                what => what.to_owned(),
+            };
+            let place = match recorded.folders.len() {
+                1 => String::new(),
+                _ => format!(" · {}", folder.path.display()),
+            };
+            blocks.push(Block::Heading(4, format!("{title}{place}")));
+            blocks.push(Block::Text(versions(record)));
+            let missed = record.checks.iter().filter(|c| !c.holds);
+            blocks.extend(missed.map(|c| {
+                let text = format!(
+                    "{}, {}: the area of {} is {}.",
+                    c.mesh,
+                    c.cut,
+                    c.tool,
+                    describe(c)
+                );
+                Block::Notice(Tone::Bad, text)
+            }));
+            blocks.push(Block::Grid(table(record)));
+            if !record.command.is_empty() {
+                blocks.push(Block::Command(record.command.clone()));
+            }
+        }
+    }
+    if !blocks.is_empty() {
+        blocks.insert(
+            0,
+            Block::Text(
+                "The same cuts by other tools on the same machine. Each time covers what its row says, which is not the same work for all: \
+                 areas can be compared, times only with that in mind. The difference is to the first of our rows on the same mesh and cut."
+                    .to_owned(),
+            ),
+        );
+    }
+    blocks
+}
+
+fn versions(record: &PeerRecord) -> String {
+    let others = record
+        .versions
+        .iter()
+        .map(|(name, v)| format!("{name} {v}"));
+    let ours = record.cutaway.iter();
+    let ours = ours.filter_map(|(name, v)| Some(format!("cutaway {name} {}", v.as_ref()?)));
+    let words: Vec<String> = others.chain(ours).collect();
+    format!("Versions: {}.", words.join(", "))
+}
+
+fn table(record: &PeerRecord) -> Grid {
+    let heading = [
+        "mesh",
+        "triangles",
+        "cut",
+        "tool",
+        "area",
+        "difference to ours",
+        "time, ms",
+        "what the time covers",
+        "outcome",
+    ];
+    let mut grid = Grid::new("outside baselines", heading);
+    for row in &record.rows {
+        let triangles = row
+            .triangles
+            .map_or_else(Cell::default, |t| Cell::number(t.to_string(), t as f64));
+        let area = row.area.map_or_else(Cell::default, |a| {
+            let cell = Cell::number(format!("{a:.6}"), a);
+            let cell = match &row.area_unit {
+                Some(unit) => cell.titled(unit.as_str()),
+                None => cell,
+            };
+            let is_of_it =
+                |c: &&PeerCheck| c.tool == row.tool && c.mesh == row.mesh && c.cut == row.cut;
+            let checks: Vec<&PeerCheck> = record.checks.iter().filter(is_of_it).collect();
+            match checks.iter().find(|c| !c.holds) {
+                Some(missed) => Cell {
+                    text: format!("{} (missed)", cell.text),
+                    ..cell.toned(Tone::Bad).titled(describe(missed))
+                },
+                None if checks.is_empty() => cell,
+                None => cell.toned(Tone::Good),
+            }
+        });
+        let difference = difference(row, &record.rows).map_or_else(Cell::default, |d| {
+            Cell::number(format!("{:+.4} %", d * 100.0), d.abs())
+        });
+        let outcome = match &row.reason {
+            Some(reason) => Cell::from(format!("{}: {reason}", row.outcome)),
+            None => Cell::from(row.outcome.as_str()),
+        };
+        grid.row([
+            Cell::from(row.mesh.as_str()),
+            triangles,
+            Cell::from(row.cut.as_str()),
+            Cell::from(row.tool.as_str()),
+            area,
+            difference,
+            row.time_ms.as_ref().map_or_else(Cell::default, timed),
+            Cell::from(row.clock.clone().unwrap_or_default()),
+            outcome.toned(match row.outcome.as_str() {
+                "done" => Tone::Plain,
+                "refused" => Tone::Faint,
+                _ => Tone::Fair,
+            }),
+        ]);
+    }
+    grid
+}
+
+/// How far an area is off.
+fn describe(check: &PeerCheck) -> String {
+    let PeerCheck {
+        off,
+        bound,
+        bound_is,
+        ..
+    } = check;
+    format!(
+        "off by {}, where {} is allowed ({bound_is})",
+        significant(*off),
+        significant(*bound)
+    )
+}
+
+fn is_ours(row: &PeerRow) -> bool {
+    row.tool.starts_with("cutaway")
+}
+
+/// Area over that of our first row of the same cut, less one; none for our own first row.
+fn difference(row: &PeerRow, rows: &[PeerRow]) -> Option<f64> {
+    let ours = rows
+        .iter()
+        .find(|r| is_ours(r) && r.area.is_some() && r.mesh == row.mesh && r.cut == row.cut)?;
+    if std::ptr::eq(ours, row) {
+        return None;
+    }
+    let (area, ours) = (row.area?, ours.area?);
+    (ours > 0.0).then_some(area / ours - 1.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn areas_are_compared_with_ours_of_the_same_cut() {
+        let row = |tool: &str, cut: &str, area: f64| PeerRow {
+            mesh: "torus".to_owned(),
+            triangles: None,
+            cut: cut.to_owned(),
+            tool: tool.to_owned(),
+            area: Some(area),
+            area_unit: None,
+            time_ms: None,
+            clock: None,
+            outcome: "done".to_owned(),
+            reason: None,
+            command: None,
+        };
+        let rows = [
+            row("vtk", "x", 2.2),
+            row("cutaway section", "x", 2.0),
+            row("vtk", "y", 5.0),
+            row("cutaway exact", "x", 1.0),
+        ];
+        let found = [0, 1, 2, 3].map(|i| difference(&rows[i], &rows));
+        assert!((found[0].unwrap() - 0.1).abs() < 1e-12, "{found:?}");
+        assert_eq!(found[1..], [None, None, Some(-0.5)]);
+    }
+}

@@ -1,0 +1,24 @@
+//! Reasons of refusals in the room of a cell.
+
+use crate::report::document::Cell;
+
+/// So short that a table stays flat; whole on pointing at it.
+pub(in crate::report::chapters) fn short(reasons: &[String]) -> Cell {
+    const MOST: usize = 48;
+    let Some(first) = reasons.first() else {
+        return Cell::default();
+    };
+    let sentence = first
+        .split(['.', ';', ',', '('])
+        .next()
+        .unwrap_or(first)
+        .trim_end();
+    let mut text: String = sentence.chars().take(MOST).collect();
+    if text.len() < first.len() {
+        text.push('…');
+    }
+    if reasons.len() > 1 {
+        text.push_str(&format!(" (and {} more)", reasons.len() - 1));
+    }
+    Cell::from(text).titled(reasons.join("; "))
+}

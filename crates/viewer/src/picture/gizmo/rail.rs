@@ -1,0 +1,74 @@
+//! What a handle goes along in space, and how a pointer moves it there.
+//!
+//! A rail gives a point for each amount: world units along a line, radians about an axis. A pointer that goes by some pixels moves the
+//! handle by as much along the picture of the rail where the handle is: nothing across it, and nothing where the rail is seen end on.
+
+use glam::{DQuat, DVec2, DVec3};
+
+use crate::picture::world_view::WorldView;
+
+/// A rail whose handle goes by less than this over its own length, in pixels, is seen end on.
+const END_ON_PX: f64 = 6.0;
+
+/// Share of the length of a rail between two points whose pictures give its direction.
+const STEP: f64 = 1e-3;
+
+/// What a handle goes along, in world space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Rail {
+    /// A line.
+    Line {
+        /// At amount 0.
+        from: DVec3,
+        /// Of length 1.
+        along: DVec3,
+        /// How long it is shown, in world units.
+        length: f64,
+    },
+    /// A circle.
+    Circle {
+        /// Its middle.
+        centre: DVec3,
+        /// Of length 1.
+        axis: DVec3,
+        /// From the middle to amount 0.
+        arm: DVec3,
+    },
+}
+
+impl Rail {
+    /// The point at an amount.
+    pub(super) fn at(&self, amount: f64) -> DVec3 {
+        match *self {
+            Self::Line { from, along, .. } => from + along * amount,
+            Self::Circle { centre, axis, arm } => {
+                centre + DQuat::from_axis_angle(axis, amount) * arm
+            }
+        }
+    }
+
+    /// Points between two amounts.
+    pub(super) fn between(&self, [from, to]: [f64; 2], count: u32) -> Vec<DVec3> {
+        let share = |i: u32| f64::from(i) / f64::from(count.max(1));
+        let points = (0..=count).map(|i| self.at(from + (to - from) * share(i)));
+        points.collect()
+    }
+
+    /// The amount to which a pointer takes a handle from another one.
+    pub(super) fn follow(&self, amount: f64, by_px: DVec2, view: &WorldView) -> f64 {
+        let length = match self {
+            Self::Line { length, .. } => *length,
+            Self::Circle { .. } => 1.0,
+        };
+        let step = length * STEP;
+        let ends = [amount - step, amount + step].map(|a| view.project(self.at(a)));
+        let [Some(before), Some(after)] = ends else {
+            return amount;
+        };
+        let px_per_unit = (after - before) / (2.0 * step);
+        match (px_per_unit * length).length() < END_ON_PX {
+            true => amount,
+            false => amount + by_px.dot(px_per_unit) / px_per_unit.length_squared(),
+        }
+    }
+}

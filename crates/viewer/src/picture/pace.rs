@@ -1,0 +1,144 @@
+//! How finely to draw so that a hand that moves something is followed.
+//!
+//! While something moves, pictures are drawn at a half, a quarter or an eighth of the resolution, as coarse as it takes to stay within
+//! [`BUDGET_MS`]; when it has rested for [`REST`], whole, and then sample by sample. What a frame takes is told by the device when it is done.
+
+use std::time::Duration;
+
+use crate::picture::screen::Sample;
+
+/// What a frame may take while something moves.
+pub const BUDGET_MS: f64 = 33.0;
+
+/// How long nothing must move for a whole picture.
+pub const REST: Duration = Duration::from_millis(150);
+
+/// The coarsest.
+const MOST_DIVISOR: u32 = 8;
+
+/// How finely a picture is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Detail {
+    /// By so much coarser than the window.
+    Coarse(u32),
+    /// A sample of the whole picture.
+    Sample(Sample),
+}
+
+impl Detail {
+    /// The whole picture.
+    pub const WHOLE: Self = Self::Coarse(1);
+
+    /// By how much coarser than the window it is.
+    pub fn divisor(self) -> u32 {
+        match self {
+            Self::Coarse(divisor) => divisor,
+            Self::Sample(_) => 1,
+        }
+    }
+
+    /// The sample that it is, if it is one.
+    pub fn sample(self) -> Option<Sample> {
+        match self {
+            Self::Coarse(_) => None,
+            Self::Sample(sample) => Some(sample),
+        }
+    }
+
+    /// What is drawn after the last picture of the same: while something moves nothing that is no finer; at rest the whole, then its samples,
+    /// of which there are so many along each side of a pixel.
+    pub fn next(last: Option<Self>, divisor: u32, is_moving: bool, per_side: u32) -> Option<Self> {
+        let begun = |index| Sample { index, per_side };
+        match last {
+            None => Some(Self::Coarse(divisor)),
+            Some(last) if is_moving => (last.divisor() > divisor).then_some(Self::Coarse(divisor)),
+            Some(Self::Coarse(1)) => (per_side > 1).then_some(Self::Sample(begun(0))),
+            Some(Self::Coarse(_)) => Some(Self::WHOLE),
+            Some(Self::Sample(last)) if last.per_side != per_side => Some(Self::WHOLE),
+            Some(Self::Sample(last)) => {
+                (!last.is_last()).then_some(Self::Sample(begun(last.index + 1)))
+            }
+        }
+    }
+}
+
+/// By how much coarser than the window pictures are drawn.
+#[derive(Clone, Copy, Debug)]
+pub struct Pace {
+    moving: u32,
+}
+
+impl Default for Pace {
+    fn default() -> Self {
+        Self { moving: 1 }
+    }
+}
+
+impl Pace {
+    /// The divisor of the resolution for the next frame.
+    pub fn divisor(&self, is_moving: bool) -> u32 {
+        if is_moving { self.moving } else { 1 }
+    }
+
+    /// Takes in what a frame took that was drawn with a divisor.
+    pub fn learn(&mut self, divisor: u32, took_ms: f64) {
+        if took_ms > BUDGET_MS {
+            // A frame of a quarter of the pixels takes no less than a quarter of the time.
+            let mut next = divisor * 2;
+            let mut expected = took_ms / 4.0;
+            while expected > BUDGET_MS {
+                next *= 2;
+                expected /= 4.0;
+            }
+            self.moving = self.moving.max(next).min(MOST_DIVISOR);
+        } else if divisor == self.moving && took_ms * 4.0 < BUDGET_MS {
+            self.moving = (self.moving / 2).max(1);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn at_rest_the_whole_is_followed_by_its_samples() {
+        let mut last = None;
+        let mut drawn = Vec::new();
+        while let Some(next) = Detail::next(last, 1, false, 2) {
+            drawn.push(next);
+            last = Some(next);
+        }
+        assert_eq!(drawn.len(), 5);
+        assert_eq!(drawn[0], Detail::WHOLE);
+        assert!(drawn[4].sample().is_some_and(Sample::is_last));
+        // What moves again is not drawn coarser as long as it is the same picture.
+        assert_eq!(Detail::next(last, 4, true, 2), None);
+        assert_eq!(Detail::next(None, 4, true, 2), Some(Detail::Coarse(4)));
+        let coarse = Some(Detail::Coarse(4));
+        assert_eq!(Detail::next(coarse, 1, false, 2), Some(Detail::WHOLE));
+        assert_eq!(
+            Detail::next(Some(Detail::WHOLE), 1, false, 1),
+            None,
+            "no samples"
+        );
+    }
+
+    #[test]
+    fn slow_frames_become_coarser_until_they_fit_and_finer_when_there_is_time() {
+        let mut pace = Pace::default();
+        assert_eq!(pace.divisor(true), 1);
+        pace.learn(1, 440.0);
+        assert_eq!(pace.divisor(true), 4);
+        assert_eq!(pace.divisor(false), 1, "at rest all of it");
+        pace.learn(4, 50.0);
+        assert_eq!(pace.divisor(true), 8);
+        pace.learn(8, 500.0);
+        assert_eq!(pace.divisor(true), 8, "no coarser than that");
+        pace.learn(8, 5.0);
+        assert_eq!(pace.divisor(true), 4);
+        // A picture at rest that takes long says nothing of finer ones while something moves.
+        pace.learn(1, 30.0);
+        assert_eq!(pace.divisor(true), 4);
+    }
+}

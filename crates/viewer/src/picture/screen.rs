@@ -1,0 +1,383 @@
+//! The pictures of the slots, in textures that egui shows: drawn by the session on egui's own device, into an encoder, with nothing waited
+//! for and nothing read back.
+//!
+//! A slot that is drawn on the CPU gets its layers from the [judge](crate::judge), and is shaded here. Two slots by one method are one picture. What a frame
+//! took is told by the queue when it is done; until then no other is drawn, so that a slow device has no frames in store.
+//!
+//! While nothing moves, [samples](Sample) of a picture follow it, and smooth its edges when all are there.
+//!
+//! Cannot: show a picture of more pixels than a texture of the device holds.
+
+mod difference;
+mod picture;
+mod samples;
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use cutaway::gpu::{ClockSet, Gpu, Pick};
+use cutaway::layers::Layer;
+use cutaway::scene::View;
+use cutaway::session::Encoded;
+use cutaway::strategies::Method;
+use cutaway::{Layers, Result, Session};
+use cutaway_lab::experiment::{Renderer, Stopwatch};
+use eframe::egui::{TextureId, TextureOptions};
+use egui_wgpu::{RenderState, wgpu};
+use image::RgbaImage;
+
+use crate::judge::Subject;
+use crate::picture::pace::Detail;
+use crate::picture::readback;
+use crate::picture::shown::Shown;
+use crate::picture::slot::Side;
+use difference::Difference;
+use picture::Picture;
+pub use samples::Sample;
+use samples::Samples;
+
+/// A frame that the device has not done yet.
+struct UnderWay {
+    divisor: u32,
+    /// Bits of milliseconds; 0 until it is done.
+    took: Arc<AtomicU64>,
+}
+
+/// The pictures of the slots.
+pub struct Screen {
+    session: Session,
+    host: RenderState,
+    pictures: BTreeMap<Side, Picture>,
+    /// Who drew them.
+    painted_by: [Option<Renderer>; 2],
+    difference: Difference,
+    samples: Samples,
+    /// What was last drawn of a method is of this view.
+    view: Option<View>,
+    under_way: Option<UnderWay>,
+    /// A pixel that was asked for.
+    pick: Option<([u32; 2], Pick)>,
+    /// Why a slot shows nothing.
+    refusals: [Option<String>; 2],
+    took_ms: Option<f64>,
+    passes: usize,
+    /// The clocks on which the last whole frame of each slot ran.
+    clocks: [Option<ClockSet>; 2],
+}
+
+impl Screen {
+    /// On the device that egui draws with.
+    ///
+    /// # Errors
+    ///
+    /// A device with less than core WebGPU.
+    pub fn on(host: &RenderState) -> Result<Self> {
+        let info = host.adapter.get_info();
+        let gpu = Gpu::from_device(&info, host.device.clone(), host.queue.clone())?;
+        Ok(Self {
+            session: Session::new(gpu),
+            host: host.clone(),
+            pictures: BTreeMap::new(),
+            painted_by: [None; 2],
+            difference: Difference::new(&host.device),
+            samples: Samples::new(&host.device),
+            view: None,
+            under_way: None,
+            pick: None,
+            refusals: [None, None],
+            took_ms: None,
+            passes: 0,
+            clocks: [None; 2],
+        })
+    }
+
+    /// The device.
+    pub fn gpu(&self) -> &Gpu {
+        self.session.gpu()
+    }
+
+    /// What the last whole frame took, in milliseconds, from its submission until it was done.
+    pub fn took_ms(&self) -> Option<f64> {
+        self.took_ms
+    }
+
+    /// How many passes it had.
+    pub fn passes(&self) -> usize {
+        self.passes
+    }
+
+    /// The clocks on which the last whole frame of a slot ran, where a method draws it.
+    pub fn clocks(&self, side: Side) -> Option<ClockSet> {
+        self.clocks[side.index()]
+    }
+
+    /// Why a slot shows nothing.
+    pub fn refusal(&self, side: Side) -> Option<&str> {
+        self.refusals[side.index()].as_deref()
+    }
+
+    /// The picture of a slot.
+    pub fn picture(&self, side: Side) -> Option<TextureId> {
+        self.pictures.get(&side).map(|p| p.id)
+    }
+
+    /// How far apart the pictures of the slots are.
+    pub fn difference(&self) -> Option<TextureId> {
+        self.difference.id()
+    }
+
+    /// Takes in what the device has done: the divisor and the time of a frame that ended, and whether a frame is to be drawn again, because
+    /// a buffer was too small.
+    ///
+    /// # Errors
+    ///
+    /// A device that is lost.
+    pub fn settle(&mut self) -> Result<(Option<(u32, f64)>, bool)> {
+        let overflows = self.session.poll()?;
+        let must_redraw = overflows.iter().any(|(_, overflow)| overflow.is_mended);
+        let done = self.under_way.as_ref().and_then(|frame| {
+            let took_ms = f64::from_bits(frame.took.load(Ordering::Acquire));
+            (took_ms > 0.0).then_some((frame.divisor, took_ms))
+        });
+        if let Some((_, took_ms)) = done {
+            self.under_way = None;
+            self.took_ms = Some(took_ms);
+        }
+        Ok((done, must_redraw))
+    }
+
+    /// Whether a frame is under way.
+    pub fn is_busy(&self) -> bool {
+        self.under_way.is_some()
+    }
+
+    /// The view of what was last drawn by methods: that of a picture, or of a sample of one.
+    pub fn view(&self) -> Option<&View> {
+        self.view.as_ref()
+    }
+
+    /// Draws slots that methods draw, as coarsely as a detail says; of a sample that is the last, all are put together.
+    ///
+    /// # Errors
+    ///
+    /// A device that fails.
+    pub fn draw(
+        &mut self,
+        shown: &Shown,
+        renderers: [Option<Renderer>; 2],
+        size_px: [u32; 2],
+        detail: Detail,
+        wants_difference: bool,
+    ) -> Result<()> {
+        let divisor = detail.divisor();
+        let size_px = size_px.map(|s| (s / divisor).max(1));
+        let sample = detail.sample();
+        let view = match sample {
+            None => shown.view(size_px),
+            Some(sample) => sample.of(&shown.view(size_px)),
+        };
+        self.view = Some(view);
+        let mut encoder =
+            (self.host.device).create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        self.passes = 0;
+        let mut drawn: Option<(Method, Side)> = None;
+        for side in Side::BOTH {
+            let renderer = renderers[side.index()];
+            let is_new = self.painted_by[side.index()] != renderer;
+            let Some(Renderer::Method(method)) = renderer else {
+                self.clocks[side.index()] = None;
+                // A picture of another is not shown under this name.
+                if is_new {
+                    self.refusals[side.index()] = None;
+                    if let Some(old) = self.pictures.remove(&side) {
+                        old.free(&self.host);
+                    }
+                }
+                continue;
+            };
+            self.refusals[side.index()] = None;
+            self.painted_by[side.index()] = renderer;
+            self.make_room(side, size_px);
+            if let Some((_, other)) = drawn.filter(|(drawn, _)| *drawn == method) {
+                self.copy(&mut encoder, other, side);
+                self.refusals[side.index()] = self.refusals[other.index()].clone();
+                self.clocks[side.index()] = self.clocks[other.index()];
+                continue;
+            }
+            drawn = drawn.or(Some((method, side)));
+            if let Some(sample) = sample {
+                (self.samples).make_room(&self.host, side, size_px, sample.count());
+            }
+            let Some(picture) = self.pictures.get(&side) else {
+                continue;
+            };
+            let target = match sample {
+                None => Some(picture.target()),
+                Some(sample) => self.samples.target(side, sample.index),
+            };
+            let Some(target) = target else {
+                continue;
+            };
+            clear(&mut encoder, target.color);
+            let encoded =
+                (self.session).encode(&mut encoder, &shown.at.model, &view, method, &target);
+            let encoded = encoded.inspect_err(|_| {
+                // The encoder goes with the frames that are in it.
+                self.session.forget();
+            })?;
+            match encoded {
+                Encoded::Drawn { passes } => {
+                    self.passes += passes;
+                    if detail == Detail::WHOLE {
+                        self.clocks[side.index()] = self.session.clocks(method).ok();
+                    }
+                }
+                Encoded::Refused(refusal) => {
+                    self.refusals[side.index()] = Some(refusal.reason);
+                }
+            }
+            if sample.is_some_and(Sample::is_last) {
+                (self.samples).resolve(&self.host, &mut encoder, side, &picture.view);
+            }
+        }
+        if wants_difference {
+            self.subtract(&mut encoder, size_px);
+        }
+        self.submit(encoder, divisor);
+        Ok(())
+    }
+
+    /// Puts layers that a renderer has found elsewhere into a slot, as the scene that they are of is drawn.
+    ///
+    /// # Errors
+    ///
+    /// A device that fails.
+    pub fn put(
+        &mut self,
+        side: Side,
+        by: Renderer,
+        subject: &Subject,
+        layers: &Layers,
+        wants_difference: bool,
+    ) -> Result<()> {
+        self.painted_by[side.index()] = Some(by);
+        self.make_room(side, layers.size_px);
+        self.refusals[side.index()] = None;
+        let Some(picture) = self.pictures.get(&side) else {
+            return Ok(());
+        };
+        let model = &subject.at.model;
+        let view = (model.prepared).view_of(&subject.camera, layers.size_px);
+        let mut encoder =
+            (self.host.device).create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        clear(&mut encoder, &picture.view);
+        let target = picture.target();
+        (self.session).encode_layers(&mut encoder, model, &view, layers, &target)?;
+        if wants_difference {
+            self.subtract(&mut encoder, layers.size_px);
+        }
+        self.host.queue.submit([encoder.finish()]);
+        Ok(())
+    }
+
+    /// Asks what a pixel of the last whole frame by a method shows.
+    ///
+    /// # Errors
+    ///
+    /// As of [`Session::pick`].
+    pub fn pick(&mut self, method: Method, at_px: [u32; 2]) -> Result<()> {
+        let mut encoder =
+            (self.host.device).create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        let pick = self.session.pick(&mut encoder, method, at_px)?;
+        self.host.queue.submit([encoder.finish()]);
+        self.pick = Some((at_px, pick));
+        Ok(())
+    }
+
+    /// Whether a pixel that was asked for is still to come.
+    pub fn is_picking(&self) -> bool {
+        self.pick
+            .as_ref()
+            .is_some_and(|(_, pick)| pick.is_under_way())
+    }
+
+    /// The pixel that was asked for, when it has come, and what it shows.
+    pub fn picked(&mut self) -> Option<([u32; 2], Layer)> {
+        let (at_px, pick) = self.pick.take_if(|(_, pick)| !pick.is_under_way())?;
+        Some((at_px, pick.layer()?))
+    }
+
+    /// The pixels of a slot, awaited: for tests and files.
+    ///
+    /// # Errors
+    ///
+    /// A device that is lost.
+    pub fn read(&self, side: Side) -> Option<impl Future<Output = Result<RgbaImage>> + use<>> {
+        let picture = self.pictures.get(&side)?;
+        Some(readback::read(self.gpu(), &picture.texture))
+    }
+
+    /// Says that a slot shows nothing, and why.
+    pub fn refuse(&mut self, side: Side, why: String) {
+        self.refusals[side.index()] = Some(why);
+    }
+
+    /// Makes the picture of a slot as large as it is to be.
+    fn make_room(&mut self, side: Side, size_px: [u32; 2]) {
+        let fits = |picture: &Picture| picture.size_px() == size_px;
+        if self.pictures.get(&side).is_some_and(fits) {
+            return;
+        }
+        let made = Picture::new(&self.host, size_px);
+        if let Some(old) = self.pictures.insert(side, made) {
+            old.free(&self.host);
+        }
+    }
+
+    fn copy(&self, encoder: &mut wgpu::CommandEncoder, from: Side, to: Side) {
+        if let (Some(from), Some(to)) = (self.pictures.get(&from), self.pictures.get(&to)) {
+            encoder.copy_texture_to_texture(
+                from.texture.as_image_copy(),
+                to.texture.as_image_copy(),
+                from.texture.size(),
+            );
+        }
+    }
+
+    fn subtract(&mut self, encoder: &mut wgpu::CommandEncoder, size_px: [u32; 2]) {
+        let pictures = Side::BOTH.map(|side| self.pictures.get(&side));
+        (self.difference).encode(&self.host, encoder, pictures, size_px);
+    }
+
+    fn submit(&mut self, encoder: wgpu::CommandEncoder, divisor: u32) {
+        let queue = &self.host.queue;
+        let took = Arc::new(AtomicU64::new(0));
+        let tell = took.clone();
+        let watch = Stopwatch::start();
+        queue.submit([encoder.finish()]);
+        queue.on_submitted_work_done(move || {
+            tell.store(watch.ms().max(1e-3).to_bits(), Ordering::Release);
+        });
+        self.under_way = Some(UnderWay { divisor, took });
+    }
+}
+
+/// How textures that images are loaded into are sampled: as they are.
+pub const PLAIN: TextureOptions = TextureOptions::NEAREST;
+
+fn clear(encoder: &mut wgpu::CommandEncoder, view: &wgpu::TextureView) {
+    encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+        label: Some("clear"),
+        color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+            view,
+            depth_slice: None,
+            resolve_target: None,
+            ops: wgpu::Operations {
+                load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT),
+                store: wgpu::StoreOp::Store,
+            },
+        })],
+        ..wgpu::RenderPassDescriptor::default()
+    });
+}

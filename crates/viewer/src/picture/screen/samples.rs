@@ -1,0 +1,142 @@
+//! The samples of a picture: frames with the pixel centres elsewhere in their pixels, drawn one after the other while nothing moves, and put
+//! together when all are there.
+//!
+//! Costs as many frames as there are samples, and 4 bytes a pixel for each until they are put together.
+
+use std::collections::BTreeMap;
+
+use cutaway::gpu::{Target, wgpu};
+use cutaway::scene::View;
+use egui_wgpu::RenderState;
+
+use super::picture::{FORMAT, covered};
+use crate::picture::full_screen::FullScreen;
+use crate::picture::slot::Side;
+
+/// A sample of a picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Sample {
+    /// Its number.
+    pub index: u32,
+    /// How many there are along each side of a pixel.
+    pub per_side: u32,
+}
+
+impl Sample {
+    /// How many there are in a pixel.
+    pub fn count(self) -> u32 {
+        self.per_side * self.per_side
+    }
+
+    /// Its view of a picture.
+    pub(super) fn of(self, view: &View) -> View {
+        let mut samples = view.samples(self.per_side);
+        samples
+            .nth(self.index as usize)
+            .map_or(*view, |(_, view)| view)
+    }
+
+    /// Whether no other comes after it.
+    pub fn is_last(self) -> bool {
+        self.index + 1 == self.count()
+    }
+}
+
+/// The samples of the slots.
+pub(super) struct Samples {
+    resolve: FullScreen,
+    of_slots: BTreeMap<Side, Stack>,
+}
+
+/// The samples of one slot, as layers of a texture.
+struct Stack {
+    texture: wgpu::Texture,
+    layers: Vec<wgpu::TextureView>,
+    all: wgpu::TextureView,
+}
+
+impl Samples {
+    pub(super) fn new(device: &wgpu::Device) -> Self {
+        let shader = wgpu::include_wgsl!("../../../shaders/resolve.wgsl");
+        Self {
+            resolve: FullScreen::new(device, shader, FORMAT),
+            of_slots: BTreeMap::new(),
+        }
+    }
+
+    /// Makes room for the samples of a slot.
+    pub(super) fn make_room(
+        &mut self,
+        host: &RenderState,
+        side: Side,
+        size_px: [u32; 2],
+        count: u32,
+    ) {
+        let fits = |stack: &Stack| {
+            let texture = &stack.texture;
+            let has = [
+                texture.width(),
+                texture.height(),
+                texture.depth_or_array_layers(),
+            ];
+            has == [size_px[0], size_px[1], count]
+        };
+        if !self.of_slots.get(&side).is_some_and(fits) {
+            self.of_slots.insert(side, Stack::new(host, size_px, count));
+        }
+    }
+
+    /// Where a sample of a slot is drawn.
+    pub(super) fn target(&self, side: Side, index: u32) -> Option<Target<'_>> {
+        let layers = &self.of_slots.get(&side)?.layers;
+        layers.get(index as usize).map(covered)
+    }
+
+    /// Puts the samples of a slot together, and gives back their room.
+    pub(super) fn resolve(
+        &mut self,
+        host: &RenderState,
+        encoder: &mut wgpu::CommandEncoder,
+        side: Side,
+        onto: &wgpu::TextureView,
+    ) {
+        if let Some(stack) = self.of_slots.remove(&side) {
+            let samples = [wgpu::BindingResource::TextureView(&stack.all)];
+            self.resolve.encode(&host.device, encoder, samples, onto);
+        }
+    }
+}
+
+impl Stack {
+    fn new(host: &RenderState, [width, height]: [u32; 2], count: u32) -> Self {
+        let texture = host.device.create_texture(&wgpu::TextureDescriptor {
+            label: Some("samples"),
+            size: wgpu::Extent3d {
+                width,
+                height,
+                depth_or_array_layers: count,
+            },
+            mip_level_count: 1,
+            sample_count: 1,
+            dimension: wgpu::TextureDimension::D2,
+            format: FORMAT,
+            usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING,
+            view_formats: &[],
+        });
+        let view = |dimension, base_array_layer, count| {
+            texture.create_view(&wgpu::TextureViewDescriptor {
+                dimension: Some(dimension),
+                base_array_layer,
+                array_layer_count: Some(count),
+                ..wgpu::TextureViewDescriptor::default()
+            })
+        };
+        Self {
+            layers: (0..count)
+                .map(|i| view(wgpu::TextureViewDimension::D2, i, 1))
+                .collect(),
+            all: view(wgpu::TextureViewDimension::D2Array, 0, count),
+            texture,
+        }
+    }
+}

@@ -1,0 +1,43 @@
+//! A view of points in world space: where they land in a picture.
+
+use cutaway::scene::View;
+use glam::{DVec2, DVec3};
+
+use crate::picture::shown::Shown;
+
+/// A view, and where the scene of it lies in the world.
+#[derive(Clone, Copy, Debug)]
+pub struct WorldView {
+    view: View,
+    /// What is at the origin of scene space, in world space.
+    centre: DVec3,
+    /// Scene units for a world unit.
+    scale: f64,
+}
+
+impl WorldView {
+    /// Of a scene, in a picture of some pixels.
+    pub fn of(shown: &Shown, size_px: [u32; 2]) -> Self {
+        let prepared = &shown.at.model.prepared;
+        Self {
+            view: shown.view(size_px),
+            centre: prepared.centre_in_world,
+            scale: prepared.scale,
+        }
+    }
+
+    /// Of a scene whose space is that of the world.
+    pub fn plain(view: View) -> Self {
+        Self {
+            view,
+            centre: DVec3::ZERO,
+            scale: 1.0,
+        }
+    }
+
+    /// Where a point lands, in pixels from the upper left corner; nowhere if it is behind the near plane.
+    pub fn project(&self, point: DVec3) -> Option<DVec2> {
+        let (at, depth) = self.view.project((point - self.centre) * self.scale);
+        (self.view.orthographic || depth > self.view.near).then_some(at)
+    }
+}

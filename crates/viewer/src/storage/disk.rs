@@ -1,0 +1,19 @@
+//! Files of the disk, written as the command writes them.
+
+use std::path::Path;
+
+use cutaway::Result;
+use cutaway_cli::{is_one_file, write_file};
+use cutaway_io::load::{Disk, place_of};
+
+use crate::storage::files::Store;
+
+impl Store for Disk {
+    fn write(&self, path: &Path, bytes: &[u8]) -> Result<()> {
+        write_file(path, bytes)
+    }
+
+    fn is_one(&self, a: &Path, b: &Path) -> bool {
+        place_of(a) == place_of(b) || is_one_file(a, b)
+    }
+}

@@ -1,0 +1,13 @@
+//! Files of the window: opened, watched, remembered and written.
+
+#[cfg(not(target_arch = "wasm32"))]
+pub mod disk;
+#[cfg(not(target_arch = "wasm32"))]
+pub mod export;
+pub mod files;
+pub mod opening;
+#[cfg(not(target_arch = "wasm32"))]
+pub mod recent;
+#[cfg(not(target_arch = "wasm32"))]
+pub mod recovery;
+pub mod watch;

@@ -1,0 +1,148 @@
+//! Changes that no file has: who closes the window or opens another scene is asked first. And files that were opened last.
+
+use std::path::PathBuf;
+
+use cutaway::{Error, Result};
+use eframe::egui::{Align2, Context, Ui, Vec2, ViewportCommand, Window};
+
+use crate::action::Action;
+use crate::storage::files::{self, Kind};
+use crate::storage::recent::Recent;
+use crate::ui::Viewer;
+
+/// How far a window is from being closed, or a scene from being left for another.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(in crate::ui) enum Closing {
+    /// Nobody closes it.
+    #[default]
+    Stays,
+    /// It is asked what becomes of the changes.
+    Asks,
+    /// It is closed when the scene is saved under the name that is asked for.
+    Saves,
+    /// Whatever is not saved may go.
+    Agreed,
+}
+
+impl Viewer {
+    /// Keeps the list of files that were opened last in a text.
+    pub fn remember_in(&mut self, recent: Recent) {
+        self.recent = Some(recent);
+    }
+
+    /// Carries an action out, unless it opens another scene in the place of one with changes: that is asked about first.
+    pub(in crate::ui) fn apply_or_ask(&mut self, action: Action) {
+        let is_scene = |path: &PathBuf| files::kind(path).is_ok_and(|kind| kind == Kind::Scene);
+        let leaves = matches!(&action, Action::Take(paths) if paths.iter().any(is_scene));
+        if leaves && self.state.has_unsaved_changes() {
+            (self.closing, self.leaves_for) = (Closing::Asks, Some(action));
+        } else {
+            self.apply(action);
+        }
+    }
+
+    /// Asks before changes are lost.
+    pub(in crate::ui) fn guard_changes(&mut self, ctx: &Context) {
+        let is_closed = ctx.input(|input| input.viewport().close_requested());
+        let must_ask = is_closed && self.closing != Closing::Agreed;
+        if must_ask && self.state.has_unsaved_changes() {
+            ctx.send_viewport_cmd(ViewportCommand::CancelClose);
+            (self.closing, self.leaves_for) = (Closing::Asks, None);
+        }
+        match self.closing {
+            Closing::Asks => self.ask_before_closing(ctx),
+            Closing::Saves if !self.state.has_unsaved_changes() => self.close(ctx),
+            // The name was not given after all.
+            Closing::Saves if self.asks.is_none() => self.closing = Closing::Stays,
+            _ => {}
+        }
+    }
+
+    fn ask_before_closing(&mut self, ctx: &Context) {
+        let window = Window::new("Unsaved changes").collapsible(false);
+        let window = window
+            .resizable(false)
+            .anchor(Align2::CENTER_CENTER, Vec2::ZERO);
+        window.show(ctx, |ui| {
+            ui.label("The scene was changed and is not saved.");
+            ui.horizontal(|ui| {
+                if ui.button("Save").clicked() {
+                    self.save_and_close(ctx);
+                }
+                if ui.button("Discard").clicked() {
+                    self.close(ctx);
+                }
+                if ui.button("Cancel").clicked() {
+                    self.closing = Closing::Stays;
+                }
+            });
+        });
+    }
+
+    fn save_and_close(&mut self, ctx: &Context) {
+        let path = self.state.document().path().to_owned();
+        if path.as_os_str().is_empty() {
+            self.closing = Closing::Saves;
+            self.ask_for_save();
+            return;
+        }
+        self.state.apply(Action::Save(path));
+        match self.state.has_unsaved_changes() {
+            // What refused it is told.
+            true => self.closing = Closing::Stays,
+            false => self.close(ctx),
+        }
+    }
+
+    fn close(&mut self, ctx: &Context) {
+        if let Some(action) = self.leaves_for.take() {
+            self.closing = Closing::Stays;
+            self.apply(action);
+            return;
+        }
+        self.closing = Closing::Agreed;
+        ctx.send_viewport_cmd(ViewportCommand::Close);
+    }
+
+    /// Puts what was opened or saved into the list.
+    pub(in crate::ui) fn remember(&mut self, ctx: &Context) {
+        let Some(recent) = &mut self.recent else {
+            return;
+        };
+        let opened = self.state.take_opened();
+        let added: Result<()> = opened.iter().try_for_each(|path| recent.add(path));
+        if let Err(error) = added {
+            self.toasts.add(ctx, error.into());
+        }
+    }
+
+    /// The files that were opened last, as a menu.
+    pub(in crate::ui) fn recent_menu(&mut self, ui: &mut Ui, actions: &mut Vec<Action>) {
+        let paths: Vec<PathBuf> = match &self.recent {
+            Some(recent) => recent.paths().to_vec(),
+            None => return,
+        };
+        ui.menu_button("Recent", |ui| {
+            if paths.is_empty() {
+                ui.weak("no file yet");
+            }
+            for path in paths {
+                if ui.button(path.display().to_string()).clicked() {
+                    match path.exists() {
+                        true => actions.push(Action::Take(vec![path])),
+                        false => self.forget(&ui.ctx().clone(), &path),
+                    }
+                }
+            }
+        });
+    }
+
+    fn forget(&mut self, ctx: &Context, path: &std::path::Path) {
+        let help = "it is taken off the list of recent files";
+        let error = Error::file(path, "it is not there any more", help);
+        self.toasts.add(ctx, error.into());
+        if let Some(Err(error)) = self.recent.as_mut().map(|recent| recent.forget(path)) {
+            self.toasts.add(ctx, error.into());
+        }
+    }
+}

@@ -1,0 +1,143 @@
+//! The keys, in one table: what they do, and what `?` says of them.
+
+use cutaway::scene::STANDARD_VIEWS;
+use eframe::egui::{Context, Key, KeyboardShortcut, Modifiers};
+
+use crate::action::Action;
+use crate::editing::cuts::PlaneMove;
+use crate::picture::camera::CameraMove;
+use crate::picture::slot::Layout;
+
+/// What a key does.
+#[derive(Clone, Debug, PartialEq)]
+pub(in crate::ui) enum Does {
+    /// An action of the state.
+    Act(Action),
+    /// Shows the table of keys, or hides it.
+    Help,
+    /// Puts the command that makes this picture into the clipboard.
+    CopyCommand,
+    /// Saves the scene.
+    Save,
+    /// Shows the second slot while it is held.
+    Flicker,
+    /// Exchanges perspective and parallel rays.
+    Projection,
+    /// Puts the plane through the face under the pointer.
+    CutHere,
+    /// Lets time pass, or stops it.
+    Play,
+}
+
+/// A key and what it does.
+pub(in crate::ui) struct Binding {
+    /// The key, with what is held beside it.
+    pub(in crate::ui) key: KeyboardShortcut,
+    /// What it does.
+    pub(in crate::ui) does: Does,
+    /// The same in words.
+    pub(in crate::ui) help: &'static str,
+}
+
+/// The key that shows the second slot while it is held.
+pub(in crate::ui) const FLICKER: Key = Key::B;
+
+/// All keys.
+pub(in crate::ui) fn bindings() -> Vec<Binding> {
+    let key = |key, does, help| Binding {
+        key: KeyboardShortcut::new(Modifiers::NONE, key),
+        does,
+        help,
+    };
+    let command = |key, does, help| Binding {
+        key: KeyboardShortcut::new(Modifiers::COMMAND, key),
+        does,
+        help,
+    };
+    let act = Does::Act;
+    let plane = |by| Does::Act(Action::MovePlane(by));
+    let stand = |index: usize| {
+        Does::Act(Action::MoveCamera(CameraMove::Stand(
+            STANDARD_VIEWS[index].1,
+        )))
+    };
+    vec![
+        key(
+            Key::X,
+            plane(PlaneMove::Across(0)),
+            "plane across x; again: the other side",
+        ),
+        key(
+            Key::Y,
+            plane(PlaneMove::Across(1)),
+            "plane across y; again: the other side",
+        ),
+        key(
+            Key::Z,
+            plane(PlaneMove::Across(2)),
+            "plane across z; again: the other side",
+        ),
+        key(Key::V, plane(PlaneMove::Flip), "keep the other side"),
+        key(
+            Key::OpenBracket,
+            plane(PlaneMove::Step(-0.01)),
+            "plane back by 1 %",
+        ),
+        key(
+            Key::CloseBracket,
+            plane(PlaneMove::Step(0.01)),
+            "plane forth by 1 %",
+        ),
+        key(Key::C, act(Action::FaceEye), "turn the plane to the eye"),
+        key(
+            Key::F,
+            Does::CutHere,
+            "plane through the face under the pointer",
+        ),
+        key(Key::Space, Does::Play, "play or pause"),
+        key(Key::Num1, stand(0), "look from the front"),
+        key(Key::Num3, stand(3), "look from the right"),
+        key(Key::Num7, stand(4), "look from the top"),
+        key(Key::Num5, Does::Projection, "perspective or parallel rays"),
+        key(
+            Key::Home,
+            act(Action::MoveCamera(CameraMove::Home)),
+            "show all of the model",
+        ),
+        key(Key::S, act(Action::Arrange(Layout::Single)), "slot A alone"),
+        key(Key::W, act(Action::Arrange(Layout::Wipe)), "wipe B over A"),
+        key(
+            Key::D,
+            act(Action::Arrange(Layout::Difference)),
+            "difference of A and B",
+        ),
+        key(FLICKER, Does::Flicker, "hold: slot B in the place of A"),
+        key(Key::Questionmark, Does::Help, "these keys"),
+        command(Key::Z, act(Action::Undo), "take the last step back"),
+        command(Key::Y, act(Action::Redo), "do it again"),
+        command(Key::S, Does::Save, "save the scene"),
+        Binding {
+            key: KeyboardShortcut::new(Modifiers::COMMAND.plus(Modifiers::SHIFT), Key::Z),
+            does: act(Action::Redo),
+            help: "do it again",
+        },
+        Binding {
+            key: KeyboardShortcut::new(Modifiers::COMMAND.plus(Modifiers::SHIFT), Key::C),
+            does: Does::CopyCommand,
+            help: "copy the command that makes this picture",
+        },
+    ]
+}
+
+/// What keys that were pressed do. Keys that are typed into a text are not theirs.
+pub(in crate::ui) fn pressed(ctx: &Context) -> Vec<Does> {
+    if ctx.egui_wants_keyboard_input() {
+        return Vec::new();
+    }
+    let mut bound = bindings();
+    // Those with most held beside them first: what is consumed is gone for the others.
+    bound.sort_by_key(|b| std::cmp::Reverse((b.key.modifiers.shift, b.key.modifiers.any())));
+    let is_pressed = |b: &Binding| ctx.input_mut(|input| input.consume_shortcut(&b.key));
+    let pressed = bound.into_iter().filter(is_pressed);
+    pressed.map(|b| b.does).collect()
+}

@@ -1,0 +1,9 @@
+//! Menus, keys, notices, and windows that a question is put in.
+
+#[cfg(not(target_arch = "wasm32"))]
+pub(super) mod closing;
+pub(super) mod keys;
+pub(super) mod menu;
+pub(super) mod naming;
+pub(super) mod opening;
+pub(super) mod toasts;

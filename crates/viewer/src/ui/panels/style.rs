@@ -1,0 +1,92 @@
+//! The style of the scene: its name, and its numbers, each with a button that takes a change of it back.
+
+use cutaway_io::document::paths::PATHS;
+use cutaway_io::document::{Node, Value, named_style, style_names};
+use eframe::egui::{Button, CollapsingHeader, ComboBox, Grid, Ui};
+
+use super::value::cells;
+use crate::action::Action;
+use crate::editing::styles;
+use crate::picture::shown::Shown;
+use crate::state::State;
+
+/// Shows the name and the numbers.
+pub(in crate::ui) fn show(ui: &mut Ui, state: &State, actions: &mut Vec<Action>) {
+    let held = state.document().root().get("style").cloned();
+    let named = held.as_ref().and_then(|style| match &style.value {
+        Value::Text(name) => Some(name.to_string()),
+        _ => style.get("base").and_then(Node::text).map(str::to_owned),
+    });
+    let named = named.unwrap_or_else(|| crate::picture::shown::USUAL_STYLE.to_owned());
+    ComboBox::new("style", "Style")
+        .selected_text(&named)
+        .show_ui(ui, |ui| {
+            for name in style_names() {
+                if ui.selectable_label(name == named, name).clicked() && named_style(name).is_ok() {
+                    let is_table = matches!(held.as_ref().map(|h| &h.value), Some(Value::Table(_)));
+                    let path = if is_table { "style.base" } else { "style" }.to_owned();
+                    actions.push(Action::Set {
+                        path,
+                        value: name.into(),
+                    });
+                }
+            }
+        });
+    if let Some(shown) = state.shown() {
+        CollapsingHeader::new("Numbers of the style").show(ui, |ui| {
+            numbers(ui, state, shown, actions);
+        });
+    }
+}
+
+/// All that the style has, in the order of the table of paths: groups below headings.
+fn numbers(ui: &mut Ui, state: &State, shown: &Shown, actions: &mut Vec<Action>) {
+    let values = styles::values(&shown.scene.style);
+    let of_styles = || PATHS.iter().filter_map(|p| p.path.strip_prefix("style."));
+    let mut groups: Vec<&str> = of_styles()
+        .filter_map(|p| Some(p.split_once('.')?.0))
+        .collect();
+    groups.dedup();
+    // Groups are apart in the table where one is named twice.
+    groups.sort_unstable();
+    groups.dedup();
+    let mut of_group = |ui: &mut Ui, group: &str| {
+        Grid::new(format!("style {group}"))
+            .num_columns(3)
+            .show(ui, |ui| {
+                for path in of_styles() {
+                    let (of, key) = path.split_once('.').unwrap_or(("", path));
+                    let path = format!("style.{path}");
+                    let value = values.iter().find(|(known, _)| *known == path);
+                    if let Some((_, value)) = value.filter(|_| of == group) {
+                        number(ui, state, (&path, key), value.clone(), actions);
+                    }
+                }
+            });
+    };
+    of_group(ui, "");
+    for group in groups {
+        CollapsingHeader::new(group)
+            .id_salt(("style", group))
+            .show(ui, |ui| {
+                of_group(ui, group);
+            });
+    }
+}
+
+fn number(
+    ui: &mut Ui,
+    state: &State,
+    (path, label): (&str, &str),
+    value: Value,
+    actions: &mut Vec<Action>,
+) {
+    cells(ui, state, (path, path), (label, value), actions);
+    let is_changed = state.document().get(path).is_ok();
+    let button = ui.add_enabled(is_changed, Button::new("Back").small());
+    let button = button.accessible_name(format!("Take {path} back"));
+    if button.on_hover_text("What the style itself has").clicked() {
+        actions.push(Action::TakeBack(path.to_owned()));
+    }
+    ui.end_row();
+}

@@ -1,0 +1,50 @@
+// Lanes: the bits or counts of one part among the words of a pixel. Several lanes of bits share a word, or a lane of more than
+// 32 bits is whole words one after the other: bit i is bit i % 32 of word i / 32.
+
+#define_import_path cutaway::lanes
+
+// Crossings that a list holds at most: its head counts them in ten bits.
+const MOST_CROSSINGS: u32 = 1023u;
+// Words of a pixel, and parts that have a lane in them: `src/passes/frame/lanes.rs`.
+const MOST_LANE_WORDS: u32 = 1024u;
+const MOST_LANES: u32 = 16384u;
+
+// In the place of a shift: the part is filled by the nonzero rule, and its lane is words of counts.
+const WINDING: u32 = 32u;
+
+// Where the bits of a part are, and how many: up to 32, or a multiple of 32.
+struct Lane {
+    // The first, if there are several.
+    word: u32,
+    shift: u32,
+    bits: u32,
+}
+
+// A fragment of a part that needs an inside test.
+struct Fragment {
+    pixel: u32,
+    lane: Lane,
+    // Place of the part in the table.
+    place: u32,
+    // Value of the depth buffer.
+    z: f32,
+    // How many crossings are in front of it.
+    behind: u32,
+    // Whether it shows the outside of its triangle.
+    front: bool,
+}
+
+// The bits of the first `count` crossings, as far as they are in word `word` of a lane.
+fn thermometer(count: u32, word: u32) -> u32 {
+    let here = min(max(count, 32u * word) - 32u * word, 32u);
+    return select(0xffffffffu >> (32u - here), 0u, here == 0u);
+}
+
+// How lanes are laid out, and whether the near plane meets a solid: then an odd total says that the ray starts inside, not that
+// the mesh is open. `overlaps` asks where several parts share a cap.
+struct Lanes {
+    bits: u32,
+    count: u32,
+    near_inside: bool,
+    overlaps: bool,
+}

@@ -1,0 +1,6 @@
+//! Ambient occlusion: how much of the sky a place sees, by three methods.
+
+pub(super) mod horizon;
+pub(super) mod occlusion;
+pub(super) mod relief_sky;
+pub(super) mod unsharp;

@@ -1,0 +1,65 @@
+//! What a relief hides of the sky from its caps, from maps made of its heights (Trapp and Döllner 2013, section 4.2): unlike what is searched
+//! for in the picture it hangs on no camera, and knows what is hidden.
+//!
+//! One pass over the pixels; the maps are made once for each relief, on the clock of the cut. Cannot: know of other caps or of the mesh.
+
+use crate::effects::pixels::{Pixels, VISIBILITY, numbers, per_pixel};
+use crate::passes::SceneBuffers;
+use crate::plan::{Binding, Clock, Plan, Resource, ResourceId, Role, pack};
+use crate::shader::Shader;
+
+/// Whether it is drawn: where a style asks for it, and a relief cuts something.
+pub(in crate::effects) fn is_drawn(scene: &SceneBuffers<'_>) -> bool {
+    let model = scene.input.model;
+    model.prepared.style.occlusion.relief > 0.0
+        && scene.input.relevance.lanes > 0
+        && model.relief_sky.has_reliefs()
+}
+
+/// What of the light reaches each pixel, with what was found of the sky around it, if anything was.
+pub(in crate::effects) fn relief_sky(
+    plan: &mut Plan,
+    pixels: Pixels<'_>,
+    layers: ResourceId,
+    found: Option<ResourceId>,
+) -> ResourceId {
+    let scene = pixels.scene;
+    let model = scene.input.model;
+    let style = &model.prepared.style.occlusion;
+    let numbers = numbers(
+        plan,
+        "relief_sky",
+        pack::ReliefSky {
+            cap: style.cap,
+            relief: style.relief,
+            padding_a: 0,
+            padding_b: 0,
+        },
+    );
+    let maps = model.relief_sky.contents().clone();
+    let maps = Resource::upload("relief_sky_maps", Role::Storage, maps, Clock::Cut);
+    let maps = plan.add_resource(maps);
+    let visibility = per_pixel(plan, scene, VISIBILITY, 4);
+    let mut bindings = vec![
+        scene.frame.clone(),
+        scene.cut_table.clone(),
+        Binding::read("heights", maps),
+        Binding::read("layers", layers),
+        Binding::write("visibility", visibility),
+        numbers,
+    ];
+    let before = match found {
+        Some(found) => {
+            bindings.push(Binding::read("open_sky", found));
+            "lib/sky_before/found.wgsl"
+        }
+        None => "lib/sky_before/all.wgsl",
+    };
+    let shader = Shader::from("effects/relief_sky.wgsl").with(before);
+    let about = (
+        "light reliefs",
+        "a relief hides some of the sky from its caps",
+    );
+    pixels.add_pass(plan, about, shader, bindings);
+    visibility
+}

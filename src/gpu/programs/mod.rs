@@ -1,0 +1,6 @@
+//! Shader programs as pipelines: their bindings, and when they are made.
+
+pub(super) mod bind;
+pub(super) mod pipelines;
+pub(super) mod preparation;
+pub(super) mod program;

@@ -1,0 +1,394 @@
+//! A plan made real: its resources, pipelines and bind groups, kept as long as the plan keeps its structure.
+//!
+//! Loading a plan compares it with the one before. Resources of the same name and shape stay, contents that are equal are
+//! not uploaded again, and the passes whose inputs changed are found ([`Plan::due_after`]), so that only those run. A frame of
+//! an unchanged plan allocates nothing.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::gpu::Gpu;
+use crate::gpu::composite::{Composed, Compositor};
+use crate::gpu::device::is_shared;
+use crate::gpu::draw::Step;
+use crate::gpu::layer_words::{LAYER_BYTES, layers_from_words};
+use crate::gpu::pick::{Arriving, Pick};
+use crate::gpu::real::{Real, make};
+use crate::gpu::report::Report;
+use crate::gpu::target::Destination;
+use crate::gpu::timing::{ClockSet, PassTime, RunTimes, Stopwatch, timed};
+use crate::layers::Layers;
+use crate::plan::{Clock, Due, Pass, Plan, Recorded, Resource, ResourceId, Shape};
+use crate::{Error, Result};
+
+/// Passes that were encoded.
+pub(crate) struct Encoded {
+    /// How many.
+    pub(crate) passes: usize,
+    /// What bounded buffers will have needed.
+    pub(crate) report: Option<Report>,
+}
+
+/// A loaded plan.
+#[derive(Default)]
+pub struct Program {
+    recorded: Recorded,
+    real: BTreeMap<String, (Shape, Real)>,
+    steps: Vec<Step>,
+    stopwatch: Option<Stopwatch>,
+    generation: u64,
+    /// What has not run since its inputs changed, be it because a run failed.
+    due: Due,
+}
+
+impl Program {
+    /// Loads a plan; returns what must run before the next frame is right.
+    pub fn load(&mut self, gpu: &Gpu, recorded: impl Into<Recorded>) -> Result<&Due> {
+        let Recorded { plan, on_cpu } = recorded.into();
+        let mut rebind = self.steps.is_empty() || !same_structure(&plan, self.plan());
+        if rebind {
+            let check = || plan.check(gpu.limits());
+            timed(&mut gpu.preparing().composing, check)?;
+        }
+        let mut remade: BTreeSet<&str> = BTreeSet::new();
+        for resource in &plan.resources {
+            let before = self
+                .recorded
+                .plan
+                .resources
+                .iter()
+                .find(|r| r.name == resource.name);
+            let uploaded = before.and_then(|b| b.contents.as_ref());
+            let kept = self
+                .real
+                .get(&resource.name)
+                .is_some_and(|(shape, _)| *shape == resource.shape);
+            let in_place = match (&resource.contents, uploaded, self.real.get(&resource.name)) {
+                _ if !kept => false,
+                (None, None, _) => true,
+                (Some(new), Some(old), _) if new == old => true,
+                // Shared contents must not be overwritten: other programs read them.
+                (Some(new), Some(old), Some((_, Real::Buffer(buffer))))
+                    if !is_shared(new) && !is_shared(old) && new.changes() == old.changes() =>
+                {
+                    for piece in new.not_in(old) {
+                        gpu.queue.write_buffer(buffer, piece.offset, &piece.bytes);
+                    }
+                    true
+                }
+                _ => false,
+            };
+            if !in_place {
+                self.real
+                    .insert(resource.name.clone(), (resource.shape, make(gpu, resource)));
+                remade.insert(&resource.name);
+                rebind = true;
+            }
+        }
+        let due = plan.due_after(self.plan(), |r| remade.contains(r.name.as_str()));
+        self.due.add(&due);
+        self.due
+            .passes
+            .retain(|name| plan.passes.iter().any(|p| p.name == *name));
+        self.real
+            .retain(|name, _| plan.resource_named(name).is_some());
+        if rebind {
+            // Until all of it is built, nothing is loaded: a failure on the way must not look like an unchanged plan.
+            self.recorded = Recorded::default();
+            self.steps.clear();
+            self.generation += 1;
+            let step = |pass| Step::new(gpu, &plan, pass, &self.real);
+            let steps = plan.passes.iter().map(step).collect::<Result<Vec<_>>>()?;
+            self.stopwatch = Stopwatch::new(gpu, plan.passes.len());
+            gpu.complaint()?;
+            self.steps = steps;
+        }
+        self.recorded = Recorded { plan, on_cpu };
+        Ok(&self.due)
+    }
+
+    /// The loaded plan.
+    pub fn plan(&self) -> &Plan {
+        &self.recorded.plan
+    }
+
+    /// Bytes of the buffers and textures that were made for resources of a clock: those of the scene, or those that are not.
+    /// Contents that several programs share count for each of them.
+    pub fn allocated_on(&self, clock: Clock, is_scene: bool) -> u64 {
+        let wanted = |r: &&Resource| r.clock == clock && r.is_scene == is_scene;
+        let resources = self.recorded.plan.resources.iter().filter(wanted);
+        resources
+            .filter_map(|r| self.real.get(&r.name))
+            .map(|(_, real)| real.bytes())
+            .sum()
+    }
+
+    /// Runs what is due and some passes besides, by name: in one go, or pass by pass for their times, which waits for them.
+    pub fn run_due(&mut self, gpu: &Gpu, besides: &Due, is_timed: bool) -> Result<RunTimes> {
+        let due = &self.due.passes;
+        let runs = |pass: &Pass| due.contains(&pass.name) || besides.passes.contains(&pass.name);
+        let mut times = match is_timed {
+            true => self.run_passes(gpu, runs)?,
+            false => self.run_at_once(gpu, runs)?,
+        };
+        times.add_before(PassTime::of_cpu(&self.recorded, |_, work| work.took_ms));
+        self.due = Due::default();
+        Ok(times)
+    }
+
+    /// Runs the passes of some clocks and waits for them; what the CPU does on these clocks is done again for its time.
+    pub fn run(&self, gpu: &Gpu, clocks: ClockSet) -> Result<RunTimes> {
+        let works = PassTime::of_cpu(&self.recorded, |step, work| {
+            let is_asked = clocks.contains(step.clock);
+            is_asked.then(|| Stopwatch::ms_of(&*work.again))
+        });
+        let mut times = self.run_passes(gpu, |pass| clocks.contains(pass.clock))?;
+        times.add_before(works);
+        Ok(times)
+    }
+
+    fn run_passes(&self, gpu: &Gpu, runs: impl Fn(&Pass) -> bool) -> Result<RunTimes> {
+        match &self.stopwatch {
+            Some(stopwatch) => self.run_stamped(gpu, runs, stopwatch),
+            None => self.run_by_the_wall(gpu, runs),
+        }
+    }
+
+    /// Submits all passes together and waits for none.
+    fn run_at_once(&self, gpu: &Gpu, runs: impl Fn(&Pass) -> bool) -> Result<RunTimes> {
+        let mut encoder = new_encoder(gpu);
+        let mut passes = Vec::with_capacity(self.steps.len());
+        for (index, pass, step) in self.steps_that(runs) {
+            step.encode(&mut encoder, None, index);
+            passes.push(PassTime {
+                name: pass.name.clone(),
+                clock: pass.clock,
+                time_ms: None,
+            });
+        }
+        gpu.scoped(|| {
+            gpu.queue.submit([encoder.finish()]);
+            Ok(())
+        })?;
+        Ok(RunTimes::sum(passes))
+    }
+
+    fn run_stamped(
+        &self,
+        gpu: &Gpu,
+        runs: impl Fn(&Pass) -> bool,
+        stopwatch: &Stopwatch,
+    ) -> Result<RunTimes> {
+        let mut encoder = new_encoder(gpu);
+        let mut ran = Vec::with_capacity(self.steps.len());
+        for (index, pass, step) in self.steps_that(runs) {
+            step.encode(&mut encoder, Some(stopwatch), index);
+            ran.push((index, pass.name.as_str(), pass.clock));
+        }
+        stopwatch.finish(&mut encoder);
+        gpu.queue.submit([encoder.finish()]);
+        let ticks = gpu.map::<u64>(&stopwatch.copied)?;
+        Ok(Stopwatch::times(gpu, &ticks, &ran))
+    }
+
+    /// One submission per pass, each waited for: the price of a time for each where the device has none to give.
+    fn run_by_the_wall(&self, gpu: &Gpu, runs: impl Fn(&Pass) -> bool) -> Result<RunTimes> {
+        gpu.wait()?;
+        let mut passes = Vec::with_capacity(self.steps.len());
+        for (index, pass, step) in self.steps_that(runs) {
+            let started = Stopwatch::now();
+            let mut encoder = new_encoder(gpu);
+            step.encode(&mut encoder, None, index);
+            gpu.queue.submit([encoder.finish()]);
+            gpu.wait()?;
+            passes.push(PassTime {
+                name: pass.name.clone(),
+                clock: pass.clock,
+                time_ms: Some(started.elapsed().as_secs_f64() * 1e3),
+            });
+        }
+        Ok(RunTimes::sum(passes))
+    }
+
+    fn steps_that(
+        &self,
+        runs: impl Fn(&Pass) -> bool,
+    ) -> impl Iterator<Item = (usize, &Pass, &Step)> {
+        let all = self
+            .recorded
+            .plan
+            .passes
+            .iter()
+            .zip(&self.steps)
+            .enumerate();
+        all.filter(move |(_, (pass, _))| runs(pass))
+            .map(|(index, (pass, step))| (index, pass, step))
+    }
+
+    /// Encodes what is due, for an encoder that somebody else submits; how many passes that are. What bounded buffers
+    /// needed is copied behind them, where there are some.
+    pub(crate) fn encode_due(
+        &mut self,
+        gpu: &Gpu,
+        encoder: &mut wgpu::CommandEncoder,
+    ) -> Result<Encoded> {
+        let due = &self.due.passes;
+        let mut passes = 0;
+        for (index, _, step) in self.steps_that(|pass| due.contains(&pass.name)) {
+            step.encode(encoder, None, index);
+            passes += 1;
+        }
+        self.due = Due::default();
+        let report = match self.recorded.plan.need {
+            Some(id) if passes > 0 => {
+                let needs = self.buffer(id)?;
+                let staging = gpu.staging(needs.size());
+                encoder.copy_buffer_to_buffer(needs, 0, &staging, 0, needs.size());
+                let bounded = self.recorded.plan.bounded.clone();
+                Some(Report::new(encoder, staging, bounded))
+            }
+            _ => None,
+        };
+        Ok(Encoded { passes, report })
+    }
+
+    /// Copies the layers of one pixel behind what is encoded, by its number from the upper left corner, row by row.
+    pub(crate) fn pick(
+        &self,
+        gpu: &Gpu,
+        encoder: &mut wgpu::CommandEncoder,
+        pixel: u64,
+    ) -> Result<Pick> {
+        let layers = self.layers_buffer()?;
+        let staging = gpu.staging(LAYER_BYTES);
+        encoder.copy_buffer_to_buffer(layers, pixel * LAYER_BYTES, &staging, 0, LAYER_BYTES);
+        Ok(Pick::new(encoder, staging))
+    }
+
+    /// Copies the layers of all pixels behind what is encoded.
+    pub(crate) fn send_layers(
+        &self,
+        gpu: &Gpu,
+        encoder: &mut wgpu::CommandEncoder,
+    ) -> Result<Arriving> {
+        Ok(Arriving::new(gpu, encoder, self.layers_buffer()?))
+    }
+
+    /// Copies the picture behind what is encoded.
+    pub(crate) fn send_picture(
+        &self,
+        gpu: &Gpu,
+        encoder: &mut wgpu::CommandEncoder,
+    ) -> Result<Arriving> {
+        Ok(Arriving::new(gpu, encoder, self.picture_buffer()?))
+    }
+
+    /// What puts the picture into the attachments of a host.
+    pub(crate) fn compositor(&self, gpu: &Gpu, target: &Destination<'_>) -> Result<Compositor> {
+        let table = |name: &str| {
+            let fault = || Error::Plan(format!("the plan has no {name}"));
+            self.buffer_named(name).ok_or_else(fault)
+        };
+        let frame = Composed {
+            picture: self.picture_buffer()?,
+            layers: self.layers_buffer()?,
+            parts: table("parts")?,
+        };
+        Compositor::new(gpu, target, &frame)
+    }
+
+    /// The buffer of a resource, if the plan has one of this name.
+    pub(in crate::gpu) fn buffer_named(&self, name: &str) -> Option<&wgpu::Buffer> {
+        match &self.real.get(name)?.1 {
+            Real::Buffer(buffer) => Some(buffer),
+            Real::Texture(_) | Real::Sampler(_) => None,
+        }
+    }
+
+    /// How often its resources were made or bound anew: what holds on to them is to be made anew as well when it changes.
+    pub(crate) fn generation(&self) -> u64 {
+        self.generation
+    }
+
+    /// What the bounded buffers reported: the largest need of each, in order of [`Plan::bounded`].
+    pub fn needs(&self, gpu: &Gpu) -> Result<Vec<u32>> {
+        let Some(id) = self.recorded.plan.need else {
+            return Ok(Vec::new());
+        };
+        let words = gpu.read::<u32>(self.buffer(id)?)?;
+        Ok(self
+            .plan()
+            .bounded
+            .iter()
+            .map(|b| words.get(b.slot as usize).copied().unwrap_or(0))
+            .collect())
+    }
+
+    /// Sets the words that bounded buffers of the frame report in back to zero; those of a solid are reset by its own pass.
+    pub fn clear_needs_of_frame(&self, gpu: &Gpu) -> Result<()> {
+        let Some(id) = self.recorded.plan.need else {
+            return Ok(());
+        };
+        let buffer = self.buffer(id)?;
+        for bounded in self.recorded.plan.bounded.iter().filter(|b| !b.exact) {
+            gpu.queue
+                .write_buffer(buffer, u64::from(bounded.slot) * 4, &[0; 4]);
+        }
+        Ok(())
+    }
+
+    /// The layers of the last frame.
+    pub fn layers(&self, gpu: &Gpu, size_px: [u32; 2]) -> Result<Layers> {
+        let words = gpu.read::<u32>(self.layers_buffer()?)?;
+        Ok(Layers {
+            size_px,
+            pixels: layers_from_words(&words),
+        })
+    }
+
+    /// The picture of the last frame: RGBA8, rows from the top.
+    pub fn picture(&self, gpu: &Gpu) -> Result<Vec<u8>> {
+        gpu.read::<u8>(self.picture_buffer()?)
+    }
+
+    /// The words of a buffer, by name: for tests.
+    pub fn words(&self, gpu: &Gpu, name: &str) -> Result<Vec<u32>> {
+        let id = self
+            .plan()
+            .resource_named(name)
+            .ok_or_else(|| Error::Plan(format!("there is no resource `{name}`")))?;
+        gpu.read::<u32>(self.buffer(id)?)
+    }
+
+    fn picture_buffer(&self) -> Result<&wgpu::Buffer> {
+        let none = || Error::Plan("the plan makes no picture".to_owned());
+        self.buffer(self.plan().picture.ok_or_else(none)?)
+    }
+
+    fn layers_buffer(&self) -> Result<&wgpu::Buffer> {
+        let none = || Error::Plan("the plan makes no layers".to_owned());
+        self.buffer(self.plan().layers.ok_or_else(none)?)
+    }
+
+    fn buffer(&self, id: ResourceId) -> Result<&wgpu::Buffer> {
+        let name = &self.recorded.plan.resource(id).name;
+        match self.real.get(name) {
+            Some((_, Real::Buffer(buffer))) => Ok(buffer),
+            _ => Err(Error::Plan(format!("{name} is not a buffer"))),
+        }
+    }
+}
+
+fn new_encoder(gpu: &Gpu) -> wgpu::CommandEncoder {
+    let descriptor = wgpu::CommandEncoderDescriptor {
+        label: Some("frame"),
+    };
+    gpu.device.create_command_encoder(&descriptor)
+}
+
+/// Whether two plans differ in nothing but the contents of their uploads.
+fn same_structure(a: &Plan, b: &Plan) -> bool {
+    let same = |(a, b): (&Resource, &Resource)| a.name == b.name && a.shape == b.shape;
+    a.passes == b.passes
+        && a.resources.len() == b.resources.len()
+        && a.resources.iter().zip(&b.resources).all(same)
+}

@@ -1,0 +1,288 @@
+//! Boxes and wedges: removed regions in few numbers, as unions of intersections of planes.
+//!
+//! A region is made into faces: planes that keep what is outside. A wedge of up to 180 degrees is the intersection of two half
+//! spaces, which of 180 degrees are one and the same but for their reliefs; a wider one is not convex, but the union of the two, so that it has two alternatives and no wall inside of it. Angles
+//! count counter-clockwise about the axis, seen from its tip, and multiples of 90 degrees about an axis of the world give planes
+//! without rounding. A region without an inside still has its faces, so that clip-surfaces keep their numbers while it opens; a cut
+//! of it is better off.
+
+use glam::DVec3;
+
+use crate::scene::{ClipSurface, Up};
+
+/// What two unions of intersections of removed sides have in common, as such a union.
+pub fn in_common(a: &[Vec<ClipSurface>], b: &[Vec<ClipSurface>]) -> Vec<Vec<ClipSurface>> {
+    let pairs = a
+        .iter()
+        .flat_map(|x| b.iter().map(move |y| [x.as_slice(), y.as_slice()].concat()));
+    pairs.collect()
+}
+
+/// A face of a region.
+#[derive(Clone, Debug)]
+pub struct Face {
+    /// `-x` to `+z` of a box; `from`, `to`, `min` or `max` of a wedge.
+    pub name: &'static str,
+    /// Its plane, which keeps what is outside.
+    pub plane: ClipSurface,
+}
+
+/// A box along the axes of the world; sides that are not given are open.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Block {
+    /// Least coordinates.
+    pub min: [Option<f64>; 3],
+    /// Greatest coordinates.
+    pub max: [Option<f64>; 3],
+}
+
+impl Block {
+    /// The first axis along which the box ends before it begins.
+    pub fn inverted_axis(&self) -> Option<usize> {
+        (0..3).find(|i| matches!((self.min[*i], self.max[*i]), (Some(a), Some(b)) if a > b))
+    }
+
+    /// Whether it has no inside.
+    pub fn is_empty(&self) -> bool {
+        (0..3).any(|i| matches!((self.min[i], self.max[i]), (Some(a), Some(b)) if a >= b))
+    }
+
+    /// Its faces, upright for an up axis. Their planes begin as near to `middle` as they can.
+    pub fn faces(&self, middle: DVec3, up: Up) -> Vec<Face> {
+        let faces = (0..6).filter_map(|i| {
+            let (axis, upper) = (i / 2, i % 2 == 1);
+            let at = if upper { self.max } else { self.min }[axis]?;
+            let mut origin = middle;
+            origin[axis] = at;
+            let outward = DVec3::AXES[axis] * if upper { 1.0 } else { -1.0 };
+            Some(Face {
+                name: ["-x", "+x", "-y", "+y", "-z", "+z"][i],
+                plane: ClipSurface::upright(origin, outward, up),
+            })
+        });
+        faces.collect()
+    }
+}
+
+/// A slice of a pie.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Wedge {
+    /// A point of the axis.
+    pub origin: DVec3,
+    /// Direction of the axis, of length 1.
+    pub along: DVec3,
+    /// Direction of 0 degrees, of length 1, at a right angle to the axis.
+    pub zero: DVec3,
+    /// Where it begins.
+    pub from_deg: f64,
+    /// Where it ends, at most a full turn after its beginning.
+    pub to_deg: f64,
+    /// Where it ends along the axis: the coordinate `P . along` of its lower face.
+    pub min: Option<f64>,
+    /// That of its upper face.
+    pub max: Option<f64>,
+}
+
+impl Wedge {
+    /// Whether it has no inside.
+    pub fn is_empty(&self) -> bool {
+        let is_flat = matches!((self.min, self.max), (Some(a), Some(b)) if a >= b);
+        is_flat || self.to_deg <= self.from_deg
+    }
+
+    /// Its faces, of which all together make the region; for more than half a turn those of two regions that make it up. A full
+    /// turn has only the faces along the axis. Of half a turn `from` and `to` have one plane, which is there once unless
+    /// the two are `ragged`: their reliefs may differ. They are upright for an up axis.
+    pub fn alternatives(&self, ragged: bool, up: Up) -> Vec<Vec<Face>> {
+        let turn_deg = self.to_deg - self.from_deg;
+        let across = self.along.cross(self.zero);
+        // Removed is what lies on from `from` and back from `to`: the kept side is the other one.
+        let tangent = |degrees: f64| {
+            let [cosine, sine] = cosine_and_sine(degrees);
+            across * cosine - self.zero * sine
+        };
+        let face = |name, outward| Face {
+            name,
+            plane: ClipSurface::upright(self.origin, outward, up),
+        };
+        let from = face("from", -tangent(self.from_deg));
+        let to = face("to", tangent(self.to_deg));
+        let mut alternatives = if turn_deg >= 360.0 {
+            vec![Vec::new()]
+        } else if turn_deg > 180.0 {
+            vec![vec![from], vec![to]]
+        } else if turn_deg == 180.0 && !ragged {
+            vec![vec![from]]
+        } else {
+            vec![vec![from, to]]
+        };
+        let end = |name, at: f64, sign: f64| Face {
+            name,
+            plane: ClipSurface::upright(
+                self.origin + self.along * (at - self.origin.dot(self.along)),
+                self.along * sign,
+                up,
+            ),
+        };
+        for faces in &mut alternatives {
+            faces.extend(self.min.map(|at| end("min", at, -1.0)));
+            faces.extend(self.max.map(|at| end("max", at, 1.0)));
+        }
+        alternatives
+    }
+}
+
+/// The axis after the one nearest to `along`, made perpendicular: y for x, z for y, x for z. Where angles begin.
+pub fn next_axis(along: DVec3) -> DVec3 {
+    let nearest = (0..3)
+        .rev()
+        .max_by(|a, b| along[*a].abs().total_cmp(&along[*b].abs()));
+    let next = DVec3::AXES[(nearest.unwrap_or(0) + 1) % 3];
+    (next - along * next.dot(along)).normalize()
+}
+
+/// The cosine and sine of an angle; those of right angles are exact.
+fn cosine_and_sine(degrees: f64) -> [f64; 2] {
+    let quarter = (degrees / 90.0).round();
+    let (sine, cosine) = (degrees - quarter * 90.0).to_radians().sin_cos();
+    match quarter.rem_euclid(4.0) {
+        q if q < 0.5 => [cosine, sine],
+        q if q < 1.5 => [-sine, cosine],
+        q if q < 2.5 => [-cosine, -sine],
+        _ => [sine, -cosine],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Whether a union of intersections removes a point.
+    fn removes(alternatives: &[Vec<Face>], point: DVec3) -> bool {
+        let inside = |faces: &Vec<Face>| faces.iter().all(|f| f.plane.kept_height(point) < 0.0);
+        alternatives.iter().any(inside)
+    }
+
+    fn wedge(from_deg: f64, to_deg: f64) -> Wedge {
+        Wedge {
+            origin: DVec3::new(0.3, -0.2, 0.5),
+            along: DVec3::Z,
+            zero: DVec3::X,
+            from_deg,
+            to_deg,
+            min: None,
+            max: None,
+        }
+    }
+
+    #[test]
+    fn a_wedge_removes_the_angles_between_its_faces() {
+        for (from, to, count) in [
+            (0.0, 90.0, 1),
+            (-30.0, 45.0, 1),
+            (350.0, 500.0, 1),
+            (10.0, 190.0, 1),
+            (0.0, 270.0, 2),
+            (100.0, 459.0, 2),
+            (0.0, 360.0, 1),
+            (20.0, 20.0, 1),
+        ] {
+            let wedge = wedge(from, to);
+            let alternatives = wedge.alternatives(false, Up::PlusY);
+            assert_eq!(alternatives.len(), count, "{from} to {to}");
+            for step in 0..720 {
+                let degrees = f64::from(step) * 0.5 + 0.25;
+                let turn = degrees.to_radians();
+                let point = wedge.origin + DVec3::new(turn.cos(), turn.sin(), 0.7) * 2.0;
+                let expected = (degrees - from).rem_euclid(360.0) < to - from;
+                assert_eq!(
+                    removes(&alternatives, point),
+                    expected,
+                    "{from} to {to} at {degrees} degrees"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn half_a_turn_has_both_faces_where_they_may_differ() {
+        let names = |ragged| -> Vec<_> {
+            let faces = wedge(30.0, 210.0).alternatives(ragged, Up::PlusY).concat();
+            faces.iter().map(|f| f.name).collect()
+        };
+        assert_eq!(names(false), ["from"]);
+        assert_eq!(names(true), ["from", "to"]);
+    }
+
+    #[test]
+    fn right_angles_give_planes_without_rounding() {
+        for (degrees, normal) in [
+            (0.0, DVec3::Y),
+            (90.0, DVec3::NEG_X),
+            (180.0, DVec3::NEG_Y),
+            (270.0, DVec3::X),
+            (-90.0, DVec3::X),
+            (450.0, DVec3::NEG_X),
+        ] {
+            let faces = wedge(degrees - 40.0, degrees).alternatives(false, Up::PlusY);
+            let to = &faces[0][1];
+            assert_eq!(to.name, "to");
+            assert_eq!(to.plane.frame().normal, normal, "{degrees} degrees");
+        }
+    }
+
+    #[test]
+    fn the_ends_of_a_wedge_are_coordinates_along_its_axis() {
+        let ended = Wedge {
+            min: Some(-1.0),
+            max: Some(0.25),
+            ..wedge(0.0, 300.0)
+        };
+        let alternatives = ended.alternatives(false, Up::PlusY);
+        let beside = ended.origin.truncate() + glam::DVec2::new(0.5, 0.5);
+        for (z, expected) in [(-1.1, false), (-0.9, true), (0.2, true), (0.3, false)] {
+            let found = removes(&alternatives, beside.extend(z));
+            assert_eq!(found, expected, "z = {z}");
+        }
+        // A full turn is all around.
+        let disc = Wedge {
+            to_deg: 360.0,
+            ..ended
+        };
+        assert!(removes(
+            &disc.alternatives(false, Up::PlusY),
+            DVec3::new(0.0, -3.0, 0.0)
+        ));
+    }
+
+    #[test]
+    fn a_box_removes_what_is_between_its_faces() {
+        let block = Block {
+            min: [Some(-1.0), Some(0.0), None],
+            max: [Some(1.0), None, Some(2.0)],
+        };
+        let alternatives = [block.faces(DVec3::splat(7.0), Up::PlusY)];
+        let names: Vec<_> = alternatives[0].iter().map(|f| f.name).collect();
+        assert_eq!(names, ["-x", "+x", "-y", "+z"]);
+        for (point, expected) in [
+            (DVec3::new(0.0, 9.0, -9.0), true),
+            (DVec3::new(1.1, 9.0, -9.0), false),
+            (DVec3::new(-1.1, 9.0, -9.0), false),
+            (DVec3::new(0.0, -0.1, -9.0), false),
+            (DVec3::new(0.0, 9.0, 2.1), false),
+        ] {
+            assert_eq!(removes(&alternatives, point), expected, "{point}");
+        }
+        let flat = Block {
+            min: [Some(1.0); 3],
+            max: [Some(2.0), Some(1.0), Some(2.0)],
+        };
+        assert!(flat.is_empty() && !block.is_empty(), "it has no inside");
+        assert_eq!(flat.inverted_axis(), None);
+        let inverted = Block {
+            max: [None, None, Some(0.5)],
+            ..flat
+        };
+        assert_eq!(inverted.inverted_axis(), Some(2));
+    }
+}

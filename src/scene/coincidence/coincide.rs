@@ -1,0 +1,68 @@
+//! Faces of parts that lie in faces of a cutter, differently divided into triangles as they may be.
+//!
+//! As in a plane, depth cannot tell on which side of the cutter such a face is, and a solid is taken without its boundary: where a ray enters
+//! the solid by the face, it is behind the crossing with the cutter, where it leaves, before.
+//!
+//! Cost: for each triangle of the part within the cutter's box a look at the cutter's triangles whose planes are as far from the origin: few,
+//! but many for a fine ball around it.
+
+use glam::{DVec3, Vec3};
+use rayon::prelude::*;
+use robust::{Coord3D, orient3d};
+
+use crate::scene::{Bounds, PreparedVolume};
+
+/// How far the distances of two planes from the origin may be apart, in scene units, for a look at their points: more than rounding.
+const NEAR: f64 = 1e-5;
+
+/// Whether three points are in the plane of a triangle, to the last bit.
+pub fn lies_in(points: [DVec3; 3], face: [DVec3; 3]) -> bool {
+    let of = |p: DVec3| Coord3D {
+        x: p.x,
+        y: p.y,
+        z: p.z,
+    };
+    let [a, b, c] = face.map(of);
+    points.iter().all(|p| orient3d(a, b, c, of(*p)) == 0.0)
+}
+
+impl PreparedVolume {
+    /// The triangles of a part that lie in the plane of one of the cutter's and within its box, in order.
+    pub(crate) fn shared_faces(&self, positions: &[Vec3], triangles: &[[u32; 3]]) -> Vec<u32> {
+        let corners = |of: &[Vec3], t: &[u32; 3]| t.map(|i| of[i as usize].as_dvec3());
+        let mut faces: Vec<(f64, [DVec3; 3])> = (self.triangles().iter())
+            .map(|t| corners(&self.positions, t))
+            .flat_map(|face| {
+                let distance = distance_of(face);
+                // The plane has two normals.
+                [(distance, face), (-distance, face)]
+            })
+            .filter(|(distance, _)| distance.is_finite())
+            .collect();
+        faces.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let is_shared = |t: &[u32; 3]| {
+            let points = corners(positions, t);
+            if !meet(&Bounds::from_points(points), &self.bounds) {
+                return false;
+            }
+            let distance = distance_of(points);
+            let first = faces.partition_point(|f| f.0 < distance - NEAR);
+            let near = faces[first..].iter().take_while(|f| f.0 <= distance + NEAR);
+            near.into_iter().any(|(_, face)| lies_in(points, *face))
+        };
+        (triangles.par_iter().enumerate().with_min_len(1 << 10))
+            .filter(|(_, t)| is_shared(t))
+            .map(|(index, _)| index as u32)
+            .collect()
+    }
+}
+
+/// How far the plane of a triangle is from the origin, along its normal; not a number where it has no area.
+fn distance_of([a, b, c]: [DVec3; 3]) -> f64 {
+    let normal = (b - a).cross(c - a);
+    a.dot(normal) / normal.length()
+}
+
+fn meet(a: &Bounds, b: &Bounds) -> bool {
+    a.min.cmple(b.max).all() && b.min.cmple(a.max).all()
+}

@@ -1,0 +1,7 @@
+//! Faces that lie in a clip-surface or in each other: decided once, by signs, for the reference and all strategies.
+
+pub(super) mod coincide;
+pub(super) mod contacts;
+pub(super) mod faces_in_plane;
+pub(super) mod settled;
+pub(super) mod shared_planes;

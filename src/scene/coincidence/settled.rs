@@ -1,0 +1,281 @@
+//! On which side of a flat clip-surface the triangles close to it lie: decided once per triangle, by signs, never by depth.
+//!
+//! A cut along a face of a part is the commonest of all in CAD, and there the depth of a fragment and that of the clip-surface are the
+//! same number but for rounding. So depths are not compared. A triangle within [`CLOSE`] of the surface is *settled* where its vertices
+//! leave no doubt:
+//!
+//! - all on one side, or on the surface: it lies on that side; so do triangles that share a vertex with one so close, as the walls
+//!   around a face do;
+//! - of a face in the surface ([`FacesInPlane`](super::faces_in_plane)): it lies on the side on which its solid is. A cut thus leaves
+//!   nothing without thickness: a solid is taken without its boundary (design: a face by which a ray enters is infinitesimally farther, one
+//!   by which it leaves infinitesimally nearer, which is the same, whichever way the ray runs). Vertices of such a face are on the surface.
+//!
+//! Signs are those of the exact real numbers that the f64s define.
+//!
+//! Cost: one product per vertex and surface; where three vertices are close a look at every triangle, and where something is settled another.
+//!
+//! Cannot: settle triangles that the surface crosses, reliefs that are not flat, or parts in a pose that bends them, whose vertices
+//! the device makes. A mesh of which single faces are turned the wrong way has those faces on the wrong side.
+
+use std::collections::BTreeMap;
+
+use glam::{DVec3, Vec3};
+use rayon::prelude::*;
+
+use super::faces_in_plane::Candidates;
+use crate::scene::geometry::exact_sum::sum_of_products;
+use crate::scene::{Bounds, Prepared, PreparedPart, PreparedSurface};
+
+/// How close to a surface triangles are settled, in scene units: about what the 1/256 px of a rasteriser's vertices make of depth
+/// along a surface in a picture of 60 px, and more than any rounding.
+const CLOSE: f64 = 1.0 / 16384.0;
+
+/// The greatest sine of the angle between a settled triangle that does not lie in the surface and the surface.
+const STEEPEST: f64 = 0.02;
+
+/// Rounding of a height in f64, as a share of the sum of its terms' magnitudes: less than 6 halves of an ulp.
+const RELATIVE_ROUNDING: f64 = 1e-15;
+
+/// A side of a clip-surface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Side {
+    /// What stays.
+    Kept,
+    /// What the clip-surface removes, where the others of its cut do.
+    Removed,
+}
+
+impl Side {
+    /// The opposite one.
+    #[must_use]
+    pub fn other(self) -> Self {
+        match self {
+            Self::Kept => Self::Removed,
+            Self::Removed => Self::Kept,
+        }
+    }
+}
+
+/// A triangle whose side of a clip-surface is known.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Settled {
+    /// Index in the part's triangles.
+    pub triangle: u32,
+    /// Index in [`Prepared::surfaces`](crate::scene::Prepared::surfaces).
+    pub surface: u16,
+    /// Where it lies.
+    pub side: Side,
+}
+
+/// A triangle whose side of one clip-surface is known.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct SettledTriangle {
+    /// Its number.
+    pub(crate) triangle: u32,
+    /// Where it lies.
+    pub(crate) side: Side,
+    /// It is of a face in the surface.
+    pub(crate) is_in: bool,
+}
+
+/// A clip-surface without relief, or with a flat one: the points with `(P - O).N + lift = 0`; those with less are removed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FlatSurface {
+    /// `O`.
+    pub origin: DVec3,
+    /// `N`.
+    pub normal: DVec3,
+    /// Height of the relief.
+    pub lift: f64,
+}
+
+impl FlatSurface {
+    /// Kept height of a point, of which only the sign is exact: it is zero only on the surface.
+    pub fn height(&self, point: DVec3) -> f64 {
+        let terms = (point - self.origin) * self.normal;
+        let sum = terms.element_sum() + self.lift;
+        let size = terms.abs().element_sum() + self.lift.abs();
+        if sum.abs() > size * RELATIVE_ROUNDING + f64::MIN_POSITIVE {
+            sum
+        } else {
+            self.exact_height(point)
+        }
+    }
+
+    /// Kept height of a point, give or take what f64 rounds.
+    pub(crate) fn rough_height(&self, point: DVec3) -> f64 {
+        (point - self.origin).dot(self.normal) + self.lift
+    }
+
+    /// Kept height of a point, rounded once. Some 100 ns.
+    pub fn exact_height(&self, point: DVec3) -> f64 {
+        let (p, o, n) = (point, self.origin, self.normal);
+        sum_of_products([
+            [p.x, n.x],
+            [p.y, n.y],
+            [p.z, n.z],
+            [-o.x, n.x],
+            [-o.y, n.y],
+            [-o.z, n.z],
+            [self.lift, 1.0],
+        ])
+    }
+
+    /// Whether something in a box may be close enough to be settled; vertices of faces in the surface may be as far off as `tolerance`.
+    pub fn comes_near(&self, bounds: &Bounds, tolerance: f64) -> bool {
+        let heights = bounds.corners().map(|c| self.height(c));
+        let close = CLOSE.max(tolerance);
+        heights.iter().any(|h| *h <= close) && heights.iter().any(|h| *h >= -close)
+    }
+
+    /// The triangles of a mesh that are settled, in order; vertices of faces in the surface may be as far off as `tolerance`.
+    pub(crate) fn settled(
+        &self,
+        positions: &[Vec3],
+        triangles: &[[u32; 3]],
+        tolerance: f64,
+    ) -> Vec<SettledTriangle> {
+        let reach = CLOSE.max(tolerance);
+        let close: Vec<bool> = (positions.par_iter().with_min_len(1 << 14))
+            .map(|p| self.rough_height(p.as_dvec3()).abs() <= reach)
+            .collect();
+        if close.iter().filter(|c| **c).take(3).count() < 3 {
+            return Vec::new();
+        }
+        let near: Vec<u32> = (triangles.par_iter().enumerate().with_min_len(1 << 13))
+            .filter(|(_, t)| t.iter().all(|i| close[*i as usize]))
+            .map(|(index, _)| index as u32)
+            .collect();
+        if near.is_empty() {
+            return Vec::new();
+        }
+        let at = |i: u32| positions[i as usize].as_dvec3();
+        let in_plane = self.faces_in(Candidates {
+            triangles,
+            position: at,
+            near: near.clone(),
+            tolerance,
+            is_inside_out: &|| volume_sign(positions, triangles) < 0.0,
+        });
+        let is_of_face = |i: u32| close[i as usize] && in_plane.holds(at(i));
+        let height = |i: u32| match is_of_face(i) {
+            true => 0.0,
+            false => self.height(at(i)),
+        };
+        let side_of_all = |t: u32| side_of_all(triangles[t as usize].map(height));
+        let is_along = |t: u32| {
+            let [a, b, c] = triangles[t as usize].map(at);
+            let normal = (b - a).cross(c - a);
+            normal.cross(self.normal).length() <= STEEPEST * normal.length()
+        };
+        let side_of = |t: u32| match in_plane.side(t) {
+            Some(side) => Some(side),
+            None => side_of_all(t).filter(|_| is_along(t)),
+        };
+        let faces: BTreeMap<u32, Side> = near
+            .into_iter()
+            .filter_map(|t| Some((t, side_of(t)?)))
+            .collect();
+        if faces.is_empty() {
+            return Vec::new();
+        }
+        let mut is_rim = vec![false; positions.len()];
+        for i in faces.keys().flat_map(|t| triangles[*t as usize]) {
+            is_rim[i as usize] = true;
+        }
+        let side = |t: u32| {
+            let face = faces.get(&t).copied();
+            let is_wall = || {
+                let at_rim = |i: &u32| is_rim[*i as usize] || is_of_face(*i);
+                triangles[t as usize].iter().any(at_rim)
+            };
+            face.or_else(|| is_wall().then(|| side_of_all(t))?)
+        };
+        (0..triangles.len() as u32)
+            .into_par_iter()
+            .with_min_len(1 << 13)
+            .filter_map(|t| {
+                Some(SettledTriangle {
+                    triangle: t,
+                    side: side(t)?,
+                    is_in: in_plane.side(t).is_some(),
+                })
+            })
+            .collect()
+    }
+}
+
+/// The side that all of some heights are on or touch, if they are not all on the surface.
+fn side_of_all(heights: [f64; 3]) -> Option<Side> {
+    let is_above = heights.iter().any(|h| *h > 0.0);
+    let is_below = heights.iter().any(|h| *h < 0.0);
+    match (is_above, is_below) {
+        (true, false) => Some(Side::Kept),
+        (false, true) => Some(Side::Removed),
+        _ => None,
+    }
+}
+
+/// A number with the sign of the volume that triangles enclose.
+fn volume_sign(positions: &[Vec3], triangles: &[[u32; 3]]) -> f64 {
+    let middle = positions.first().map_or(DVec3::ZERO, |p| p.as_dvec3());
+    let volumes = triangles.par_iter().with_min_len(1 << 13).map(|t| {
+        let [a, b, c] = t.map(|i| positions[i as usize].as_dvec3() - middle);
+        a.dot(b.cross(c))
+    });
+    volumes.sum()
+}
+
+impl PreparedSurface {
+    /// The height of a relief that is flat, which makes it a plane; `None` for a true relief and 0 for a plane.
+    pub fn flat_height(&self) -> Option<f64> {
+        let Some(map) = &self.relief else {
+            return Some(0.0);
+        };
+        let [low, high] = map.range();
+        (low == high || self.height_scale == 0.0).then(|| f64::from(low) * self.height_scale)
+    }
+
+    /// Least and greatest height of the relief over the plane, in scene units; zeros for a plane.
+    pub fn slab(&self) -> [f64; 2] {
+        let ends = self.relief.as_ref().map_or([0.0; 2], |map| {
+            map.range().map(|h| f64::from(h) * self.height_scale)
+        });
+        [ends[0].min(ends[1]), ends[0].max(ends[1])]
+    }
+
+    /// The flat surface that this one is, unless it is a relief or a cutter.
+    pub fn flat(&self) -> Option<FlatSurface> {
+        let lift = self.flat_height().filter(|_| self.volume.is_none())?;
+        Some(FlatSurface {
+            origin: self.origin,
+            normal: self.frame.normal,
+            lift,
+        })
+    }
+}
+
+impl Prepared {
+    /// The triangles of one of the parts that are settled by the flat clip-surfaces of its cuts, in order.
+    pub fn settled(&self, part: &PreparedPart) -> Vec<Settled> {
+        if part.is_posed {
+            return Vec::new();
+        }
+        let mut all = Vec::new();
+        for surface in part.cuts.iter().flat_map(|c| &self.cuts[*c].surfaces) {
+            let flat = self.surfaces[*surface].flat();
+            let Some(flat) = flat.filter(|f| f.comes_near(&part.bounds, part.plane_tolerance))
+            else {
+                continue;
+            };
+            let of_one = flat.settled(&part.positions, &part.triangles, part.plane_tolerance);
+            all.extend(of_one.into_iter().map(|one| Settled {
+                triangle: one.triangle,
+                surface: *surface as u16,
+                side: one.side,
+            }));
+        }
+        all.sort_unstable();
+        all
+    }
+}

@@ -1,0 +1,6 @@
+//! Geometry that belongs to no mesh: bounds, convex hulls, exact sums.
+
+pub(super) mod bounds;
+pub(super) mod exact_sum;
+pub(super) mod fitting;
+pub(super) mod hull;

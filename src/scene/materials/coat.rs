@@ -1,0 +1,57 @@
+//! Coat: what colours a surface has besides that of its part, as files paint it: colours of vertices, and images laid on by texture
+//! coordinates.
+
+use std::sync::Arc;
+
+use glam::Vec2;
+
+use crate::scene::Texture;
+
+/// The colours of a surface, triangle by triangle.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Coat {
+    /// Images that triangles name.
+    pub images: Vec<Arc<Texture>>,
+    /// For each triangle of the mesh.
+    pub triangles: Vec<CoatedTriangle>,
+}
+
+/// The colours of a triangle: those of its corners, times the image.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct CoatedTriangle {
+    /// Colours of the corners, sRGB.
+    pub colors: [[u8; 4]; 3],
+    /// Where the corners are in the image, in repeats, (0, 0) its upper left.
+    pub uv: [Vec2; 3],
+    /// Which image; `None` leaves the colours as they are.
+    pub image: Option<u32>,
+}
+
+impl CoatedTriangle {
+    /// Whether it has colours of its own: there is no image, or it is tinted.
+    #[doc(hidden)]
+    pub fn has_colors(&self) -> bool {
+        self.image.is_none() || self.colors != [[255; 4]; 3]
+    }
+}
+
+impl Coat {
+    /// Some of its triangles.
+    #[must_use]
+    pub(crate) fn picked(&self, triangles: &[u32]) -> Self {
+        Self {
+            images: self.images.clone(),
+            triangles: (triangles.iter())
+                .map(|t| self.triangles[*t as usize])
+                .collect(),
+        }
+    }
+
+    /// The one colour of all of it, sRGB, where it has no image and but one.
+    #[doc(hidden)]
+    pub fn one_color(&self) -> Option<[u8; 4]> {
+        let first = self.triangles.first()?.colors[0];
+        let is_it = |t: &CoatedTriangle| t.image.is_none() && t.colors == [first; 3];
+        self.triangles.iter().all(is_it).then_some(first)
+    }
+}

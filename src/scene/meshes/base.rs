@@ -1,0 +1,102 @@
+//! Which axis of a mesh is up, where its file does not say: the one along which it stands on a flat base.
+//!
+//! Counted is the area of the faces that lie in the lowest plane across an axis and face down. A printed part or a machined one has such
+//! a base along the axis that it was drawn upright in, and most have none, or a smaller one, along another. What has none, as a scan,
+//! stands as its format does by habit. Cannot: know a part from one that lies on its side. Cost: one pass over the triangles.
+
+use glam::DVec3;
+
+use crate::scene::{Bounds, Part, Up};
+
+/// How far from the lowest plane a face of the base may lie, as a share of the diagonal.
+const THIN: f64 = 1e-3;
+
+/// The least base, as a share of the box across the axis.
+const LEAST_BASE: f64 = 0.02;
+
+/// How many times as large as the other a base has to be that outweighs the habit.
+const CLEARLY: f64 = 2.5;
+
+/// What stands upright, as far as its base says it; otherwise by habit.
+pub fn standing_up(parts: &[Part], habit: Up) -> Up {
+    let bounds = parts.iter().map(Part::bounds_in_world);
+    let bounds = bounds.fold(Bounds::EMPTY, Bounds::union);
+    let [y, z] = [1, 2].map(|axis| base(parts, &bounds, axis));
+    let [by_habit, other] = match habit {
+        Up::PlusY => [y, z],
+        Up::PlusZ => [z, y],
+    };
+    let is_other = other > CLEARLY * by_habit;
+    match (habit, is_other) {
+        (Up::PlusY, true) | (Up::PlusZ, false) => Up::PlusZ,
+        (Up::PlusZ, true) | (Up::PlusY, false) => Up::PlusY,
+    }
+}
+
+/// Area of the base across an axis, or 0 where there is hardly one.
+fn base(parts: &[Part], bounds: &Bounds, axis: usize) -> f64 {
+    let most = bounds.min[axis] + THIN * bounds.size().length();
+    let mut area = 0.0;
+    for part in parts {
+        let place = |i: u32| {
+            part.world_from_part
+                .transform_point3(part.mesh.positions[i as usize])
+        };
+        for triangle in &part.mesh.triangles {
+            let corners: [DVec3; 3] = triangle.map(place);
+            if corners.iter().all(|c| c[axis] <= most) {
+                let [a, b, c] = corners;
+                area += (-0.5 * (b - a).cross(c - a)[axis]).max(0.0);
+            }
+        }
+    }
+    let size = bounds.size();
+    let across = size[(axis + 1) % 3] * size[(axis + 2) % 3];
+    if area < LEAST_BASE * across {
+        0.0
+    } else {
+        area
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::DAffine3;
+
+    use super::*;
+    use crate::generate::shapes::shape;
+
+    /// A shape with its y axis turned to another.
+    fn turned(name: &str, by: DAffine3) -> Vec<Part> {
+        let mut parts = shape(name).expect(name);
+        for part in &mut parts {
+            part.world_from_part = by * part.world_from_part;
+        }
+        parts
+    }
+
+    #[test]
+    fn what_stands_on_a_flat_base_stands_upright() {
+        let habits = [Up::PlusY, Up::PlusZ];
+        // A slab lies on its large face, whatever the habit.
+        for habit in habits {
+            for (size, expected) in [
+                (DVec3::new(3.0, 0.2, 2.0), Up::PlusY),
+                (DVec3::new(3.0, 2.0, 0.2), Up::PlusZ),
+            ] {
+                let slab = turned("cube", DAffine3::from_scale(size));
+                assert_eq!(standing_up(&slab, habit), expected, "{size}, {habit:?}");
+            }
+            // What has no base, or one as large along both, is left to the habit.
+            assert_eq!(
+                standing_up(&turned("cube", DAffine3::IDENTITY), habit),
+                habit
+            );
+            assert_eq!(
+                standing_up(&turned("sphere", DAffine3::IDENTITY), habit),
+                habit
+            );
+            assert_eq!(standing_up(&[], habit), habit);
+        }
+    }
+}

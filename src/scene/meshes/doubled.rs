@@ -1,0 +1,94 @@
+//! Faces on the same three positions as another face, in whichever order: sheets without thickness, and solids that touch.
+//!
+//! Positions are compared, not indices, so that vertices that were not welded count too. Of faces that coincide the one that faces the eye is
+//! shown, and rasterisers, which find one depth for both, are to know which that is.
+//!
+//! Cost: a number for each position and a parallel sort of one number for each triangle; faces are compared only where these are equal.
+
+use glam::DVec3;
+use rayon::prelude::*;
+
+use crate::scene::Mesh;
+
+/// The triangles that lie on another one, in order: both of a pair.
+pub(crate) fn doubled_faces(mesh: &Mesh) -> Vec<u32> {
+    let names: Vec<u64> = (mesh.positions.par_iter().with_min_len(1 << 13))
+        .map(|p| name_of(*p))
+        .collect();
+    let mut order: Vec<(u64, u32)> = (mesh.triangles.par_iter().enumerate().with_min_len(1 << 13))
+        .map(|(index, t)| {
+            // The same in any order of the corners.
+            let sum = t
+                .map(|i| names[i as usize])
+                .into_iter()
+                .reduce(u64::wrapping_add);
+            (sum.unwrap_or(0), index as u32)
+        })
+        .collect();
+    order.par_sort_unstable();
+    let corners = |index: u32| {
+        let mut corners = mesh
+            .corners(index as usize)
+            .map(|p| (p + DVec3::ZERO).to_array());
+        corners.sort_by(|a, b| a.partial_cmp(b).unwrap_or(std::cmp::Ordering::Equal));
+        corners
+    };
+    let mut doubled: Vec<u32> = (order.chunk_by(|a, b| a.0 == b.0))
+        .filter(|alike| alike.len() > 1)
+        .flat_map(|alike| {
+            let is_on_another = |(_, t): &&(u64, u32)| {
+                let others = alike.iter().filter(|(_, other)| other != t);
+                others
+                    .into_iter()
+                    .any(|(_, other)| corners(*other) == corners(*t))
+            };
+            alike
+                .iter()
+                .filter(is_on_another)
+                .map(|(_, t)| *t)
+                .collect::<Vec<_>>()
+        })
+        .collect();
+    doubled.sort_unstable();
+    doubled
+}
+
+/// A number that is the same for equal positions, and hardly for others (the finaliser of Steele, Lea & Flood's SplitMix, 2014).
+fn name_of(position: DVec3) -> u64 {
+    // Adding 0 makes 0 of -0.
+    (position + DVec3::ZERO)
+        .to_array()
+        .into_iter()
+        .fold(0, |name: u64, c| {
+            let mut x = name.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ c.to_bits();
+            x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+            x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+            x ^ (x >> 31)
+        })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::generate::shapes;
+
+    #[test]
+    fn faces_on_each_other_are_found_whatever_their_lists_begin_with() {
+        let mut mesh = (*shapes::shape("cube").unwrap_or_else(|e| panic!("{e}"))[0].mesh).clone();
+        assert!(
+            doubled_faces(&mesh).is_empty(),
+            "no face of a cube lies on another"
+        );
+        let count = mesh.triangles.len() as u32;
+        let [a, b, c] = mesh.triangles[3];
+        for (i, again) in [[a, b, c], [c, b, a], [b, a, c]].into_iter().enumerate() {
+            // With vertices of its own.
+            let first = mesh.positions.len() as u32;
+            let own = again.map(|i| mesh.positions[i as usize]);
+            mesh.positions.extend(own);
+            mesh.triangles.push([first, first + 1, first + 2]);
+            let wanted: Vec<u32> = [3].into_iter().chain(count..=count + i as u32).collect();
+            assert_eq!(doubled_faces(&mesh), wanted);
+        }
+    }
+}

@@ -1,0 +1,100 @@
+//! Parts with triangles added between the vertices that they have: the mesh at rest and as its file bound it, with all that moves them.
+//!
+//! The added triangles are flat, and have the colours that their corners have in triangles before them, without images.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use crate::scene::bodies::bound_of;
+use crate::scene::motion::Bound;
+use crate::scene::{CoatedTriangle, Mesh, Motion, Part};
+
+/// What a part becomes by added triangles.
+#[derive(Debug)]
+pub(crate) struct Grown {
+    mesh: Arc<Mesh>,
+    motion: Option<Arc<Motion>>,
+    /// The mesh as its file bound it before, and after, and as the file shows it at rest.
+    bound: Option<(Arc<Bound>, Arc<Bound>, Arc<Mesh>)>,
+}
+
+impl Grown {
+    pub(crate) fn of(part: &Part, triangles: &[[u32; 3]]) -> Self {
+        let mesh = Arc::new(part.mesh.with_triangles(triangles));
+        let of_motion = |motion: &Arc<Motion>| {
+            let mut own = (**motion).clone();
+            if !motion.outward.is_empty() {
+                own.outward = mesh.outward();
+            }
+            own
+        };
+        let bound = (part.driver.as_ref().zip(bound_of(part))).map(|(driver, bound)| {
+            let own = |of: &Arc<Mesh>| match Arc::ptr_eq(of, &part.mesh) {
+                true => (*mesh).clone(),
+                false => of.with_triangles(triangles),
+            };
+            let motion = bound.motion.as_ref().map(of_motion);
+            let grown = Arc::new(Bound::new(own(&bound.mesh), motion.unwrap_or_default()));
+            let rest = match Arc::ptr_eq(driver.rest_mesh(), &bound.mesh) {
+                true => Arc::clone(&grown.mesh),
+                false => Arc::new(own(driver.rest_mesh())),
+            };
+            (Arc::clone(bound), grown, rest)
+        });
+        Self {
+            motion: part.motion.as_ref().map(|m| Arc::new(of_motion(m))),
+            // The same mesh in both places where it was the same before.
+            mesh: match &bound {
+                Some((_, _, rest)) if **rest == *mesh => Arc::clone(rest),
+                _ => mesh,
+            },
+            bound,
+        }
+    }
+
+    /// Whether a part with the mesh that it was made of is bound as that one was.
+    pub(crate) fn is_of(&self, part: &Part) -> bool {
+        match (bound_of(part), &self.bound) {
+            (Some(a), Some((b, ..))) => Arc::ptr_eq(a, b),
+            (None, None) => true,
+            _ => false,
+        }
+    }
+
+    /// Puts it in the place of what the part was.
+    pub(crate) fn apply(&self, part: &mut Part) {
+        part.mesh = Arc::clone(&self.mesh);
+        part.motion.clone_from(&self.motion);
+        if let (Some(driver), Some((_, bound, rest))) = (&part.driver, &self.bound) {
+            part.driver = Some(Arc::new(driver.of_piece(bound, rest)));
+        }
+    }
+}
+
+impl Mesh {
+    fn with_triangles(&self, triangles: &[[u32; 3]]) -> Self {
+        let mut mesh = self.clone();
+        mesh.triangles.extend(triangles);
+        if let Some(normals) = &mut mesh.corner_normals {
+            normals.extend(triangles.iter().map(|t| {
+                let [a, b, c] = t.map(|i| self.positions[i as usize]);
+                [(b - a).cross(c - a).normalize_or_zero().as_vec3(); 3]
+            }));
+        }
+        if let Some(coat) = &mut mesh.coat {
+            let corners = triangles.iter().flatten();
+            let mut colors: BTreeMap<u32, [u8; 4]> = corners.map(|i| (*i, [255; 4])).collect();
+            for (t, coated) in self.triangles.iter().zip(&coat.triangles) {
+                for (corner, color) in t.iter().zip(coated.colors) {
+                    colors.entry(*corner).and_modify(|known| *known = color);
+                }
+            }
+            coat.triangles
+                .extend(triangles.iter().map(|t| CoatedTriangle {
+                    colors: t.map(|i| colors[&i]),
+                    ..CoatedTriangle::default()
+                }));
+        }
+        mesh
+    }
+}

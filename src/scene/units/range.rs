@@ -1,0 +1,38 @@
+//! How large and how small numbers of a scene may be, so that nothing that is computed from them overflows.
+//!
+//! Volumes and exact signs multiply three coordinates, in f64. Devices compute in f32, in units of the model's radius.
+
+use crate::scene::Bounds;
+
+/// Largest magnitude of coordinates and of numbers that are written for a scene: the product of three is still a number.
+pub const LARGEST: f64 = 1e100;
+
+/// Least length that is not 0, for the same reason.
+pub const SMALLEST: f64 = 1e-100;
+
+/// So many radii of the model anything may reach: farther away its coordinates are no f32 in the space of the model.
+pub const MOST_RADII: f64 = 1e30;
+
+/// Why a box is more, or less, than can be computed with, if it is.
+pub fn defect(of: &Bounds) -> Option<String> {
+    if of.is_empty() {
+        return None;
+    }
+    let farthest = of.min.abs().max(of.max.abs()).max_element();
+    let widest = of.size().max_element();
+    // NaN is in no range.
+    if !(0.0..=LARGEST).contains(&farthest) {
+        return Some(format!("reaches to {farthest:.0e}, beyond {LARGEST:.0e}"));
+    }
+    (widest > 0.0 && widest < SMALLEST)
+        .then(|| format!("is {widest:.0e} wide, less than {SMALLEST:.0e}"))
+}
+
+/// Why a length in the world is no number beside a model with these bounds, if it is not.
+pub fn beside(length: f64, model: &Bounds) -> Option<String> {
+    let radius = model.radius();
+    let radii = length.abs() / if radius > 0.0 { radius } else { 1.0 };
+    // NaN is in no range.
+    (!(0.0..=MOST_RADII).contains(&radii))
+        .then(|| format!("{radii:.0e} radii of the model, more than {MOST_RADII:.0e}"))
+}

@@ -1,0 +1,315 @@
+//! The camera as the user states it, and the [`View`] that it resolves to.
+//!
+//! An orbit looks at the model from a direction, from as far as shows all that it is fitted to ([`Fit`]): the box of the model, or
+//! the silhouette of what the cuts keep of it. Whoever stands somewhere explicitly stays there.
+
+use glam::{DVec2, DVec3};
+
+use crate::scene::geometry::fitting::{fit_parallel, fit_perspective};
+use crate::scene::{Bounds, Outline, Precision, View};
+
+/// How depth narrows the picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Projection {
+    /// Vertical field of view in degrees.
+    Perspective {
+        /// Between the lower and the upper border of the picture.
+        fov_y_deg: f64,
+    },
+    /// Parallel rays; the height of the picture in world units, or what shows everything.
+    Orthographic {
+        /// World units from the lower to the upper border.
+        height: Option<f64>,
+    },
+}
+
+/// Which axis of the world points up.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Up {
+    /// The habit of graphics.
+    #[default]
+    PlusY,
+    /// The habit of CAD and printing.
+    PlusZ,
+}
+
+impl Up {
+    /// As documents have it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::PlusY => "+Y",
+            Self::PlusZ => "+Z",
+        }
+    }
+
+    /// The other one.
+    #[must_use]
+    pub fn other(self) -> Self {
+        match self {
+            Self::PlusY => Self::PlusZ,
+            Self::PlusZ => Self::PlusY,
+        }
+    }
+
+    /// As a direction.
+    pub fn axis(self) -> DVec3 {
+        match self {
+            Self::PlusY => DVec3::Y,
+            Self::PlusZ => DVec3::Z,
+        }
+    }
+}
+
+/// Where the eye is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Viewpoint {
+    /// On a sphere around the model, far enough to show all of it.
+    Orbit {
+        /// Turn about the up axis, from the front.
+        azimuth_deg: f64,
+        /// Height above the horizon.
+        elevation_deg: f64,
+    },
+    /// In a direction that is given outright, far enough to show all that it is fitted to.
+    Along {
+        /// Into the picture, in world space.
+        forward: DVec3,
+        /// Direction that points up in the picture.
+        view_up: DVec3,
+    },
+    /// Given outright, in world space.
+    Explicit {
+        /// The eye.
+        position: DVec3,
+        /// The point in the middle of the picture.
+        focal_point: DVec3,
+        /// Direction that points up in the picture; `None` is the up axis.
+        view_up: Option<DVec3>,
+    },
+}
+
+/// What an orbit is fitted to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Fit {
+    /// The box of the whole model, whatever is cut away.
+    #[default]
+    All,
+    /// The silhouette of what the cuts keep, in the middle of the picture, with a margin of 6 % of its shorter side. See [`Outline`].
+    Kept,
+}
+
+/// The camera in world space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Camera {
+    /// Where the eye is.
+    pub viewpoint: Viewpoint,
+    /// How depth narrows the picture.
+    pub projection: Projection,
+    /// Which axis is up.
+    pub up: Up,
+    /// Distance of the near plane in world units; `None` picks one just before the model.
+    pub near: Option<f64>,
+    /// What an orbit is fitted to.
+    pub fit: Fit,
+    /// How much larger than fitted it is shown.
+    pub zoom: f64,
+    /// How far all of the picture is moved, to the right and up, in heights of it. The eye stays where it is, and so does what hides what.
+    pub pan: DVec2,
+    /// Draw a cap where the near plane cuts a solid. Without it a ray that begins inside a solid shows what it *enters* next, a
+    /// surface or a cap: neither the near plane's section nor the wall by which it leaves. Strategies tell that wall by its back,
+    /// exact by counting; they agree where faces face outward and no mesh overlaps itself.
+    pub near_cap: bool,
+}
+
+impl Default for Camera {
+    fn default() -> Self {
+        Self {
+            viewpoint: Viewpoint::Orbit {
+                azimuth_deg: 35.0,
+                elevation_deg: 25.0,
+            },
+            projection: Projection::Perspective { fov_y_deg: 30.0 },
+            up: Up::PlusY,
+            near: None,
+            fit: Fit::All,
+            zoom: 1.0,
+            pan: DVec2::ZERO,
+            near_cap: true,
+        }
+    }
+}
+
+/// Smallest near distance, as a share of the scene's radius: nearer points are not drawn.
+const NEAR_SHARE: f64 = 1e-3;
+
+/// Share of the picture that the model's box fills in an orbit.
+const FILL: f64 = 0.92;
+
+impl Camera {
+    /// The view of a scene. `scene_from_world` takes world points to scene space; `bounds` are those of the scene there, which an
+    /// orbit is fitted to.
+    pub fn view(
+        &self,
+        scene_from_world: impl Fn(DVec3) -> DVec3,
+        scale: f64,
+        bounds: Bounds,
+        size_px: [u32; 2],
+    ) -> View {
+        self.view_fitted(scene_from_world, scale, (bounds, None), size_px)
+    }
+
+    /// Whether where the eye is hangs on what the cuts keep.
+    #[doc(hidden)]
+    pub fn fits_kept(&self) -> bool {
+        self.fit == Fit::Kept && !matches!(self.viewpoint, Viewpoint::Explicit { .. })
+    }
+
+    /// As [`Camera::view`], where an orbit is fitted to an outline in world space, if there is one.
+    pub(crate) fn view_fitted(
+        &self,
+        scene_from_world: impl Fn(DVec3) -> DVec3,
+        scale: f64,
+        (bounds, outline): (Bounds, Option<&Outline>),
+        size_px: [u32; 2],
+    ) -> View {
+        let radius = bounds.radius().max(1e-9);
+        let centre = bounds.centre();
+        let up_axis = self.up.axis();
+        let aspect = f64::from(size_px[0]) / f64::from(size_px[1]);
+        let orthographic = matches!(self.projection, Projection::Orthographic { .. });
+        let forward = match self.viewpoint {
+            Viewpoint::Orbit {
+                azimuth_deg,
+                elevation_deg,
+            } => -self.up.direction([azimuth_deg, elevation_deg]),
+            Viewpoint::Along { forward, .. } => forward.normalize_or(-DVec3::Z),
+            Viewpoint::Explicit {
+                position,
+                focal_point,
+                ..
+            } => {
+                (scene_from_world(focal_point) - scene_from_world(position)).normalize_or(-DVec3::Z)
+            }
+        };
+        let up_hint = match self.viewpoint {
+            Viewpoint::Explicit {
+                view_up: Some(up), ..
+            }
+            | Viewpoint::Along { view_up: up, .. } => up,
+            _ => up_axis,
+        };
+        let right = forward
+            .cross(up_hint)
+            .try_normalize()
+            .unwrap_or_else(|| forward.any_orthonormal_vector());
+        let up = right.cross(forward);
+        let axes = [right, up, forward];
+        let kept = outline.filter(|o| self.fits_kept() && !o.is_empty());
+        let kept: Option<Vec<DVec3>> = kept.map(|outline| {
+            let points = outline.points().iter().map(|p| scene_from_world(*p));
+            points
+                .map(|p| DVec3::from_array(axes.map(|axis| p.dot(axis))))
+                .collect()
+        });
+        // How far the corners reach from the middle of the picture.
+        let reach = bounds.corners().map(|c| {
+            let d = c - centre;
+            DVec3::new(d.dot(right), d.dot(up), d.dot(forward))
+        });
+        let height_for = |r: &DVec3| (r.x.abs() / aspect).max(r.y.abs()) / FILL;
+        let parallel = kept
+            .as_ref()
+            .filter(|_| orthographic)
+            .map(|points| fit_parallel(points, size_px));
+        let half_height = match (self.projection, parallel) {
+            (Projection::Perspective { fov_y_deg }, _) => (fov_y_deg.to_radians() * 0.5).tan(),
+            (
+                Projection::Orthographic {
+                    height: Some(height),
+                },
+                _,
+            ) => height * scale * 0.5,
+            (Projection::Orthographic { height: None }, Some((_, half_height))) => half_height,
+            (Projection::Orthographic { height: None }, None) => {
+                reach.iter().map(height_for).fold(1e-9, f64::max)
+            }
+        };
+        let eye = match (self.viewpoint, &kept) {
+            (Viewpoint::Explicit { position, .. }, _) => scene_from_world(position),
+            (_, Some(points)) => {
+                let at = match parallel {
+                    Some((middle, _)) => middle.extend(centre.dot(forward) - radius * 2.0),
+                    None => fit_perspective(points, half_height, size_px),
+                };
+                right * at.x + up * at.y + forward * at.z
+            }
+            (_, None) if orthographic => centre - forward * (radius * 2.0),
+            (_, None) => {
+                let distances = reach.iter().map(|r| height_for(r) / half_height - r.z);
+                centre - forward * distances.fold(1e-6, f64::max)
+            }
+        };
+        let depths = bounds.corners().map(|c| (c - eye).dot(forward));
+        let nearest = depths.iter().copied().fold(f64::INFINITY, f64::min);
+        let farthest = depths.iter().copied().fold(NEAR_SHARE * radius, f64::max);
+        let near = match self.near {
+            Some(near) => near * scale,
+            None => (nearest * 0.99).max(NEAR_SHARE * radius),
+        };
+        View {
+            size_px,
+            centre_px: DVec2::new(f64::from(size_px[0]), f64::from(size_px[1])) * 0.5
+                + DVec2::new(self.pan.x, -self.pan.y) * f64::from(size_px[1]),
+            eye,
+            right,
+            up,
+            forward,
+            half_height: half_height / self.zoom,
+            orthographic,
+            near,
+            far: near + 2.0 * (farthest - near).max(radius),
+            near_cap: self.near_cap,
+            band: [0, size_px[1]],
+            halo_rows: [0; 2],
+            fineness: 1,
+            precision: Precision::USUAL,
+        }
+    }
+}
+
+/// Directions that have names, as azimuth and elevation in degrees.
+pub const STANDARD_VIEWS: [(&str, [f64; 2]); 7] = [
+    ("front", [0.0, 0.0]),
+    ("back", [180.0, 0.0]),
+    ("left", [-90.0, 0.0]),
+    ("right", [90.0, 0.0]),
+    ("top", [0.0, 90.0]),
+    ("bottom", [0.0, -90.0]),
+    // All three axes are seen alike: the elevation is atan(1 / sqrt 2).
+    ("iso", [45.0, 35.264_389_682_754_654]),
+];
+
+impl Up {
+    /// The unit vector from what is looked at to an eye at some azimuth and elevation.
+    pub fn direction(self, [azimuth_deg, elevation_deg]: [f64; 2]) -> DVec3 {
+        let (sin_a, cos_a) = azimuth_deg.to_radians().sin_cos();
+        let (sin_e, cos_e) = elevation_deg.to_radians().sin_cos();
+        match self {
+            Self::PlusY => DVec3::new(sin_a * cos_e, sin_e, cos_a * cos_e),
+            Self::PlusZ => DVec3::new(sin_a * cos_e, -cos_a * cos_e, sin_e),
+        }
+    }
+
+    /// Azimuth and elevation of an eye in a direction, in degrees: the inverse of [`Up::direction`].
+    pub fn angles(self, direction: DVec3) -> [f64; 2] {
+        let d = direction.normalize_or(DVec3::Z);
+        let [azimuth, height] = match self {
+            Self::PlusY => [d.x.atan2(d.z), d.y],
+            Self::PlusZ => [d.x.atan2(-d.y), d.z],
+        };
+        [
+            azimuth.to_degrees(),
+            height.clamp(-1.0, 1.0).asin().to_degrees(),
+        ]
+    }
+}

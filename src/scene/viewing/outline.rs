@@ -1,0 +1,70 @@
+//! What a camera is fitted to that shows what the cuts keep: the corners of the convex hull of that, over one time or many.
+//!
+//! The extent of a thing in a picture, from wherever it is seen, hangs on its convex hull alone. The hull of what is kept of a part has
+//! its corners at vertices that are kept, where edges cross clip-surfaces, where two planes of different cuts meet in a triangle, and
+//! where three meet inside the solid. Planes are met exactly. Along a relief edges are followed in steps and the crossing is found by
+//! bisection; what rises between them is looked up at points of a grid, and where three meet inside a solid they count as planes.
+//! A cutter is taken for nothing, and one that keeps its inside for its box: what is fitted to is then
+//! too large, as it is by less than the height of a relief where a section is hollow.
+//!
+//! Cost: one pass over the vertices and triangles of each part that is cut, one over the vertices of the rest, and the hull.
+
+mod gather;
+mod region;
+mod rim;
+
+use glam::DVec3;
+use rayon::prelude::*;
+
+use crate::scene::geometry::hull::hull_corners;
+use crate::scene::{Part, Scene, is_removed_whole};
+use region::Regions;
+
+/// Corners of the convex hull of what the cuts keep, in world space.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Outline {
+    points: Vec<DVec3>,
+}
+
+impl Outline {
+    /// That of a scene as it stands. It is empty where nothing is kept.
+    pub fn of(scene: &Scene) -> Self {
+        let mut outline = Self::default();
+        outline.add(scene);
+        outline
+    }
+
+    /// Takes in what is kept of a scene at another time.
+    pub fn add(&mut self, scene: &Scene) {
+        self.add_parts(scene, scene.parts.iter());
+    }
+
+    /// Takes in what is kept of some parts of a scene.
+    #[doc(hidden)]
+    pub fn add_parts<'a>(&mut self, scene: &Scene, parts: impl Iterator<Item = &'a Part>) {
+        // A ghost shows what is hidden.
+        let world = scene.bounds();
+        let is_seen =
+            |part: &&Part| scene.style.ghost.is_drawn() || !is_removed_whole(scene, &world, part);
+        let parts: Vec<&Part> = parts.filter(is_seen).collect();
+        let kept = parts.par_iter().flat_map_iter(|part| {
+            let regions = Regions::of(scene, part);
+            hull_corners(&gather::kept_of(part, &regions))
+        });
+        let mut points: Vec<DVec3> = kept.collect();
+        if !points.is_empty() {
+            points.append(&mut self.points);
+            self.points = hull_corners(&points);
+        }
+    }
+
+    /// Whether nothing is kept.
+    pub fn is_empty(&self) -> bool {
+        self.points.is_empty()
+    }
+
+    /// The corners, in no order.
+    pub fn points(&self) -> &[DVec3] {
+        &self.points
+    }
+}
