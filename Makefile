@@ -1,11 +1,11 @@
-# Two commands on a fresh machine: `make demo` and `make test`; and `make docs`, `make gallery`, `make web`, `make check-web`, `make python`, `make archive`. Those that draw install the software Vulkan driver if there is none.
+# Two commands on a fresh machine: `make demo` and `make test`; and `make check`, `make test-long`, `make docs`, `make gallery`, `make web`, `make check-web`, `make python`, `make archive`. Those that draw install the software Vulkan driver if there is none.
 
 CARGO ?= cargo
 
 # Without it libwayland complains on every start of a graphics driver, over ssh and in containers.
 export XDG_RUNTIME_DIR ?= /tmp
 
-.PHONY: archive check-web demo docs gallery python test setup web
+.PHONY: archive check check-web demo docs gallery python test test-long setup web
 
 # Pictures, a table and a report in target/demo, from the built-in crank: no data to fetch.
 demo: setup
@@ -37,6 +37,12 @@ python: setup
 archive:
 	CARGO="$(CARGO)" scripts/archive.sh
 
+# What one runs ten times an hour: nothing here draws.
+check:
+	$(CARGO) fmt --all --check
+	$(CARGO) clippy --workspace --all-targets -- -D warnings
+	$(CARGO) test --workspace --test architecture
+
 # In order of cost, so that the cheap complaints come first.
 test: setup
 	# One layout, so that a diff shows only what changed.
@@ -49,6 +55,10 @@ test: setup
 	RUSTDOCFLAGS="-D warnings" $(CARGO) doc --workspace --no-deps
 	# Everything else, on whatever adapter there is; a software one will do.
 	CARGO="$(CARGO)" scripts/test.sh
+
+# The tests alone, but whole: random scenes by the thousand, all views, pictures of print sizes. It takes hours on two cores.
+test-long: setup
+	CUTAWAY_LONG=1 CARGO="$(CARGO)" scripts/test.sh
 
 # Something to draw on: drawing needs a Vulkan driver, and a software one is enough.
 setup:

@@ -6,6 +6,7 @@
 //! no other target, buffer or clear.
 
 mod check;
+mod clock;
 mod cpu;
 mod due;
 #[doc(hidden)]
@@ -16,6 +17,7 @@ mod text;
 mod work;
 
 pub use check::Limits;
+pub use clock::Clock;
 pub use cpu::{CpuStep, CpuWork, Recorded};
 pub use due::Due;
 pub use pass::{Access, Binding, Pass};
@@ -24,36 +26,6 @@ pub use work::{
     ARGUMENT_BYTES, Arguments, ColorTarget, DISPATCH_ARGUMENT_BYTES, DepthCompare, DepthTarget,
     Draw, INDEX_BYTES, Stencil, StencilStep, VERTEX_BYTES, Vertices, Work, groups_over,
 };
-
-/// When work is done again.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize, serde::Deserialize),
-    serde(rename_all = "lowercase")
-)]
-pub enum Clock {
-    /// The mesh changed.
-    Solid,
-    /// A clip-surface changed.
-    Cut,
-    /// The view changed.
-    Frame,
-}
-
-impl Clock {
-    /// All, slowest first.
-    pub const ALL: [Self; 3] = [Self::Solid, Self::Cut, Self::Frame];
-
-    /// Lower-case name.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Solid => "solid",
-            Self::Cut => "cut",
-            Self::Frame => "frame",
-        }
-    }
-}
 
 /// A bounded buffer and what the frame must report of it.
 #[derive(Clone, Debug, PartialEq, Eq)]

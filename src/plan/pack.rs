@@ -4,10 +4,11 @@
 //! what naga says of the composed shaders. No `vec3`: rows of four.
 
 use bytemuck::{Pod, Zeroable};
-use glam::{DMat4, DVec2, DVec3, Mat4, Vec4};
+use glam::{DVec2, DVec3, Vec4};
 
 use crate::scene::{PreparedSurface, View};
 
+mod layout;
 mod normal;
 
 pub use composite::Composite;
@@ -20,20 +21,14 @@ pub use frame::{Frame, frame};
 pub(crate) use frame::{box_margin, most_box_margin};
 pub use ghost::Ghost;
 pub use hatch::{CapPlane, HatchLine, HatchPlanes, MOST_HATCH_PLANES, PartHatch};
+pub use layout::Layout;
+use layout::row;
 pub use lists::{Cascade, FragmentPool, SheetPool};
 pub use normal::{pack_normal, unpack_normal};
 pub use occlusion::{Ground, Horizon, ReliefSky, Unsharp};
 pub use pyramid::{LOWEST, Pyramid, SIDE};
 pub use sprite::{Sprite, sprite_frame};
 pub use style::Style;
-
-/// A shared struct's fields, for the layout test: name, offset, size.
-pub trait Layout: Pod {
-    /// Name of the struct in WGSL.
-    const NAME: &'static str;
-    /// Name, offset and size in bytes of each field.
-    fn fields() -> Vec<(&'static str, usize, usize)>;
-}
 
 macro_rules! shared {
     ($(#[$doc:meta])* $name:ident { $($(#[$fdoc:meta])* $field:ident: $ty:ty),* $(,)? }) => {
@@ -345,12 +340,4 @@ fn texels_per_unit(surface: &PreparedSurface) -> [f64; 2] {
         surface.map_per_unit[0] * f64::from(size[0]),
         surface.map_per_unit[1] * f64::from(size[1]),
     ]
-}
-
-fn row(v: DVec3) -> [f32; 4] {
-    v.as_vec3().extend(0.0).to_array()
-}
-
-fn matrix(m: DMat4) -> [f32; 16] {
-    Mat4::to_cols_array(&m.as_mat4())
 }

@@ -34,6 +34,7 @@ mod cover;
 mod fill;
 mod half_plane;
 mod holes;
+mod in_world;
 mod loops;
 mod outline;
 mod plane;

@@ -6,8 +6,8 @@ use std::sync::Arc;
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 
-use super::capped::in_world;
 use super::fill::{Filled, fill};
+use super::in_world::in_world;
 use super::loops::{Curves, Piece, join};
 use super::plane::is_within;
 use super::{Loop, Section, SectionDefect, SlicePlane};

@@ -16,10 +16,9 @@ pub use crate::passes::{Obstacle, Rasteriser, Refusal, ReliefWalk};
 pub use auto::{AUTO, AdapterTraits, Choice, choose};
 pub use method::{Means, Method};
 pub use name::Strategy;
+use row::unpaired;
 pub use row::{Abilities, CapSurface, CapSurfaceRow, Facts, InsideTest, InsideTestRow, Parameter};
 pub(crate) use row::{Answers, Caps};
-
-use std::fmt::Display;
 
 use crate::effects::{Picture, finish};
 use crate::passes::{
@@ -171,11 +170,6 @@ fn record_cut(
         ),
     };
     Ok((picture?, Vec::new()))
-}
-
-/// The refusal of a cap surface or an inside test that is asked for with another.
-fn unpaired(who: impl Display, what: &str) -> Refusal {
-    Refusal::new(Obstacle::Pairing, format!("{who} {what}"))
 }
 
 /// Refuses what of the scene is more than the strategy knows of.

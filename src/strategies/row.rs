@@ -10,7 +10,7 @@ use std::ops::Range;
 
 use super::surface::tessellation::Tessellation;
 use crate::effects::Picture;
-use crate::passes::{Crossings, Input, Refusal, SceneBuffers, Store, Volume};
+use crate::passes::{Crossings, Input, Obstacle, Refusal, SceneBuffers, Store, Volume};
 use crate::plan::{CpuWork, Plan};
 
 /// A parameter that follows the name of a row, as in `grid:256`.
@@ -291,6 +291,11 @@ impl<R: Row> Hash for Chosen<R> {
     fn hash<H: Hasher>(&self, state: &mut H) {
         self.key().hash(state);
     }
+}
+
+/// The refusal of a cap surface or an inside test that is asked for with another.
+pub(super) fn unpaired(who: impl fmt::Display, what: &str) -> Refusal {
+    Refusal::new(Obstacle::Pairing, format!("{who} {what}"))
 }
 
 impl<R: Row> fmt::Display for Chosen<R> {

@@ -19,20 +19,9 @@ const MOST_IN_A_CIRCLE: usize = 6;
 /// Larger circles that are known, by their first file: those of folders whose `mod.rs` defines what its children take, and takes what they
 /// define. A circle may only shrink, and its number with it.
 const KNOWN_CIRCLES: &[(&str, usize)] = &[
-    ("crates/cli/src/commands/animate/apng.rs", 7),
-    ("crates/cli/src/lib.rs", 23),
-    ("crates/io/src/document/mod.rs", 17),
-    ("crates/io/src/load/mod.rs", 20),
-    ("crates/io/src/save/mod.rs", 8),
-    ("crates/lab/src/experiment/mod.rs", 10),
-    ("crates/lab/src/report/mod.rs", 27),
-    ("src/effects/mod.rs", 11),
-    ("src/gpu/mod.rs", 15),
-    ("src/plan/mod.rs", 7),
-    ("src/plan/pack.rs", 14),
-    ("src/scene/mod.rs", 59),
-    ("src/slice/mod.rs", 19),
-    ("src/strategies/mod.rs", 7),
+    ("crates/io/src/document/read/mod.rs", 12),
+    ("src/gpu/adapter.rs", 13),
+    ("src/scene/mod.rs", 42),
 ];
 
 /// Folders with too many files of one kind, of paths.
@@ -126,6 +115,8 @@ fn leaves(tree: &UseTree, path: &[String], found: &mut Vec<(String, Names)>) {
 /// Collects imports and paths, but those of tests.
 #[derive(Default)]
 struct Collector {
+    /// How many modules of this file what is visited is in.
+    depth: usize,
     imports: Vec<(String, Names)>,
     paths: Vec<Names>,
 }
@@ -138,7 +129,25 @@ fn is_of_tests(attributes: &[Attribute]) -> bool {
     })
 }
 
+impl Collector {
+    /// A path in a module of the file as the file itself would write it; `None` where it stays in the file.
+    fn of_file(&self, path: &Names) -> Option<Names> {
+        let ups = path.iter().take_while(|n| *n == "super").count();
+        match ups {
+            0 => Some(path.clone()),
+            _ if ups <= self.depth => None,
+            _ => Some(path[self.depth..].to_vec()),
+        }
+    }
+}
+
 impl<'ast> Visit<'ast> for Collector {
+    fn visit_item_mod(&mut self, item: &'ast syn::ItemMod) {
+        self.depth += 1;
+        syn::visit::visit_item_mod(self, item);
+        self.depth -= 1;
+    }
+
     fn visit_item(&mut self, item: &'ast Item) {
         let is_of_tests = match item {
             Item::Mod(m) => is_of_tests(&m.attrs),
@@ -152,12 +161,21 @@ impl<'ast> Visit<'ast> for Collector {
     }
 
     fn visit_item_use(&mut self, item: &'ast syn::ItemUse) {
-        leaves(&item.tree, &[], &mut self.imports);
+        let mut all = Vec::new();
+        leaves(&item.tree, &[], &mut all);
+        let of_file = all
+            .into_iter()
+            .filter_map(|(name, path)| Some((name, self.of_file(&path)?)));
+        let of_file: Vec<_> = of_file.collect();
+        self.imports.extend(of_file);
     }
+
+    // `pub(in crate::scene)` imports nothing.
+    fn visit_visibility(&mut self, _: &'ast syn::Visibility) {}
 
     fn visit_path(&mut self, path: &'ast syn::Path) {
         let names = path.segments.iter().map(|s| s.ident.to_string()).collect();
-        self.paths.push(names);
+        self.paths.extend(self.of_file(&names));
         syn::visit::visit_path(self, path);
     }
 }
@@ -244,7 +262,7 @@ fn few_files_import_each_other_in_a_circle() {
         file[..end].to_owned()
     };
     let folders: BTreeSet<String> = sources.keys().map(|f| folder_of(f)).collect();
-    let mut found = Vec::new();
+    let (mut found, mut all) = (Vec::new(), BTreeSet::new());
     for folder in folders {
         let of_crate = sources
             .iter()
@@ -252,6 +270,7 @@ fn few_files_import_each_other_in_a_circle() {
         for circle in circles(&modules(of_crate)) {
             let first = format!("{folder}{}", circle[0]);
             let size = circle.len();
+            all.insert(first.clone());
             let known = KNOWN_CIRCLES.iter().find(|(file, _)| *file == first);
             if known.is_none_or(|(_, known)| *known != size) {
                 found.push(format!(
@@ -261,6 +280,12 @@ fn few_files_import_each_other_in_a_circle() {
             }
         }
     }
+    let known = KNOWN_CIRCLES
+        .iter()
+        .filter(|(file, _)| !all.contains(*file));
+    found.extend(
+        known.map(|(file, _)| format!("the circle of {file} is gone: take it off the list")),
+    );
     none(&found);
 }
 

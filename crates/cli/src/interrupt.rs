@@ -19,7 +19,7 @@ impl Interrupt {
         let listens = on_signal(move || {
             if flag.swap(true, Ordering::SeqCst) {
                 remove_pending();
-                std::process::exit(i32::from(super::INTERRUPTED));
+                std::process::exit(i32::from(super::verdict::INTERRUPTED));
             }
             eprintln!("\nending after the present {step}; again ends at once");
         });

@@ -19,30 +19,17 @@ mod input;
 mod interrupt;
 mod judge;
 mod notes;
+mod verdict;
 mod writing;
 
 use std::process::ExitCode;
 
 use clap::{CommandFactory, Parser, Subcommand};
-use cutaway::Result;
 use cutaway::generate::shapes::SHAPES;
 
 pub use commands::view::{Opened, Window};
 pub use writing::output::write_file;
 pub use writing::places::is_one_file;
-
-/// Exit code of a command that Ctrl-C or SIGTERM has ended: 128 and the number of SIGINT, as shells have it.
-const INTERRUPTED: u8 = 130;
-
-/// How a command that ran to its end came out.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Verdict {
-    Done,
-    /// Done, but a stated expectation failed; standard error says which.
-    Failed,
-    /// Ended by whoever started it; what is complete is kept.
-    Interrupted,
-}
 
 const EXAMPLES: &str = "\
 Examples:
@@ -173,19 +160,7 @@ pub fn main_with(window: Option<Window>) -> ExitCode {
         Command::Completions(args) => commands::completions::completions(&args, Cli::command()),
         Command::Man(args) => commands::completions::man(&args, Cli::command()),
     };
-    exit_code(ended)
-}
-
-fn exit_code(ended: Result<Verdict>) -> ExitCode {
-    match ended {
-        Ok(Verdict::Done) => ExitCode::SUCCESS,
-        Ok(Verdict::Failed) => ExitCode::from(1),
-        Ok(Verdict::Interrupted) => ExitCode::from(INTERRUPTED),
-        Err(e) => {
-            eprintln!("error: {e}");
-            ExitCode::from(2)
-        }
-    }
+    verdict::exit_code(ended)
 }
 
 /// Help with the list of built-in shapes, which is too long for `-h`.

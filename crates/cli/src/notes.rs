@@ -6,8 +6,8 @@ use cutaway::passes::Rasteriser;
 use cutaway::scene::{Fill, Scene, Topology, empty_picture, misses};
 use cutaway_lab::experiment::Renderer;
 
-use super::Verdict;
 use super::console::Console;
+use super::verdict::Verdict;
 
 /// The adapter, for who reports a fault.
 pub(super) fn adapter_in_words(gpu: &Gpu) -> String {

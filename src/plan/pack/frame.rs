@@ -3,7 +3,8 @@
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec2, DVec3};
 
-use super::{Layout, matrix, row};
+use super::Layout;
+use super::layout::{matrix, row};
 use crate::scene::{Bounds, Precision, View};
 
 shared! {

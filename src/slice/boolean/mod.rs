@@ -22,7 +22,8 @@ pub(super) use self::solid::Undivided;
 pub use self::solid::is_at_work;
 use self::solid::{Origin, Solid};
 use super::SlicePlane;
-use super::capped::{Cap, Half, Halves, halves, in_world, of_used};
+use super::capped::{Cap, Half, Halves, halves, of_used};
+use super::in_world::in_world;
 use crate::scene::{Bounds, ClipSurface, Cutter, Edges, Fill, Mesh};
 
 /// What a cut removes of a part.

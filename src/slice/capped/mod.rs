@@ -30,7 +30,6 @@ use std::ops::Range;
 
 use glam::DVec3;
 
-pub(super) use self::scene::in_world;
 pub use self::scene::{CappedPart, RELIEF_CELLS, capped, capped_with};
 
 use self::complex::{Complex, Face, State};

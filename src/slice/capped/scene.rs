@@ -1,6 +1,5 @@
 //! The parts of a scene with their caps: where they stand in the world, in their poses.
 
-use glam::{DAffine3, DVec3};
 use rayon::prelude::*;
 
 use super::in_scene::InScene;
@@ -9,6 +8,7 @@ use crate::scene::{Cut, Mesh, Part, Scene, SceneSpace, is_removed_whole};
 use crate::slice::SlicePlane;
 #[cfg(feature = "boolean")]
 use crate::slice::boolean::{self, Region};
+use crate::slice::in_world::in_world;
 use crate::{Error, Result};
 
 /// What the cuts of a scene make of a part.
@@ -142,18 +142,4 @@ fn divided<'a>(
         "it has a relief or a mesh that cuts, and meshes are cut by planes only",
         "build the library with its feature `boolean`",
     ))
-}
-
-/// A mesh as it stands in the world; what a placement mirrors is turned round, so that outside stays outside.
-pub(in crate::slice) fn in_world(mesh: &Mesh, placed: &DAffine3) -> Mesh {
-    let is_mirrored = placed.matrix3.determinant() < 0.0;
-    let positions: Vec<DVec3> = (mesh.positions.par_iter())
-        .map(|p| placed.transform_point3(*p))
-        .collect();
-    let turned = |[a, b, c]: [u32; 3]| if is_mirrored { [a, c, b] } else { [a, b, c] };
-    Mesh {
-        positions,
-        triangles: mesh.triangles.iter().map(|t| turned(*t)).collect(),
-        ..Mesh::default()
-    }
 }

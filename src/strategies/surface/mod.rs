@@ -11,8 +11,7 @@ pub(crate) mod planar;
 pub(crate) mod raycast;
 pub(crate) mod tessellation;
 
-use super::row::{CapSurface, Caps};
-use super::unpaired;
+use super::row::{CapSurface, Caps, unpaired};
 use crate::passes::{Crossings, Refusal, SceneBuffers, Store};
 use crate::plan::Plan;
 

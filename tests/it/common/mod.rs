@@ -44,6 +44,11 @@ pub(crate) fn is_long() -> bool {
     std::env::var_os("CUTAWAY_LONG").is_some()
 }
 
+/// All of some cases where tests run whole, or else the first of every so many.
+pub(crate) fn some<T>(all: impl Iterator<Item = T>, every: usize) -> impl Iterator<Item = T> {
+    all.step_by(if is_long() { 1 } else { every })
+}
+
 /// The session of this test, which others use in turn, on the device of [`gpu`]: what is read from a frame is read by the guard
 /// that drew it, for between two guards another test may draw.
 pub(crate) fn session() -> MutexGuard<'static, Session> {

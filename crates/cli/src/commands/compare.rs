@@ -13,13 +13,13 @@ use cutaway_lab::experiment::{
 use cutaway_lab::report;
 use image::{Rgba, RgbaImage};
 
-use crate::Verdict;
 use crate::console::{Console, ConsoleArgs};
 use crate::input::args::{AdapterArgs, MeansArgs, SceneArgs};
 use crate::input::look::Usual;
 use crate::input::subject::Subject;
 use crate::input::when::TimeArgs;
 use crate::judge::{self, judge};
+use crate::verdict::Verdict;
 use crate::writing::output::{Output, checked_folder, write_stdout};
 use crate::writing::places::paths_of;
 use crate::writing::results::Results;

@@ -10,7 +10,7 @@ use clap_complete::Shell;
 use cutaway::{Error, Result};
 
 use super::reference;
-use crate::Verdict;
+use crate::verdict::Verdict;
 use crate::writing::output::write_stdout;
 
 pub(crate) const EXAMPLES: &str = "\

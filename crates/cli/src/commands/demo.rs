@@ -13,10 +13,10 @@ use cutaway_lab::report::{Recorded, text};
 
 use super::measure::{self, MeasureArgs};
 use super::report::{self, ReportArgs};
-use crate::Verdict;
 use crate::console::{Console, ConsoleArgs};
 use crate::input::args::{AdapterArgs, MeansArgs};
 use crate::input::look::Usual;
+use crate::verdict::Verdict;
 use crate::writing::output::{checked_folder, write_file, write_stdout};
 
 pub(crate) const EXAMPLES: &str = "\

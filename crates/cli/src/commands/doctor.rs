@@ -17,9 +17,9 @@ use cutaway_lab::report::Table;
 use serde::Serialize;
 use serde_json::json;
 
-use crate::Verdict;
 use crate::console::{Console, ConsoleArgs};
 use crate::input::args::AdapterArgs;
+use crate::verdict::Verdict;
 use crate::writing::output::{Output, write_stdout};
 
 pub(crate) const EXAMPLES: &str = "\

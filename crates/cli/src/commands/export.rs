@@ -10,6 +10,7 @@ mod facts;
 use std::path::PathBuf;
 
 use clap::Args;
+use cutaway::scene::numbers::round;
 use cutaway::scene::weld::thousands;
 use cutaway::scene::{Fill, LengthUnit, Scene, Texture, doubts};
 use cutaway::slice::{CappedPart, Half, RELIEF_CELLS, capped_with};
@@ -18,7 +19,6 @@ use cutaway_io::save::{Format, Solid, encoded, leaves_out, rounding};
 use serde_json::{Value, json};
 
 use self::facts::Facts;
-use crate::Verdict;
 use crate::console::{Console, ConsoleArgs};
 use crate::input::args::{fill_by, parse_fill};
 use crate::input::defects::DefectArgs;
@@ -31,6 +31,7 @@ use crate::input::stdin::StdinArgs;
 use crate::input::subject::{Subject, document};
 use crate::input::when::TimeArgs;
 use crate::interrupt::Interrupt;
+use crate::verdict::Verdict;
 use crate::writing::output::Output;
 use crate::writing::places::{no_place_twice, paths_of};
 use crate::writing::results::Results;
@@ -351,6 +352,11 @@ fn verdict(facts: &[Facts], parts: &[CappedPart], console: &Console) -> Verdict 
         if let Some(defect) = part.halves.defects.iter().find(|d| d.loses_cap()) {
             console.failed(format!("{name}: {defect}\n  help: {}", defect.help()));
             verdict = Verdict::Failed;
+        }
+        if let Some([caps, section]) = facts.overlap().map(|areas| areas.map(round)) {
+            console.note(format!(
+                "bodies of {name} overlap, and each has a cap of its own: the caps cover {caps} square units, the section {section}"
+            ));
         }
         if *open_edges > 0 {
             let [before, after] = [*open_edges, kept.open_edges].map(thousands);

@@ -8,7 +8,6 @@ use cutaway::{Error, Result};
 use cutaway_lab::report::Table;
 use serde_json::{Value, json};
 
-use crate::Verdict;
 use crate::console::{Console, ConsoleArgs};
 use crate::input::defects::DefectArgs;
 use crate::input::edits::EditArgs;
@@ -19,6 +18,7 @@ use crate::input::split::SplitArgs;
 use crate::input::stdin::StdinArgs;
 use crate::input::subject::{Subject, document};
 use crate::input::when::TimeArgs;
+use crate::verdict::Verdict;
 use crate::writing::output::{Output, write_stdout};
 use crate::writing::places::paths_of;
 

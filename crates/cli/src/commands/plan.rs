@@ -9,12 +9,12 @@ use cutaway_io::document::Value;
 use cutaway_lab::experiment::picture::refused;
 use cutaway_lab::experiment::{Renderer, SceneAtTime};
 
-use crate::Verdict;
 use crate::console::{Console, ConsoleArgs};
 use crate::drawer::Drawer;
 use crate::input::args::{MeansArgs, SceneArgs, say};
 use crate::input::look::Usual;
 use crate::input::when::TimeArgs;
+use crate::verdict::Verdict;
 use crate::writing::output::{Output, write_stdout};
 use crate::writing::places::paths_of;
 

@@ -13,8 +13,8 @@ use cutaway_io::load::Assets;
 use glam::DVec3;
 use image::{DynamicImage, GrayImage, ImageBuffer, ImageFormat, Luma, RgbImage};
 
-use crate::Verdict;
 use crate::console::{Console, ConsoleArgs};
+use crate::verdict::Verdict;
 use crate::writing::output::{Output, checked_folder, write_stdout};
 use crate::writing::places::InputFiles;
 use crate::writing::results::Results;

@@ -15,7 +15,6 @@ use cutaway_lab::compare::may_be_wrong;
 use cutaway_lab::experiment::{PerClock, Renderer, SceneAtTime, Stopwatch, picture};
 use serde_json::{Value, json};
 
-use crate::Verdict;
 use crate::console::{Console, ConsoleArgs};
 use crate::drawer::Chosen;
 use crate::image_test::{self, Finding};
@@ -24,6 +23,7 @@ use crate::input::look::{LookArgs, Usual};
 use crate::input::subject::Subject;
 use crate::input::when::TimeArgs;
 use crate::notes::{adapter_in_words, note_what_is_not_seen, unreliable_px, warn_of_doubt};
+use crate::verdict::Verdict;
 use crate::writing::layers_file;
 use crate::writing::output::Output;
 use crate::writing::places::{no_place_twice, paths_of};

@@ -7,8 +7,8 @@ use cutaway::Result;
 use cutaway_lab::experiment::Run;
 use cutaway_lab::report::{PictureOptions, Recorded, method_pages, pages};
 
-use crate::Verdict;
 use crate::console::{Console, ConsoleArgs};
+use crate::verdict::Verdict;
 use crate::writing::output::{Output, checked_folder, write_stdout};
 use crate::writing::places::InputFiles;
 use crate::writing::results::Results;

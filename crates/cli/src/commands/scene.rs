@@ -5,7 +5,7 @@ use cutaway::{Error, Result};
 use cutaway_io::document::paths::{PATHS, Path};
 use serde_json::json;
 
-use crate::Verdict;
+use crate::verdict::Verdict;
 use crate::writing::output::{Output, write_stdout};
 
 pub(crate) const EXAMPLES: &str = "\

@@ -19,7 +19,6 @@ use cutaway_io::save::section::{Drawn, PartReport, PlaneReport, SectionReport, d
 use cutaway_lab::report::Table;
 
 use self::planes::{Plane, planes};
-use crate::Verdict;
 use crate::console::{Console, ConsoleArgs};
 use crate::input::args::fill_by;
 use crate::input::defects::DefectArgs;
@@ -31,6 +30,7 @@ use crate::input::split::SplitArgs;
 use crate::input::stdin::StdinArgs;
 use crate::input::subject::{Subject, document};
 use crate::input::when::TimeArgs;
+use crate::verdict::Verdict;
 use crate::writing::output::{Output, write_stdout};
 use crate::writing::places::{no_place_twice, paths_of};
 use crate::writing::results::Results;

@@ -18,7 +18,7 @@ use crate::input::args::{AdapterArgs, MeansArgs, SceneArgs};
 use crate::input::look::{LookArgs, Usual};
 use crate::input::stdin;
 use crate::input::when::TimeArgs;
-use crate::{Verdict, exit_code};
+use crate::verdict::{Verdict, exit_code};
 
 pub(crate) const EXAMPLES: &str = "\
 Examples:

@@ -14,8 +14,8 @@ use cutaway::generate::shapes::shape;
 use cutaway::scene::{LengthUnit, OffsetMap, Part, Texture, TextureKind};
 use rayon::prelude::*;
 
-use super::image::read_offset_map_from;
-use super::texture::read_texture_from;
+use super::images::image::read_offset_map_from;
+use super::images::texture::read_texture_from;
 use super::{Disk, Files, Loaded, load_mesh_file_from};
 
 /// Meshes, shapes, height maps and textures by name. A clone shares them.

@@ -15,9 +15,8 @@ mod draft;
 mod files;
 pub mod frames;
 mod gltf;
-mod grey_tiff;
 mod grouped;
-mod image;
+mod images;
 #[doc(hidden)]
 pub mod input_file;
 mod lines;
@@ -27,33 +26,32 @@ mod obj_coat;
 mod painted;
 mod pat;
 mod place;
+mod placed;
 mod ply;
 mod stl;
-mod texture;
 mod threemf;
 mod welded;
 
-use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
 use cutaway::error::{Error, Result, did_you_mean};
-use cutaway::scene::{Driver, Edges, LengthUnit, Material, Mesh, Part, Role, Up, range};
-use glam::{DAffine3, Vec3};
+use cutaway::scene::{Edges, LengthUnit, Part, Up, range};
 
 #[doc(hidden)]
 pub use content::mesh_format;
 use draft::{Draft, Group, Solid};
 #[doc(hidden)]
 pub use files::MOST_BYTES;
+use lines::without_mark;
+use placed::{Placed, parts_of};
 
 pub use assets::Assets;
 pub use companions::companions;
 pub use files::{Disk, Files, Memory};
-pub use image::{read_offset_map, read_offset_map_from};
+pub use images::image::{read_offset_map, read_offset_map_from};
+pub use images::texture::read_texture_from;
 pub use pat::read_patterns;
 pub use place::place_of;
-pub use texture::read_texture_from;
 
 /// What a mesh file holds.
 #[derive(Clone, Debug, Default)]
@@ -184,73 +182,6 @@ fn check_range(path: &Path, parts: &[Part]) -> Result<()> {
     }
 }
 
-/// A solid where the file puts it.
-struct Placed {
-    name: Option<String>,
-    color: Option<Vec3>,
-    materials: Vec<String>,
-    is_transparent: bool,
-    /// What the file says of it.
-    role: Option<Role>,
-    mesh: Arc<Mesh>,
-    world_from_part: DAffine3,
-    driver: Option<Arc<Driver>>,
-}
-
-impl Placed {
-    fn of(solid: Solid) -> Self {
-        Self {
-            name: solid.name,
-            color: solid.color,
-            materials: solid.materials,
-            is_transparent: solid.is_transparent,
-            role: None,
-            mesh: Arc::new(solid.mesh),
-            world_from_part: DAffine3::IDENTITY,
-            driver: None,
-        }
-    }
-}
-
-/// One solid is named after the file, several after what the file calls them, made unique.
-fn parts_of(placed: Vec<Placed>, stem: &str) -> Vec<Part> {
-    let alone = placed.len() == 1;
-    let mut taken = HashSet::new();
-    // How often a name was wanted: thousands of parts may have one.
-    let mut counts: HashMap<String, usize> = HashMap::new();
-    let mut name_of = |given: Option<String>| {
-        let wanted = match given.filter(|n| !alone && !n.trim().is_empty()) {
-            Some(name) => name,
-            None => stem.to_owned(),
-        };
-        let mut name = wanted.clone();
-        let count = counts.entry(wanted.clone()).or_insert(1);
-        while !taken.insert(name.clone()) {
-            *count += 1;
-            name = format!("{wanted}_{count}");
-        }
-        name
-    };
-    placed
-        .into_iter()
-        .enumerate()
-        .map(|(i, p)| {
-            let mut part = Part::new(name_of(p.name), p.mesh);
-            part.world_from_part = p.world_from_part;
-            part.driver = p.driver;
-            part.materials = p.materials;
-            part.is_transparent = p.is_transparent;
-            part.role = p.role.unwrap_or_default();
-            part.role_is_said = p.role.is_some();
-            part.material = Material::of_index(i);
-            if let Some(color) = p.color {
-                part.material.color = color;
-            }
-            part
-        })
-        .collect()
-}
-
 /// Which axis is up by habit in a mesh file whose format does not say it: +Z in STL, of CAD and printing, +Y in PLY, mostly of scans. In
 /// 3MF it is +Z by definition, in glTF +Y, and in OBJ by its usual readers.
 pub(crate) fn up_by_habit(path: &Path) -> Option<Up> {
@@ -293,15 +224,10 @@ fn format_and_stem(path: &Path) -> Result<(String, String)> {
     Ok((format.to_owned(), stem))
 }
 
-/// Text without the byte order mark that editors on Windows put before it.
-fn without_mark(bytes: &[u8]) -> &[u8] {
-    bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use cutaway::scene::Motion;
+    use cutaway::scene::{Mesh, Motion};
 
     #[test]
     fn extensions_name_the_format() {

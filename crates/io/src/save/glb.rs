@@ -12,7 +12,7 @@ use glam::{DVec3, Vec3};
 use serde_json::{Value, json};
 
 use super::images::{Images, bits};
-use super::{Solid, Unwritable, rounded};
+use super::solid::{Solid, Unwritable, rounded};
 
 const ARRAY_BUFFER: u32 = 34962;
 const ELEMENT_ARRAY_BUFFER: u32 = 34963;

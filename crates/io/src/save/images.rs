@@ -10,7 +10,7 @@ use glam::Vec2;
 use image::codecs::png::PngEncoder;
 use image::{ExtendedColorType, ImageEncoder};
 
-use super::{Solid, Unwritable};
+use super::solid::{Solid, Unwritable};
 
 /// Images by their numbers, in the order in which faces show them first.
 pub(super) struct Images {

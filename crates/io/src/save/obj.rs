@@ -10,7 +10,7 @@ use glam::{Vec2, Vec3};
 
 use super::images::{Images, bits, file_name, upwards, word_of};
 use super::painted::by_vertex;
-use super::{Encoded, Solid, Unwritable, bytes_of};
+use super::solid::{Encoded, Solid, Unwritable, bytes_of};
 
 pub(super) fn encoded(solids: &[Solid<'_>], stem: &str) -> Result<Encoded, Unwritable> {
     let images = Images::of(solids);

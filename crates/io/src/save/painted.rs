@@ -11,7 +11,7 @@ use cutaway::scene::{
 use cutaway::slice::Half;
 use glam::{DVec3, Vec3};
 
-use super::Solid;
+use super::solid::Solid;
 
 /// The coat of the faces of a half; none of a part that has none or is painted over.
 pub(super) fn coat_of(part: &Part, half: &Half) -> Option<Coat> {
@@ -84,7 +84,7 @@ pub(super) struct ColoredVertex {
 /// The mesh of a solid with one colour for each vertex: where corners in one place have unlike colours, a vertex for each.
 pub(super) fn by_vertex(solid: &Solid<'_>) -> (Vec<ColoredVertex>, Vec<[u32; 3]>) {
     let [own, cap] = [solid.color, solid.cap_color].map(|color| {
-        let [r, g, b] = super::bytes_of(color);
+        let [r, g, b] = super::solid::bytes_of(color);
         [[r, g, b, 255]; 3]
     });
     let mut vertices = Vec::new();

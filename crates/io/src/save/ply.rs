@@ -7,7 +7,7 @@ use glam::{DVec3, Vec2};
 
 use super::images::{Images, file_name, upwards};
 use super::painted::{ColoredVertex, by_vertex};
-use super::{Encoded, Solid, Unwritable, bytes_of};
+use super::solid::{Encoded, Solid, Unwritable, bytes_of};
 
 /// The properties of a colour.
 const COLOR: &str = "property uchar red\nproperty uchar green\nproperty uchar blue\n";

@@ -4,7 +4,7 @@
 
 use glam::Vec3;
 
-use super::{Solid, Unwritable, rounded};
+use super::solid::{Solid, Unwritable, rounded};
 
 const HEADER: &[u8] = b"binary STL written by cutaway";
 

@@ -9,8 +9,8 @@ use std::fmt::Write;
 use cutaway::scene::{CoatedTriangle, LengthUnit};
 
 use super::images::{Images, bits, upwards};
+use super::solid::{Solid, Unwritable, bytes_of};
 use super::zip::archive;
-use super::{Solid, Unwritable, bytes_of};
 
 const CONTENT_TYPES: &str = r#"<?xml version="1.0" encoding="UTF-8"?>
 <Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types"><Default Extension="rels" ContentType="application/vnd.openxmlformats-package.relationships+xml"/><Default Extension="model" ContentType="application/vnd.ms-package.3dmanufacturing-3dmodel+xml"/><Default Extension="png" ContentType="image/png"/></Types>

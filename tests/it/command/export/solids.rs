@@ -215,11 +215,17 @@ fn planes_leave_bodies_that_overlap_as_manifold_as_they_are() {
     let folder = Scratch::new("export-overlap");
     folder.write("two.obj", two_that_overlap());
     for extension in ["stl", "3mf"] {
-        folder
-            .run(&format!(
-                "export two.obj --section x=0.75 -o half.{extension}"
-            ))
-            .exits(0);
+        let line = format!("export two.obj --section x=0.75 -o half.{extension} --json -");
+        let ran = folder.run(&line).exits(0);
+        let said = "bodies of two overlap";
+        assert!(ran.stderr.contains(said), "{}", ran.stderr);
+        let part = &ran.json()["parts"][0];
+        let ran = folder.run("section two.obj --section x=0.75 --json -");
+        let section = &ran.exits(0).json()["sections"][0];
+        let areas = [&part["section_area"], &section["area"]].map(|a| a.as_f64().unwrap());
+        assert!((areas[0] - areas[1]).abs() < 1e-9, "{areas:?}");
+        let apart = folder.run(&line.replace("0.75", "0.25")).exits(0);
+        assert!(!apart.stderr.contains(said), "{}", apart.stderr);
         let facts = facts(&folder, &format!("half.{extension}"));
         assert_eq!(
             [facts.non_manifold_edges, facts.coincident_faces],

@@ -91,6 +91,10 @@ fn lattice(per_axis: u32) -> Mesh {
 }
 
 /// Every exact strategy draws the solid, cut by a slanted plane, without a decided wrong pixel at every size.
+#[allow(
+    clippy::disallowed_methods,
+    reason = "a run of hours says how long each frame takes; nothing is tested by it"
+)]
 fn is_exact(name: &str, mesh: Mesh, fill: Fill) {
     let mut scene: Scene = scenes::scene(name, mesh, Vec::new());
     scene.parts[0].fill = fill;

@@ -4,6 +4,7 @@
 use cutaway::scene::{Amount, Clusters};
 
 use super::*;
+use crate::common::some;
 
 const SIZE_PX: [u32; 2] = [96, 72];
 
@@ -40,6 +41,7 @@ fn what_is_inside_is_seen_from_everywhere() {
         let mut seen = 0;
         // From far away, and from so near that the eye is within the opening.
         let near_and_far = cameras_around(&bounds, 64, 4.0).chain(cameras_around(&bounds, 16, 1.1));
+        let near_and_far = some(near_and_far, 3);
         let mut before: Option<Question> = None;
         for camera in near_and_far {
             let mut scene = scene.clone();
@@ -54,9 +56,9 @@ fn what_is_inside_is_seen_from_everywhere() {
             }
             before = Some(question);
         }
-        assert!(seen > 5000, "{}: {seen} pixels", scene.name);
+        assert!(seen > 1500, "{}: {seen} pixels", scene.name);
     }
-    assert!(wrong > 1000, "{wrong} pixels of wrong openings are noticed");
+    assert!(wrong > 300, "{wrong} pixels of wrong openings are noticed");
 }
 
 #[test]

@@ -20,9 +20,9 @@ use super::stamp::Stamp;
 use super::target::Target;
 use super::times::{Times, parse_fps};
 use super::{gif, note_of_even_size};
-use crate::Verdict;
 use crate::console::{Console, ConsoleArgs};
 use crate::interrupt::Interrupt;
+use crate::verdict::Verdict;
 use crate::writing::places::InputFiles;
 
 pub(crate) const EXAMPLES: &str = "\

@@ -15,11 +15,11 @@ use super::report::{self, FrameReport};
 use super::target::Target;
 use super::times::Times;
 use super::turntable::turned;
-use crate::Verdict;
 use crate::console::Console;
 use crate::drawer::Chosen;
 use crate::input::subject::Subject;
 use crate::notes::warn_of_doubt;
+use crate::verdict::Verdict;
 
 /// What takes longer than this says beforehand how long, where no bar shows it.
 const PATIENCE_S: f64 = 10.0;

@@ -6,7 +6,7 @@ use cutaway::error::did_you_mean;
 use cutaway::{Error, Result};
 use cutaway_io::load::frames::Pattern;
 
-use super::ffmpeg::Program;
+use super::program::Program;
 use crate::writing::output::Output;
 
 const OPTION: &str = "--output";

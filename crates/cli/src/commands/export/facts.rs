@@ -1,7 +1,7 @@
 //! What `export` says of each part, as JSON: triangles, volumes, areas of caps, open edges.
 
 use cutaway::scene::{Edges, Mesh, Scene};
-use cutaway::slice::{CappedPart, Half};
+use cutaway::slice::{CappedPart, Half, SlicePlane, Slicer};
 use serde_json::{Value, json};
 
 /// What there is to say of a part.
@@ -12,6 +12,8 @@ pub(super) struct Facts {
     pub(super) open_edges: usize,
     pub(super) kept: HalfFacts,
     removed: HalfFacts,
+    /// Area of what the plane cuts by the fill rule of the part; none where it is cut by more than one plane.
+    section_area: Option<f64>,
     relief_off: f64,
     defects: Vec<String>,
 }
@@ -38,6 +40,7 @@ impl Facts {
             open_edges: open_edges(&own.mesh),
             kept: HalfFacts::of(&part.halves.kept),
             removed: HalfFacts::of(&part.halves.removed),
+            section_area: section_area(scene, part),
             relief_off: part.relief_off,
             defects: part
                 .halves
@@ -52,9 +55,35 @@ impl Facts {
         json!({
             "part": self.part, "cuts": self.cuts, "open_edges": self.open_edges,
             "kept": self.kept.to_json(), "removed": self.removed.to_json(), "relief_off": self.relief_off,
+            "section_area": self.section_area,
             "defects": self.defects,
         })
     }
+}
+
+/// Caps may cover more than the section by this share of it, for vertices of caps are rounded.
+const ROUNDED_AREA: f64 = 1e-6;
+
+impl Facts {
+    /// The areas of caps and section where bodies of the part overlap in the plane: each has a cap of its own.
+    pub(super) fn overlap(&self) -> Option<[f64; 2]> {
+        let areas = [self.kept.cap_area, self.section_area?];
+        (areas[0] > areas[1] * (1.0 + ROUNDED_AREA)).then_some(areas)
+    }
+}
+
+fn section_area(scene: &Scene, part: &CappedPart) -> Option<f64> {
+    let [cut] = part.cuts[..] else { return None };
+    let (cut, part) = (&scene.cuts[cut], &scene.parts[part.part]);
+    let [surface] = &cut.surfaces[..] else {
+        return None;
+    };
+    if cut.volume.is_some() {
+        return None;
+    }
+    let plane = SlicePlane::of_flat(surface)?.keeping(cut.offset_for(part));
+    let section = Slicer::of_part(part).section_by(&plane, part.fill);
+    Some(section.area())
 }
 
 impl HalfFacts {

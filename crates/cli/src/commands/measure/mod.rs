@@ -22,12 +22,12 @@ use cutaway_lab::experiment::{
     CaseRecords, Invocation, Machine, Reached, Record, Run, Stopwatch, Watcher,
 };
 
-use crate::Verdict;
 use crate::console::{Console, ConsoleArgs};
 use crate::input::args::AdapterArgs;
 use crate::input::shard::Shard;
 use crate::interrupt::Interrupt;
 use crate::judge::command_line;
+use crate::verdict::Verdict;
 use crate::writing::output::write_stdout;
 use folder::Folder;
 use jobs::{Job, Task};

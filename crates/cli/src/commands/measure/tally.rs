@@ -6,8 +6,8 @@ use cutaway_lab::experiment::Reached;
 
 use super::MeasureArgs;
 use super::jobs::Job;
-use crate::Verdict;
 use crate::judge::command_line;
+use crate::verdict::Verdict;
 
 /// What was done of one experiment.
 #[derive(Default)]

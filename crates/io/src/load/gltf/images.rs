@@ -11,7 +11,7 @@ use serde_json::Map;
 
 use super::uri;
 use crate::load::Files;
-use crate::load::texture::texture_of;
+use crate::load::images::texture::texture_of;
 
 /// More are not read of one file: small files can hold large even images.
 const MOST_PIXELS: u64 = 1 << 27;

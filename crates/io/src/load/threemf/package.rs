@@ -17,7 +17,7 @@ use image::ImageFormat;
 use percent_encoding::percent_decode_str;
 use zip::ZipArchive;
 
-use super::super::texture::texture_of;
+use super::super::images::texture::texture_of;
 use super::super::{input_file, without_mark};
 use super::xml::{DAMAGED, Xml, shortened};
 

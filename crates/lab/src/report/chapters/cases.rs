@@ -1,7 +1,7 @@
 //! Hard cases and the property search: every case through every strategy, with what was expected and what was reached.
 
-use super::counted;
 use super::expectations::missed_notice;
+use super::figures::counted;
 use crate::experiment::{CaseRecord, CaseRecords, Reached};
 use crate::report::derived::natural;
 use crate::report::document::{Block, Cell, Grid, Tone};

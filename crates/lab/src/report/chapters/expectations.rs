@@ -1,6 +1,6 @@
 //! What was expected, and what came of it.
 
-use super::counted;
+use super::figures::counted;
 use crate::experiment::{Reached, Record};
 use crate::report::document::{Block, Cell, Grid, Tone};
 

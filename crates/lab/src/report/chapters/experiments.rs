@@ -4,8 +4,9 @@ use cutaway_io::document::Document;
 
 use super::advice::answers::situation_of;
 use super::advice::cards;
+use super::figures::counted;
 use super::point::{Point, Points};
-use super::{charts, costs, counted, expectations, head, pictures, warnings};
+use super::{charts, costs, expectations, head, pictures, warnings};
 use crate::experiment::Record;
 use crate::report::derived::variants;
 use crate::report::document::Block;

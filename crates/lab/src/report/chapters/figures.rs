@@ -6,6 +6,14 @@ use crate::report::document::{Cell, Tone};
 use crate::report::number::milliseconds;
 pub(super) use crate::report::number::{percent, times};
 
+/// `1 point`, `2 points`.
+pub(super) fn counted(count: usize, what: &str) -> String {
+    match count {
+        1 => format!("1 {what}"),
+        count => format!("{count} {what}s"),
+    }
+}
+
 /// The name of a figure for readers; that of the figure where there is no better one.
 pub(super) fn label(name: &str) -> String {
     let meaning = match name {

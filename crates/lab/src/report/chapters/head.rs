@@ -1,7 +1,8 @@
 //! What concerns all of a report, which stands before everything else; and what was run, on what.
 
+use super::figures::counted;
 use super::point::Points;
-use super::{counted, pictures, warnings};
+use super::{pictures, warnings};
 use crate::experiment::Run;
 use crate::report::document::{Block, Cell, Grid, Tone};
 use crate::report::recorded::{Experiment, Folder, Recorded};

@@ -2,9 +2,10 @@
 
 use cutaway::error::{Error, Result, did_you_mean};
 
+use super::figures::counted;
 use super::figures::{percent, times};
 use super::point::Points;
-use super::{costs, counted, expectations, glossary, head};
+use super::{costs, expectations, glossary, head};
 use crate::experiment::{Record, StrategyMeasurement};
 use crate::report::derived::{Situation, Spread, StrategyTotals, has_other_truth, ranked, usage};
 use crate::report::document::{Block, Cell, Document, Grid, Line, Ranking, Tone};

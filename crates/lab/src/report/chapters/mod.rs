@@ -55,11 +55,3 @@ pub(super) fn document(recorded: &Recorded, options: &PictureOptions) -> Documen
         blocks,
     }
 }
-
-/// `1 point`, `2 points`.
-fn counted(count: usize, what: &str) -> String {
-    match count {
-        1 => format!("1 {what}"),
-        count => format!("{count} {what}s"),
-    }
-}

@@ -4,9 +4,10 @@ use cutaway::strategies::Strategy;
 
 use super::{best, cards, inputs, reasons};
 use crate::experiment::Record;
+use crate::report::chapters::figures::counted;
 use crate::report::chapters::figures::{ranged, times};
 use crate::report::chapters::point::{Point, Points, Setup};
-use crate::report::chapters::{broken, counted, figures, styles};
+use crate::report::chapters::{broken, figures, styles};
 use crate::report::derived::{
     Kind, Situation, Spread, StrategyTotals, has_defect, has_other_truth, is_exact, papers,
     totals_of_strategies,

@@ -13,7 +13,8 @@ use cutaway::scene::relief::MAX_TEXELS;
 use exr::prelude::{ReadChannels, ReadLayers};
 use image::{DynamicImage, ImageFormat, ImageReader};
 
-use super::{Disk, Files, grey_tiff, input_file};
+use super::grey_tiff;
+use crate::load::{Disk, Files, input_file};
 
 const FORMATS: &str = "give a PNG, JPEG, TIFF, BMP, PNM, TGA or EXR file";
 

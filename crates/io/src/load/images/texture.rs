@@ -7,7 +7,7 @@ use cutaway::error::{Error, Result};
 use cutaway::scene::{MOST_TEXELS_ALONG, Texture, TextureKind};
 use image::{GenericImageView, ImageFormat, ImageReader, Limits};
 
-use super::{Files, input_file};
+use crate::load::{Files, input_file};
 
 /// Reads an image as a texture, from where a host has it.
 ///
@@ -26,7 +26,7 @@ pub fn read_texture_from(path: &Path, kind: TextureKind, store: &dyn Files) -> R
 }
 
 /// The texture that the bytes of an image file hold, of a format that is told by them or else by the name; what is wrong with them otherwise.
-pub(super) fn texture_of(
+pub(in crate::load) fn texture_of(
     bytes: &[u8],
     by_name: Option<ImageFormat>,
     kind: TextureKind,

@@ -9,10 +9,10 @@ use tiff::ColorType;
 use tiff::decoder::{Decoder, DecodingResult};
 
 /// Width and height in texels, and the heights row by row.
-pub(super) type Heights = ([u32; 2], Vec<f32>);
+pub(in crate::load) type Heights = ([u32; 2], Vec<f32>);
 
 /// The heights of a grey TIFF; none of one in colour, and the reason where it cannot be decoded.
-pub(super) fn read(bytes: &[u8]) -> Result<Option<Heights>, String> {
+pub(in crate::load) fn read(bytes: &[u8]) -> Result<Option<Heights>, String> {
     let mut decoder = Decoder::new(Cursor::new(bytes)).map_err(|e| e.to_string())?;
     let (width, height) = decoder.dimensions().map_err(|e| e.to_string())?;
     match decoder.colortype().map_err(|e| e.to_string())? {

@@ -1,0 +1,76 @@
+//! Solids where their file puts them, and the parts that they become.
+
+use std::collections::{HashMap, HashSet};
+use std::sync::Arc;
+
+use cutaway::scene::{Driver, Material, Mesh, Part, Role};
+use glam::{DAffine3, Vec3};
+
+use super::Solid;
+
+/// A solid where the file puts it.
+pub(super) struct Placed {
+    pub(super) name: Option<String>,
+    pub(super) color: Option<Vec3>,
+    pub(super) materials: Vec<String>,
+    pub(super) is_transparent: bool,
+    /// What the file says of it.
+    pub(super) role: Option<Role>,
+    pub(super) mesh: Arc<Mesh>,
+    pub(super) world_from_part: DAffine3,
+    pub(super) driver: Option<Arc<Driver>>,
+}
+
+impl Placed {
+    pub(super) fn of(solid: Solid) -> Self {
+        Self {
+            name: solid.name,
+            color: solid.color,
+            materials: solid.materials,
+            is_transparent: solid.is_transparent,
+            role: None,
+            mesh: Arc::new(solid.mesh),
+            world_from_part: DAffine3::IDENTITY,
+            driver: None,
+        }
+    }
+}
+
+/// One solid is named after the file, several after what the file calls them, made unique.
+pub(super) fn parts_of(placed: Vec<Placed>, stem: &str) -> Vec<Part> {
+    let alone = placed.len() == 1;
+    let mut taken = HashSet::new();
+    // How often a name was wanted: thousands of parts may have one.
+    let mut counts: HashMap<String, usize> = HashMap::new();
+    let mut name_of = |given: Option<String>| {
+        let wanted = match given.filter(|n| !alone && !n.trim().is_empty()) {
+            Some(name) => name,
+            None => stem.to_owned(),
+        };
+        let mut name = wanted.clone();
+        let count = counts.entry(wanted.clone()).or_insert(1);
+        while !taken.insert(name.clone()) {
+            *count += 1;
+            name = format!("{wanted}_{count}");
+        }
+        name
+    };
+    placed
+        .into_iter()
+        .enumerate()
+        .map(|(i, p)| {
+            let mut part = Part::new(name_of(p.name), p.mesh);
+            part.world_from_part = p.world_from_part;
+            part.driver = p.driver;
+            part.materials = p.materials;
+            part.is_transparent = p.is_transparent;
+            part.role = p.role.unwrap_or_default();
+            part.role_is_said = p.role.is_some();
+            part.material = Material::of_index(i);
+            if let Some(color) = p.color {
+                part.material.color = color;
+            }
+            part
+        })
+        .collect()
+}

@@ -1,0 +1,98 @@
+//! What is written: solids and their colours, and what becomes of them.
+
+use cutaway::scene::{Coat, CoatedTriangle, Mesh, Part};
+use cutaway::slice::Half;
+use glam::Vec3;
+
+use super::painted;
+
+/// A solid that is to be written.
+#[derive(Clone, Debug)]
+pub struct Solid<'a> {
+    /// Its name.
+    pub name: &'a str,
+    /// Colour of its faces, sRGB in 0..=1.
+    pub color: Vec3,
+    /// What colours its faces have besides, where they have some.
+    pub coat: Option<Coat>,
+    /// Colour of its caps.
+    pub cap_color: Vec3,
+    /// Faces, then caps.
+    pub mesh: &'a Mesh,
+    /// How many triangles are faces.
+    pub faces: usize,
+}
+
+impl<'a> Solid<'a> {
+    /// A half of a part, in the colours of the part.
+    pub fn of(part: &'a Part, half: &'a Half) -> Self {
+        Self {
+            name: &part.name,
+            color: part.material.color,
+            coat: painted::coat_of(part, half),
+            cap_color: part.material.cap_color(),
+            mesh: &half.mesh,
+            faces: half.surface_triangles(),
+        }
+    }
+
+    /// The colours and images of a face; none of a cap, nor where the solid has none.
+    pub(super) fn face(&self, triangle: usize) -> Option<&CoatedTriangle> {
+        self.coat.as_ref()?.triangles.get(triangle)
+    }
+
+    /// Whether corners have colours of their own, by which images are multiplied.
+    pub(super) fn has_colors(&self) -> bool {
+        let mut faces = self.coat.iter().flat_map(|coat| &coat.triangles);
+        faces.any(CoatedTriangle::has_colors)
+    }
+}
+
+/// A mesh file, and the files that it names.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Encoded {
+    /// Its bytes.
+    pub file: Vec<u8>,
+    /// Names and bytes of the files that belong into the same folder, of those that [`Format::beside`](super::Format::beside) names.
+    pub beside: Vec<(String, Vec<u8>)>,
+}
+
+impl Encoded {
+    pub(super) fn alone(file: Vec<u8>) -> Self {
+        let beside = Vec::new();
+        Self { file, beside }
+    }
+}
+
+/// Why solids cannot be written in a format.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum Unwritable {
+    /// No triangle is left: there is none, or all have corners that are one in f32.
+    #[error("the numbers of the format are so coarse that no triangle is left of it")]
+    Collapsed,
+    /// Coordinates beyond what f32 holds, 3.4e38.
+    #[error("the format has coordinates of 32 bits, and some are too large for that")]
+    Infinite,
+    /// Sizes and counts are numbers of 32 bits.
+    #[error("the format holds at most 4 GiB")]
+    TooLarge,
+    /// An image could not be packed.
+    #[error("an image of it cannot be written: {0}")]
+    Image(String),
+    /// The archive of 3MF could not be made.
+    #[error("its archive cannot be made: {0}")]
+    Archive(String),
+}
+
+/// The corners of a triangle in f32; none where two of them are one.
+pub(super) fn rounded(positions: &[Vec3], triangle: &[u32; 3]) -> Option<[Vec3; 3]> {
+    let [a, b, c] = triangle.map(|i| positions[i as usize]);
+    (a != b && b != c && c != a).then_some([a, b, c])
+}
+
+/// A colour of three bytes.
+pub(super) fn bytes_of(color: Vec3) -> [u8; 3] {
+    color
+        .to_array()
+        .map(|c| (c.clamp(0.0, 1.0) * 255.0).round() as u8)
+}
