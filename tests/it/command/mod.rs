@@ -6,6 +6,7 @@ pub(crate) mod compare;
 pub(crate) mod export;
 pub(crate) mod full_disk;
 pub(crate) mod memory;
+pub(crate) mod refusals;
 pub(crate) mod section;
 pub(crate) mod stdin;
 pub(crate) mod supersample;

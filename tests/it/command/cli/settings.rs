@@ -75,41 +75,6 @@ fn what_is_set_is_what_the_file_could_say() {
 }
 
 #[test]
-fn what_cannot_be_set_is_refused_by_its_path() {
-    let folder = Scratch::new("unset");
-    folder.write("scene.toml", SCENE);
-    for (line, phrase) in [
-        (
-            "scene.toml --set cut.frnt.enabled=false",
-            "did you mean `front`",
-        ),
-        ("scene.toml --set camera.naer=1", "did you mean `near`"),
-        (
-            "scene.toml --set camera.near=-1",
-            "--set camera.near: it must be a number above 0",
-        ),
-        (
-            "scene.toml --set camera.near=close",
-            "is the text \"close\"",
-        ),
-        ("scene.toml --set camra.near=1", "did you mean `camera`"),
-        (
-            "scene.toml --set cut.front.surfaces.3.flip=true",
-            "there is no `3` in `cut.front.surfaces`",
-        ),
-        ("scene.toml --set camera.near", "a path and a value"),
-        ("scene.toml --set =1", "a path and a value"),
-        ("scene.toml --set camera..near=1", "names no value"),
-        ("shape:cube --set part.1.scale=1", "there is no part `1`"),
-    ] {
-        let ran = folder.run(&format!("render {line} -o out.png")).exits(2);
-        assert!(ran.stderr.contains(phrase), "{line}: {}", ran.stderr);
-        assert!(ran.stderr.contains("help:"), "{line}: {}", ran.stderr);
-    }
-    assert_eq!(folder.files(), ["scene.toml"], "nothing is written");
-}
-
-#[test]
 fn every_command_that_reads_a_scene_takes_settings() {
     let folder = Scratch::new("settings");
     folder.write("scene.toml", SCENE);

@@ -3,56 +3,6 @@
 use super::*;
 
 #[test]
-fn what_cannot_be_written_is_refused_with_help() {
-    let folder = Scratch::new("export-refused");
-    folder.write(
-        "bracket.obj",
-        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n",
-    );
-    folder.write(
-        "vast.obj",
-        "v 0 0 0\nv 1e39 0 0\nv 0 1e39 0\nv 0 0 1e39\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n",
-    );
-    for (line, said) in [
-        (
-            "shape:cube --section z=0 -o half.step",
-            ".stl or .ply or .obj or .glb or .3mf",
-        ),
-        ("shape:cube --section z=0 -o half", ".3mf"),
-        ("shape:cube --section z=0 -o -", "--output -"),
-        ("shape:cube -o half.stl", "nothing to cut by"),
-        ("shape:cube --section z=0 --unit mm -o half.stl", "--unit"),
-        (
-            "shape:cube --section z=7 -o half.stl",
-            "nothing of the model is left",
-        ),
-        (
-            "shape:cube --section z=-7 --both -o half.stl",
-            "nothing of the model is removed",
-        ),
-        ("bracket.obj --section z=50% -o bracket.obj", "input"),
-        ("vast.obj --section z=50% -o half.stl", "32 bits"),
-        ("vast.obj --section z=50% -o half.glb", "32 bits"),
-        (
-            "bracket.obj --section z=50% -o half.stl --json half.stl",
-            "--json",
-        ),
-        (
-            "bracket.obj --section z=50% -o half.stl --both --json half.removed.stl",
-            "--json",
-        ),
-    ] {
-        let ran = folder.run(&format!("export {line}")).exits(2);
-        let complaint = &ran.stderr;
-        assert!(
-            complaint.contains(said) && complaint.contains("help:"),
-            "{line}: {complaint}"
-        );
-        assert_eq!(folder.files(), ["bracket.obj", "vast.obj"], "{line}");
-    }
-}
-
-#[test]
 fn nothing_takes_its_place_where_one_place_is_a_folder() {
     for (line, folder_name, file) in [
         (

@@ -3,66 +3,6 @@
 use super::command::Scratch;
 
 #[test]
-fn slips_are_refused_by_name() {
-    let folder = Scratch::new("section-hostile");
-    folder.write("ragged.toml", "[relief.r]\nkind = \"fractal\"\n[[part]]\nshape = \"cube\"\n[[cut]]\nname = \"torn\"\nsurfaces = [{ section = \"z=50%\", relief = \"r\", amplitude = \"4%\" }]\n");
-    for (line, phrase) in [
-        ("shape:cube", "there is no plane to cut by"),
-        (
-            "shape:cube --section z=50% --relief waves",
-            "cut `z=50%`: clip-surface 0 has a relief",
-        ),
-        (
-            "shape:cube --section z=50% --cutter shape:sphere",
-            "cut `shape:sphere`: shape:sphere is a mesh that cuts",
-        ),
-        (
-            "shape:cube --cutter shape:sphere",
-            "see the cap with `cutaway render`",
-        ),
-        (
-            "shape:cube --section z=50% --cutter nothing.obj",
-            "nothing.obj",
-        ),
-        ("ragged.toml", "cut `torn`: clip-surface 0 has a relief"),
-        (
-            "shape:cube --section z=50% -o cut.png",
-            "let the name end in .svg or .dxf or .json",
-        ),
-        (
-            "shape:cube --section z=50% -o cut.json --json -",
-            "--output asks for the same data",
-        ),
-        (
-            "shape:cube --section z=50% -o - --json -",
-            "standard output already carries",
-        ),
-        (
-            "shape:cube --section z=50% -o a.svg --json a.svg",
-            "the file of --output",
-        ),
-        ("shape:cube --section up=5", "up=5"),
-        (
-            "shape:cube --section z=50% --exclude nobody",
-            "--exclude nobody",
-        ),
-        ("shape:cube --section z=50% --unit furlong", "--unit"),
-        ("nothing.obj --section z=50%", "nothing.obj"),
-        ("shape:cube --section z=50% --fill both", "--fill"),
-    ] {
-        let ran = folder.run(&format!("section {line}")).exits(2);
-        assert!(ran.stderr.contains(phrase), "{line}: {}", ran.stderr);
-        assert!(ran.stdout.is_empty(), "{line}: standard output");
-        assert_eq!(folder.files(), ["ragged.toml"], "{line}");
-    }
-    // The control: the same words without the slips.
-    folder
-        .run("section shape:cube --section z=50% -o a.svg --json b.json --unit in")
-        .exits(0);
-    assert_eq!(folder.files(), ["a.svg", "b.json", "ragged.toml"]);
-}
-
-#[test]
 fn planes_that_miss_and_far_models_are_no_trouble() {
     let folder = Scratch::new("section-far");
     let ran = folder

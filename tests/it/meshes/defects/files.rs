@@ -20,18 +20,6 @@ fn the_option_breaks_what_is_inspected_and_says_so() {
     let whole = folder.run("inspect shape:sphere --json -").exits(0);
     assert_eq!(whole.json()["total"]["closed"], true);
     assert_eq!(whole.json()["total"]["bounds"], facts["bounds"]);
-
-    for (words, said) in [
-        ("inspect shape:sphere --defect hole", "did you mean `holes`"),
-        ("plan shape:sphere --defect holes:amount=7", "in percent"),
-        (
-            "section shape:sphere --section z=50% --defect holes:amount=100%",
-            "no face",
-        ),
-    ] {
-        let message = folder.run(words).exits(2).stderr;
-        assert!(message.contains(said), "{message}");
-    }
 }
 
 #[test]

@@ -48,23 +48,3 @@ fn a_sweep_becomes_a_cut_and_a_key() {
         .run(&format!("{line} --exclude cube -o h%d.png"))
         .exits(0);
 }
-
-#[test]
-fn sweeps_that_make_no_sense_are_refused() {
-    let folder = Scratch::new("framing_sweep_slips");
-    let line = "animate shape:cube --frames 2 --resolution 16,12 -o x.gif";
-    for (option, said) in [
-        ("--sweep y=50%", "two places"),
-        ("--sweep w=0:1", "`w` is no axis"),
-        ("--sweep y=a:1", "not a number"),
-        ("--sweep y=50%:50%", "does not move"),
-        ("--sweep y=0:1 --exclude nothing", "nothing"),
-    ] {
-        folder
-            .run(&format!("{line} {option}"))
-            .must_refuse(&[said, "help:"]);
-    }
-    folder
-        .run("render shape:cube --sweep y=0:1 -o x.png")
-        .exits(2);
-}
