@@ -1,7 +1,8 @@
-//! The shape of the source tree: how many files lie side by side, and which files import each other in a circle.
+//! The shape of the source tree: how many files lie side by side, and which files import each other in a cycle.
 //!
 //! An import is followed through re-exports to the file that defines what it names: a `mod.rs` that exports what its children define is in
-//! no circle for that. What tests within a file import does not count.
+//! no cycle for that. What tests within a file import does not count, nor paths through an imported module (`scene::View` after
+//! `use crate::scene`), nor what macros are given.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -13,19 +14,19 @@ use super::{all_sources, files, none, sources};
 /// Files of source that may lie in one folder.
 const MOST_SIDE_BY_SIDE: usize = 20;
 
-/// Files that may import each other in a circle.
-const MOST_IN_A_CIRCLE: usize = 6;
+/// Files that may import each other in a cycle.
+const MOST_IN_A_CYCLE: usize = 6;
 
-/// Larger circles that are known, by their first file: those of folders whose `mod.rs` defines what its children take, and takes what they
-/// define. A circle may only shrink, and its number with it.
-const KNOWN_CIRCLES: &[(&str, usize)] = &[
+/// Larger cycles that are known, by their first file: those of folders whose `mod.rs` defines what its children take, and takes what they
+/// define. A cycle may only shrink, and its number with it.
+const KNOWN_CYCLES: &[(&str, usize)] = &[
     ("crates/io/src/document/read/mod.rs", 12),
     ("src/gpu/adapter.rs", 13),
     ("src/scene/mod.rs", 42),
 ];
 
 /// Folders with too many files of one kind, of paths.
-fn halls<'a>(paths: impl Iterator<Item = &'a str>) -> Vec<String> {
+fn crowded<'a>(paths: impl Iterator<Item = &'a str>) -> Vec<String> {
     let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
     for path in paths {
         *counts
@@ -40,14 +41,14 @@ fn halls<'a>(paths: impl Iterator<Item = &'a str>) -> Vec<String> {
 #[test]
 fn no_folder_has_many_files_side_by_side() {
     let rust = all_sources();
-    none(&halls(rust.keys().map(String::as_str)));
+    none(&crowded(rust.keys().map(String::as_str)));
     let shaders = files("shaders", "wgsl");
-    none(&halls(shaders.keys().map(String::as_str)));
+    none(&crowded(shaders.keys().map(String::as_str)));
     let planted: Vec<String> = (0..=MOST_SIDE_BY_SIDE)
         .map(|i| format!("a/{i}.rs"))
         .collect();
-    assert_eq!(halls(planted.iter().map(String::as_str)).len(), 1);
-    assert!(halls(planted[1..].iter().map(String::as_str)).is_empty());
+    assert_eq!(crowded(planted.iter().map(String::as_str)).len(), 1);
+    assert!(crowded(planted[1..].iter().map(String::as_str)).is_empty());
 }
 
 /// A path as a list of names.
@@ -220,8 +221,8 @@ fn defined_in<'a>(path: &'a [String], modules: &'a Modules, depth: usize) -> Opt
     }
 }
 
-/// Circles of more files than are allowed, each as the names of its files.
-fn circles(modules: &Modules) -> Vec<Vec<String>> {
+/// Cycles of more files than are allowed, each as the names of its files.
+fn cycles(modules: &Modules) -> Vec<Vec<String>> {
     let edges: BTreeMap<&[String], BTreeSet<&[String]>> = modules
         .iter()
         .map(|(here, module)| {
@@ -245,17 +246,17 @@ fn circles(modules: &Modules) -> Vec<Vec<String>> {
         edges.keys().map(|at| (*at, reached(at))).collect();
     let mut found = BTreeSet::new();
     for (here, there) in &all {
-        let circle = there.iter().filter(|other| all[**other].contains(here));
-        let circle: Vec<String> = circle.map(|m| modules[*m].file.clone()).collect();
-        if circle.len() > MOST_IN_A_CIRCLE {
-            found.insert(circle);
+        let cycle = there.iter().filter(|other| all[**other].contains(here));
+        let cycle: Vec<String> = cycle.map(|m| modules[*m].file.clone()).collect();
+        if cycle.len() > MOST_IN_A_CYCLE {
+            found.insert(cycle);
         }
     }
     found.into_iter().collect()
 }
 
 #[test]
-fn few_files_import_each_other_in_a_circle() {
+fn few_files_are_in_one_import_cycle() {
     let sources = sources();
     let folder_of = |file: &str| {
         let end = file.find("src/").map_or(0, |at| at + "src/".len());
@@ -267,31 +268,29 @@ fn few_files_import_each_other_in_a_circle() {
         let of_crate = sources
             .iter()
             .filter_map(|(file, text)| Some((file.strip_prefix(&folder)?, text.as_str())));
-        for circle in circles(&modules(of_crate)) {
-            let first = format!("{folder}{}", circle[0]);
-            let size = circle.len();
+        for cycle in cycles(&modules(of_crate)) {
+            let first = format!("{folder}{}", cycle[0]);
+            let size = cycle.len();
             all.insert(first.clone());
-            let known = KNOWN_CIRCLES.iter().find(|(file, _)| *file == first);
+            let known = KNOWN_CYCLES.iter().find(|(file, _)| *file == first);
             if known.is_none_or(|(_, known)| *known != size) {
                 found.push(format!(
-                    "a circle of {size} files: {folder}{{{}}}",
-                    circle.join(", ")
+                    "a cycle of {size} files, which is not on the list with this number: {folder}{{{}}}",
+                    cycle.join(", ")
                 ));
             }
         }
     }
-    let known = KNOWN_CIRCLES
-        .iter()
-        .filter(|(file, _)| !all.contains(*file));
+    let known = KNOWN_CYCLES.iter().filter(|(file, _)| !all.contains(*file));
     found.extend(
-        known.map(|(file, _)| format!("the circle of {file} is gone: take it off the list")),
+        known.map(|(file, _)| format!("the cycle of {file} is gone: take it off the list")),
     );
     none(&found);
 }
 
 #[test]
-fn a_planted_circle_is_found() {
-    let count = MOST_IN_A_CIRCLE + 1;
+fn a_planted_cycle_is_found() {
+    let count = MOST_IN_A_CYCLE + 1;
     let planted = |by: &str| {
         let mut texts: Vec<(String, String)> = (0..count)
             .map(|i| {
@@ -307,7 +306,7 @@ fn a_planted_circle_is_found() {
         let pairs: Vec<_> = (texts.iter())
             .map(|(f, t)| (f.as_str(), t.as_str()))
             .collect();
-        circles(&modules(pairs.iter().copied()))
+        cycles(&modules(pairs.iter().copied()))
     };
     for by in ["super::", "crate::a::"] {
         let found = planted(by);

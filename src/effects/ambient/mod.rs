@@ -3,4 +3,4 @@
 pub(super) mod horizon;
 pub(super) mod occlusion;
 pub(super) mod relief_sky;
-pub(super) mod unsharp;
+mod unsharp;

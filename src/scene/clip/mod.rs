@@ -7,4 +7,4 @@ pub(super) mod height_filter;
 pub(super) mod offset_map;
 pub(super) mod plane_spec;
 pub(super) mod regions;
-pub(super) mod upright;
+mod upright;

@@ -3,7 +3,7 @@
 pub(super) mod cap_material;
 pub(super) mod coat;
 pub(super) mod color;
-pub(super) mod color_names;
+mod color_names;
 pub(super) mod hatch_pattern;
 pub(super) mod material;
 pub(super) mod texture;

@@ -1,7 +1,7 @@
 //! Cameras, and the views that they resolve to.
 
 pub(super) mod camera;
-pub(super) mod facing;
+mod facing;
 pub(super) mod host_view;
 pub(super) mod outline;
 pub(super) mod view;

@@ -49,8 +49,10 @@ fn contents(folder: &Scratch) -> BTreeMap<String, Vec<u8>> {
 fn faults(table: &Value) -> Vec<String> {
     let mut faults = Vec::new();
     for line in texts(&table["commands"]["accepted"]) {
-        let ran = folder_of(table).run(line);
-        if ran.code != Some(0) {
+        let folder = folder_of(table);
+        let before = folder.files().len();
+        let ran = folder.run(line);
+        if ran.code != Some(0) || folder.files().len() == before {
             faults.push(format!("{line} is not accepted: {}", ran.stderr));
         }
     }
@@ -72,8 +74,9 @@ fn faults(table: &Value) -> Vec<String> {
                 fault(format!("no `{said}`"));
             }
         }
-        // Errors of usage name `--help`.
-        if !ran.stderr.contains("help") {
+        // Errors of usage name `--help`, all others say what helps.
+        let of_usage = "For more information, try '--help'";
+        if !["help:", of_usage].iter().any(|h| ran.stderr.contains(h)) {
             fault("no help".to_owned());
         }
         if !ran.stdout.is_empty() {
@@ -117,15 +120,32 @@ a_test_of_each!(animate export pictures section settings usage);
 fn planted_faults_are_found() {
     let planted = |accepted: &str, refused: [&str; 2]| {
         let commands = json!({ "accepted": [accepted], "refused": [refused] });
-        faults(&json!({ "files": { "a.txt": "x" }, "commands": commands })).len()
+        faults(&json!({ "files": { "a.txt": "x" }, "commands": commands })).join("\n")
     };
-    let fine = "inspect shape:cube";
+    let fine = "export shape:cube --section x=50% -o a.stl";
     let bad = ["inspect shape:crnak", "did you mean `crank`"];
-    assert_eq!(planted(fine, bad), 0);
-    assert_eq!(planted(bad[0], bad), 1, "refused");
-    assert_eq!(planted(fine, [bad[0], "no such words"]), 1, "not said");
-    // Accepted: exit code, words, error, help and standard output are wrong.
-    assert!(planted(fine, [fine, "did you mean"]) >= 4);
-    let written = planted(fine, ["export shape:cube --section x=50% -o a.stl", ""]);
-    assert!(written >= 3, "{written}");
+    assert_eq!(planted(fine, bad), "");
+    for (accepted, refused, faults) in [
+        (bad[0], bad, vec!["is not accepted"]),
+        ("inspect shape:cube", bad, vec!["is not accepted"]),
+        (fine, [bad[0], "no such words"], vec!["no `no such words`"]),
+        (
+            fine,
+            [fine, "error:"],
+            vec!["exit code", "no `error:`", "no help", "files: "],
+        ),
+        (
+            fine,
+            ["inspect shape:cube", "error:"],
+            vec!["something on standard output"],
+        ),
+    ] {
+        let found = planted(accepted, refused);
+        for fault in faults {
+            assert!(
+                found.contains(fault),
+                "{accepted}, {refused:?}: no `{fault}` in {found}"
+            );
+        }
+    }
 }

@@ -11,6 +11,7 @@ pub(super) fn lines(text: &str) -> Lines<'_> {
     let bare: fn(&str) -> &str = |line| line.strip_suffix('\r').unwrap_or(line);
     text.split_terminator(end).map(bare)
 }
+
 /// Text without the byte order mark that editors on Windows put before it.
 pub(super) fn without_mark(bytes: &[u8]) -> &[u8] {
     bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes)

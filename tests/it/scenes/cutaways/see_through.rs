@@ -4,7 +4,7 @@
 use cutaway::scene::{Amount, Clusters};
 
 use super::*;
-use crate::common::some;
+use crate::common::{is_long, some};
 
 const SIZE_PX: [u32; 2] = [96, 72];
 
@@ -56,9 +56,16 @@ fn what_is_inside_is_seen_from_everywhere() {
             }
             before = Some(question);
         }
-        assert!(seen > 1500, "{}: {seen} pixels", scene.name);
+        assert!(
+            seen > if is_long() { 5000 } else { 1500 },
+            "{}: {seen} pixels",
+            scene.name
+        );
     }
-    assert!(wrong > 300, "{wrong} pixels of wrong openings are noticed");
+    assert!(
+        wrong > if is_long() { 1000 } else { 300 },
+        "{wrong} pixels of wrong openings are noticed"
+    );
 }
 
 #[test]

@@ -219,7 +219,11 @@ fn lines_have_the_direction_and_the_distance_that_are_asked_for() {
             .iter()
             .flat_map(|p| [0.8, 1.0, 2.5].map(|z| (*p, z)));
         // Each pair of a section and a pattern in other views than the one before.
-        let first = if is_long() { 0 } else { number % 3 };
+        let first = if is_long() {
+            0
+        } else {
+            (number + number / 3) % 3
+        };
         for (projection, zoom) in some(views.skip(first), 3) {
             let camera = Camera {
                 viewpoint: viewpoint_of(section),

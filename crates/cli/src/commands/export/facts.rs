@@ -1,6 +1,6 @@
 //! What `export` says of each part, as JSON: triangles, volumes, areas of caps, open edges.
 
-use cutaway::scene::{Edges, Mesh, Scene};
+use cutaway::scene::{Edges, Mesh, Scene, SceneSpace};
 use cutaway::slice::{CappedPart, Half, SlicePlane, Slicer};
 use serde_json::{Value, json};
 
@@ -12,7 +12,7 @@ pub(super) struct Facts {
     pub(super) open_edges: usize,
     pub(super) kept: HalfFacts,
     removed: HalfFacts,
-    /// Area of what the plane cuts by the fill rule of the part; none where it is cut by more than one plane.
+    /// Area of what the plane cuts by the fill rule of the part; none where something else than one plane cuts it.
     section_area: Option<f64>,
     relief_off: f64,
     defects: Vec<String>,
@@ -61,8 +61,8 @@ impl Facts {
     }
 }
 
-/// Caps may cover more than the section by this share of it, for vertices of caps are rounded.
-const ROUNDED_AREA: f64 = 1e-6;
+/// Caps may cover more than the section by this share of it: less would be the same number for a reader.
+const ROUNDED_AREA: f64 = 1e-5;
 
 impl Facts {
     /// The areas of caps and section where bodies of the part overlap in the plane: each has a cap of its own.
@@ -82,8 +82,10 @@ fn section_area(scene: &Scene, part: &CappedPart) -> Option<f64> {
         return None;
     }
     let plane = SlicePlane::of_flat(surface)?.keeping(cut.offset_for(part));
-    let section = Slicer::of_part(part).section_by(&plane, part.fill);
-    Some(section.area())
+    // As `section` slices it, and as caps are made: faces in the plane are decided in the space of the scene.
+    let slicer = Slicer::of_part_in(part, &SceneSpace::new(&scene.bounds()));
+    let plane = plane.seen_from(part.bounds_in_world().centre());
+    Some(slicer.section_by(&plane, part.fill).area())
 }
 
 impl HalfFacts {

@@ -1,5 +1,5 @@
 //! Images: height maps, textures and TIFF.
 
-pub(super) mod grey_tiff;
+mod grey_tiff;
 pub(super) mod image;
 pub(super) mod texture;
