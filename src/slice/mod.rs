@@ -46,6 +46,8 @@ mod trim;
 #[cfg(feature = "boolean")]
 #[doc(hidden)]
 pub use boolean::is_at_work;
+#[doc(hidden)]
+pub use capped::planes_of;
 pub use capped::{Cap, CappedPart, Half, Halves, RELIEF_CELLS, capped, capped_with, halves};
 pub use half_plane::HalfPlane;
 #[doc(hidden)]

@@ -26,36 +26,12 @@ pub mod web;
 pub mod window;
 
 pub use action::Action;
-pub use editing::command;
-pub use editing::cuts;
-pub use editing::history;
-pub use editing::link;
-pub use editing::parts;
-pub use editing::regions;
-pub use editing::removal;
-pub use editing::styles;
-pub use editing::timeline;
-pub use picture::camera;
-pub use picture::chart;
-pub use picture::device;
-pub use picture::full_screen;
-pub use picture::gizmo;
-pub use picture::pace;
-pub use picture::pick;
-pub use picture::readback;
-pub use picture::screen;
-pub use picture::shown;
-pub use picture::slot;
-pub use picture::world_view;
+pub use editing::{command, cuts, history, link, parts, regions, removal, styles, timeline};
+pub use picture::{
+    camera, chart, device, full_screen, gizmo, pace, pick, readback, screen, shown, slot,
+    world_view,
+};
 pub use state::State;
 #[cfg(not(target_arch = "wasm32"))]
-pub use storage::disk;
-#[cfg(not(target_arch = "wasm32"))]
-pub use storage::export;
-pub use storage::files;
-pub use storage::opening;
-#[cfg(not(target_arch = "wasm32"))]
-pub use storage::recent;
-#[cfg(not(target_arch = "wasm32"))]
-pub use storage::recovery;
-pub use storage::watch;
+pub use storage::{disk, export, recent, recovery};
+pub use storage::{files, opening, watch};

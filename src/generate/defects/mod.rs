@@ -33,9 +33,8 @@ mod spec;
 
 use std::sync::Arc;
 
-use crate::scene::Amount;
 use crate::scene::meshes::weld::thousands;
-use crate::scene::{Bounds, Mesh, Part};
+use crate::scene::{Amount, Bounds, Mesh, Part};
 use crate::{Error, Result};
 use edit::Edit;
 

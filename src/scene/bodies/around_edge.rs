@@ -10,7 +10,7 @@ use std::f64::consts::TAU;
 use glam::DVec3;
 
 use super::super::Mesh;
-use super::super::meshes::topology::EdgeUse;
+use crate::scene::meshes::topology::EdgeUse;
 
 /// Angles that differ by less are the same, in radians: files round to f32.
 const SAME_ANGLE: f64 = 1e-4;

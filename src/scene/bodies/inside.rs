@@ -12,9 +12,9 @@
 use glam::DVec3;
 use robust::{Coord, Coord3D, orient2d, orient3d};
 
-use super::super::meshes::tree::{BRANCHES, Tree, order};
 use super::super::{Bounds, Mesh};
 use super::shells::Shells;
+use crate::scene::meshes::tree::{BRANCHES, Tree, order};
 
 /// So many vertices of a shell are asked, spread over its triangles.
 const ASKED: usize = 8;

@@ -10,9 +10,9 @@
 
 use std::cmp::Ordering;
 
-use super::super::meshes::topology::{EdgeUse, EdgeUses, Sets};
 use super::super::{Bounds, Mesh};
 use super::around_edge::walls;
+use crate::scene::meshes::topology::{EdgeUse, EdgeUses, Sets};
 
 /// What is thinner on the mean, as a share of its size, is flat: rounding decides which way it faces.
 const FLAT: f64 = 1e-9;

@@ -30,6 +30,8 @@ use std::ops::Range;
 
 use glam::DVec3;
 
+#[doc(hidden)]
+pub use self::scene::planes_of;
 pub use self::scene::{CappedPart, RELIEF_CELLS, capped, capped_with};
 
 use self::complex::{Complex, Face, State};

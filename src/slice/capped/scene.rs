@@ -99,7 +99,8 @@ pub fn capped_with(scene: &Scene, relief_cells: u32) -> Result<Vec<CappedPart>> 
 }
 
 /// The planes of a cut as they cut a part; none where it has something else.
-fn planes_of(cut: &Cut, part: &Part) -> Option<Vec<SlicePlane>> {
+#[doc(hidden)]
+pub fn planes_of(cut: &Cut, part: &Part) -> Option<Vec<SlicePlane>> {
     let keeps = cut.offset_for(part);
     let planes = cut.surfaces.iter().map(SlicePlane::of_flat);
     let planes: Option<Vec<SlicePlane>> = planes.map(|p| Some(p?.keeping(keeps))).collect();

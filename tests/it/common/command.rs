@@ -121,25 +121,31 @@ impl Ran {
         self
     }
 
-    /// That it was refused, by an error that says all of this, with nothing on standard output.
+    /// What keeps this from being a refusal: exit code 2, an error that says all of this, nothing on standard output.
+    pub(crate) fn faults_of_refusal(&self, said: &[&str]) -> Vec<String> {
+        let mut faults = Vec::new();
+        if self.code != Some(2) {
+            faults.push(format!("exit code {:?}", self.code));
+        }
+        let unsaid = said.iter().chain(&["error:"]);
+        let unsaid = unsaid.filter(|said| !self.stderr.contains(**said));
+        faults.extend(unsaid.map(|said| format!("no `{said}`")));
+        if !self.stdout.is_empty() {
+            faults.push("something on standard output".to_owned());
+        }
+        faults
+    }
+
+    /// That it was refused.
     #[track_caller]
     pub(crate) fn must_refuse(self, said: &[&str]) {
-        let ran = self.exits(2);
+        let faults = self.faults_of_refusal(said);
         assert!(
-            ran.stderr.contains("error:"),
-            "{}\n{}",
-            ran.line,
-            ran.stderr
+            faults.is_empty(),
+            "{}: {faults:?}\n{}",
+            self.line,
+            self.stderr
         );
-        for said in said {
-            assert!(
-                ran.stderr.contains(said),
-                "{}: no `{said}` in\n{}",
-                ran.line,
-                ran.stderr
-            );
-        }
-        assert!(ran.stdout.is_empty(), "{}: {}", ran.line, ran.text());
     }
 
     pub(crate) fn text(&self) -> &str {

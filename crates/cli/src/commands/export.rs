@@ -12,7 +12,7 @@ use std::path::PathBuf;
 use clap::Args;
 use cutaway::scene::numbers::round;
 use cutaway::scene::weld::thousands;
-use cutaway::scene::{Fill, LengthUnit, Scene, Texture, doubts};
+use cutaway::scene::{Fill, LengthUnit, Scene, SceneSpace, Texture, doubts};
 use cutaway::slice::{CappedPart, Half, RELIEF_CELLS, capped_with};
 use cutaway::{Error, Result};
 use cutaway_io::save::{Format, Solid, encoded, leaves_out, rounding};
@@ -168,7 +168,9 @@ pub(crate) fn run(args: &ExportArgs) -> Result<Verdict> {
     if let Some(to) = &outputs.removed {
         writer.add(&mut results, to, &parts, |p| &p.halves.removed)?;
     }
-    let facts: Vec<Facts> = parts.iter().map(|p| Facts::of(scene, p)).collect();
+    let space = SceneSpace::new(&scene.bounds());
+    let facts = parts.iter().map(|p| Facts::of(scene, p, &space));
+    let facts: Vec<Facts> = facts.collect();
     let all: Vec<Value> = facts.iter().map(Facts::to_json).collect();
     let json = format!("{:#}\n", json!({ "scene": scene.name, "parts": all }));
     if let Some(output) = &outputs.json {

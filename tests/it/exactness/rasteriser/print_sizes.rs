@@ -10,11 +10,10 @@ use std::time::Instant;
 use cutaway::scene::{ClipSurface, Cut, Fill, Mesh, Scene};
 use cutaway::session::Outcome;
 use cutaway::strategies::{Method, Obstacle};
-use cutaway_lab::hard_cases::Question;
 use cutaway_lab::hard_cases::meshes::{block, joined, prisms, shape, toothed};
 use glam::{DVec2, DVec3};
 
-use crate::common::{is_long, scenes, session};
+use crate::common::{Question, is_long, scenes};
 
 /// Every strategy that is exact for planes, by each rasteriser that it has.
 const EXACT: [&str; 9] = [
@@ -106,7 +105,7 @@ fn is_exact(name: &str, mesh: Mesh, fill: Fill) {
         let question = Question::new(&scene, *size_px);
         for method in EXACT.map(|name| name.parse::<Method>().expect("a strategy")) {
             let started = Instant::now();
-            let judged = (question.answer(&mut session(), &method)).expect("a device that stays");
+            let judged = question.answer(method);
             let took = started.elapsed().as_secs();
             println!(
                 "{name} {size_px:?} {method}: {} px decided wrong, {} undecided, {:?}, {took} s",

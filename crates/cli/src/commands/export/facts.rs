@@ -1,7 +1,7 @@
 //! What `export` says of each part, as JSON: triangles, volumes, areas of caps, open edges.
 
 use cutaway::scene::{Edges, Mesh, Scene, SceneSpace};
-use cutaway::slice::{CappedPart, Half, SlicePlane, Slicer};
+use cutaway::slice::{CappedPart, Half, Slicer, planes_of};
 use serde_json::{Value, json};
 
 /// What there is to say of a part.
@@ -28,7 +28,7 @@ pub(super) struct HalfFacts {
 }
 
 impl Facts {
-    pub(super) fn of(scene: &Scene, part: &CappedPart) -> Self {
+    pub(super) fn of(scene: &Scene, part: &CappedPart, space: &SceneSpace) -> Self {
         let own = &scene.parts[part.part];
         Self {
             part: own.name.clone(),
@@ -40,7 +40,7 @@ impl Facts {
             open_edges: open_edges(&own.mesh),
             kept: HalfFacts::of(&part.halves.kept),
             removed: HalfFacts::of(&part.halves.removed),
-            section_area: section_area(scene, part),
+            section_area: section_area(scene, part, space),
             relief_off: part.relief_off,
             defects: part
                 .halves
@@ -72,18 +72,14 @@ impl Facts {
     }
 }
 
-fn section_area(scene: &Scene, part: &CappedPart) -> Option<f64> {
+fn section_area(scene: &Scene, part: &CappedPart, space: &SceneSpace) -> Option<f64> {
     let [cut] = part.cuts[..] else { return None };
-    let (cut, part) = (&scene.cuts[cut], &scene.parts[part.part]);
-    let [surface] = &cut.surfaces[..] else {
+    let part = &scene.parts[part.part];
+    let [plane] = planes_of(&scene.cuts[cut], part)?[..] else {
         return None;
     };
-    if cut.volume.is_some() {
-        return None;
-    }
-    let plane = SlicePlane::of_flat(surface)?.keeping(cut.offset_for(part));
     // As `section` slices it, and as caps are made: faces in the plane are decided in the space of the scene.
-    let slicer = Slicer::of_part_in(part, &SceneSpace::new(&scene.bounds()));
+    let slicer = Slicer::of_part_in(part, space);
     let plane = plane.seen_from(part.bounds_in_world().centre());
     Some(slicer.section_by(&plane, part.fill).area())
 }

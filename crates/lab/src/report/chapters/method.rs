@@ -2,8 +2,7 @@
 
 use cutaway::error::{Error, Result, did_you_mean};
 
-use super::figures::counted;
-use super::figures::{percent, times};
+use super::figures::{counted, percent, times};
 use super::point::Points;
 use super::{costs, expectations, glossary, head};
 use crate::experiment::{Record, StrategyMeasurement};

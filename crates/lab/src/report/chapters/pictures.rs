@@ -8,8 +8,7 @@ use std::path::{Path, PathBuf};
 
 use cutaway_io::load::place_of;
 
-use super::figures::counted;
-use super::figures::times;
+use super::figures::{counted, times};
 use super::point::{Point, Points};
 use crate::compare::{LegendEntry, legend};
 use crate::experiment::Picture;

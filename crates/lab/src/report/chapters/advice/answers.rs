@@ -4,8 +4,7 @@ use cutaway::strategies::Strategy;
 
 use super::{best, cards, inputs, reasons};
 use crate::experiment::Record;
-use crate::report::chapters::figures::counted;
-use crate::report::chapters::figures::{ranged, times};
+use crate::report::chapters::figures::{counted, ranged, times};
 use crate::report::chapters::point::{Point, Points, Setup};
 use crate::report::chapters::{broken, figures, styles};
 use crate::report::derived::{

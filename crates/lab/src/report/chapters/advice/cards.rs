@@ -3,8 +3,7 @@
 use super::best::{self, limited};
 use super::reasons;
 use crate::experiment::Record;
-use crate::report::chapters::figures::counted;
-use crate::report::chapters::figures::{percent, times};
+use crate::report::chapters::figures::{counted, percent, times};
 use crate::report::derived::{
     Candidate, Situation, Spread, candidates, harms, has_defect, has_other_truth, ranked, variants,
 };
