@@ -29,8 +29,13 @@ pub struct Findings<'a> {
 
 /// What came of every expectation of a run at a point, in the order they are written.
 pub fn reached(run: &SceneRun, point: &Point, found: &Findings<'_>) -> Vec<Reached> {
+    let bits = found.measurement.adapter.sub_pixel_bits;
+    // What is not known is no excuse.
+    let is_about =
+        |c: &&Claim| (c.sub_pixel_bits.zip(bits)).is_none_or(|(least, has)| has >= least);
     run.claims
         .iter()
+        .filter(is_about)
         .flat_map(|c| of_claim(run, point, c, found))
         .collect()
 }

@@ -288,6 +288,11 @@ fn what_makes_no_sense_is_refused_by_name() {
             "means nobody",
         ),
         (
+            "why = \"two approximations\"",
+            "why = \"w\"\nsub_pixel_bits = 16",
+            "adapters have 4 to 8",
+        ),
+        (
             "falls_along = \"cells\"",
             "falls_along = \"amplitude\"",
             "use one of: cells",

@@ -68,6 +68,11 @@ fn measurement(found: &[Found<'_>]) -> Measurement {
 
 /// What comes of an expectation, where these were found in the order of the renderers.
 fn outcome(expect: &str, found: &[Found<'_>]) -> Vec<Reached> {
+    outcome_on(Some(8), expect, found)
+}
+
+/// The same on an adapter of so many sub-pixel bits.
+fn outcome_on(bits: Option<u32>, expect: &str, found: &[Found<'_>]) -> Vec<Reached> {
     let text = format!(
         "question = \"Is it?\"\nanalysis = \"\"\n[[run]]\nname = \"cube\"\nscene.part = [{{ shape = \"cube\" }}]\n\
          strategies = [\"raycast+mask\", \"grid:{{cells}}+mask\", \"grid:{{cells}}+vds:64\"]\n\
@@ -82,7 +87,8 @@ fn outcome(expect: &str, found: &[Found<'_>]) -> Vec<Reached> {
         .collect();
     let expected: Vec<&str> = found.iter().map(|f| f.0).collect();
     assert_eq!(names, expected, "figures are in the order of renderers");
-    let measurement = measurement(found);
+    let mut measurement = measurement(found);
+    measurement.adapter.sub_pixel_bits = bits;
     let figures = vec![BTreeMap::new(); found.len()];
     let found = Findings {
         measurement: &measurement,
@@ -166,6 +172,16 @@ fn an_expectation_holds_or_not_of_all_that_it_means() {
         let reached = outcome(expect, &FOUND);
         let holds: Vec<bool> = reached.iter().map(|r| r.holds).collect();
         assert_eq!(holds, expected, "{expect}\n{reached:#?}");
+    }
+}
+
+#[test]
+fn an_expectation_of_8_sub_pixel_bits_is_about_adapters_that_have_them() {
+    let expect = "strategies = [\"grid:8+mask\"]\nsub_pixel_bits = 8\ndecided_wrong_px = 0";
+    for (bits, held) in [(Some(8), 1), (Some(4), 0), (None, 1)] {
+        let reached = outcome_on(bits, expect, &FOUND);
+        assert_eq!(reached.len(), held, "{bits:?}");
+        assert!(reached.iter().all(|r| !r.holds), "{bits:?}: 9 are wrong");
     }
 }
 

@@ -16,7 +16,14 @@ use crate::experiment::sweep::{Point, Trial};
 use crate::experiment::{Bound, Ending, Parameter, Parameters};
 
 /// Keys beside the names of figures.
-const BESIDE_FIGURES: [&str; 5] = ["strategies", "where", "why", "outcome", "reason"];
+const BESIDE_FIGURES: [&str; 6] = [
+    "strategies",
+    "where",
+    "why",
+    "outcome",
+    "reason",
+    "sub_pixel_bits",
+];
 
 /// What somebody is expected to reach.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,6 +32,8 @@ pub struct Claim {
     pub strategies: Vec<String>,
     /// Values that the point or the renderer must have.
     pub conditions: Parameters,
+    /// It is about adapters whose rasteriser has at least so many sub-pixel bits; with none, about every adapter.
+    pub sub_pixel_bits: Option<u32>,
     /// Why it cannot be better.
     pub why: Option<String>,
     /// How the frame ends.
@@ -102,6 +111,7 @@ fn claim(entry: &Entry<'_>, run: &SceneRun) -> Result<Claim> {
     let mut claim = Claim {
         strategies: some_texts(&table.need("strategies", "[\"raycast+*\"]")?)?,
         conditions: conditions(&table, run)?,
+        sub_pixel_bits: sub_pixel_bits(&table)?,
         why: text("why")?,
         outcome: outcome.transpose()?.unwrap_or(Ending::Complete),
         reason: text("reason")?,
@@ -145,6 +155,17 @@ fn check(table: &Table<'_>, claim: &Claim, is_declared: bool) -> Result<()> {
         );
     }
     Ok(())
+}
+
+fn sub_pixel_bits(table: &Table<'_>) -> Result<Option<u32>> {
+    let Some(entry) = table.get("sub_pixel_bits") else {
+        return Ok(None);
+    };
+    let bits = entry.whole()?;
+    match (4..=8).contains(&bits) {
+        true => Ok(Some(bits)),
+        false => Err(entry.fault("adapters have 4 to 8", "write 8, or leave it out")),
+    }
 }
 
 fn conditions(table: &Table<'_>, run: &SceneRun) -> Result<Parameters> {
