@@ -2,7 +2,23 @@
 
 use std::path::Path;
 
+use cutaway::scene::Scene;
+use cutaway_lab::hard_cases::cases;
+
 pub(crate) use cutaway_lab::hard_cases::scenes::*;
+
+/// The scenes of a hard case, by its file, for pictures of so many pixels along a side.
+#[track_caller]
+pub(crate) fn of_case(file: &str, size_px: u32) -> Vec<Scene> {
+    let case = cases().find(|c| c.document.name() == file);
+    let case = case.unwrap_or_else(|| panic!("there is no {file}.toml"));
+    case.scenes(size_px).expect("scenes")
+}
+
+/// A torus cut by a slanted plane.
+pub(crate) fn torus_cut() -> Scene {
+    sectioned("torus?segments=40&sides=20", &["-0.3,-1,-0.2@50%,50%,50%"])
+}
 
 /// A scene file of the gears of an assembly: two are turned against each other in four seconds, by so many degrees.
 pub(crate) fn turning_gears(mesh: &Path, section: &str, turn_deg: f64) -> String {

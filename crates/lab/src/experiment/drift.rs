@@ -7,6 +7,7 @@
 //! they are.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use cutaway::Result;
 use cutaway::layers::{Kind, Layer, Layers};
@@ -17,7 +18,7 @@ use glam::{DQuat, DVec2};
 use super::figures::OF_DRIFT;
 use super::picture_flicker::{PictureFlicker, luminance, sampled};
 use super::{Question, Renderer};
-use crate::exact::{Exact, evaluate};
+use crate::exact::{Exact, Truth};
 
 /// How a camera drifts.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -114,6 +115,9 @@ fn class(layer: &Layer) -> (Kind, u16, u8, bool) {
     }
 }
 
+/// A frame, and the exact image of as many sub-pixel bits.
+type Drawn = (Arc<Exact>, Layers);
+
 /// Lets the camera of a scene drift; the figures of each renderer, none of one that refuses or is no method. Ends early with `None` as soon as
 /// `goes_on` says no.
 pub fn flicker(
@@ -127,14 +131,14 @@ pub fn flicker(
     let truth = question.truth.unwrap_or(question.shown).truth()?;
     let mut sums: Vec<Option<Flicker>> = vec![Some(Flicker::default()); renderers.len()];
     let mut pictures = vec![PictureFlicker::default(); renderers.len()];
-    let mut before: Option<(Exact, Vec<Option<Layers>>)> = None;
+    let mut before: Option<Vec<Option<Drawn>>> = None;
     for frame in 0..drift.frames {
         if !goes_on() {
             return Ok(None);
         }
         step(format!("drift {} of {}", frame + 1, drift.frames));
         let view = drift.view(&question.view, &question.shown.model.prepared, frame);
-        let exact = evaluate(truth, &view);
+        let exact = Truth::new(truth, view);
         let mut drawn = Vec::with_capacity(renderers.len());
         for (renderer, pictures) in renderers.iter().zip(&mut pictures) {
             let Some(method) = renderer.or(question.means).method() else {
@@ -157,17 +161,18 @@ pub fn flicker(
                 let truth = sampled(session, question.shown, &view, (method, drift.samples))?;
                 pictures.add(&picture, &truth, layers, &channels);
             }
-            drawn.push(layers);
+            let judged = layers.map(|l| Ok((exact.at(session.precision(method)?), l)));
+            drawn.push(judged.transpose()?);
         }
-        if let Some((last, drawn_before)) = &before {
-            for (sum, (a, b)) in sums.iter_mut().zip(drawn_before.iter().zip(&drawn)) {
+        if let Some(before) = &before {
+            for (sum, (a, b)) in sums.iter_mut().zip(before.iter().zip(&drawn)) {
                 match (a, b, &mut *sum) {
-                    (Some(a), Some(b), Some(sum)) => sum.add([(last, a), (&exact, b)]),
+                    (Some((x, a)), Some((y, b)), Some(sum)) => sum.add([(x, a), (y, b)]),
                     _ => *sum = None,
                 }
             }
         }
-        before = Some((exact, drawn));
+        before = Some(drawn);
     }
     let figures = sums.iter().zip(&pictures).map(|(sum, pictures)| {
         let mut figures = sum.map(Flicker::figures).unwrap_or_default();

@@ -3,13 +3,21 @@
 //! A case says what exact strategies and the paper's own make of it, and how its cuts are made; what the others make follows from what
 //! they are. Where one does not do as its kind does, the case names it.
 
-use cutaway::scene::{Scene, glob_matches};
-use cutaway::strategies::{Method, Obstacle, Strategy};
+use std::sync::Arc;
 
+use cutaway::Result;
+use cutaway::scene::{Camera, Scene, Viewpoint, glob_matches};
+use cutaway::strategies::{Method, Obstacle, Strategy};
+use cutaway_io::document::{Document, Node};
+use cutaway_io::load::Assets;
+
+use super::Judged;
 use super::expected::Expected::{
-    self, Band, Doubted, Exact, Fails, Listed, Marked, Refuses, RefusesSome, Share,
+    self, Band, Doubted, Exact, Fails, FailsWithin, Listed, Marked, Overflows, Refuses,
+    RefusesSome, Share,
 };
-use super::{Judged, coarse, failures};
+use super::files::Embedded;
+use super::tolerances::FACTOR;
 
 /// What makes the cuts of a case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,15 +39,13 @@ impl Form {
     }
 }
 
-/// A row of the table.
-#[derive(Clone, Copy)]
+/// A row of the table, read from its file.
+#[derive(Clone, Debug)]
 pub struct Case {
     /// Its number in the list of hard cases, or its letter and number where users of other projects met it.
-    pub id: &'static str,
+    pub id: String,
     /// What it is.
-    pub name: &'static str,
-    /// Its scenes at so many pixels along a side; some put vertices at pixel centres.
-    pub scenes: fn(u32) -> Vec<Scene>,
+    pub name: String,
     /// What makes its cuts.
     pub form: Form,
     /// What exact strategies make of it.
@@ -47,9 +53,40 @@ pub struct Case {
     /// What the paper's own strategy makes of it.
     pub paper: Expected,
     /// Who makes something else of it than its kind does, by a glob over names.
-    pub apart: &'static [(&'static str, Expected)],
+    pub apart: Vec<(String, Expected)>,
+    /// What is expected otherwise where there are fewer than 8 sub-pixel bits, by a glob over names.
+    pub coarse: Vec<(String, Expected)>,
+    /// Wrong pixels by covered pixels of built-in methods that fail, over all pictures: the least and the most of 64 and 256 px.
+    pub found: Vec<(String, [f64; 2])>,
     /// What exact strategies keep to besides.
     pub keeps: Keeps,
+    /// Its scene.
+    pub document: Document,
+    /// What its pictures have otherwise.
+    pub pictures: Vec<Picture>,
+}
+
+/// What a picture has otherwise than the scene of its case.
+#[derive(Clone, Debug, Default)]
+pub struct Picture {
+    /// What it is called.
+    pub name: String,
+    /// Whether the middle of the picture is the centre of a pixel.
+    pub half_pixel: bool,
+    /// Values by their paths.
+    pub sets: Vec<(String, Node)>,
+}
+
+impl Picture {
+    /// The picture that has what another one has as well.
+    pub(super) fn with(&self, other: &Self) -> Self {
+        let names = [&self.name, &other.name].map(String::as_str);
+        Self {
+            name: names.join(if self.name.is_empty() { "" } else { ", " }),
+            half_pixel: self.half_pixel || other.half_pixel,
+            sets: [&self.sets[..], &other.sets].concat(),
+        }
+    }
 }
 
 /// What an exact picture keeps to besides showing the right things.
@@ -81,12 +118,38 @@ impl Keeps {
 }
 
 impl Case {
+    /// The scenes of its pictures, which are so many pixels wide and high.
+    ///
+    /// # Errors
+    ///
+    /// A scene that makes no sense, with its file and line.
+    pub fn scenes(&self, size_px: u32) -> Result<Vec<Scene>> {
+        let mut assets = Assets::from_files(Arc::new(Embedded));
+        let scene = |picture: &Picture| {
+            let mut document = self.document.clone();
+            for (path, node) in &picture.sets {
+                document.set_node(path, node.clone())?;
+            }
+            let mut scene = document.resolve(0.0, &mut assets)?;
+            scene.name.clone_from(&picture.name);
+            if picture.half_pixel {
+                scene.camera = moved_by_half_a_pixel(scene.camera, size_px);
+            }
+            Ok(scene)
+        };
+        self.pictures.iter().map(scene).collect()
+    }
+
     /// What a strategy is expected to make of it. Bounds are of the built-in methods: another resolution may miss them.
     pub fn expected(&self, method: &Method) -> Expected {
         let expected = self.declared(method);
-        match (expected, failures::bounds(self.name, method)) {
-            (Fails(why), Some([least, most])) => Expected::FailsWithin(why, least, most),
-            _ => expected,
+        let name = method.to_string();
+        let found = self.found.iter().find(|(of, _)| *of == name);
+        match (expected, found) {
+            (Fails(why), Some((_, [least, most]))) => {
+                FailsWithin(why, least / FACTOR, most * FACTOR)
+            }
+            (expected, _) => expected,
         }
     }
 
@@ -94,9 +157,23 @@ impl Case {
     pub fn expected_on(&self, method: &Method, is_coarse: bool) -> Expected {
         let usual = self.expected(method);
         match is_coarse {
-            true => coarse::expected(self.name, method, usual),
+            true => self.expected_if_coarse(method, usual),
             false => usual,
         }
+    }
+
+    /// What cannot be otherwise for want of bits stays as it is.
+    fn expected_if_coarse(&self, method: &Method, usual: Expected) -> Expected {
+        if matches!(
+            usual,
+            Refuses(_) | RefusesSome(_) | Fails(_) | FailsWithin(..) | Overflows(_)
+        ) {
+            return usual;
+        }
+        let name = method.to_string();
+        let mut rows = self.coarse.iter();
+        let row = rows.find(|(glob, _)| glob_matches(glob, &name));
+        row.map_or(usual, |(_, expected)| expected.clone())
     }
 
     fn declared(&self, method: &Method) -> Expected {
@@ -106,12 +183,12 @@ impl Case {
             .iter()
             .find(|(glob, _)| glob_matches(glob, &name));
         if let Some((_, expected)) = apart {
-            return *expected;
+            return expected.clone();
         }
         let strategy = &method.strategy;
         let can = strategy.can();
         if matches!(self.paper, Refuses(_)) && !can.nonzero {
-            return self.paper;
+            return self.paper.clone();
         }
         match self.form {
             Form::Planes if !can.surfaces => return Refuses(Obstacle::Surfaces),
@@ -120,20 +197,20 @@ impl Case {
             _ => {}
         }
         if strategy.is_by_the_papers_rule() {
-            return self.paper;
+            return self.paper.clone();
         }
-        match self.exact {
+        match &self.exact {
             Marked if *strategy == Strategy::STENCIL => {
-                Fails("it cannot tell an open mesh, and draws streaks of it unmarked")
+                Fails("it cannot tell an open mesh, and draws streaks of it unmarked".into())
             }
             Marked if *strategy == Strategy::PLANAR => Doubted,
             Marked if strategy.resolution().is_some() => {
-                Fails("depth images cannot tell that a mesh is open")
+                Fails("depth images cannot tell that a mesh is open".into())
             }
             Exact if strategy.resolution().is_some() => Band,
             exact => match self.paper {
                 Share(most) if strategy.is_tessellated() && self.form.has_reliefs() => Listed(most),
-                _ => exact,
+                _ => exact.clone(),
             },
         }
     }
@@ -151,5 +228,30 @@ impl Case {
             Exact => self.keeps.fault(judged),
             _ => None,
         })
+    }
+}
+
+/// A parallel camera two units high, moved so that what was in the middle of the picture is at the centre of a pixel.
+fn moved_by_half_a_pixel(camera: Camera, size_px: u32) -> Camera {
+    let Viewpoint::Explicit {
+        position,
+        focal_point,
+        view_up,
+    } = camera.viewpoint
+    else {
+        return camera;
+    };
+    let ahead = (focal_point - position).normalize_or_zero();
+    let right = ahead
+        .cross(view_up.unwrap_or(glam::DVec3::Y))
+        .normalize_or_zero();
+    let shift = (right - right.cross(ahead)) / f64::from(size_px);
+    Camera {
+        viewpoint: Viewpoint::Explicit {
+            position: position + shift,
+            focal_point: focal_point + shift,
+            view_up,
+        },
+        ..camera
     }
 }

@@ -7,6 +7,7 @@
 //! refused where a refusal is. What was declared to fail and passes is a fault too: then the table is wrong, and misleads its reader.
 
 use std::fmt;
+use std::sync::Arc;
 
 use cutaway::session::Outcome;
 use cutaway::strategies::{Method, Obstacle};
@@ -15,7 +16,7 @@ use super::tolerances::RIM_SHARE;
 use super::{Judged, Question, band};
 
 /// What a strategy is to make of a case.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Expected {
     /// No decided pixel wrong, none cracked, none odd.
     Exact,
@@ -24,19 +25,19 @@ pub enum Expected {
     /// The mesh is open: whatever is wrong is marked, and so may other pixels be.
     Doubted,
     /// A buffer is too small in some picture and the reason holds these words; whatever is wrong is marked. The other pictures are exact.
-    Overflows(&'static str),
+    Overflows(Arc<str>),
     /// Each wrong cap pixel is within the depth image's reach of a mesh: what theory allows where the cap surface is exact.
     Band,
     /// Decided wrong pixels per pixel on a boundary are at most this many.
     Share(f64),
     /// As `Share`, for this reason.
-    Within(f64, &'static str),
+    Within(f64, Arc<str>),
     /// As `Share`, and no decided pixel shows a back face, none is cracked and none odd: a tessellation that decides by one list.
     Listed(f64),
     /// Known to be wrong, for this reason, in at least one of its pictures.
-    Fails(&'static str),
+    Fails(Arc<str>),
     /// As `Fails`, and over all pictures at least and at most so many decided wrong pixels per covered pixel.
-    FailsWithin(&'static str, f64, f64),
+    FailsWithin(Arc<str>, f64, f64),
     /// Not drawn, for what stands in the way.
     Refuses(Obstacle),
     /// Some pictures are refused, for what stands in the way, and the others are exact.
@@ -73,7 +74,7 @@ impl Expected {
             };
         }
         if let (Self::Overflows(words), Outcome::Overflowed(reason)) = (self, &judged.outcome) {
-            return match reason.contains(words) {
+            return match reason.contains(&**words) {
                 true => unmarked_fault(judged),
                 false => Some(format!("overflowed: {reason}")),
             };

@@ -87,8 +87,8 @@ pub fn found(
                 return Ok(None);
             };
             all.push(CaseFound {
-                id: case.id.to_owned(),
-                name: case.name.to_owned(),
+                id: case.id.clone(),
+                name: case.name.clone(),
                 held_by: listed.held_by(),
                 reached,
             });
@@ -98,10 +98,14 @@ pub fn found(
 }
 
 /// The pictures of a case, each with the name of its scene.
-pub fn pictures(case: &Case, size_px: u32) -> Vec<(String, Question)> {
-    let scenes = (case.scenes)(size_px);
+///
+/// # Errors
+///
+/// As of [`Case::scenes`].
+pub fn pictures(case: &Case, size_px: u32) -> Result<Vec<(String, Question)>> {
+    let scenes = case.scenes(size_px)?;
     let of = |s: &cutaway::scene::Scene| (s.name.clone(), Question::new(s, [size_px; 2]));
-    scenes.iter().map(of).collect()
+    Ok(scenes.iter().map(of).collect())
 }
 
 /// What a method makes of the pictures of a case.
@@ -144,7 +148,7 @@ fn reached(
     let mut tallies: Vec<(Method, Tally)> = Vec::new();
     for size_px in asked.sizes_px {
         step(format!("case {} at {size_px} px", case.id));
-        let pictures = pictures(case, *size_px);
+        let pictures = pictures(case, *size_px)?;
         let methods = match asked.methods {
             Some(named) => named.to_vec(),
             None => usual_methods(*size_px),

@@ -6,16 +6,16 @@
 //!
 //! [`random`] makes scenes without a pattern, and the simplest of those that come out wrong.
 //!
-//! Scenes are written in the source: their builders ([`scenes`], [`meshes`]) panic where a word makes no sense. A case costs one exact
-//! image for each of its pictures and a frame for each method; nothing is kept between cases but what the session keeps.
+//! Each case is a scene file in the folder `hard-cases` of this crate, with a table `[case]` of what is expected (`files.rs` has its form), so
+//! that any case can be drawn: `cutaway compare experiments/hard-cases/16-hollow.toml`. What [`scenes`] and [`meshes`] build is for tests;
+//! they panic where a word makes no sense. A case costs one exact image for each of its pictures and a frame for each method; nothing is
+//! kept between cases but what the session keeps.
 
 mod band;
-pub mod bumps;
 mod case;
 mod cases;
-mod coarse;
 mod expected;
-mod failures;
+mod files;
 mod found;
 mod listed;
 pub mod meshes;
@@ -24,15 +24,12 @@ pub mod numbers;
 mod question;
 pub mod random;
 pub mod scenes;
-pub mod solids;
 pub mod tolerances;
-mod user_cases;
-pub mod users;
-pub mod windings;
 
-pub use case::{Case, Form, Keeps};
+pub use case::{Case, Form, Keeps, Picture};
 pub use cases::cases;
 pub use expected::{Expected, Tally};
+pub use files::read;
 pub use found::{Asked, CaseFound, Reached, caps_px, check_ids, found, pictures, tallied};
 pub use listed::{Listed, list};
 pub use methods::usual_methods;

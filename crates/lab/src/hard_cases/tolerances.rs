@@ -1,4 +1,5 @@
-//! Every number that a hard case forgives by, with its reason. Raising one asks for a look at its negative control.
+//! Numbers that all hard cases forgive by, each with its reason; those of single cases are in their files. Raising one asks for a look at its
+//! negative control.
 
 /// What was found of an error that theory gives no number for may be so many times as much, and that of a failure so many times less:
 /// another adapter rounds otherwise at single pixels. Twice as much is another error.
@@ -8,15 +9,6 @@ pub const FACTOR: f64 = 2.0;
 /// some ulp of 1 each.
 pub const ROUNDING_OF_POINTS: f64 = 1e-5;
 
-/// Angle between a cap's normal and that of exact, in degrees: two words of 16 bits hold it to a hundredth.
-pub const CAP_NORMAL_DEG: f64 = 0.1;
-
-/// Error of a cap's depth in edge lengths of a pixel: rounding in f32, a hundred times as much along a plane seen at half a degree.
-pub const CAP_DEPTH_PX: f64 = 0.01;
-
 /// Pixels along the rims of holes that may be marked or not: a rim leaves a band of 2/256 px open, so of the pixels on its two sides
 /// about 1 in 256.
 pub const RIM_SHARE: f64 = 1.0 / 64.0;
-
-/// Decided wrong pixels per boundary pixel where faces that are wound against each other meet: single pixels.
-pub const TIE_SHARE: f64 = 1.0 / 256.0;

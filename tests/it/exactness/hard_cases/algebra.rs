@@ -6,8 +6,6 @@ use cutaway::layers::Kind;
 use cutaway::plan::Capacities;
 use cutaway::strategies::{Strategy, record};
 use cutaway_lab::exact::evaluate;
-use cutaway_lab::hard_cases::bumps;
-use cutaway_lab::hard_cases::solids;
 
 use crate::common::numbers::Numbers;
 use crate::common::{Question, class_of, gpu, scenes, session, strategy, tolerances};
@@ -16,7 +14,7 @@ use crate::common::{Question, class_of, gpu, scenes, session, strategy, toleranc
 fn case_37_opposite_signs_are_complementary() {
     // Seen from both sides, what one surface keeps the flipped one removes: rays that meet the cap of both meet it at one
     // depth, and no ray that meets the solid misses both.
-    let pair = bumps::opposite(256);
+    let pair = scenes::of_case("37-opposite-signs", 256);
     let mut answers = Vec::new();
     for scene in &pair {
         let judged = Question::new(scene, [256; 2]).answer(Strategy::RAYCAST_MASK);
@@ -45,7 +43,7 @@ fn case_37_opposite_signs_are_complementary() {
 
 #[test]
 fn case_38_and_or_differ_and_have_both_caps() {
-    for scene in bumps::crossing(256) {
+    for scene in scenes::of_case("38-crossing-surfaces", 256) {
         let judged = Question::new(&scene, [256; 2]).answer(Strategy::RAYCAST_MASK);
         assert_eq!(judged.fault_of_exact(), None, "{}", scene.name);
         for surface in [0, 1] {
@@ -72,7 +70,7 @@ fn words(program: &Program, gpu: &Gpu, names: &[&str]) -> Vec<Vec<u32>> {
 
 #[test]
 fn case_41_fifty_repeats_are_bit_identical() {
-    let scene = &bumps::crossing(128)[0];
+    let scene = &scenes::of_case("38-crossing-surfaces", 128)[0];
     let model = Model::new(scene);
     let view = model.prepared.view([128; 2]);
     let gpu = gpu();
@@ -110,7 +108,7 @@ fn case_41_fifty_repeats_are_bit_identical() {
 
 #[test]
 fn case_41_the_order_of_triangles_changes_nothing() {
-    let scene = solids::torus_cut();
+    let scene = scenes::torus_cut();
     let draw = |scene: &cutaway::scene::Scene| {
         let question = Question::new(scene, [128; 2]);
         let mut session = session();
@@ -147,7 +145,7 @@ fn case_41_the_order_of_triangles_changes_nothing() {
 
 #[test]
 fn case_41_one_thread_and_two_find_the_same() {
-    for scene in bumps::crossing(128) {
+    for scene in scenes::of_case("38-crossing-surfaces", 128) {
         let model = Model::new(&scene);
         let view = model.prepared.view([128; 2]);
         let [one, two] = [1, 2].map(|threads| {

@@ -1,10 +1,9 @@
 //! Cases 10 to 15: what eyes in awkward places ask beyond their outcome.
 
 use cutaway::layers::{Kind, NEAR_PLANE};
-use cutaway::scene::Camera;
+use cutaway::scene::{Camera, Scene};
 use cutaway::strategies::Strategy;
-use cutaway_lab::hard_cases::solids;
-use glam::DVec3;
+use glam::{DAffine3, DVec3};
 
 use crate::common::{Question, class_of, scenes, strategy};
 
@@ -40,9 +39,25 @@ fn case_11_from_a_void_the_wall_is_seen_and_no_cap() {
     );
 }
 
+/// A scene moved and scaled, with its clip-surfaces.
+fn placed(scene: &Scene, scale: f64, offset: DVec3) -> Scene {
+    let mut placed = scene.clone();
+    let map = DAffine3::from_translation(offset) * DAffine3::from_scale(DVec3::splat(scale));
+    for part in &mut placed.parts {
+        part.world_from_part = map * part.world_from_part;
+    }
+    for surface in placed.cuts.iter_mut().flat_map(|c| &mut c.surfaces) {
+        surface.origin = map.transform_point3(surface.origin);
+        surface.u *= scale;
+        surface.v *= scale;
+        surface.scale.z *= scale;
+    }
+    placed
+}
+
 #[test]
 fn case_14_far_tiny_and_huge_scenes_look_the_same() {
-    let scene = solids::torus_cut();
+    let scene = scenes::torus_cut();
     for px in [64, 256] {
         let home = Question::new(&scene, [px; 2]);
         let here = home.answer(Strategy::RAYCAST_MASK);
@@ -53,7 +68,7 @@ fn case_14_far_tiny_and_huge_scenes_look_the_same() {
             (1e-6, 1e-6),
             (1e6, 1e9),
         ] {
-            let placed = solids::placed(&scene, scale, DVec3::splat(offset));
+            let placed = placed(&scene, scale, DVec3::splat(offset));
             let away = Question::new(&placed, [px; 2]);
             let there = away.answer(Strategy::RAYCAST_MASK);
             let differing = (0..here.layers.pixels.len())
@@ -77,7 +92,7 @@ fn resolution(buffer: f64, depth_from_buffer: impl Fn(f64) -> f64) -> f64 {
 
 #[test]
 fn case_15_reversed_depth_keeps_its_precision_at_every_distance() {
-    let scene = &solids::near_and_far(64)[0];
+    let scene = &scenes::of_case("15-near-and-far", 64)[0];
     let question = Question::new(scene, [64; 2]);
     let view = &question.view;
     let ratio = view.far / view.near;

@@ -96,7 +96,7 @@ fn every_number_is_listed_once_and_has_a_keeper() {
     }
     for case in cases() {
         assert!(
-            ids.contains(&case.id),
+            ids.contains(&&*case.id),
             "case {} is not on the list",
             case.id
         );

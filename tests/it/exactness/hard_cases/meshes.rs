@@ -3,7 +3,6 @@
 use cutaway::layers::Kind;
 use cutaway::scene::ClipSurface;
 use cutaway::strategies::Strategy;
-use cutaway_lab::hard_cases::solids;
 use glam::DVec3;
 
 use crate::common::{Judged, Question, class_of, coarseness, meshes, scenes};
@@ -12,10 +11,11 @@ use crate::common::{Judged, Question, class_of, coarseness, meshes, scenes};
 fn case_04_and_05_every_pixel_counts_even() {
     for px in [64, 256] {
         for shape in ["cube?divisions=8", "slivers", "sponge?level=2"] {
-            for scene in solids::aligned(shape, px) {
+            for mut scene in scenes::of_case("04-rays-through-vertices", px) {
+                scene.parts[0].mesh = meshes::shape(shape).into();
                 let judged = Question::new(&scene, [px; 2]).answer(Strategy::RAYCAST_MASK);
                 let odd = judged.layers.pixels.iter().filter(|p| p.unreliable).count();
-                assert_eq!(odd, 0, "{} at {px}", scene.name);
+                assert_eq!(odd, 0, "{shape}, {} at {px}", scene.name);
             }
         }
     }
@@ -23,7 +23,7 @@ fn case_04_and_05_every_pixel_counts_even() {
 
 #[test]
 fn case_04_the_vertices_do_lie_at_pixel_centres() {
-    let scene = &solids::aligned("cube?divisions=8", 64)[0];
+    let scene = &scenes::of_case("04-rays-through-vertices", 64)[0];
     let question = Question::new(scene, [64; 2]);
     let positions = &question.model.prepared.parts[0].positions;
     let off = positions
@@ -76,14 +76,14 @@ fn case_06_triangles_without_area_change_nothing() {
 
 #[test]
 fn case_19_nothing_is_inside_a_doubled_mesh() {
-    let question = Question::new(&solids::doubled(), [256; 2]);
+    let question = Question::new(&scenes::of_case("19-doubled", 256)[0], [256; 2]);
     let judged = question.answer(Strategy::RAYCAST_MASK);
     assert_eq!(
         judged.layers.count(Kind::Cap),
         0,
         "by parity there is no inside"
     );
-    let single = Question::new(&solids::torus_cut(), [256; 2]).answer(Strategy::RAYCAST_MASK);
+    let single = Question::new(&scenes::torus_cut(), [256; 2]).answer(Strategy::RAYCAST_MASK);
     assert!(
         single.layers.count(Kind::Cap) > 1000,
         "of the single mesh there is"
@@ -93,7 +93,7 @@ fn case_19_nothing_is_inside_a_doubled_mesh() {
 #[test]
 fn case_20_the_missing_triangle_is_marked_pixel_by_pixel() {
     for px in [64, 256] {
-        for scene in solids::open(px) {
+        for scene in scenes::of_case("20-open", px) {
             let question = Question::new(&scene, [px; 2]);
             let judged = question.answer(Strategy::RAYCAST_MASK);
             let exact = &judged.exact;

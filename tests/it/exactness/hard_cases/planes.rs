@@ -3,7 +3,6 @@
 use cutaway::layers::Kind;
 use cutaway::scene::{Camera, ClipSurface, Scene};
 use cutaway::strategies::Strategy;
-use cutaway_lab::hard_cases::bumps;
 use glam::DVec3;
 
 use crate::common::{Question, class_of, meshes, scenes, strategy};
@@ -99,7 +98,7 @@ fn face_pixels(question: &Question, z: f64) -> Vec<usize> {
 #[test]
 fn case_22_a_flat_map_is_the_plane_bit_for_bit() {
     for px in [64, 256] {
-        for scene in bumps::flat(px) {
+        for scene in scenes::of_case("22-flat-map", px) {
             let mut plane = scene.clone();
             let surface = &mut plane.cuts[0].surfaces[0];
             let height = surface

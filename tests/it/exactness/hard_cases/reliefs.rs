@@ -3,7 +3,6 @@
 use cutaway::layers::Kind;
 use cutaway::scene::{ClipSurface, OffsetMap, Wrap};
 use cutaway::strategies::Strategy;
-use cutaway_lab::hard_cases::bumps;
 use glam::DVec3;
 
 use crate::common::{Question, class_of, meshes, scenes, strategy, tolerances};
@@ -121,7 +120,7 @@ fn case_32_the_gap_of_the_grid_grows_as_the_cut_becomes_tangent() {
 
 #[test]
 fn case_48_the_length_of_v_counts_and_its_angle_must_be_right() {
-    let scene = &bumps::anisotropic(256)[1];
+    let scene = &scenes::of_case("48-anisotropic", 256)[1];
     let as_meant = Question::new(scene, [256; 2]).answer(Strategy::RAYCAST_MASK);
     assert_eq!(
         as_meant.fault_of_exact(),

@@ -8,7 +8,6 @@ use cutaway::scene::{ClipSurface, Cut, Fill, Part, Scene};
 use cutaway::session::Outcome;
 use cutaway::strategies::{self, Strategy};
 use cutaway_lab::compare::compare;
-use cutaway_lab::hard_cases::{bumps, solids, windings};
 use glam::{DAffine3, DVec3};
 
 use crate::common::{Question, hardware_precision, meshes, scenes, session};
@@ -24,14 +23,19 @@ fn masks(question: &Question) -> [Vec<u32>; 2] {
 
 /// Lists of one crossing and of many, one part and several, the eye outside and inside.
 fn asked(size: u32) -> Vec<Scene> {
-    let mut all = vec![solids::torus_cut(), solids::doubled()];
-    all.extend(bumps::crossing(size));
-    all.extend(bumps::plateaus(size));
-    all.extend(solids::eye_inside(size));
-    all.extend(solids::near_plane(size));
-    all.extend(solids::open(size));
+    let mut all = vec![scenes::torus_cut()];
+    for file in [
+        "10-eye-inside",
+        "12-near-plane",
+        "19-doubled",
+        "20-open",
+        "28-steps",
+        "38-crossing-surfaces",
+    ] {
+        all.extend(scenes::of_case(file, size));
+    }
     // One of these sections cuts nothing, and leaves no mask.
-    let aligned = solids::aligned("cube?divisions=8", size);
+    let aligned = scenes::of_case("04-rays-through-vertices", size);
     all.extend(aligned.into_iter().filter(|s| !s.name.contains("z=-10")));
     for shape in ["earth?subdivisions=3", "gears?flank=2"] {
         let mut scene = scenes::sectioned(shape, &["-1,0.2,0.1@45%,50%,50%"]);
@@ -57,7 +61,7 @@ fn case_44_the_stencil_leaves_the_mask_bit_for_bit() {
 
 #[test]
 fn case_44_nonzero_leaves_whether_the_count_is_0() {
-    for scene in windings::nonzero(solids::hollow(128)) {
+    for scene in scenes::of_case("16-hollow-nonzero", 128) {
         let question = Question::new(&scene, [128; 2]);
         let [mask, stencil] = masks(&question);
         let (totals, counts) = mask.split_at(128 * 128);

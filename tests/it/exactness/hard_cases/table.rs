@@ -2,14 +2,16 @@
 //!
 //! A declared failure that starts to pass is a fault too: then the table is wrong, and a reader of it is misled.
 
+use std::path::Path;
+
 use cutaway::session::Outcome;
 use cutaway::strategies::{Method, Obstacle};
 use cutaway_lab::hard_cases::{
-    Asked, Case, Expected, Form, Keeps, Question, Tally, caps_px, cases, check_ids, found,
-    pictures, random, solids, tallied, usual_methods,
+    Asked, Case, Expected, Question, Tally, caps_px, cases, check_ids, found, pictures, random,
+    read, tallied, usual_methods,
 };
 
-use crate::common::{session, tolerances};
+use crate::common::{scenes, session, tolerances};
 
 /// Cases in which nothing is capped.
 const CAPLESS: [&str; 4] = [
@@ -25,10 +27,10 @@ fn run<'a>(cases: impl Iterator<Item = &'a Case>) -> Vec<String> {
     for case in cases {
         let mut tallies: Vec<(Method, Tally)> = Vec::new();
         for size_px in [64, 256] {
-            let pictures = pictures(case, size_px);
+            let pictures = pictures(case, size_px).expect("scenes");
             let caps = caps_px(&pictures);
             // Of a doubled mesh nothing is inside, and a plane in a face shows the face; every other case is about caps.
-            if (caps == 0) != CAPLESS.contains(&case.name) {
+            if (caps == 0) != CAPLESS.contains(&&*case.name) {
                 faults.push(format!("{} {} has {caps} cap pixels", case.id, case.name));
             }
             for method in usual_methods(size_px) {
@@ -105,7 +107,7 @@ fn named(name: &str) -> Method {
 #[test]
 fn every_expectation_can_be_missed() {
     let coarse = named("grid:16+vds:32");
-    let scene = solids::torus_cut();
+    let scene = scenes::torus_cut();
     let question = Question::new(&scene, [128; 2]);
     let judged = question.answer(&mut session(), &coarse).expect("a frame");
     // The bands of a sprite of 512 and of no error are too narrow for one of 32.
@@ -117,7 +119,7 @@ fn every_expectation_can_be_missed() {
         Expected::Listed(0.0),
         Expected::Marked,
         Expected::Doubted,
-        Expected::Overflows("anything"),
+        Expected::Overflows("anything".into()),
         Expected::Refuses(Obstacle::Limit),
         Expected::RefusesSome(Obstacle::Limit),
     ] {
@@ -127,7 +129,7 @@ fn every_expectation_can_be_missed() {
     let own = Expected::Band.fault(&question, &judged, &coarse);
     assert_eq!(own, None, "its own band is wide enough");
     // An open mesh whose marks are wiped off.
-    let open = &solids::open(128)[0];
+    let open = &scenes::of_case("20-open", 128)[0];
     let question = Question::new(open, [128; 2]);
     let mask = named("raycast+mask");
     let mut judged = question.answer(&mut session(), &mask).expect("a frame");
@@ -145,19 +147,19 @@ fn a_declaration_that_is_stale_is_a_fault() {
     if !tolerances::holds_lower_bounds() {
         return;
     }
-    let scene = &solids::each("cube", &["-z=0.1"])[0];
+    let scene = &scenes::sectioned("cube", &["-z=0.1"]);
     let question = Question::new(scene, [64; 2]);
     let mask = named("raycast+mask");
     let judged = question.answer(&mut session(), &mask).expect("a frame");
     for stale in [
-        Expected::Fails("it does not"),
-        Expected::FailsWithin("it does not", 0.1, 0.2),
+        Expected::Fails("it does not".into()),
+        Expected::FailsWithin("it does not".into(), 0.1, 0.2),
         Expected::Share(0.1),
-        Expected::Within(0.1, "it is not wrong"),
+        Expected::Within(0.1, "it is not wrong".into()),
         Expected::Listed(0.1),
         Expected::Refuses(Obstacle::Limit),
         Expected::RefusesSome(Obstacle::Limit),
-        Expected::Overflows("it has room"),
+        Expected::Overflows("it has room".into()),
     ] {
         let mut tally = Tally::default();
         tally.add(&judged, "cube", stale.fault(&question, &judged, &mask));
@@ -165,7 +167,7 @@ fn a_declaration_that_is_stale_is_a_fault() {
     }
     // A refusal for another reason than the one that is declared.
     let stencil = named("stencil");
-    let crossing = &cutaway_lab::hard_cases::bumps::crossing(64)[0];
+    let crossing = &scenes::of_case("38-crossing-surfaces", 64)[0];
     let question = Question::new(crossing, [64; 2]);
     let refused = question.answer(&mut session(), &stencil).expect("a frame");
     assert!(
@@ -182,7 +184,7 @@ fn a_declaration_that_is_stale_is_a_fault() {
 
 #[test]
 fn a_failure_that_gets_worse_or_better_is_told() {
-    let failing = Expected::FailsWithin("planted", 0.1, 0.4);
+    let failing = Expected::FailsWithin("planted".into(), 0.1, 0.4);
     for (wrong_px, phrase) in [
         (5, Some("better")),
         (10, None),
@@ -220,20 +222,14 @@ fn a_bound_is_stale_only_if_nothing_is_wrong_at_any_usual_size() {
 
 #[test]
 fn turned_normals_and_shifted_depths_are_noticed() {
-    let case = Case {
-        id: "planted",
-        name: "planted",
-        scenes: |_| solids::each("cube", &["-z=0.1"]),
-        form: Form::Plane,
-        exact: Expected::Exact,
-        paper: Expected::Band,
-        apart: &[],
-        keeps: Keeps {
-            normal_deg: 0.1,
-            depth_px: 0.01,
-        },
-    };
-    let (_, question) = &pictures(&case, 64)[0];
+    let case = read(
+        Path::new("planted.toml"),
+        "part = [{ shape = \"cube\" }]\ncut = [{ surfaces = [{ section = \"-z=0.1\" }] }]\n\
+         [case]\nid = \"0\"\nname = \"planted\"\nexact = \"exact\"\npaper = \"band\"\n\
+         keeps = { normal_deg = 0.1, depth_px = 0.01 }\n",
+    );
+    let case = case.expect("a case");
+    let (_, question) = &pictures(&case, 64).expect("a scene")[0];
     let mask = named("raycast+mask");
     let judged = question.answer(&mut session(), &mask).expect("a frame");
     assert_eq!(case.fault(question, &judged, &mask), None, "as it is drawn");

@@ -5,10 +5,10 @@ use std::collections::BTreeMap;
 use cutaway::scene::{ClipSurface, Mesh};
 use cutaway::slice::{Section, SlicePlane, Slicer};
 use cutaway::strategies::Method;
-use cutaway_lab::hard_cases::{Question, meshes, users};
+use cutaway_lab::hard_cases::{Question, meshes};
 use glam::DVec3;
 
-use crate::common::{coarseness, session, tolerances};
+use crate::common::{coarseness, scenes, session, tolerances};
 
 fn sections(mesh: &Mesh, at: DVec3, normal: DVec3) -> Section {
     let slicer = Slicer::new(mesh.positions.clone(), &mesh.triangles);
@@ -19,7 +19,7 @@ fn sections(mesh: &Mesh, at: DVec3, normal: DVec3) -> Section {
 fn case_21_t_junctions_leak_no_more_than_their_slivers() {
     let mask = "raycast+mask".parse::<Method>().expect("a name");
     let mut marked = Vec::new();
-    for scene in users::t_junctions(256) {
+    for scene in scenes::of_case("21-split-edges", 256) {
         let question = Question::new(&scene, [256; 2]);
         let judged = question.answer(&mut session(), &mask).expect("a frame");
         let unmarked = judged.first_unmarked_wrong().map(|i| judged.describe(i));

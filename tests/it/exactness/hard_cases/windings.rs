@@ -1,11 +1,10 @@
 //! Cases 16 to 19 by the nonzero rule: which points a mesh winds around, and what is said where it cannot be told.
 
 use cutaway::layers::Kind;
-use cutaway::scene::{ClipSurface, Cut, Fill, Scene};
+use cutaway::scene::{ClipSurface, Cut, Fill, Mesh, Scene};
 use cutaway::session::Outcome;
 use cutaway::strategies::{Means, Method, Rasteriser, Strategy};
-use cutaway_lab::hard_cases::windings::{nonzero, profiles, revolved};
-use cutaway_lab::hard_cases::{self, Expected, solids};
+use cutaway_lab::hard_cases::{self, Expected};
 use glam::{DAffine3, DVec2, DVec3};
 
 use crate::common::numbers::Numbers;
@@ -35,12 +34,62 @@ fn distance(polygon: &[DVec2], at: DVec2) -> f64 {
     .fold(f64::INFINITY, f64::min)
 }
 
+/// The same scene with every part filled by the nonzero rule.
+fn nonzero(mut scene: Scene) -> Scene {
+    for part in &mut scene.parts {
+        part.fill = Fill::Nonzero;
+    }
+    scene
+}
+
+/// A closed profile turned about the z axis. Its winding number around a point is that of the profile around the point's
+/// distance from the axis and height, up to the corners of the turn.
+fn revolved(profile: &[DVec2], segments: u32) -> Mesh {
+    let count = profile.len() as u32;
+    let mut mesh = Mesh::default();
+    for s in 0..segments {
+        let turn = std::f64::consts::TAU * f64::from(s) / f64::from(segments);
+        let out = DVec3::new(turn.cos(), turn.sin(), 0.0);
+        (mesh.positions).extend(profile.iter().map(|p| out * p.x + DVec3::Z * p.y));
+        for p in 0..count {
+            let at = |s: u32, p: u32| s % segments * count + p % count;
+            let [a, b, c, d] = [at(s, p), at(s + 1, p), at(s + 1, p + 1), at(s, p + 1)];
+            mesh.triangles.extend([[a, b, c], [a, c, d]]);
+        }
+    }
+    mesh
+}
+
+/// Curves that cross themselves: a loop within a loop, which goes round its inside twice, and an eight, of which one half is
+/// inside out.
+fn profiles() -> [(&'static str, Vec<DVec2>); 2] {
+    let around = |point: &dyn Fn(f64) -> DVec2| {
+        let turns = (0..96).map(|i| std::f64::consts::TAU * f64::from(i) / 96.0);
+        turns.map(point).collect()
+    };
+    [
+        (
+            "loop in a loop",
+            around(&|t| {
+                let reach = 0.12 + 0.24 * t.cos();
+                DVec2::new(0.45 + reach * t.cos(), reach * t.sin())
+            }),
+        ),
+        (
+            "eight",
+            around(&|t| DVec2::new(0.5 + 0.3 * t.sin(), 0.25 * (2.0 * t).sin())),
+        ),
+    ]
+}
+
 /// A self-crossing solid, its upper part removed, seen from above.
 fn crossed(profile: &[DVec2], fill: Fill) -> Scene {
     let plane = ClipSurface::plane(DVec3::Z * 0.031, DVec3::NEG_Z);
     let mut scene = scenes::scene("crossed", revolved(profile, 256), vec![plane]);
     scene.parts[0].fill = fill;
-    scene.camera = solids::centred(DVec3::Z, 256);
+    scene.camera = scenes::of_case("04-rays-through-vertices", 256)
+        .remove(0)
+        .camera;
     scene
 }
 
@@ -58,7 +107,7 @@ fn by_compute(question: &Question) -> (Judged, Vec<u32>) {
 fn case_16_a_hollow_ball_is_hollow_if_its_inner_shell_is_turned() {
     let caps = |flip: u32, fill: Fill| {
         let shape = format!("shells?subdivisions=3&flip_inner={flip}");
-        let mut scene = solids::each(&shape, &["-z=0.05"]).remove(0);
+        let mut scene = scenes::sectioned(&shape, &["-z=0.05"]);
         scene.parts[0].fill = fill;
         let judged = Question::new(&scene, [128; 2]).answer(Strategy::RAYCAST_MASK);
         assert_eq!(judged.fault_of_exact(), None, "{shape}, {fill}");
@@ -78,13 +127,13 @@ fn case_16_a_hollow_ball_is_hollow_if_its_inner_shell_is_turned() {
 
 #[test]
 fn case_17_overlapping_balls_unite() {
-    let scenes = solids::overlapping(256);
+    let scenes = scenes::of_case("17-overlapping", 256);
     let caps = |scene: &Scene| {
         let judged = Question::new(scene, [256; 2]).answer(Strategy::RAYCAST_MASK);
         assert_eq!(judged.fault_of_exact(), None, "{}", scene.name);
         judged.layers.count(Kind::Cap)
     };
-    let united = nonzero(scenes.clone());
+    let united = scenes::of_case("17-overlapping-nonzero", 256);
     for (parity, nonzero) in scenes.iter().zip(&united) {
         let (void, full) = (caps(parity), caps(nonzero));
         assert!(full > void * 5 / 4, "the lens is full: {full} and {void}");
@@ -141,8 +190,8 @@ fn case_18_the_mask_holds_the_winding_number_itself() {
 
 #[test]
 fn case_19_a_doubled_mesh_is_as_solid_as_a_single_one() {
-    let single = Question::new(&solids::torus_cut(), [256; 2]).answer(Strategy::RAYCAST_MASK);
-    let doubled = nonzero(vec![solids::doubled()]).remove(0);
+    let single = Question::new(&scenes::torus_cut(), [256; 2]).answer(Strategy::RAYCAST_MASK);
+    let doubled = scenes::of_case("19-doubled-nonzero", 256).remove(0);
     let question = Question::new(&doubled, [256; 2]);
     let judged = question.answer(Strategy::RAYCAST_MASK);
     assert_eq!(judged.fault_of_exact(), None, "hardware");
@@ -167,7 +216,7 @@ fn more_shells_than_a_byte_counts_are_marked() {
         let mesh = meshes::joined(&(0..count).map(shell).collect::<Vec<_>>());
         let plane = ClipSurface::plane(DVec3::ZERO, DVec3::new(-0.2, -0.1, -1.0));
         let scene = scenes::scene("shells", mesh, vec![plane]);
-        Question::new(&nonzero(vec![scene])[0], [96; 2])
+        Question::new(&nonzero(scene), [96; 2])
     };
     for rasteriser in [Rasteriser::Hardware, Rasteriser::Compute] {
         let most = match rasteriser {
@@ -205,7 +254,7 @@ fn faces_that_disagree_on_what_is_out_are_marked_where_they_are() {
     let even_odd = scenes::scene("one face turned", mesh, vec![plane]);
     let parity = Question::new(&even_odd, [128; 2]).answer(Strategy::RAYCAST_MASK);
     assert_eq!(parity.comparison.odd_parity_px, 0, "parity ignores it");
-    let question = Question::new(&nonzero(vec![even_odd.clone()])[0], [128; 2]);
+    let question = Question::new(&nonzero(even_odd.clone()), [128; 2]);
     for judged in [
         question.answer(Strategy::RAYCAST_MASK),
         by_compute(&question).0,
@@ -213,7 +262,7 @@ fn faces_that_disagree_on_what_is_out_are_marked_where_they_are() {
         let marked = judged.comparison.odd_parity_px;
         assert!(marked > 20, "{marked} pixels are marked");
         let method = Method::from(Strategy::RAYCAST_MASK);
-        let asked = hard_cases::Question::new(&nonzero(vec![even_odd.clone()])[0], [128; 2]);
+        let asked = hard_cases::Question::new(&nonzero(even_odd.clone()), [128; 2]);
         let fault = Expected::Marked.fault(&asked, &judged, &method);
         assert_eq!(fault, None);
     }

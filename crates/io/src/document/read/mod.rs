@@ -86,6 +86,10 @@
 //! rasteriser = "compute"
 //! ```
 //!
+//! # What is left alone
+//!
+//! `[case]` is what the hard cases (`experiments/hard-cases`) expect of their scenes. Nothing of it is drawn.
+//!
 //! # What moves
 //!
 //! A `[[key]]` moves any number of `camera`, `part`, `relief` and `cut`, or a list of them, in time. `interpolation` is
@@ -190,6 +194,9 @@ pub(super) use stock::PartSource;
 pub(super) use style::is_file as is_style_file;
 pub use style::{named_style, style_names};
 
+/// What the hard cases say of their scenes: nothing that is drawn.
+const CASE: &str = "case";
+
 /// Keys of a scene.
 static KEYS: Keys = Keys::below("");
 
@@ -221,7 +228,8 @@ pub(super) fn root<'a>(
     node: &'a Node,
     moment: Option<Moment<'a>>,
 ) -> Result<Table<'a>> {
-    Table::of_file(Source { path, moment }, node, KEYS.all())
+    let known = [KEYS.all(), &[CASE]].concat();
+    Table::of_file(Source { path, moment }, node, &known)
 }
 
 /// Opens all that a document names.
