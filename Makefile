@@ -1,11 +1,11 @@
-# Two commands on a fresh machine: `make demo` and `make test`; and `make check`, `make test-long`, `make docs`, `make gallery`, `make web`, `make check-web`, `make python`, `make archive`. Those that draw install the software Vulkan driver if there is none.
+# Two commands on a fresh machine: `make demo` and `make test`; and `make check`, `make check-all`, `make test-long`, `make docs`, `make gallery`, `make web`, `make check-viewer`, `make check-web`, `make python`, `make archive`. Those that draw install the software Vulkan driver if there is none.
 
 CARGO ?= cargo
 
 # Without it libwayland complains on every start of a graphics driver, over ssh and in containers.
 export XDG_RUNTIME_DIR ?= /tmp
 
-.PHONY: archive check check-web demo docs gallery python test test-long setup web
+.PHONY: archive check check-all check-viewer check-web demo docs gallery python test test-long setup web
 
 # Pictures, a table and a report in target/demo, from the built-in crank: no data to fetch.
 demo: setup
@@ -28,6 +28,16 @@ web:
 check-web: setup web
 	$(CARGO) build --release --quiet
 	scripts/check-web.sh
+
+# The window on a virtual display, in the profile that tests are built in.
+check-viewer: setup
+	$(CARGO) test --workspace --no-run --quiet
+	scripts/check-viewer.sh $${CARGO_TARGET_DIR:-target}/debug/cutaway-viewer
+
+# What `make test` does not see: the Python module, the window, the page in a browser. In the profile of tests, so that little is built anew.
+check-all: setup python check-viewer
+	CARGO="$(CARGO)" WEB_PROFILE=dev scripts/web.sh $${CARGO_TARGET_DIR:-target}/page-to-check
+	scripts/check-web.sh $${CARGO_TARGET_DIR:-target}/page-to-check $${CARGO_TARGET_DIR:-target}/debug/cutaway-tested
 
 # The Python module: its wheel in target/python/wheels, installed into a fresh environment and tested there. See scripts/python.sh.
 python: setup

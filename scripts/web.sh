@@ -1,10 +1,13 @@
 #!/bin/sh
 # Builds the page: static files in target/page (or $1), for any static host.
+#
+# WEB_PROFILE=dev builds it in a third of the time, four times as large: to see whether it works, not to be served.
 set -eu
 
 cargo=${CARGO:-cargo}
 target=${CARGO_TARGET_DIR:-target}
 out=${1:-$target/page}
+profile=${WEB_PROFILE:-web}
 # Most bytes of the program, and of what a host sends of it when it compresses by gzip. By brotli it is a quarter less.
 most=8000000
 most_sent=3000000
@@ -23,9 +26,12 @@ if [ "$("$tools/bin/wasm-bindgen" --version 2>/dev/null)" != "wasm-bindgen $vers
 fi
 
 # Every browser that has WebGPU has SIMD; without it what draws glyphs brings a substitute along that is 1.4 MB larger.
-RUSTFLAGS="-C target-feature=+simd128" $cargo rustc --quiet --package cutaway-viewer --lib --crate-type cdylib --profile web --target wasm32-unknown-unknown
+RUSTFLAGS="-C target-feature=+simd128" $cargo rustc --quiet --package cutaway-viewer --lib --crate-type cdylib --profile "$profile" --target wasm32-unknown-unknown
 mkdir -p "$out"
-"$tools/bin/wasm-bindgen" --target web --remove-name-section --out-dir "$out" "$target/wasm32-unknown-unknown/web/cutaway_viewer.wasm"
+# Cargo has a name of its own for the folder of this one.
+folder=$profile
+[ "$profile" != dev ] || folder=debug
+"$tools/bin/wasm-bindgen" --target web --remove-name-section --out-dir "$out" "$target/wasm32-unknown-unknown/$folder/cutaway_viewer.wasm"
 program=$out/cutaway_viewer_bg.wasm
 cp crates/viewer/web/index.html crates/viewer/web/judge.js "$out"
 cp docs/images/crank.png "$out/still.png"
@@ -33,7 +39,7 @@ cp docs/images/crank.png "$out/still.png"
 bytes=$(wc -c <"$program")
 sent=$(gzip -9 -c "$program" | wc -c)
 echo "$out: $bytes bytes of program, $sent compressed"
-[ "$bytes" -le "$most" ] && [ "$sent" -le "$most_sent" ] || {
+[ "$profile" != web ] || { [ "$bytes" -le "$most" ] && [ "$sent" -le "$most_sent" ]; } || {
     echo "it is larger than $most bytes, or than $most_sent compressed" >&2
     exit 1
 }

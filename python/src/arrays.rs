@@ -1,10 +1,10 @@
 //! Meshes and layers between numpy and the library.
 
+use cutaway::scene::Mesh;
 use glam::DVec3;
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use cutaway::scene::Mesh;
 
 /// The mesh of (n, 3) coordinates and (m, 3) numbers of vertices.
 pub(crate) fn mesh(

@@ -1,11 +1,11 @@
 //! What cuts leave of a scene, and what they remove, as meshes with their caps.
 
-use numpy::IntoPyArray;
-use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyList};
 use cutaway::scene::Mesh;
 use cutaway::slice::{CappedPart, Half, capped_with};
 use cutaway::{Error, Scene as Shown};
+use numpy::IntoPyArray;
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyList};
 
 use crate::arrays::rows;
 use crate::door::{Result, detached};

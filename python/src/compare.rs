@@ -2,9 +2,9 @@
 
 use std::sync::atomic::Ordering;
 
-use pyo3::prelude::*;
 use cutaway::Error;
 use cutaway_lab::experiment::{Question, Renderer, check_memory, errors, means, times};
+use pyo3::prelude::*;
 
 use crate::device::with_session;
 use crate::door::{Result, stoppable};

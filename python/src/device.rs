@@ -2,9 +2,9 @@
 
 use std::sync::{Mutex, PoisonError};
 
+use cutaway::{Gpu, GpuOptions, Session};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use cutaway::{Gpu, GpuOptions, Session};
 
 use crate::door::{Result, detached};
 

@@ -15,9 +15,9 @@ use std::sync::mpsc::{self, RecvTimeoutError};
 use std::thread;
 use std::time::Duration;
 
+use cutaway::Error;
 use pyo3::exceptions::{PyFileNotFoundError, PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
-use cutaway::Error;
 
 /// Result of what is asked of the library.
 pub(crate) type Result<T> = cutaway::Result<T>;

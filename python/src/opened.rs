@@ -1,10 +1,10 @@
 //! A document opened: what it shows, kept from call to call as long as it says the same.
 
-use cutaway_io::document::{Document, Timeline, named_style};
-use cutaway_lab::experiment::SceneAtTime;
-use cutaway_io::load::Assets;
 use cutaway::scene::{Fit, Scene, View};
 use cutaway::{Error, Outcome};
+use cutaway_io::document::{Document, Timeline, named_style};
+use cutaway_io::load::Assets;
+use cutaway_lab::experiment::SceneAtTime;
 
 use crate::door::Result;
 

@@ -1,17 +1,17 @@
 //! A picture and its layers, as `cutaway render` draws them: the layers at the resolution that is asked for, the picture smoothed.
 
+use cutaway::Session;
+use cutaway::layers::{Kind, Layers};
+use cutaway::scene::{Remark, doubts};
+use cutaway::session::Outcome;
+use cutaway::strategies::{AUTO, Choice, choose};
+use cutaway_lab::compare::may_be_wrong;
+use cutaway_lab::experiment::{Renderer, means, picture};
 use image::RgbaImage;
 use numpy::{IntoPyArray, PyArrayMethods, PyReadonlyArray3};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
-use cutaway::Session;
-use cutaway_lab::compare::may_be_wrong;
-use cutaway_lab::experiment::{Renderer, means, picture};
-use cutaway::layers::{Kind, Layers};
-use cutaway::scene::{Remark, doubts};
-use cutaway::session::Outcome;
-use cutaway::strategies::{AUTO, Choice, choose};
 
 use crate::arrays::pixels;
 use crate::device::with_session;

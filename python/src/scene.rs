@@ -5,12 +5,12 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use cutaway_io::document::{CutDraft, Document, Node, PartDraft, Value, cut, part, section};
+use cutaway_io::save::plain_ply;
 use numpy::PyReadonlyArray2;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
-use cutaway_io::document::{CutDraft, Document, Node, PartDraft, Value, cut, part, section};
-use cutaway_io::save::plain_ply;
 
 use crate::door::{detached, raised};
 use crate::state::{Asked, Shared, State, entries, has_parts};

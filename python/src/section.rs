@@ -4,12 +4,12 @@
 //! follows the one that the normal is nearest to, as far as the plane allows, and `u` x `v` is the normal: in a section `z=..` they are x
 //! and y, in `x=..` y and z, in `y=..` z and x.
 
+use cutaway::scene::SceneSpace;
+use cutaway::slice::{SectionDefect, SlicePlane, Slicer};
+use cutaway_io::document::section as section_draft;
 use glam::{DVec2, DVec3};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
-use cutaway_io::document::section as section_draft;
-use cutaway::scene::SceneSpace;
-use cutaway::slice::{SectionDefect, SlicePlane, Slicer};
 
 use crate::arrays::points;
 use crate::door::{Result, detached};

@@ -8,11 +8,11 @@ use std::ffi::OsString;
 use std::path::{Path, PathBuf, absolute};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use pyo3::prelude::*;
-use pyo3::types::PyDict;
 use cutaway::Error;
 use cutaway_io::document::{Document, Node, Origin, Value};
 use cutaway_io::load::Assets;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
 
 use crate::door::Result;
 use crate::opened::{Opened, Purpose};

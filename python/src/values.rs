@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
+use cutaway_io::document::{Node, Value};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyDict, PyFloat, PyInt, PyList, PyString};
-use cutaway_io::document::{Node, Value};
 
 /// How deep lists and tables may lie in one another: no value of a scene comes near, and what holds itself ends here.
 const DEEPEST: usize = 16;

