@@ -5,9 +5,9 @@
 
 use std::sync::Arc;
 
-use cutaway::Result;
-use cutaway::scene::{Camera, Scene, Viewpoint, glob_matches};
+use cutaway::scene::{Camera, Projection, Scene, Viewpoint, glob_matches};
 use cutaway::strategies::{Method, Obstacle, Strategy};
+use cutaway::{Error, Result};
 use cutaway_io::document::{Document, Node};
 use cutaway_io::load::Assets;
 
@@ -133,7 +133,7 @@ impl Case {
             let mut scene = document.resolve(0.0, &mut assets)?;
             scene.name.clone_from(&picture.name);
             if picture.half_pixel {
-                scene.camera = moved_by_half_a_pixel(scene.camera, size_px);
+                scene.camera = moved_by_half_a_pixel(scene.camera, size_px)?;
             }
             Ok(scene)
         };
@@ -231,27 +231,32 @@ impl Case {
     }
 }
 
-/// A parallel camera two units high, moved so that what was in the middle of the picture is at the centre of a pixel.
-fn moved_by_half_a_pixel(camera: Camera, size_px: u32) -> Camera {
-    let Viewpoint::Explicit {
-        position,
-        focal_point,
-        view_up,
-    } = camera.viewpoint
+/// A parallel camera, moved so that what was in the middle of the picture is at the centre of a pixel.
+fn moved_by_half_a_pixel(camera: Camera, size_px: u32) -> Result<Camera> {
+    let (
+        Viewpoint::Explicit {
+            position,
+            focal_point,
+            view_up,
+        },
+        Projection::Orthographic {
+            height: Some(height),
+        },
+    ) = (camera.viewpoint, camera.projection)
     else {
-        return camera;
+        let help = "give it a `position`, `projection = \"orthographic\"` and a `height`";
+        let what = "the camera of a picture with `half_pixel` is not parallel";
+        return Err(Error::input("hard case", what, help));
     };
     let ahead = (focal_point - position).normalize_or_zero();
-    let right = ahead
-        .cross(view_up.unwrap_or(glam::DVec3::Y))
-        .normalize_or_zero();
-    let shift = (right - right.cross(ahead)) / f64::from(size_px);
-    Camera {
+    let right = (ahead.cross(view_up.unwrap_or(glam::DVec3::Y))).normalize_or_zero();
+    let shift = (right - right.cross(ahead)) * (0.5 * height / f64::from(size_px));
+    Ok(Camera {
         viewpoint: Viewpoint::Explicit {
             position: position + shift,
             focal_point: focal_point + shift,
             view_up,
         },
         ..camera
-    }
+    })
 }

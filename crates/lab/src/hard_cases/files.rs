@@ -20,8 +20,8 @@
 //! "cut.0.surfaces.0.section" = ["-z=0.05", "-1,-1,-1@0,0,0.1"]
 //! ```
 //!
-//! `half_pixel = true` beside an `is` moves a parallel camera so that the middle of the picture is the centre of a pixel, whatever its size.
-//! An expectation is a word (`exact`, `marked`, `doubted`, `band`) or a table: `{ share = S }` and `{ listed = S }` of what was found, with
+//! `half_pixel = true` beside an `is` moves a parallel camera so that the middle of the picture is the centre of a pixel, of pictures of even sizes.
+//! An expectation is a word (`exact`, `marked`, `doubted`, `band`) or a table: `{ share = S }` and `{ listed = S }` of what was found, the former with
 //! `why` where it is not the usual reason, `{ fails = "WHY" }`, `{ refuses = OBSTACLE }`, `{ refuses_some = OBSTACLE }`,
 //! `{ overflows = "WORDS" }`.
 //!
@@ -118,7 +118,7 @@ fn case(entry: &Entry<'_>, document: Document) -> Result<Case> {
     })
 }
 
-/// Pairs of a glob over names of methods, and something of them.
+/// Pairs of a name, or a glob over names, of methods, and something of them; by name, so that the first that fits is the same everywhere.
 fn by_glob<T>(
     table: &Table<'_>,
     key: &str,
@@ -155,6 +155,7 @@ fn expected(entry: &Entry<'_>) -> Result<Expected> {
     let words = |key: &str| table.get(key).map(|e| e.text().map(Arc::from)).transpose();
     let obstacle = |key: &str| table.get(key).map(|e| obstacle(&e)).transpose();
     let why: Option<Arc<str>> = words("why")?;
+    let has_why = why.is_some();
     let all = [
         number("share")?.map(|found| match why {
             Some(why) => Expected::Within(found * FACTOR, why),
@@ -167,7 +168,13 @@ fn expected(entry: &Entry<'_>) -> Result<Expected> {
         words("overflows")?.map(Expected::Overflows),
     ];
     let help = "write one word, as `exact`, or a table, as `{ share = 0.02 }`";
-    (all.into_iter().flatten().next()).ok_or_else(|| entry.fault("it expects nothing", help))
+    let all: Vec<Expected> = all.into_iter().flatten().collect();
+    match &all[..] {
+        [] => Err(entry.fault("it expects nothing", help)),
+        [one] if !has_why || matches!(one, Expected::Within(..)) => Ok(one.clone()),
+        [_] => Err(entry.fault("only a share has a `why` of its own", help)),
+        _ => Err(entry.fault("it expects several things", help)),
+    }
 }
 
 fn obstacle(entry: &Entry<'_>) -> Result<Obstacle> {
@@ -321,6 +328,12 @@ mod tests {
             ("\"exact\"\n", "\"exat\"\n", "1.toml:5"),
             ("\"band\"", "{ fail = \"so\" }", "did you mean `fails`"),
             ("\"band\"", "{ why = \"so\" }", "it expects nothing"),
+            (
+                "\"band\"",
+                "{ share = 0.1, fails = \"so\" }",
+                "several things",
+            ),
+            ("\"band\"", "{ listed = 0.1, why = \"so\" }", "only a share"),
             ("\"band\"", "{ refuses = \"rain\" }", "1.toml:6"),
             ("name =", "nam =", "1.toml:4"),
             ("[case]", "[cse]", "it has no `case`"),

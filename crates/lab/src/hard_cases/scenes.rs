@@ -1,4 +1,4 @@
-//! Scenes, cameras and clip-surfaces in few words, for scenes that are written in the source: words that make no sense panic.
+//! Scenes, cameras and clip-surfaces in few words, for tests: words that make no sense panic.
 
 use std::sync::Arc;
 
@@ -55,7 +55,7 @@ pub fn relief(scene: &Scene, section: &str, relief: &str) -> ClipSurface {
 }
 
 /// A plane with a map of heights: one repeat per `period` in both directions, centred on the origin. The map lies as Duff et al.
-/// (2017) lay it, for what was found of the cases depends on that.
+/// (2017) lay it.
 pub fn mapped(
     origin: DVec3,
     normal: DVec3,

@@ -151,11 +151,15 @@ fn fill(folder: &Scratch) {
         folder.write(name, scene.replace("MESH", "bracket.obj"));
     }
     folder.write("below/scene.toml", scene.replace("MESH", "../part.obj"));
-    let scenes = folder.path("experiments/scenes");
-    fs::create_dir_all(&scenes).unwrap();
-    for entry in fs::read_dir(root.join("experiments/scenes")).unwrap() {
-        let path = entry.unwrap().path();
-        fs::copy(&path, scenes.join(path.file_name().unwrap())).unwrap();
+    for name in ["experiments/scenes", "experiments/hard-cases"] {
+        let scenes = folder.path(name);
+        fs::create_dir_all(&scenes).unwrap();
+        for entry in fs::read_dir(root.join(name)).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_file() {
+                fs::copy(&path, scenes.join(path.file_name().unwrap())).unwrap();
+            }
+        }
     }
 }
 

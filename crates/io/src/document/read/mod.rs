@@ -86,10 +86,6 @@
 //! rasteriser = "compute"
 //! ```
 //!
-//! # What is left alone
-//!
-//! `[case]` is what the hard cases (`experiments/hard-cases`) expect of their scenes. Nothing of it is drawn.
-//!
 //! # What moves
 //!
 //! A `[[key]]` moves any number of `camera`, `part`, `relief` and `cut`, or a list of them, in time. `interpolation` is
@@ -194,7 +190,7 @@ pub(super) use stock::PartSource;
 pub(super) use style::is_file as is_style_file;
 pub use style::{named_style, style_names};
 
-/// What the hard cases say of their scenes: nothing that is drawn.
+/// What is expected of a scene in `experiments/hard-cases`: nothing of it is drawn.
 const CASE: &str = "case";
 
 /// Keys of a scene.
