@@ -163,6 +163,7 @@ mod target;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
 
 use cutaway::error::Result;
 use cutaway::generate::defects::Defect;
@@ -171,7 +172,7 @@ use cutaway::scene::{
 };
 
 use super::node::Node;
-use super::paths::Keys;
+use super::paths::keys_below;
 use crate::load::Assets;
 use reader::{Entry, Source, Table};
 use stock::Opening;
@@ -190,11 +191,8 @@ pub(super) use stock::PartSource;
 pub(super) use style::is_file as is_style_file;
 pub use style::{named_style, style_names};
 
-/// What is expected of a scene in `experiments/hard-cases`: nothing of it is drawn.
-const CASE: &str = "case";
-
-/// Keys of a scene.
-static KEYS: Keys = Keys::below("");
+/// Keys of a scene. Nothing is drawn of `case`: it is what is expected of a scene in `experiments/hard-cases`.
+static KEYS: LazyLock<Vec<&str>> = LazyLock::new(|| [keys_below(""), vec!["case"]].concat());
 
 /// What a document names, opened.
 #[derive(Debug)]
@@ -224,8 +222,7 @@ pub(super) fn root<'a>(
     node: &'a Node,
     moment: Option<Moment<'a>>,
 ) -> Result<Table<'a>> {
-    let known = [KEYS.all(), &[CASE]].concat();
-    Table::of_file(Source { path, moment }, node, &known)
+    Table::of_file(Source { path, moment }, node, &KEYS)
 }
 
 /// Opens all that a document names.
