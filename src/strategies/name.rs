@@ -39,6 +39,11 @@ impl InsideTest {
         Self::new(&inside::vds::ROW, resolution)
     }
 
+    /// A layered depth image, whose lists keep what peeling a sprite loses, of so many texels along a side.
+    pub const fn ldi(resolution: u32) -> Self {
+        Self::new(&inside::ldi::ROW, resolution)
+    }
+
     /// Whether it answers for points of a part by images of it.
     pub fn is_of_points(&self) -> bool {
         matches!(self.row().answers, Answers::Points(_))

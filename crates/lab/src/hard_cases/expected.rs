@@ -89,7 +89,7 @@ impl Expected {
             Self::Band => band::fault(question, judged, method.strategy.resolution()?),
             Self::Share(most) | Self::Within(most, _) => share_fault(question, judged, *most),
             Self::Listed(most) => {
-                list_fault(judged).or_else(|| share_fault(question, judged, *most))
+                list_fault(judged, 1).or_else(|| share_fault(question, judged, *most))
             }
             // Counted over all pictures of the case.
             Self::Fails(_) | Self::FailsWithin(..) | Self::Refuses(_) | Self::RefusesSome(_) => {
@@ -163,18 +163,13 @@ fn share_fault(question: &Question, judged: &Judged, most: f64) -> Option<String
 /// seed 1, by `adaptive:0.5+mask`, and single pixels of thin wings of real meshes. Inner sides never show.
 const REMNANT_PX: usize = 1;
 
-/// What one list of crossings rules out at any tessellation.
-pub(super) fn list_fault(judged: &Judged) -> Option<String> {
-    let comparison = &judged.comparison;
-    let back = judged.back_faces();
+/// What one list of crossings rules out at any tessellation. Background this near to that of exact is an outline that was moved.
+pub(super) fn list_fault(judged: &Judged, outline_px: usize) -> Option<String> {
+    let holes = judged.holes(outline_px);
     let counts = [
-        (back, 0, "back faces"),
-        (
-            comparison.crack_px.saturating_sub(back),
-            REMNANT_PX,
-            "cracks",
-        ),
-        (comparison.odd_parity_px, 0, "odd pixels"),
+        (judged.back_faces(), 0, "back faces"),
+        (holes, REMNANT_PX, "cracks"),
+        (judged.comparison.odd_parity_px, 0, "odd pixels"),
     ];
     let found = counts.iter().find(|(count, most, _)| count > most)?;
     Some(format!("{} {}", found.0, found.2))

@@ -167,6 +167,28 @@ impl Judged {
             .count()
     }
 
+    /// Decided pixels of background where exact shows the outer side of a solid, and no background within so many pixels. Of one pixel these
+    /// are the cracks of a comparison that show no back face.
+    pub fn holes(&self, outline_px: usize) -> usize {
+        let [width, height] = self.layers.size_px.map(|s| s as usize);
+        let truth = &self.exact.layers.pixels;
+        let is_sky = |l: &Layer| l.kind == Kind::Background;
+        let near =
+            |at: usize, end: usize| at.saturating_sub(outline_px)..end.min(at + outline_px + 1);
+        let is_outline = |i: usize| {
+            let (x, y) = (i % width, i / width);
+            near(y, height).any(|v| near(x, width).any(|u| is_sky(&truth[v * width + u])))
+        };
+        let is_hole = |i: &usize| {
+            let is_solid = !is_sky(&truth[*i]) && !truth[*i].back_face;
+            is_solid
+                && is_sky(&self.layers.pixels[*i])
+                && !self.exact.undecided[*i]
+                && !is_outline(*i)
+        };
+        (0..truth.len()).filter(is_hole).count()
+    }
+
     /// A pixel in words.
     pub fn describe(&self, pixel: usize) -> String {
         let width = self.layers.size_px[0] as usize;

@@ -316,7 +316,7 @@ fn hard_cases_and_the_search_end_when_they_are_told_to() {
     let methods = [named("raycast+mask")];
     for (frames, ends) in [(3, true), (100, false)] {
         left.set(frames);
-        let searched = random::search(&mut session(), 5, 1, &methods, &mut |_| (), &goes_on);
+        let searched = random::search(&mut session(), 0..5, 1, &methods, &mut |_| (), &goes_on);
         assert_eq!(searched.expect("frames").is_none(), ends, "{frames} frames");
     }
 }

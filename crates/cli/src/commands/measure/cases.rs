@@ -63,7 +63,7 @@ pub(super) fn search(
         Some(named) => named.clone(),
         None => usual_methods(0),
     };
-    let scenes = asked.scenes as u64;
+    let scenes = 0..asked.scenes as u64;
     let Some(searched) = search_for(session, scenes, asked.seed, &methods, step, goes_on)? else {
         return Ok(None);
     };

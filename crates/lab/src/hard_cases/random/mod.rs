@@ -8,11 +8,13 @@
 
 mod recipe;
 
+use std::ops::Range;
+
 pub use recipe::{Bumps, Recipe, Solid, Surface};
 
 use cutaway::Result;
 use cutaway::session::{Outcome, Session};
-use cutaway::strategies::Method;
+use cutaway::strategies::{CapSurface, InsideTest, Method, Strategy};
 
 use super::expected::{list_fault, unmarked_fault};
 use super::numbers::Numbers;
@@ -54,11 +56,11 @@ pub fn recipe(seed: u64, scene: u64) -> Recipe {
     Recipe::random(&mut Numbers(seed ^ (scene << 32)))
 }
 
-/// Draws so many scenes by each method, and says which came out wrong. Each scene is printed before it is drawn. Ends early, with nothing,
-/// as soon as `goes_on` says no; it is called before each frame.
+/// Draws these scenes, by their numbers, by each method, and says which came out wrong. `step` is called with each scene before it is drawn,
+/// and with each finding. Ends early, with nothing, as soon as `goes_on` says no; it is called before each frame.
 pub fn search(
     session: &mut Session,
-    scenes: u64,
+    scenes: Range<u64>,
     seed: u64,
     methods: &[Method],
     step: &mut dyn FnMut(String),
@@ -68,8 +70,8 @@ pub fn search(
         drawn: vec![0; methods.len()],
         ..Searched::default()
     };
-    for scene in 0..scenes {
-        step(format!("random scene {} of {scenes}", scene + 1));
+    for scene in scenes.clone() {
+        step(format!("random scene {} of {}", scene + 1, scenes.end));
         let recipe = recipe(seed, scene);
         let question = recipe.question();
         searched.covered_px += question.exact.covered_px();
@@ -86,7 +88,7 @@ pub fn search(
             }
             let judged = question.answer(session, method)?;
             *drawn += usize::from(judged.outcome == Outcome::Complete);
-            let Some(what) = fault(&question, &judged, method) else {
+            let Some(what) = fault_kept(session, &question, &judged, method)? else {
                 continue;
             };
             let (recipe, what) = shrunk(recipe.clone(), what, &mut |recipe| {
@@ -96,8 +98,9 @@ pub fn search(
                 }
                 let question = recipe.question();
                 let judged = question.answer(session, method)?;
-                Ok(fault(&question, &judged, method))
+                fault_kept(session, &question, &judged, method)
             })?;
+            step(format!("{strategy}, scene {scene}: {what}"));
             searched.findings.push(Finding {
                 strategy,
                 scene,
@@ -107,6 +110,31 @@ pub fn search(
         }
     }
     Ok(goes_on().then_some(searched))
+}
+
+/// As [`fault`], without what a depth sprite lost as it was peeled: of two crossings of a texel in one depth it keeps one, as between the
+/// walls of needles and teeth. The lists of a layered depth image of as many texels keep both; where they have nothing wrong, that was it.
+fn fault_kept(
+    session: &mut Session,
+    question: &Question,
+    judged: &Judged,
+    method: &Method,
+) -> Result<Option<String>> {
+    let found = fault(question, judged, method);
+    let sprite = method
+        .strategy
+        .inside
+        .filter(|i| *i == InsideTest::vds(i.steps()));
+    let (Some(sprite), Some(_)) = (sprite, &found) else {
+        return Ok(found);
+    };
+    let strategy = Strategy::new(method.strategy.surface, InsideTest::ldi(sprite.steps()));
+    let lists = Method {
+        strategy,
+        ..*method
+    };
+    let by_lists = question.answer(session, &lists)?;
+    Ok(found.filter(|_| fault(question, &by_lists, &lists).is_some()))
 }
 
 /// What is wrong with an answer. A refusal is none, nor is an overflow that is reported, as long as what is wrong is marked.
@@ -119,12 +147,25 @@ pub fn fault(question: &Question, judged: &Judged, method: &Method) -> Option<St
             (!is_whole(judged)).then(|| "a depth that is no number".to_owned())
         }
         Outcome::Overflowed(_) => unmarked_fault(judged),
-        Outcome::Complete if strategy.is_tessellated() => list_fault(judged),
+        Outcome::Complete if strategy.is_tessellated() => {
+            list_fault(judged, outline_px(question, strategy))
+        }
         Outcome::Complete => match strategy.resolution() {
             Some(resolution) => band::fault(question, judged, resolution),
             None => judged.fault_of_exact(),
         },
     }
+}
+
+/// How far an outline may be moved, in pixels: a fold of a grid lies up to a cell beside that of its relief, and a cell is about as wide
+/// as the picture through so many. Adaptive cells are under a pixel off.
+fn outline_px(question: &Question, strategy: &Strategy) -> usize {
+    let cells = strategy.surface.steps();
+    if strategy.surface != CapSurface::grid(cells) {
+        return 1;
+    }
+    let [width, height] = question.view.size_px;
+    width.max(height).div_ceil(cells) as usize
 }
 
 /// The simplest recipe that can be reached without mending the fault, and its fault.
