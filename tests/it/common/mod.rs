@@ -12,6 +12,7 @@ pub(crate) mod package;
 pub(crate) mod real;
 pub(crate) mod refined;
 pub(crate) mod scenes;
+pub(crate) mod shares;
 pub(crate) mod tolerances;
 
 use std::path::Path;

@@ -7,6 +7,7 @@ use cutaway_io::document::section;
 use cutaway_io::load::load_mesh_file;
 
 use super::data::data;
+use super::shares::Share;
 
 /// Extensions of what is no mesh.
 const OTHERS: [&str; 3] = ["md", "step", "stp"];
@@ -46,6 +47,20 @@ pub(crate) fn cut(file: &Path, relief: Option<&str>) -> Scene {
     let surface = surface.on(&scene.bounds()).expect("a section");
     scene.cuts.push(Cut::new("middle", vec![surface]));
     scene
+}
+
+/// Closed meshes of some folders, cut as [`cut`] does, with the names of their files: of a share of the files.
+pub(crate) fn closed(
+    folders: &[&str],
+    relief: Option<&'static str>,
+    share: Share,
+) -> impl Iterator<Item = (String, Scene)> {
+    let files = share.part(files(folders));
+    files.filter_map(move |file| {
+        let name = file.file_name().unwrap_or_default();
+        let scene = cut(&file, relief);
+        is_closed(&scene).then(|| (name.to_string_lossy().into_owned(), scene))
+    })
 }
 
 /// Whether all meshes of a scene are closed.

@@ -7,10 +7,8 @@
 
 use crate::common;
 
-use std::path::Path;
-use std::sync::{Mutex, PoisonError};
-
-use common::real::{cut, files, is_closed};
+use common::real::closed;
+use common::shares::{Share, in_shares};
 use common::{Judged, Question, class_of, session, strategy};
 use cutaway::layers::{Kind, Layer};
 use cutaway::session::{Outcome, Session};
@@ -21,34 +19,27 @@ const FOLDERS: [&str; 5] = ["cad", "organic", "assembly", "dense", "large"];
 const SURFACES: [&str; 2] = ["grid:256", "adaptive:0.5"];
 const INSIDE: [&str; 4] = ["mask", "abuffer", "kbuffer:32", "stencil"];
 
-/// Held by who judges a mesh.
-static TURN: Mutex<()> = Mutex::new(());
-
-/// Calls `judge` for the frame of every closed mesh, and ends with what it found wrong.
-fn on_closed_meshes(relief: Option<&str>, mut judge: impl FnMut(&Question) -> Vec<String>) {
+/// Calls `judge` for the frame of every closed mesh of a share, and ends with what it found wrong. Returns how many there were.
+fn on_closed_meshes(
+    share: Share,
+    relief: Option<&'static str>,
+    mut judge: impl FnMut(&Question) -> Vec<String>,
+) -> usize {
     let mut faults = Vec::new();
     let mut judged = 0;
-    let all = files(&FOLDERS);
-    for file in &all {
-        let scene = cut(file, relief);
-        if !is_closed(&scene) {
-            continue;
-        }
-        let question = Question::new(&scene, SIZE_PX);
-        // The session is shared: nobody may forget the frames of a mesh while others still ask about them.
-        let _turn = TURN.lock().unwrap_or_else(PoisonError::into_inner);
-        let found = judge(&question);
-        faults.extend(found.into_iter().map(|f| format!("{}: {f}", name_of(file))));
+    for (name, scene) in closed(&FOLDERS, relief, share) {
+        let found = judge(&Question::new(&scene, SIZE_PX));
+        faults.extend(found.into_iter().map(|f| format!("{name}: {f}")));
         judged += 1;
+        // Others may still use the frames of their mesh: they are drawn again.
         session().forget();
     }
     assert!(faults.is_empty(), "{}", faults.join("\n"));
-    assert!(all.is_empty() || judged > 20, "{judged} closed meshes");
-}
-
-fn name_of(file: &Path) -> String {
-    let name = file.file_name().unwrap_or_default();
-    name.to_string_lossy().into_owned()
+    assert!(
+        judged == 0 || judged > share.least(20),
+        "{judged} closed meshes"
+    );
+    judged
 }
 
 /// Pixels of background in a frame that are no hole: what is left of a solid may be thinner than its cap is displaced, and vanish
@@ -87,9 +78,10 @@ fn differs_by_right(session: &Session, name: &str, outcome: &Outcome) -> bool {
     name.contains("kbuffer") && (*outcome != Outcome::Complete || bands > 1)
 }
 
-#[test]
-fn planes_are_capped_exactly_whatever_finds_the_caps() {
-    on_closed_meshes(None, |question| {
+in_shares!(planes_are_capped_exactly_whatever_finds_the_caps, 4);
+
+fn planes_are_capped_exactly_whatever_finds_the_caps(share: Share) {
+    on_closed_meshes(share, None, |question| {
         let mut faults = Vec::new();
         for name in ["planar", "grid:256+mask", "adaptive:0.5+mask"] {
             let answer = question.answer(strategy(name));
@@ -99,9 +91,13 @@ fn planes_are_capped_exactly_whatever_finds_the_caps() {
     });
 }
 
-#[test]
-fn tessellated_reliefs_have_no_hole_and_inside_tests_agree_about_them() {
-    on_closed_meshes(Some("fractal"), |question| {
+in_shares!(
+    tessellated_reliefs_have_no_hole_and_inside_tests_agree_about_them,
+    8
+);
+
+fn tessellated_reliefs_have_no_hole_and_inside_tests_agree_about_them(share: Share) {
+    on_closed_meshes(share, Some("fractal"), |question| {
         let mut faults = Vec::new();
         for surface in SURFACES {
             let mut first: Option<Judged> = None;
@@ -129,10 +125,11 @@ fn tessellated_reliefs_have_no_hole_and_inside_tests_agree_about_them() {
     });
 }
 
-#[test]
-fn the_papers_rule_leaves_gaps_that_are_counted() {
+in_shares!(the_papers_rule_leaves_gaps_that_are_counted, 8);
+
+fn the_papers_rule_leaves_gaps_that_are_counted(share: Share) {
     let mut cracks = [0; 2];
-    on_closed_meshes(Some("fractal"), |question| {
+    let judged = on_closed_meshes(share, Some("fractal"), |question| {
         let mut faults = Vec::new();
         let names = ["grid:256+vds:1024", "adaptive:0.5+vds:1024"];
         for (name, cracks) in names.into_iter().zip(&mut cracks) {
@@ -145,9 +142,8 @@ fn the_papers_rule_leaves_gaps_that_are_counted() {
         faults
     });
     println!("cracks {cracks:?}");
-    let there = !files(&FOLDERS).is_empty();
     assert!(
-        !there || cracks.iter().all(|c| *c > 0),
+        judged == 0 || cracks.iter().all(|c| *c > 0),
         "two approximations of one surface meet without a gap: {cracks:?}"
     );
 }

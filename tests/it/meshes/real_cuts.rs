@@ -6,8 +6,9 @@
 
 use crate::common;
 
-use common::real::{cut, files, is_closed};
-use common::{Question, session, strategy};
+use common::real::{closed, cut, files};
+use common::shares::{Share, in_shares};
+use common::{Question, is_long, session, strategy};
 use cutaway::scene::Topology;
 use cutaway::session::{Outcome, Session};
 use cutaway::strategies::{Means, Method, Rasteriser, Strategy};
@@ -29,32 +30,36 @@ fn mask_of(session: &Session, rasteriser: Rasteriser) -> Vec<u32> {
     words.expect("the mask of a drawn frame")
 }
 
-#[test]
-fn the_exact_strategy_is_exact_on_every_closed_mesh_cut_by_a_plane() {
-    are_exact_on_every_closed_mesh(None);
+in_shares!(
+    the_exact_strategy_is_exact_on_every_closed_mesh_cut_by_a_plane,
+    8
+);
+
+fn the_exact_strategy_is_exact_on_every_closed_mesh_cut_by_a_plane(share: Share) {
+    are_exact_on_every_closed_mesh(share, None);
 }
 
-#[test]
-fn the_exact_strategy_is_exact_on_every_closed_mesh_cut_by_a_relief() {
-    are_exact_on_every_closed_mesh(Some("fractal"));
+in_shares!(
+    the_exact_strategy_is_exact_on_every_closed_mesh_cut_by_a_relief,
+    4
+);
+
+fn the_exact_strategy_is_exact_on_every_closed_mesh_cut_by_a_relief(share: Share) {
+    are_exact_on_every_closed_mesh(share, Some("fractal"));
 }
 
 /// Whether the strategies that are meant to be exact are, on closed meshes of every sort.
-fn are_exact_on_every_closed_mesh(relief: Option<&str>) {
+fn are_exact_on_every_closed_mesh(share: Share, relief: Option<&'static str>) {
     // A session of its own: beside this test others make the shared one forget.
     let gpu = common::gpu();
     let mut session = Session::new(gpu);
     let mut faults = Vec::new();
     let exact_strategies = ["raycast+mask", "raycast+abuffer", "raycast+kbuffer:32"].map(strategy);
     let (mut judged, mut by_slots) = (0, 0);
-    for file in files(&["cad", "organic", "assembly", "dense", "large"]) {
-        let scene = cut(&file, relief);
-        if !is_closed(&scene) {
-            continue;
-        }
+    let folders = ["cad", "organic", "assembly", "dense", "large"];
+    for (name, scene) in closed(&folders, relief, share) {
         let size_px = relief.map_or(SIZE_PX, |_| SIZE_BY_RELIEF_PX);
         let question = Question::new(&scene, size_px);
-        let name = file.file_name().unwrap_or_default().to_string_lossy();
         println!(
             "{name}: {} undecided of {}",
             question.exact.undecided_px(),
@@ -97,7 +102,7 @@ fn are_exact_on_every_closed_mesh(relief: Option<&str>) {
     }
     assert!(faults.is_empty(), "{}", faults.join("\n"));
     assert!(
-        judged == 0 || judged > 20,
+        judged == 0 || judged > share.least(20),
         "only {judged} frames of closed meshes"
     );
     println!("{by_slots} of {} frames by slots are complete", 2 * judged);
@@ -151,14 +156,9 @@ fn the_sprite_halves_its_error_with_each_doubling() {
     let all = ["cad", "organic", "large"];
     let mut wrong_px = [0; 4];
     let mut cracks_px = [0; 4];
-    for file in files(&all)
-        .iter()
-        .filter(|f| f.extension().is_some_and(|e| e != "gz"))
-    {
-        let scene = cut(file, None);
-        if !is_closed(&scene) {
-            continue;
-        }
+    // Where tests do not run whole, every third one will do.
+    let of = if is_long() { 1 } else { 3 };
+    for (_, scene) in closed(&all, None, Share { index: 0, of }) {
         let question = Question::new(&scene, SIZE_PX);
         for (i, resolution) in [256, 512, 1024, 2048].into_iter().enumerate() {
             let answer = question.answer(strategy(&format!("grid:256+vds:{resolution}")));

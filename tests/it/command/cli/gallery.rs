@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use crate::command::cli::command::Scratch;
 use crate::common::root;
+use crate::common::shares::{Share, in_shares};
 use crate::scenes::documents::commands::{run, small, words};
 
 /// Pages that have commands which draw pictures into their folder.
@@ -98,8 +99,9 @@ fn every_picture_is_there_and_drawn_by_a_command_of_its_page() {
     }
 }
 
-#[test]
-fn every_command_of_the_pages_draws() {
+in_shares!(every_command_of_the_pages_draws, 4);
+
+fn every_command_of_the_pages_draws(share: Share) {
     let scratch = Scratch::new("gallery");
     for folder in ["docs/gallery", "experiments/scenes"] {
         fs::create_dir_all(scratch.path(folder)).expect("a folder");
@@ -111,7 +113,7 @@ fn every_command_of_the_pages_draws() {
             }
         }
     }
-    for command in PAGES.iter().flat_map(|page| commands(page)) {
+    for command in share.part(PAGES.iter().flat_map(|page| commands(page))) {
         let ran = run(&scratch, &small(&command));
         assert_eq!(ran.code, Some(0), "{command:?}: {}", ran.stderr);
         let target = scratch.path(drawn(&command));

@@ -6,6 +6,7 @@ use cutaway::session::Outcome;
 use cutaway::strategies::{Means, Method, Rasteriser, Strategy};
 use glam::{DAffine3, DVec3};
 
+use super::common::shares::{Share, in_shares};
 use super::common::{Judged, Question, class_of, meshes, scenes};
 use super::decided_differing;
 
@@ -110,11 +111,15 @@ fn fault(found: &Judged, other: &Judged) -> Option<String> {
     found.fault_of_exact().or(differs)
 }
 
-#[test]
-fn it_agrees_with_exact_and_with_the_mask_wherever_planes_cut() {
+in_shares!(
+    it_agrees_with_exact_and_with_the_mask_wherever_planes_cut,
+    4
+);
+
+fn it_agrees_with_exact_and_with_the_mask_wherever_planes_cut(share: Share) {
     let mut faults = Vec::new();
     let (mut caps, mut asked) = (0, 0);
-    for (name, scene) in corpus() {
+    for (name, scene) in share.part(corpus()) {
         let question = Question::new(&scene, SIZE);
         caps += question.exact.layers.count(Kind::Cap);
         asked += 1;
@@ -136,7 +141,7 @@ fn it_agrees_with_exact_and_with_the_mask_wherever_planes_cut() {
     }
     let lines = faults.join("\n");
     assert!(faults.is_empty(), "{} faults:\n{lines}", faults.len());
-    assert_eq!(asked, 11 * 8 * 2, "scenes");
+    assert_eq!(asked, share.exactly(11 * 8 * 2), "scenes");
     assert!(caps > asked * 200, "{caps} cap pixels ask too little");
 }
 

@@ -4,21 +4,19 @@
 use cutaway::session::Session;
 use cutaway::strategies::{Means, Method, Rasteriser, Strategy};
 
-use super::common::real::{cut, files, is_closed};
+use super::common::real::closed;
+use super::common::shares::{Share, in_shares};
 use super::common::{Question, gpu};
 
 const SIZE_PX: [u32; 2] = [1024, 768];
 
-#[test]
-fn every_closed_mesh_by_an_oblique_plane() {
+in_shares!(every_closed_mesh_by_an_oblique_plane, 2);
+
+fn every_closed_mesh_by_an_oblique_plane(share: Share) {
     let mut session = Session::new(gpu());
     let (mut faults, mut judged_count) = (Vec::new(), 0);
-    for file in files(&["cad", "organic", "assembly", "dense", "large"]) {
-        let name = file.file_name().unwrap_or_default().to_string_lossy();
-        let scene = cut(&file, None);
-        if !is_closed(&scene) {
-            continue;
-        }
+    let folders = ["cad", "organic", "assembly", "dense", "large"];
+    for (name, scene) in closed(&folders, None, share) {
         let question = Question::new(&scene, SIZE_PX);
         for by in [Rasteriser::Hardware, Rasteriser::Compute] {
             let method = Method::new(Strategy::PLANAR, Means::by(by));
@@ -36,7 +34,7 @@ fn every_closed_mesh_by_an_oblique_plane() {
     }
     assert!(faults.is_empty(), "{}", faults.join("\n"));
     assert!(
-        judged_count == 0 || judged_count >= 40,
+        judged_count == 0 || judged_count >= share.least(40),
         "only {judged_count} frames of closed meshes"
     );
 }

@@ -3,6 +3,7 @@
 use cutaway::strategies::{Means, Method, Rasteriser, Strategy};
 
 use super::*;
+use crate::common::shares::{Share, in_shares};
 
 fn methods() -> Vec<Method> {
     let exact = ["raycast+mask", "raycast+abuffer", "raycast+stencil"].map(common::strategy);
@@ -97,8 +98,9 @@ fn walls_of_openings_are_round() {
     assert!(step > 10.0, "{step} degrees from face to face");
 }
 
-#[test]
-fn real_meshes_are_opened_exactly() {
+in_shares!(real_meshes_are_opened_exactly, 2);
+
+fn real_meshes_are_opened_exactly(share: Share) {
     let folder = command::Scratch::new("opened");
     let [mask, .., compute] = &methods()[..] else {
         panic!("several methods");
@@ -107,7 +109,7 @@ fn real_meshes_are_opened_exactly() {
     let size_px = [160, 120];
     let mut meshes = 0;
     let [mut of_cutouts, mut of_openings] = [0; 2];
-    for file in real::files(&["cad", "organic", "assembly"]) {
+    for file in share.part(real::files(&["cad", "organic", "assembly"])) {
         let plain = real::cut(&file, None);
         if !real::is_closed(&plain) {
             continue;
@@ -146,5 +148,8 @@ fn real_meshes_are_opened_exactly() {
     println!(
         "{meshes} meshes: {of_cutouts} pixels of caps of cutouts, {of_openings} of breakaways"
     );
-    assert!(meshes == 0 || of_cutouts > 10_000 && of_openings > 5000);
+    assert!(
+        meshes == 0 || of_cutouts > share.least(10_000) && of_openings > share.least(5000),
+        "{meshes} meshes show {of_cutouts} and {of_openings} pixels of caps"
+    );
 }

@@ -5,6 +5,8 @@ use std::fs;
 use std::thread;
 
 use super::command::{Ran, Scratch};
+use crate::common::shares::{Share, in_shares};
+
 use super::{blocks, documents, root, stand_ins};
 
 /// Pages whose commands other tests run (`cli::gallery`), or that are lists made from tables.
@@ -171,16 +173,15 @@ fn scenes(folder: &Scratch, text: &str) -> Vec<String> {
     scenes
 }
 
-#[test]
-fn every_command_of_readme_and_the_book_runs() {
+in_shares!(every_command_of_readme_and_the_book_runs, 2);
+
+fn every_command_of_readme_and_the_book_runs(share: Share) {
     let pages = pages();
     let counted = pages.iter().map(|(_, text)| lines(text).len());
     let counted: usize = counted.sum();
     assert!(counted > 70, "{counted} commands");
     let faults: Vec<String> = thread::scope(|scope| {
-        let runs = pages
-            .iter()
-            .map(|(name, text)| scope.spawn(|| faults(name, text)));
+        let runs = (share.part(&pages)).map(|(name, text)| scope.spawn(|| faults(name, text)));
         let runs: Vec<_> = runs.collect();
         runs.into_iter()
             .flat_map(|run| run.join().unwrap())

@@ -1,6 +1,7 @@
 //! Borders are where layers differ, and nowhere else.
 
 use super::*;
+use crate::common::shares::Share;
 use common::real;
 use cutaway::layers::{Layer, Layers};
 use cutaway::scene::{Camera, Projection, Viewpoint};
@@ -153,11 +154,8 @@ fn three_cuts(scene: &Scene) -> Vec<Vec<Cut>> {
 fn borders_are_where_layers_differ_on_every_closed_mesh() {
     let mut met = [0; 5];
     let mut meshes = 0;
-    for file in real::files(&["cad", "organic", "assembly", "dense"]) {
-        let mut scene = real::cut(&file, None);
-        if !real::is_closed(&scene) {
-            continue;
-        }
+    let folders = ["cad", "organic", "assembly", "dense"];
+    for (_, mut scene) in real::closed(&folders, None, Share::WHOLE) {
         meshes += 1;
         scene.style = style("technical");
         for cuts in three_cuts(&scene) {
