@@ -1,8 +1,5 @@
 //! Adapters: what is known of each before a device is opened on it.
 
-#[cfg(not(target_arch = "wasm32"))]
-use super::Gpu;
-
 /// All adapters, by every graphics interface.
 pub(super) async fn all() -> Vec<wgpu::Adapter> {
     let instance =
@@ -45,15 +42,5 @@ impl AdapterReport {
     /// Name, interface and driver, as a line.
     pub fn in_words(&self) -> String {
         format!("{} ({}, {})", self.name, self.backend, self.driver)
-    }
-}
-
-#[cfg(not(target_arch = "wasm32"))]
-impl Gpu {
-    /// All adapters of this machine, each [in words](AdapterReport::in_words).
-    pub fn adapters() -> Vec<String> {
-        let adapters = pollster::block_on(all());
-        let in_words = |a: &wgpu::Adapter| AdapterReport::of(&a.get_info()).in_words();
-        adapters.iter().map(in_words).collect()
     }
 }

@@ -8,11 +8,10 @@
 //! passes do; say of a pixel that its list was too short ([`Session::poll`](crate::Session::poll) does); show caps behind surfaces that
 //! the host leaves out or draws as glass.
 
-use std::sync::Arc;
-
 use super::Gpu;
+use super::clip_layout::ClipLayout;
 use super::programs::program::Program;
-use crate::shader::{self, BindingKind, Composed, Shader};
+use crate::shader::{self, BindingKind, Shader};
 use crate::{Error, Result};
 
 /// The shader that asks.
@@ -52,12 +51,6 @@ pub fn clip_wgsl(group: u32) -> Result<String> {
     let info = shader::validate(&module).map_err(fault)?;
     let flags = naga::back::wgsl::WriterFlags::empty();
     naga::back::wgsl::write_string(&module, &info, flags).map_err(|e| fault(e.to_string()))
-}
-
-/// What the shader binds, and the layout of that; found out once.
-pub(super) struct ClipLayout {
-    composed: Arc<Composed>,
-    layout: wgpu::BindGroupLayout,
 }
 
 impl Gpu {

@@ -1,12 +1,13 @@
-//! The device: which adapter, what it can do, and what it complained of. It is opened here, or is that of a host.
+//! The device: what it can do, and what it complained of. It is opened by `open`, or is that of a host.
 //!
 //! Everything runs on core WebGPU; native features are asked for by question ([`Gpu::has_timestamps`]) and used when there.
 
+use std::borrow::Cow;
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 use std::task::{Context, Poll, Waker};
 
-use super::adapter::{self, AdapterReport};
-use super::clip::ClipLayout;
+use super::adapter::AdapterReport;
+use super::clip_layout::ClipLayout;
 use super::composite::Compositors;
 use super::programs::pipelines::Pipelines;
 use super::programs::preparation::Preparation;
@@ -15,15 +16,6 @@ use super::uniforms;
 use crate::plan::{Contents, Limits};
 use crate::strategies::AdapterTraits;
 use crate::{Error, Result};
-
-/// Which adapter to use.
-#[derive(Clone, Debug, Default)]
-pub struct GpuOptions {
-    /// Part of the adapter's name, in any case; `None` takes the fastest.
-    pub adapter: Option<String>,
-    /// Prefer a software adapter: the same everywhere, so tests ask for it.
-    pub prefer_software: bool,
-}
 
 /// What [`Limits::wide_atomics`] asks for.
 const WIDE_ATOMICS: wgpu::Features =
@@ -40,8 +32,8 @@ pub struct Gpu {
     limits: Limits,
     timestamps: bool,
     /// Whether uniforms are better read from storage.
-    pub(super) inlines_uniforms: bool,
-    complaint: Arc<Mutex<Option<String>>>,
+    inlines_uniforms: bool,
+    pub(super) complaint: Arc<Mutex<Option<String>>>,
     /// Large contents that several programs share, by identity.
     shared: Mutex<Vec<(Contents, wgpu::BufferUsages, wgpu::Buffer)>>,
     /// The pipelines of all programs.
@@ -56,68 +48,6 @@ pub struct Gpu {
 const SHARED_FROM_BYTES: u64 = 1 << 16;
 
 impl Gpu {
-    /// Opens a device, and waits for it.
-    #[cfg(not(target_arch = "wasm32"))]
-    pub fn open(options: &GpuOptions) -> Result<Self> {
-        pollster::block_on(Self::open_async(options))
-    }
-
-    /// As [`Gpu::open`], where nothing may be waited for.
-    pub async fn open_async(options: &GpuOptions) -> Result<Self> {
-        let mut adapters = adapter::all().await;
-        let names: Vec<String> = adapters.iter().map(|a| a.get_info().name).collect();
-        if let Some(wanted) = &options.adapter {
-            adapters.retain(|a| {
-                a.get_info()
-                    .name
-                    .to_lowercase()
-                    .contains(&wanted.to_lowercase())
-            });
-            if adapters.is_empty() && !names.is_empty() {
-                return Err(Error::input(
-                    format!("--adapter {wanted}"),
-                    "no adapter has that in its name",
-                    format!("use part of one of: {}", names.join(", ")),
-                ));
-            }
-        }
-        let rank = |a: &wgpu::Adapter| match a.get_info().device_type {
-            wgpu::DeviceType::Cpu => u8::from(!options.prefer_software) * 4,
-            wgpu::DeviceType::DiscreteGpu => 1,
-            wgpu::DeviceType::IntegratedGpu => 2,
-            _ => 3,
-        };
-        let Some(adapter) = adapters.into_iter().min_by_key(rank) else {
-            return Err(Error::Adapter {
-                what: "there is no graphics adapter, not even a software one".to_owned(),
-                help: "install a Vulkan driver; the software one is the package mesa-vulkan-drivers (Debian, Ubuntu, \
-                       Fedora) or vulkan-swrast (Arch)"
-                    .to_owned(),
-            });
-        };
-        let (device, queue) = adapter
-            .request_device(&Self::descriptor(&adapter))
-            .await
-            .map_err(|e| Error::Adapter {
-                what: format!(
-                    "{} offers no device that can run core WebGPU: {e}",
-                    adapter.get_info().name
-                ),
-                help: format!(
-                    "choose another with --adapter; there are: {}",
-                    names.join(", ")
-                ),
-            })?;
-        let gpu = Self::from_device(&adapter.get_info(), device, queue)?;
-        // What no scope catches, such as a lost device, is to become an error, where wgpu would panic.
-        let listener = gpu.complaint.clone();
-        let record = move |e: wgpu::Error| {
-            lock(&listener).get_or_insert(e.to_string());
-        };
-        gpu.device.on_uncaptured_error(Arc::new(record));
-        Ok(gpu)
-    }
-
     /// The limits that a device must have: those of core WebGPU.
     pub fn required_limits() -> wgpu::Limits {
         wgpu::Limits::default()
@@ -315,6 +245,24 @@ impl Gpu {
         }
     }
 
+    /// What buffers of uniforms are used for.
+    pub(super) fn uniform_usage(&self) -> wgpu::BufferUsages {
+        uniforms::usage(self.inlines_uniforms)
+    }
+
+    /// A shader module of what was composed.
+    pub(super) fn module(&self, label: &str, mut composed: naga::Module) -> wgpu::ShaderModule {
+        if self.inlines_uniforms {
+            let most = self.device.limits().max_storage_buffers_per_shader_stage;
+            uniforms::read_from_storage(&mut composed, most as usize);
+        }
+        self.device
+            .create_shader_module(wgpu::ShaderModuleDescriptor {
+                label: Some(label),
+                source: wgpu::ShaderSource::Naga(Cow::Owned(composed)),
+            })
+    }
+
     /// A buffer with contents; large ones that stay as they are are shared between programs.
     pub(super) fn buffer_with(
         &self,
@@ -373,6 +321,6 @@ fn at_once(caught: impl Future<Output = Option<wgpu::Error>>) -> Option<wgpu::Er
 }
 
 /// A poisoned lock only means that another thread panicked while it held plain data.
-fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+pub(super) fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }

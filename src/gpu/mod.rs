@@ -3,10 +3,12 @@
 mod adapter;
 mod arrival;
 mod clip;
+mod clip_layout;
 mod composite;
 mod device;
 mod draw;
 mod layer_words;
+mod open;
 mod pick;
 mod programs;
 mod readback;
@@ -26,8 +28,9 @@ pub use adapter::AdapterReport;
 pub use clip::clip_wgsl;
 pub(crate) use clip::{Clip, ClipTable};
 pub(crate) use composite::Compositor;
-pub use device::{Gpu, GpuOptions};
+pub use device::Gpu;
 pub use layer_words::{layers_from_words, words_from_layers};
+pub use open::GpuOptions;
 pub use pick::Pick;
 pub use programs::preparation::Preparation;
 #[doc(hidden)]

@@ -8,7 +8,6 @@ use std::time::Duration;
 
 use web_time::Instant;
 
-use super::Gpu;
 use crate::plan::{Clock, CpuStep, CpuWork, Recorded};
 
 /// A set of clocks.
@@ -143,12 +142,12 @@ pub(super) struct Stopwatch {
 }
 
 impl Stopwatch {
-    pub(super) fn new(gpu: &Gpu, passes: usize) -> Option<Self> {
-        let count = u32::try_from(passes * 2)
-            .ok()
-            .filter(|c| gpu.has_timestamps() && *c > 0 && *c <= 4096)?;
+    /// Of a device that has timestamps; none where the passes are too many.
+    pub(super) fn new(device: &wgpu::Device, passes: usize) -> Option<Self> {
+        let count = u32::try_from(passes * 2).ok();
+        let count = count.filter(|c| *c > 0 && *c <= 4096)?;
         let buffer = |usage| {
-            gpu.device.create_buffer(&wgpu::BufferDescriptor {
+            device.create_buffer(&wgpu::BufferDescriptor {
                 label: Some("timestamps"),
                 size: u64::from(count) * 8,
                 usage,
@@ -156,7 +155,7 @@ impl Stopwatch {
             })
         };
         Some(Self {
-            queries: gpu.device.create_query_set(&wgpu::QuerySetDescriptor {
+            queries: device.create_query_set(&wgpu::QuerySetDescriptor {
                 label: Some("timestamps"),
                 ty: wgpu::QueryType::Timestamp,
                 count,
@@ -178,9 +177,9 @@ impl Stopwatch {
         );
     }
 
-    /// Times from the raw ticks of the passes that ran, by index of the pass.
-    pub(super) fn times(gpu: &Gpu, ticks: &[u64], ran: &[(usize, &str, Clock)]) -> RunTimes {
-        let ms_per_tick = f64::from(gpu.queue.get_timestamp_period()) * 1e-6;
+    /// Times from the raw ticks of the passes that ran, by index of the pass; a tick takes so long.
+    pub(super) fn times(ns_per_tick: f32, ticks: &[u64], ran: &[(usize, &str, Clock)]) -> RunTimes {
+        let ms_per_tick = f64::from(ns_per_tick) * 1e-6;
         let mut spans: [Option<(u64, u64)>; 3] = [None; 3];
         let mut passes = Vec::with_capacity(ran.len());
         for (index, name, clock) in ran {

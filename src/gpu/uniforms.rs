@@ -4,10 +4,6 @@
 //! makes for that as long as the pipeline: 1 MB a frame of a cube. What is read from storage it leaves alone. A shader that would then
 //! have more storage buffers than the device allows stays as it is.
 
-use std::borrow::Cow;
-
-use super::Gpu;
-
 /// The first release of Mesa that keeps no copies.
 const MENDED_IN_MESA: u32 = 25;
 
@@ -18,31 +14,16 @@ pub(super) fn are_inlined(info: &wgpu::AdapterInfo) -> bool {
     info.driver == "llvmpipe" && major.is_some_and(|major: u32| major < MENDED_IN_MESA)
 }
 
-impl Gpu {
-    /// What buffers of uniforms are used for.
-    pub(super) fn uniform_usage(&self) -> wgpu::BufferUsages {
-        match self.inlines_uniforms {
-            true => wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::STORAGE,
-            false => wgpu::BufferUsages::UNIFORM,
-        }
-    }
-
-    /// A shader module of what was composed.
-    pub(super) fn module(&self, label: &str, mut composed: naga::Module) -> wgpu::ShaderModule {
-        if self.inlines_uniforms {
-            let most = self.device.limits().max_storage_buffers_per_shader_stage;
-            read_uniforms_from_storage(&mut composed, most as usize);
-        }
-        self.device
-            .create_shader_module(wgpu::ShaderModuleDescriptor {
-                label: Some(label),
-                source: wgpu::ShaderSource::Naga(Cow::Owned(composed)),
-            })
+/// What buffers of uniforms are used for.
+pub(super) fn usage(inlined: bool) -> wgpu::BufferUsages {
+    match inlined {
+        true => wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::STORAGE,
+        false => wgpu::BufferUsages::UNIFORM,
     }
 }
 
 /// Puts uniforms into storage, if no more than so many buffers are then in it. Their layout is the same in both.
-fn read_uniforms_from_storage(module: &mut naga::Module, most: usize) {
+pub(super) fn read_from_storage(module: &mut naga::Module, most: usize) {
     let is_buffer = |space| {
         matches!(
             space,

@@ -7,6 +7,7 @@
 mod bodies;
 mod clip;
 mod coincidence;
+mod contents;
 mod cutaway;
 mod doubts;
 mod fill;
@@ -16,14 +17,12 @@ pub(crate) mod meshes;
 #[doc(hidden)]
 pub mod motion;
 mod part;
+mod posed_part;
 mod prepared;
 pub mod relief;
 pub mod style;
 pub(crate) mod units;
 mod viewing;
-
-use std::borrow::Cow;
-use std::sync::Arc;
 
 pub use bodies::Bodies;
 #[doc(hidden)]
@@ -45,9 +44,11 @@ pub use clip::regions::{Block, Face, Wedge, next_axis};
 pub use coincidence::coincide::lies_in;
 pub(crate) use coincidence::contacts::{classes, contacts};
 pub(crate) use coincidence::faces_in_plane::{Candidates, FacesInPlane, plane_tolerance};
-pub use coincidence::settled::{FlatSurface, Settled, Side};
+pub use coincidence::flat_surface::{FlatSurface, Side};
+pub use coincidence::settled::Settled;
 #[doc(hidden)]
 pub use coincidence::shared_planes::SharedPlanes;
+pub use contents::Scene;
 pub(crate) use cutaway::is_removed_whole;
 pub use cutaway::{
     AxisRule, Breakaway, BreakawayView, Clusters, CutoutFrame, MainAxes, Sight, sights,
@@ -82,12 +83,14 @@ pub use meshes::topology::{DepthComplexity, Extent, Topology};
 pub use meshes::triangle::longest_edge;
 #[doc(hidden)]
 pub use meshes::weld;
-pub use motion::{Axis, Clip, Deformer, Driver, Motion, MotionDefect, Pose, Pull};
 #[doc(hidden)]
-pub use motion::{Outwards, is_same_motion};
+pub use motion::is_same_motion;
+pub use motion::{Axis, Clip, Deformer, Driver, Motion, MotionDefect, Pose, Pull};
 #[doc(hidden)]
 pub use part::who_wins;
 pub use part::{Part, Role};
+#[doc(hidden)]
+pub use posed_part::Outwards;
 pub use prepared::{
     Prepared, PreparedCut, PreparedPart, PreparedSurface, PreparedVolume, SceneSpace,
 };
@@ -99,70 +102,8 @@ pub use units::length_unit::LengthUnit;
 pub use units::numbers;
 #[doc(hidden)]
 pub use units::range;
-pub use viewing::camera::{Camera, Fit, Projection, STANDARD_VIEWS, Up, Viewpoint};
+pub use viewing::camera::{Camera, Fit, Projection, STANDARD_VIEWS, Viewpoint};
 pub use viewing::host_view::HostDepth;
 pub use viewing::outline::Outline;
+pub use viewing::up::Up;
 pub use viewing::view::{Precision, USUAL_SUB_PIXEL_BITS, View};
-
-/// Everything a frame shows, in world space.
-#[derive(Clone, Debug, Default)]
-pub struct Scene {
-    /// Name for reports: the file's stem or the shape's name.
-    pub name: String,
-    /// The solids.
-    pub parts: Vec<Part>,
-    /// Removed regions; the scene removes their union.
-    pub cuts: Vec<Cut>,
-    /// Where it is seen from.
-    pub camera: Camera,
-    /// The box that the scene is framed, scaled and sectioned by; `None` is that of its parts. An animation has one for all
-    /// its times, so that pictures do not jump.
-    pub stage: Option<Bounds>,
-    /// What a camera is fitted to that shows what is kept; `None` is what is kept now. An animation has one for all its times.
-    pub outline: Option<Arc<Outline>>,
-    /// Hatches caps that several solids share, in this colour (sRGB, 0 to 1).
-    pub interference: Option<glam::Vec3>,
-    /// How it looks.
-    pub style: Style,
-}
-
-impl Scene {
-    /// The stage, or else the bounds of all parts in world space.
-    pub fn bounds(&self) -> Bounds {
-        self.stage.unwrap_or_else(|| self.bounds_of_parts())
-    }
-
-    /// What the camera is fitted to, where that is not the box of the scene.
-    #[doc(hidden)]
-    pub fn fitted_outline(&self) -> Option<Arc<Outline>> {
-        let own = || self.outline.clone();
-        let now = || Arc::new(Outline::of(self));
-        self.camera.fits_kept().then(|| own().unwrap_or_else(now))
-    }
-
-    /// The same scene with every pose baked into its mesh in f64, on the same stage. Ranks may differ, for the volumes of
-    /// meshes do: [`Prepared::new`] poses by itself and keeps them.
-    #[must_use]
-    pub fn posed(&self) -> Self {
-        let mut posed = self.clone();
-        posed.stage = Some(self.bounds());
-        for part in &mut posed.parts {
-            if let Cow::Owned(mut mesh) = part.posed_mesh() {
-                mesh.coat.clone_from(&part.mesh.coat);
-                part.mesh = Arc::new(mesh);
-            }
-            part.motion = None;
-            part.driver = None;
-            part.pose = Pose::default();
-        }
-        posed
-    }
-
-    /// Bounds of all parts in world space.
-    pub fn bounds_of_parts(&self) -> Bounds {
-        self.parts
-            .iter()
-            .map(Part::bounds_in_world)
-            .fold(Bounds::EMPTY, Bounds::union)
-    }
-}

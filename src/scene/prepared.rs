@@ -16,118 +16,29 @@
 
 use std::sync::Arc;
 
-use glam::{DAffine3, DMat3, DVec3, Vec3};
+use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 
 use super::coincidence::shared_planes::SharedPlanes;
 use super::{
-    Bounds, Camera, ClipSurface, Cutter, FlatSurface, OffsetMap, Outline, Part, Scene, Style,
-    SurfaceFrame, View, Wrap, is_removed_whole, who_wins,
+    Bounds, Camera, ClipSurface, Cutter, Outline, Part, Scene, Style, SurfaceFrame, View, Wrap,
+    is_removed_whole, who_wins,
 };
 
 mod cuts;
 mod part;
 mod removed;
+mod space;
+mod surface;
 mod volume;
 
 use cuts::CutTable;
 pub use part::PreparedPart;
 pub(crate) use part::{facing_out, tolerance_of};
+pub use space::SceneSpace;
+use space::{NEAR_MODEL, rounded_near};
+pub use surface::{PreparedCut, PreparedSurface};
 pub use volume::PreparedVolume;
-
-/// Where scene space lies in the world: `scene = (world - centre) * scale`.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SceneSpace {
-    /// Centre of scene space in world space.
-    pub centre_in_world: DVec3,
-    /// Scene units per world unit, a power of two.
-    pub scale: f64,
-}
-
-impl SceneSpace {
-    /// The space of what is in scene space already.
-    pub(crate) const ITSELF: Self = Self {
-        centre_in_world: DVec3::ZERO,
-        scale: 1.0,
-    };
-
-    /// The space in which a box has a radius between 1/2 and 1.
-    pub fn new(world: &Bounds) -> Self {
-        let radius = world.radius();
-        let scale = if radius > 0.0 && radius.is_finite() {
-            (-radius.log2().ceil()).exp2()
-        } else {
-            1.0
-        };
-        // 2^-10 of the radius: few enough bits that moving by it is exact for coordinates that have few bits themselves.
-        let grid = 1.0 / (scale * 1024.0);
-        Self {
-            centre_in_world: (world.centre() / grid).round() * grid,
-            scale,
-        }
-    }
-
-    /// A point of the world.
-    pub fn point(&self, world: DVec3) -> DVec3 {
-        (world - self.centre_in_world) * self.scale
-    }
-
-    /// A vertex: a point of the world rounded to `f32`.
-    pub(crate) fn vertex(&self, world: DVec3) -> Vec3 {
-        self.point(world).as_vec3()
-    }
-
-    /// A flat clip-surface of the world, as [`PreparedSurface::flat`] has it.
-    pub(crate) fn flat(&self, world: &FlatSurface) -> FlatSurface {
-        FlatSurface {
-            origin: rounded_near(self.point(world.origin)),
-            normal: world.normal,
-            lift: world.lift * self.scale,
-        }
-    }
-
-    /// The map from world space.
-    pub fn from_world(&self) -> DAffine3 {
-        DAffine3::from_mat3_translation(
-            DMat3::from_diagonal(DVec3::splat(self.scale)),
-            -self.centre_in_world * self.scale,
-        )
-    }
-}
-
-/// A clip-surface in scene space. `T = map_from_scene * (P - origin)`, kept height `(P - origin).N + f(T).height_scale`.
-#[derive(Clone, Debug)]
-pub struct PreparedSurface {
-    /// `O`, rounded to f32 where it is near the model; of a relief that repeats, the repeat of `O` near the model.
-    pub origin: DVec3,
-    /// `Û`, `V̂`, `N`.
-    pub frame: SurfaceFrame,
-    /// Texture coordinates per scene unit along `Û` and `V̂`: `Sx / |U|` and `Sy / |V|`.
-    pub map_per_unit: [f64; 2],
-    /// `Sz` in scene units.
-    pub height_scale: f64,
-    /// Offset map, for a relief.
-    pub relief: Option<Arc<OffsetMap>>,
-    /// How the map goes on outside 0..1.
-    pub wrap: Wrap,
-    /// A closed mesh in the place of plane and relief: its inside is the removed side.
-    pub volume: Option<Arc<PreparedVolume>>,
-    /// Index into [`Prepared::cuts`].
-    pub cut: usize,
-}
-
-/// A cut by the numbers of its clip-surfaces.
-#[derive(Clone, Debug)]
-pub struct PreparedCut {
-    /// Name of the cut.
-    pub name: String,
-    /// Index in [`Scene::cuts`].
-    pub of: usize,
-    /// How much more it keeps than the cut of the scene says, in world units ([`Cut::offsets`](super::Cut::offsets)).
-    pub keeps: f64,
-    /// Indices into [`Prepared::surfaces`]; all removed sides together make the removed region.
-    pub surfaces: Vec<usize>,
-}
 
 /// A scene in scene space.
 #[derive(Clone, Debug)]
@@ -237,7 +148,10 @@ impl Prepared {
         self.seen_to_the_end(camera.view_fitted(
             |p| (p - self.centre_in_world) * self.scale,
             self.scale,
-            (self.bounds, self.outline.as_deref()),
+            (
+                self.bounds,
+                self.outline.as_deref().map_or(&[], Outline::points),
+            ),
             size_px,
         ))
     }
@@ -294,9 +208,6 @@ impl Prepared {
         self.parts.iter().map(|p| p.triangles.len()).sum()
     }
 }
-
-/// Coordinates up to this are rounded as those of vertices are: the model reaches to 1.
-const NEAR_MODEL: f64 = 4.0;
 
 impl PreparedSurface {
     /// Moves a clip-surface to scene space, where its origin is `origin`.
@@ -356,14 +267,6 @@ impl PreparedSurface {
         }
         self.origin = rounded_near(self.origin);
     }
-}
-
-/// The origin of a clip-surface, rounded as vertices are where it is near the model.
-fn rounded_near(origin: DVec3) -> DVec3 {
-    DVec3::from_array((origin.to_array()).map(|c| match c.abs() <= NEAR_MODEL {
-        true => f64::from(c as f32),
-        false => c,
-    }))
 }
 
 #[cfg(test)]
@@ -429,7 +332,8 @@ mod tests {
                 surface.wrap = wrap;
                 surface.scale = DVec3::new(0.3, -0.7, 0.1);
                 if relief {
-                    let map = OffsetMap::new([3, 2], vec![0.0, 0.7, 0.2, 0.9, 0.1, 0.4]);
+                    let map =
+                        crate::scene::OffsetMap::new([3, 2], vec![0.0, 0.7, 0.2, 0.9, 0.1, 0.4]);
                     surface.relief = Some(Arc::new(map.expect("finite heights")));
                 }
                 scene.cuts = vec![Cut::new("far", vec![surface.clone()])];

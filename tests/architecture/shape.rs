@@ -17,14 +17,6 @@ const MOST_SIDE_BY_SIDE: usize = 20;
 /// Files that may import each other in a cycle.
 const MOST_IN_A_CYCLE: usize = 6;
 
-/// Larger cycles that are known, by their first file: those of folders whose `mod.rs` defines what its children take, and takes what they
-/// define. A cycle may only shrink, and its number with it.
-const KNOWN_CYCLES: &[(&str, usize)] = &[
-    ("crates/io/src/document/read/mod.rs", 12),
-    ("src/gpu/adapter.rs", 13),
-    ("src/scene/mod.rs", 42),
-];
-
 /// Folders with too many files of one kind, of paths.
 fn crowded<'a>(paths: impl Iterator<Item = &'a str>) -> Vec<String> {
     let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
@@ -263,28 +255,17 @@ fn few_files_are_in_one_import_cycle() {
         file[..end].to_owned()
     };
     let folders: BTreeSet<String> = sources.keys().map(|f| folder_of(f)).collect();
-    let (mut found, mut all) = (Vec::new(), BTreeSet::new());
+    let mut found = Vec::new();
     for folder in folders {
         let of_crate = sources
             .iter()
             .filter_map(|(file, text)| Some((file.strip_prefix(&folder)?, text.as_str())));
-        for cycle in cycles(&modules(of_crate)) {
-            let first = format!("{folder}{}", cycle[0]);
-            let size = cycle.len();
-            all.insert(first.clone());
-            let known = KNOWN_CYCLES.iter().find(|(file, _)| *file == first);
-            if known.is_none_or(|(_, known)| *known != size) {
-                found.push(format!(
-                    "a cycle of {size} files, which is not on the list with this number: {folder}{{{}}}",
-                    cycle.join(", ")
-                ));
-            }
-        }
+        let cycles = cycles(&modules(of_crate)).into_iter();
+        found.extend(cycles.map(|cycle| {
+            let (size, files) = (cycle.len(), cycle.join(", "));
+            format!("a cycle of {size} files: {folder}{{{files}}}")
+        }));
     }
-    let known = KNOWN_CYCLES.iter().filter(|(file, _)| !all.contains(*file));
-    found.extend(
-        known.map(|(file, _)| format!("the cycle of {file} is gone: take it off the list")),
-    );
     none(&found);
 }
 

@@ -98,7 +98,9 @@ impl Program {
             self.generation += 1;
             let step = |pass| Step::new(gpu, &plan, pass, &self.real);
             let steps = plan.passes.iter().map(step).collect::<Result<Vec<_>>>()?;
-            self.stopwatch = Stopwatch::new(gpu, plan.passes.len());
+            let is_timed = gpu.has_timestamps();
+            let stopwatch = || Stopwatch::new(&gpu.device, plan.passes.len());
+            self.stopwatch = is_timed.then(stopwatch).flatten();
             gpu.complaint()?;
             self.steps = steps;
         }
@@ -187,7 +189,8 @@ impl Program {
         stopwatch.finish(&mut encoder);
         gpu.queue.submit([encoder.finish()]);
         let ticks = gpu.map::<u64>(&stopwatch.copied)?;
-        Ok(Stopwatch::times(gpu, &ticks, &ran))
+        let ns_per_tick = gpu.queue.get_timestamp_period();
+        Ok(Stopwatch::times(ns_per_tick, &ticks, &ran))
     }
 
     /// One submission per pass, each waited for: the price of a time for each where the device has none to give.

@@ -3,5 +3,6 @@
 pub(super) mod coincide;
 pub(super) mod contacts;
 pub(super) mod faces_in_plane;
+pub(super) mod flat_surface;
 pub(super) mod settled;
 pub(super) mod shared_planes;

@@ -23,8 +23,7 @@ use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 
 use super::faces_in_plane::Candidates;
-use crate::scene::geometry::exact_sum::sum_of_products;
-use crate::scene::{Bounds, Prepared, PreparedPart, PreparedSurface};
+use crate::scene::{Bounds, FlatSurface, Prepared, PreparedPart, PreparedSurface, Side};
 
 /// How close to a surface triangles are settled, in scene units: about what the 1/256 px of a rasteriser's vertices make of depth
 /// along a surface in a picture of 60 px, and more than any rounding.
@@ -32,29 +31,6 @@ const CLOSE: f64 = 1.0 / 16384.0;
 
 /// The greatest sine of the angle between a settled triangle that does not lie in the surface and the surface.
 const STEEPEST: f64 = 0.02;
-
-/// Rounding of a height in f64, as a share of the sum of its terms' magnitudes: less than 6 halves of an ulp.
-const RELATIVE_ROUNDING: f64 = 1e-15;
-
-/// A side of a clip-surface.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Side {
-    /// What stays.
-    Kept,
-    /// What the clip-surface removes, where the others of its cut do.
-    Removed,
-}
-
-impl Side {
-    /// The opposite one.
-    #[must_use]
-    pub fn other(self) -> Self {
-        match self {
-            Self::Kept => Self::Removed,
-            Self::Removed => Self::Kept,
-        }
-    }
-}
 
 /// A triangle whose side of a clip-surface is known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -78,49 +54,7 @@ pub(crate) struct SettledTriangle {
     pub(crate) is_in: bool,
 }
 
-/// A clip-surface without relief, or with a flat one: the points with `(P - O).N + lift = 0`; those with less are removed.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FlatSurface {
-    /// `O`.
-    pub origin: DVec3,
-    /// `N`.
-    pub normal: DVec3,
-    /// Height of the relief.
-    pub lift: f64,
-}
-
 impl FlatSurface {
-    /// Kept height of a point, of which only the sign is exact: it is zero only on the surface.
-    pub fn height(&self, point: DVec3) -> f64 {
-        let terms = (point - self.origin) * self.normal;
-        let sum = terms.element_sum() + self.lift;
-        let size = terms.abs().element_sum() + self.lift.abs();
-        if sum.abs() > size * RELATIVE_ROUNDING + f64::MIN_POSITIVE {
-            sum
-        } else {
-            self.exact_height(point)
-        }
-    }
-
-    /// Kept height of a point, give or take what f64 rounds.
-    pub(crate) fn rough_height(&self, point: DVec3) -> f64 {
-        (point - self.origin).dot(self.normal) + self.lift
-    }
-
-    /// Kept height of a point, rounded once. Some 100 ns.
-    pub fn exact_height(&self, point: DVec3) -> f64 {
-        let (p, o, n) = (point, self.origin, self.normal);
-        sum_of_products([
-            [p.x, n.x],
-            [p.y, n.y],
-            [p.z, n.z],
-            [-o.x, n.x],
-            [-o.y, n.y],
-            [-o.z, n.z],
-            [self.lift, 1.0],
-        ])
-    }
-
     /// Whether something in a box may be close enough to be settled; vertices of faces in the surface may be as far off as `tolerance`.
     pub fn comes_near(&self, bounds: &Bounds, tolerance: f64) -> bool {
         let heights = bounds.corners().map(|c| self.height(c));

@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use super::{Breakaway, BreakawayView};
 use crate::error::{Error, Result};
-use crate::scene::{Camera, Cut, Part, Role, Scene, View};
+use crate::scene::{Camera, Cut, Outline, Part, Role, Scene, View};
 
 impl Scene {
     /// Opens breakaways ([`Cut::breakaway`]) towards the eye of the scene's camera in a picture of a size: they get their cutters, those with
@@ -106,7 +106,8 @@ impl Scene {
     #[doc(hidden)]
     pub fn view_through(&self, camera: &Camera, size_px: [u32; 2]) -> View {
         let outline = self.fitted_outline();
-        let fitted = (self.bounds(), outline.as_deref());
+        let points = outline.as_deref().map_or(&[] as &[DVec3], Outline::points);
+        let fitted = (self.bounds(), points);
         camera.view_fitted(|p| p, 1.0, fitted, size_px)
     }
 }

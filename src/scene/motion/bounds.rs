@@ -10,7 +10,7 @@
 use glam::{DAffine3, DVec3};
 
 use super::{Motion, Pose};
-use crate::scene::{Bounds, Mesh, Part};
+use crate::scene::{Bounds, Mesh};
 
 /// Roundings of posing and of this, as a share of the largest number on the way.
 const ROUNDING: f64 = 1e-13;
@@ -26,7 +26,7 @@ struct Pulled {
 
 /// Where the positions of a mesh can go.
 #[derive(Clone, Debug)]
-pub(super) struct Reach {
+pub(in crate::scene) struct Reach {
     pulled: Vec<Pulled>,
     /// Least and greatest sum of the weights of a position.
     weight_sum: [f64; 2],
@@ -36,7 +36,7 @@ pub(super) struct Reach {
 
 impl Reach {
     /// Measures a mesh.
-    pub(super) fn of(mesh: &Mesh, motion: Option<&Motion>) -> Self {
+    pub(in crate::scene) fn of(mesh: &Mesh, motion: Option<&Motion>) -> Self {
         let still = Motion::default();
         let motion = motion.unwrap_or(&still);
         let mut reach = Self {
@@ -91,7 +91,7 @@ impl Reach {
     }
 
     /// Bounds in a pose without its deformers; `None` if the boxes say nothing.
-    fn posed(&self, pose: &Pose) -> Option<Bounds> {
+    pub(in crate::scene) fn posed(&self, pose: &Pose) -> Option<Bounds> {
         if self.is_wild {
             return None;
         }
@@ -141,20 +141,5 @@ fn widened(bounds: Bounds, by: DVec3) -> Bounds {
     Bounds {
         min: bounds.min - by,
         max: bounds.max + by,
-    }
-}
-
-impl Part {
-    /// Bounds of the posed mesh in part space: they hold every posed position, and may be a little larger than needed.
-    /// Cheap for parts of files, whose meshes are measured once; others are measured anew.
-    pub fn posed_bounds(&self) -> Bounds {
-        let measured = self.driver.as_ref().and_then(|d| d.reach_of(self));
-        let posed = match measured {
-            _ if !self.pose.deformers.is_empty() => None,
-            Some(reach) => reach.posed(&self.pose),
-            None if self.pose.is_rest() => Some(self.mesh.bounds()),
-            None => Reach::of(&self.mesh, self.motion.as_deref()).posed(&self.pose),
-        };
-        posed.unwrap_or_else(|| self.posed_mesh().bounds())
     }
 }

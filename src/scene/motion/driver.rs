@@ -15,7 +15,7 @@ use glam::DAffine3;
 use super::bounds::Reach;
 use super::rig::{Clip, Moment, Rig};
 use super::{Motion, is_same_motion, pose};
-use crate::scene::{Mesh, Part, Pose};
+use crate::scene::{Mesh, Pose};
 
 /// A mesh as it was bound, and what can move it.
 #[derive(Debug)]
@@ -36,10 +36,10 @@ impl Bound {
         }
     }
 
-    /// What a part with this very mesh and motion reaches; `None` if it has others by now.
-    pub(super) fn reach_of(&self, part: &Part) -> Option<&Reach> {
-        let same_mesh = Arc::ptr_eq(&self.mesh, &part.mesh);
-        let same_motion = is_same_motion(self.motion.as_ref(), part.motion.as_ref());
+    /// What this very mesh and motion reach; `None` if they are others.
+    fn reach_of(&self, mesh: &Arc<Mesh>, motion: Option<&Arc<Motion>>) -> Option<&Reach> {
+        let same_mesh = Arc::ptr_eq(&self.mesh, mesh);
+        let same_motion = is_same_motion(self.motion.as_ref(), motion);
         (same_mesh && same_motion).then(|| {
             self.reach
                 .get_or_init(|| Reach::of(&self.mesh, self.motion.as_deref()))
@@ -185,9 +185,23 @@ impl Driver {
         self.file_from_part.is_finite() && (is_bound || positions.iter().all(|p| p.is_finite()))
     }
 
-    /// What a part with the mesh and motion of the file reaches.
-    pub(super) fn reach_of(&self, part: &Part) -> Option<&Reach> {
-        self.bound.reach_of(part)
+    /// What the mesh and motion of the file reach; `None` if they are others.
+    pub(in crate::scene) fn reach_of(
+        &self,
+        mesh: &Arc<Mesh>,
+        motion: Option<&Arc<Motion>>,
+    ) -> Option<&Reach> {
+        self.bound.reach_of(mesh, motion)
+    }
+
+    /// The animations of the file.
+    pub(in crate::scene) fn clips(&self) -> &[Clip] {
+        self.rig.clips()
+    }
+
+    /// Moves the file's world.
+    pub(in crate::scene) fn place(&mut self, placed: DAffine3) {
+        self.placed = placed * self.placed;
     }
 
     /// Whether the file has anything that could move the part.
@@ -196,11 +210,14 @@ impl Driver {
         !self.rig.clips().is_empty() || self.bound.motion.is_some()
     }
 
-    fn drive(&self, part: &mut Part, moment: Moment) {
-        (part.mesh, part.world_from_part) = self.at_rest();
-        part.motion = None;
-        part.pose.weights.clear();
-        part.pose.joints.clear();
+    /// What a part is at a moment.
+    pub(in crate::scene) fn at(&self, moment: Moment) -> Driven {
+        let (mesh, world_from_part) = self.at_rest();
+        let mut driven = Driven {
+            mesh,
+            world_from_part,
+            moved: None,
+        };
         let moment = Moment {
             // NaN is the beginning, too.
             time_s: moment.time_s.max(0.0),
@@ -212,10 +229,10 @@ impl Driver {
             Hold::Skin { .. } => self.file_from_part,
         };
         if file_from_part.is_finite() {
-            part.world_from_part = self.placed * file_from_part;
+            driven.world_from_part = self.placed * file_from_part;
         }
         let Some(motion) = &self.bound.motion else {
-            return;
+            return driven;
         };
         let weights = self.rig.weights(self.node, moment);
         let joints_move = match self.hold {
@@ -226,19 +243,26 @@ impl Driver {
             Hold::Node | Hold::Joint { .. } => false,
         };
         if !joints_move && weights.is_none() {
-            return;
+            return driven;
         }
         let weights = weights.unwrap_or_else(|| self.rest_weights.clone());
         let joints = self.joints(Some(moment));
         let is_finite =
             joints.iter().all(|j| j.is_finite()) && weights.iter().all(|w| w.is_finite());
         if is_finite {
-            part.mesh = Arc::clone(&self.bound.mesh);
-            part.motion = Some(Arc::clone(motion));
-            part.pose.weights = weights;
-            part.pose.joints = joints;
+            driven.mesh = Arc::clone(&self.bound.mesh);
+            driven.moved = Some((Arc::clone(motion), weights, joints));
         }
+        driven
     }
+}
+
+/// A part as a driver has it at a moment.
+pub(in crate::scene) struct Driven {
+    pub(in crate::scene) mesh: Arc<Mesh>,
+    pub(in crate::scene) world_from_part: DAffine3,
+    /// What moves the vertices, with the weights and joints of the pose; none at rest.
+    pub(in crate::scene) moved: Option<(Arc<Motion>, Vec<f64>, Vec<DAffine3>)>,
 }
 
 /// Joints whose matrices differ by less move the mesh as one; relative to the matrix' largest entry.
@@ -250,33 +274,4 @@ fn alike(a: &DAffine3, b: &DAffine3) -> bool {
     a.iter()
         .zip(b)
         .all(|(a, b)| (a - b).abs() <= SAME_MATRIX * largest)
-}
-
-impl Part {
-    /// The animations that the part's file has.
-    pub fn clips(&self) -> &[Clip] {
-        self.driver.as_ref().map_or(&[], |d| d.rig.clips())
-    }
-
-    /// The part as a clip of [`Part::clips`] has it at a time: placed and posed, its deformers kept. Before a clip begins
-    /// it is as at the first key, after its end as at the last. A clip that the file lacks leaves the part at rest, and so
-    /// does one that does not move it. Changes to the mesh or to `world_from_part` that were not made by [`Part::place`]
-    /// are lost, unless the part comes from no file.
-    #[must_use]
-    pub fn at_time(&self, clip: usize, time_s: f64) -> Self {
-        let mut part = self.clone();
-        if let Some(driver) = &self.driver {
-            driver.drive(&mut part, Moment { clip, time_s });
-        }
-        part
-    }
-
-    /// Places the part as a whole, in all poses and at all times.
-    pub fn place(&mut self, placed: DAffine3) {
-        self.world_from_part = placed * self.world_from_part;
-        if let Some(driver) = &mut self.driver {
-            let driver = Arc::make_mut(driver);
-            driver.placed = placed * driver.placed;
-        }
-    }
 }

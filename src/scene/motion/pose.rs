@@ -4,30 +4,15 @@
 //! other. Cost: time in proportion to positions times targets and pulls. Applying a pose is total: a displacement that a target
 //! lacks is zero, a joint that the pose lacks is the identity, a weight without a target does nothing.
 
-use std::borrow::Cow;
-
 use glam::{DAffine3, DMat3, DVec3, Vec3};
 use rayon::prelude::*;
 
 use super::deformed::deform;
 use super::{Motion, Pose};
-use crate::scene::{Mesh, Part};
-
-impl Part {
-    /// The mesh as it stands in the part's pose, in part space. Corner normals go with joints and deformers; morph targets leave
-    /// them as they are: they shade and decide nothing.
-    pub fn posed_mesh(&self) -> Cow<'_, Mesh> {
-        if self.pose.is_rest() {
-            return Cow::Borrowed(&self.mesh);
-        }
-        let still = Motion::default();
-        let motion = self.motion.as_deref().unwrap_or(&still);
-        Cow::Owned(posed(&self.mesh, motion, &self.pose))
-    }
-}
+use crate::scene::Mesh;
 
 /// A mesh in a pose.
-pub(super) fn posed(mesh: &Mesh, motion: &Motion, pose: &Pose) -> Mesh {
+pub(in crate::scene) fn posed(mesh: &Mesh, motion: &Motion, pose: &Pose) -> Mesh {
     let blends: Vec<DAffine3> = (0..mesh.positions.len())
         .into_par_iter()
         .map(|i| blend(motion, pose, i))

@@ -6,7 +6,7 @@
 use glam::{DVec2, DVec3};
 
 use crate::scene::geometry::fitting::{fit_parallel, fit_perspective};
-use crate::scene::{Bounds, Outline, Precision, View};
+use crate::scene::{Bounds, Precision, Up, View};
 
 /// How depth narrows the picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,43 +21,6 @@ pub enum Projection {
         /// World units from the lower to the upper border.
         height: Option<f64>,
     },
-}
-
-/// Which axis of the world points up.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-pub enum Up {
-    /// The habit of graphics.
-    #[default]
-    PlusY,
-    /// The habit of CAD and printing.
-    PlusZ,
-}
-
-impl Up {
-    /// As documents have it.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::PlusY => "+Y",
-            Self::PlusZ => "+Z",
-        }
-    }
-
-    /// The other one.
-    #[must_use]
-    pub fn other(self) -> Self {
-        match self {
-            Self::PlusY => Self::PlusZ,
-            Self::PlusZ => Self::PlusY,
-        }
-    }
-
-    /// As a direction.
-    pub fn axis(self) -> DVec3 {
-        match self {
-            Self::PlusY => DVec3::Y,
-            Self::PlusZ => DVec3::Z,
-        }
-    }
 }
 
 /// Where the eye is.
@@ -94,7 +57,7 @@ pub enum Fit {
     /// The box of the whole model, whatever is cut away.
     #[default]
     All,
-    /// The silhouette of what the cuts keep, in the middle of the picture, with a margin of 6 % of its shorter side. See [`Outline`].
+    /// The silhouette of what the cuts keep, in the middle of the picture, with a margin of 6 % of its shorter side. See [`Outline`](crate::scene::Outline).
     Kept,
 }
 
@@ -155,7 +118,7 @@ impl Camera {
         bounds: Bounds,
         size_px: [u32; 2],
     ) -> View {
-        self.view_fitted(scene_from_world, scale, (bounds, None), size_px)
+        self.view_fitted(scene_from_world, scale, (bounds, &[]), size_px)
     }
 
     /// Whether where the eye is hangs on what the cuts keep.
@@ -164,12 +127,12 @@ impl Camera {
         self.fit == Fit::Kept && !matches!(self.viewpoint, Viewpoint::Explicit { .. })
     }
 
-    /// As [`Camera::view`], where an orbit is fitted to an outline in world space, if there is one.
+    /// As [`Camera::view`], where an orbit is fitted to the points of an outline in world space, if there are some.
     pub(crate) fn view_fitted(
         &self,
         scene_from_world: impl Fn(DVec3) -> DVec3,
         scale: f64,
-        (bounds, outline): (Bounds, Option<&Outline>),
+        (bounds, outline): (Bounds, &[DVec3]),
         size_px: [u32; 2],
     ) -> View {
         let radius = bounds.radius().max(1e-9);
@@ -204,9 +167,9 @@ impl Camera {
             .unwrap_or_else(|| forward.any_orthonormal_vector());
         let up = right.cross(forward);
         let axes = [right, up, forward];
-        let kept = outline.filter(|o| self.fits_kept() && !o.is_empty());
-        let kept: Option<Vec<DVec3>> = kept.map(|outline| {
-            let points = outline.points().iter().map(|p| scene_from_world(*p));
+        let is_kept = self.fits_kept() && !outline.is_empty();
+        let kept: Option<Vec<DVec3>> = is_kept.then(|| {
+            let points = outline.iter().map(|p| scene_from_world(*p));
             points
                 .map(|p| DVec3::from_array(axes.map(|axis| p.dot(axis))))
                 .collect()
@@ -288,28 +251,3 @@ pub const STANDARD_VIEWS: [(&str, [f64; 2]); 7] = [
     // All three axes are seen alike: the elevation is atan(1 / sqrt 2).
     ("iso", [45.0, 35.264_389_682_754_654]),
 ];
-
-impl Up {
-    /// The unit vector from what is looked at to an eye at some azimuth and elevation.
-    pub fn direction(self, [azimuth_deg, elevation_deg]: [f64; 2]) -> DVec3 {
-        let (sin_a, cos_a) = azimuth_deg.to_radians().sin_cos();
-        let (sin_e, cos_e) = elevation_deg.to_radians().sin_cos();
-        match self {
-            Self::PlusY => DVec3::new(sin_a * cos_e, sin_e, cos_a * cos_e),
-            Self::PlusZ => DVec3::new(sin_a * cos_e, -cos_a * cos_e, sin_e),
-        }
-    }
-
-    /// Azimuth and elevation of an eye in a direction, in degrees: the inverse of [`Up::direction`].
-    pub fn angles(self, direction: DVec3) -> [f64; 2] {
-        let d = direction.normalize_or(DVec3::Z);
-        let [azimuth, height] = match self {
-            Self::PlusY => [d.x.atan2(d.z), d.y],
-            Self::PlusZ => [d.x.atan2(-d.y), d.z],
-        };
-        [
-            azimuth.to_degrees(),
-            height.clamp(-1.0, 1.0).asin().to_degrees(),
-        ]
-    }
-}

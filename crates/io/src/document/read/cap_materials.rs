@@ -14,8 +14,8 @@ use std::sync::Arc;
 use cutaway::error::Result;
 use cutaway::scene::{Amount, CapMaterial, SolidTexture, Texture, TextureKind};
 
+use super::opening::{Opening, missing};
 use super::reader::{Entry, Table};
-use super::stock::{self, Opening};
 use crate::document::Keys;
 use crate::load::Assets;
 use crate::load::frames::Pattern;
@@ -36,7 +36,7 @@ pub(super) fn check(entry: &Entry<'_>, folder: &Path, assets: &Assets) -> Result
         if let Some(image) = table.get(key)
             && !assets.has_texture(&folder.join(image.text()?))
         {
-            return Err(stock::missing(&image, &folder.join(image.text()?)));
+            return Err(missing(&image, &folder.join(image.text()?)));
         }
     }
     plain(&table).map(|_| ())
@@ -85,7 +85,7 @@ pub(super) fn open(entry: &Entry<'_>, opening: &mut Opening<'_>) -> Result<Arc<C
     let mut material = plain(&table)?;
     let mut read = |entry: &Entry<'_>, path: &Path, kind| -> Result<Arc<Texture>> {
         if !opening.assets.has_texture(path) {
-            return Err(stock::missing(entry, path));
+            return Err(missing(entry, path));
         }
         let texture = opening.assets.texture(path, kind);
         let texture = texture.map_err(|e| entry.place(e))?;

@@ -8,6 +8,7 @@ use cutaway::scene::{Bounds, Fit};
 use glam::DVec3;
 
 use super::clip::cuts;
+use super::opening::{missing, spec_of};
 use super::reader::{Entry, Table};
 use super::{camera, cap_materials, hatches, keys, parts, settings, stock, style};
 use crate::document::paths::keys_below;
@@ -39,7 +40,7 @@ pub(in crate::document) fn check(root: &Table<'_>, folder: &Path, assets: &Asset
         }
         match (table.get("shape"), table.get("mesh")) {
             (Some(shape), _) => {
-                shapes::check(&stock::spec_of(&shape)?).map_err(|e| shape.place(e))?;
+                shapes::check(&spec_of(&shape)?).map_err(|e| shape.place(e))?;
             }
             (None, Some(mesh)) => must_be_there(&mesh, folder, assets)?,
             (None, None) => {}
@@ -92,5 +93,5 @@ fn must_be_there(entry: &Entry<'_>, folder: &Path, assets: &Assets) -> Result<()
     if assets.has_mesh(&path) || Pattern::is_in(entry.text()?) {
         return Ok(());
     }
-    Err(stock::missing(entry, &path))
+    Err(missing(entry, &path))
 }

@@ -6,8 +6,8 @@ use std::sync::{Arc, LazyLock};
 use cutaway::error::{Result, did_you_mean};
 use cutaway::scene::{CapHatch, HatchPattern};
 
+use super::opening::{Opening, missing};
 use super::reader::Entry;
-use super::stock::{self, Opening};
 use crate::load::{Assets, read_patterns};
 
 /// The patterns that come with the program; a test reads them.
@@ -60,7 +60,7 @@ pub(super) fn check(entry: &Entry<'_>, folder: &Path, assets: &Assets) -> Result
     match file_of(entry.text()?) {
         None => named(entry, entry.text()?).map(|_| ()),
         Some((file, _)) if assets.store().is_file(&folder.join(file)) => Ok(()),
-        Some((file, _)) => Err(stock::missing(entry, &folder.join(file))),
+        Some((file, _)) => Err(missing(entry, &folder.join(file))),
     }
 }
 

@@ -13,8 +13,9 @@ use cutaway::Result;
 use cutaway::scene::{Mesh, Motion, Part, Pose, Sight, sights};
 use glam::DAffine3;
 
+use super::opening::Opening;
+use super::part_source::PartSource;
 use super::reader::Table;
-use super::stock::{Opening, PartSource};
 use crate::document::Node;
 use crate::load::Assets;
 

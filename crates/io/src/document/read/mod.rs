@@ -151,6 +151,8 @@ mod deform;
 mod hatches;
 mod keys;
 mod known;
+mod opening;
+mod part_source;
 mod parts;
 pub mod reader;
 mod roles;
@@ -162,59 +164,36 @@ mod table;
 mod target;
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::LazyLock;
 
 use cutaway::error::Result;
 use cutaway::generate::defects::Defect;
-use cutaway::scene::{
-    Bounds, ClipSurface, CutoutFrame, Fit, Outwards, Part, Scene, Sight, Style, Up,
-};
+use cutaway::scene::{Bounds, ClipSurface, Fit, Outwards, Part, Scene, Style, Up};
 
 use super::node::Node;
 use super::paths::keys_below;
 use crate::load::Assets;
+use opening::Opening;
 use reader::{Entry, Source, Table};
-use stock::Opening;
 
 pub(super) use camera::Seen;
 pub(super) use check::check;
 pub(super) use clip::cutaways::cutouts;
-pub(super) use clip::reliefs::{Images, Resolved};
+pub(super) use clip::reliefs::Resolved;
 pub use keys::{Interpolation, Key};
 pub(super) use keys::{Keyed, Moment};
 pub(super) use known::sights_of;
+pub(super) use part_source::PartSource;
 pub(super) use parts::all as parts_with_roles;
 pub use roles::RoleBy;
 pub use settings::Settings;
-pub(super) use stock::PartSource;
+pub(super) use stock::Stock;
 pub(super) use style::is_file as is_style_file;
 pub use style::{named_style, style_names};
 
 /// Keys of a scene. Nothing is drawn of `case`: it is what is expected of a scene in `experiments/hard-cases`.
 static KEYS: LazyLock<Vec<&str>> = LazyLock::new(|| [keys_below(""), vec!["case"]].concat());
-
-/// What a document names, opened.
-#[derive(Debug)]
-pub(super) struct Stock {
-    /// Of each part.
-    pub(super) parts: Vec<PartSource>,
-    /// Of each cut.
-    cutters: Vec<Option<clip::cutters::CutterSource>>,
-    images: Images,
-    /// On which the style of the document are changes, if it has one.
-    pub(super) style: Option<Style>,
-    /// What orbits are fitted to where the document does not say it.
-    pub(super) fit: Fit,
-    /// How much is seen of each part from outside, where its role hangs on that.
-    pub(super) sights: Option<BTreeMap<String, Sight>>,
-    /// Where the cutouts of each cut lie, once it is known.
-    pub(super) frames: BTreeMap<usize, CutoutFrame>,
-    /// What is to be said of it.
-    pub(super) notes: Vec<String>,
-    /// All that were read.
-    pub(super) files: BTreeSet<PathBuf>,
-}
 
 /// The root of a document at a moment, if something moves.
 pub(super) fn root<'a>(

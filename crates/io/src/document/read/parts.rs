@@ -4,12 +4,12 @@ use cutaway::error::Result;
 use cutaway::scene::{Bounds, Fill, Outwards, Part, Role, range};
 use glam::{DAffine3, DMat3, DVec3, Vec3};
 
-use super::Stock;
 use super::deform;
+use super::part_source::PartSource;
 use super::reader::{Entry, Table};
 use super::roles::{self, RoleBy};
 use super::settings::color;
-use super::stock::PartSource;
+use super::stock::Stock;
 use crate::document::Keys;
 
 /// Keys of a part.

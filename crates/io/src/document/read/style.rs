@@ -10,9 +10,9 @@ use cutaway::scene::style::{
     Shading, Style, Tint,
 };
 
+use super::opening::{Opening, missing};
 use super::reader::{Entry, Table};
 use super::settings::color;
-use super::stock::{self, Opening};
 use super::table::with_table;
 use crate::document::Keys;
 use crate::load::Assets;
@@ -118,7 +118,7 @@ pub(super) fn check(root: &Table<'_>, folder: &Path, assets: &Assets) -> Result<
         if !is_file(name) {
             named_style(name).map_err(|e| base.place(e))?;
         } else if !assets.store().is_file(&folder.join(name)) {
-            return Err(stock::missing(&base, &folder.join(name)));
+            return Err(missing(&base, &folder.join(name)));
         }
     }
     read(root, Style::default()).map(|_| ())

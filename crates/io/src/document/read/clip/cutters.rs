@@ -6,9 +6,9 @@
 use cutaway::error::Result;
 use cutaway::scene::{Bounds, Cutter, too_far};
 
+use crate::document::read::opening::Opening;
 use crate::document::read::parts;
 use crate::document::read::reader::{Entry, Table};
-use crate::document::read::stock::Opening;
 
 /// Keys of a cut that say where its cutter is, and which side of it stays.
 pub(in crate::document::read) const PLACES: &[&str] = &[

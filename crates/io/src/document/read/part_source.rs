@@ -1,0 +1,153 @@
+//! What the parts of an entry are made of: solids, one or one for each frame, with their names and colours.
+//!
+//! All parts have names of their own: of those that a file gives, a name that is taken gets a number. Parts that neither their file nor
+//! the document colours have colours by their shape.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use cutaway::scene::{Bounds, Material, Part};
+use glam::DAffine3;
+
+use super::solids::Solid;
+use crate::load::frames::Sequence;
+
+/// What one entry `[[part]]` is made of.
+#[derive(Clone, Debug)]
+pub(crate) struct PartSource {
+    /// One, or one for each frame.
+    frames: Vec<Vec<Solid>>,
+    sequence: Option<Sequence>,
+    /// What each solid is called in its file, at any time, and what its part is called.
+    names: BTreeMap<String, String>,
+    /// Of the solids by their index, each as the first frame has it that has so many.
+    forms: Vec<Form>,
+    /// Bounds of all solids at all times, in the space of the file where they share it, else in the world.
+    pub(super) rest: Bounds,
+    /// Whether the file puts all solids in one space.
+    pub(super) share_a_space: bool,
+}
+
+impl PartSource {
+    pub(super) fn of(mut frames: Vec<Vec<Solid>>, sequence: Option<Sequence>) -> Self {
+        frames.iter_mut().flatten().for_each(Solid::measure);
+        let mut forms: Vec<Form> = Vec::new();
+        for frame in &frames {
+            let new = frame.iter().skip(forms.len());
+            forms.extend(new.map(|solid| Form::of(&solid.part)));
+        }
+        let solids = || frames.iter().flatten();
+        let share_a_space = solids().all(|s| s.part.world_from_part == DAffine3::IDENTITY);
+        let bounds = |s: &Solid| match share_a_space {
+            true => s.rest,
+            false => s.part.bounds_in_world(),
+        };
+        let rest = solids().map(bounds).fold(Bounds::EMPTY, Bounds::union);
+        Self {
+            names: BTreeMap::new(),
+            forms,
+            frames,
+            sequence,
+            rest,
+            share_a_space,
+        }
+    }
+
+    /// The solids at a time.
+    pub(super) fn at(&self, time_s: f64) -> &[Solid] {
+        let frame = self.sequence.as_ref().map_or(0, |s| s.frame_at(time_s));
+        &self.frames[frame]
+    }
+
+    /// The solids of all frames.
+    pub(super) fn solids_mut(&mut self) -> impl Iterator<Item = &mut Solid> {
+        self.frames.iter_mut().flatten()
+    }
+
+    /// How the frames are played, if there are some.
+    pub(crate) fn sequence(&self) -> Option<&Sequence> {
+        self.sequence.as_ref()
+    }
+
+    /// The name of a part from that of its solid.
+    pub(super) fn name(&self, of_solid: &str) -> &str {
+        self.names.get(of_solid).map_or("", String::as_str)
+    }
+
+    /// The names of all parts that the entry has at any time.
+    pub(in crate::document) fn names(&self) -> impl Iterator<Item = &String> {
+        self.names.values()
+    }
+
+    /// What files call the materials of its parts.
+    pub(super) fn materials(&self) -> impl Iterator<Item = &str> {
+        let solids = self.frames.iter().flatten();
+        (solids.flat_map(|solid| &solid.part.materials)).map(String::as_str)
+    }
+
+    /// Names the parts after the entry, if it has a name, or else after their solids, unlike those that are taken.
+    pub(super) fn call(&mut self, of_entry: Option<&str>, taken: &mut BTreeSet<String>) {
+        let mut known = BTreeSet::new();
+        let solids: Vec<&Solid> = (self.frames.iter().flatten())
+            .filter(|solid| known.insert(solid.part.name.as_str()))
+            .collect();
+        let wanted = |solid: &Solid| match (of_entry, &solid.below) {
+            (None, _) => solid.part.name.clone(),
+            (Some(name), Some(below)) if solids.len() > 1 => format!("{name}/{below}"),
+            (Some(name), _) => name.to_owned(),
+        };
+        let mut names = BTreeMap::new();
+        for solid in &solids {
+            let wanted = wanted(solid);
+            let numbered = (2..).map(|count| format!("{wanted}_{count}"));
+            let mut free = std::iter::once(wanted.clone()).chain(numbered);
+            let name = free.find(|n| !taken.contains(n)).unwrap_or_default();
+            taken.insert(name.clone());
+            names.insert(solid.part.name.clone(), name);
+        }
+        self.names = names;
+    }
+
+    /// Colours the parts that their file has not by their shape, of which `shapes` are known: a hundred equal screws are alike. Later
+    /// frames have the colours of the first.
+    pub(super) fn colour(&mut self, shapes: &mut Vec<Form>) {
+        let mut colours = Vec::with_capacity(self.forms.len());
+        for form in &self.forms {
+            let known = shapes.iter().position(|known| known.is_like(form));
+            colours.push(known.unwrap_or(shapes.len()));
+            shapes.extend(known.is_none().then(|| form.clone()));
+        }
+        for frame in &mut self.frames {
+            for (solid, colour) in frame.iter_mut().zip(&colours) {
+                if solid.is_plain {
+                    solid.part.material = Material::of_index(*colour);
+                }
+            }
+        }
+    }
+}
+
+/// What equal solids have in common wherever they are.
+#[derive(Clone, Debug)]
+pub(super) struct Form {
+    triangles: usize,
+    volume: f64,
+    area: f64,
+}
+
+impl Form {
+    fn of(part: &Part) -> Self {
+        Self {
+            triangles: part.mesh.triangles.len(),
+            volume: part.mesh.volume(),
+            area: part.mesh.area(),
+        }
+    }
+
+    /// To a ten thousandth, for files round the corners of each copy for themselves.
+    fn is_like(&self, other: &Self) -> bool {
+        let near = |a: f64, b: f64| (a - b).abs() <= 1e-4 * a.abs().max(b.abs());
+        self.triangles == other.triangles
+            && near(self.volume, other.volume)
+            && near(self.area, other.area)
+    }
+}

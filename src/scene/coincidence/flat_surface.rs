@@ -1,0 +1,72 @@
+//! Flat clip-surfaces, and the exact sign of a point's height over one.
+
+use glam::DVec3;
+
+use crate::scene::geometry::exact_sum::sum_of_products;
+
+/// Rounding of a height in f64, as a share of the sum of its terms' magnitudes: less than 6 halves of an ulp.
+const RELATIVE_ROUNDING: f64 = 1e-15;
+
+/// A side of a clip-surface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Side {
+    /// What stays.
+    Kept,
+    /// What the clip-surface removes, where the others of its cut do.
+    Removed,
+}
+
+impl Side {
+    /// The opposite one.
+    #[must_use]
+    pub fn other(self) -> Self {
+        match self {
+            Self::Kept => Self::Removed,
+            Self::Removed => Self::Kept,
+        }
+    }
+}
+
+/// A clip-surface without relief, or with a flat one: the points with `(P - O).N + lift = 0`; those with less are removed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FlatSurface {
+    /// `O`.
+    pub origin: DVec3,
+    /// `N`.
+    pub normal: DVec3,
+    /// Height of the relief.
+    pub lift: f64,
+}
+
+impl FlatSurface {
+    /// Kept height of a point, of which only the sign is exact: it is zero only on the surface.
+    pub fn height(&self, point: DVec3) -> f64 {
+        let terms = (point - self.origin) * self.normal;
+        let sum = terms.element_sum() + self.lift;
+        let size = terms.abs().element_sum() + self.lift.abs();
+        if sum.abs() > size * RELATIVE_ROUNDING + f64::MIN_POSITIVE {
+            sum
+        } else {
+            self.exact_height(point)
+        }
+    }
+
+    /// Kept height of a point, give or take what f64 rounds.
+    pub(crate) fn rough_height(&self, point: DVec3) -> f64 {
+        (point - self.origin).dot(self.normal) + self.lift
+    }
+
+    /// Kept height of a point, rounded once. Some 100 ns.
+    pub fn exact_height(&self, point: DVec3) -> f64 {
+        let (p, o, n) = (point, self.origin, self.normal);
+        sum_of_products([
+            [p.x, n.x],
+            [p.y, n.y],
+            [p.z, n.z],
+            [-o.x, n.x],
+            [-o.y, n.y],
+            [-o.z, n.z],
+            [self.lift, 1.0],
+        ])
+    }
+}

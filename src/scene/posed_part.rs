@@ -1,0 +1,128 @@
+//! Parts that move: at a time of their file's clips, placed, deformed, and posed on the CPU.
+//!
+//! What moves vertices, and how, is below ([`motion`](super::motion)); here it meets the part that it belongs to.
+
+use std::borrow::Cow;
+use std::sync::{Arc, Mutex, PoisonError};
+
+use glam::DAffine3;
+
+use super::motion::{Moment, Reach, posed};
+use super::{Bounds, Clip, Deformer, Mesh, Motion, Part, is_same_motion};
+
+impl Part {
+    /// The animations that the part's file has.
+    pub fn clips(&self) -> &[Clip] {
+        self.driver.as_ref().map_or(&[], |d| d.clips())
+    }
+
+    /// The part as a clip of [`Part::clips`] has it at a time: placed and posed, its deformers kept. Before a clip begins
+    /// it is as at the first key, after its end as at the last. A clip that the file lacks leaves the part at rest, and so
+    /// does one that does not move it. Changes to the mesh or to `world_from_part` that were not made by [`Part::place`]
+    /// are lost, unless the part comes from no file.
+    #[must_use]
+    pub fn at_time(&self, clip: usize, time_s: f64) -> Self {
+        let mut part = self.clone();
+        if let Some(driver) = &self.driver {
+            let driven = driver.at(Moment { clip, time_s });
+            (part.mesh, part.world_from_part) = (driven.mesh, driven.world_from_part);
+            let (motion, weights, joints) = match driven.moved {
+                Some((motion, weights, joints)) => (Some(motion), weights, joints),
+                None => (None, Vec::new(), Vec::new()),
+            };
+            part.motion = motion;
+            (part.pose.weights, part.pose.joints) = (weights, joints);
+        }
+        part
+    }
+
+    /// Places the part as a whole, in all poses and at all times.
+    pub fn place(&mut self, placed: DAffine3) {
+        self.world_from_part = placed * self.world_from_part;
+        if let Some(driver) = &mut self.driver {
+            Arc::make_mut(driver).place(placed);
+        }
+    }
+
+    /// The mesh as it stands in the part's pose, in part space. Corner normals go with joints and deformers; morph targets leave
+    /// them as they are: they shade and decide nothing.
+    pub fn posed_mesh(&self) -> Cow<'_, Mesh> {
+        if self.pose.is_rest() {
+            return Cow::Borrowed(&self.mesh);
+        }
+        let still = Motion::default();
+        let motion = self.motion.as_deref().unwrap_or(&still);
+        Cow::Owned(posed(&self.mesh, motion, &self.pose))
+    }
+
+    /// Bounds of the posed mesh in part space: they hold every posed position, and may be a little larger than needed.
+    /// Cheap for parts of files, whose meshes are measured once; others are measured anew.
+    pub fn posed_bounds(&self) -> Bounds {
+        let measured = self
+            .driver
+            .as_ref()
+            .and_then(|d| d.reach_of(&self.mesh, self.motion.as_ref()));
+        let posed = match measured {
+            _ if !self.pose.deformers.is_empty() => None,
+            Some(reach) => reach.posed(&self.pose),
+            None if self.pose.is_rest() => Some(self.mesh.bounds()),
+            None => Reach::of(&self.mesh, self.motion.as_deref()).posed(&self.pose),
+        };
+        posed.unwrap_or_else(|| self.posed_mesh().bounds())
+    }
+
+    /// Whether the pose inflates the mesh, but nobody has said yet where outward is.
+    fn lacks_outward(&self) -> bool {
+        let known = self.motion.as_ref().map_or(0, |m| m.outward.len());
+        let deformers = self.pose.deformers.iter();
+        known != self.mesh.positions.len()
+            && deformers
+                .into_iter()
+                .any(|d| matches!(d, Deformer::Inflate { .. }))
+    }
+
+    /// Deforms the part in this pose, and finds what the deformers need to know of the mesh.
+    pub fn deform(&mut self, deformers: Vec<Deformer>) {
+        self.pose.deformers = deformers;
+        if self.lacks_outward() {
+            let outward = self.mesh.outward();
+            Arc::make_mut(self.motion.get_or_insert_default()).outward = outward;
+        }
+    }
+}
+
+/// The motions that were given outward directions: each is made once, so that the same mesh has the same [`Motion`] at all
+/// times.
+#[derive(Debug, Default)]
+pub struct Outwards(Mutex<Vec<Known>>);
+
+/// Of which mesh and motion, and the motion with its directions.
+type Known = (Arc<Mesh>, Option<Arc<Motion>>, Arc<Motion>);
+
+impl Outwards {
+    /// Gives a part the directions that its pose asks for.
+    pub fn complete(&self, part: &mut Part) {
+        if !part.lacks_outward() {
+            return;
+        }
+        let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let found = known.iter().find(|(mesh, motion, _)| {
+            Arc::ptr_eq(mesh, &part.mesh) && is_same_motion(motion.as_ref(), part.motion.as_ref())
+        });
+        let whole = match found {
+            Some((.., whole)) => Arc::clone(whole),
+            None => {
+                let mut whole = part.motion.as_deref().cloned().unwrap_or_default();
+                whole.outward = part.mesh.outward();
+                let whole = Arc::new(whole);
+                known.push((
+                    Arc::clone(&part.mesh),
+                    part.motion.clone(),
+                    Arc::clone(&whole),
+                ));
+                whole
+            }
+        };
+        part.motion = Some(whole);
+    }
+}
