@@ -175,7 +175,7 @@ fn examine(session: &mut Session, console: &Console) -> Result<(Vec<Examined>, f
             break;
         }
         let asked = Asked {
-            ids: &[listed.id.to_owned()],
+            ids: std::slice::from_ref(&listed.id),
             sizes_px: &[SIDE_PX],
             methods: Some(&methods),
         };

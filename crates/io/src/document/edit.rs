@@ -18,6 +18,19 @@ impl Document {
         self.set_node(path, Node::new(value))
     }
 
+    /// The document with other values, each at its path, set in order.
+    ///
+    /// # Errors
+    ///
+    /// As of [`Document::set`].
+    pub fn with_changes(&self, changes: &[(String, Node)]) -> Result<Self> {
+        let mut changed = self.clone();
+        for (path, node) in changes {
+            changed.set_node(path, node.clone())?;
+        }
+        Ok(changed)
+    }
+
     /// [`Document::set`] with where the value is said, which errors about it name.
     ///
     /// # Errors

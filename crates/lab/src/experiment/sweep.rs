@@ -153,15 +153,6 @@ impl Trial {
     }
 }
 
-/// A document with changes.
-pub fn changed(document: &Document, changes: &Changes) -> Result<Document> {
-    let mut changed = document.clone();
-    for (path, node) in changes {
-        changed.set_node(path, node.clone())?;
-    }
-    Ok(changed)
-}
-
 /// Makes all points.
 pub fn expand(axes: &Axes, of: &Variable) -> Result<Vec<Point>> {
     check_braces(axes, &of.strategies)?;
@@ -181,7 +172,11 @@ pub fn expand(axes: &Axes, of: &Variable) -> Result<Vec<Point>> {
         for (path, node) in values.iter().flat_map(|v| &v.sets) {
             scene.set_node(path, node.clone())?;
         }
-        let truth = of.truth.as_ref().map(|t| changed(&scene, t)).transpose()?;
+        let truth = of
+            .truth
+            .as_ref()
+            .map(|t| scene.with_changes(t))
+            .transpose()?;
         points.push(Point {
             parameters: named_values(&of_points, &values),
             stem: stem(&values, &mut stems),

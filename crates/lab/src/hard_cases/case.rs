@@ -126,10 +126,7 @@ impl Case {
     pub fn scenes(&self, size_px: u32) -> Result<Vec<Scene>> {
         let mut assets = Assets::from_files(Arc::new(Embedded));
         let scene = |picture: &Picture| {
-            let mut document = self.document.clone();
-            for (path, node) in &picture.sets {
-                document.set_node(path, node.clone())?;
-            }
+            let document = self.document.with_changes(&picture.sets)?;
             let mut scene = document.resolve(0.0, &mut assets)?;
             scene.name.clone_from(&picture.name);
             if picture.half_pixel {

@@ -34,7 +34,7 @@ use std::sync::Arc;
 
 use cutaway::Result;
 use cutaway::strategies::Obstacle;
-use cutaway_io::document::reader::{Entry, Table, with_table};
+use cutaway_io::document::reader::{Entry, Table, need_of};
 use cutaway_io::document::{Document, Node};
 use cutaway_io::load::Files;
 use include_dir::{Dir, include_dir};
@@ -76,18 +76,9 @@ pub(super) fn read_all() -> Result<Vec<Case>> {
 /// Reads a case from the text of its file.
 pub fn read(path: &Path, text: &str) -> Result<Case> {
     let document = Document::parse(path, text)?;
-    // What a scene may hold is looked at when it is opened.
-    let keys: Vec<String> = match &document.root().value {
-        cutaway_io::document::Value::Table(entries) => {
-            entries.iter().map(|(key, _)| key.to_string()).collect()
-        }
-        _ => Vec::new(),
-    };
-    let known: Vec<&str> = keys.iter().map(String::as_str).collect();
-    with_table(path, text, &known, |root| {
-        let entry = root.need("case", "{ id = \"1\", name = \"cube\" }")?;
-        case(&entry, document.clone())
-    })
+    // What else a scene may hold is looked at when it is opened.
+    let entry = need_of(&document, "case", "{ id = \"1\", name = \"cube\" }")?;
+    case(&entry, document.clone())
 }
 
 fn case(entry: &Entry<'_>, document: Document) -> Result<Case> {

@@ -50,13 +50,13 @@ pub struct Asked<'a> {
 
 /// Refuses globs that fit no case.
 pub fn check_ids(ids: &[String]) -> Result<()> {
-    let fits_none = |glob: &&String| !list().any(|l| glob_matches(glob, l.id));
+    let fits_none = |glob: &&String| !list().any(|l| glob_matches(glob, &l.id));
     match ids.iter().find(fits_none) {
         None => Ok(()),
         Some(glob) => Err(Error::input(
             format!("hard case `{glob}`"),
             "no case has such a number",
-            "write a number from 1 to 50, B1 to B14, U1 to U7, or a glob such as B*",
+            "write a number of the list of hard cases, as 1, B1 or U1, or a glob such as B*",
         )),
     }
 }
@@ -72,12 +72,12 @@ pub fn found(
     check_ids(asked.ids)?;
     let is_asked = |id: &str| asked.ids.iter().any(|glob| glob_matches(glob, id));
     let mut all = Vec::new();
-    for listed in list().filter(|l| is_asked(l.id)) {
+    for listed in list().filter(|l| is_asked(&l.id)) {
         let mut of_it = cases().filter(|c| c.id == listed.id).peekable();
         if of_it.peek().is_none() {
             all.push(CaseFound {
-                id: listed.id.to_owned(),
-                name: listed.name.to_owned(),
+                id: listed.id.clone(),
+                name: listed.name.clone(),
                 held_by: listed.held_by(),
                 reached: Vec::new(),
             });

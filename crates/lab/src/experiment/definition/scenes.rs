@@ -12,7 +12,7 @@ use super::claims::{self, Claim};
 use super::drift::drift;
 use crate::experiment::Parameter;
 use crate::experiment::drift::Drift;
-use crate::experiment::sweep::{Axes, Axis, Changes, Point, Value, Variable, changed, expand};
+use crate::experiment::sweep::{Axes, Axis, Changes, Point, Value, Variable, expand};
 
 const RUN_KEYS: &[&str] = &[
     "name",
@@ -150,7 +150,9 @@ impl Draft {
             scene.set_node("resolution", size.node.clone())?;
         }
         if let Some(set) = table.get("set") {
-            *scene = changed(scene, &changes(&set)?).map_err(|e| set.place(e))?;
+            *scene = scene
+                .with_changes(&changes(&set)?)
+                .map_err(|e| set.place(e))?;
         }
         Ok(())
     }
@@ -369,7 +371,10 @@ fn settable(sets: &Changes, entry: &Entry<'_>, draft: &Draft) -> Result<()> {
         let help = "name the strategies in `strategies`: each of them is asked at each point";
         return Err(entry.fault("who draws is no value of the scene here", help));
     }
-    changed(&draft.variable.scene, sets)
+    draft
+        .variable
+        .scene
+        .with_changes(sets)
         .map(|_| ())
         .map_err(|e| entry.place(e))
 }
