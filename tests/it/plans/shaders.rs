@@ -2,6 +2,7 @@
 //! struct and constant as the Rust that fills it.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
 use std::sync::Arc;
 
 use cutaway::generate::shapes;
@@ -221,65 +222,63 @@ fn holds_in_all_shaders<T: Layout>(modules: &[(&str, Arc<Composed>)]) {
     assert!(met > 0, "no shader has the struct {}", T::NAME);
 }
 
+/// Holds structs in all shaders; how many they are.
+macro_rules! hold_in_all_shaders {
+    ($modules:ident: $($shared:ty),* $(,)?) => {{
+        $(holds_in_all_shaders::<$shared>(&$modules);)*
+        [$(stringify!($shared)),*].len()
+    }};
+}
+
 #[test]
 fn shared_structs_are_laid_out_alike() {
     let modules = composed();
-    holds_in_all_shaders::<Frame>(&modules);
-    holds_in_all_shaders::<ClipSurface>(&modules);
-    holds_in_all_shaders::<CutTable>(&modules);
-    holds_in_all_shaders::<Part>(&modules);
-    holds_in_all_shaders::<RayRow>(&modules);
-    holds_in_all_shaders::<RaySurface>(&modules);
-    holds_in_all_shaders::<Sprite>(&modules);
-    holds_in_all_shaders::<Quad>(&modules);
-    holds_in_all_shaders::<Sweep>(&modules);
-    holds_in_all_shaders::<DrawnPart>(&modules);
-    holds_in_all_shaders::<SettledGroup>(&modules);
-    holds_in_all_shaders::<FragmentPool>(&modules);
-    holds_in_all_shaders::<SheetPool>(&modules);
-    holds_in_all_shaders::<Cascade>(&modules);
-    holds_in_all_shaders::<Pose>(&modules);
-    holds_in_all_shaders::<Deformer>(&modules);
-    holds_in_all_shaders::<Domain>(&modules);
-    holds_in_all_shaders::<Refinement>(&modules);
-    holds_in_all_shaders::<Pyramid>(&modules);
-    holds_in_all_shaders::<Composite>(&modules);
-    holds_in_all_shaders::<pack::Style>(&modules);
-    holds_in_all_shaders::<pack::CapPlane>(&modules);
-    holds_in_all_shaders::<pack::CapMaterial>(&modules);
-    holds_in_all_shaders::<pack::CutterFace>(&modules);
-    holds_in_all_shaders::<pack::CoatRow>(&modules);
-    holds_in_all_shaders::<pack::DressPlanes>(&modules);
-    holds_in_all_shaders::<pack::Texture>(&modules);
-    holds_in_all_shaders::<pack::Ground>(&modules);
-    holds_in_all_shaders::<pack::ReliefSky>(&modules);
-    holds_in_all_shaders::<pack::HatchPlanes>(&modules);
-    holds_in_all_shaders::<pack::HatchLine>(&modules);
-    holds_in_all_shaders::<PartHatch>(&modules);
-    holds_in_all_shaders::<pack::Ghost>(&modules);
-    holds_in_all_shaders::<pack::Horizon>(&modules);
-    holds_in_all_shaders::<pack::Unsharp>(&modules);
+    let held = hold_in_all_shaders!(modules:
+        Frame,
+        ClipSurface,
+        CutTable,
+        Part,
+        RayRow,
+        RaySurface,
+        Sprite,
+        Quad,
+        Sweep,
+        DrawnPart,
+        SettledGroup,
+        FragmentPool,
+        SheetPool,
+        Cascade,
+        Pose,
+        Deformer,
+        Domain,
+        Refinement,
+        Pyramid,
+        Composite,
+        pack::Style,
+        pack::CapPlane,
+        pack::CapMaterial,
+        pack::CutterFace,
+        pack::CoatRow,
+        pack::DressPlanes,
+        pack::Texture,
+        pack::Ground,
+        pack::ReliefSky,
+        pack::HatchPlanes,
+        pack::HatchLine,
+        PartHatch,
+        pack::Ghost,
+        pack::Horizon,
+        pack::Unsharp
+    );
     // The list above is all there is: a struct added to the files must be added here.
-    let files = [
-        include_str!("../../../src/plan/pack.rs"),
-        include_str!("../../../src/plan/pack/composite.rs"),
-        include_str!("../../../src/plan/pack/cutter.rs"),
-        include_str!("../../../src/plan/pack/dress.rs"),
-        include_str!("../../../src/plan/pack/frame.rs"),
-        include_str!("../../../src/plan/pack/ghost.rs"),
-        include_str!("../../../src/plan/pack/hatch.rs"),
-        include_str!("../../../src/plan/pack/style.rs"),
-        include_str!("../../../src/plan/pack/lists.rs"),
-        include_str!("../../../src/plan/pack/occlusion.rs"),
-        include_str!("../../../src/plan/pack/pose.rs"),
-        include_str!("../../../src/plan/pack/refinement.rs"),
-        include_str!("../../../src/plan/pack/pyramid.rs"),
-        include_str!("../../../src/plan/pack/sprite.rs"),
-    ];
-    let declared: usize = (files.iter())
-        .map(|text| text.matches("\nshared! {").count())
-        .sum();
-    assert_eq!(declared, 35, "structs in src/plan/pack.rs and beside it");
+    let folder = crate::common::root().join("src/plan");
+    let files = fs::read_dir(folder.join("pack")).expect("a folder");
+    let paths = files.map(|entry| entry.expect("an entry").path());
+    let texts = paths
+        .chain([folder.join("pack.rs")])
+        .map(|path| fs::read_to_string(path).expect("a file"));
+    let declared: usize = texts.map(|text| text.matches("\nshared! {").count()).sum();
+    assert_eq!(declared, held, "structs in src/plan/pack.rs and beside it");
     // The table of rays has no struct in Rust: it is an array of all surfaces.
     let table = modules
         .iter()
