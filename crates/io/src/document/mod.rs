@@ -180,6 +180,12 @@ impl Document {
         &self.root
     }
 
+    /// A value at the top that has to be there, to be read with its place; `example` is one for the error.
+    #[doc(hidden)]
+    pub fn need(&self, key: &str, example: &str) -> Result<reader::Entry<'_>> {
+        read::top(&self.path, &self.root)?.need(key, example)
+    }
+
     /// The scene at a time in seconds: [`Document::timeline`] and [`Timeline::at`] in one. For many times ask for the timeline once.
     ///
     /// # Errors

@@ -34,7 +34,7 @@ use std::sync::Arc;
 
 use cutaway::Result;
 use cutaway::strategies::Obstacle;
-use cutaway_io::document::reader::{Entry, Table, need_of};
+use cutaway_io::document::reader::{Entry, Table};
 use cutaway_io::document::{Document, Node};
 use cutaway_io::load::Files;
 use include_dir::{Dir, include_dir};
@@ -77,7 +77,7 @@ pub(super) fn read_all() -> Result<Vec<Case>> {
 pub fn read(path: &Path, text: &str) -> Result<Case> {
     let document = Document::parse(path, text)?;
     // What else a scene may hold is looked at when it is opened.
-    let entry = need_of(&document, "case", "{ id = \"1\", name = \"cube\" }")?;
+    let entry = document.need("case", "{ id = \"1\", name = \"cube\" }")?;
     case(&entry, document.clone())
 }
 

@@ -53,11 +53,21 @@ pub fn check_ids(ids: &[String]) -> Result<()> {
     let fits_none = |glob: &&String| !list().any(|l| glob_matches(glob, &l.id));
     match ids.iter().find(fits_none) {
         None => Ok(()),
-        Some(glob) => Err(Error::input(
-            format!("hard case `{glob}`"),
-            "no case has such a number",
-            "write a number of the list of hard cases, as 1, B1 or U1, or a glob such as B*",
-        )),
+        Some(glob) => {
+            // Numbers, and then those that begin with a letter, are in order.
+            let last = |begins: fn(char) -> bool| {
+                let of_them = list().filter(|l| l.id.starts_with(begins));
+                of_them.last().map_or("", |l| l.id.as_str())
+            };
+            let help = format!(
+                "write a number from 1 to {}, B1 to {}, U1 to {}, or a glob such as B*",
+                last(|c| c.is_ascii_digit()),
+                last(|c| c == 'B'),
+                last(|c| c == 'U'),
+            );
+            let what = "no case has such a number";
+            Err(Error::input(format!("hard case `{glob}`"), what, help))
+        }
     }
 }
 

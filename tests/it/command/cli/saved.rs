@@ -6,6 +6,7 @@ use std::fs;
 use cutaway_io::document::Document;
 
 use crate::command::cli::command::Scratch;
+use crate::common::shares::{Share, in_shares};
 use crate::common::{root, some};
 
 /// A cube.
@@ -176,8 +177,9 @@ fn with_files(line: &str) -> String {
     line.replace(" --clip run", "")
 }
 
-#[test]
-fn what_is_saved_draws_the_same_picture_to_the_bit() {
+in_shares!(what_is_saved_draws_the_same_picture_to_the_bit, 4);
+
+fn what_is_saved_draws_the_same_picture_to_the_bit(share: Share) {
     let folder = Scratch::new("saved");
     fill(&folder);
     let root = root();
@@ -206,7 +208,7 @@ fn what_is_saved_draws_the_same_picture_to_the_bit() {
     let of_texts = all.split_off(MORE.len());
     let of_texts: BTreeSet<String> = of_texts.into_iter().collect();
     assert!(of_texts.len() > 35, "{of_texts:#?}");
-    for line in all.into_iter().chain(some(of_texts.into_iter(), 3)) {
+    for line in share.part(all.into_iter().chain(some(of_texts.into_iter(), 3))) {
         let line = with_files(&line);
         let small = "--resolution 48,36 --supersample 1 --quiet";
         let saving = format!("render {line} {small} -o first.png --save saved/scene.toml --force");

@@ -6,6 +6,7 @@ use cutaway::strategies::Method;
 use cutaway_lab::hard_cases::{Judged, Question};
 use glam::DVec3;
 
+use crate::common::shares::{Share, in_shares};
 use crate::common::{scenes, session};
 
 /// Strategies that are exact for planes, by both rasterisers where both know them.
@@ -75,9 +76,10 @@ fn near_caps(judged: &cutaway::layers::Layers) -> usize {
     pixels.filter(is_near).count()
 }
 
-#[test]
-fn with_and_without_a_near_cap_all_show_what_exact_shows() {
-    for near_cap in [true, false] {
+in_shares!(with_and_without_a_near_cap_all_show_what_exact_shows, 2);
+
+fn with_and_without_a_near_cap_all_show_what_exact_shows(share: Share) {
+    for near_cap in share.part([true, false]) {
         let (mut met, mut beyond) = (0, 0);
         for (scene_name, scene) in scenes_of(near_cap) {
             let question = question(&scene);

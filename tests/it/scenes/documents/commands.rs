@@ -173,7 +173,7 @@ fn scenes(folder: &Scratch, text: &str) -> Vec<String> {
     scenes
 }
 
-in_shares!(every_command_of_readme_and_the_book_runs, 2);
+in_shares!(every_command_of_readme_and_the_book_runs, 4);
 
 fn every_command_of_readme_and_the_book_runs(share: Share) {
     let pages = pages();

@@ -204,6 +204,11 @@ pub(super) fn root<'a>(
     Table::of_file(Source { path, moment }, node, &KEYS)
 }
 
+/// The table that a document is, whatever its keys.
+pub(super) fn top<'a>(path: &'a Path, node: &'a Node) -> Result<Table<'a>> {
+    Entry::root(Source { path, moment: None }, node).open_table()
+}
+
 /// Opens all that a document names.
 pub(super) fn open(root: &Table<'_>, folder: &Path, assets: &mut Assets) -> Result<Stock> {
     let mut opening = Opening {

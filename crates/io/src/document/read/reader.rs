@@ -14,7 +14,7 @@ use super::keys::Moment;
 use super::target::Shape;
 use crate::document::{Node, Origin, Value};
 
-pub use super::table::{Table, need_of, with_table};
+pub use super::table::{Table, with_table};
 
 /// Where values come from, for errors.
 #[derive(Clone, Copy)]

@@ -6,7 +6,6 @@ use std::sync::Arc;
 use cutaway::error::Result;
 
 use super::reader::{Entry, Source};
-use crate::document::Document;
 use crate::document::node::Node;
 use crate::document::parse;
 
@@ -27,13 +26,6 @@ pub fn with_table<T>(
     let root = parse(path, text)?;
     let source = Source { path, moment: None };
     read(&Table::of_file(source, &root, known)?)
-}
-
-/// A value that a document has to have at its top, whatever else it has.
-pub fn need_of<'a>(document: &'a Document, key: &str, example: &str) -> Result<Entry<'a>> {
-    let path = document.path();
-    let root = Entry::root(Source { path, moment: None }, document.root());
-    root.open_table()?.need(key, example)
 }
 
 impl<'a> Table<'a> {
