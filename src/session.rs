@@ -14,7 +14,7 @@ use crate::layers::Layers;
 use crate::passes::{GroundShadow, Model};
 use crate::plan::{Capacities, Clock, Plan};
 use crate::scene::{Precision, Style, View};
-use crate::strategies::{self, Method, Obstacle, Rasteriser, Refusal, Strategy};
+use crate::strategies::{self, Method, Rasteriser, Refusal, Strategy, Unsupported};
 use crate::{Error, Result};
 
 mod awaited;
@@ -165,7 +165,7 @@ impl Session {
                 Outcome::Complete => seen.push(slot.layers(&self.gpu)?),
                 Outcome::Refused(refusal) => return Ok(Err(refusal)),
                 Outcome::Overflowed(reason) => {
-                    return Ok(Err(Refusal::new(Obstacle::Limit, reason)));
+                    return Ok(Err(Refusal::new(Unsupported::Limit, reason)));
                 }
             }
         }
@@ -181,7 +181,7 @@ impl Session {
 
     /// Adds to the refusal of what the device lacks which strategies it would draw.
     fn name_what_works(&self, refusal: &mut Refusal, model: &Model, view: &View) {
-        if refusal.obstacle != Obstacle::Limit {
+        if refusal.unsupported != Unsupported::Limit {
             return;
         }
         let works = |strategy: &Strategy| {
@@ -200,9 +200,9 @@ impl Session {
     /// A method with the means that the device has.
     fn asked(&self, mut method: Method) -> Method {
         let wide_atomics = self.gpu.limits().wide_atomics;
-        method.means.wide_atomics.get_or_insert(wide_atomics);
+        method.options.wide_atomics.get_or_insert(wide_atomics);
         let measured = self.gpu.report().sub_pixel_bits;
-        method.means.sub_pixel_bits = method.means.sub_pixel_bits.or(measured);
+        method.options.sub_pixel_bits = method.options.sub_pixel_bits.or(measured);
         method
     }
 
@@ -241,7 +241,7 @@ impl Session {
     pub fn precision(&self, method: impl Into<Method>) -> Result<Precision> {
         let method = method.into();
         Ok(match self.plan(method)?.draws_triangles() {
-            true => self.asked(method).means.precision(),
+            true => self.asked(method).options.precision(),
             false => Precision::USUAL,
         })
     }

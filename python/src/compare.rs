@@ -3,7 +3,7 @@
 use std::sync::atomic::Ordering;
 
 use cutaway::Error;
-use cutaway_lab::experiment::{Question, Renderer, check_memory, errors, means, times};
+use cutaway_lab::experiment::{Question, Renderer, check_memory, draw_options, errors, times};
 use pyo3::prelude::*;
 
 use crate::device::with_session;
@@ -66,7 +66,7 @@ fn judged(
         view: view(opened)?,
         truth: None,
         command,
-        means: means(settings)?,
+        options: draw_options(settings)?,
     };
     let mut silent = |_: String| {};
     let judgement = with_session(|session| {

@@ -6,7 +6,7 @@ use cutaway::scene::{Remark, doubts};
 use cutaway::session::Outcome;
 use cutaway::strategies::{AUTO, Choice, choose};
 use cutaway_lab::compare::may_be_wrong;
-use cutaway_lab::experiment::{Renderer, means, picture};
+use cutaway_lab::experiment::{Renderer, draw_options, picture};
 use image::RgbaImage;
 use numpy::{IntoPyArray, PyArrayMethods, PyReadonlyArray3};
 use pyo3::exceptions::PyValueError;
@@ -129,14 +129,14 @@ fn draw(session: &mut Session, opened: &Opened) -> Result<Drawn> {
     } = opened;
     let settings = timeline.settings();
     let view = view(opened)?;
-    let means = means(settings)?;
+    let options = draw_options(settings)?;
     let renderer = match settings.strategy.as_deref() {
         None | Some(AUTO) => {
             let adapter = Some(session.gpu().traits());
-            let Choice { method, .. } = choose(&at.model, &view, means, adapter);
+            let Choice { method, .. } = choose(&at.model, &view, options, adapter);
             Renderer::from(method)
         }
-        Some(name) => name.parse::<Renderer>()?.or(means),
+        Some(name) => name.parse::<Renderer>()?.or(options),
     };
     let (layers, outcome) = match renderer {
         Renderer::Method(method) => {

@@ -6,7 +6,7 @@
 #import cutaway::cap_pattern::patterned
 #import cutaway::color::srgb_from_linear
 #import cutaway::cuts::place_of_part
-#import cutaway::dress::dressed
+#import cutaway::cap_materials::dressed
 #import cutaway::frame::{centre_of, frame, pixel_index, ray_through}
 #import cutaway::layers::{BACKGROUND, CAP, WORDS_PER_PIXEL, kind_of, part_of, unpack_normal}
 #import cutaway::occlusion::occluded

@@ -94,9 +94,9 @@ pub(super) fn halo_rows(style: &Style, rows: u32) -> u32 {
 /// The solids that cuts reach, by their numbers in the scene.
 fn draws(scene: &SceneBuffers<'_>) -> Vec<Draw> {
     let input = scene.input;
-    let relevance = &input.relevance;
-    let opened = (relevance.cut_parts().iter().copied()).filter(|r| relevance.cuts_of(*r) != 0);
-    let ranks: Vec<usize> = opened.chain(relevance.removed_parts()).collect();
+    let active_cuts = &input.active_cuts;
+    let opened = (active_cuts.cut_parts().iter().copied()).filter(|r| active_cuts.cuts_of(*r) != 0);
+    let ranks: Vec<usize> = opened.chain(active_cuts.removed_parts()).collect();
     let mut draws = input.draws_of(&ranks);
     for (draw, rank) in draws.iter_mut().zip(ranks) {
         draw.instance = input.model.prepared.parts[rank].part as u32;

@@ -25,7 +25,7 @@ pub(super) fn hatch(
     style: &Style,
 ) -> Option<[Binding; 3]> {
     let input = scene.input;
-    if !style.hatch.is_drawn() || input.relevance.lanes == 0 {
+    if !style.hatch.is_drawn() || input.active_cuts.lanes == 0 {
         return None;
     }
     let prepared = &input.model.prepared;
@@ -85,7 +85,7 @@ fn part_hatches(
     let input = scene.input;
     let (prepared, at_rest) = (&input.model.prepared, &input.model.at_rest);
     // A part that is cut alone touches no other that is.
-    let classes = match input.relevance.lanes {
+    let classes = match input.active_cuts.lanes {
         0 | 1 => &[],
         _ => at_rest.classes(),
     };
@@ -94,7 +94,7 @@ fn part_hatches(
     let color = map_channels(color, linear_from_srgb).extend(1.0).to_array();
     let hatch = &style.hatch;
     let mut lines = Vec::new();
-    let parts = (input.relevance.order.iter()).map(|rank| {
+    let parts = (input.active_cuts.order.iter()).map(|rank| {
         let part = &prepared.parts[*rank];
         let thickness = at_rest.thicknesses()[part.part] / unit;
         // What has no volume to speak of, or more than numbers hold, is not thin.

@@ -6,7 +6,7 @@ use super::Picture;
 use super::ambient::occlusion::occlusion;
 use super::backdrop::backdrop;
 use super::borders::Strokes;
-use super::dress::dress;
+use super::cap_materials::cap_materials;
 use super::effect_tiles::EffectTiles;
 use super::ghost;
 use super::ground::ground;
@@ -30,7 +30,7 @@ pub(super) fn illustrate(plan: &mut Plan, scene: &SceneBuffers<'_>, layers: Reso
     };
     let strokes = strokes.map(|strokes| strokes.find(plan, pixels, &numbers, layers));
     let visibility = occlusion(plan, pixels, layers);
-    let lit = dress(plan, pixels, (layers, picture));
+    let lit = cap_materials(plan, pixels, (layers, picture));
     let mut bindings = vec![
         scene.frame.clone(),
         scene.parts.clone(),
@@ -44,8 +44,8 @@ pub(super) fn illustrate(plan: &mut Plan, scene: &SceneBuffers<'_>, layers: Reso
     let mut shader = Shader::from("effects/illustrate.wgsl")
         .with(overlap)
         .with(match lit {
-            Some(_) => "lib/dress/drawn.wgsl",
-            None => "lib/dress/none.wgsl",
+            Some(_) => "lib/cap_materials/drawn.wgsl",
+            None => "lib/cap_materials/none.wgsl",
         })
         .with(shading(style.shading))
         .with(match style.shading {

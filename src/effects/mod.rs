@@ -8,9 +8,9 @@
 mod ambient;
 mod backdrop;
 mod borders;
+mod cap_materials;
 mod channels;
 mod coat;
-mod dress;
 mod effect_tile_search;
 mod effect_tiles;
 mod ghost;
@@ -45,7 +45,7 @@ pub(crate) fn halo_rows(model: &Model, view: &View) -> u32 {
     let strokes = halo::halo_rows(style, view.band[1]);
     let of_style = strokes.max(ambient::occlusion::halo_rows(&style.occlusion, view));
     // Surfaces may take their coats from the next pixel.
-    of_style.max(u32::from(model.dress.is_some()))
+    of_style.max(u32::from(model.cap_materials.is_some()))
 }
 
 /// Makes the picture.
@@ -75,8 +75,8 @@ fn over_layers<'a>(
     layers: &[u32],
 ) -> Result<(SceneBuffers<'a>, ResourceId), Refusal> {
     let style = &input.model.prepared.style;
-    let dress = input.model.dress.as_ref();
-    let has_coats = dress.is_some_and(|dress| dress.coats.is_some());
+    let cap_materials = input.model.cap_materials.as_ref();
+    let has_coats = cap_materials.is_some_and(|cap_materials| cap_materials.coats.is_some());
     let scene = match style.ghost.is_drawn() || has_coats {
         true => SceneBuffers::upload(plan, input, Lanes::none())?,
         // Nothing looks at a vertex.

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::Gpu;
-use super::programs::bind::{Reals, bind_groups, buffer, layer_view, texture};
+use super::programs::bind::{GpuResources, bind_groups, buffer, layer_view, texture};
 use super::programs::pipelines::Pipeline;
 use super::timing::Stopwatch;
 use super::viewport::viewport_px;
@@ -60,13 +60,18 @@ struct Depth {
 }
 
 impl Step {
-    pub(super) fn new(gpu: &Gpu, plan: &Plan, pass: &Pass, real: &Reals) -> Result<Self> {
+    pub(super) fn new(
+        gpu: &Gpu,
+        plan: &Plan,
+        pass: &Pass,
+        resources: &GpuResources,
+    ) -> Result<Self> {
         let (pipeline, composed) = gpu.pipelines().get(gpu, plan, pass)?;
-        let groups = bind_groups(gpu, plan, pass, &pipeline, &composed.bindings, real)?;
+        let groups = bind_groups(gpu, plan, pass, &pipeline, &composed.bindings, resources)?;
         let work = match &pass.work {
             Work::Compute { groups } => RealWork::Compute(Groups::Listed(*groups)),
             Work::ComputeIndirect { arguments } => RealWork::Compute(Groups::Indirect(
-                buffer(plan, arguments.resource, real)?.clone(),
+                buffer(plan, arguments.resource, resources)?.clone(),
                 arguments.offset,
             )),
             Work::Draw {
@@ -77,11 +82,14 @@ impl Step {
                 draws,
             } => RealWork::Draw {
                 color: match color {
-                    Some(c) => Some((layer_view(texture(plan, c.resource, real)?, 0), c.clear)),
+                    Some(c) => Some((
+                        layer_view(texture(plan, c.resource, resources)?, 0),
+                        c.clear,
+                    )),
                     None => None,
                 },
                 depth: {
-                    let target = texture(plan, depth.resource, real)?;
+                    let target = texture(plan, depth.resource, resources)?;
                     Depth {
                         view: layer_view(target, depth.layer),
                         viewport_px: viewport_px([target.width(), target.height()]),
@@ -95,17 +103,17 @@ impl Step {
                     }
                 },
                 vertices: match vertices {
-                    Vertices::Mesh(id) => Some(buffer(plan, *id, real)?.clone()),
+                    Vertices::Mesh(id) => Some(buffer(plan, *id, resources)?.clone()),
                     Vertices::None => None,
                 },
-                indices: buffer(plan, *indices, real)?.clone(),
+                indices: buffer(plan, *indices, resources)?.clone(),
                 draws: draws
                     .iter()
                     .map(|d| {
                         Ok(match d.arguments {
                             None => RealDraw::Listed(d.indices.clone(), d.base_vertex, d.instance),
                             Some(a) => RealDraw::Indirect(
-                                buffer(plan, a.resource, real)?.clone(),
+                                buffer(plan, a.resource, resources)?.clone(),
                                 a.offset,
                             ),
                         })

@@ -12,8 +12,8 @@ mod open;
 mod pick;
 mod programs;
 mod readback;
-mod real;
 mod report;
+mod resource;
 #[cfg(not(target_arch = "wasm32"))]
 mod sub_pixel;
 mod target;

@@ -6,7 +6,7 @@
 
 use super::Gpu;
 use super::programs::bind::bind_group;
-use super::real::{Real, make};
+use super::resource::{GpuResource, make};
 use crate::plan::Resource;
 use crate::shader::{self, BindingKind};
 use crate::{Error, Result};
@@ -63,10 +63,10 @@ pub fn run_words_with(
     gpu.complaint()?;
 
     let poisoned = vec![POISON; output_words];
-    let mut reals = Vec::with_capacity(wanted.len());
+    let mut made = Vec::with_capacity(wanted.len());
     for w in &wanted {
         if let Some((_, resource)) = resources.iter().find(|(name, _)| *name == w.name) {
-            reals.push(make(gpu, resource));
+            made.push(make(gpu, resource));
             continue;
         }
         let words = match inputs.iter().find(|(name, _)| *name == w.name) {
@@ -92,7 +92,7 @@ pub fn run_words_with(
         });
         gpu.queue
             .write_buffer(&buffer, 0, bytemuck::cast_slice(words));
-        reals.push(Real::Buffer(buffer));
+        made.push(GpuResource::Buffer(buffer));
     }
     let Some(output) = wanted.iter().position(|w| w.name == OUTPUT) else {
         return Err(Error::Plan(format!("the shader writes no `{OUTPUT}`")));
@@ -113,8 +113,8 @@ pub fn run_words_with(
         let groups = wanted.iter().map(|w| w.group + 1).max().unwrap_or(0);
         for group in 0..groups {
             let layout = pipeline.get_bind_group_layout(group);
-            let of_group = wanted.iter().zip(&reals).filter(|(w, _)| w.group == group);
-            let bound: Vec<_> = of_group.map(|(w, real)| (w, real, 0)).collect();
+            let of_group = wanted.iter().zip(&made).filter(|(w, _)| w.group == group);
+            let bound: Vec<_> = of_group.map(|(w, resource)| (w, resource, 0)).collect();
             let bound = bind_group(gpu, "words", &layout, &bound);
             pass.set_bind_group(group, &bound, &[]);
         }
@@ -122,8 +122,8 @@ pub fn run_words_with(
     }
     gpu.queue.submit([encoder.finish()]);
     gpu.complaint()?;
-    match &reals[output] {
-        Real::Buffer(buffer) => gpu.read(buffer),
+    match &made[output] {
+        GpuResource::Buffer(buffer) => gpu.read(buffer),
         _ => Err(Error::Plan(format!("`{OUTPUT}` is no buffer"))),
     }
 }

@@ -37,7 +37,7 @@ pub struct Bounded {
     /// How many it holds.
     pub capacity: u32,
     /// Which of [`Capacities`] to change when the need differs, if it can be.
-    pub knob: Option<Knob>,
+    pub resizes: Option<Capacity>,
     /// A need below the capacity also asks for a new plan: the structure is to be as large as the true need, not larger.
     pub exact: bool,
 }
@@ -49,9 +49,9 @@ impl Bounded {
     }
 }
 
-/// The sizes that a frame's report can ask to change.
+/// Buffer capacity that the report of a frame can change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Knob {
+pub enum Capacity {
     /// [`Capacities::crossings`].
     Crossings,
     /// One of [`Capacities::layers`], by rank of the part.
@@ -109,27 +109,27 @@ impl Capacities {
     /// Takes in what a frame needed of a bounded structure; whether the next frame has another size for it.
     pub fn learn(&mut self, bounded: &Bounded, need: u32) -> bool {
         let is_right = need <= bounded.capacity && (!bounded.exact || need == bounded.capacity);
-        let (false, Some(knob)) = (is_right, bounded.knob) else {
+        let (false, Some(capacity)) = (is_right, bounded.resizes) else {
             return false;
         };
         let before = self.clone();
-        self.set(knob, need);
+        self.set(capacity, need);
         *self != before
     }
 
     /// Sets a size.
-    pub fn set(&mut self, knob: Knob, size: u32) {
-        match knob {
-            Knob::Crossings => self.crossings = Some(size.min(Self::MOST_CROSSINGS)),
-            Knob::Layers(rank) => {
+    pub fn set(&mut self, capacity: Capacity, size: u32) {
+        match capacity {
+            Capacity::Crossings => self.crossings = Some(size.min(Self::MOST_CROSSINGS)),
+            Capacity::Layers(rank) => {
                 if self.layers.len() <= rank {
                     self.layers.resize(rank + 1, Self::FIRST_LAYERS);
                 }
                 self.layers[rank] = size.max(1);
             }
-            Knob::Fragments => self.fragments = Some(size),
-            Knob::Sheets => self.sheets = Some(size),
-            Knob::Triangles => self.triangles = Some(size),
+            Capacity::Fragments => self.fragments = Some(size),
+            Capacity::Sheets => self.sheets = Some(size),
+            Capacity::Triangles => self.triangles = Some(size),
         }
     }
 }

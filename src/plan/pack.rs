@@ -11,12 +11,12 @@ use crate::scene::{PreparedSurface, View};
 mod layout;
 mod normal;
 
-pub use composite::Composite;
-pub use cutter::CutterFace;
-pub use dress::{
-    COAT_WORDS, CapMaterial, CoatRow, DressPlanes, FILLED_STACK, MOST_CAP_PLANES, NO_TEXTURE,
+pub use cap_materials::{
+    COAT_WORDS, CapMaterial, CapMaterialPlanes, CoatRow, FILLED_STACK, MOST_CAP_PLANES, NO_TEXTURE,
     Texture,
 };
+pub use composite::Composite;
+pub use cutter::CutterFace;
 pub use frame::{Frame, frame};
 pub(crate) use frame::{box_margin, most_box_margin};
 pub use ghost::Ghost;
@@ -47,9 +47,9 @@ macro_rules! shared {
 }
 
 // After the macro, which they use.
+mod cap_materials;
 mod composite;
 mod cutter;
-mod dress;
 mod frame;
 mod ghost;
 mod hatch;

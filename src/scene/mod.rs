@@ -71,7 +71,7 @@ pub use materials::texture::{MOST_TEXELS_ALONG, Texture, TextureKind};
 #[doc(hidden)]
 pub use meshes::base::standing_up;
 pub(crate) use meshes::doubled::doubled_faces;
-pub(crate) use meshes::grown::Grown;
+pub(crate) use meshes::filled_part::FilledPart;
 pub use meshes::mesh::{Mesh, MeshDefect};
 pub use meshes::smooth::{DEFAULT_CREASE_DEG, Faces, ShadingMesh};
 #[doc(hidden)]
@@ -85,7 +85,7 @@ pub use meshes::triangle::longest_edge;
 pub use meshes::weld;
 #[doc(hidden)]
 pub use motion::is_same_motion;
-pub use motion::{Axis, Clip, Deformer, Driver, Motion, MotionDefect, Pose, Pull};
+pub use motion::{Axis, Clip, Deformer, Driver, JointWeight, Motion, MotionDefect, Pose};
 #[doc(hidden)]
 pub use part::who_wins;
 pub use part::{Part, Role};

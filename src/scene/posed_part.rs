@@ -94,10 +94,10 @@ impl Part {
 /// The motions that were given outward directions: each is made once, so that the same mesh has the same [`Motion`] at all
 /// times.
 #[derive(Debug, Default)]
-pub struct Outwards(Mutex<Vec<Known>>);
+pub struct Outwards(Mutex<Vec<OutwardEntry>>);
 
 /// Of which mesh and motion, and the motion with its directions.
-type Known = (Arc<Mesh>, Option<Arc<Motion>>, Arc<Motion>);
+type OutwardEntry = (Arc<Mesh>, Option<Arc<Motion>>, Arc<Motion>);
 
 impl Outwards {
     /// Gives a part the directions that its pose asks for.

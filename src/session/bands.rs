@@ -14,7 +14,7 @@ use crate::layers::Layers;
 use crate::passes::Model;
 use crate::plan::{Capacities, Due, Recorded};
 use crate::scene::View;
-use crate::strategies::{Obstacle, Refusal};
+use crate::strategies::{Refusal, Unsupported};
 use crate::{Error, Result};
 
 /// Some rows of the frame.
@@ -87,7 +87,7 @@ impl Slot {
                 Err(Stop::TooLarge(reason)) => too_large.get_or_insert(reason).clone(),
             };
             if !self.cut_smaller() {
-                return Ok(self.refuse(Refusal::new(Obstacle::Limit, reason)));
+                return Ok(self.refuse(Refusal::new(Unsupported::Limit, reason)));
             }
         }
     }

@@ -12,10 +12,10 @@ use super::bands::{Band, Slot};
 use crate::gpu::{
     BindGroup, ClipTable, ClockSet, CommandEncoder, Compositor, Destination, Gpu, Pick,
 };
-use crate::passes::{Model, Relevance};
+use crate::passes::{ActiveCuts, Model};
 use crate::plan::{Capacities, Recorded};
 use crate::scene::View;
-use crate::strategies::{Obstacle, Refusal};
+use crate::strategies::{Refusal, Unsupported};
 use crate::{Error, Result};
 
 /// Reports that are waited for; a host that never submits has older ones forgotten.
@@ -133,10 +133,10 @@ impl Slot {
             )));
         };
         let prepared = &last.model.prepared;
-        let relevance =
-            Relevance::new(prepared, &last.view).map_err(|refusal| Error::Plan(refusal.reason))?;
+        let active_cuts =
+            ActiveCuts::new(prepared, &last.view).map_err(|refusal| Error::Plan(refusal.reason))?;
         let lists = band.program.plan().resource_named("crossing_heads");
-        if lists.is_none() && relevance.lanes > 0 {
+        if lists.is_none() && active_cuts.lanes > 0 {
             return Err(Error::input(
                 "the method to clip by",
                 "it keeps no list of crossings",
@@ -145,7 +145,7 @@ impl Slot {
         }
         let table = ClipTable {
             scene_from_world: prepared.scale as f32,
-            parts: relevance.clips_of_parts(prepared),
+            parts: active_cuts.clips_of_parts(prepared),
         };
         let clip = band.program.clip(gpu, table, self.clip.take())?;
         let group = clip.group().clone();
@@ -181,7 +181,7 @@ impl Slot {
                         let first = too_large.get_or_insert(reason).clone();
                         match self.cut_smaller() {
                             true => continue 'cut,
-                            false => return Ok(Err(Refusal::new(Obstacle::Limit, first))),
+                            false => return Ok(Err(Refusal::new(Unsupported::Limit, first))),
                         }
                     }
                     Err(e) => return Err(e),

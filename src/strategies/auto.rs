@@ -17,7 +17,7 @@
 //!
 //! Costs what it takes to record a plan once more.
 
-use super::{Means, Method, Rasteriser, Strategy, plan};
+use super::{DrawOptions, Method, Rasteriser, Strategy, plan};
 use crate::Error;
 use crate::passes::Model;
 use crate::plan::{Capacities, Limits};
@@ -50,11 +50,14 @@ pub struct AdapterTraits<'a> {
 pub fn choose(
     model: &Model,
     view: &View,
-    asked: Means,
+    asked: DrawOptions,
     adapter: Option<AdapterTraits<'_>>,
 ) -> Choice {
     let by = |rasteriser, reason: &str| Choice {
-        method: Method::new(Strategy::RAYCAST_MASK, asked.or(Means::by(rasteriser))),
+        method: Method::new(
+            Strategy::RAYCAST_MASK,
+            asked.or(DrawOptions::by(rasteriser)),
+        ),
         reason: reason.to_owned(),
     };
     if let Some(rasteriser) = asked.rasteriser {

@@ -17,12 +17,12 @@ pub struct Method {
     /// The strategy.
     pub strategy: Strategy,
     /// The means.
-    pub means: Means,
+    pub options: DrawOptions,
 }
 
-/// By which means a strategy draws. `None` leaves each to the [usual](Method::or).
+/// Options of how a strategy draws. `None` leaves each to the [default](Method::or).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Means {
+pub struct DrawOptions {
     /// What rasterises the mesh; usually the GPU's own rasteriser.
     pub rasteriser: Option<Rasteriser>,
     /// Whether the compute rasteriser uses atomics of 64 bits: the picture is the same, in one sweep instead of two. Usually where the
@@ -43,10 +43,10 @@ pub struct Means {
 }
 
 /// A word, and what it sets.
-type Word = (&'static str, fn(&mut Means));
+type Word = (&'static str, fn(&mut DrawOptions));
 
 /// What may follow the `@`.
-const MEANS_WORDS: [Word; 7] = [
+const OPTION_WORDS: [Word; 7] = [
     ("hardware", |m| m.rasteriser = Some(Rasteriser::Hardware)),
     ("compute", |m| m.rasteriser = Some(Rasteriser::Compute)),
     ("32-bit", |m| m.wide_atomics = Some(false)),
@@ -58,7 +58,7 @@ const MEANS_WORDS: [Word; 7] = [
     }),
 ];
 
-impl Means {
+impl DrawOptions {
     /// A rasteriser, and otherwise the usual.
     pub const fn by(rasteriser: Rasteriser) -> Self {
         Self {
@@ -81,7 +81,7 @@ impl Means {
 
     /// Whether a word may follow the `@`.
     pub fn is_word(word: &str) -> bool {
-        MEANS_WORDS.iter().any(|(name, _)| *name == word)
+        OPTION_WORDS.iter().any(|(name, _)| *name == word)
     }
 
     /// These, and what they leave open from others.
@@ -100,20 +100,20 @@ impl Means {
 
 impl Method {
     /// A strategy by means.
-    pub const fn new(strategy: Strategy, means: Means) -> Self {
-        Self { strategy, means }
+    pub const fn new(strategy: Strategy, options: DrawOptions) -> Self {
+        Self { strategy, options }
     }
 
     /// The same, where what it leaves open is as these means say.
     #[must_use]
-    pub fn or(self, usual: Means) -> Self {
-        Self::new(self.strategy, self.means.or(usual))
+    pub fn or(self, usual: DrawOptions) -> Self {
+        Self::new(self.strategy, self.options.or(usual))
     }
 }
 
 impl From<Strategy> for Method {
     fn from(strategy: Strategy) -> Self {
-        Self::new(strategy, Means::default())
+        Self::new(strategy, DrawOptions::default())
     }
 }
 
@@ -133,10 +133,10 @@ impl fmt::Display for Method {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}", self.strategy)?;
         let mut separator = '@';
-        for (name, set) in MEANS_WORDS {
-            let mut with = self.means;
+        for (name, set) in OPTION_WORDS {
+            let mut with = self.options;
             set(&mut with);
-            if with == self.means {
+            if with == self.options {
                 write!(f, "{separator}{name}")?;
                 separator = ',';
             }
@@ -155,15 +155,15 @@ impl FromStr for Method {
         };
         let mut method = Self::from(name.trim().parse::<Strategy>()?);
         for word in words.into_iter().flat_map(|w| w.split(',')) {
-            let Some((_, set)) = MEANS_WORDS.iter().find(|(name, _)| *name == word.trim()) else {
-                let known: Vec<&str> = MEANS_WORDS.iter().map(|(name, _)| *name).collect();
+            let Some((_, set)) = OPTION_WORDS.iter().find(|(name, _)| *name == word.trim()) else {
+                let known: Vec<&str> = OPTION_WORDS.iter().map(|(name, _)| *name).collect();
                 return Err(Error::input(
                     text,
-                    format!("`{word}` is no means of drawing"),
-                    format!("after the @ write some of {}", known.join(", ")),
+                    format!("unknown drawing option `{word}`"),
+                    format!("after the @ write one or more of {}", known.join(", ")),
                 ));
             };
-            set(&mut method.means);
+            set(&mut method.options);
         }
         Ok(method)
     }
@@ -199,14 +199,14 @@ mod tests {
 
     #[test]
     fn what_a_method_says_comes_before_the_usual() {
-        let usual = Means::by(Rasteriser::Compute);
-        let means = |text: &str| text.parse::<Method>().unwrap().or(usual).means;
-        assert_eq!(means("raycast+mask"), usual);
+        let usual = DrawOptions::by(Rasteriser::Compute);
+        let options = |text: &str| text.parse::<Method>().unwrap().or(usual).options;
+        assert_eq!(options("raycast+mask"), usual);
         assert_eq!(
-            means("raycast+mask@hardware").rasteriser,
+            options("raycast+mask@hardware").rasteriser,
             Some(Rasteriser::Hardware)
         );
-        let narrow = means("raycast+mask@32-bit,pyramid");
+        let narrow = options("raycast+mask@32-bit,pyramid");
         assert_eq!(narrow.wide_atomics, Some(false));
         assert_eq!(narrow.relief_walk, Some(ReliefWalk::Pyramid));
         assert_eq!(narrow.rasteriser, usual.rasteriser);

@@ -12,17 +12,19 @@ mod method;
 mod name;
 mod row;
 
-pub use crate::passes::{Obstacle, Rasteriser, Refusal, ReliefWalk};
+pub use crate::passes::{Rasteriser, Refusal, ReliefWalk, Unsupported};
 pub use auto::{AUTO, AdapterTraits, Choice, choose};
-pub use method::{Means, Method};
+pub use method::{DrawOptions, Method};
 pub use name::Strategy;
 use row::unpaired;
-pub use row::{Abilities, CapSurface, CapSurfaceRow, Facts, InsideTest, InsideTestRow, Parameter};
-pub(crate) use row::{Answers, Caps};
+pub use row::{
+    Abilities, CapSurface, CapSurfaceRow, InsideTest, InsideTestRow, Parameter, StrategyInfo,
+};
+pub(crate) use row::{Caps, InsideTestKind};
 
 use crate::effects::{Picture, finish};
 use crate::passes::{
-    AskedCrossings, Input, Inside, Lanes, Model, SceneBuffers, Store, Surfaces, gather, over_mesh,
+    CrossingSource, Input, Inside, Lanes, Model, SceneBuffers, Store, Surfaces, gather, over_mesh,
     resolve,
 };
 use crate::plan::{Capacities, CpuWork, Plan, Recorded};
@@ -56,11 +58,11 @@ pub fn record(
     method: impl Into<Method>,
     capacities: &Capacities,
 ) -> Result<Recorded, Refusal> {
-    let Method { strategy, means } = method.into();
-    let rasteriser = means.rasteriser.unwrap_or_default();
+    let Method { strategy, options } = method.into();
+    let rasteriser = options.rasteriser.unwrap_or_default();
     if rasteriser == Rasteriser::Compute && !strategy.can().compute {
         return Err(Refusal::new(
-            Obstacle::Rasteriser,
+            Unsupported::Rasteriser,
             format!(
                 "the compute rasteriser draws no caps, peels no sprite and has no stencil: {strategy} is drawn by the hardware \
                  rasteriser alone"
@@ -68,20 +70,20 @@ pub fn record(
         ));
     }
     let view = &View {
-        precision: means.precision(),
+        precision: options.precision(),
         ..*view
     };
     let input = Input {
         rasteriser,
-        wide_atomics: means.wide_atomics.unwrap_or(false),
-        relief_walk: means.relief_walk,
-        keeps_list: means.list.unwrap_or(false),
-        height_filter: means.height_filter.unwrap_or_default(),
+        wide_atomics: options.wide_atomics.unwrap_or(false),
+        relief_walk: options.relief_walk,
+        keeps_list: options.list.unwrap_or(false),
+        height_filter: options.height_filter.unwrap_or_default(),
         ..Input::new(model, view, capacities)?
     };
     must_be_able(&input, strategy)?;
     let mut plan = Plan::default();
-    let (picture, on_cpu) = match input.relevance.lanes {
+    let (picture, on_cpu) = match input.active_cuts.lanes {
         0 => (record_uncut(&mut plan, &input)?, Vec::new()),
         _ => record_cut(&mut plan, &input, strategy)?,
     };
@@ -125,7 +127,7 @@ pub(crate) fn record_uncut_by(
 /// The passes of the compute rasteriser where no cut opens a part.
 fn sweep_uncut(plan: &mut Plan, input: &Input<'_>) -> Result<Picture, Refusal> {
     let scene = SceneBuffers::upload(plan, input, Lanes::none())?;
-    let crossings = AskedCrossings::none();
+    let crossings = CrossingSource::none();
     let nearest = over_mesh(plan, &scene, &Store::nothing(Vec::new()), &crossings)?;
     let layered = resolve(plan, &scene, nearest, Inside::unasked(), &crossings);
     Ok(finish(plan, &scene, layered))
@@ -156,13 +158,13 @@ fn record_cut(
     let steps = inside.steps();
     let picture = match (surface.row().caps, inside.row().answers) {
         (Caps::Alone(_), _) => Err(unpaired(surface, "knows by itself what is inside")),
-        (_, Answers::Rays(record)) => record(plan, input, surface, steps),
-        (Caps::Rays(_), Answers::Points(images)) => {
+        (_, InsideTestKind::Rays(record)) => record(plan, input, surface, steps),
+        (Caps::Rays(_), InsideTestKind::Points(images)) => {
             inside::probed(plan, input, surface, |plan, scene| {
                 images(plan, scene, steps)
             })
         }
-        (Caps::Triangles(tessellate), Answers::Points(images)) => surface::paper::record(
+        (Caps::Triangles(tessellate), InsideTestKind::Points(images)) => surface::paper::record(
             plan,
             input,
             |plan, scene| tessellate(plan, scene, surface.steps(), true),
@@ -175,19 +177,19 @@ fn record_cut(
 /// Refuses what of the scene is more than the strategy knows of.
 fn must_be_able(input: &Input<'_>, strategy: Strategy) -> Result<(), Refusal> {
     let can = strategy.can();
-    let refuse = |obstacle, reason: String| Err(Refusal::new(obstacle, reason));
+    let refuse = |unsupported, reason: String| Err(Refusal::new(unsupported, reason));
     if !can.nonzero && input.has_nonzero() {
         let who = strategy
             .inside
             .map_or_else(|| strategy.to_string(), |i| i.to_string());
         return refuse(
-            Obstacle::Nonzero,
+            Unsupported::Nonzero,
             format!("{who} knows parity alone, and a part that is cut has fill = \"nonzero\""),
         );
     }
     if !can.overlaps && input.shows_overlaps() {
         return refuse(
-            Obstacle::Overlaps,
+            Unsupported::Overlaps,
             format!(
                 "{strategy} draws the caps of each part by themselves and does not tell where solids overlap"
             ),
@@ -201,7 +203,7 @@ fn must_be_able(input: &Input<'_>, strategy: Strategy) -> Result<(), Refusal> {
             false => "cuts by planes alone",
         };
         return refuse(
-            Obstacle::Cutters,
+            Unsupported::Cutters,
             format!(
                 "a cut has a closed mesh for a volume, and {strategy} {why}: name raycast, grid or adaptive with mask, stencil, \
                  abuffer or kbuffer, or raycast with vds or ldi"
@@ -209,12 +211,12 @@ fn must_be_able(input: &Input<'_>, strategy: Strategy) -> Result<(), Refusal> {
         );
     }
     heights_must_be_read(input, strategy.surface)?;
-    let (prepared, surfaces) = (&input.model.prepared, &input.relevance.surfaces);
+    let (prepared, surfaces) = (&input.model.prepared, &input.active_cuts.surfaces);
     let relief = surfaces.iter().find(|s| input.model.is_relief(**s));
     if let (false, Some(number)) = (can.reliefs, relief) {
         let cut = &prepared.cuts[prepared.surfaces[*number].cut].name;
         return refuse(
-            Obstacle::Reliefs,
+            Unsupported::Reliefs,
             format!(
                 "{strategy} cuts by planes, and clip-surface {number} of cut `{cut}` has a relief"
             ),
@@ -223,7 +225,7 @@ fn must_be_able(input: &Input<'_>, strategy: Strategy) -> Result<(), Refusal> {
     if !can.surfaces && surfaces.len() > 1 {
         let count = surfaces.len();
         return refuse(
-            Obstacle::Surfaces,
+            Unsupported::Surfaces,
             format!("{strategy} cuts by one plane, and {count} clip-surfaces meet the parts"),
         );
     }
@@ -243,7 +245,7 @@ fn heights_must_be_read(input: &Input<'_>, surface: CapSurface) -> Result<(), Re
         )),
     };
     match reason {
-        Some(reason) => Err(Refusal::new(Obstacle::HeightFilter, reason)),
+        Some(reason) => Err(Refusal::new(Unsupported::HeightFilter, reason)),
         None => Ok(()),
     }
 }

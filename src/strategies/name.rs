@@ -3,7 +3,9 @@
 use std::fmt;
 use std::str::FromStr;
 
-use super::row::{Abilities, Answers, CapSurface, CapSurfaceRow, Caps, Chosen, InsideTest, Row};
+use super::row::{
+    Abilities, CapSurface, CapSurfaceRow, Caps, InsideTest, InsideTestKind, Row, Selection,
+};
 use super::table::{CAP_SURFACES, INSIDE_TESTS, all};
 use super::{inside, surface};
 use crate::Error;
@@ -46,7 +48,7 @@ impl InsideTest {
 
     /// Whether it answers for points of a part by images of it.
     pub fn is_of_points(&self) -> bool {
-        matches!(self.row().answers, Answers::Points(_))
+        matches!(self.row().answers, InsideTestKind::Points(_))
     }
 }
 
@@ -173,7 +175,7 @@ impl FromStr for Strategy {
             CAP_SURFACES.iter().partition(|row| row.is_alone());
         let by_itself = alone.iter().find(|row| row.facts.name == surface);
         match (by_itself, inside) {
-            (Some(row), None) => Ok(Self::alone(Chosen::usual(*row))),
+            (Some(row), None) => Ok(Self::alone(Selection::usual(*row))),
             (Some(_), Some(_)) => Err(wrong(
                 format!("`{surface}` knows by itself what is inside"),
                 format!("write `{surface}` alone"),
@@ -208,7 +210,7 @@ fn chosen<R: Row>(
     word: &str,
     rows: &[&'static R],
     wrong: &dyn Fn(String, String) -> Error,
-) -> Result<Chosen<R>, Error> {
+) -> Result<Selection<R>, Error> {
     let (name, value) = match word.split_once(':') {
         Some((name, value)) => (name.trim(), Some(value.trim())),
         None => (word, None),
@@ -220,20 +222,23 @@ fn chosen<R: Row>(
         ));
     };
     match (value, &row.facts().parameter) {
-        (None, _) => Ok(Chosen::usual(*row)),
+        (None, _) => Ok(Selection::usual(*row)),
         (Some(value), None) => Err(wrong(
             format!("{name} has no parameter, and `:{value}` follows it"),
             format!("write {name}"),
         )),
         (Some(value), Some(parameter)) => {
             let number = value.parse().ok();
-            number.and_then(|n| Chosen::with(*row, n)).ok_or_else(|| {
-                let [least, most] = [parameter.least, parameter.most].map(|s| Chosen::new(*row, s));
-                wrong(
-                    format!("`{word}` is out of range"),
-                    format!("use {least} to {most}: {}", parameter.about),
-                )
-            })
+            number
+                .and_then(|n| Selection::with(*row, n))
+                .ok_or_else(|| {
+                    let [least, most] =
+                        [parameter.least, parameter.most].map(|s| Selection::new(*row, s));
+                    wrong(
+                        format!("`{word}` is out of range"),
+                        format!("use {least} to {most}: {}", parameter.about),
+                    )
+                })
         }
     }
 }

@@ -10,7 +10,7 @@ use std::ops::Range;
 
 use super::surface::tessellation::Tessellation;
 use crate::effects::Picture;
-use crate::passes::{Crossings, Input, Obstacle, Refusal, SceneBuffers, Store, Volume};
+use crate::passes::{Crossings, Input, Refusal, SceneBuffers, Store, Unsupported, Volume};
 use crate::plan::{CpuWork, Plan};
 
 /// A parameter that follows the name of a row, as in `grid:256`.
@@ -89,7 +89,7 @@ impl Abilities {
 
 /// What is known of a cap surface or of an inside test.
 #[derive(Debug)]
-pub struct Facts {
+pub struct StrategyInfo {
     /// Its name.
     pub name: &'static str,
     /// Its parameter, if it has one.
@@ -106,7 +106,7 @@ pub struct Facts {
     pub hard_cases: &'static [(&'static str, bool)],
 }
 
-impl Facts {
+impl StrategyInfo {
     /// How it is written, with a letter for the parameter: `kbuffer:K`.
     pub(super) fn pattern(&self) -> String {
         match &self.parameter {
@@ -120,7 +120,7 @@ impl Facts {
 #[derive(Debug)]
 pub struct CapSurfaceRow {
     /// What is known of it.
-    pub facts: Facts,
+    pub facts: StrategyInfo,
     /// Why it asks no sampler for heights of reliefs; empty where it may, or draws none.
     pub(super) exact_heights: &'static str,
     /// The inside tests that `all` has it with.
@@ -163,14 +163,14 @@ pub(super) type RecordAlone = fn(&mut Plan, &Input<'_>) -> Result<(Picture, Vec<
 #[derive(Debug)]
 pub struct InsideTestRow {
     /// What is known of it.
-    pub facts: Facts,
+    pub facts: StrategyInfo,
     /// What it answers for.
-    pub(crate) answers: Answers,
+    pub(crate) answers: InsideTestKind,
 }
 
 /// What an inside test answers for.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Answers {
+pub(crate) enum InsideTestKind {
     /// The crossings of the camera's rays: it records the frame of a cap surface.
     Rays(RecordRays),
     /// Any points of a part: it records images of volumes.
@@ -187,36 +187,36 @@ pub(super) type RecordImages =
 /// A row of one of the two tables.
 pub trait Row: fmt::Debug + 'static {
     /// What is known of it.
-    fn facts(&self) -> &Facts;
+    fn facts(&self) -> &StrategyInfo;
 }
 
 impl Row for CapSurfaceRow {
-    fn facts(&self) -> &Facts {
+    fn facts(&self) -> &StrategyInfo {
         &self.facts
     }
 }
 
 impl Row for InsideTestRow {
-    fn facts(&self) -> &Facts {
+    fn facts(&self) -> &StrategyInfo {
         &self.facts
     }
 }
 
 /// A row with a value of its parameter: compared by name and value.
 #[derive(Debug)]
-pub struct Chosen<R: Row> {
+pub struct Selection<R: Row> {
     row: &'static R,
     /// The parameter in steps; 0 where there is none.
     steps: u32,
 }
 
 /// A way to produce cap points per pixel.
-pub type CapSurface = Chosen<CapSurfaceRow>;
+pub type CapSurface = Selection<CapSurfaceRow>;
 
 /// A way to tell whether a point is inside a solid.
-pub type InsideTest = Chosen<InsideTestRow>;
+pub type InsideTest = Selection<InsideTestRow>;
 
-impl<R: Row> Chosen<R> {
+impl<R: Row> Selection<R> {
     /// A row with its parameter in steps.
     pub(super) const fn new(row: &'static R, steps: u32) -> Self {
         Self { row, steps }
@@ -239,7 +239,7 @@ impl<R: Row> Chosen<R> {
     }
 
     /// What is known of it.
-    pub fn facts(&self) -> &'static Facts {
+    pub fn facts(&self) -> &'static StrategyInfo {
         self.row.facts()
     }
 
@@ -259,35 +259,35 @@ impl<R: Row> Chosen<R> {
     }
 }
 
-impl<R: Row> Clone for Chosen<R> {
+impl<R: Row> Clone for Selection<R> {
     fn clone(&self) -> Self {
         *self
     }
 }
 
-impl<R: Row> Copy for Chosen<R> {}
+impl<R: Row> Copy for Selection<R> {}
 
-impl<R: Row> PartialEq for Chosen<R> {
+impl<R: Row> PartialEq for Selection<R> {
     fn eq(&self, other: &Self) -> bool {
         self.key() == other.key()
     }
 }
 
-impl<R: Row> Eq for Chosen<R> {}
+impl<R: Row> Eq for Selection<R> {}
 
-impl<R: Row> PartialOrd for Chosen<R> {
+impl<R: Row> PartialOrd for Selection<R> {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         Some(self.cmp(other))
     }
 }
 
-impl<R: Row> Ord for Chosen<R> {
+impl<R: Row> Ord for Selection<R> {
     fn cmp(&self, other: &Self) -> Ordering {
         self.key().cmp(&other.key())
     }
 }
 
-impl<R: Row> Hash for Chosen<R> {
+impl<R: Row> Hash for Selection<R> {
     fn hash<H: Hasher>(&self, state: &mut H) {
         self.key().hash(state);
     }
@@ -295,10 +295,10 @@ impl<R: Row> Hash for Chosen<R> {
 
 /// The refusal of a cap surface or an inside test that is asked for with another.
 pub(super) fn unpaired(who: impl fmt::Display, what: &str) -> Refusal {
-    Refusal::new(Obstacle::Pairing, format!("{who} {what}"))
+    Refusal::new(Unsupported::Pairing, format!("{who} {what}"))
 }
 
-impl<R: Row> fmt::Display for Chosen<R> {
+impl<R: Row> fmt::Display for Selection<R> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.facts().name)?;
         match self.parameter() {

@@ -2,7 +2,7 @@
 //!
 //! Adding one is a file with its row and its passes, a folder of shaders, and a line here.
 
-use super::row::{Abilities, CapSurfaceRow, Chosen, Facts, InsideTestRow};
+use super::row::{Abilities, CapSurfaceRow, InsideTestRow, Selection, StrategyInfo};
 use super::{Strategy, inside, surface};
 
 /// All cap surfaces.
@@ -29,10 +29,10 @@ pub static INSIDE_TESTS: &[&InsideTestRow] = &[
 pub fn all() -> Vec<Strategy> {
     let with_tests = |surface: &'static CapSurfaceRow| {
         let usual = (INSIDE_TESTS.iter()).filter(|test| (surface.usual_tests)(test));
-        let tests = usual.map(|test| Some(Chosen::usual(*test)));
+        let tests = usual.map(|test| Some(Selection::usual(*test)));
         let alone = surface.is_alone().then_some(None);
         let pair = move |inside| Strategy {
-            surface: Chosen::usual(surface),
+            surface: Selection::usual(surface),
             inside,
         };
         alone.into_iter().chain(tests).map(pair).collect::<Vec<_>>()
@@ -75,7 +75,7 @@ pub fn markdown() -> String {
     )
 }
 
-fn rows_as_markdown(what: &str, rows: impl Iterator<Item = &'static Facts>) -> String {
+fn rows_as_markdown(what: &str, rows: impl Iterator<Item = &'static StrategyInfo>) -> String {
     let mut text =
         format!("| {what} | what it is | when a mesh changes | cannot |\n|---|---|---|---|\n");
     for facts in rows {

@@ -28,7 +28,7 @@ pub(super) fn judge(
         shown,
         view: subject.view(&shown.model.prepared),
         truth: None,
-        means: subject.means()?,
+        options: subject.options()?,
         command: command_line(),
     };
     let mut step = |what: String| console.step(what);

@@ -12,13 +12,13 @@
 
 mod commands;
 mod console;
-mod drawer;
 mod environment;
 mod image_test;
 mod input;
 mod interrupt;
 mod judge;
 mod notes;
+mod renderer_request;
 mod verdict;
 mod writing;
 

@@ -52,7 +52,7 @@ pub(super) fn warn_of_doubt(
     }
     if is_own_fault(renderer, scene) {
         let other = match renderer {
-            Renderer::Method(m) if m.means.rasteriser == Some(Rasteriser::Compute) => "hardware",
+            Renderer::Method(m) if m.options.rasteriser == Some(Rasteriser::Compute) => "hardware",
             _ => "compute",
         };
         console.internal_error(format!(

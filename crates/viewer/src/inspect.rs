@@ -125,13 +125,13 @@ impl Counts {
 }
 
 /// A mesh that was inspected, which is gone when nothing holds it any more.
-type Known = (Weak<Mesh>, Findings);
+type CachedFindings = (Weak<Mesh>, Findings);
 
 /// What is known of meshes, and the one that is inspected now.
 #[derive(Debug, Default)]
 pub struct Inspector {
     /// By the address of the mesh, which stays its own as long as it is held here.
-    known: BTreeMap<usize, Known>,
+    known: BTreeMap<usize, CachedFindings>,
     under_way: Option<(Arc<Mesh>, Receiver<Findings>)>,
     /// For which revision nothing is left to be inspected.
     done: Option<u64>,

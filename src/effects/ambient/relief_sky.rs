@@ -12,7 +12,7 @@ use crate::shader::Shader;
 pub(in crate::effects) fn is_drawn(scene: &SceneBuffers<'_>) -> bool {
     let model = scene.input.model;
     model.prepared.style.occlusion.relief > 0.0
-        && scene.input.relevance.lanes > 0
+        && scene.input.active_cuts.lanes > 0
         && model.relief_sky.has_reliefs()
 }
 

@@ -5,13 +5,13 @@ use std::collections::BTreeMap;
 
 use super::pipelines::Pipeline;
 use crate::gpu::Gpu;
-use crate::gpu::real::Real;
+use crate::gpu::resource::GpuResource;
 use crate::plan::{Pass, Plan, ResourceId, Shape};
 use crate::shader::{BindingKind, ShaderBinding};
 use crate::{Error, Result};
 
 /// Resources on the device, by name.
-pub(in crate::gpu) type Reals = BTreeMap<String, (Shape, Real)>;
+pub(in crate::gpu) type GpuResources = BTreeMap<String, (Shape, GpuResource)>;
 
 pub(in crate::gpu) fn bind_groups(
     gpu: &Gpu,
@@ -19,7 +19,7 @@ pub(in crate::gpu) fn bind_groups(
     pass: &Pass,
     pipeline: &Pipeline,
     wanted: &[ShaderBinding],
-    real: &Reals,
+    resources: &GpuResources,
 ) -> Result<Vec<wgpu::BindGroup>> {
     let groups = wanted.iter().map(|w| w.group + 1).max().unwrap_or(0);
     let mut made = Vec::with_capacity(groups as usize);
@@ -36,13 +36,13 @@ pub(in crate::gpu) fn bind_groups(
                     pass.name, w.name
                 )));
             };
-            let Some((_, real)) = real.get(&plan.resource(b.resource).name) else {
+            let Some((_, resource)) = resources.get(&plan.resource(b.resource).name) else {
                 return Err(Error::Plan(format!(
                     "{}: `{}` has no resource",
                     pass.name, w.name
                 )));
             };
-            bound.push((w, real, b.layer.unwrap_or(0)));
+            bound.push((w, resource, b.layer.unwrap_or(0)));
         }
         made.push(bind_group(gpu, &pass.name, &layout, &bound));
     }
@@ -54,22 +54,24 @@ pub(in crate::gpu) fn bind_group(
     gpu: &Gpu,
     label: &str,
     layout: &wgpu::BindGroupLayout,
-    bound: &[(&ShaderBinding, &Real, u32)],
+    bound: &[(&ShaderBinding, &GpuResource, u32)],
 ) -> wgpu::BindGroup {
     // Views must outlive the entries that borrow them.
     let views: Vec<Option<wgpu::TextureView>> = (bound.iter())
-        .map(|(w, real, layer)| match (real, w.kind) {
-            (Real::Texture(texture), BindingKind::TextureArray) => Some(array_view(texture)),
-            (Real::Texture(texture), kind) => Some(aspect_view(texture, kind, *layer)),
+        .map(|(w, resource, layer)| match (resource, w.kind) {
+            (GpuResource::Texture(texture), BindingKind::TextureArray) => Some(array_view(texture)),
+            (GpuResource::Texture(texture), kind) => Some(aspect_view(texture, kind, *layer)),
             _ => None,
         })
         .collect();
     let entries: Vec<wgpu::BindGroupEntry<'_>> = (bound.iter().zip(&views))
-        .filter_map(|((w, real, _), view)| {
-            let resource = match (real, view) {
-                (Real::Buffer(buffer), _) => buffer.as_entire_binding(),
-                (Real::Sampler(sampler), _) => wgpu::BindingResource::Sampler(sampler),
-                (Real::Texture(_), view) => wgpu::BindingResource::TextureView(view.as_ref()?),
+        .filter_map(|((w, resource, _), view)| {
+            let resource = match (resource, view) {
+                (GpuResource::Buffer(buffer), _) => buffer.as_entire_binding(),
+                (GpuResource::Sampler(sampler), _) => wgpu::BindingResource::Sampler(sampler),
+                (GpuResource::Texture(_), view) => {
+                    wgpu::BindingResource::TextureView(view.as_ref()?)
+                }
             };
             Some(wgpu::BindGroupEntry {
                 binding: w.binding,
@@ -87,10 +89,10 @@ pub(in crate::gpu) fn bind_group(
 pub(in crate::gpu) fn texture<'a>(
     plan: &Plan,
     id: ResourceId,
-    real: &'a Reals,
+    resources: &'a GpuResources,
 ) -> Result<&'a wgpu::Texture> {
-    match real.get(&plan.resource(id).name) {
-        Some((_, Real::Texture(texture))) => Ok(texture),
+    match resources.get(&plan.resource(id).name) {
+        Some((_, GpuResource::Texture(texture))) => Ok(texture),
         _ => Err(Error::Plan(format!(
             "{} is not a texture",
             plan.resource(id).name
@@ -101,10 +103,10 @@ pub(in crate::gpu) fn texture<'a>(
 pub(in crate::gpu) fn buffer<'a>(
     plan: &Plan,
     id: ResourceId,
-    real: &'a Reals,
+    resources: &'a GpuResources,
 ) -> Result<&'a wgpu::Buffer> {
-    match real.get(&plan.resource(id).name) {
-        Some((_, Real::Buffer(buffer))) => Ok(buffer),
+    match resources.get(&plan.resource(id).name) {
+        Some((_, GpuResource::Buffer(buffer))) => Ok(buffer),
         _ => Err(Error::Plan(format!(
             "{} is not a buffer",
             plan.resource(id).name

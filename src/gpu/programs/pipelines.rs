@@ -10,7 +10,7 @@ use naga::back::PipelineConstants;
 use naga::back::pipeline_constants::process_overrides;
 
 use crate::gpu::Gpu;
-use crate::gpu::real::texel_format;
+use crate::gpu::resource::texel_format;
 use crate::gpu::timing::timed;
 use crate::plan::{
     DepthCompare, Format, Pass, Plan, ResourceId, Shape, StencilStep, Vertices, Work,

@@ -12,8 +12,8 @@ use crate::gpu::device::is_shared;
 use crate::gpu::draw::Step;
 use crate::gpu::layer_words::{LAYER_BYTES, layers_from_words};
 use crate::gpu::pick::{Arriving, Pick};
-use crate::gpu::real::{Real, make};
 use crate::gpu::report::Report;
+use crate::gpu::resource::{GpuResource, make};
 use crate::gpu::target::Destination;
 use crate::gpu::timing::{ClockSet, PassTime, RunTimes, Stopwatch, timed};
 use crate::layers::Layers;
@@ -32,7 +32,7 @@ pub(crate) struct Encoded {
 #[derive(Default)]
 pub struct Program {
     recorded: Recorded,
-    real: BTreeMap<String, (Shape, Real)>,
+    resources: BTreeMap<String, (Shape, GpuResource)>,
     steps: Vec<Step>,
     stopwatch: Option<Stopwatch>,
     generation: u64,
@@ -58,16 +58,14 @@ impl Program {
                 .iter()
                 .find(|r| r.name == resource.name);
             let uploaded = before.and_then(|b| b.contents.as_ref());
-            let kept = self
-                .real
-                .get(&resource.name)
-                .is_some_and(|(shape, _)| *shape == resource.shape);
-            let in_place = match (&resource.contents, uploaded, self.real.get(&resource.name)) {
+            let known = self.resources.get(&resource.name);
+            let kept = known.is_some_and(|(shape, _)| *shape == resource.shape);
+            let in_place = match (&resource.contents, uploaded, known) {
                 _ if !kept => false,
                 (None, None, _) => true,
                 (Some(new), Some(old), _) if new == old => true,
                 // Shared contents must not be overwritten: other programs read them.
-                (Some(new), Some(old), Some((_, Real::Buffer(buffer))))
+                (Some(new), Some(old), Some((_, GpuResource::Buffer(buffer))))
                     if !is_shared(new) && !is_shared(old) && new.changes() == old.changes() =>
                 {
                     for piece in new.not_in(old) {
@@ -78,7 +76,7 @@ impl Program {
                 _ => false,
             };
             if !in_place {
-                self.real
+                self.resources
                     .insert(resource.name.clone(), (resource.shape, make(gpu, resource)));
                 remade.insert(&resource.name);
                 rebind = true;
@@ -89,14 +87,14 @@ impl Program {
         self.due
             .passes
             .retain(|name| plan.passes.iter().any(|p| p.name == *name));
-        self.real
+        self.resources
             .retain(|name, _| plan.resource_named(name).is_some());
         if rebind {
             // Until all of it is built, nothing is loaded: a failure on the way must not look like an unchanged plan.
             self.recorded = Recorded::default();
             self.steps.clear();
             self.generation += 1;
-            let step = |pass| Step::new(gpu, &plan, pass, &self.real);
+            let step = |pass| Step::new(gpu, &plan, pass, &self.resources);
             let steps = plan.passes.iter().map(step).collect::<Result<Vec<_>>>()?;
             let is_timed = gpu.has_timestamps();
             let stopwatch = || Stopwatch::new(&gpu.device, plan.passes.len());
@@ -119,8 +117,8 @@ impl Program {
         let wanted = |r: &&Resource| r.clock == clock && r.is_scene == is_scene;
         let resources = self.recorded.plan.resources.iter().filter(wanted);
         resources
-            .filter_map(|r| self.real.get(&r.name))
-            .map(|(_, real)| real.bytes())
+            .filter_map(|r| self.resources.get(&r.name))
+            .map(|(_, resource)| resource.bytes())
             .sum()
     }
 
@@ -301,9 +299,9 @@ impl Program {
 
     /// The buffer of a resource, if the plan has one of this name.
     pub(in crate::gpu) fn buffer_named(&self, name: &str) -> Option<&wgpu::Buffer> {
-        match &self.real.get(name)?.1 {
-            Real::Buffer(buffer) => Some(buffer),
-            Real::Texture(_) | Real::Sampler(_) => None,
+        match &self.resources.get(name)?.1 {
+            GpuResource::Buffer(buffer) => Some(buffer),
+            GpuResource::Texture(_) | GpuResource::Sampler(_) => None,
         }
     }
 
@@ -374,8 +372,8 @@ impl Program {
 
     fn buffer(&self, id: ResourceId) -> Result<&wgpu::Buffer> {
         let name = &self.recorded.plan.resource(id).name;
-        match self.real.get(name) {
-            Some((_, Real::Buffer(buffer))) => Ok(buffer),
+        match self.resources.get(name) {
+            Some((_, GpuResource::Buffer(buffer))) => Ok(buffer),
             _ => Err(Error::Plan(format!("{name} is not a buffer"))),
         }
     }

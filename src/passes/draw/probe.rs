@@ -37,7 +37,7 @@ impl Volume {
         ];
         bindings.extend(self.bindings.iter().cloned());
         bindings.extend(crossings.bindings());
-        let near_inside = f64::from(u8::from(scene.input.relevance.near_inside));
+        let near_inside = f64::from(u8::from(scene.input.active_cuts.near_inside));
         let pass = Pass::new(
             format!("probe {}", places.start),
             "whether a crossing is inside, asked where its part goes from removed to kept",

@@ -15,7 +15,7 @@ use super::share::Share;
 use super::store::Store;
 use super::sweep::Sweep;
 use crate::passes::frame::buffers::SceneBuffers;
-use crate::passes::frame::crossings::AskedCrossings;
+use crate::passes::frame::crossings::CrossingSource;
 use crate::passes::frame::dispatch::groups_along;
 use crate::passes::frame::on_screen::{OnScreen, Screen};
 use crate::passes::frame::rasteriser::Rasteriser;
@@ -32,7 +32,7 @@ impl<'a> SceneBuffers<'a> {
         mut self,
         plan: &mut Plan,
         store: &Store,
-        to_come: &AskedCrossings,
+        to_come: &CrossingSource,
     ) -> Result<Self, Refusal> {
         let input = self.input;
         if input.rasteriser == Rasteriser::Compute && !input.keeps_list {
@@ -102,7 +102,7 @@ fn take_to_screen(
         view: input.view,
         frame: scene.frame.clone(),
         clock: Clock::Frame,
-        ranks: &input.relevance.order,
+        ranks: &input.active_cuts.order,
         settles: true,
         share,
         fresh: Fresh {
@@ -113,7 +113,7 @@ fn take_to_screen(
     };
     let mut screen = Screen::record(plan, scene, of)?;
     // Nobody looks at pixels before the sweep.
-    let by_sweep = input.relevance.lanes == 0 || (store.is_some() && input.asks_plane());
+    let by_sweep = input.active_cuts.lanes == 0 || (store.is_some() && input.asks_plane());
     if !by_sweep {
         find_tiles(plan, &screen, touched);
         screen.is_queued = true;
@@ -163,7 +163,7 @@ pub(crate) fn rasterise(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,
     store: &Store,
-    crossings: &AskedCrossings,
+    crossings: &CrossingSource,
 ) -> Result<Swept, Refusal> {
     let input = scene.input;
     let OnScreen {
@@ -223,7 +223,7 @@ pub(crate) fn decide_and_paint(
     scene: &SceneBuffers<'_>,
     swept: Swept,
     inside: Inside,
-    crossings: &AskedCrossings,
+    crossings: &CrossingSource,
 ) -> Layered {
     let mut bindings = vec![
         scene.frame.clone(),
@@ -254,7 +254,7 @@ fn paint(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,
     swept: Swept,
-    crossings: &AskedCrossings,
+    crossings: &CrossingSource,
 ) -> Layered {
     let [vertices, indices] = scene.mesh_in_storage(Clock::Frame);
     let mut bindings = vec![

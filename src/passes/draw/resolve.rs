@@ -9,7 +9,7 @@ use super::rasterise::decide_and_paint;
 use super::solid::NearestKept;
 use super::surface::Surfaces;
 use crate::passes::frame::buffers::SceneBuffers;
-use crate::passes::frame::crossings::AskedCrossings;
+use crate::passes::frame::crossings::CrossingSource;
 use crate::plan::{Binding, Pass, Plan, ResourceId, Work};
 use crate::shader::Shader;
 
@@ -54,7 +54,7 @@ pub(crate) fn resolve(
     scene: &SceneBuffers<'_>,
     nearest: NearestKept,
     inside: Inside,
-    crossings: &AskedCrossings,
+    crossings: &CrossingSource,
 ) -> Layered {
     match nearest {
         NearestKept::Drawn(surfaces) => resolve_drawn(plan, scene, &surfaces, inside, crossings),
@@ -67,7 +67,7 @@ fn resolve_drawn(
     scene: &SceneBuffers<'_>,
     surfaces: &Surfaces,
     inside: Inside,
-    crossings: &AskedCrossings,
+    crossings: &CrossingSource,
 ) -> Layered {
     let layers = layers(plan, scene.input);
     let mut bindings = vec![
@@ -99,11 +99,11 @@ fn resolve_drawn(
 
 /// The constants of a pass that decides.
 pub(crate) fn constants_of_decision(scene: &SceneBuffers<'_>) -> Vec<(&'static str, f64)> {
-    let relevance = &scene.input.relevance;
+    let active_cuts = &scene.input.active_cuts;
     let mut constants = vec![
         scene.lanes.constant(),
-        ("lane_count", relevance.lanes as f64),
-        ("near_inside", f64::from(u8::from(relevance.near_inside))),
+        ("lane_count", active_cuts.lanes as f64),
+        ("near_inside", f64::from(u8::from(active_cuts.near_inside))),
     ];
     if scene.input.shows_overlaps() {
         constants.push(("overlaps", 1.0));

@@ -239,16 +239,16 @@ impl Input<'_> {
         let mut triangle_count = 0;
         for (row, (rank, indices)) in table.iter_mut().zip(&rows) {
             let range = &self.model.ranges[*rank];
-            let place = self.relevance.place_of(*rank);
+            let place = self.active_cuts.place_of(*rank);
             let [lane_word, lane_shift] = lanes.of_place(place);
             *row = DrawnPart {
                 first_triangle: triangle_count,
                 first_index: indices.start,
                 base_vertex: range.base_vertex.cast_unsigned() - first_vertex,
-                cuts: self.relevance.cuts_of(*rank),
+                cuts: self.active_cuts.cuts_of(*rank),
                 lane_word,
                 lane_shift,
-                place: if place < self.relevance.lanes {
+                place: if place < self.active_cuts.lanes {
                     place as u32
                 } else {
                     NO_LANE

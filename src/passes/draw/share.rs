@@ -10,7 +10,7 @@
 
 use super::store::Store;
 use crate::passes::frame::buffers::SceneBuffers;
-use crate::passes::frame::crossings::AskedCrossings;
+use crate::passes::frame::crossings::CrossingSource;
 
 /// Rounds of loops that samples may take in one invocation: below those 65,535, with room for the rest.
 const ROUNDS_OF_SAMPLES: u32 = 48_000;
@@ -34,7 +34,7 @@ impl Share {
     pub(crate) fn of_crossings(
         scene: &SceneBuffers<'_>,
         store: &Store,
-        crossings: &AskedCrossings,
+        crossings: &CrossingSource,
     ) -> Self {
         // A settled face is moved to its side of each crossing, then of those with cutters.
         let settled = match scene.settled {

@@ -18,7 +18,7 @@ use crate::passes::frame::need::{NEED_OF_SHEETS, need};
 use crate::passes::frame::refusal::Refusal;
 use crate::plan::pack::SheetPool;
 use crate::plan::{
-    Access, Binding, Bounded, Clock, Contents, DepthTarget, Draw, Knob, Pass, Plan, Resource,
+    Access, Binding, Bounded, Capacity, Clock, Contents, DepthTarget, Draw, Pass, Plan, Resource,
     ResourceId, Role, Vertices, Work,
 };
 use crate::shader::Shader;
@@ -180,7 +180,7 @@ impl SheetLists {
             what: FRAGMENTS_OF_SHEETS.to_owned(),
             slot: NEED_OF_SHEETS,
             capacity,
-            knob: Some(Knob::Sheets),
+            resizes: Some(Capacity::Sheets),
             exact: false,
         });
         Ok(Self {

@@ -8,7 +8,7 @@ use super::rasterise::{Swept, rasterise};
 use super::store::Store;
 use super::surface::{DrawPass, Surfaces};
 use crate::passes::frame::buffers::SceneBuffers;
-use crate::passes::frame::crossings::AskedCrossings;
+use crate::passes::frame::crossings::CrossingSource;
 use crate::passes::frame::input::counted;
 use crate::passes::frame::rasteriser::Rasteriser;
 use crate::passes::frame::refusal::Refusal;
@@ -29,7 +29,7 @@ pub(crate) fn over_mesh(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,
     store: &Store,
-    crossings: &AskedCrossings,
+    crossings: &CrossingSource,
 ) -> Result<NearestKept, Refusal> {
     Ok(match scene.input.rasteriser {
         Rasteriser::Hardware => NearestKept::Drawn(draw_solids(plan, scene, store, crossings)),
@@ -41,7 +41,7 @@ fn draw_solids(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,
     store: &Store,
-    crossings: &AskedCrossings,
+    crossings: &CrossingSource,
 ) -> Surfaces {
     let input = scene.input;
     let (vertices, indices) = scene.mesh();
@@ -52,7 +52,7 @@ fn draw_solids(
     ];
     bindings.extend(store.bindings.iter().cloned());
     bindings.extend(crossings.bindings.iter().cloned());
-    let ranks = input.relevance.cut_parts();
+    let ranks = input.active_cuts.cut_parts();
     let solid = DrawPass {
         name: "solid".to_owned(),
         reason: format!(

@@ -124,7 +124,7 @@ impl Surfaces {
         lists: bool,
     ) {
         let input = scene.input;
-        let ranks = input.relevance.plain_parts();
+        let ranks = input.active_cuts.plain_parts();
         if ranks.is_empty() && self.is_cleared {
             return;
         }
@@ -132,7 +132,7 @@ impl Surfaces {
         let bindings = vec![scene.frame.clone(), scene.parts.clone()];
         let reason = if ranks.is_empty() {
             "clears the targets: every part is removed or capped".to_owned()
-        } else if input.relevance.lanes == 0 {
+        } else if input.active_cuts.lanes == 0 {
             "no part is cut open: the solids as they are".to_owned()
         } else {
             format!(

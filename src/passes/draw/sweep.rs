@@ -11,7 +11,7 @@
 
 use super::store::Store;
 use crate::passes::frame::buffers::SceneBuffers;
-use crate::passes::frame::crossings::AskedCrossings;
+use crate::passes::frame::crossings::CrossingSource;
 use crate::passes::frame::dispatch::groups_along;
 use crate::passes::frame::on_screen::Screen;
 use crate::passes::frame::touched::Touched;
@@ -30,7 +30,7 @@ pub(crate) struct Sweep<'a> {
     /// What fragments leave, where the sample says so.
     pub store: Option<&'a Store>,
     /// The crossings, where the sample counts the crossings before it.
-    pub crossings: Option<&'a AskedCrossings>,
+    pub crossings: Option<&'a CrossingSource>,
     /// What else the sample binds.
     pub bindings: Vec<Binding>,
     /// The tiles that it touches, where it is to find them.

@@ -39,7 +39,7 @@ pub(crate) struct SceneBuffers<'a> {
     pub settled: Option<Binding>,
     /// The heights of all reliefs.
     pub heights: Binding,
-    /// Heights for who asks at points, through a sampler where that is asked for.
+    /// Point samples of a height map, optionally through the hardware sampler.
     pub filtered_heights: Vec<Binding>,
     /// Depths at the resolution of the view.
     pub depth: ResourceId,
@@ -74,7 +74,7 @@ impl<'a> SceneBuffers<'a> {
             let id = plan.add_resource(Resource::upload(name, role, contents, clock));
             Binding::read(name, id)
         };
-        let frame = Contents::from_values(&[pack::frame(input.view, &input.relevance.cut_box)]);
+        let frame = Contents::from_values(&[pack::frame(input.view, &input.active_cuts.cut_box)]);
         let frame = upload("frame", Role::Uniform, Clock::Frame, frame);
         let vertices = upload(
             "vertices",
@@ -151,16 +151,16 @@ impl<'a> SceneBuffers<'a> {
 }
 
 fn cut_table(input: &Input<'_>) -> Contents {
-    let (relevance, model) = (&input.relevance, input.model);
+    let (active_cuts, model) = (&input.active_cuts, input.model);
     let mut table = CutTable::zeroed();
-    table.surface_count = relevance.surfaces.len() as u32;
-    table.cut_count = relevance.cuts.len() as u32;
+    table.surface_count = active_cuts.surfaces.len() as u32;
+    table.cut_count = active_cuts.cuts.len() as u32;
     table.has_normals = u32::from(input.has_cutters());
-    for (i, bits) in relevance.cuts.iter().enumerate() {
+    for (i, bits) in active_cuts.cuts.iter().enumerate() {
         table.surfaces_of_cut[i / 4][i % 4] = *bits;
     }
     let reach = input.reach();
-    for (slot, number) in table.surfaces.iter_mut().zip(&relevance.surfaces) {
+    for (slot, number) in table.surfaces.iter_mut().zip(&active_cuts.surfaces) {
         let surface = &model.prepared.surfaces[*number];
         *slot = pack::clip_surface(surface, *number, model.first_texel[*number], reach);
     }
@@ -169,21 +169,21 @@ fn cut_table(input: &Input<'_>) -> Contents {
 
 fn ray_table(input: &Input<'_>) -> Contents {
     let mut table = [pack::RaySurface::zeroed(); MAX_SURFACES];
-    for (slot, number) in table.iter_mut().zip(&input.relevance.surfaces) {
+    for (slot, number) in table.iter_mut().zip(&input.active_cuts.surfaces) {
         *slot = pack::ray_surface(&input.model.prepared.surfaces[*number], input.view);
     }
     Contents::from_values(&table)
 }
 
 fn parts(input: &Input<'_>, lanes: &Lanes) -> Contents {
-    let (relevance, style) = (&input.relevance, &input.model.prepared.style);
+    let (active_cuts, style) = (&input.active_cuts, &input.model.prepared.style);
     let prepared = &input.model.prepared.parts;
-    let mut rows: Vec<Part> = (relevance.order.iter().enumerate())
+    let mut rows: Vec<Part> = (active_cuts.order.iter().enumerate())
         .map(|(place, rank)| {
             let part = &prepared[*rank];
             let [lane_word, lane_shift] = lanes.of_place(place);
             Part {
-                cuts: relevance.cuts_of(*rank),
+                cuts: active_cuts.cuts_of(*rank),
                 lane_word,
                 lane_shift,
                 part: part.part as u32,
@@ -195,7 +195,7 @@ fn parts(input: &Input<'_>, lanes: &Lanes) -> Contents {
         .collect();
     // A row for each part of the scene, drawn or not: the numbers of layers are looked up there.
     rows.resize(rows.len().max(prepared.len()), Part::zeroed());
-    for (place, rank) in relevance.order.iter().enumerate() {
+    for (place, rank) in active_cuts.order.iter().enumerate() {
         rows[prepared[*rank].part].place = place as u32;
     }
     Contents::from_values(&or_one(rows))

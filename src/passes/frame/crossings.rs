@@ -22,7 +22,7 @@ pub(crate) struct Crossings {
 
 /// What fills `cutaway::crossings` in a shader.
 #[derive(Clone, Debug)]
-pub(crate) struct AskedCrossings {
+pub(crate) struct CrossingSource {
     file: &'static str,
     /// File that fills `cutaway::surfaces`.
     pub(crate) surfaces_file: &'static str,
@@ -43,15 +43,15 @@ impl Crossings {
     }
 
     /// The list, for who may as well ask a plane.
-    pub(crate) fn asked(&self) -> AskedCrossings {
-        AskedCrossings {
+    pub(crate) fn asked(&self) -> CrossingSource {
+        CrossingSource {
             bindings: self.bindings().into(),
-            ..AskedCrossings::of_capacity(self.capacity, self.surfaces_file)
+            ..CrossingSource::of_capacity(self.capacity, self.surfaces_file)
         }
     }
 }
 
-impl AskedCrossings {
+impl CrossingSource {
     /// Lists of so many crossings that are not there yet, to find out what fragments will cost.
     pub(crate) fn to_come(input: &Input<'_>, capacity: u32) -> Self {
         let surfaces_file = match input.has_one_surface() {

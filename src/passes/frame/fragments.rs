@@ -19,8 +19,8 @@ use crate::passes::draw::store::Store;
 use crate::passes::draw::sweep::Sweep;
 use crate::plan::pack::FragmentPool;
 use crate::plan::{
-    Binding, Bounded, Clock, Contents, DepthTarget, Knob, Pass, Plan, Resource, ResourceId, Role,
-    Work,
+    Binding, Bounded, Capacity, Clock, Contents, DepthTarget, Pass, Plan, Resource, ResourceId,
+    Role, Work,
 };
 use crate::shader::Shader;
 
@@ -108,7 +108,7 @@ impl FragmentLists {
             what: what.to_owned(),
             slot: NEED_OF_FRAGMENTS,
             capacity,
-            knob: Some(Knob::Fragments),
+            resizes: Some(Capacity::Fragments),
             exact: false,
         });
         Ok(Self {
@@ -170,7 +170,7 @@ pub(crate) fn leave_fragments(
                 view: scene.input.view,
                 frame: scene.frame.clone(),
                 clock: Clock::Frame,
-                ranks: scene.input.relevance.cut_parts(),
+                ranks: scene.input.active_cuts.cut_parts(),
                 settles: false,
                 share: Share::of_store(store),
                 fresh: Fresh::nothing(),
@@ -202,7 +202,7 @@ fn draw_fragments(
             depth: DepthTarget::untouched(scene.depth),
             vertices,
             indices,
-            draws: scene.input.draws_of(scene.input.relevance.cut_parts()),
+            draws: scene.input.draws_of(scene.input.active_cuts.cut_parts()),
         },
     );
     plan.add_pass(pass.with_constants(vec![scene.lanes.constant()]));

@@ -1,8 +1,8 @@
 //! What a frame is recorded from. Nothing of it changes while a plan is made; what passes make and read are handles beside it.
 
+use super::active_cuts::ActiveCuts;
 use super::rasteriser::Rasteriser;
 use super::refusal::Refusal;
-use super::relevance::Relevance;
 use super::relief_walk::ReliefWalk;
 use super::settled::GroupOfPart;
 use crate::passes::pack::model::Model;
@@ -17,7 +17,7 @@ pub(crate) struct Input<'a> {
     pub model: &'a Model,
     pub view: &'a View,
     /// What of the cuts matters.
-    pub relevance: Relevance,
+    pub active_cuts: ActiveCuts,
     /// Sizes of bounded buffers.
     pub capacities: &'a Capacities,
     /// Who turns the mesh into samples.
@@ -44,7 +44,7 @@ impl<'a> Input<'a> {
         let mut input = Self {
             model,
             view,
-            relevance: Relevance::new(&model.prepared, view)?,
+            active_cuts: ActiveCuts::new(&model.prepared, view)?,
             capacities,
             rasteriser: Rasteriser::Hardware,
             wide_atomics: false,
@@ -62,19 +62,19 @@ impl<'a> Input<'a> {
     pub(crate) fn asks_plane(&self) -> bool {
         self.rasteriser == Rasteriser::Compute
             && !self.keeps_list
-            && self.relevance.surfaces.len() == 1
+            && self.active_cuts.surfaces.len() == 1
             && !self.has_reliefs()
             && !self.has_cutters()
     }
 
     /// Whether lists hold crossings with one clip-surface, without normals of their own.
     pub(crate) fn has_one_surface(&self) -> bool {
-        self.relevance.surfaces.len() < 2 && !self.has_cutters()
+        self.active_cuts.surfaces.len() < 2 && !self.has_cutters()
     }
 
     /// The longest way on which a ray is followed: through the box of the cut parts and its margins.
     pub(crate) fn reach(&self) -> f64 {
-        self.relevance.cut_box.size().length() + 4.0 * most_box_margin(self.view.precision)
+        self.active_cuts.cut_box.size().length() + 4.0 * most_box_margin(self.view.precision)
     }
 
     /// Pixels of the picture.
@@ -84,20 +84,20 @@ impl<'a> Input<'a> {
 
     /// Whether some clip-surface that matters is a relief.
     pub(crate) fn has_reliefs(&self) -> bool {
-        let surfaces = &self.relevance.surfaces;
+        let surfaces = &self.active_cuts.surfaces;
         surfaces.iter().any(|s| self.model.is_relief(*s))
     }
 
     /// Whether some clip-surface that matters is a cutter.
     pub(crate) fn has_cutters(&self) -> bool {
-        let surfaces = &self.relevance.surfaces;
+        let surfaces = &self.active_cuts.surfaces;
         surfaces.iter().any(|s| self.model.is_cutter(*s))
     }
 
     /// Whether some part that needs an inside test is filled nonzero.
     pub(crate) fn has_nonzero(&self) -> bool {
         let parts = &self.model.prepared.parts;
-        let mut ranks = self.relevance.cut_parts().iter();
+        let mut ranks = self.active_cuts.cut_parts().iter();
         ranks.any(|r| parts[*r].fill == Fill::Nonzero)
     }
 
@@ -110,17 +110,17 @@ impl<'a> Input<'a> {
                 && (self.view).near_plane_meets(&self.model.sliced(rank).bounds(part));
             is_met.then_some(part)
         };
-        self.relevance.cut_parts().iter().find_map(|r| meets(*r))
+        self.active_cuts.cut_parts().iter().find_map(|r| meets(*r))
     }
 
     /// Whether anything asks where solids overlap, and two are there that could.
     pub(crate) fn shows_overlaps(&self) -> bool {
-        self.model.prepared.interference.is_some() && self.relevance.lanes > 1
+        self.model.prepared.interference.is_some() && self.active_cuts.lanes > 1
     }
 
     /// Whether the picture is one that is made of layers alone, a pixel at a time.
     pub(crate) fn is_plain(&self) -> bool {
-        self.model.prepared.style.is_plain() && self.model.dress.is_none()
+        self.model.prepared.style.is_plain() && self.model.cap_materials.is_none()
     }
 
     /// The draws of some parts, by rank; the instance is the part's place in the table.
@@ -133,7 +133,7 @@ impl<'a> Input<'a> {
                     indices: range.indices.clone(),
                     base_vertex: range.base_vertex,
                     vertex_count: range.vertex_count,
-                    instance: self.relevance.place_of(*rank) as u32,
+                    instance: self.active_cuts.place_of(*rank) as u32,
                     arguments: None,
                 }
             })

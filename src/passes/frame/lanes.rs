@@ -53,7 +53,7 @@ impl Lanes {
         };
         let parts = &input.model.prepared.parts;
         let counts = |rank: &usize| words_of_counts > 0 && parts[*rank].fill == Fill::Nonzero;
-        let ranks = input.relevance.cut_parts();
+        let ranks = input.active_cuts.cut_parts();
         let of_bits = ranks.iter().filter(|r| !counts(r)).count() as u32;
         let mut lane = 0;
         let mut words = (of_bits * bits).div_ceil(32);

@@ -1,5 +1,6 @@
 //! What a frame is recorded from, and what its passes share: the input, what matters to it, the buffers and lists.
 
+pub(crate) mod active_cuts;
 pub(crate) mod buffers;
 pub(crate) mod crossings;
 pub(crate) mod dispatch;
@@ -13,7 +14,6 @@ pub(crate) mod pose;
 pub(crate) mod pyramid;
 pub(crate) mod rasteriser;
 pub(crate) mod refusal;
-pub(crate) mod relevance;
 pub(crate) mod relief_walk;
 pub(crate) mod sections;
 pub(crate) mod settled;

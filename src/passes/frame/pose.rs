@@ -27,8 +27,8 @@ pub(crate) fn pose_parts(
 ) -> Result<(), Refusal> {
     // A ghost shows parts that are not drawn.
     let ghost = input.model.prepared.style.ghost.is_drawn();
-    let removed = ghost.then(|| input.relevance.removed_parts());
-    let drawn = input.relevance.order.iter().copied();
+    let removed = ghost.then(|| input.active_cuts.removed_parts());
+    let drawn = input.active_cuts.order.iter().copied();
     for rank in drawn.chain(removed.into_iter().flatten()) {
         let Some(moving) = &input.model.moving[rank] else {
             continue;

@@ -39,7 +39,7 @@ impl Input<'_> {
     fn pyramid_rows(&self) -> (Vec<Pyramid>, u64) {
         let mut rows: Vec<Pyramid> = Vec::new();
         let mut nodes = 0_u64;
-        for number in &self.relevance.surfaces {
+        for number in &self.active_cuts.surfaces {
             let surface = &self.model.prepared.surfaces[*number];
             let map = surface.relief.as_ref();
             let Some(map) = map.filter(|_| self.model.is_relief(*number)) else {

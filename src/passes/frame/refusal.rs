@@ -2,7 +2,7 @@
 
 /// What of a scene, or of a device, a method cannot do.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, thiserror::Error)]
-pub enum Obstacle {
+pub enum Unsupported {
     /// A cap surface and an inside test that do not go together.
     #[error("the cap surface and the inside test do not go together")]
     Pairing,
@@ -46,22 +46,22 @@ pub enum Obstacle {
 #[error("{reason}")]
 pub struct Refusal {
     /// What kind of thing stands in the way.
-    pub obstacle: Obstacle,
+    pub unsupported: Unsupported,
     /// What it is, in words.
     pub reason: String,
 }
 
 impl Refusal {
     /// What stands in the way, and in words.
-    pub fn new(obstacle: Obstacle, reason: impl Into<String>) -> Self {
+    pub fn new(unsupported: Unsupported, reason: impl Into<String>) -> Self {
         Self {
-            obstacle,
+            unsupported,
             reason: reason.into(),
         }
     }
 
     /// What is more, or larger, than frames provide for.
     pub(crate) fn amount(reason: impl Into<String>) -> Self {
-        Self::new(Obstacle::Amount, reason)
+        Self::new(Unsupported::Amount, reason)
     }
 }

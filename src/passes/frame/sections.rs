@@ -135,9 +135,9 @@ fn work(wanted: Vec<Wanted>, slicers_ms: Option<f64>, took_ms: Option<f64>) -> [
 fn wanted(input: &Input<'_>) -> Vec<Wanted> {
     let prepared = &input.model.prepared;
     let mut wanted = Vec::new();
-    for (place, rank) in input.relevance.cut_parts().iter().enumerate() {
-        for slot in input.relevance.surfaces_of(*rank) {
-            let surface = &prepared.surfaces[input.relevance.surfaces[slot]];
+    for (place, rank) in input.active_cuts.cut_parts().iter().enumerate() {
+        for slot in input.active_cuts.surfaces_of(*rank) {
+            let surface = &prepared.surfaces[input.active_cuts.surfaces[slot]];
             let lift = surface.flat_height().unwrap_or(0.0);
             wanted.push(Wanted {
                 part: prepared.parts[*rank].clone(),

@@ -16,7 +16,7 @@ impl<'a> Input<'a> {
     /// The groups of the parts that are drawn, in table order: of as many parts as there are numbers for. None where no clip-surface that
     /// matters settles a triangle of these parts, none lie on each other, and none share a plane.
     pub(crate) fn find_settled(&self) -> Option<Vec<GroupOfPart<'a>>> {
-        let (model, order) = (self.model, &self.relevance.order);
+        let (model, order) = (self.model, &self.active_cuts.order);
         let of_parts = &model.settled.as_ref()?.groups;
         let settles = |group: &Group| {
             let [surfaces, _, cutters, _] = self.bits_of(group);
@@ -46,7 +46,7 @@ impl<'a> Input<'a> {
     /// of clip-surfaces that it lies in.
     fn bits_of(&self, group: &Group) -> [u32; 4] {
         let mut bits = [0; 4];
-        for (slot, number) in self.relevance.surfaces.iter().enumerate() {
+        for (slot, number) in self.active_cuts.surfaces.iter().enumerate() {
             let is_shared = group.lie.in_cutters.contains(&(*number as u16));
             bits[2] |= u32::from(is_shared) << slot;
             // Of triangles that lie on each other the depths tell which is seen.
@@ -73,7 +73,7 @@ impl<'a> Input<'a> {
             let [surfaces, removed, cutters, flush] = self.bits_of(group);
             let [x, y, z] = group.lie.normal.map(|n| n as f32 / NORMAL_STEPS);
             *row = SettledGroup {
-                place: self.relevance.place_of(*rank) as u32,
+                place: self.active_cuts.place_of(*rank) as u32,
                 surfaces,
                 removed,
                 flush,

@@ -1,4 +1,4 @@
-//! The tiles of the picture that a frame touches: passes over pixels go over these alone, and what is in none of them stays background.
+//! The tiles of the picture that a frame touches. Per-pixel passes run only on these tiles; the rest is background.
 //!
 //! The list is made by a pass over the triangles before all else, or by the first sweep where nothing looks at pixels before that
 //! (`shaders/lib/touching.wgsl`). It outlives its frame: what that has drawn the next one sets back, so that what no frame touches is

@@ -1,9 +1,8 @@
 //! A scene packed for upload: what follows from it alone, whatever the view and the strategy.
 
-pub(crate) mod at_rest;
+pub(crate) mod cap_materials;
 pub(crate) mod coat;
 pub(crate) mod cutters;
-pub(crate) mod dress;
 pub(crate) mod ground;
 pub(crate) mod heights;
 pub(crate) mod kept;
@@ -12,7 +11,8 @@ pub(crate) mod packed;
 pub(crate) mod packed_coat;
 pub(crate) mod packed_pose;
 pub(crate) mod relief_sky;
-pub(crate) mod rest;
+pub(crate) mod rest_part;
+pub(crate) mod rest_pose;
 pub(crate) mod settled;
 pub(crate) mod settlers;
 pub(crate) mod sliced;

@@ -8,15 +8,15 @@ use std::sync::Arc;
 
 use rayon::prelude::*;
 
-use super::at_rest::{AtRest, Moved};
+use super::cap_materials::CapMaterials;
 use super::cutters::Cutters;
-use super::dress::Dress;
 use super::ground::GroundShadow;
 use super::heights::{Heights, PackedMap};
 use super::kept::KeptContents;
 use super::packed::{self, Packed, Room};
 use super::packed_pose::{Moving, PackedPose};
 use super::relief_sky::ReliefSky;
+use super::rest_pose::{Moved, RestPose};
 use super::settled::SettledParts;
 use super::sliced::Sliced;
 use super::vertex::MeshRange;
@@ -54,11 +54,11 @@ pub struct Model {
     /// The indices of grids, which go with no scene but are asked for in every frame.
     pub grid_indices: Arc<KeptContents>,
     /// What its hatches hang on.
-    pub(crate) at_rest: Arc<AtRest>,
+    pub(crate) at_rest: Arc<RestPose>,
     /// What reliefs hide of the sky.
     pub(crate) relief_sky: Arc<ReliefSky>,
     /// What caps are made of and surfaces painted with, where that is more than a colour.
-    pub(crate) dress: Option<Arc<Dress>>,
+    pub(crate) cap_materials: Option<Arc<CapMaterials>>,
     /// The shadow on the ground, where there is one.
     pub(crate) ground: Option<Arc<GroundShadow>>,
     /// How parts have moved since, by index in the scene.
@@ -154,12 +154,12 @@ impl Model {
             maps,
         } = Heights::of(&prepared, before.map(|b| (&b.heights, b.maps.as_slice())));
         let relief_sky = ReliefSky::of(&prepared, &first_texel, before.map(|b| &b.relief_sky));
-        let known = before.and_then(|b| b.dress.as_ref());
-        let dress = Dress::of(scene, &space, (&world, (&packed, &rooms)), known);
+        let known = before.and_then(|b| b.cap_materials.as_ref());
+        let cap_materials = CapMaterials::of(scene, &space, (&world, (&packed, &rooms)), known);
         let cutters = Cutters::of(&prepared.surfaces, before.map(|b| &b.cutters));
         let known = before.and_then(|b| b.settled.as_ref());
         let settled = SettledParts::of(&prepared, &packed, &rooms, known);
-        let at_rest = AtRest::of(scene, &prepared, before.map(|b| &b.at_rest));
+        let at_rest = RestPose::of(scene, &prepared, before.map(|b| &b.at_rest));
         Self {
             cutters,
             ranges,
@@ -174,7 +174,7 @@ impl Model {
             settled,
             grid_indices: before.map_or_else(Arc::default, |b| b.grid_indices.clone()),
             relief_sky,
-            dress,
+            cap_materials,
             ground: None,
             moved: at_rest.moved(scene, &prepared),
             at_rest,
@@ -227,7 +227,7 @@ impl Model {
     pub(crate) fn in_style(&self, style: Style) -> Self {
         let mut styled = self.clone();
         styled.prepared.style = style;
-        styled.dress = None;
+        styled.cap_materials = None;
         styled.identity = Arc::default();
         styled
     }

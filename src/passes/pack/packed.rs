@@ -10,7 +10,7 @@ use std::sync::Arc;
 use glam::DAffine3;
 
 use super::packed_coat::PackedCoat;
-use super::rest::Rest;
+use super::rest_part::RestPart;
 use super::settlers::{Settlers, Sorted};
 use super::sliced::Sliced;
 use super::vertex::{Vertex, packed_triangles};
@@ -35,7 +35,7 @@ pub(crate) struct Packed {
     pub(crate) indices: Arc<[u8]>,
     pub(crate) vertex_count: u32,
     /// Of a part that moves.
-    pub(crate) rest: Option<Arc<Rest>>,
+    pub(crate) rest: Option<Arc<RestPart>>,
     /// Its coat, if its mesh has one.
     pub(crate) coat: Option<Arc<PackedCoat>>,
     /// Triangles that lie on another one.
@@ -104,7 +104,7 @@ impl Packed {
         let mirrored = part.world_from_part.matrix3.determinant() < 0.0;
         let rest = match known.and_then(|k| k.rest.clone()) {
             Some(rest) if rest.mirrored == mirrored => rest,
-            _ => Arc::new(Rest::of(part, mirrored)),
+            _ => Arc::new(RestPart::of(part, mirrored)),
         };
         let of_part = if part.pose.is_rest() {
             rest.bounds

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DVec3};
 
-use super::rest::{FIRST_JOINT, Rest};
+use super::rest_part::{FIRST_JOINT, RestPart};
 use crate::plan::Contents;
 use crate::plan::pack::{self, MOST_DEFORMERS};
 use crate::scene::{Axis, Deformer, Part, SceneSpace};
@@ -13,7 +13,7 @@ use crate::scene::{Axis, Deformer, Part, SceneSpace};
 /// A part that the pose pass places.
 #[derive(Clone, Debug)]
 pub struct Moving {
-    pub(crate) rest: Arc<Rest>,
+    pub(crate) rest: Arc<RestPart>,
     pub(crate) packed_pose: PackedPose,
 }
 
@@ -31,7 +31,7 @@ pub(crate) struct PackedPose {
 
 impl PackedPose {
     /// Multiplies out the pose and the placement of a part.
-    pub(crate) fn of(part: &Part, rest: &Rest, space: &SceneSpace, first_vertex: u32) -> Self {
+    pub(crate) fn of(part: &Part, rest: &RestPart, space: &SceneSpace, first_vertex: u32) -> Self {
         let pose = &part.pose;
         let scene_from_part = space.from_world() * part.world_from_part;
         let deforms = !pose.deformers.is_empty();

@@ -44,7 +44,7 @@ pub(crate) struct PackedSection {
 }
 
 /// A section, and what it was made by.
-struct Known {
+struct CachedSection {
     plane: SlicePlane,
     rule: Fill,
     section: Arc<PackedSection>,
@@ -59,7 +59,7 @@ pub(crate) struct Sliced {
     bounds: OnceLock<Bounds>,
     slicer: OnceLock<Slicer>,
     /// The latest last.
-    known: Mutex<Vec<Known>>,
+    known: Mutex<Vec<CachedSection>>,
     sorted: Mutex<Option<SortedBy>>,
 }
 
@@ -99,7 +99,7 @@ impl Sliced {
     /// The section by a plane, filled by a rule, if it is known.
     pub(crate) fn known(&self, plane: &SlicePlane, rule: Fill) -> Option<Arc<PackedSection>> {
         let mut known = self.known.lock().unwrap_or_else(PoisonError::into_inner);
-        let same = |k: &Known| k.plane == *plane && k.rule == rule;
+        let same = |k: &CachedSection| k.plane == *plane && k.rule == rule;
         let at = known.iter().position(same)?;
         let latest = known.remove(at);
         let section = latest.section.clone();
@@ -117,7 +117,7 @@ impl Sliced {
         if known.len() == MOST_KNOWN {
             known.remove(0);
         }
-        known.push(Known {
+        known.push(CachedSection {
             plane,
             rule,
             section,

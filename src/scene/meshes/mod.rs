@@ -2,7 +2,7 @@
 
 pub(super) mod base;
 pub(super) mod doubled;
-pub(super) mod grown;
+pub(super) mod filled_part;
 pub(super) mod mesh;
 pub(super) mod smooth;
 #[doc(hidden)]

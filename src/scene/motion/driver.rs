@@ -49,7 +49,7 @@ impl Bound {
 
 /// What takes a part to where it is.
 #[derive(Clone, Debug)]
-pub enum Hold {
+pub enum RigAttachment {
     /// Its node, as a whole.
     Node,
     /// One joint of a skin, as a whole.
@@ -64,7 +64,7 @@ pub enum Hold {
 pub struct Driver {
     rig: Arc<Rig>,
     node: usize,
-    hold: Hold,
+    hold: RigAttachment,
     bound: Arc<Bound>,
     rest_weights: Vec<f64>,
     /// The mesh that is shown at rest.
@@ -81,7 +81,7 @@ impl Driver {
     pub fn new(
         rig: &Arc<Rig>,
         node: usize,
-        hold: Hold,
+        hold: RigAttachment,
         bound: &Arc<Bound>,
         rest_weights: Vec<f64>,
     ) -> Self {
@@ -106,11 +106,11 @@ impl Driver {
             ..Pose::default()
         };
         match self.hold {
-            Hold::Node => self.file_from_part = self.rig.world(self.node, None),
-            Hold::Joint { skin, joint } => {
+            RigAttachment::Node => self.file_from_part = self.rig.world(self.node, None),
+            RigAttachment::Joint { skin, joint } => {
                 self.file_from_part = self.rig.joint(skin, joint, None);
             }
-            Hold::Skin { .. } => match self.common_place() {
+            RigAttachment::Skin { .. } => match self.common_place() {
                 Some(place) => self.file_from_part = place,
                 None => pose.joints = self.joints(None),
             },
@@ -132,7 +132,7 @@ impl Driver {
 
     /// Where the joints of the skin take the bound mesh, in the file's world.
     fn file_joints(&self, moment: Option<Moment>) -> Vec<DAffine3> {
-        let Hold::Skin { skin, with_node } = self.hold else {
+        let RigAttachment::Skin { skin, with_node } = self.hold else {
             return Vec::new();
         };
         let mut joints = self.rig.palette(skin, moment);
@@ -224,9 +224,9 @@ impl Driver {
             ..moment
         };
         let file_from_part = match self.hold {
-            Hold::Node => self.rig.world(self.node, Some(moment)),
-            Hold::Joint { skin, joint } => self.rig.joint(skin, joint, Some(moment)),
-            Hold::Skin { .. } => self.file_from_part,
+            RigAttachment::Node => self.rig.world(self.node, Some(moment)),
+            RigAttachment::Joint { skin, joint } => self.rig.joint(skin, joint, Some(moment)),
+            RigAttachment::Skin { .. } => self.file_from_part,
         };
         if file_from_part.is_finite() {
             driven.world_from_part = self.placed * file_from_part;
@@ -236,11 +236,11 @@ impl Driver {
         };
         let weights = self.rig.weights(self.node, moment);
         let joints_move = match self.hold {
-            Hold::Skin { skin, with_node } => {
+            RigAttachment::Skin { skin, with_node } => {
                 self.rig.moves_skin(moment.clip, skin)
                     || with_node && self.rig.moves(moment.clip, self.node)
             }
-            Hold::Node | Hold::Joint { .. } => false,
+            RigAttachment::Node | RigAttachment::Joint { .. } => false,
         };
         if !joints_move && weights.is_none() {
             return driven;

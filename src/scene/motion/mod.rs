@@ -27,15 +27,15 @@ pub use defect::MotionDefect;
 pub use deform::{Axis, Deformer};
 pub use driver::Driver;
 #[doc(hidden)]
-pub use driver::{Bound, Hold};
+pub use driver::{Bound, RigAttachment};
 pub use rig::Clip;
 #[doc(hidden)]
-pub use rig::{Moment, NodeTracks, Rig, RigNode, RigSkin, Stand};
+pub use rig::{Moment, NodeTracks, NodeTransform, Rig, RigNode, RigSkin};
 #[doc(hidden)]
 pub use track::{Track, Way};
 #[doc(hidden)]
 pub use vertex_motion::is_same_motion;
-pub use vertex_motion::{Motion, Pose, Pull};
+pub use vertex_motion::{JointWeight, Motion, Pose};
 
 pub(super) use bounds::Reach;
 pub(super) use pose::posed;

@@ -27,13 +27,13 @@ pub struct Moment {
 
 /// How a node stands in its parent.
 #[derive(Clone, Copy, Debug)]
-pub struct Stand {
+pub struct NodeTransform {
     pub translation: DVec3,
     pub rotation: DQuat,
     pub scale: DVec3,
 }
 
-impl Stand {
+impl NodeTransform {
     pub fn affine(self) -> DAffine3 {
         DAffine3::from_scale_rotation_translation(self.scale, self.rotation, self.translation)
     }
@@ -47,7 +47,7 @@ pub struct RigNode {
     /// Where it is while no clip moves it.
     pub rest: DAffine3,
     /// The same in pieces; `None` for a matrix that does not come apart.
-    pub stand: Option<Stand>,
+    pub stand: Option<NodeTransform>,
 }
 
 /// What pulls at the vertices of a mesh.

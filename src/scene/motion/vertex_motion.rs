@@ -8,7 +8,7 @@ use super::Deformer;
 
 /// One joint's share of a position.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Pull {
+pub struct JointWeight {
     /// Index into [`Pose::joints`].
     pub joint: u16,
     /// Share; those of a position sum to 1.
@@ -23,7 +23,7 @@ pub struct Motion {
     /// Where the pulls of each position begin, and one more for the end; empty without a skin.
     pub first_pull: Vec<u32>,
     /// Pulls of all positions, one after the other.
-    pub pulls: Vec<Pull>,
+    pub pulls: Vec<JointWeight>,
     /// Unit vectors out of the rest mesh, as [`Mesh::outward`](crate::scene::Mesh::outward) finds them; empty unless something
     /// inflates the part.
     pub outward: Vec<DVec3>,
@@ -40,7 +40,7 @@ pub fn is_same_motion(a: Option<&Arc<Motion>>, b: Option<&Arc<Motion>>) -> bool 
 
 impl Motion {
     /// The pulls on a position; none without a skin, or where the lists are not what they should be.
-    pub fn pulls_of(&self, position: usize) -> &[Pull] {
+    pub fn pulls_of(&self, position: usize) -> &[JointWeight] {
         let bounds = self.first_pull.get(position..position + 2);
         let Some(&[first, end]) = bounds else {
             return &[];

@@ -83,7 +83,7 @@ pub struct CapLook {
     pub tint: Tint,
     /// How much of the light they take by [`Shading::Calm`], 0 to 1: at 0 they have their colour whatever the light.
     pub light: f32,
-    /// How much of that hangs on where they face, as of a relief, 0 to 1: the rest is even, as of paper.
+    /// Share of cap shading that depends on the normal, 0 to 1; the rest is even, as of paper.
     pub relief: f32,
 }
 
@@ -230,7 +230,7 @@ impl Style {
         *self == Self::default()
     }
 
-    /// A length of the style in pixels of a picture of so many rows.
+    /// Converts a style length to pixels, given the image height in pixels.
     pub fn px(length: f32, rows: u32) -> f32 {
         length * rows as f32 / 1000.0
     }

@@ -40,7 +40,7 @@ pub struct View {
     /// How many such views along each side make one picture, by [`View::sampled_at`]: effects that filter see so much less of a pixel.
     pub fineness: u32,
     /// How exactly triangles are placed in the picture that is judged. Plans are recorded with that of their
-    /// [`Means`](crate::strategies::Means) instead.
+    /// [`DrawOptions`](crate::strategies::DrawOptions) instead.
     pub precision: Precision,
 }
 

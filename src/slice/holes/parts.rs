@@ -9,7 +9,7 @@ use super::{
 };
 use crate::scene::meshes::weld::thousands;
 use crate::scene::units::numbers::round;
-use crate::scene::{Grown, Mesh, Part};
+use crate::scene::{FilledPart, Mesh, Part};
 
 /// Holes that are told of one by one, of each sort of a part.
 const MOST_TOLD: usize = 4;
@@ -20,7 +20,7 @@ const MOST_PARTS_TOLD: usize = 16;
 /// Closes the planar and small holes of parts, and says which. Parts that share a mesh share what closes it; closed ones stay as they
 /// are.
 pub fn close_holes_of<'a>(parts: impl IntoIterator<Item = &'a mut Part>) -> Vec<String> {
-    let mut known: Vec<(Arc<Mesh>, Closing, Option<Grown>)> = Vec::new();
+    let mut known: Vec<(Arc<Mesh>, Closing, Option<FilledPart>)> = Vec::new();
     let mut notes = Vec::new();
     let (mut untold, mut holes, mut closed) = (0, 0, 0);
     for part in parts {
@@ -30,7 +30,7 @@ pub fn close_holes_of<'a>(parts: impl IntoIterator<Item = &'a mut Part>) -> Vec<
         let found = found.unwrap_or_else(|| {
             let closing = close_holes(&part.mesh);
             let triangles = Some(&closing.triangles).filter(|t| !t.is_empty());
-            let grown = triangles.map(|triangles| Grown::of(part, triangles));
+            let grown = triangles.map(|triangles| FilledPart::of(part, triangles));
             known.push((Arc::clone(&part.mesh), closing, grown));
             known.len() - 1
         });

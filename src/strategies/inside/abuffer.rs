@@ -20,7 +20,7 @@ use crate::passes::{
 };
 use crate::plan::{Binding, Clock, Pass, Plan, Work};
 use crate::shader::Shader;
-use crate::strategies::row::{Abilities, Answers, CapSurface, Facts, InsideTestRow};
+use crate::strategies::row::{Abilities, CapSurface, InsideTestKind, InsideTestRow, StrategyInfo};
 use crate::strategies::surface;
 
 /// What is bounded, for the report of a frame that needs more.
@@ -28,7 +28,7 @@ const FRAGMENTS_OF_PIXELS: &str = "fragments of the A-buffer";
 
 /// The row of the table.
 pub(crate) static ROW: InsideTestRow = InsideTestRow {
-    facts: Facts {
+    facts: StrategyInfo {
         name: "abuffer",
         parameter: None,
         about: "all fragments of each pixel, counted, laid out by a prefix sum and kept",
@@ -43,7 +43,7 @@ pub(crate) static ROW: InsideTestRow = InsideTestRow {
             ("raycast+abuffer@compute", false),
         ],
     },
-    answers: Answers::Rays(record),
+    answers: InsideTestKind::Rays(record),
 };
 
 /// Records the frame of a cap surface with `abuffer`.
@@ -55,7 +55,7 @@ fn record(
 ) -> Result<Picture, Refusal> {
     let capacity = surface::capacity(input);
     let scene = SceneBuffers::upload(plan, input, Lanes::of_bits(input, capacity))?;
-    let several = input.relevance.lanes > 1;
+    let several = input.active_cuts.lanes > 1;
     let lists = FragmentLists::of_mesh(
         plan,
         input,

@@ -19,12 +19,14 @@ use crate::passes::{
 use crate::plan::pack::Cascade;
 use crate::plan::{Binding, Bounded, Clock, Contents, Pass, Plan, Resource, Role, Work};
 use crate::shader::Shader;
-use crate::strategies::row::{Abilities, Answers, CapSurface, Facts, InsideTestRow, Parameter};
+use crate::strategies::row::{
+    Abilities, CapSurface, InsideTestKind, InsideTestRow, Parameter, StrategyInfo,
+};
 use crate::strategies::surface;
 
 /// The row of the table.
 pub(crate) static ROW: InsideTestRow = InsideTestRow {
-    facts: Facts {
+    facts: StrategyInfo {
         name: "kbuffer",
         parameter: Some(Parameter {
             letter: "K",
@@ -43,7 +45,7 @@ pub(crate) static ROW: InsideTestRow = InsideTestRow {
         },
         hard_cases: &[("raycast+kbuffer:8", false)],
     },
-    answers: Answers::Rays(record),
+    answers: InsideTestKind::Rays(record),
 };
 
 /// Records the frame of a cap surface with `kbuffer:K`.
@@ -55,7 +57,7 @@ fn record(
 ) -> Result<Picture, Refusal> {
     let capacity = surface::capacity(input);
     let scene = SceneBuffers::upload(plan, input, Lanes::of_bits(input, capacity))?;
-    let lanes = input.relevance.lanes;
+    let lanes = input.active_cuts.lanes;
     let bytes = input.pixel_count() * 4 * lanes as u64 * u64::from(depths + 1);
     let slots = Resource::storage("nearest fragments", bytes, Clock::Frame);
     let slots = plan.add_resource(slots);
@@ -99,7 +101,7 @@ fn record(
         what: "fragments per pixel and part (the K of kbuffer:K)".to_owned(),
         slot: NEED_OF_FRAGMENTS,
         capacity: depths,
-        knob: None,
+        resizes: None,
         exact: false,
     });
     let inside = Inside::mask(mask);

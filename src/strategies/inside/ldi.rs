@@ -24,14 +24,14 @@ use crate::plan::{
     Binding, Clock, Contents, DepthTarget, Format, Pass, Plan, Resource, ResourceId, Role, Work,
 };
 use crate::shader::Shader;
-use crate::strategies::row::{Abilities, Answers, Facts, InsideTestRow, Parameter};
+use crate::strategies::row::{Abilities, InsideTestKind, InsideTestRow, Parameter, StrategyInfo};
 
 /// What is bounded, for the report of a frame that needs more.
 const FRAGMENTS_OF_TEXELS: &str = "fragments of the layered depth images";
 
 /// The row of the table.
 pub(crate) static ROW: InsideTestRow = InsideTestRow {
-    facts: Facts {
+    facts: StrategyInfo {
         name: "ldi",
         parameter: Some(Parameter {
             letter: "RES",
@@ -50,16 +50,16 @@ pub(crate) static ROW: InsideTestRow = InsideTestRow {
         },
         hard_cases: &[("raycast+ldi:512", false), ("grid:256+ldi:512", false)],
     },
-    answers: Answers::Points(|plan, scene, resolution| {
+    answers: InsideTestKind::Points(|plan, scene, resolution| {
         let volume = record(plan, scene, resolution)?;
-        Ok(vec![(0..scene.input.relevance.lanes, volume)])
+        Ok(vec![(0..scene.input.active_cuts.lanes, volume)])
     }),
 };
 
 /// Records the images of the parts that are cut.
 fn record(plan: &mut Plan, scene: &SceneBuffers<'_>, resolution: u32) -> Result<Volume, Refusal> {
     let input = scene.input;
-    let ranks = input.relevance.cut_parts();
+    let ranks = input.active_cuts.cut_parts();
     let texels = u64::from(resolution).pow(2) * ranks.len() as u64;
     let lists = FragmentLists::of_mesh(plan, input, texels, false, FRAGMENTS_OF_TEXELS)?;
     let sprites = table(plan, scene, resolution);
@@ -121,7 +121,7 @@ fn record(plan: &mut Plan, scene: &SceneBuffers<'_>, resolution: u32) -> Result<
 /// The boxes of the parts, by place.
 fn table(plan: &mut Plan, scene: &SceneBuffers<'_>, resolution: u32) -> Binding {
     let parts = &scene.input.model.prepared.parts;
-    let ranks = scene.input.relevance.cut_parts().iter().zip(0_u32..);
+    let ranks = scene.input.active_cuts.cut_parts().iter().zip(0_u32..);
     let rows: Vec<Sprite> = ranks
         .map(|(rank, image)| vds::sprite(&parts[*rank].bounds, resolution, 0, image))
         .collect();
@@ -156,7 +156,7 @@ fn draw(
             depth: DepthTarget::untouched(target),
             vertices,
             indices,
-            draws: scene.input.draws_of(scene.input.relevance.cut_parts()),
+            draws: scene.input.draws_of(scene.input.active_cuts.cut_parts()),
         },
     )
 }

@@ -28,15 +28,15 @@
 
 use crate::effects::{Picture, finish};
 use crate::passes::{
-    AskedCrossings, Input, Inside, Lanes, Refusal, SceneBuffers, Store, over_mesh, resolve,
+    CrossingSource, Input, Inside, Lanes, Refusal, SceneBuffers, Store, over_mesh, resolve,
 };
 use crate::plan::{Binding, Plan};
-use crate::strategies::row::{Abilities, Answers, CapSurface, Facts, InsideTestRow};
+use crate::strategies::row::{Abilities, CapSurface, InsideTestKind, InsideTestRow, StrategyInfo};
 use crate::strategies::surface;
 
 /// The row of the table.
 pub(crate) static ROW: InsideTestRow = InsideTestRow {
-    facts: Facts {
+    facts: StrategyInfo {
         name: "mask",
         parameter: None,
         about: "parity bits, XORed by the one pass that draws the mesh; counts of windings where a part is nonzero",
@@ -50,7 +50,7 @@ pub(crate) static ROW: InsideTestRow = InsideTestRow {
             ("grid:256+mask", false),
         ],
     },
-    answers: Answers::Rays(record),
+    answers: InsideTestKind::Rays(record),
 };
 
 /// Records the frame of a cap surface with `mask`.
@@ -82,8 +82,8 @@ fn record(
         rounds,
     };
     // Planes are never drawn as sheets.
-    let plane = input.asks_plane().then(|| AskedCrossings::of_plane(&scene));
-    let to_come = || AskedCrossings::to_come(input, capacity);
+    let plane = input.asks_plane().then(|| CrossingSource::of_plane(&scene));
+    let to_come = || CrossingSource::to_come(input, capacity);
     let scene = scene.on_screen_first(plan, &store, &plane.clone().unwrap_or_else(to_come))?;
     let crossings = match plane {
         Some(plane) => plane,

@@ -20,15 +20,15 @@ use glam::{DVec2, DVec3};
 use crate::passes::{NEED_OF_SPRITES, SceneBuffers, Volume, need, pixels};
 use crate::plan::pack::Sprite;
 use crate::plan::{
-    Binding, Bounded, Clock, Contents, DepthCompare, DepthTarget, Format, Knob, Pass, Plan,
+    Binding, Bounded, Capacity, Clock, Contents, DepthCompare, DepthTarget, Format, Pass, Plan,
     Resource, ResourceId, Role, Work,
 };
 use crate::scene::{Bounds, Precision, View};
-use crate::strategies::row::{Abilities, Answers, Facts, InsideTestRow, Parameter};
+use crate::strategies::row::{Abilities, InsideTestKind, InsideTestRow, Parameter, StrategyInfo};
 
 /// The row of the table.
 pub(crate) static ROW: InsideTestRow = InsideTestRow {
-    facts: Facts {
+    facts: StrategyInfo {
         name: "vds",
         parameter: Some(Parameter {
             letter: "RES",
@@ -48,12 +48,12 @@ pub(crate) static ROW: InsideTestRow = InsideTestRow {
         },
         hard_cases: &[("raycast+vds:512", false), ("grid:256+vds:512", true)],
     },
-    answers: Answers::Points(|plan, scene, resolution| {
+    answers: InsideTestKind::Points(|plan, scene, resolution| {
         // All parts count in the same buffer, one after the other.
         let bytes = pixels([resolution; 2]) * 4;
         let counts = Resource::storage("sprite counts", bytes, Clock::Solid);
         let counts = plan.add_resource(counts);
-        let ranks = scene.input.relevance.cut_parts().iter().enumerate();
+        let ranks = scene.input.active_cuts.cut_parts().iter().enumerate();
         let sprites = ranks.map(|(place, rank)| {
             let sprite = record(plan, scene, *rank, resolution, counts);
             (place..place + 1, sprite)
@@ -152,7 +152,7 @@ fn record(
         what: format!("layers of the sprite of `{name}`"),
         slot,
         capacity: layers,
-        knob: Some(Knob::Layers(rank)),
+        resizes: Some(Capacity::Layers(rank)),
         exact: true,
     });
     Volume {

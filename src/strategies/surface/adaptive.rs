@@ -24,18 +24,17 @@ use super::tessellation::{Facets, Tessellation, rounding};
 use crate::passes::{NEED_OF_TRIANGLES, Refusal, SceneBuffers, need};
 use crate::plan::pack::{Domain, MAX_SURFACES, Refinement};
 use crate::plan::{
-    ARGUMENT_BYTES, Arguments, Binding, Bounded, Capacities, Clock, Contents,
-    DISPATCH_ARGUMENT_BYTES, INDEX_BYTES, Knob, Pass, Plan, Resource, ResourceId, Role, Shape,
-    Work,
+    ARGUMENT_BYTES, Arguments, Binding, Bounded, Capacities, Capacity, Clock, Contents,
+    DISPATCH_ARGUMENT_BYTES, INDEX_BYTES, Pass, Plan, Resource, ResourceId, Role, Shape, Work,
 };
-use crate::strategies::row::{Abilities, CapSurfaceRow, Caps, Facts, Parameter};
+use crate::strategies::row::{Abilities, CapSurfaceRow, Caps, Parameter, StrategyInfo};
 
 /// Steps of TAU in a pixel.
 const STEPS_PER_PX: u32 = 1000;
 
 /// The row of the table.
 pub(crate) static ROW: CapSurfaceRow = CapSurfaceRow {
-    facts: Facts {
+    facts: StrategyInfo {
         name: "adaptive",
         parameter: Some(Parameter {
             letter: "TAU",
@@ -73,7 +72,7 @@ fn tessellation(
 ) -> Result<Tessellation, Refusal> {
     let input = scene.input;
     let rows = domain::rows(input)?;
-    let surfaces = input.relevance.surfaces.iter().zip(0_u32..);
+    let surfaces = input.active_cuts.surfaces.iter().zip(0_u32..);
     let (reliefs, planes): (Vec<_>, Vec<_>) =
         surfaces.partition(|(number, _)| input.model.is_relief(**number));
     let [reliefs, planes] =
@@ -251,7 +250,7 @@ impl Reliefs<'_> {
             what: "triangles of a relief".to_owned(),
             slot: NEED_OF_TRIANGLES,
             capacity,
-            knob: Some(Knob::Triangles),
+            resizes: Some(Capacity::Triangles),
             exact: false,
         });
         let facets = self.surfaces.iter().zip(0_u32..);

@@ -17,7 +17,7 @@ use crate::shader::Shader;
 
 /// Bits of the clip-surfaces that are cutters, by their index in the table.
 pub(super) fn bits(input: &Input<'_>) -> u32 {
-    let numbers = input.relevance.surfaces.iter().enumerate();
+    let numbers = input.active_cuts.surfaces.iter().enumerate();
     numbers
         .filter(|(_, number)| input.model.is_cutter(**number))
         .fold(0, |bits, (index, _)| bits | 1 << index)
@@ -50,7 +50,7 @@ pub(super) fn add(plan: &mut Plan, scene: &SceneBuffers<'_>, sheets: &mut Sheets
     }
     let cutters = &input.model.cutters;
     let mut draws = Vec::new();
-    for (index, number) in input.relevance.surfaces.iter().enumerate() {
+    for (index, number) in input.active_cuts.surfaces.iter().enumerate() {
         let surface = &input.model.prepared.surfaces[*number];
         let (Some(volume), Some(range)) = (&surface.volume, cutters.range(*number)) else {
             continue;

@@ -6,7 +6,9 @@
 //!
 //! Per cut: a quad of 64 bytes and N² x 24 bytes of indices. Per frame: (N + 1)² vertices for each drawn clip-surface.
 
-use crate::strategies::row::{Abilities, Answers, CapSurfaceRow, Caps, Facts, Parameter};
+use crate::strategies::row::{
+    Abilities, CapSurfaceRow, Caps, InsideTestKind, Parameter, StrategyInfo,
+};
 use glam::DVec3;
 
 use super::tessellation::{Facets, Tessellation, beyond_box, rounding, span};
@@ -17,7 +19,7 @@ use crate::scene::PreparedSurface;
 
 /// The row of the table.
 pub(crate) static ROW: CapSurfaceRow = CapSurfaceRow {
-    facts: Facts {
+    facts: StrategyInfo {
         name: "grid",
         parameter: Some(Parameter {
             letter: "N",
@@ -34,7 +36,9 @@ pub(crate) static ROW: CapSurfaceRow = CapSurfaceRow {
         hard_cases: &[],
     },
     exact_heights: "",
-    usual_tests: |test| test.facts.name == "mask" || matches!(test.answers, Answers::Points(_)),
+    usual_tests: |test| {
+        test.facts.name == "mask" || matches!(test.answers, InsideTestKind::Points(_))
+    },
     caps: Caps::Triangles(|plan, scene, cells, _| Ok(tessellation(plan, scene, cells))),
 };
 
@@ -51,7 +55,7 @@ fn tessellation(plan: &mut Plan, scene: &SceneBuffers<'_>, cells: u32) -> Tessel
         range: 0..cells * cells * 6,
         arguments: None,
     };
-    let count = input.relevance.surfaces.len() as u32;
+    let count = input.active_cuts.surfaces.len() as u32;
     let quads = Contents::from_values(&quads(input, cells));
     let quads = Resource::own_upload("quads", Role::Storage, quads, Clock::Cut);
     let quads = Binding::read("quads", plan.add_resource(quads));
@@ -80,7 +84,7 @@ fn indices_of_grid(cells: u32) -> Contents {
 }
 
 fn quads(input: &Input<'_>, cells: u32) -> Vec<Quad> {
-    let surfaces = input.relevance.surfaces.iter();
+    let surfaces = input.active_cuts.surfaces.iter();
     surfaces
         .map(|s| {
             let surface = &input.model.prepared.surfaces[*s];

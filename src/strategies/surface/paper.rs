@@ -27,7 +27,7 @@ pub(crate) fn record(
     images: impl FnOnce(&mut Plan, &SceneBuffers<'_>) -> Result<Vec<(Range<usize>, Volume)>, Refusal>,
 ) -> Result<Picture, Refusal> {
     let scene = SceneBuffers::upload(plan, input, Lanes::none())?;
-    let ranks = input.relevance.cut_parts();
+    let ranks = input.active_cuts.cut_parts();
     let images: Vec<(&[usize], Volume)> = (images(plan, &scene)?.into_iter())
         .map(|(places, volume)| (&ranks[places], volume))
         .collect();
@@ -57,7 +57,7 @@ pub(crate) fn record(
     surfaces.draw_plain_parts(plan, &scene, false);
 
     // Parts that only the near plane opens have no clip-surface to draw triangles of.
-    if !input.relevance.surfaces.is_empty() {
+    if !input.active_cuts.surfaces.is_empty() {
         let tessellation = tessellate(plan, &scene)?;
         for (ranks, volume) in &images {
             for pass in caps(&scene, &tessellation, ranks, volume) {
@@ -81,7 +81,7 @@ fn near_caps(scene: &SceneBuffers<'_>, ranks: &[usize], volume: &Volume) -> Opti
     let parts = &input.model.prepared.parts;
     let is_met = |rank: &&usize| view.near_cap && view.near_plane_meets(&parts[**rank].bounds);
     let places: Vec<u32> = (ranks.iter().filter(is_met))
-        .map(|rank| input.relevance.place_of(*rank) as u32)
+        .map(|rank| input.active_cuts.place_of(*rank) as u32)
         .collect();
     let first = places.first()?;
     let mut bindings = vec![
@@ -122,7 +122,7 @@ fn caps(
     let names: Vec<String> = (ranks.iter())
         .map(|rank| format!("`{}`", input.model.prepared.parts[*rank].name))
         .collect();
-    let first = ranks.first().map_or(0, |r| input.relevance.place_of(*r));
+    let first = ranks.first().map_or(0, |r| input.active_cuts.place_of(*r));
     let mut bindings = vec![
         scene.frame.clone(),
         scene.cut_table.clone(),
@@ -160,7 +160,7 @@ fn caps(
 
 /// The instances of a part: one for each clip-surface that cuts it.
 fn instances_of(input: &Input<'_>, rank: usize) -> Vec<u32> {
-    let place = input.relevance.place_of(rank) as u32;
-    let surfaces = input.relevance.surfaces_of(rank);
+    let place = input.active_cuts.place_of(rank) as u32;
+    let surfaces = input.active_cuts.surfaces_of(rank);
     surfaces.map(|s| instance(place, s as u32)).collect()
 }

@@ -25,17 +25,17 @@
 
 use crate::effects::{Picture, finish};
 use crate::passes::{
-    Crossings, Input, Inside, LISTED, Lanes, NearestKept, Obstacle, Refusal, SceneBuffers,
-    Sections, Store, counted, over_mesh, resolve,
+    Crossings, Input, Inside, LISTED, Lanes, NearestKept, Refusal, SceneBuffers, Sections, Store,
+    Unsupported, counted, over_mesh, resolve,
 };
 use crate::plan::{Binding, CpuWork, DepthTarget, Pass, Plan, ResourceId, Vertices, Work};
 use crate::shader::Shader;
-use crate::strategies::row::{Abilities, CapSurface, CapSurfaceRow, Caps, Facts};
+use crate::strategies::row::{Abilities, CapSurface, CapSurfaceRow, Caps, StrategyInfo};
 use crate::strategies::surface;
 
 /// The row of the table.
 pub(crate) static ROW: CapSurfaceRow = CapSurfaceRow {
-    facts: Facts {
+    facts: StrategyInfo {
         name: "planar",
         parameter: None,
         about: "the section of each part by each plane, triangulated on the CPU",
@@ -150,7 +150,7 @@ fn near_plane_is_free(input: &Input<'_>) -> Result<(), Refusal> {
     {
         None => Ok(()),
         Some(met) => Err(Refusal::new(
-            Obstacle::NearPlane,
+            Unsupported::NearPlane,
             format!(
                 "the near plane meets `{}`: its cap is no section that planar makes",
                 met.name

@@ -22,15 +22,15 @@ use crate::passes::{
 };
 use crate::plan::pack;
 use crate::plan::{
-    Access, Binding, Bounded, Capacities, Clock, Knob, Limits, Pass, Plan, Resource, Work,
+    Access, Binding, Bounded, Capacities, Capacity, Clock, Limits, Pass, Plan, Resource, Work,
 };
 use crate::scene::Fill;
 use crate::shader::Shader;
-use crate::strategies::row::{Abilities, CapSurfaceRow, Caps, Facts};
+use crate::strategies::row::{Abilities, CapSurfaceRow, Caps, StrategyInfo};
 
 /// The row of the table.
 pub(crate) static ROW: CapSurfaceRow = CapSurfaceRow {
-    facts: Facts {
+    facts: StrategyInfo {
         name: "raycast",
         parameter: None,
         about: "every crossing of the pixel's ray with planes and bilinear height fields, exactly",
@@ -52,7 +52,7 @@ const MOST_BYTES: u64 = 2 << 30;
 
 /// How many crossings a pixel is given room for.
 pub(crate) fn capacity(input: &Input<'_>) -> u32 {
-    let surfaces = &input.relevance.surfaces;
+    let surfaces = &input.active_cuts.surfaces;
     let reliefs = surfaces
         .iter()
         .filter(|s| input.model.is_relief(**s) || input.model.is_cutter(**s))
@@ -76,7 +76,7 @@ pub(crate) fn capacity(input: &Input<'_>) -> u32 {
 /// is not to hang on the adapter.
 fn most_that_fit(input: &Input<'_>) -> u32 {
     let parts = &input.model.prepared.parts;
-    let cut = input.relevance.cut_parts();
+    let cut = input.active_cuts.cut_parts();
     let nonzero = (cut.iter())
         .filter(|r| parts[**r].fill == Fill::Nonzero)
         .count() as u64;
@@ -100,10 +100,10 @@ pub(super) fn record(
     sheets: u32,
 ) -> Crossings {
     let input = scene.input;
-    let relevance = &input.relevance;
+    let active_cuts = &input.active_cuts;
     let count = input.pixel_count();
     let one_surface = input.has_one_surface();
-    let mut surfaces = relevance.surfaces.iter().enumerate();
+    let mut surfaces = active_cuts.surfaces.iter().enumerate();
     let reliefs = surfaces.any(|(i, s)| sheets >> i & 1 == 0 && input.model.is_relief(*s));
     let mut buffer =
         |name: &str, bytes: u64| plan.add_resource(Resource::storage(name, bytes, Clock::Frame));
@@ -147,7 +147,7 @@ pub(super) fn record(
         bindings.push(scene.heights.clone());
         let interval = match scene.on_screen {
             Some(_) => {
-                constants.push(("near_inside", f64::from(u8::from(relevance.near_inside))));
+                constants.push(("near_inside", f64::from(u8::from(active_cuts.near_inside))));
                 "lib/interval/tiles.wgsl"
             }
             None => "lib/interval/box.wgsl",
@@ -185,11 +185,11 @@ pub(super) fn record(
         what: "crossings per pixel".to_owned(),
         slot: NEED_OF_CROSSINGS,
         capacity,
-        knob: Some(Knob::Crossings),
+        resizes: Some(Capacity::Crossings),
         exact: false,
     });
     if reliefs {
-        let limits = relevance.surfaces.iter().map(|number| {
+        let limits = active_cuts.surfaces.iter().map(|number| {
             let surface = &input.model.prepared.surfaces[*number];
             pack::cell_limit(surface, input.reach())
         });
@@ -197,7 +197,7 @@ pub(super) fn record(
             what: "cells of a relief along a ray".to_owned(),
             slot: NEED_OF_CELLS,
             capacity: limits.max().unwrap_or(0),
-            knob: None,
+            resizes: None,
             exact: false,
         });
     }

@@ -30,7 +30,7 @@ pub(super) fn beyond_box(view: &View) -> f64 {
 
 /// What the box of the cut solids spans along an axis, from the origin of a clip-surface.
 pub(super) fn span(surface: &PreparedSurface, input: &Input<'_>, axis: DVec3) -> [f64; 2] {
-    let corners = input.relevance.cut_box.corners();
+    let corners = input.active_cuts.cut_box.corners();
     let at = corners.map(|c| (c - surface.origin).dot(axis));
     let low = at.into_iter().fold(f64::INFINITY, f64::min);
     let high = at.into_iter().fold(f64::NEG_INFINITY, f64::max);
@@ -49,7 +49,7 @@ const LEAST_ROUNDING: f64 = 2e-4;
 /// random scenes three tessellations drew the same pictures with 16 times as much.
 pub(super) fn rounding(input: &Input<'_>) -> f64 {
     let view = input.view;
-    let farthest = view.farthest_in(&input.relevance.cut_box);
+    let farthest = view.farthest_in(&input.active_cuts.cut_box);
     let beside = view.pixel_size(farthest) * STEEP / SUBPIXELS;
     let times = (beside / LEAST_ROUNDING).max(1.0);
     LEAST_ROUNDING * times.log2().ceil().exp2()
@@ -159,7 +159,7 @@ pub(crate) fn list(
     tessellate: impl FnOnce(&mut Plan, &SceneBuffers<'_>) -> Result<Tessellation, Refusal>,
 ) -> Result<Crossings, Refusal> {
     let input = scene.input;
-    let surfaces = input.relevance.surfaces.iter().enumerate();
+    let surfaces = input.active_cuts.surfaces.iter().enumerate();
     let reliefs: Vec<u32> = surfaces
         .filter(|(_, number)| input.model.is_relief(**number))
         .map(|(index, _)| index as u32)

@@ -6,7 +6,7 @@ use cutaway::gpu::{ClockSet, wgpu};
 use cutaway::plan::{Clock, Limits};
 use cutaway::scene::{ClipSurface, Cut, Scene};
 use cutaway::session::{Encoded, Outcome, Session};
-use cutaway::strategies::{Method, Obstacle};
+use cutaway::strategies::{Method, Unsupported};
 
 use super::common::{meshes, scenes, session};
 use super::host::{Host, adapter};
@@ -196,7 +196,7 @@ fn what_moves_is_drawn_anew_and_what_is_refused_leaves_no_trace() {
     let encoded = session.encode(&mut encoder, &moved, &view, method("planar"), &target);
     host.submit(encoder);
     match encoded.expect("an answer") {
-        Encoded::Refused(refusal) => assert_eq!(refusal.obstacle, Obstacle::Reliefs),
+        Encoded::Refused(refusal) => assert_eq!(refusal.unsupported, Unsupported::Reliefs),
         drawn => panic!("{drawn:?}"),
     }
     assert!(host.read().0 == after, "a refusal has drawn");
@@ -281,7 +281,7 @@ fn what_the_device_lacks_is_refused_with_what_works() {
     let Outcome::Refused(refusal) = drawn.outcome else {
         panic!("{:?}", drawn.outcome);
     };
-    assert_eq!(refusal.obstacle, Obstacle::Limit, "{refusal}");
+    assert_eq!(refusal.unsupported, Unsupported::Limit, "{refusal}");
     for phrase in ["depth32float-stencil8", "raycast+mask", "planar"] {
         assert!(refusal.reason.contains(phrase), "{refusal}");
     }

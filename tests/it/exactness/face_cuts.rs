@@ -16,7 +16,7 @@ use common::{Question, is_long};
 use cutaway::layers::Kind;
 use cutaway::scene::{Camera, ClipSurface, Mesh, Part, Scene};
 use cutaway::slice::{SlicePlane, Slicer};
-use cutaway::strategies::{Method, Obstacle};
+use cutaway::strategies::{Method, Unsupported};
 use cutaway_io::load::load_mesh_file;
 use cutaway_lab::hard_cases::Judged;
 use glam::DVec3;
@@ -53,7 +53,7 @@ fn faults_and(
     for method in EXACT.map(|name| name.parse::<Method>().expect("a strategy")) {
         let judged: Judged = question.answer(method);
         // A near plane in the solid, which grazing views may have, is not what is asked about.
-        let is_refused = matches!(&judged.outcome, cutaway::session::Outcome::Refused(r) if r.obstacle == Obstacle::NearPlane);
+        let is_refused = matches!(&judged.outcome, cutaway::session::Outcome::Refused(r) if r.unsupported == Unsupported::NearPlane);
         let wrong = judged.comparison.decided_wrong_px;
         let fault = (wrong > 0 && !is_refused).then(|| judged.fault_of_exact().unwrap_or_default());
         let is_drawn = !matches!(&judged.outcome, cutaway::session::Outcome::Refused(_));

@@ -8,7 +8,7 @@ use cutaway::layers::{Kind, Layers};
 use cutaway::plan::{Capacities, Plan};
 use cutaway::scene::{Camera, ClipSurface, Cut, Part, Role, Scene};
 use cutaway::session::Outcome;
-use cutaway::strategies::{self, Means, Method, Rasteriser, Strategy};
+use cutaway::strategies::{self, DrawOptions, Method, Rasteriser, Strategy};
 use glam::{DAffine3, DVec3, Vec3};
 
 const SIZE: [u32; 2] = [128, 96];
@@ -38,7 +38,7 @@ fn balls(offsets: &[f64]) -> Scene {
     scene
 }
 
-fn shown(question: &Question, strategy: &Strategy, options: Means) -> (Layers, Vec<u8>) {
+fn shown(question: &Question, strategy: &Strategy, options: DrawOptions) -> (Layers, Vec<u8>) {
     let mut session = session();
     let method = Method::new(*strategy, options);
     let drawn = (session.draw(&question.model, &question.view, method)).expect("a frame");
@@ -110,7 +110,7 @@ fn overlaps_are_those_of_exact() {
             (strategy("raycast+abuffer"), Rasteriser::Hardware),
             (strategy("raycast+abuffer"), Rasteriser::Compute),
         ] {
-            let (layers, _) = shown(&question, &strategy, Means::by(rasteriser));
+            let (layers, _) = shown(&question, &strategy, DrawOptions::by(rasteriser));
             let what = format!("{name}: {strategy} by {rasteriser}");
             assert_eq!(question.compare(&layers).decided_wrong_px, 0, "{what}");
             assert_eq!(
@@ -121,7 +121,7 @@ fn overlaps_are_those_of_exact() {
             assert_eq!(differing(&question, &layers), 0, "{what}");
         }
         // The control: who does not ask is not told, and that is noticed.
-        let (layers, _) = shown(&unasked, &Strategy::RAYCAST_MASK, Means::default());
+        let (layers, _) = shown(&unasked, &Strategy::RAYCAST_MASK, DrawOptions::default());
         assert_eq!(layers.overlap_px(), 0, "{name}: nobody asked");
         assert!(differing(&unasked, &layers) > 0, "{name}: anything passes");
     }
@@ -141,7 +141,7 @@ fn what_no_cut_opens_does_not_overlap() {
             scene.name
         );
         assert_eq!(question.exact.layers.overlap_px(), 0, "{}", scene.name);
-        let (layers, _) = shown(&question, &Strategy::RAYCAST_MASK, Means::default());
+        let (layers, _) = shown(&question, &Strategy::RAYCAST_MASK, DrawOptions::default());
         assert_eq!(layers.overlap_px(), 0, "{}", scene.name);
     }
 }
@@ -172,7 +172,11 @@ fn hatched_by(rasteriser: Rasteriser) {
     let scene = balls(&[-0.2, 0.2]);
     let [plain, asked] = [scene.clone(), asking(&scene)].map(|scene| {
         let question = Question::new(&scene, SIZE);
-        shown(&question, &Strategy::RAYCAST_MASK, Means::by(rasteriser))
+        shown(
+            &question,
+            &Strategy::RAYCAST_MASK,
+            DrawOptions::by(rasteriser),
+        )
     });
     let pixels = plain.1.chunks(4).zip(asked.1.chunks(4)).enumerate();
     let (mut striped, mut between) = (0, 0);
@@ -194,7 +198,7 @@ fn hatched_by(rasteriser: Rasteriser) {
     );
 }
 
-fn plan_of(scene: &Scene, name: &str, options: Means) -> Result<Plan, String> {
+fn plan_of(scene: &Scene, name: &str, options: DrawOptions) -> Result<Plan, String> {
     let model = Model::new(scene);
     let view = model.prepared.view(SIZE);
     let strategy = strategy(name);
@@ -230,8 +234,8 @@ fn asked_of(rasteriser: Rasteriser) {
         assert!(asks == shows && shows == bound, "all of it or nothing");
         asks
     };
-    let means = Means::by(rasteriser);
-    let plan = |scene: &Scene| plan_of(scene, "raycast+mask", means).expect("a plan");
+    let options = DrawOptions::by(rasteriser);
+    let plan = |scene: &Scene| plan_of(scene, "raycast+mask", options).expect("a plan");
     let two = balls(&[-0.2, 0.2]);
     assert!(!asks(&plan(&two)), "off");
     assert!(asks(&plan(&asking(&two))), "on");
@@ -244,11 +248,11 @@ fn asked_of(rasteriser: Rasteriser) {
     }
     // Who draws the caps of each part by themselves cannot tell, and says so.
     for name in ["stencil", "grid:8+vds:64"] {
-        let message = plan_of(&asking(&two), name, means).expect_err(name);
+        let message = plan_of(&asking(&two), name, options).expect_err(name);
         assert!(
             message.contains("does not tell where solids overlap"),
             "{message}"
         );
-        assert!(plan_of(&two, name, means).is_ok(), "{name}: nobody asked");
+        assert!(plan_of(&two, name, options).is_ok(), "{name}: nobody asked");
     }
 }

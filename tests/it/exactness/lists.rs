@@ -13,7 +13,7 @@ use cutaway::layers::Layers;
 use cutaway::plan::{Capacities, Plan};
 use cutaway::scene::{Cut, Part, Scene};
 use cutaway::session::{Outcome, Session};
-use cutaway::strategies::{self, Means, Method, Rasteriser, Strategy};
+use cutaway::strategies::{self, DrawOptions, Method, Rasteriser, Strategy};
 use glam::{DAffine3, DVec3};
 
 use common::{Question, meshes, scenes};
@@ -46,8 +46,8 @@ fn method(strategy: &Strategy, rasteriser: Rasteriser) -> Method {
         // With all crossings in the lists, so that masks are the same word by word.
         Rasteriser::Compute => {
             let list = Some(true);
-            let means = Means::by(rasteriser);
-            Method::new(*strategy, Means { list, ..means })
+            let options = DrawOptions::by(rasteriser);
+            Method::new(*strategy, DrawOptions { list, ..options })
         }
     }
 }

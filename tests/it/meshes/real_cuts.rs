@@ -11,7 +11,7 @@ use common::shares::{Share, in_shares};
 use common::{Question, is_long, session, strategy};
 use cutaway::scene::Topology;
 use cutaway::session::{Outcome, Session};
-use cutaway::strategies::{Means, Method, Rasteriser, Strategy};
+use cutaway::strategies::{DrawOptions, Method, Rasteriser, Strategy};
 use cutaway_lab::compare::Comparison;
 
 const SIZE_PX: [u32; 2] = [1024, 768];
@@ -25,7 +25,7 @@ fn wrong(c: &Comparison) -> usize {
 
 /// The inside mask of the last frame.
 fn mask_of(session: &Session, rasteriser: Rasteriser) -> Vec<u32> {
-    let method = Method::new(Strategy::RAYCAST_MASK, Means::by(rasteriser));
+    let method = Method::new(Strategy::RAYCAST_MASK, DrawOptions::by(rasteriser));
     let words = session.words(method, "mask");
     words.expect("the mask of a drawn frame")
 }
@@ -76,8 +76,11 @@ fn are_exact_on_every_closed_mesh(share: Share, relief: Option<&'static str>) {
         }
         for exact in &exact_strategies {
             for by in [Rasteriser::Hardware, Rasteriser::Compute] {
-                let Answer { fault, is_complete } =
-                    answer(&mut session, &question, Method::new(*exact, Means::by(by)));
+                let Answer { fault, is_complete } = answer(
+                    &mut session,
+                    &question,
+                    Method::new(*exact, DrawOptions::by(by)),
+                );
                 by_slots += usize::from(is_complete && Some(exact) == exact_strategies.last());
                 if let Some(fault) = fault {
                     faults.push(format!("{name}, {exact} by {by}: {fault}"));

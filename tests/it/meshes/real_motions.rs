@@ -15,7 +15,7 @@ use cutaway::Model;
 use cutaway::layers::Kind;
 use cutaway::scene::{Part, Topology};
 use cutaway::session::Outcome;
-use cutaway::strategies::{Means, Method, Rasteriser, Strategy};
+use cutaway::strategies::{DrawOptions, Method, Rasteriser, Strategy};
 use cutaway_io::document::{Document, Timeline, cut, part, section};
 use cutaway_io::load::{Assets, load_mesh_file};
 
@@ -73,7 +73,7 @@ impl Tally {
             self.caps += usize::from(layers.iter().any(|l| l.kind == Kind::Cap));
             for (name, rasteriser) in EXACT {
                 let strategy: Strategy = name.parse().expect("a strategy");
-                let answer = question.answer(Method::new(strategy, Means::by(*rasteriser)));
+                let answer = question.answer(Method::new(strategy, DrawOptions::by(*rasteriser)));
                 self.frames += 1;
                 let fault = match &answer.outcome {
                     Outcome::Refused(refusal) => Some(refusal.reason.clone()),

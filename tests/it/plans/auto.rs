@@ -5,7 +5,7 @@ use std::sync::Arc;
 use cutaway::passes::Model;
 use cutaway::plan::{Capacities, Limits};
 use cutaway::scene::{Part, Scene};
-use cutaway::strategies::{AdapterTraits, Means, Rasteriser, Strategy, choose, plan};
+use cutaway::strategies::{AdapterTraits, DrawOptions, Rasteriser, Strategy, choose, plan};
 use serde_json::Value;
 
 use crate::common::command::Scratch;
@@ -28,7 +28,7 @@ fn row(count: usize) -> Scene {
 /// What is chosen on an adapter, if a software one by its limits.
 fn chosen_on(
     scene: &Scene,
-    asked: Means,
+    asked: DrawOptions,
     size_px: [u32; 2],
     software: Option<&Limits>,
 ) -> (Option<Rasteriser>, String) {
@@ -40,17 +40,17 @@ fn chosen_on(
         sub_pixel_bits: Some(8),
     };
     let choice = choose(&model, &view, asked, software.map(traits));
-    (choice.method.means.rasteriser, choice.reason)
+    (choice.method.options.rasteriser, choice.reason)
 }
 
-fn chosen(scene: &Scene, asked: Means, software: bool) -> (Option<Rasteriser>, String) {
+fn chosen(scene: &Scene, asked: DrawOptions, software: bool) -> (Option<Rasteriser>, String) {
     let eight = Some(8);
     chosen_with(scene, asked, software, eight)
 }
 
 fn chosen_with(
     scene: &Scene,
-    asked: Means,
+    asked: DrawOptions,
     software: bool,
     sub_pixel_bits: Option<u32>,
 ) -> (Option<Rasteriser>, String) {
@@ -67,13 +67,13 @@ fn chosen_with(
     let plan = plan(&model, &view, choice.method, &Capacities::UNKNOWN);
     let plan = plan.unwrap_or_else(|refusal| panic!("{}", refusal.reason));
     plan.check(&Limits::CORE).unwrap_or_else(|e| panic!("{e}"));
-    (choice.method.means.rasteriser, choice.reason)
+    (choice.method.options.rasteriser, choice.reason)
 }
 
 #[test]
 fn adapter_wish_and_refusal_choose_who_rasterises() {
     let (compute, hardware) = (Some(Rasteriser::Compute), Some(Rasteriser::Hardware));
-    let any = Means::default();
+    let any = DrawOptions::default();
     let one = row(1);
     assert_eq!(chosen(&one, any, true).0, compute, "software");
     assert_eq!(chosen(&one, any, false).0, hardware, "another adapter");
@@ -83,7 +83,7 @@ fn adapter_wish_and_refusal_choose_who_rasterises() {
     let unknown = chosen_with(&one, any, false, None);
     assert_eq!(unknown.0, hardware, "as in a browser");
     for asked in [Rasteriser::Hardware, Rasteriser::Compute] {
-        let (by, reason) = chosen(&one, Means::by(asked), true);
+        let (by, reason) = chosen(&one, DrawOptions::by(asked), true);
         assert_eq!(by, Some(asked));
         assert!(reason.contains("asked for"), "{reason}");
     }
@@ -97,7 +97,7 @@ fn adapter_wish_and_refusal_choose_who_rasterises() {
 #[test]
 fn a_mesh_that_no_binding_holds_is_left_to_fixed_functions() {
     let compute = Some(Rasteriser::Compute);
-    let any = Means::default();
+    let any = DrawOptions::default();
     let scene = row(20);
     let tight = Limits {
         // 160 corners take 2560 bytes, and as much on the screen.

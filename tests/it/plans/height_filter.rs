@@ -7,7 +7,7 @@ use cutaway::gpu::{ClockSet, Program};
 use cutaway::layers::{Kind, Layers};
 use cutaway::plan::{Capacities, Limits, Plan, Shape};
 use cutaway::scene::{Cut, HeightFilter, Scene, Wrap};
-use cutaway::strategies::{self, Means, Method};
+use cutaway::strategies::{self, DrawOptions, Method};
 use glam::DVec3;
 
 use crate::common;
@@ -24,10 +24,10 @@ const FILTERING: Limits = Limits {
     ..Limits::CORE
 };
 
-fn options(filter: HeightFilter) -> Means {
-    Means {
+fn options(filter: HeightFilter) -> DrawOptions {
+    DrawOptions {
         height_filter: Some(filter),
-        ..Means::default()
+        ..DrawOptions::default()
     }
 }
 
@@ -54,7 +54,7 @@ fn ring(size: [u32; 2], wrap: Wrap) -> Scene {
     scene
 }
 
-fn recorded(scene: &Scene, name: &str, options: &Means) -> Result<Plan, String> {
+fn recorded(scene: &Scene, name: &str, options: &DrawOptions) -> Result<Plan, String> {
     let question = Question::new(scene, [64, 48]);
     let capacities = Capacities {
         sheets: Some(100_000),
@@ -106,7 +106,7 @@ fn only_what_asks_for_heights_at_points_reads_them_through_the_sampler() {
         exact
             .check(&Limits::CORE)
             .unwrap_or_else(|e| panic!("{name}: {e}"));
-        let usual = recorded(&scene, name, &Means::default());
+        let usual = recorded(&scene, name, &DrawOptions::default());
         assert_eq!(usual.map(|p| p.to_text()), Ok(exact.to_text()), "{name}");
     }
 }
@@ -163,7 +163,7 @@ fn what_a_sampler_cannot_do_is_refused_with_the_reason() {
     // The control: the same scenes are drawn where no sampler is asked for.
     for scene in [ring([8, 4], Wrap::Repeat), ring([8, 8], Wrap::Mirror)] {
         for name in ["grid:16+vds:32", "raycast+mask"] {
-            let usual = recorded(&scene, name, &Means::default());
+            let usual = recorded(&scene, name, &DrawOptions::default());
             assert!(usual.is_ok(), "{name}: {:?}", usual.err());
         }
     }

@@ -259,7 +259,7 @@ fn shared_structs_are_laid_out_alike() {
         pack::CapMaterial,
         pack::CutterFace,
         pack::CoatRow,
-        pack::DressPlanes,
+        pack::CapMaterialPlanes,
         pack::Texture,
         pack::Ground,
         pack::ReliefSky,

@@ -4,7 +4,7 @@
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
 use cutaway::scene::{OffsetMap, Texture, TextureKind};
-use cutaway_io::document::paths::{PATHS, Path, Takes};
+use cutaway_io::document::paths::{PATHS, Path, ValueType};
 use cutaway_io::document::{Document, Node, Value};
 use cutaway_io::load::{Assets, Loaded};
 
@@ -220,7 +220,7 @@ fn every_choice_of_a_file_and_every_number_reaches_its_reader() {
             continue;
         }
         let mut values = vec![fits(path, Value::read(path.example))];
-        if let Takes::Choice(words) = path.takes {
+        if let ValueType::Choice(words) = path.takes {
             values.extend(words.iter().map(|w| Value::from(*w)));
         }
         for value in values {
@@ -249,17 +249,17 @@ fn what_is_out_of_range_or_of_another_kind_is_refused_by_its_path() {
     for path in PATHS {
         let at = of_scene(path.path);
         let wrong: &[&str] = match path.takes {
-            Takes::Number(least, _) if least >= 0.0 => &["-1", "\"much\"", "[1, 2]"],
-            Takes::Number(..) => &["\"much\"", "[1, 2]"],
-            Takes::Whole(..) => &["0.5", "\"much\""],
-            Takes::Numbers(_) => &["[1, 2, 3, 4, 5]", "\"much\"", "[\"a\", \"b\", \"c\"]"],
-            Takes::Amount => &["\"much\"", "true"],
-            Takes::Amounts => &["[1, 2]", "\"much\""],
-            Takes::OneOrMore(_) => &["\"much\"", "[1, 2, 3, 4]"],
-            Takes::Flag => &["1", "\"yes\""],
-            Takes::Choice(_) | Takes::Color => &["\"qqq\"", "1"],
-            Takes::Texts => &["\"one\"", "1"],
-            Takes::File | Takes::Text | Takes::Other => continue,
+            ValueType::Number(least, _) if least >= 0.0 => &["-1", "\"much\"", "[1, 2]"],
+            ValueType::Number(..) => &["\"much\"", "[1, 2]"],
+            ValueType::Whole(..) => &["0.5", "\"much\""],
+            ValueType::Numbers(_) => &["[1, 2, 3, 4, 5]", "\"much\"", "[\"a\", \"b\", \"c\"]"],
+            ValueType::Amount => &["\"much\"", "true"],
+            ValueType::Amounts => &["[1, 2]", "\"much\""],
+            ValueType::OneOrMore(_) => &["\"much\"", "[1, 2, 3, 4]"],
+            ValueType::Flag => &["1", "\"yes\""],
+            ValueType::Choice(_) | ValueType::Color => &["\"qqq\"", "1"],
+            ValueType::Texts => &["\"one\"", "1"],
+            ValueType::File | ValueType::Text | ValueType::Other => continue,
         };
         for wrong in wrong {
             let document = with(path, &Value::read(wrong));

@@ -22,7 +22,7 @@ use cutaway::plan::Limits;
 use cutaway::scene::style::{Ghost, GhostKind, Occlusion, OcclusionKind, Paper};
 use cutaway::scene::{ClipSurface, Cut, Part, Scene, Style};
 use cutaway::session::{Outcome, Session};
-use cutaway::strategies::{Means, Method, Rasteriser, Strategy};
+use cutaway::strategies::{DrawOptions, Method, Rasteriser, Strategy};
 use cutaway_io::document::{named_style, style_names};
 use glam::{DAffine3, DVec3};
 
@@ -86,7 +86,7 @@ fn every_strategy_has_every_style_that_its_layers_have() {
         let plain = scene_in(Style::default());
         for strategy in Strategy::all() {
             for by in [Rasteriser::Hardware, Rasteriser::Compute] {
-                let method = Method::new(strategy, Means::by(by));
+                let method = Method::new(strategy, DrawOptions::by(by));
                 if drawn_as_shaded(&mut session, (name, &scene), method).is_none() {
                     let lit = picture_of(&mut session, &plain, method);
                     assert!(lit.is_none(), "{method} refuses {name} alone");

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use cutaway::Result;
 use cutaway::session::Session;
-use cutaway::strategies::Means;
+use cutaway::strategies::DrawOptions;
 use cutaway_lab::compare::legend;
 use cutaway_lab::experiment::{
     Judgement, MOST_UNDECIDED, Measurement, Renderer, SceneAtTime, Warning, check_memory, picture,
@@ -14,8 +14,8 @@ use cutaway_lab::report;
 use image::{Rgba, RgbaImage};
 
 use crate::console::{Console, ConsoleArgs};
-use crate::input::args::{AdapterArgs, MeansArgs, SceneArgs};
-use crate::input::look::Usual;
+use crate::input::args::{AdapterArgs, DrawOptionArgs, SceneArgs};
+use crate::input::look::Defaults;
 use crate::input::subject::Subject;
 use crate::input::when::TimeArgs;
 use crate::judge::{self, judge};
@@ -71,7 +71,7 @@ pub(crate) struct CompareArgs {
     #[command(flatten)]
     device: AdapterArgs,
     #[command(flatten)]
-    means: MeansArgs,
+    options: DrawOptionArgs,
     #[command(flatten)]
     console: ConsoleArgs,
 }
@@ -92,10 +92,10 @@ pub(crate) fn run(args: &CompareArgs) -> Result<Verdict> {
     console.step("opening");
     let mut document = args.scene.document(None)?;
     args.when.amend(&mut document)?;
-    args.means.amend(&mut document)?;
+    args.options.amend(&mut document)?;
     let subject = args
         .scene
-        .open(document, None, Usual::default(), &console)?;
+        .open(document, None, Defaults::default(), &console)?;
     check_memory(subject.size_px(), renderers.len())?;
     let written = args
         .heatmaps
@@ -197,7 +197,7 @@ fn split_list(list: &str) -> Vec<&str> {
     for (at, _) in list.match_indices(',').chain([(list.len(), "")]) {
         let next = list[at..].trim_start_matches(',').trim_start();
         let word = next.split([',', '@', '+']).next().unwrap_or(next).trim();
-        if list[from..at].contains('@') && Means::is_word(word) {
+        if list[from..at].contains('@') && DrawOptions::is_word(word) {
             continue;
         }
         names.push(list[from..at].trim());

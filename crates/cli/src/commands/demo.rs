@@ -8,14 +8,14 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use cutaway::{Error, Result};
 use cutaway_io::load::Assets;
-use cutaway_lab::experiment::{Record, Renderer, Run, SceneAtTime, means, picture};
+use cutaway_lab::experiment::{Record, Renderer, Run, SceneAtTime, draw_options, picture};
 use cutaway_lab::report::{Recorded, text};
 
 use super::measure::{self, MeasureArgs};
 use super::report::{self, ReportArgs};
 use crate::console::{Console, ConsoleArgs};
-use crate::input::args::{AdapterArgs, MeansArgs};
-use crate::input::look::Usual;
+use crate::input::args::{AdapterArgs, DrawOptionArgs};
+use crate::input::look::Defaults;
 use crate::verdict::Verdict;
 use crate::writing::output::{checked_folder, write_file, write_stdout};
 
@@ -58,7 +58,7 @@ pub(crate) struct DemoArgs {
     #[command(flatten)]
     device: AdapterArgs,
     #[command(flatten)]
-    means: MeansArgs,
+    options: DrawOptionArgs,
     #[command(flatten)]
     console: ConsoleArgs,
 }
@@ -66,7 +66,7 @@ pub(crate) struct DemoArgs {
 impl DemoArgs {
     /// The text of the experiment, with what the options set.
     fn experiment(&self) -> String {
-        let set = self.means.values().map(|(path, _, value)| {
+        let set = self.options.values().map(|(path, _, value)| {
             value.map_or_else(String::new, |value| format!("\"{path}\" = \"{value}\"\n"))
         });
         let (size, set) = (self.resolution, set.concat());
@@ -128,14 +128,14 @@ pub(crate) fn run(args: &DemoArgs) -> Result<Verdict> {
 fn smooth(record: &Record, args: &DemoArgs) -> Result<()> {
     let console = Console::new(args.console, record.pictures.len());
     let timeline = record.scene.timeline(&mut Assets::default())?;
-    let timeline = Usual::of_pictures()?.of(timeline)?;
+    let timeline = Defaults::of_pictures()?.of(timeline)?;
     let shown = SceneAtTime::new(&timeline.scene()?);
     let view = shown.model.prepared.view(timeline.settings().size_px());
     let mut session = args.device.session(false)?;
     for picture in &record.pictures {
         console.step(format!("picture by {}", picture.drawer));
         let renderer: Renderer = picture.drawer.parse()?;
-        let renderer = renderer.or(means(timeline.settings())?);
+        let renderer = renderer.or(draw_options(timeline.settings())?);
         let drawn = picture::draw(&mut session, &shown, &view, renderer, 2)?;
         let file = args.out.join(NAME).join(&picture.file);
         write_file(&file, &picture::png(&drawn.image)?)?;

@@ -5,7 +5,7 @@
 //! image of OBJ and PLY `.0.png`.
 //! All of them are written beside their places before the first takes its own ([`Results`]), and none where one of the places is a folder.
 
-mod facts;
+mod summary;
 
 use std::path::PathBuf;
 
@@ -18,13 +18,13 @@ use cutaway::{Error, Result};
 use cutaway_io::save::{Format, Solid, encoded, leaves_out, rounding};
 use serde_json::{Value, json};
 
-use self::facts::Facts;
+use self::summary::ExportSummary;
 use crate::console::{Console, ConsoleArgs};
 use crate::input::args::{fill_by, parse_fill};
 use crate::input::defects::DefectArgs;
 use crate::input::edits::EditArgs;
 use crate::input::holes::HoleArgs;
-use crate::input::look::Usual;
+use crate::input::look::Defaults;
 use crate::input::sections::SectionArgs;
 use crate::input::split::SplitArgs;
 use crate::input::stdin::StdinArgs;
@@ -120,7 +120,7 @@ pub(crate) fn run(args: &ExportArgs) -> Result<Verdict> {
     args.holes.amend(&mut document)?;
     args.sections.amend(&mut document)?;
     args.when.amend(&mut document)?;
-    let subject = Subject::open(document, None, Usual::default(), &args.edits, &console)?;
+    let subject = Subject::open(document, None, Defaults::default(), &args.edits, &console)?;
     subject.must_be_cut_by(&args.sections)?;
     let scene = &subject.scene;
     let coats = scene.parts.iter().filter_map(|p| p.mesh.coat.as_ref());
@@ -169,18 +169,18 @@ pub(crate) fn run(args: &ExportArgs) -> Result<Verdict> {
         writer.add(&mut results, to, &parts, |p| &p.halves.removed)?;
     }
     let space = SceneSpace::new(&scene.bounds());
-    let facts = parts.iter().map(|p| Facts::of(scene, p, &space));
-    let facts: Vec<Facts> = facts.collect();
-    let all: Vec<Value> = facts.iter().map(Facts::to_json).collect();
+    let summary = parts.iter().map(|p| ExportSummary::of(scene, p, &space));
+    let summary: Vec<ExportSummary> = summary.collect();
+    let all: Vec<Value> = summary.iter().map(ExportSummary::to_json).collect();
     let json = format!("{:#}\n", json!({ "scene": scene.name, "parts": all }));
     if let Some(output) = &outputs.json {
         results.add(output, json.into_bytes())?;
     }
     results.place()?;
-    if outputs.kept.format == Format::ThreeMf && facts.iter().any(|f| f.kept.open_edges > 0) {
+    if outputs.kept.format == Format::ThreeMf && summary.iter().any(|f| f.kept.open_edges > 0) {
         console.note("3MF asks for closed meshes: programs may refuse or mend what is open");
     }
-    Ok(verdict(&facts, &parts, &console))
+    Ok(verdict(&summary, &parts, &console))
 }
 
 /// A mesh file, and what lies beside it.
@@ -339,15 +339,15 @@ impl Writer<'_> {
 }
 
 /// Says which caps are missing, and which parts came in open.
-fn verdict(facts: &[Facts], parts: &[CappedPart], console: &Console) -> Verdict {
+fn verdict(summary: &[ExportSummary], parts: &[CappedPart], console: &Console) -> Verdict {
     let mut verdict = Verdict::Done;
-    for (facts, part) in facts.iter().zip(parts) {
-        let Facts {
+    for (summary, part) in summary.iter().zip(parts) {
+        let ExportSummary {
             part: name,
             open_edges,
             kept,
             ..
-        } = facts;
+        } = summary;
         for defect in part.halves.defects.iter().filter(|d| !d.loses_cap()) {
             console.note(format!("{name}: {defect}; {}", defect.help()));
         }
@@ -355,7 +355,7 @@ fn verdict(facts: &[Facts], parts: &[CappedPart], console: &Console) -> Verdict 
             console.failed(format!("{name}: {defect}\n  help: {}", defect.help()));
             verdict = Verdict::Failed;
         }
-        if let Some([caps, section]) = facts.overlap().map(|areas| areas.map(round)) {
+        if let Some([caps, section]) = summary.overlap().map(|areas| areas.map(round)) {
             console.note(format!(
                 "bodies of {name} overlap, and each has a cap of its own: the caps cover {caps} square units, the section {section}"
             ));

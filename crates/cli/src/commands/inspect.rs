@@ -12,7 +12,7 @@ use crate::console::{Console, ConsoleArgs};
 use crate::input::defects::DefectArgs;
 use crate::input::edits::EditArgs;
 use crate::input::holes::HoleArgs;
-use crate::input::look::Usual;
+use crate::input::look::Defaults;
 use crate::input::roles;
 use crate::input::split::SplitArgs;
 use crate::input::stdin::StdinArgs;
@@ -83,15 +83,15 @@ pub(crate) fn run(args: &InspectArgs) -> Result<Verdict> {
     args.holes.amend(&mut document)?;
     args.when.amend(&mut document)?;
     roles::amend(&mut document, &[], args.roles)?;
-    let subject = Subject::open(document, None, Usual::default(), &args.edits, &console)?;
+    let subject = Subject::open(document, None, Defaults::default(), &args.edits, &console)?;
     subject.save_beside(paths_of(&[("--json", json.as_ref())]), &args.edits)?;
     let clips = subject.timeline.clips();
     let parts = subject.scene.posed().parts;
     console.step("inspecting");
-    let facts: Vec<Facts<'_>> = parts.iter().map(Facts::of).collect();
+    let facts: Vec<MeshSummary<'_>> = parts.iter().map(MeshSummary::of).collect();
     let total = match facts.as_slice() {
         [one] => one.clone(),
-        _ => Facts {
+        _ => MeshSummary {
             name: "total",
             topology: Topology::from_parts(&parts),
             bodies: facts.iter().map(|f| f.bodies).sum(),
@@ -122,14 +122,14 @@ pub(crate) fn run(args: &InspectArgs) -> Result<Verdict> {
 
 /// What there is to say of a part, or of all.
 #[derive(Clone)]
-struct Facts<'a> {
+struct MeshSummary<'a> {
     name: &'a str,
     topology: Topology,
     /// Into how many parts `--split` would take it apart.
     bodies: usize,
 }
 
-impl<'a> Facts<'a> {
+impl<'a> MeshSummary<'a> {
     fn of(part: &'a Part) -> Self {
         Self {
             name: &part.name,
@@ -145,8 +145,8 @@ fn describe((number, clip): (usize, &Clip)) -> String {
     format!("clip {number}: {}, {length} s\n", clip.name)
 }
 
-fn to_json(facts: &[Facts<'_>], total: &Facts<'_>, clips: &[Clip]) -> Result<Value> {
-    let value = |of: &Facts<'_>| {
+fn to_json(facts: &[MeshSummary<'_>], total: &MeshSummary<'_>, clips: &[Clip]) -> Result<Value> {
+    let value = |of: &MeshSummary<'_>| {
         let mut value = serde_json::to_value(&of.topology).map_err(|e| {
             let help = "leave --json out, and report this";
             Error::input("--json", format!("cannot be encoded: {e}"), help)
@@ -168,7 +168,7 @@ fn to_json(facts: &[Facts<'_>], total: &Facts<'_>, clips: &[Clip]) -> Result<Val
     Ok(json!({ "parts": parts, "total": value(total)?, "clips": clips }))
 }
 
-fn to_text(facts: &[Facts<'_>], total: &Facts<'_>) -> String {
+fn to_text(facts: &[MeshSummary<'_>], total: &MeshSummary<'_>) -> String {
     let mut table = Table::new([
         "part",
         "vertices",
@@ -197,7 +197,7 @@ fn to_text(facts: &[Facts<'_>], total: &Facts<'_>) -> String {
     let bounds = total.topology.bounds;
     let bounds = describe_bounds(bounds.min, bounds.max);
     text.push_str(&format!("bounds: {bounds}\n"));
-    for Facts {
+    for MeshSummary {
         name,
         topology: facts,
         ..
@@ -227,7 +227,7 @@ fn to_text(facts: &[Facts<'_>], total: &Facts<'_>) -> String {
 }
 
 /// What makes parts of bodies, where there are several in one.
-fn bodies_hint(facts: &[Facts<'_>]) -> Option<String> {
+fn bodies_hint(facts: &[MeshSummary<'_>]) -> Option<String> {
     let several = facts.iter().filter(|f| f.bodies > 1).collect::<Vec<_>>();
     let who = match several.as_slice() {
         [] => return None,
@@ -237,7 +237,7 @@ fn bodies_hint(facts: &[Facts<'_>]) -> Option<String> {
     Some(format!("{who}: --split makes each of them a part\n"))
 }
 
-fn row(of: &Facts<'_>) -> Vec<String> {
+fn row(of: &MeshSummary<'_>) -> Vec<String> {
     let facts = &of.topology;
     let size = [0, 1, 2].map(|i| round(facts.bounds.max[i] - facts.bounds.min[i]));
     vec![

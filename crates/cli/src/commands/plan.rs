@@ -3,17 +3,17 @@
 use clap::Args;
 use cutaway::gpu::{Gpu, GpuOptions};
 use cutaway::plan::Capacities;
-use cutaway::strategies::{self, AUTO, Means, Method, table};
+use cutaway::strategies::{self, AUTO, DrawOptions, Method, table};
 use cutaway::{Error, Result};
 use cutaway_io::document::Value;
 use cutaway_lab::experiment::picture::refused;
 use cutaway_lab::experiment::{Renderer, SceneAtTime};
 
 use crate::console::{Console, ConsoleArgs};
-use crate::drawer::Drawer;
-use crate::input::args::{MeansArgs, SceneArgs, say};
-use crate::input::look::Usual;
+use crate::input::args::{DrawOptionArgs, SceneArgs, say};
+use crate::input::look::Defaults;
 use crate::input::when::TimeArgs;
+use crate::renderer_request::RendererRequest;
 use crate::verdict::Verdict;
 use crate::writing::output::{Output, write_stdout};
 use crate::writing::places::paths_of;
@@ -40,7 +40,7 @@ pub(crate) struct PlanArgs {
     #[arg(long, value_name = "FILE|-", help_heading = "Output")]
     json: Option<String>,
     #[command(flatten)]
-    means: MeansArgs,
+    options: DrawOptionArgs,
     #[command(flatten)]
     console: ConsoleArgs,
 }
@@ -63,9 +63,10 @@ pub(crate) fn run(args: &PlanArgs) -> Result<Verdict> {
     console.step("opening");
     let mut document = args.scene.document(None)?;
     args.when.amend(&mut document)?;
-    args.means.amend(&mut document)?;
+    args.options.amend(&mut document)?;
     let asked = args.strategy.as_deref();
-    if let Drawer::Named(renderer) = Drawer::named(asked, Means::default())? {
+    if let RendererRequest::Named(renderer) = RendererRequest::named(asked, DrawOptions::default())?
+    {
         passes_of(renderer)?;
     }
     say(
@@ -76,20 +77,20 @@ pub(crate) fn run(args: &PlanArgs) -> Result<Verdict> {
     )?;
     let subject = args
         .scene
-        .open(document, None, Usual::default(), &console)?;
-    let drawer = subject.drawer()?;
-    if let Drawer::Named(renderer) = drawer {
+        .open(document, None, Defaults::default(), &console)?;
+    let renderer_request = subject.renderer_request()?;
+    if let RendererRequest::Named(renderer) = renderer_request {
         passes_of(renderer)?;
     }
     subject.save_beside(paths_of(&[("--json", json.as_ref())]), &args.scene.edits)?;
     let SceneAtTime { model, .. } = SceneAtTime::new(&subject.scene);
     let view = subject.view(&model.prepared);
     // A plan needs no device, but who draws it may hang on the one that there is.
-    let gpu = match drawer {
-        Drawer::Auto(_) => Gpu::open(&GpuOptions::default()).ok(),
-        Drawer::Named(_) => None,
+    let gpu = match renderer_request {
+        RendererRequest::Auto(_) => Gpu::open(&GpuOptions::default()).ok(),
+        RendererRequest::Named(_) => None,
     };
-    let chosen = drawer.settle(gpu.as_ref(), (&model, &view), &console);
+    let chosen = renderer_request.settle(gpu.as_ref(), (&model, &view), &console);
     let method = passes_of(chosen.renderer)?;
     let plan = strategies::plan(&model, &view, method, &Capacities::UNKNOWN)
         .map_err(|refusal| refused(method.into(), &refusal))?;

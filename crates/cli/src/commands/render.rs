@@ -16,13 +16,13 @@ use cutaway_lab::experiment::{PerClock, Renderer, SceneAtTime, Stopwatch, pictur
 use serde_json::{Value, json};
 
 use crate::console::{Console, ConsoleArgs};
-use crate::drawer::Chosen;
 use crate::image_test::{self, Finding};
-use crate::input::args::{AdapterArgs, MeansArgs, SceneArgs};
-use crate::input::look::{LookArgs, Usual};
+use crate::input::args::{AdapterArgs, DrawOptionArgs, SceneArgs};
+use crate::input::look::{Defaults, LookArgs};
 use crate::input::subject::Subject;
 use crate::input::when::TimeArgs;
 use crate::notes::{adapter_in_words, note_what_is_not_seen, unreliable_px, warn_of_doubt};
+use crate::renderer_request::RendererChoice;
 use crate::verdict::Verdict;
 use crate::writing::layers_file;
 use crate::writing::output::Output;
@@ -73,7 +73,7 @@ pub(crate) struct RenderArgs {
     #[command(flatten)]
     device: AdapterArgs,
     #[command(flatten)]
-    means: MeansArgs,
+    options: DrawOptionArgs,
     #[command(flatten)]
     console: ConsoleArgs,
 }
@@ -91,22 +91,22 @@ pub(crate) fn run(args: &RenderArgs) -> Result<Verdict> {
     let mut document = args.scene.document(None)?;
     args.when.amend(&mut document)?;
     args.look.amend(&mut document)?;
-    args.means.amend(&mut document)?;
+    args.options.amend(&mut document)?;
     let subject = args
         .scene
-        .open(document, None, Usual::of_pictures()?, &console)?;
+        .open(document, None, Defaults::of_pictures()?, &console)?;
     subject.files.add(args.reference.clone());
-    let drawer = subject.drawer()?;
+    let renderer_request = subject.renderer_request()?;
     subject.save_beside(outputs.paths.clone(), &args.scene.edits)?;
     let mut session = args.device.session(args.json.is_some())?;
     console.detail_by(|| adapter_in_words(session.gpu()));
     let shown = subject.shown()?;
     let view = subject.view(&shown.model.prepared);
 
-    let chosen = drawer.settle(Some(session.gpu()), (&shown.model, &view), &console);
+    let chosen = renderer_request.settle(Some(session.gpu()), (&shown.model, &view), &console);
     let renderer = chosen.renderer;
     console.step(renderer.to_string());
-    let facts = Facts::of(&mut session, &shown, &view, renderer, &outputs)?;
+    let facts = PlainFrame::of(&mut session, &shown, &view, renderer, &outputs)?;
     let mut verdict = Verdict::Done;
     if let Some(layers) = &facts.layers {
         // What a full buffer dropped is reported below, and need not be a fault of the mesh.
@@ -221,7 +221,7 @@ impl Outputs {
 }
 
 /// What is known of the frame at the plain resolution.
-struct Facts {
+struct PlainFrame {
     outcome: Outcome,
     /// None where nobody asked for what only a second, exact evaluation could tell.
     layers: Option<Layers>,
@@ -231,7 +231,7 @@ struct Facts {
     bytes: PerClock<u64>,
 }
 
-impl Facts {
+impl PlainFrame {
     fn of(
         session: &mut Session,
         shown: &SceneAtTime,
@@ -276,8 +276,14 @@ impl Facts {
         Ok(facts)
     }
 
-    fn json(&self, subject: &Subject, session: &Session, model: &Model, chosen: &Chosen) -> Value {
-        let means = chosen.renderer.means();
+    fn json(
+        &self,
+        subject: &Subject,
+        session: &Session,
+        model: &Model,
+        chosen: &RendererChoice,
+    ) -> Value {
+        let options = chosen.renderer.options();
         let count = |kind| self.layers.as_ref().map(|l| l.count(kind));
         json!({
             "scene": subject.scene.name,
@@ -288,8 +294,8 @@ impl Facts {
             "adapter": session.gpu().report(),
             "strategy": picture::strategy_name(chosen.renderer),
             "chosen_for": chosen.reason,
-            "rasteriser": means.rasteriser.unwrap_or_default().to_string(),
-            "height_filter": means.height_filter.unwrap_or_default().to_string(),
+            "rasteriser": options.rasteriser.unwrap_or_default().to_string(),
+            "height_filter": options.height_filter.unwrap_or_default().to_string(),
             "outcome": self.outcome.name(),
             "reason": self.outcome.reason(),
             "cap_px": count(Kind::Cap),

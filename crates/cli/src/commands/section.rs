@@ -24,7 +24,7 @@ use crate::input::args::fill_by;
 use crate::input::defects::DefectArgs;
 use crate::input::edits::EditArgs;
 use crate::input::holes::HoleArgs;
-use crate::input::look::Usual;
+use crate::input::look::Defaults;
 use crate::input::sections::SectionArgs;
 use crate::input::split::SplitArgs;
 use crate::input::stdin::StdinArgs;
@@ -101,7 +101,7 @@ pub(crate) fn run(args: &SectionCommandArgs) -> Result<Verdict> {
     fill_by(&mut document, args.fill)?;
     args.sections.amend(&mut document)?;
     args.when.amend(&mut document)?;
-    let subject = Subject::open(document, None, Usual::default(), &args.edits, &console)?;
+    let subject = Subject::open(document, None, Defaults::default(), &args.edits, &console)?;
     subject.must_be_cut_by(&args.sections)?;
     subject.save_beside(outputs.paths.clone(), &args.edits)?;
     let scene = &subject.scene;

@@ -14,8 +14,8 @@ use cutaway_io::document::Document;
 use cutaway_io::load::Assets;
 
 use crate::console::{Console, ConsoleArgs};
-use crate::input::args::{AdapterArgs, MeansArgs, SceneArgs};
-use crate::input::look::{LookArgs, Usual};
+use crate::input::args::{AdapterArgs, DrawOptionArgs, SceneArgs};
+use crate::input::look::{Defaults, LookArgs};
 use crate::input::stdin;
 use crate::input::when::TimeArgs;
 use crate::verdict::{Verdict, exit_code};
@@ -42,7 +42,7 @@ pub(crate) struct ViewArgs {
     #[command(flatten)]
     device: AdapterArgs,
     #[command(flatten)]
-    means: MeansArgs,
+    options: DrawOptionArgs,
     #[command(flatten)]
     console: ConsoleArgs,
     /// Say at the end what the frames of the window cost the CPU
@@ -101,8 +101,8 @@ fn open(args: &ViewArgs) -> Result<Opened> {
     let mut document = args.scene.document(None)?;
     args.when.amend(&mut document)?;
     args.look.amend(&mut document)?;
-    args.means.amend(&mut document)?;
-    let usual = Usual::of_pictures()?;
+    args.options.amend(&mut document)?;
+    let usual = Defaults::of_pictures()?;
     let subject = args.scene.open(document, None, usual, &console)?;
     subject.save_beside([], &args.scene.edits)?;
     let (document, assets) = subject.into_document();

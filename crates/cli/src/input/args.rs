@@ -13,7 +13,7 @@ use super::camera::CameraArgs;
 use super::defects::DefectArgs;
 use super::edits::EditArgs;
 use super::holes::HoleArgs;
-use super::look::Usual;
+use super::look::Defaults;
 use super::sections::SectionArgs;
 use super::split::SplitArgs;
 use super::stdin::StdinArgs;
@@ -90,7 +90,7 @@ impl SceneArgs {
         &self,
         document: Document,
         at_s: Option<f64>,
-        usual: Usual,
+        usual: Defaults,
         console: &Console,
     ) -> Result<Subject> {
         let subject = Subject::open(document, at_s, usual, &self.edits, console)?;
@@ -160,7 +160,7 @@ impl AdapterArgs {
 
 /// By which means frames are drawn.
 #[derive(Args)]
-pub(crate) struct MeansArgs {
+pub(crate) struct DrawOptionArgs {
     /// Who rasterises the mesh: hardware, or compute (mask, abuffer and kbuffer, and raycast with ldi) [default: that of the scene, or
     /// hardware; with the strategy auto whichever takes less time on the adapter]
     #[arg(long, value_name = "WHO", value_parser = parse_rasteriser, help_heading = "Device")]
@@ -171,7 +171,7 @@ pub(crate) struct MeansArgs {
     height_filter: Option<HeightFilter>,
 }
 
-impl MeansArgs {
+impl DrawOptionArgs {
     /// Where each goes in a document, which option says it, and what it says.
     pub(crate) fn values(&self) -> [(&'static str, &'static str, Option<String>); 2] {
         let rasteriser = self.rasteriser.map(|r| r.to_string());

@@ -1,11 +1,11 @@
 //! Options of pictures: who draws them, how finely, and on what.
 
 use super::args::{parse_color_word, say};
-use crate::drawer::Drawer;
+use crate::renderer_request::RendererRequest;
 use clap::Args;
 use cutaway::Result;
 use cutaway::scene::{Fit, Style, color_help, parse_color};
-use cutaway::strategies::{AUTO, Means, table};
+use cutaway::strategies::{AUTO, DrawOptions, table};
 use cutaway_io::document::{Document, Timeline, Value, named_style, style_names};
 
 /// The style of pictures where nobody names one.
@@ -13,7 +13,7 @@ const USUAL_STYLE: &str = "technical";
 
 /// What holds where the document says nothing of it.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Usual {
+pub(crate) struct Defaults {
     /// How it looks.
     pub(crate) style: Style,
     /// What its angles are fitted to.
@@ -22,7 +22,7 @@ pub(crate) struct Usual {
     pub(crate) guesses_up: bool,
 }
 
-impl Usual {
+impl Defaults {
     /// That of pictures that are made to be looked at; the default is that of what is measured.
     pub(crate) fn of_pictures() -> Result<Self> {
         Ok(Self {
@@ -122,7 +122,7 @@ fn strategy_help() -> String {
 impl LookArgs {
     /// Puts them into a document.
     pub(crate) fn amend(&self, document: &mut Document) -> Result<()> {
-        Drawer::named(self.strategy.as_deref(), Means::default())?;
+        RendererRequest::named(self.strategy.as_deref(), DrawOptions::default())?;
         let strategy = self.strategy.as_deref().map(Value::from);
         say(document, "strategy.name", "--strategy", strategy)?;
         let fineness = self.supersample.map(|n| i64::from(n).into());

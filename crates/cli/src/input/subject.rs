@@ -4,19 +4,19 @@ use std::path::{Path, PathBuf};
 
 use cutaway::generate::shapes::shape;
 use cutaway::scene::{Bounds, LengthUnit, Prepared, Scene, SceneSpace, Up, View, doubts};
-use cutaway::strategies::Means;
+use cutaway::strategies::DrawOptions;
 use cutaway::{Error, Result};
 use cutaway_io::document::{Document, GuessedUp, Timeline, UpReason, part};
 use cutaway_io::load::frames::Pattern;
 use cutaway_io::load::{Assets, place_of};
-use cutaway_lab::experiment::{SceneAtTime, means};
+use cutaway_lab::experiment::{SceneAtTime, draw_options};
 
 use super::edits::EditArgs;
-use super::look::Usual;
+use super::look::Defaults;
 use super::sections::SectionArgs;
 use super::stdin::{self, StdinArgs};
 use crate::console::Console;
-use crate::drawer::Drawer;
+use crate::renderer_request::RendererRequest;
 use crate::writing::output::write_file;
 use crate::writing::places::InputFiles;
 
@@ -43,7 +43,7 @@ impl Subject {
     pub(crate) fn open(
         mut document: Document,
         at_s: Option<f64>,
-        usual: Usual,
+        usual: Defaults,
         edits: &EditArgs,
         console: &Console,
     ) -> Result<Self> {
@@ -153,14 +153,14 @@ impl Subject {
     }
 
     /// By which means frames are drawn.
-    pub(crate) fn means(&self) -> Result<Means> {
-        means(self.timeline.settings())
+    pub(crate) fn options(&self) -> Result<DrawOptions> {
+        draw_options(self.timeline.settings())
     }
 
     /// What draws, by these means where it names no others.
-    pub(crate) fn drawer(&self) -> Result<Drawer> {
+    pub(crate) fn renderer_request(&self) -> Result<RendererRequest> {
         let name = self.timeline.settings().strategy.as_deref();
-        Drawer::named(name, self.means()?)
+        RendererRequest::named(name, self.options()?)
     }
 
     /// The view of the scene.

@@ -52,7 +52,7 @@ pub(super) fn motion(
 
 fn weights_differ(motion: &Motion, a: usize, b: usize) -> bool {
     let (a, b) = (motion.pulls_of(a), motion.pulls_of(b));
-    let weight = |of: &[cutaway::scene::Pull], joint| {
+    let weight = |of: &[cutaway::scene::JointWeight], joint| {
         let pull = of.iter().find(|pull| pull.joint == joint);
         pull.map_or(0.0, |pull| f64::from(pull.weight))
     };

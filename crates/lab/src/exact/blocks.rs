@@ -81,7 +81,7 @@ impl Blocks {
         SMALLEST + self.levels.len() as u32 - 1
     }
 
-    /// The block of a level that a cell is in, for a ray that goes up along each axis or down.
+    /// Parent block of a cell at a level, in ray direction.
     pub(super) fn block(&self, level: u32, cell: [i64; 2], up: [bool; 2]) -> Block {
         let of = |axis: usize| self.along(axis, level, cell[axis], up[axis]);
         let ((column, x), (row, y)) = (of(0), of(1));

@@ -141,7 +141,7 @@ pub fn flicker(
         let exact = Truth::new(truth, view);
         let mut drawn = Vec::with_capacity(renderers.len());
         for (renderer, pictures) in renderers.iter().zip(&mut pictures) {
-            let Some(method) = renderer.or(question.means).method() else {
+            let Some(method) = renderer.or(question.options).method() else {
                 drawn.push(None);
                 continue;
             };

@@ -16,7 +16,7 @@ use cutaway::passes::Model;
 use cutaway::plan::Clock;
 use cutaway::scene::{Precision, Prepared, View};
 use cutaway::session::{Outcome, Session};
-use cutaway::strategies::{Means, Rasteriser};
+use cutaway::strategies::{DrawOptions, Rasteriser};
 use cutaway::{Error, Result};
 use image::RgbaImage;
 
@@ -40,7 +40,7 @@ pub struct Question<'a> {
     /// The command line that asks it again.
     pub command: String,
     /// By which means those draw that say no others.
-    pub means: Means,
+    pub options: DrawOptions,
 }
 
 impl<'a> Question<'a> {
@@ -80,7 +80,7 @@ pub struct Judgement {
     pub exact: Arc<Exact>,
     /// The frames, in the order of the measurement.
     pub frames: Vec<Frame>,
-    means: Means,
+    options: DrawOptions,
     model: Model,
     view: View,
 }
@@ -93,7 +93,7 @@ impl Judgement {
 
     /// The picture of a frame, at the resolution that was measured: RGBA8, rows from the top.
     pub fn picture(&self, session: &mut Session, frame: &Frame) -> Result<Vec<u8>> {
-        match (frame.renderer.or(self.means), &frame.layers) {
+        match (frame.renderer.or(self.options), &frame.layers) {
             (Renderer::Method(method), _) => session.picture(method),
             (_, Some(layers)) => session.shade(&self.model, &self.view, layers),
             (_, None) => Err(Error::Plan(format!("{} drew nothing", frame.renderer))),
@@ -156,7 +156,7 @@ pub fn errors(
         measurement,
         exact,
         frames,
-        means: question.means,
+        options: question.options,
         model: model.clone(),
         view: question.view,
     })
@@ -172,7 +172,7 @@ pub fn times(
     goes_on: &dyn Fn() -> bool,
 ) -> Result<bool> {
     let drawn = judgement.frames.iter().filter(|f| f.layers.is_some());
-    let drawn: Vec<Renderer> = drawn.map(|f| f.renderer.or(question.means)).collect();
+    let drawn: Vec<Renderer> = drawn.map(|f| f.renderer.or(question.options)).collect();
     let by_compute = |r: &Renderer| rasteriser_of(r) == Rasteriser::Compute;
     let rasterisers: &[Rasteriser] = match drawn.iter().any(by_compute) {
         true => &[Rasteriser::Hardware, Rasteriser::Compute],
@@ -217,7 +217,7 @@ fn draw_by(
     truth: &Truth<&Prepared>,
 ) -> Result<(Frame, StrategyMeasurement)> {
     let (model, view) = (&question.shown.model, &question.view);
-    let (outcome, layers, bytes) = match renderer.or(question.means) {
+    let (outcome, layers, bytes) = match renderer.or(question.options) {
         Renderer::Method(method) => {
             let outcome = session.draw(model, view, method)?.outcome;
             match outcome {
@@ -234,7 +234,7 @@ fn draw_by(
             (Outcome::Complete, Some(evaluated.layers), bytes)
         }
     };
-    let precision = match (&layers, renderer.or(question.means)) {
+    let precision = match (&layers, renderer.or(question.options)) {
         (Some(_), Renderer::Method(method)) => session.precision(method)?,
         _ => Precision::USUAL,
     };
@@ -267,7 +267,7 @@ fn draw_by(
 
 /// Who rasterises for a renderer, as far as that can be said.
 fn rasteriser_of(renderer: &Renderer) -> Rasteriser {
-    renderer.means().rasteriser.unwrap_or_default()
+    renderer.options().rasteriser.unwrap_or_default()
 }
 
 /// What runs in turns.

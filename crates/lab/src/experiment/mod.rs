@@ -41,7 +41,7 @@ pub use record::{
 pub use renderer::{Evaluation, Evaluator, Renderer};
 pub use run::Watcher;
 pub use samples::Samples;
-pub use scene_at_time::{SceneAtTime, means};
+pub use scene_at_time::{SceneAtTime, draw_options};
 pub use stopwatch::Stopwatch;
 pub use synopsis::{ChartSynopsis, RunSynopsis, Synopsis};
 

@@ -9,7 +9,7 @@ use std::io::Cursor;
 use cutaway::passes::{GroundShadow, Model};
 use cutaway::scene::{View, linear_from_srgb, srgb_from_linear};
 use cutaway::session::{Drawn, Outcome, Session};
-use cutaway::strategies::{Obstacle, Refusal, Strategy};
+use cutaway::strategies::{Refusal, Strategy, Unsupported};
 use cutaway::{Error, Result};
 use glam::Vec3;
 use image::{ImageFormat, RgbaImage};
@@ -117,7 +117,7 @@ pub fn strategy_name(renderer: Renderer) -> String {
 
 /// The error of a strategy that does not draw what it was asked to.
 pub fn refused(renderer: Renderer, refusal: &Refusal) -> Error {
-    let help = if refusal.obstacle == Obstacle::Cuts {
+    let help = if refusal.unsupported == Unsupported::Cuts {
         "cut the mesh by some of them first (`cutaway export MODEL --section ... -o part.ply`), then draw part.ply with the others"
     } else if renderer
         .method()

@@ -9,7 +9,7 @@ use std::str::FromStr;
 
 use cutaway::layers::Layers;
 use cutaway::scene::{Prepared, View};
-use cutaway::strategies::{Means, Method, Strategy};
+use cutaway::strategies::{DrawOptions, Method, Strategy};
 use cutaway::{Error, Result};
 
 use super::Stopwatch;
@@ -102,13 +102,14 @@ impl Renderer {
     }
 
     /// By which means it draws; the usual where it runs on the CPU.
-    pub fn means(&self) -> Means {
-        self.method().map_or_else(Means::default, |m| m.means)
+    pub fn options(&self) -> DrawOptions {
+        self.method()
+            .map_or_else(DrawOptions::default, |m| m.options)
     }
 
     /// The same, with means for what a method leaves open.
     #[must_use]
-    pub fn or(self, usual: Means) -> Self {
+    pub fn or(self, usual: DrawOptions) -> Self {
         match self {
             Self::Method(method) => Self::Method(method.or(usual)),
             Self::Cpu(_) => self,
@@ -150,13 +151,13 @@ impl FromStr for Renderer {
     type Err = Error;
 
     fn from_str(text: &str) -> Result<Self> {
-        let (name, means) = match text.trim().split_once('@') {
-            Some((name, means)) => (name, Some(means)),
+        let (name, options) = match text.trim().split_once('@') {
+            Some((name, options)) => (name, Some(options)),
             None => (text.trim(), None),
         };
         let evaluators = [Evaluator::Exact, Evaluator::Winding];
         match evaluators.into_iter().find(|e| e.to_string() == name) {
-            Some(evaluator) if means.is_none() => Ok(Self::Cpu(evaluator)),
+            Some(evaluator) if options.is_none() => Ok(Self::Cpu(evaluator)),
             Some(evaluator) => Err(Error::input(
                 text,
                 format!("{evaluator} runs on the CPU: there are no means to choose"),

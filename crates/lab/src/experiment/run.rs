@@ -20,7 +20,9 @@ use super::drift::flicker;
 use super::expect::{Findings, reached};
 use super::judge::{Judgement, Question, error_steps, errors, times, timing_steps};
 use super::sweep::Point;
-use super::{Invocation, Machine, Picture, Reached, Record, Renderer, SceneAtTime, Warning, means};
+use super::{
+    Invocation, Machine, Picture, Reached, Record, Renderer, SceneAtTime, Warning, draw_options,
+};
 
 /// Whoever watches a run.
 pub trait Watcher {
@@ -128,7 +130,7 @@ fn measure_with(
         view: shown.model.prepared.view(timeline.settings().size_px()),
         shown: &shown,
         truth: truth.as_ref(),
-        means: means(timeline.settings())?,
+        options: draw_options(timeline.settings())?,
         command: assignment.command.clone(),
     };
     let renderers: Vec<Renderer> = point.trials.iter().map(|e| e.renderer).collect();

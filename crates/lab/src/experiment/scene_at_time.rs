@@ -8,7 +8,7 @@ use std::sync::OnceLock;
 use cutaway::layers::NEAR_PLANE;
 use cutaway::passes::Model;
 use cutaway::scene::{Prepared, Scene};
-use cutaway::strategies::Means;
+use cutaway::strategies::DrawOptions;
 use cutaway::{Error, Result};
 use cutaway_io::document::Settings;
 
@@ -60,11 +60,11 @@ impl SceneAtTime {
 }
 
 /// The means that a document asks for.
-pub fn means(settings: &Settings) -> Result<Means> {
-    Ok(Means {
+pub fn draw_options(settings: &Settings) -> Result<DrawOptions> {
+    Ok(DrawOptions {
         rasteriser: settings.rasteriser.as_deref().map(str::parse).transpose()?,
         height_filter: settings.height_filter,
-        ..Means::default()
+        ..DrawOptions::default()
     })
 }
 

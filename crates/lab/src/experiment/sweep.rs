@@ -135,7 +135,7 @@ pub struct Point {
     pub trials: Vec<Trial>,
 }
 
-/// A renderer, and what made it.
+/// A renderer and the sweep values that produced it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Trial {
     /// Who is asked.

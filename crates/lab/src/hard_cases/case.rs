@@ -6,7 +6,7 @@
 use std::sync::Arc;
 
 use cutaway::scene::{Camera, Projection, Scene, Viewpoint, glob_matches};
-use cutaway::strategies::{Method, Obstacle, Strategy};
+use cutaway::strategies::{Method, Strategy, Unsupported};
 use cutaway::{Error, Result};
 use cutaway_io::document::{Document, Node};
 use cutaway_io::load::Assets;
@@ -188,9 +188,9 @@ impl Case {
             return self.paper.clone();
         }
         match self.form {
-            Form::Planes if !can.surfaces => return Refuses(Obstacle::Surfaces),
-            Form::Reliefs if !can.reliefs => return Refuses(Obstacle::Reliefs),
-            Form::FlatReliefs if !can.reliefs => return RefusesSome(Obstacle::Reliefs),
+            Form::Planes if !can.surfaces => return Refuses(Unsupported::Surfaces),
+            Form::Reliefs if !can.reliefs => return Refuses(Unsupported::Reliefs),
+            Form::FlatReliefs if !can.reliefs => return RefusesSome(Unsupported::Reliefs),
             _ => {}
         }
         if strategy.is_by_the_papers_rule() {

@@ -10,7 +10,7 @@ use std::fmt;
 use std::sync::Arc;
 
 use cutaway::session::Outcome;
-use cutaway::strategies::{Method, Obstacle};
+use cutaway::strategies::{Method, Unsupported};
 
 use super::tolerances::RIM_SHARE;
 use super::{Judged, Question, band};
@@ -39,9 +39,9 @@ pub enum Expected {
     /// As `Fails`, and over all pictures at least and at most so many decided wrong pixels per covered pixel.
     FailsWithin(Arc<str>, f64, f64),
     /// Not drawn, for what stands in the way.
-    Refuses(Obstacle),
+    Refuses(Unsupported),
     /// Some pictures are refused, for what stands in the way, and the others are exact.
-    RefusesSome(Obstacle),
+    RefusesSome(Unsupported),
 }
 
 impl Expected {
@@ -55,8 +55,8 @@ impl Expected {
             Self::Share(_) => "texels and the chord of its grid move what they draw",
             Self::Listed(_) => "the chord of its triangles moves what they draw",
             Self::Fails(why) | Self::FailsWithin(why, ..) | Self::Within(_, why) => why,
-            Self::Refuses(obstacle) | Self::RefusesSome(obstacle) => {
-                return Some(obstacle.to_string());
+            Self::Refuses(unsupported) | Self::RefusesSome(unsupported) => {
+                return Some(unsupported.to_string());
             }
         };
         Some(why.to_owned())
@@ -64,9 +64,9 @@ impl Expected {
 
     /// What is wrong with one picture.
     pub fn fault(&self, question: &Question, judged: &Judged, method: &Method) -> Option<String> {
-        if let Self::Refuses(obstacle) | Self::RefusesSome(obstacle) = self {
+        if let Self::Refuses(unsupported) | Self::RefusesSome(unsupported) = self {
             return match self {
-                _ if matches!(&judged.outcome, Outcome::Refused(r) if r.obstacle == *obstacle) => {
+                _ if matches!(&judged.outcome, Outcome::Refused(r) if r.unsupported == *unsupported) => {
                     None
                 }
                 Self::RefusesSome(_) => judged.fault_of_exact(),

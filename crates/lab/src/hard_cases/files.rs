@@ -33,7 +33,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use cutaway::Result;
-use cutaway::strategies::Obstacle;
+use cutaway::strategies::Unsupported;
 use cutaway_io::document::reader::{Entry, Table};
 use cutaway_io::document::{Document, Node};
 use cutaway_io::load::Files;
@@ -144,7 +144,7 @@ fn expected(entry: &Entry<'_>) -> Result<Expected> {
     ])?;
     let number = |key: &str| table.get(key).map(|e| e.number()).transpose();
     let words = |key: &str| table.get(key).map(|e| e.text().map(Arc::from)).transpose();
-    let obstacle = |key: &str| table.get(key).map(|e| obstacle(&e)).transpose();
+    let unsupported = |key: &str| table.get(key).map(|e| unsupported(&e)).transpose();
     let why: Option<Arc<str>> = words("why")?;
     let has_why = why.is_some();
     let all = [
@@ -154,8 +154,8 @@ fn expected(entry: &Entry<'_>) -> Result<Expected> {
         }),
         number("listed")?.map(|found| Expected::Listed(found * FACTOR)),
         words("fails")?.map(Expected::Fails),
-        obstacle("refuses")?.map(Expected::Refuses),
-        obstacle("refuses_some")?.map(Expected::RefusesSome),
+        unsupported("refuses")?.map(Expected::Refuses),
+        unsupported("refuses_some")?.map(Expected::RefusesSome),
         words("overflows")?.map(Expected::Overflows),
     ];
     let help = "write one word, as `exact`, or a table, as `{ share = 0.02 }`";
@@ -168,12 +168,12 @@ fn expected(entry: &Entry<'_>) -> Result<Expected> {
     }
 }
 
-fn obstacle(entry: &Entry<'_>) -> Result<Obstacle> {
+fn unsupported(entry: &Entry<'_>) -> Result<Unsupported> {
     entry.choice(&[
-        ("near-plane", Obstacle::NearPlane),
-        ("nonzero", Obstacle::Nonzero),
-        ("reliefs", Obstacle::Reliefs),
-        ("surfaces", Obstacle::Surfaces),
+        ("near-plane", Unsupported::NearPlane),
+        ("nonzero", Unsupported::Nonzero),
+        ("reliefs", Unsupported::Reliefs),
+        ("surfaces", Unsupported::Surfaces),
     ])
 }
 

@@ -74,15 +74,15 @@ pub(super) fn look(name: &str) -> Look {
 
 /// The name without parameters: `grid+vds` of `grid:{cells}+vds:1024`.
 fn kind(name: &str) -> String {
-    let (strategy, means) = match name.split_once('@') {
-        Some((strategy, means)) => (strategy, Some(means)),
+    let (strategy, options) = match name.split_once('@') {
+        Some((strategy, options)) => (strategy, Some(options)),
         None => (name, None),
     };
     let pieces = strategy.split('+');
     let pieces = pieces.map(|piece| piece.split(':').next().unwrap_or(piece));
     let kind = pieces.collect::<Vec<_>>().join("+");
-    match means {
-        Some(means) => format!("{kind}@{means}"),
+    match options {
+        Some(options) => format!("{kind}@{options}"),
         None => kind,
     }
 }

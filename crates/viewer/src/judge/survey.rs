@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use cutaway::gpu::ClockSet;
 use cutaway::plan::Clock;
-use cutaway::strategies::{Means, Method, Rasteriser, Strategy};
+use cutaway::strategies::{DrawOptions, Method, Rasteriser, Strategy};
 use cutaway::{Outcome, Result, Session};
 use cutaway_lab::Exact;
 use cutaway_lab::compare::compare;
@@ -140,7 +140,7 @@ impl Survey {
 /// Every strategy by every rasteriser that draws it.
 pub fn methods() -> Vec<Method> {
     let by_each = |strategy: Strategy| {
-        let by_compute = Method::new(strategy, Means::by(Rasteriser::Compute));
+        let by_compute = Method::new(strategy, DrawOptions::by(Rasteriser::Compute));
         let by_compute = strategy.can().compute.then_some(by_compute);
         [Some(Method::from(strategy)), by_compute]
             .into_iter()

@@ -5,7 +5,7 @@ use std::str::FromStr;
 
 use cutaway::gpu::Gpu;
 use cutaway::scene::View;
-use cutaway::strategies::{AUTO, Means, choose};
+use cutaway::strategies::{AUTO, DrawOptions, choose};
 use cutaway::{Error, Model, Result};
 use cutaway_lab::experiment::Renderer;
 
@@ -54,7 +54,7 @@ impl Painter {
     pub fn settle(self, gpu: &Gpu, model: &Model, view: &View) -> Renderer {
         match self {
             Self::Named(renderer) => renderer,
-            Self::Auto => choose(model, view, Means::default(), Some(gpu.traits()))
+            Self::Auto => choose(model, view, DrawOptions::default(), Some(gpu.traits()))
                 .method
                 .into(),
         }

@@ -14,14 +14,14 @@
 //! of that be seen.
 
 use crate::effects::{Picture, finish};
-use crate::passes::{DrawPass, Input, Lanes, Obstacle, Refusal, SceneBuffers, Surfaces, gather};
+use crate::passes::{DrawPass, Input, Lanes, Refusal, SceneBuffers, Surfaces, Unsupported, gather};
 use crate::plan::{CpuWork, Draw, Plan, Stencil, StencilStep, Vertices};
 use crate::scene::Fill;
-use crate::strategies::row::{Abilities, CapSurfaceRow, Caps, Facts};
+use crate::strategies::row::{Abilities, CapSurfaceRow, Caps, StrategyInfo};
 
 /// The row of the table.
 pub(crate) static ROW: CapSurfaceRow = CapSurfaceRow {
-    facts: Facts {
+    facts: StrategyInfo {
         name: "stencil",
         parameter: None,
         about: "the plane, where back faces minus front faces of what is kept say that it is inside: the classic way",
@@ -47,7 +47,7 @@ fn record(plan: &mut Plan, input: &Input<'_>) -> Result<(Picture, Vec<CpuWork>),
     near_plane_is_free(input)?;
     let scene = SceneBuffers::upload(plan, input, Lanes::none())?;
     let mut surfaces = Surfaces::with_stencil(plan, &scene);
-    for rank in input.relevance.cut_parts() {
+    for rank in input.active_cuts.cut_parts() {
         draw_part(plan, &scene, &mut surfaces, *rank);
     }
     surfaces.draw_plain_parts(plan, &scene, false);
@@ -60,7 +60,7 @@ fn draw_part(plan: &mut Plan, scene: &SceneBuffers<'_>, surfaces: &mut Surfaces,
     let input = scene.input;
     let part = &input.model.prepared.parts[rank];
     let name = &part.name;
-    let place = input.relevance.place_of(rank) as u32;
+    let place = input.active_cuts.place_of(rank) as u32;
     let (vertices, indices) = scene.mesh();
     let solid = DrawPass {
         name: format!("solid {place}"),
@@ -132,7 +132,7 @@ fn near_plane_is_free(input: &Input<'_>) -> Result<(), Refusal> {
     match input.cut_part_in_near_plane() {
         None => Ok(()),
         Some(met) => Err(Refusal::new(
-            Obstacle::NearPlane,
+            Unsupported::NearPlane,
             format!(
                 "the near plane meets `{}`: what lies before it is not drawn, and the stencil cannot count it",
                 met.name

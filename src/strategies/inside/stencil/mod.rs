@@ -26,7 +26,7 @@ use crate::plan::{
 };
 use crate::scene::Fill;
 use crate::shader::Shader;
-use crate::strategies::row::{Abilities, Answers, CapSurface, Facts, InsideTestRow};
+use crate::strategies::row::{Abilities, CapSurface, InsideTestKind, InsideTestRow, StrategyInfo};
 use crate::strategies::surface;
 
 /// Pairs that fit a stencil.
@@ -44,7 +44,7 @@ struct Mark {
 
 /// The row of the table.
 pub(crate) static ROW: InsideTestRow = InsideTestRow {
-    facts: Facts {
+    facts: StrategyInfo {
         name: "stencil",
         parameter: None,
         about: "the stencil: each crossing laid into the depth buffer and the mesh drawn against it, without atomics",
@@ -56,7 +56,7 @@ pub(crate) static ROW: InsideTestRow = InsideTestRow {
         },
         hard_cases: &[("raycast+stencil", true)],
     },
-    answers: Answers::Rays(record),
+    answers: InsideTestKind::Rays(record),
 };
 
 /// Records the frame of a cap surface with `stencil`.
@@ -66,7 +66,7 @@ fn record(
     surface: CapSurface,
     _: u32,
 ) -> Result<Picture, Refusal> {
-    let parts = input.relevance.lanes;
+    let parts = input.active_cuts.lanes;
     // Lists of one word refuse the frame where they are too many passes, longer ones are held shorter.
     let most = (MOST_PASSES / (parts + 2)) as u32;
     let most = most.saturating_sub(1).max(Capacities::CROSSINGS_OF_A_WORD);
@@ -93,7 +93,7 @@ fn record(
     };
     for (fill, most) in [(Fill::EvenOdd, BITS), (Fill::Nonzero, 1)] {
         let is_filled = |r: &&usize| input.model.prepared.parts[**r].fill == fill;
-        let ranks: Vec<usize> = (input.relevance.cut_parts().iter())
+        let ranks: Vec<usize> = (input.active_cuts.cut_parts().iter())
             .filter(is_filled)
             .copied()
             .collect();
@@ -139,7 +139,7 @@ impl Marks<'_> {
                 self.laid = Some(crossing);
                 plan.add_pass(self.lay(fill, crossing));
             }
-            let place = input.relevance.place_of(mark.rank);
+            let place = input.active_cuts.place_of(mark.rank);
             let name = &input.model.prepared.parts[mark.rank].name;
             let (to, what, reason) = match mark.crossing {
                 Some(i) => (

@@ -32,7 +32,7 @@ const LONGEST_TEXEL: f64 = 64.0;
 pub(super) fn rows(input: &Input<'_>) -> Result<Vec<Domain>, Refusal> {
     let mut first = 0;
     let mut rows = Vec::new();
-    for number in &input.relevance.surfaces {
+    for number in &input.active_cuts.surfaces {
         let surface = &input.model.prepared.surfaces[*number];
         if !input.model.is_relief(*number) {
             rows.push(of_plane(surface, input));

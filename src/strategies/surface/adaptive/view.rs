@@ -25,7 +25,7 @@ pub(super) fn refinement(
     capacity: u32,
 ) -> Refinement {
     let view = input.view;
-    let number = input.relevance.surfaces[index];
+    let number = input.active_cuts.surfaces[index];
     let surface = &input.model.prepared.surfaces[number];
     let heights = surface.slab();
     let mut refinement: Refinement = bytemuck::Zeroable::zeroed();
@@ -104,7 +104,7 @@ fn borders(
     surface: &PreparedSurface,
 ) -> [[f32; 4]; BORDERS_OF_DOMAIN] {
     let view = input.view;
-    let cut_box = &input.relevance.cut_box;
+    let cut_box = &input.active_cuts.cut_box;
     let mut planes: Vec<(DVec3, f64)> = sides_of_view(view).to_vec();
     let beyond = box_margin(view, cut_box);
     for axis in [DVec3::X, DVec3::Y, DVec3::Z] {

@@ -51,9 +51,9 @@ pub(super) fn of(input: &Input<'_>) -> Choice {
 
 /// The mean number of cells of a relief that a ray which meets its slab passes.
 fn expected_cells(input: &Input<'_>) -> f64 {
-    let cut_box = &input.relevance.cut_box;
+    let cut_box = &input.active_cuts.cut_box;
     let [low, high] = seen(cut_box, input.view);
-    let numbers = input.relevance.surfaces.iter();
+    let numbers = input.active_cuts.surfaces.iter();
     let surfaces = numbers.filter(|s| input.model.is_relief(**s));
     let (mut cells, mut met) = (0.0, 0_u32);
     for surface in surfaces.map(|s| &input.model.prepared.surfaces[*s]) {

@@ -1,7 +1,7 @@
 //! No point of a tessellation is seen farther than TAU pixels from where the relief is: on the triangles, and in the frames.
 
 use cutaway::layers::Kind;
-use cutaway::passes::{Model, Relevance};
+use cutaway::passes::{ActiveCuts, Model};
 use cutaway::scene::{Camera, Cut, Scene, View, Wrap};
 use cutaway::session::{Outcome, Session};
 use cutaway::strategies::Strategy;
@@ -28,7 +28,7 @@ fn ball() -> Scene {
 /// The greatest distance, in pixels, between a point of a triangle and the point of the relief over the same point of the plane.
 fn farthest_px(sheet: &Sheet, model: &Model, view: &View, triangles: &[Triangle]) -> f64 {
     let surface = &model.prepared.surfaces[0];
-    let cut_box = Relevance::new(&model.prepared, view)
+    let cut_box = ActiveCuts::new(&model.prepared, view)
         .expect("a plain scene")
         .cut_box;
     let mut farthest: f64 = 0.0;

@@ -8,7 +8,7 @@ use cutaway::passes::{Model, NEED_OF_TRIANGLES};
 use cutaway::plan::{Capacities, Clock, Limits, Plan};
 use cutaway::scene::{Camera, ClipSurface, Cut, Scene, Wrap};
 use cutaway::session::Outcome;
-use cutaway::strategies::{self, Means, Method, Rasteriser};
+use cutaway::strategies::{self, DrawOptions, Method, Rasteriser};
 use glam::DVec3;
 
 use super::common::{
@@ -322,11 +322,11 @@ fn too_many_triangles_are_told_and_then_have_room() {
     let strategy = strategy("adaptive:0.02+mask");
     // The first try, by itself.
     let gpu = gpu();
-    let means = Means {
+    let options = DrawOptions {
         sub_pixel_bits: Some(hardware_precision().sub_pixel_bits),
-        ..Means::by(Rasteriser::Hardware)
+        ..DrawOptions::by(Rasteriser::Hardware)
     };
-    let method = Method::new(strategy, means);
+    let method = Method::new(strategy, options);
     let plan = strategies::plan(&model, &view, method, &Capacities::UNKNOWN)
         .unwrap_or_else(|e| panic!("{e}"));
     let at = plan

@@ -6,7 +6,7 @@
 use cutaway::layers::Kind;
 use cutaway::scene::{Camera, ClipSurface, Cut, Fill, Part, Role, Scene};
 use cutaway::session::Outcome;
-use cutaway::strategies::{Obstacle, Strategy};
+use cutaway::strategies::{Strategy, Unsupported};
 use glam::DAffine3;
 
 use crate::common::shares::{Share, in_shares};
@@ -119,12 +119,12 @@ fn fault_by_one_list(judged: &Judged, boundary: f64) -> Option<String> {
 
 /// Whether the classic stencil said that a scene is beyond it, and why.
 fn beyond_one_plane(outcome: &Outcome) -> bool {
-    matches!(outcome, Outcome::Refused(r) if [Obstacle::Reliefs, Obstacle::Surfaces].contains(&r.obstacle))
+    matches!(outcome, Outcome::Refused(r) if [Unsupported::Reliefs, Unsupported::Surfaces].contains(&r.unsupported))
 }
 
 /// Whether an inside test said that it does not count windings.
 fn knows_parity_alone(outcome: &Outcome) -> bool {
-    matches!(outcome, Outcome::Refused(r) if r.obstacle == Obstacle::Nonzero)
+    matches!(outcome, Outcome::Refused(r) if r.unsupported == Unsupported::Nonzero)
 }
 
 in_shares!(every_strategy_agrees_with_exact_on_the_corpus, 4);

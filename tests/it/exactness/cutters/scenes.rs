@@ -4,7 +4,7 @@ use std::sync::{Mutex, OnceLock, PoisonError};
 
 use cutaway::scene::{Cut, Cutter, Mesh, Part, Scene};
 use cutaway::session::{Outcome, Session};
-use cutaway::strategies::{Means, Method, Rasteriser};
+use cutaway::strategies::{DrawOptions, Method, Rasteriser};
 use glam::{DAffine3, DVec3};
 
 use super::common::{Judged, Question, gpu, meshes, scenes, strategy};
@@ -17,7 +17,7 @@ pub(crate) fn judged_by_compute(question: &Question, name: &str) -> Judged {
         Mutex::new(Session::new(gpu))
     });
     let mut session = session.lock().unwrap_or_else(PoisonError::into_inner);
-    let method = Method::new(strategy(name), Means::by(Rasteriser::Compute));
+    let method = Method::new(strategy(name), DrawOptions::by(Rasteriser::Compute));
     let drawn = session.draw(&question.model, &question.view, method);
     let outcome = drawn.unwrap_or_else(|e| panic!("{name}: {e}")).outcome;
     assert!(

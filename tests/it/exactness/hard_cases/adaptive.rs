@@ -2,7 +2,7 @@
 //! device measured and the tables that the frame would upload (`tests/it/exactness/adaptive.rs` holds the device to the same triangles); every
 //! 25th frame is drawn, and along every ray the list must have the parity that the two ends of the ray imply.
 
-use cutaway::passes::{Model, Relevance};
+use cutaway::passes::{ActiveCuts, Model};
 use cutaway::plan::Capacities;
 use cutaway::plan::pack::frame;
 use cutaway::scene::{Camera, Scene, View, Wrap};
@@ -69,8 +69,8 @@ fn wrong_rays(
         );
         from.dot(surface.frame.normal) + map.sample(surface.wrap, at).0 * surface.height_scale
     };
-    let relevance = Relevance::new(&model.prepared, view).expect("a plain scene");
-    let packed = frame(view, &relevance.cut_box);
+    let active_cuts = ActiveCuts::new(&model.prepared, view).expect("a plain scene");
+    let packed = frame(view, &active_cuts.cut_box);
     let [min, max] = [packed.box_min, packed.box_max].map(|v| Vec4::from(v).truncate().as_dvec3());
     let (mut wrong, mut asked) = (0, 0);
     for pixel in 0..(view.size_px[0] * view.size_px[1]) as usize {

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use cutaway::Model;
 use cutaway::layers::Layers;
 use cutaway::scene::{Camera, Scene, Viewpoint};
-use cutaway::strategies::{Means, Method, Rasteriser, Strategy};
+use cutaway::strategies::{DrawOptions, Method, Rasteriser, Strategy};
 use cutaway_lab::exact::{Exact, Truth};
 use cutaway_lab::hard_cases::{Question, class_of, scenes};
 use glam::DVec2;
@@ -114,7 +114,7 @@ fn case_07_a_million_triangles_leave_no_odd_pixel() {
     let strategy = Strategy::RAYCAST_MASK;
     let mut drawn = Vec::new();
     for rasteriser in [Rasteriser::Hardware, Rasteriser::Compute] {
-        let method = Method::new(strategy, Means::by(rasteriser));
+        let method = Method::new(strategy, DrawOptions::by(rasteriser));
         let outcome = session
             .draw(&model, &view, method)
             .expect("a frame")

@@ -6,7 +6,7 @@ use cutaway::passes::NEED_OF_CROSSINGS;
 use cutaway::plan::{Capacities, Plan};
 use cutaway::scene::{Fill, Mesh, Scene, Wrap};
 use cutaway::session::Outcome;
-use cutaway::strategies::{self, Means, Method, Rasteriser, Strategy};
+use cutaway::strategies::{self, DrawOptions, Method, Rasteriser, Strategy};
 use glam::DVec3;
 
 use crate::common::numbers::Numbers;
@@ -43,8 +43,8 @@ fn answer(
     let mut session = session();
     // With all crossings in the lists, so that masks are the same word by word.
     let list = Some(true);
-    let means = Means::by(rasteriser);
-    let method = Method::new(*strategy, Means { list, ..means });
+    let options = DrawOptions::by(rasteriser);
+    let method = Method::new(*strategy, DrawOptions { list, ..options });
     let drawn = (session.draw(&question.model, &question.view, method))
         .unwrap_or_else(|e| panic!("{strategy}: {e}"));
     let mask = session.words(method, "mask").expect("a mask");

@@ -2,7 +2,7 @@
 
 use cutaway::layers::{Kind, Layers};
 use cutaway::scene::{OffsetMap, Scene, Wrap};
-use cutaway::strategies::{Means, Method, ReliefWalk, Strategy};
+use cutaway::strategies::{DrawOptions, Method, ReliefWalk, Strategy};
 use glam::DVec3;
 
 use crate::common::{Judged, Question, meshes, scenes, session};
@@ -23,9 +23,9 @@ fn by(walk: ReliefWalk, question: &Question) -> Judged {
     let mut session = session();
     let method = Method::new(
         Strategy::RAYCAST_MASK,
-        Means {
+        DrawOptions {
             relief_walk: Some(walk),
-            ..Means::default()
+            ..DrawOptions::default()
         },
     );
     let drawn =

@@ -5,7 +5,7 @@
 use std::path::Path;
 
 use cutaway::session::Outcome;
-use cutaway::strategies::{Method, Obstacle};
+use cutaway::strategies::{Method, Unsupported};
 use cutaway_lab::hard_cases::{
     Asked, Case, Expected, Question, Tally, caps_px, cases, check_ids, found, pictures, random,
     read, tallied, usual_methods,
@@ -120,8 +120,8 @@ fn every_expectation_can_be_missed() {
         Expected::Marked,
         Expected::Doubted,
         Expected::Overflows("anything".into()),
-        Expected::Refuses(Obstacle::Limit),
-        Expected::RefusesSome(Obstacle::Limit),
+        Expected::Refuses(Unsupported::Limit),
+        Expected::RefusesSome(Unsupported::Limit),
     ] {
         let fault = expected.fault(&question, &judged, &fine);
         assert!(fault.is_some(), "{expected:?} takes anything");
@@ -157,8 +157,8 @@ fn a_declaration_that_is_stale_is_a_fault() {
         Expected::Share(0.1),
         Expected::Within(0.1, "it is not wrong".into()),
         Expected::Listed(0.1),
-        Expected::Refuses(Obstacle::Limit),
-        Expected::RefusesSome(Obstacle::Limit),
+        Expected::Refuses(Unsupported::Limit),
+        Expected::RefusesSome(Unsupported::Limit),
         Expected::Overflows("it has room".into()),
     ] {
         let mut tally = Tally::default();
@@ -175,10 +175,10 @@ fn a_declaration_that_is_stale_is_a_fault() {
         "{:?}",
         refused.outcome
     );
-    for (obstacle, faults) in [(Obstacle::Reliefs, 0), (Obstacle::NearPlane, 1)] {
-        let expected = Expected::Refuses(obstacle);
+    for (unsupported, faults) in [(Unsupported::Reliefs, 0), (Unsupported::NearPlane, 1)] {
+        let expected = Expected::Refuses(unsupported);
         let fault = expected.fault(&question, &refused, &stencil);
-        assert_eq!(usize::from(fault.is_some()), faults, "{obstacle}");
+        assert_eq!(usize::from(fault.is_some()), faults, "{unsupported}");
     }
 }
 

@@ -3,7 +3,7 @@
 use cutaway::layers::Kind;
 use cutaway::scene::{ClipSurface, Cut, Fill, Mesh, Scene};
 use cutaway::session::Outcome;
-use cutaway::strategies::{Means, Method, Rasteriser, Strategy};
+use cutaway::strategies::{DrawOptions, Method, Rasteriser, Strategy};
 use cutaway_lab::hard_cases::{self, Expected};
 use glam::{DAffine3, DVec2, DVec3};
 
@@ -96,7 +96,7 @@ fn crossed(profile: &[DVec2], fill: Fill) -> Scene {
 /// The frame of the exact strategy by the compute rasteriser.
 fn by_compute(question: &Question) -> (Judged, Vec<u32>) {
     let mut session = session();
-    let method = Method::new(Strategy::RAYCAST_MASK, Means::by(Rasteriser::Compute));
+    let method = Method::new(Strategy::RAYCAST_MASK, DrawOptions::by(Rasteriser::Compute));
     let drawn = (session.draw(&question.model, &question.view, method)).expect("a frame");
     let mask = session.words(method, "mask").expect("its mask");
     let judged = question.judge(&session, method, drawn.outcome);

@@ -1,7 +1,7 @@
 //! Plans of these strategies: no pass that they do not need, and what does not fit a binding is refused by name.
 
 use cutaway::plan::{Capacities, Clock, Limits, Plan};
-use cutaway::strategies::{self, Means, Method, Rasteriser};
+use cutaway::strategies::{self, DrawOptions, Method, Rasteriser};
 
 use super::{SIZE, plan_with, ring, row};
 use crate::common::{Question, strategy};
@@ -137,7 +137,7 @@ fn what_the_compute_rasteriser_does_not_draw_is_refused_with_a_reason() {
         let refusal = strategies::plan(
             &question.model,
             &question.view,
-            Method::new(strategy(name), Means::by(Rasteriser::Compute)),
+            Method::new(strategy(name), DrawOptions::by(Rasteriser::Compute)),
             &Capacities::UNKNOWN,
         )
         .expect_err(name);

@@ -3,7 +3,7 @@
 use cutaway::layers::Kind;
 use cutaway::scene::{Camera, ClipSurface, Cut, Fill, Mesh, Part, Role, Scene};
 use cutaway::session::Outcome;
-use cutaway::strategies::{Means, Method, Rasteriser, Strategy};
+use cutaway::strategies::{DrawOptions, Method, Rasteriser, Strategy};
 use glam::{DAffine3, DVec3};
 
 use super::common::shares::{Share, in_shares};
@@ -125,7 +125,7 @@ fn it_agrees_with_exact_and_with_the_mask_wherever_planes_cut(share: Share) {
         asked += 1;
         let mask = question.answer(Strategy::RAYCAST_MASK);
         for rasteriser in [Rasteriser::Hardware, Rasteriser::Compute] {
-            let found = question.answer(Method::new(Strategy::PLANAR, Means::by(rasteriser)));
+            let found = question.answer(Method::new(Strategy::PLANAR, DrawOptions::by(rasteriser)));
             if let Some(fault) = fault(&found, &mask) {
                 faults.push(format!("{name}, {rasteriser}: {fault}"));
             }

@@ -5,7 +5,7 @@ use cutaway::gpu::ClockSet;
 use cutaway::plan::Clock;
 use cutaway::scene::{ClipSurface, Scene};
 use cutaway::session::{Outcome, Session};
-use cutaway::strategies::{Means, Method, Rasteriser, Strategy};
+use cutaway::strategies::{DrawOptions, Method, Rasteriser, Strategy};
 use glam::{DAffine3, DVec3};
 
 use super::common::{Question, gpu, meshes, scenes};
@@ -122,7 +122,7 @@ fn what_moves_is_sliced_where_it_stands() {
             * DAffine3::from_rotation_x(0.5 * turn);
         model = model.updated(&scene);
         let question = Question::of_model(model.clone(), &scene, [160, 120]);
-        let judged = question.answer(Method::new(Strategy::PLANAR, Means::by(rasteriser)));
+        let judged = question.answer(Method::new(Strategy::PLANAR, DrawOptions::by(rasteriser)));
         let caps = judged.layers.pixels.iter();
         let of_cube = caps.filter(|p| p.part == 1 && p.clip_surface == 0).count();
         assert_eq!(judged.fault_of_exact(), None, "turned by {turn}");

@@ -4,7 +4,7 @@ use cutaway::gpu::{ClockSet, Program};
 use cutaway::layers::{Kind, Layers};
 use cutaway::plan::{Capacities, Plan, Work};
 use cutaway::scene::{ClipSurface, Mesh, Part, Scene};
-use cutaway::strategies::{self, Means, Method, Rasteriser, Strategy};
+use cutaway::strategies::{self, DrawOptions, Method, Rasteriser, Strategy};
 use cutaway_lab::compare::compare;
 use glam::{DAffine3, DVec3};
 
@@ -28,7 +28,7 @@ fn plane() -> ClipSurface {
 }
 
 fn plan(question: &Question, rasteriser: Rasteriser) -> Plan {
-    let options = Means::by(rasteriser);
+    let options = DrawOptions::by(rasteriser);
     let capacities = Capacities::UNKNOWN;
     let (model, view) = (&question.model, &question.view);
     strategies::plan(

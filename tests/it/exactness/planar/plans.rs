@@ -3,7 +3,7 @@
 use cutaway::Model;
 use cutaway::plan::{Capacities, Clock, Limits, Plan, Recorded, Work};
 use cutaway::scene::{Camera, ClipSurface, Cut, Scene};
-use cutaway::strategies::{self, Means, Method, Rasteriser, Strategy};
+use cutaway::strategies::{self, DrawOptions, Method, Rasteriser, Strategy};
 use glam::{DAffine3, DVec3};
 
 use super::common::{meshes, scenes};
@@ -17,7 +17,7 @@ fn plan(scene: &Scene, rasteriser: Rasteriser) -> Result<Plan, String> {
 fn recorded(scene: &Scene, rasteriser: Rasteriser) -> Result<Recorded, String> {
     let model = Model::new(scene);
     let view = model.prepared.view(SIZE);
-    let options = Means::by(rasteriser);
+    let options = DrawOptions::by(rasteriser);
     let none = Capacities::UNKNOWN;
     let method = Method::new(Strategy::PLANAR, options);
     strategies::record(&model, &view, method, &none).map_err(|refusal| refusal.reason)

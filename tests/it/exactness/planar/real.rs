@@ -2,7 +2,7 @@
 //! repository (see `real_meshes.rs`); where they are not, there is nothing to check.
 
 use cutaway::session::Session;
-use cutaway::strategies::{Means, Method, Rasteriser, Strategy};
+use cutaway::strategies::{DrawOptions, Method, Rasteriser, Strategy};
 
 use super::common::real::closed;
 use super::common::shares::{Share, in_shares};
@@ -19,7 +19,7 @@ fn every_closed_mesh_by_an_oblique_plane(share: Share) {
     for (name, scene) in closed(&folders, None, share) {
         let question = Question::new(&scene, SIZE_PX);
         for by in [Rasteriser::Hardware, Rasteriser::Compute] {
-            let method = Method::new(Strategy::PLANAR, Means::by(by));
+            let method = Method::new(Strategy::PLANAR, DrawOptions::by(by));
             let drawn = session.draw(&question.model, &question.view, method);
             let outcome = drawn.unwrap_or_else(|e| panic!("{name}: {e}")).outcome;
             let judged = question.judge(&session, method, outcome);

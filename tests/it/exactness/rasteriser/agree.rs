@@ -4,7 +4,7 @@ use cutaway::layers::Layer;
 use cutaway::plan::Plan;
 use cutaway::scene::{Camera, ClipSurface, Cut, Scene};
 use cutaway::session::Outcome;
-use cutaway::strategies::{Means, Method, Rasteriser, Strategy};
+use cutaway::strategies::{DrawOptions, Method, Rasteriser, Strategy};
 
 use crate::common::meshes;
 use crate::common::{Judged, Question, class_of, coarseness, scenes, session};
@@ -12,9 +12,9 @@ use crate::common::{Judged, Question, class_of, coarseness, scenes, session};
 const SIZE: [u32; 2] = [160, 120];
 
 /// With all crossings in the lists, so that masks are the same word by word.
-const COMPUTE: Means = Means {
+const COMPUTE: DrawOptions = DrawOptions {
     list: Some(true),
-    ..Means::by(Rasteriser::Compute)
+    ..DrawOptions::by(Rasteriser::Compute)
 };
 
 const SHAPES: [&str; 9] = [
@@ -73,7 +73,7 @@ impl Mask {
 }
 
 /// The answer by a rasteriser, and its mask.
-fn answer(question: &Question, options: Means) -> (Judged, Mask) {
+fn answer(question: &Question, options: DrawOptions) -> (Judged, Mask) {
     let strategy = Strategy::RAYCAST_MASK;
     let mut session = session();
     let method = Method::new(strategy, options);
@@ -134,7 +134,7 @@ fn frames_are_exact_and_those_of_the_hardware() {
     let mut faults = Vec::new();
     let (mut compared, mut open_bits) = (0, 0);
     for (label, question) in questions() {
-        let (hardware, hardware_mask) = answer(&question, Means::default());
+        let (hardware, hardware_mask) = answer(&question, DrawOptions::default());
         let (compute, compute_mask) = answer(&question, COMPUTE);
         assert_eq!(compute.outcome, Outcome::Complete, "{label}");
         if let Some(fault) = compute.fault_of_exact() {

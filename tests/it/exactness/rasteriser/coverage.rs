@@ -6,7 +6,7 @@ use cutaway::Model;
 use cutaway::plan::Clock;
 use cutaway::scene::{Camera, ClipSurface, Cut, Mesh, Part, Scene, Style};
 use cutaway::session::Outcome;
-use cutaway::strategies::{Means, Method, Rasteriser, Strategy};
+use cutaway::strategies::{DrawOptions, Method, Rasteriser, Strategy};
 use glam::DVec3;
 
 use crate::common::numbers::Numbers;
@@ -52,7 +52,7 @@ fn drawn(parts: &[Vec<[DVec3; 3]>], camera: &Camera) -> Device {
     let view = model.prepared.view_of(camera, SIZE);
     let strategy = Strategy::RAYCAST_MASK;
     let mut session = session();
-    let method = Method::new(strategy, Means::by(Rasteriser::Compute));
+    let method = Method::new(strategy, DrawOptions::by(Rasteriser::Compute));
     let drawn = session
         .draw(&model, &view, method)
         .unwrap_or_else(|e| panic!("{e}"));

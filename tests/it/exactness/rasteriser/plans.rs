@@ -3,14 +3,14 @@
 use cutaway::Model;
 use cutaway::plan::{Capacities, Limits, Plan, Work};
 use cutaway::scene::{Camera, Scene};
-use cutaway::strategies::{self, Means, Method, Rasteriser, Refusal, Strategy};
+use cutaway::strategies::{self, DrawOptions, Method, Rasteriser, Refusal, Strategy};
 use glam::DVec3;
 
 use crate::common::{scenes, strategy};
 
-const COMPUTE: Means = Means::by(Rasteriser::Compute);
-const HARDWARE: Means = Means::by(Rasteriser::Hardware);
-const WIDE: Means = Means {
+const COMPUTE: DrawOptions = DrawOptions::by(Rasteriser::Compute);
+const HARDWARE: DrawOptions = DrawOptions::by(Rasteriser::Hardware);
+const WIDE: DrawOptions = DrawOptions {
     wide_atomics: Some(true),
     ..COMPUTE
 };
@@ -24,7 +24,7 @@ fn recorded(
     scene: &Scene,
     camera: &Camera,
     strategy: &Strategy,
-    options: &Means,
+    options: &DrawOptions,
 ) -> Result<Plan, Refusal> {
     let model = Model::new(scene);
     let view = model.prepared.view_of(camera, [320, 200]);
@@ -37,7 +37,7 @@ fn recorded(
 }
 
 /// A plan, held to core WebGPU unless it may use more.
-fn plan(scene: &Scene, camera: &Camera, options: &Means) -> Plan {
+fn plan(scene: &Scene, camera: &Camera, options: &DrawOptions) -> Plan {
     let plan =
         recorded(scene, camera, &Strategy::RAYCAST_MASK, options).unwrap_or_else(|e| panic!("{e}"));
     let limits = if options.wide_atomics == Some(true) {

@@ -9,7 +9,7 @@ use std::time::Instant;
 
 use cutaway::scene::{ClipSurface, Cut, Fill, Mesh, Scene};
 use cutaway::session::Outcome;
-use cutaway::strategies::{Method, Obstacle};
+use cutaway::strategies::{Method, Unsupported};
 use cutaway_lab::hard_cases::meshes::{block, joined, prisms, shape, toothed};
 use glam::{DVec2, DVec3};
 
@@ -119,9 +119,10 @@ fn is_exact(name: &str, mesh: Mesh, fill: Fill) {
                     method.to_string().contains("abuffer"),
                     "{name}: {method}: {refusal:?}"
                 );
-                let is_of_size = refusal.obstacle == Obstacle::Limit && *size_px != sizes[0];
+                let is_of_size = refusal.unsupported == Unsupported::Limit && *size_px != sizes[0];
                 assert!(
-                    (refusal.obstacle == Obstacle::Nonzero && fill == Fill::Nonzero) || is_of_size,
+                    (refusal.unsupported == Unsupported::Nonzero && fill == Fill::Nonzero)
+                        || is_of_size,
                     "{name}: {method}: {refusal:?}"
                 );
                 continue;

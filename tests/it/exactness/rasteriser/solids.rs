@@ -4,7 +4,7 @@
 use cutaway::Model;
 use cutaway::scene::{Camera, ClipSurface, Mesh};
 use cutaway::session::Outcome;
-use cutaway::strategies::{Means, Method, Rasteriser, Strategy};
+use cutaway::strategies::{DrawOptions, Method, Rasteriser, Strategy};
 use glam::{DVec2, DVec3};
 
 use crate::common::numbers::Numbers;
@@ -27,7 +27,7 @@ fn left_by(mesh: Mesh, plane: ClipSurface, camera: &Camera) -> Left {
     let view = model.prepared.view_of(camera, SIZE);
     let strategy = Strategy::RAYCAST_MASK;
     let mut session = session();
-    let method = Method::new(strategy, Means::by(Rasteriser::Compute));
+    let method = Method::new(strategy, DrawOptions::by(Rasteriser::Compute));
     let drawn = session.draw(&model, &view, method);
     let outcome = drawn.unwrap_or_else(|e| panic!("{e}")).outcome;
     assert_eq!(outcome, Outcome::Complete, "a frame to look at");

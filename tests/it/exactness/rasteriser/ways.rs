@@ -7,7 +7,7 @@ use cutaway::Model;
 use cutaway::gpu::{ClockSet, Program};
 use cutaway::plan::{Capacities, Plan, Work};
 use cutaway::scene::{ClipSurface, Mesh, Scene, View};
-use cutaway::strategies::{self, Means, Method, Rasteriser, Strategy};
+use cutaway::strategies::{self, DrawOptions, Method, Rasteriser, Strategy};
 use glam::DVec3;
 
 use crate::common::numbers::Numbers;
@@ -45,10 +45,10 @@ impl Frame {
 
 /// A frame by the compute rasteriser, with one sweep or two, by a plan that may have been changed.
 pub(super) fn frame(model: &Model, view: &View, wide: bool, change: impl Fn(&mut Plan)) -> Frame {
-    let options = Means {
+    let options = DrawOptions {
         rasteriser: Some(Rasteriser::Compute),
         wide_atomics: Some(wide),
-        ..Means::default()
+        ..DrawOptions::default()
     };
     // More than any of these scenes needs.
     let capacities = Capacities {

@@ -3,13 +3,13 @@
 use cutaway::layers::{Kind, Layers};
 use cutaway::scene::Scene;
 use cutaway::session::{Outcome, Session};
-use cutaway::strategies::{Means, Method, Rasteriser};
+use cutaway::strategies::{DrawOptions, Method, Rasteriser};
 
 use super::{SIZE, ring, roomy, row, run};
 use crate::common::{Question, gpu, scenes, strategy};
 
 fn layers(session: &mut Session, question: &Question, name: &str, by: Rasteriser) -> Layers {
-    let method = Method::new(strategy(name), Means::by(by));
+    let method = Method::new(strategy(name), DrawOptions::by(by));
     let drawn = session.draw(&question.model, &question.view, method);
     let drawn = drawn.unwrap_or_else(|e| panic!("{name}: {e}"));
     assert_eq!(drawn.outcome, Outcome::Complete, "{name}");

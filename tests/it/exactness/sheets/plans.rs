@@ -3,7 +3,7 @@
 use cutaway::Model;
 use cutaway::plan::{Access, Capacities, Limits, Plan, Work};
 use cutaway::scene::Scene;
-use cutaway::strategies::{self, Means, Method, Rasteriser, Strategy};
+use cutaway::strategies::{self, DrawOptions, Method, Rasteriser, Strategy};
 
 use super::{ring, row};
 use crate::common::{scenes, strategy};
@@ -18,7 +18,7 @@ const LISTED: [&str; 4] = [
 fn plan_by(scene: &Scene, strategy: &Strategy, rasteriser: Rasteriser) -> Plan {
     let model = Model::new(scene);
     let view = model.prepared.view([320, 200]);
-    let method = Method::new(*strategy, Means::by(rasteriser));
+    let method = Method::new(*strategy, DrawOptions::by(rasteriser));
     strategies::plan(&model, &view, method, &Capacities::UNKNOWN).unwrap_or_else(|e| panic!("{e}"))
 }
 

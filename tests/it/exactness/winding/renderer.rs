@@ -2,7 +2,7 @@
 
 use cutaway::generate::defects::break_parts;
 use cutaway::scene::Scene;
-use cutaway::strategies::Means;
+use cutaway::strategies::DrawOptions;
 use cutaway_io::document::parse_defect;
 use cutaway_lab::experiment::{Question, Renderer, SceneAtTime, errors, times};
 
@@ -48,7 +48,7 @@ fn judged(scene: &Scene, truth: Option<&Scene>, renderers: &[&str]) -> Vec<[usiz
         shown: &shown,
         view: shown.model.prepared.view([128, 96]),
         truth: truth.as_ref(),
-        means: Means::default(),
+        options: DrawOptions::default(),
         command: String::new(),
     };
     let renderers: Vec<Renderer> = renderers.iter().map(|c| c.parse().unwrap()).collect();
@@ -94,7 +94,7 @@ fn a_truth_in_another_frame_is_refused() {
         shown: &shown,
         view: shown.model.prepared.view([32, 24]),
         truth: Some(&truth),
-        means: Means::default(),
+        options: DrawOptions::default(),
         command: String::new(),
     };
     let message = errors(&mut session(), &question, &[], &mut |_| ());

@@ -281,11 +281,11 @@ fn what_makes_no_sense_is_refused_by_name() {
             "where = { amplitud",
             "did you mean `amplitude`",
         ),
-        ("[\"raycast+*\"]", "[\"raycats+*\"]", "nobody is called"),
+        ("[\"raycast+*\"]", "[\"raycats+*\"]", "no strategy matches"),
         (
             "[\"grid:*+vds:*\"]\nwhere",
             "[\"raycast+*\"]\nwhere",
-            "means nobody",
+            "matches no renderer",
         ),
         (
             "why = \"two approximations\"",

@@ -3,7 +3,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use cutaway::passes::Relevance;
+use cutaway::passes::ActiveCuts;
 use cutaway::scene::{ClipSurface, Cut, Scene};
 use cutaway::strategies::{Method, Strategy};
 use cutaway::{Model, Outcome, Session};
@@ -126,12 +126,12 @@ fn looks(session: &mut Session, scene: &Scene) -> BTreeMap<usize, Look> {
     let method = Method::from(Strategy::RAYCAST_MASK);
     let drawn = session.draw(&model, &view, method).expect("a frame");
     assert_eq!(drawn.outcome, Outcome::Complete, "{}", scene.name);
-    let relevance = Relevance::new(&model.prepared, &view).expect("few enough parts");
+    let active_cuts = ActiveCuts::new(&model.prepared, &view).expect("few enough parts");
     let rows = session.words(method, "part_hatches").expect("hatches");
     let lines = session.words(method, "hatch_lines").expect("lines");
     let rows = rows.chunks_exact(20);
-    assert_eq!(rows.len(), relevance.order.len(), "a row for each part");
-    (relevance.order[..relevance.lanes].iter().zip(rows))
+    assert_eq!(rows.len(), active_cuts.order.len(), "a row for each part");
+    (active_cuts.order[..active_cuts.lanes].iter().zip(rows))
         .map(|(rank, row)| {
             let [first, count] = [row[4], row[5]].map(|n| n as usize);
             let is_filled = count == 0;

@@ -5,7 +5,7 @@ use cutaway::layers::{Kind, Layers};
 use cutaway::plan::Limits;
 use cutaway::scene::{Camera, Viewpoint};
 use cutaway::session::{Drawn, Outcome, Session};
-use cutaway::strategies::{Means, Method, Obstacle, Rasteriser};
+use cutaway::strategies::{DrawOptions, Method, Rasteriser, Unsupported};
 use cutaway_io::document::named_style;
 use cutaway_lab::experiment::{Question, Renderer, SceneAtTime, errors, times};
 
@@ -168,7 +168,7 @@ fn what_bands_do_not_help_is_refused_with_the_first_reason() {
     let Outcome::Refused(refusal) = drawn.outcome else {
         panic!("{:?}", drawn.outcome);
     };
-    assert_eq!(refusal.obstacle, Obstacle::Limit);
+    assert_eq!(refusal.unsupported, Unsupported::Limit);
     assert!(refusal.reason.contains("1024"), "{refusal}");
     assert!(held.layers(strategy).is_err(), "there is no frame");
 }
@@ -176,7 +176,7 @@ fn what_bands_do_not_help_is_refused_with_the_first_reason() {
 #[test]
 fn an_a_buffer_that_outgrows_a_binding_is_drawn_in_bands() {
     for rasteriser in [Rasteriser::Hardware, Rasteriser::Compute] {
-        let method = Method::new(strategy("raycast+abuffer"), Means::by(rasteriser));
+        let method = Method::new(strategy("raycast+abuffer"), DrawOptions::by(rasteriser));
         let mut whole = session(Limits::CORE.storage_binding_bytes);
         assert_eq!(draw(&mut whole, method).outcome, Outcome::Complete);
         let expected = whole.layers(method).expect("layers");
@@ -222,7 +222,7 @@ fn a_comparison_and_given_layers_are_drawn_in_bands_too() {
         shown: &shown,
         view,
         truth: None,
-        means: Means::default(),
+        options: DrawOptions::default(),
         command: String::new(),
     };
     let renderers = [Renderer::from(Strategy::RAYCAST_MASK)];

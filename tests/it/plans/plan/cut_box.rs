@@ -3,7 +3,7 @@
 use cutaway::plan::Contents;
 use cutaway::plan::pack::frame;
 use cutaway::scene::{Bounds, Precision, Prepared, View};
-use cutaway::strategies::{Means, Method, Rasteriser};
+use cutaway::strategies::{DrawOptions, Method, Rasteriser};
 use glam::{DVec2, DVec3, Vec4};
 
 use super::*;
@@ -58,11 +58,11 @@ fn the_sub_pixel_bits_of_a_session_reach_the_frame() {
     let model = Model::new(&scenes::sectioned("cube", &["z=0"]));
     let view = model.prepared.view([64, 48]);
     let uploaded = |sub_pixel_bits: Option<u32>, by: Rasteriser| {
-        let means = Means {
+        let options = DrawOptions {
             sub_pixel_bits,
-            ..Means::by(by)
+            ..DrawOptions::by(by)
         };
-        let method = Method::new(Strategy::RAYCAST_MASK, means);
+        let method = Method::new(Strategy::RAYCAST_MASK, options);
         let plan = strategies::plan(&model, &view, method, &Capacities::UNKNOWN);
         let plan = plan.unwrap_or_else(|e| panic!("{e}"));
         let frame = plan.resources.iter().find(|r| r.name == "frame");

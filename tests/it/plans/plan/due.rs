@@ -1,7 +1,7 @@
 //! Which passes a change of the plan makes due, without a device.
 
 use cutaway::plan::{Contents, Limits};
-use cutaway::scene::{Motion, Pull};
+use cutaway::scene::{JointWeight, Motion};
 
 use super::*;
 
@@ -146,7 +146,7 @@ fn a_part_that_never_moves_has_no_pass_for_it() {
     scene.parts[0].motion = Some(Arc::new(Motion {
         first_pull: (0..=positions as u32).collect(),
         pulls: vec![
-            Pull {
+            JointWeight {
                 joint: 0,
                 weight: 1.0
             };

@@ -1,7 +1,7 @@
 //! Which way rays go through reliefs, and what a frame holds for it.
 
 use cutaway::scene::{Camera, Viewpoint};
-use cutaway::strategies::{Means, Method, ReliefWalk};
+use cutaway::strategies::{DrawOptions, Method, ReliefWalk};
 
 use super::*;
 
@@ -34,9 +34,9 @@ fn cube(texels: u32, angle_deg: f64) -> Scene {
 fn planned(scene: &Scene, walk: Option<ReliefWalk>) -> Plan {
     let model = Model::new(scene);
     let view = model.prepared.view(SIZE);
-    let options = Means {
+    let options = DrawOptions {
         relief_walk: walk,
-        ..Means::default()
+        ..DrawOptions::default()
     };
     let strategy = Strategy::RAYCAST_MASK;
     let plan = strategies::plan(

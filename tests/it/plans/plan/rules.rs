@@ -1,12 +1,12 @@
 //! The rules of a plan and the limits of core WebGPU.
 
 use cutaway::Error;
-use cutaway::passes::Relevance;
+use cutaway::passes::ActiveCuts;
 use cutaway::plan::{
     Access, Binding, Contents, DepthCompare, Format, Limits, Resource, ResourceId, Role, Shape,
 };
 use cutaway::scene::{Mesh, Part};
-use cutaway::strategies::{CapSurface, InsideTest, Obstacle};
+use cutaway::strategies::{CapSurface, InsideTest, Unsupported};
 
 use super::*;
 
@@ -116,11 +116,11 @@ fn what_cannot_be_drawn_is_refused_with_a_reason() {
         Strategy::alone(CapSurface::grid(8)),
     ] {
         let refusal = refused(&cut, unpaired);
-        assert_eq!(refusal.obstacle, Obstacle::Pairing, "{refusal}");
+        assert_eq!(refusal.unsupported, Unsupported::Pairing, "{refusal}");
     }
     let cuts = (0..33).map(|_| planes(0.1, 1)).collect();
     let many = refused(&scene_of(&["cube"], cuts), Strategy::RAYCAST_MASK);
-    assert_eq!(many.obstacle, Obstacle::Cuts, "{many}");
+    assert_eq!(many.unsupported, Unsupported::Cuts, "{many}");
     // A smaller picture has as many cuts.
     let error = cutaway_lab::experiment::picture::refused(Strategy::RAYCAST_MASK.into(), &many);
     let message = error.to_string();
@@ -170,7 +170,7 @@ fn more_parts_than_a_layer_can_name_are_refused() {
     let recorded = |scene: &Scene| {
         let model = Model::new(scene);
         let view = model.prepared.view(SIZE);
-        Relevance::new(&model.prepared, &view).map(|_| ())
+        ActiveCuts::new(&model.prepared, &view).map(|_| ())
     };
     assert_eq!(recorded(&scene), Ok(()), "65536 parts");
     scene.parts.push(scene.parts[0].clone());

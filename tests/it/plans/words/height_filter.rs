@@ -11,7 +11,7 @@ use cutaway::generate::shapes;
 use cutaway::gpu::run_words_with;
 use cutaway::plan::{Capacities, Plan};
 use cutaway::scene::{ClipSurface, Cut, HeightFilter, OffsetMap, Scene, Wrap};
-use cutaway::strategies::{self, Means, Method};
+use cutaway::strategies::{self, DrawOptions, Method};
 use glam::{DVec2, DVec3};
 
 use crate::plans::words::{GPU, Random, words_of};
@@ -61,9 +61,9 @@ fn scene(wrap: Wrap, size: [u32; 2]) -> (Scene, Arc<OffsetMap>) {
 fn plan(scene: &Scene) -> Plan {
     let model = Model::new(scene);
     let view = model.prepared.view([32, 32]);
-    let options = Means {
+    let options = DrawOptions {
         height_filter: Some(HeightFilter::Hardware),
-        ..Means::default()
+        ..DrawOptions::default()
     };
     let strategy = "grid:8+vds:16".parse().unwrap_or_else(|e| panic!("{e}"));
     strategies::plan(

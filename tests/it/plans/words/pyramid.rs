@@ -7,7 +7,7 @@ use cutaway::generate::shapes;
 use cutaway::gpu::{ClockSet, Program};
 use cutaway::plan::{Capacities, Contents, Plan};
 use cutaway::scene::{Camera, ClipSurface, Cut, OffsetMap, Scene, Wrap};
-use cutaway::strategies::{self, Means, Method, ReliefWalk, Strategy};
+use cutaway::strategies::{self, DrawOptions, Method, ReliefWalk, Strategy};
 use glam::{DMat3, DVec3};
 
 use crate::common::scenes::orbit;
@@ -63,9 +63,9 @@ fn plan(model: &Model, camera: &Camera, walk: ReliefWalk) -> Plan {
         crossings: Some(Capacities::MOST_CROSSINGS),
         ..Capacities::UNKNOWN
     };
-    let options = Means {
+    let options = DrawOptions {
         relief_walk: Some(walk),
-        ..Means::default()
+        ..DrawOptions::default()
     };
     strategies::plan(
         model,

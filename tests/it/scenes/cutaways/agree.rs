@@ -1,13 +1,13 @@
 //! Strategies that are exact are so on cutouts and breakaways, with the eye before the opening and within it.
 
-use cutaway::strategies::{Means, Method, Rasteriser, Strategy};
+use cutaway::strategies::{DrawOptions, Method, Rasteriser, Strategy};
 
 use super::*;
 use crate::common::shares::{Share, in_shares};
 
 fn methods() -> Vec<Method> {
     let exact = ["raycast+mask", "raycast+abuffer", "raycast+stencil"].map(common::strategy);
-    let by_compute = Method::new(Strategy::RAYCAST_MASK, Means::by(Rasteriser::Compute));
+    let by_compute = Method::new(Strategy::RAYCAST_MASK, DrawOptions::by(Rasteriser::Compute));
     exact
         .into_iter()
         .map(Method::from)

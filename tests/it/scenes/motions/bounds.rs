@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use cutaway::Part;
-use cutaway::scene::{Bounds, Mesh, Motion, MotionDefect, Pull};
+use cutaway::scene::{Bounds, JointWeight, Mesh, Motion, MotionDefect};
 use glam::{DAffine3, DMat3, DVec3};
 
 use super::document::{bending_bar, morphing_cube};
@@ -107,7 +107,7 @@ fn by_chance(dice: &mut Dice) -> Part {
             let pulls = 1 + dice.below(3);
             let raw: Vec<f64> = (0..pulls).map(|_| dice.number().abs() + 0.01).collect();
             let sum: f64 = raw.iter().sum();
-            motion.pulls.extend(raw.iter().map(|w| Pull {
+            motion.pulls.extend(raw.iter().map(|w| JointWeight {
                 joint: dice.below(joints) as u16,
                 weight: (w / sum) as f32,
             }));

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use cutaway::scene::{Axis, Deformer, Mesh, Motion, Part, Pose, Pull};
+use cutaway::scene::{Axis, Deformer, JointWeight, Mesh, Motion, Part, Pose};
 use glam::{DAffine3, DQuat, DVec3};
 
 use super::common::meshes::{moved, shape};
@@ -19,13 +19,13 @@ fn upper(y: f64) -> f32 {
 }
 
 /// Pulls of two joints, blended over the middle. The ends are pulled by one joint each, and weights need not sum to one exactly.
-fn pulls(mesh: &Mesh) -> (Vec<u32>, Vec<Pull>) {
+fn pulls(mesh: &Mesh) -> (Vec<u32>, Vec<JointWeight>) {
     let (mut first, mut pulls) = (vec![0], Vec::new());
     for p in &mesh.positions {
         let weight = upper(p.y);
         for (joint, weight) in [(0, 1.0 - weight), (1, weight)] {
             if weight > 0.0 {
-                pulls.push(Pull { joint, weight });
+                pulls.push(JointWeight { joint, weight });
             }
         }
         first.push(pulls.len() as u32);
@@ -68,7 +68,7 @@ pub(super) fn torn_bar() -> Part {
     let mesh = bar();
     let mut part = Part::new("bar", mesh);
     let positions = part.mesh.positions.len() as u32;
-    let pull = |joint| Pull { joint, weight: 0.5 };
+    let pull = |joint| JointWeight { joint, weight: 0.5 };
     part.motion = Some(Arc::new(Motion {
         first_pull: (0..=positions).map(|p| 2 * p).collect(),
         pulls: (0..positions).flat_map(|_| [pull(0), pull(1)]).collect(),

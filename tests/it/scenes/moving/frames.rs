@@ -5,7 +5,7 @@ use std::sync::Arc;
 use cutaway::Model;
 use cutaway::layers::Kind;
 use cutaway::scene::{ClipSurface, Part, Scene};
-use cutaway::strategies::{Means, Method, Rasteriser, Strategy};
+use cutaway::strategies::{DrawOptions, Method, Rasteriser, Strategy};
 use cutaway_lab::{Comparison, compare};
 use glam::{DAffine3, DVec2, DVec3};
 
@@ -18,7 +18,10 @@ const RASTERISERS: [Rasteriser; 2] = [Rasteriser::Hardware, Rasteriser::Compute]
 
 /// The exact strategy's answer by a rasteriser.
 fn answer(question: &Question, rasteriser: Rasteriser) -> Judged {
-    question.answer(Method::new(Strategy::RAYCAST_MASK, Means::by(rasteriser)))
+    question.answer(Method::new(
+        Strategy::RAYCAST_MASK,
+        DrawOptions::by(rasteriser),
+    ))
 }
 
 #[track_caller]

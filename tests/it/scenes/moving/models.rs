@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use cutaway::Model;
 use cutaway::scene::{ClipSurface, Scene, Topology};
-use cutaway::strategies::{Means, Method, Rasteriser, Strategy};
+use cutaway::strategies::{DrawOptions, Method, Rasteriser, Strategy};
 use cutaway_io::load::load_mesh_file;
 
 use super::common::Question;
@@ -60,7 +60,7 @@ fn animated_models_are_posed_and_cut_exactly() {
                 let is_closed = scene.parts.iter().all(|p| Topology::new(&p.mesh).closed);
                 let question = Question::of_model(next, &scene, SIZE_PX);
                 for rasteriser in [Rasteriser::Hardware, Rasteriser::Compute] {
-                    let options = Means::by(rasteriser);
+                    let options = DrawOptions::by(rasteriser);
                     let judged = question.answer(Method::new(Strategy::RAYCAST_MASK, options));
                     let wrong = judged.comparison.decided_wrong_px;
                     println!(

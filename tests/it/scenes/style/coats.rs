@@ -55,7 +55,7 @@ fn every_strategy_shows_the_coat_at_its_surfaces() {
     let mut compared = 0;
     for strategy in Strategy::all() {
         for by in [Rasteriser::Hardware, Rasteriser::Compute] {
-            let method = Method::new(strategy, Means::by(by));
+            let method = Method::new(strategy, DrawOptions::by(by));
             let Some((layers, drawn)) = drawn_as_shaded(&mut session, ("colours", &scene), method)
             else {
                 continue;

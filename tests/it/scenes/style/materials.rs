@@ -280,7 +280,7 @@ fn every_strategy_dresses_its_layers() {
     let mut compared = 0;
     for strategy in Strategy::all() {
         for by in [Rasteriser::Hardware, Rasteriser::Compute] {
-            let method = Method::new(strategy, Means::by(by));
+            let method = Method::new(strategy, DrawOptions::by(by));
             compared +=
                 usize::from(drawn_as_shaded(&mut session, ("marble", &scene), method).is_some());
         }

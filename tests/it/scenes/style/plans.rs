@@ -136,7 +136,7 @@ fn the_compute_rasteriser_leaves_colours_to_a_style() {
     let painted = |style| {
         let model = Model::new(&scene_in(style));
         let view = model.prepared.view(SIZE_PX);
-        let method = Method::new(Strategy::RAYCAST_MASK, Means::by(Rasteriser::Compute));
+        let method = Method::new(Strategy::RAYCAST_MASK, DrawOptions::by(Rasteriser::Compute));
         let plan = strategies::plan(&model, &view, method, &Capacities::UNKNOWN);
         let plan = plan.unwrap_or_else(|refusal| panic!("{}", refusal.reason));
         let names: Vec<String> = plan.passes.iter().map(|p| p.name.clone()).collect();

@@ -85,7 +85,7 @@ fn drawn(session: &mut Session, shot: &Shot, method: Method) -> Vec<u8> {
 #[test]
 fn pictures_after_others_are_those_of_a_fresh_session() {
     for by in [Rasteriser::Compute, Rasteriser::Hardware] {
-        let method = Method::new(Strategy::RAYCAST_MASK, Means::by(by));
+        let method = Method::new(Strategy::RAYCAST_MASK, DrawOptions::by(by));
         // Of its own: who takes two of those that tests share may wait for ever.
         let open = || Session::new(common::gpu());
         let (mut session, mut other) = (open(), open());
@@ -106,7 +106,7 @@ fn pictures_after_others_are_those_of_a_fresh_session() {
 #[test]
 fn tiles_beyond_the_reach_of_strokes_are_not_gone_over() {
     let mut session = session();
-    let method = Method::new(Strategy::RAYCAST_MASK, Means::default());
+    let method = Method::new(Strategy::RAYCAST_MASK, DrawOptions::default());
     let shot = &shots()[1];
     drawn(&mut session, shot, method);
     let layers = session.layers(method).expect("layers");

@@ -16,9 +16,9 @@ use super::target::Target;
 use super::times::Times;
 use super::turntable::turned;
 use crate::console::Console;
-use crate::drawer::Chosen;
 use crate::input::subject::Subject;
 use crate::notes::warn_of_doubt;
+use crate::renderer_request::RendererChoice;
 use crate::verdict::Verdict;
 
 /// What takes longer than this says beforehand how long, where no bar shows it.
@@ -31,7 +31,7 @@ pub(super) struct Film<'a> {
     pub(super) times: Times,
     /// The frames that are drawn: all, or a share.
     pub(super) own: Range<u32>,
-    pub(super) chosen: Chosen,
+    pub(super) chosen: RendererChoice,
     /// The scene at the time of the last frame, as it is prepared.
     pub(super) shown: SceneAtTime,
     pub(super) scene: Scene,
@@ -111,7 +111,7 @@ impl Film<'_> {
 
     /// The run and its frames as JSON.
     pub(super) fn json(&self, session: &Session, target: &Target, frames: &[FrameReport]) -> Value {
-        let means = self.chosen.renderer.means();
+        let options = self.chosen.renderer.options();
         json!({
             "scene": self.subject.scene.name,
             "output": target.path(),
@@ -126,8 +126,8 @@ impl Film<'_> {
             "adapter": session.gpu().report(),
             "strategy": picture::strategy_name(self.chosen.renderer),
             "chosen_for": self.chosen.reason,
-            "rasteriser": means.rasteriser.unwrap_or_default().to_string(),
-            "height_filter": means.height_filter.unwrap_or_default().to_string(),
+            "rasteriser": options.rasteriser.unwrap_or_default().to_string(),
+            "height_filter": options.height_filter.unwrap_or_default().to_string(),
             "median_drawn_ms": report::median_ms(frames),
             "frames": frames.iter().map(FrameReport::json).collect::<Vec<_>>(),
         })

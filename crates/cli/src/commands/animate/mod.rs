@@ -30,8 +30,8 @@ use cutaway_io::load::frames::{Pattern, USUAL_FPS};
 use cutaway_lab::experiment::{Identity, Renderer};
 
 use crate::console::{Console, ConsoleArgs};
-use crate::input::args::{AdapterArgs, MeansArgs, SceneArgs, parse_finite};
-use crate::input::look::{LookArgs, Usual};
+use crate::input::args::{AdapterArgs, DrawOptionArgs, SceneArgs, parse_finite};
+use crate::input::look::{Defaults, LookArgs};
 use crate::input::shard::Shard;
 use crate::input::stdin;
 use crate::input::subject::Subject;
@@ -112,7 +112,7 @@ pub(crate) struct AnimateArgs {
     #[command(flatten)]
     device: AdapterArgs,
     #[command(flatten)]
-    means: MeansArgs,
+    options: DrawOptionArgs,
     #[command(flatten)]
     console: ConsoleArgs,
 }
@@ -128,7 +128,7 @@ pub(crate) fn run(args: &AnimateArgs) -> Result<Verdict> {
     let mut document = args.scene.document(Some(played_fps))?;
     args.clip.amend(&mut document)?;
     args.look.amend(&mut document)?;
-    args.means.amend(&mut document)?;
+    args.options.amend(&mut document)?;
     // After all options, and for cutaways that are fitted to the picture.
     if matches!(target, Target::Gif(_)) && document.get("resolution").is_err() {
         document.set("resolution", USUAL_GIF_SIZE_PX.map(Value::from).to_vec())?;
@@ -139,13 +139,13 @@ pub(crate) fn run(args: &AnimateArgs) -> Result<Verdict> {
     let subject = args.scene.open(
         document,
         Some(args.times.start_s),
-        Usual::of_pictures()?,
+        Defaults::of_pictures()?,
         &console,
     )?;
     let times = times(args, &target, &subject, &console)?;
     note_of_even_size(&target, subject.size_px(), &console);
 
-    let drawer = subject.drawer()?;
+    let renderer_request = subject.renderer_request()?;
     let plays = args.loops.plays();
     let files = target.files(times.count).into_iter();
     let files = files.map(|file| ("--output", file));
@@ -164,7 +164,7 @@ pub(crate) fn run(args: &AnimateArgs) -> Result<Verdict> {
     console.expect_frames(own.len() as u32);
     let shown = subject.shown()?;
     let view = subject.view(&shown.model.prepared);
-    let chosen = drawer.settle(Some(session.gpu()), (&shown.model, &view), &console);
+    let chosen = renderer_request.settle(Some(session.gpu()), (&shown.model, &view), &console);
     let renderer = chosen.renderer;
     let mut film = Film {
         args,

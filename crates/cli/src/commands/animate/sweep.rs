@@ -65,7 +65,7 @@ impl Sweep {
 /// Reads `[-]AXIS=FROM:TO`.
 pub(super) fn parse_sweep(text: &str) -> Result<Sweep, String> {
     let fault = |what: String| format!("{what}\n  help: write for example y=10%:90%, or -z=0:25");
-    let no_form = || fault("it is no axis with two places".to_owned());
+    let no_form = || fault("expected AXIS=FROM:TO".to_owned());
     let (axis, places) = text.split_once('=').ok_or_else(no_form)?;
     let (from, to) = places.split_once(':').ok_or_else(no_form)?;
     let (sign, letter) = match axis.trim().strip_prefix('-') {

@@ -10,7 +10,7 @@ use glam::DVec3;
 use super::clip::cuts;
 use super::opening::{missing, spec_of};
 use super::reader::{Entry, Table};
-use super::{camera, cap_materials, hatches, keys, parts, settings, stock, style};
+use super::{camera, cap_materials, hatches, keys, parts, scene_assets, settings, style};
 use crate::document::paths::keys_below;
 use crate::load::Assets;
 use crate::load::frames::Pattern;
@@ -32,10 +32,10 @@ pub(in crate::document) fn check(root: &Table<'_>, folder: &Path, assets: &Asset
     }
     for entry in root.tables("part")? {
         let table = entry.table(parts::KEYS.all())?;
-        if let Some(hatch) = stock::of_material(&table, "hatch")? {
+        if let Some(hatch) = scene_assets::of_material(&table, "hatch")? {
             hatches::check(&hatch, folder, assets)?;
         }
-        if let Some(cap) = stock::of_material(&table, "cap")? {
+        if let Some(cap) = scene_assets::of_material(&table, "cap")? {
             cap_materials::check(&cap, folder, assets)?;
         }
         match (table.get("shape"), table.get("mesh")) {

@@ -1,5 +1,5 @@
-//! Entries of parts that say the same as in the last document that was opened from the same assets: they are not opened again, for taking
-//! bodies apart and closing holes take longer than a frame, and a cut that is dragged opens a document for each frame.
+//! Cache of loaded parts across reloads, keyed by their source settings. Splitting bodies and closing holes take longer than a frame, and a
+//! cut that is dragged opens a document for each frame.
 //!
 //! Likewise what is seen of the parts from outside, where roles are found by that.
 //!
@@ -87,17 +87,17 @@ impl Opening<'_> {
 }
 
 /// What decides how much is seen of a part: its mesh, what can move it, its place and its pose.
-type Stand = (Arc<Mesh>, Option<Arc<Motion>>, DAffine3, Pose);
+type PosedMesh = (Arc<Mesh>, Option<Arc<Motion>>, DAffine3, Pose);
 
 /// What was seen of the parts of the last document.
 struct KnownSights {
-    stands: Vec<Stand>,
+    stands: Vec<PosedMesh>,
     sights: Vec<Sight>,
 }
 
 impl KnownSights {
     fn is_of(&self, parts: &[Part]) -> bool {
-        let same = |((mesh, motion, placed, pose), part): (&Stand, &Part)| {
+        let same = |((mesh, motion, placed, pose), part): (&PosedMesh, &Part)| {
             Arc::ptr_eq(mesh, &part.mesh)
                 && motion.as_ref().map(Arc::as_ptr) == part.motion.as_ref().map(Arc::as_ptr)
                 && *placed == part.world_from_part

@@ -156,9 +156,9 @@ mod part_source;
 mod parts;
 pub mod reader;
 mod roles;
+mod scene_assets;
 mod settings;
 mod solids;
-mod stock;
 mod style;
 mod table;
 mod target;
@@ -187,8 +187,8 @@ pub(super) use known::sights_of;
 pub(super) use part_source::PartSource;
 pub(super) use parts::all as parts_with_roles;
 pub use roles::RoleBy;
+pub(super) use scene_assets::SceneAssets;
 pub use settings::Settings;
-pub(super) use stock::Stock;
 pub(super) use style::is_file as is_style_file;
 pub use style::{named_style, style_names};
 
@@ -210,7 +210,7 @@ pub(super) fn top<'a>(path: &'a Path, node: &'a Node) -> Result<Table<'a>> {
 }
 
 /// Opens all that a document names.
-pub(super) fn open(root: &Table<'_>, folder: &Path, assets: &mut Assets) -> Result<Stock> {
+pub(super) fn open(root: &Table<'_>, folder: &Path, assets: &mut Assets) -> Result<SceneAssets> {
     let mut opening = Opening {
         folder,
         assets,
@@ -224,12 +224,12 @@ pub(super) fn open(root: &Table<'_>, folder: &Path, assets: &mut Assets) -> Resu
         let help = "add `[[part]]` with `mesh = \"FILE\"` or `shape = \"crank\"`";
         return Err(root.entry.fault("the scene has no part", help));
     }
-    let parts = stock::open(&parts, &mut opening)?;
+    let parts = scene_assets::open(&parts, &mut opening)?;
     let cutters = clip::cutters::open(&cuts, &mut opening)?;
     let images = clip::reliefs::open(root, folder, opening.assets)?;
     let style = style::open(root, &mut opening)?;
     opening.files.extend(images.files().cloned());
-    Ok(Stock {
+    Ok(SceneAssets {
         parts,
         cutters,
         images,
@@ -255,26 +255,30 @@ pub(super) fn keys(root: &Table<'_>) -> Result<Vec<Keyed>> {
 /// The parts at a time.
 pub(super) fn parts(
     root: &Table<'_>,
-    stock: &Stock,
+    scene_assets: &SceneAssets,
     time_s: f64,
     outwards: &Outwards,
 ) -> Result<Vec<Part>> {
-    let parts = parts::all(root, stock, time_s, outwards)?;
+    let parts = parts::all(root, scene_assets, time_s, outwards)?;
     Ok(parts.into_iter().map(|(part, _)| part).collect())
 }
 
 /// What is to be said of the roles of some parts; refused, where they name none that there is at any time.
-pub(super) fn role_notes(root: &Table<'_>, stock: &Stock, parts: &[Part]) -> Result<Vec<String>> {
+pub(super) fn role_notes(
+    root: &Table<'_>,
+    scene_assets: &SceneAssets,
+    parts: &[Part],
+) -> Result<Vec<String>> {
     let roles = roles::read(root)?;
-    let materials = stock.parts.iter().flat_map(PartSource::materials);
-    let names = names_of(stock).into_iter().chain(materials);
+    let materials = scene_assets.parts.iter().flat_map(PartSource::materials);
+    let names = names_of(scene_assets).into_iter().chain(materials);
     roles.must_name(root, &names.collect::<Vec<_>>())?;
     Ok(roles.notes(parts))
 }
 
 /// Names of all parts that there are at any time.
-fn names_of(stock: &Stock) -> Vec<&str> {
-    let names = stock.parts.iter().flat_map(PartSource::names);
+fn names_of(scene_assets: &SceneAssets) -> Vec<&str> {
+    let names = scene_assets.parts.iter().flat_map(PartSource::names);
     names.map(String::as_str).collect()
 }
 
@@ -284,14 +288,14 @@ pub(super) fn finds_roles(root: &Table<'_>) -> Result<bool> {
 }
 
 /// How it looks.
-pub(super) fn style(root: &Table<'_>, stock: &Stock) -> Result<Style> {
-    style::read(root, stock.style.unwrap_or_default())
+pub(super) fn style(root: &Table<'_>, scene_assets: &SceneAssets) -> Result<Style> {
+    style::read(root, scene_assets.style.unwrap_or_default())
 }
 
 /// The scene of some parts, and its camera.
 pub(super) fn scene(
     root: &Table<'_>,
-    stock: &Stock,
+    scene_assets: &SceneAssets,
     (parts, stage): (Vec<Part>, Option<Bounds>),
     reliefs: &mut Resolved,
     notes: &mut Vec<String>,
@@ -300,18 +304,18 @@ pub(super) fn scene(
         parts,
         stage,
         interference: settings::interference(root)?,
-        style: style(root, stock)?,
+        style: style(root, scene_assets)?,
         ..Scene::default()
     };
     let bounds = scene.bounds();
-    let camera = (root.get("camera")).map(|e| camera::read(&e, &bounds, stock.fit));
-    let seen = camera.transpose()?.unwrap_or(Seen::usual(stock.fit));
+    let camera = (root.get("camera")).map(|e| camera::read(&e, &bounds, scene_assets.fit));
+    let seen = camera.transpose()?.unwrap_or(Seen::usual(scene_assets.fit));
     scene.camera = seen.camera;
     let maps = match root.get("relief") {
-        Some(entry) => clip::reliefs::read(&entry, &stock.images, reliefs)?,
+        Some(entry) => clip::reliefs::read(&entry, &scene_assets.images, reliefs)?,
         None => clip::reliefs::Maps::new(),
     };
-    let names = names_of(stock);
+    let names = names_of(scene_assets);
     let context = clip::cuts::Context {
         bounds,
         up: scene.camera.up,
@@ -321,8 +325,8 @@ pub(super) fn scene(
     };
     let (mut cuts, mut faced) = (Vec::new(), None);
     for (i, entry) in root.tables("cut")?.iter().enumerate() {
-        let cutter = stock.cutters.get(i).and_then(Option::as_ref);
-        let frame = stock.frames.get(&i);
+        let cutter = scene_assets.cutters.get(i).and_then(Option::as_ref);
+        let frame = scene_assets.frames.get(&i);
         let read = clip::cuts::read(entry, i, (cutter, frame), &context, notes)?;
         // A cutout lies where the camera has it.
         if faced.is_none() && entry.open_table()?.get("cutout").is_none() {

@@ -8,8 +8,8 @@ use super::deform;
 use super::part_source::PartSource;
 use super::reader::{Entry, Table};
 use super::roles::{self, RoleBy};
+use super::scene_assets::SceneAssets;
 use super::settings::color;
-use super::stock::Stock;
 use crate::document::Keys;
 
 /// Keys of a part.
@@ -18,13 +18,13 @@ pub(super) static KEYS: Keys = Keys::below("part.*");
 /// The parts at a time, with who says which role each has. One that is not enabled is read, and left out.
 pub(in crate::document) fn all(
     root: &Table<'_>,
-    stock: &Stock,
+    scene_assets: &SceneAssets,
     time_s: f64,
     outwards: &Outwards,
 ) -> Result<Vec<(Part, RoleBy)>> {
     let roles = roles::read(root)?;
     let mut all = Vec::new();
-    for (entry, held) in root.tables("part")?.iter().zip(&stock.parts) {
+    for (entry, held) in root.tables("part")?.iter().zip(&scene_assets.parts) {
         let table = entry.open_table()?;
         let given = table.get("role").is_some();
         let parts = read(entry, held, time_s, outwards)?;
@@ -32,7 +32,7 @@ pub(in crate::document) fn all(
             continue;
         }
         for mut part in parts {
-            let (role, by) = roles.of(&part, given, stock.sights.as_ref());
+            let (role, by) = roles.of(&part, given, scene_assets.sights.as_ref());
             part.role = role;
             all.push((part, by));
         }

@@ -47,8 +47,8 @@ impl Timeline {
     /// Places the cutouts of these cuts as the scene is at time 0.
     pub(super) fn place_cutouts(&mut self, cutouts: Vec<(usize, AxisRule)>) -> Result<()> {
         let first = self.closed_at(0.0)?;
-        self.stock.frames = frames_of(&first, cutouts, self.settings.size_px())?;
-        self.notes.extend(notes_of(&self.stock.frames));
+        self.scene_assets.frames = frames_of(&first, cutouts, self.settings.size_px())?;
+        self.notes.extend(notes_of(&self.scene_assets.frames));
         // What was found without them is found anew; the camera stays where they open to.
         self.outline = OnceLock::new();
         let parts = (self.rest.parts.clone(), None);
@@ -57,7 +57,7 @@ impl Timeline {
             .get_mut()
             .unwrap_or_else(PoisonError::into_inner);
         let root = read::root(&self.path, &self.root, None)?;
-        let (rest, _) = read::scene(&root, &self.stock, parts, reliefs, &mut Vec::new())?;
+        let (rest, _) = read::scene(&root, &self.scene_assets, parts, reliefs, &mut Vec::new())?;
         self.rest.cuts = rest.cuts;
         Ok(())
     }
@@ -69,7 +69,7 @@ impl Timeline {
     /// None that opening the document had not.
     pub fn roles(&self) -> Result<Vec<(Part, RoleBy)>> {
         self.read_at(0.0, |root| {
-            read::parts_with_roles(root, &self.stock, 0.0, &self.outwards)
+            read::parts_with_roles(root, &self.scene_assets, 0.0, &self.outwards)
         })
     }
 }

@@ -23,7 +23,7 @@ use cutaway::error::{Error, Result, did_you_mean};
 use cutaway::scene::{Bounds, Clip, Fit, Outline, Outwards, Part, Scene, Style, View, Viewpoint};
 
 use super::read::reader::Table;
-use super::read::{self, Key, Keyed, Moment, PartSource, Resolved, Seen, Settings, Stock};
+use super::read::{self, Key, Keyed, Moment, PartSource, Resolved, SceneAssets, Seen, Settings};
 use super::{Document, Node};
 use crate::load::Assets;
 use crate::load::frames::Sequence;
@@ -39,7 +39,7 @@ pub struct Timeline {
     /// The document as it stands.
     root: Node,
     keys: Vec<Keyed>,
-    stock: Stock,
+    scene_assets: SceneAssets,
     settings: Settings,
     /// The scene as the numbers are written, with frames at their first.
     rest: Scene,
@@ -66,20 +66,26 @@ impl Timeline {
     /// The timeline of a document; its keys are tried.
     pub(super) fn of(document: &Document, assets: &mut Assets) -> Result<Self> {
         let root = read::root(document.path(), document.root(), None)?;
-        let mut stock = read::open(&root, document.folder(), assets)?;
+        let mut scene_assets = read::open(&root, document.folder(), assets)?;
         let settings = read::settings(&root)?;
-        let mut notes = stock.notes.clone();
+        let mut notes = scene_assets.notes.clone();
         let outwards = Outwards::default();
         let reliefs = assets.kept::<Resolved>();
         let mut reliefs = reliefs.as_deref().cloned().unwrap_or_default();
-        let mut parts = read::parts(&root, &stock, 0.0, &outwards)?;
+        let mut parts = read::parts(&root, &scene_assets, 0.0, &outwards)?;
         if read::finds_roles(&root)? {
             let names = parts.iter().map(|p| p.name.clone());
-            stock.sights = Some(names.zip(read::sights_of(&parts, assets)).collect());
-            parts = read::parts(&root, &stock, 0.0, &outwards)?;
+            scene_assets.sights = Some(names.zip(read::sights_of(&parts, assets)).collect());
+            parts = read::parts(&root, &scene_assets, 0.0, &outwards)?;
         }
-        notes.extend(read::role_notes(&root, &stock, &parts)?);
-        let (mut rest, seen) = read::scene(&root, &stock, (parts, None), &mut reliefs, &mut notes)?;
+        notes.extend(read::role_notes(&root, &scene_assets, &parts)?);
+        let (mut rest, seen) = read::scene(
+            &root,
+            &scene_assets,
+            (parts, None),
+            &mut reliefs,
+            &mut notes,
+        )?;
         assets.keep(reliefs.clone());
         if seen.is_free() {
             rest.camera.viewpoint = seen.turned(rest.cuts.iter());
@@ -95,7 +101,7 @@ impl Timeline {
             clips: clips_of(&rest.parts),
             first_clip: longest.cloned(),
             chosen: None,
-            stock,
+            scene_assets,
             rest,
             notes,
             reliefs: Mutex::new(reliefs),
@@ -125,8 +131,8 @@ impl Timeline {
     ///
     /// Changes on a style that make no sense of this one.
     pub fn with_usual_style(mut self, style: Style) -> Result<Self> {
-        self.stock.style.get_or_insert(style);
-        self.rest.style = self.read_at(0.0, |root| read::style(root, &self.stock))?;
+        self.scene_assets.style.get_or_insert(style);
+        self.rest.style = self.read_at(0.0, |root| read::style(root, &self.scene_assets))?;
         Ok(self)
     }
 
@@ -135,7 +141,7 @@ impl Timeline {
     pub fn with_usual_fit(mut self, fit: Fit) -> Self {
         let camera = self.root.get("camera");
         if camera.and_then(|c| c.get("fit")).is_none() {
-            self.stock.fit = fit;
+            self.scene_assets.fit = fit;
             self.rest.camera.fit = fit;
         }
         self
@@ -175,12 +181,12 @@ impl Timeline {
     pub fn files(&self) -> impl Iterator<Item = &Path> {
         let own = Some(self.path.as_path()).filter(|path| !path.as_os_str().is_empty());
         own.into_iter()
-            .chain(self.stock.files.iter().map(PathBuf::as_path))
+            .chain(self.scene_assets.files.iter().map(PathBuf::as_path))
     }
 
     /// Names of the parts that an entry of `part` has at any time, by the number of the entry: one for each solid of a file.
     pub fn names_of(&self, entry: usize) -> impl Iterator<Item = &str> {
-        let source = self.stock.parts.get(entry).into_iter();
+        let source = self.scene_assets.parts.get(entry).into_iter();
         source.flat_map(PartSource::names).map(String::as_str)
     }
 
@@ -304,7 +310,7 @@ impl Timeline {
     /// The parts at a time, before clips move them.
     fn unposed_at(&self, time_s: f64) -> Result<Vec<Part>> {
         self.read_at(time_s, |root| {
-            read::parts(root, &self.stock, time_s, &self.outwards)
+            read::parts(root, &self.scene_assets, time_s, &self.outwards)
         })
     }
 
@@ -312,9 +318,15 @@ impl Timeline {
     fn unposed_scene_at(&self, time_s: f64, stage: Option<Bounds>) -> Result<(Scene, Seen)> {
         self.read_at(time_s, |root| {
             let notes = &mut Vec::new();
-            let parts = read::parts(root, &self.stock, time_s, &self.outwards)?;
+            let parts = read::parts(root, &self.scene_assets, time_s, &self.outwards)?;
             let mut reliefs = self.reliefs.lock().unwrap_or_else(PoisonError::into_inner);
-            read::scene(root, &self.stock, (parts, stage), &mut reliefs, notes)
+            read::scene(
+                root,
+                &self.scene_assets,
+                (parts, stage),
+                &mut reliefs,
+                notes,
+            )
         })
     }
 
@@ -349,7 +361,10 @@ impl Timeline {
     }
 
     fn sequences(&self) -> impl Iterator<Item = &Sequence> {
-        self.stock.parts.iter().filter_map(PartSource::sequence)
+        self.scene_assets
+            .parts
+            .iter()
+            .filter_map(PartSource::sequence)
     }
 }
 

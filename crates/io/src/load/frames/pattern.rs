@@ -48,21 +48,21 @@ impl Pattern {
                 continue;
             }
             let Some((width, tail)) = tail.split_once('d') else {
-                return fault("a % leaves no number open");
+                return fault("`%` must be followed by a frame-number format");
             };
             let filled = width.strip_prefix('0').and_then(|w| w.parse().ok());
             let width = match (width.is_empty(), filled) {
                 (true, _) => 1,
                 (_, Some(width @ 1..=MOST_DIGITS)) => width,
-                _ => return fault("a % leaves no number open"),
+                _ => return fault("`%` must be followed by a frame-number format"),
             };
             if digits.replace(width).is_some() {
-                return fault("it leaves two numbers open");
+                return fault("it has two frame-number formats");
             }
             rest = tail;
         }
         let Some(digits) = digits else {
-            return fault("it leaves no number open");
+            return fault("it has no frame-number format");
         };
         after.push_str(rest);
         Ok(Self {
@@ -182,15 +182,15 @@ mod tests {
     #[test]
     fn what_is_no_pattern_is_told() {
         for (text, phrase) in [
-            ("walk.ply", "no number"),
-            ("100%%.ply", "no number"),
-            ("100%.ply", "no number"),
-            ("%4d.ply", "no number"),
-            ("%099d.ply", "no number"),
-            ("%0d.ply", "no number"),
-            ("é%é.ply", "no number"),
-            ("%s.ply", "no number"),
-            ("%d/%d.ply", "two numbers"),
+            ("walk.ply", "frame-number format"),
+            ("100%%.ply", "frame-number format"),
+            ("100%.ply", "frame-number format"),
+            ("%4d.ply", "frame-number format"),
+            ("%099d.ply", "frame-number format"),
+            ("%0d.ply", "frame-number format"),
+            ("é%é.ply", "frame-number format"),
+            ("%s.ply", "frame-number format"),
+            ("%d/%d.ply", "two frame-number formats"),
         ] {
             assert!(!Pattern::is_in(text), "{text}");
             let error = Pattern::parse(text).expect_err(text).to_string();

@@ -4,7 +4,7 @@
 //! their first joint, as in other readers), vertices without joints (they follow the node), and morph targets that do not fit (they move
 //! nothing). Refused: a joint that the skin lacks, since nobody knows where its vertices belong.
 
-use cutaway::scene::motion::{Motion, Pull};
+use cutaway::scene::motion::{JointWeight, Motion};
 use cutaway::scene::weld::thousands;
 use glam::DVec3;
 use gltf::Primitive;
@@ -83,7 +83,7 @@ impl Followers {
                 self.unwhole += usize::from(!is_whole);
                 whole.iter_mut().for_each(|(_, weight)| *weight /= sum);
             }
-            let pulls = whole.iter().map(|(joint, weight)| Pull {
+            let pulls = whole.iter().map(|(joint, weight)| JointWeight {
                 joint: *joint,
                 weight: *weight as f32,
             });

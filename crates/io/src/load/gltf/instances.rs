@@ -2,7 +2,7 @@
 //!
 //! Each instance becomes a node of the rig below its own, so that it goes where its node is moved.
 
-use cutaway::scene::motion::Stand;
+use cutaway::scene::motion::NodeTransform;
 use glam::{DQuat, DVec3};
 use gltf::{Accessor, Document, Node};
 use serde_json::Value;
@@ -19,7 +19,7 @@ pub(super) fn read(
     document: &Document,
     node: &Node<'_>,
     buffers: &[Vec<u8>],
-) -> Result<Option<Vec<Stand>>, String> {
+) -> Result<Option<Vec<NodeTransform>>, String> {
     let Some(extension) = node.extension_value(INSTANCES) else {
         return Ok(None);
     };
@@ -66,7 +66,7 @@ pub(super) fn read(
         return Err(at(format!("it gives {count} instances and {other}")));
     }
     let of = |all: &Option<Vec<DVec3>>, i: usize, usual| all.as_ref().map_or(usual, |all| all[i]);
-    let stands = (0..count).map(|i| Stand {
+    let stands = (0..count).map(|i| NodeTransform {
         translation: of(&translations, i, DVec3::ZERO),
         rotation: (turns.as_ref()).map_or(DQuat::IDENTITY, |turns| turns[i].normalize()),
         scale: of(&scales, i, DVec3::ONE),

@@ -36,7 +36,7 @@ use std::sync::Arc;
 
 use cutaway::error::{Error, Result};
 use cutaway::scene::Role;
-use cutaway::scene::motion::{Bound, Driver, Hold, Motion, Rig};
+use cutaway::scene::motion::{Bound, Driver, Motion, Rig, RigAttachment};
 use cutaway::scene::weld::thousands;
 use gltf::Node;
 
@@ -214,7 +214,7 @@ struct Shape {
     materials: Vec<String>,
     is_transparent: bool,
     bound: Arc<Bound>,
-    hold: Hold,
+    hold: RigAttachment,
 }
 
 impl Shape {
@@ -224,8 +224,8 @@ impl Shape {
         if motion.targets.iter().all(still) {
             motion.targets.clear();
         }
-        let hold = skin.map_or(Hold::Node, |skin| hold(motion, skin, rig));
-        if !matches!(hold, Hold::Skin { .. }) {
+        let hold = skin.map_or(RigAttachment::Node, |skin| hold(motion, skin, rig));
+        if !matches!(hold, RigAttachment::Skin { .. }) {
             motion.first_pull.clear();
             motion.pulls.clear();
         }
@@ -262,18 +262,18 @@ impl Shape {
 }
 
 /// What takes a skinned solid to its place: one joint, if all of it hangs on that one.
-fn hold(motion: &Motion, skin: usize, rig: &Rig) -> Hold {
+fn hold(motion: &Motion, skin: usize, rig: &Rig) -> RigAttachment {
     let beyond = rig.skins[skin].joints.len();
     let joints = motion.pulls.iter().map(|pull| usize::from(pull.joint));
     let Some(first) = joints.clone().next() else {
-        return Hold::Node;
+        return RigAttachment::Node;
     };
     if joints.clone().any(|joint| joint != first) {
         let with_node = joints.max() == Some(beyond);
-        return Hold::Skin { skin, with_node };
+        return RigAttachment::Skin { skin, with_node };
     }
     if first == beyond {
-        return Hold::Node;
+        return RigAttachment::Node;
     }
-    Hold::Joint { skin, joint: first }
+    RigAttachment::Joint { skin, joint: first }
 }

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-use cutaway::scene::motion::{RigNode, Stand};
+use cutaway::scene::motion::{NodeTransform, RigNode};
 use glam::{DAffine3, DMat4, DQuat, DVec3};
 use gltf::scene::Transform;
 use gltf::{Document, Node};
@@ -135,7 +135,7 @@ pub(super) fn read<'a>(document: &'a Document, buffers: &[Vec<u8>]) -> Result<No
 }
 
 /// Where a node is in its parent, and that in pieces.
-fn local(node: &Node<'_>) -> (DAffine3, Option<Stand>) {
+fn local(node: &Node<'_>) -> (DAffine3, Option<NodeTransform>) {
     match node.transform() {
         Transform::Matrix { matrix } => {
             let matrix = matrix.map(|c| c.map(f64::from));
@@ -147,7 +147,7 @@ fn local(node: &Node<'_>) -> (DAffine3, Option<Stand>) {
             rotation,
             scale,
         } => {
-            let stand = Stand {
+            let stand = NodeTransform {
                 translation: DVec3::from(translation.map(f64::from)),
                 rotation: DQuat::from_array(rotation.map(f64::from)).normalize(),
                 scale: DVec3::from(scale.map(f64::from)),
@@ -160,13 +160,13 @@ fn local(node: &Node<'_>) -> (DAffine3, Option<Stand>) {
 /// How far a matrix may be from what its pieces make, relative to its largest entry: shear does not come apart.
 const SHEAR: f64 = 1e-5;
 
-fn apart(matrix: DAffine3) -> Option<Stand> {
+fn apart(matrix: DAffine3) -> Option<NodeTransform> {
     // A matrix that flattens has no rotation to be found.
     if matrix.matrix3.determinant().abs() <= 0.0 || !matrix.is_finite() {
         return None;
     }
     let (scale, rotation, translation) = matrix.to_scale_rotation_translation();
-    let stand = Stand {
+    let stand = NodeTransform {
         translation,
         rotation,
         scale,

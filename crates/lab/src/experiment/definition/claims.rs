@@ -215,7 +215,7 @@ fn wanted(entry: &Entry<'_>, run: &SceneRun) -> Result<Wanted> {
     };
     if bound != Bound::default() {
         let help = "write two [[run.expect]]";
-        return Err(entry.fault("it falls, or it is within bounds", help));
+        return Err(entry.fault("`falls_along` excludes `least` and `most`", help));
     }
     let axis = along.text()?;
     let points = run.points.first();
@@ -263,7 +263,7 @@ fn must_mean_somebody(table: &Table<'_>, claim: &Claim, run: &SceneRun) -> Resul
     for glob in &claim.strategies {
         if !names.iter().any(|n| glob_matches(glob, n)) {
             let help = did_you_mean(glob, names.iter().map(String::as_str));
-            return Err(strategies.fault(format_args!("nobody is called `{glob}`"), help));
+            return Err(strategies.fault(format_args!("no strategy matches `{glob}`"), help));
         }
     }
     let is_meant = run.points.iter().any(|p| {
@@ -276,8 +276,9 @@ fn must_mean_somebody(table: &Table<'_>, claim: &Claim, run: &SceneRun) -> Resul
     });
     for axis in along {
         if !run.points.iter().any(|p| has_a_step(p, claim, axis)) {
-            let what =
-                format!("nobody has two values of `{axis}` between which anything could fall");
+            let what = format!(
+                "no strategy has two values of `{axis}`, so that nothing can fall along it"
+            );
             let help = "give the axis two values, or expect `{ most = .. }`";
             return Err(table.entry.fault(what, help));
         }
@@ -286,5 +287,7 @@ fn must_mean_somebody(table: &Table<'_>, claim: &Claim, run: &SceneRun) -> Resul
         return Ok(());
     }
     let help = "let `where` and `strategies` fit some renderer of some point";
-    Err(table.entry.fault("it means nobody", help))
+    Err(table
+        .entry
+        .fault("it matches no renderer at any point", help))
 }

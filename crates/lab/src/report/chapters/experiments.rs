@@ -16,7 +16,7 @@ use crate::report::recorded::Recorded;
 pub(super) fn chapter(
     recorded: &Recorded,
     points: &Points<'_>,
-    pictures: &pictures::Chosen,
+    pictures: &pictures::Galleries,
 ) -> Vec<Block> {
     let mut blocks = Vec::new();
     let all = || (recorded.folders.iter()).flat_map(|f| f.experiments.iter().map(move |e| (f, e)));
@@ -80,7 +80,7 @@ fn answers(points: &Points<'_>, of_it: &[Point<'_>]) -> Vec<Block> {
 fn measurements(
     points: &Points<'_>,
     of_it: &[Point<'_>],
-    pictures: &pictures::Chosen,
+    pictures: &pictures::Galleries,
     shown: Option<&Point<'_>>,
 ) -> Block {
     let mut blocks = Vec::new();
@@ -127,7 +127,7 @@ fn measurements(
 fn folded(
     points: &Points<'_>,
     point: &Point<'_>,
-    pictures: Option<&pictures::Chosen>,
+    pictures: Option<&pictures::Galleries>,
     is_open: bool,
 ) -> Block {
     let record = point.record;
@@ -147,7 +147,11 @@ fn folded(
     }
 }
 
-fn one(points: &Points<'_>, point: &Point<'_>, pictures: Option<&pictures::Chosen>) -> Vec<Block> {
+fn one(
+    points: &Points<'_>,
+    point: &Point<'_>,
+    pictures: Option<&pictures::Galleries>,
+) -> Vec<Block> {
     let record = point.record;
     let mut blocks = vec![Block::Text(facts(record))];
     let common = points.common(point.folder);

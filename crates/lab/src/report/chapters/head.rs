@@ -11,7 +11,7 @@ use crate::report::recorded::{Experiment, Folder, Recorded};
 pub(super) fn notices(
     recorded: &Recorded,
     points: &Points<'_>,
-    pictures: &pictures::Chosen,
+    pictures: &pictures::Galleries,
 ) -> Vec<Block> {
     let experiments = points.by_experiment().len();
     let strategies: usize = (points.all.iter())

@@ -1,6 +1,6 @@
 //! How the report was made: commands, limits, and where the measurements are biased.
 
-use super::pictures::Chosen;
+use super::pictures::Galleries;
 use crate::report::document::{Block, Cell, Grid};
 use crate::report::recorded::Recorded;
 
@@ -15,7 +15,7 @@ const BIAS: &str = "\
 - The shapes are few and most are our own. Real meshes enter only where an experiment names their files.
 ";
 
-pub(super) fn chapter(recorded: &Recorded, pictures: &Chosen) -> Vec<Block> {
+pub(super) fn chapter(recorded: &Recorded, pictures: &Galleries) -> Vec<Block> {
     let mut blocks = vec![Block::Prose(BIAS.to_owned())];
     let [shown, left_out] = pictures.counts();
     if shown + left_out > 0 {

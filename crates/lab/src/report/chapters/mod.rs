@@ -30,7 +30,7 @@ use point::Points;
 /// The report of some folders.
 pub(super) fn document(recorded: &Recorded, options: &PictureOptions) -> Document {
     let points = Points::of(recorded);
-    let pictures = pictures::Chosen::of(&points, options);
+    let pictures = pictures::Galleries::of(&points, options);
     let mut blocks = head::notices(recorded, &points, &pictures);
     for (heading, section) in [
         ("What should I use?", advice::answers::chapter(&points)),

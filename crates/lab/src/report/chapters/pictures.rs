@@ -32,7 +32,7 @@ impl PictureOptions {
 }
 
 /// The galleries of all points.
-pub(super) struct Chosen {
+pub(super) struct Galleries {
     galleries: Vec<Gallery>,
     /// Which point each is of: run folder, experiment, identity of the record.
     of: Vec<(PathBuf, String, String)>,
@@ -59,7 +59,7 @@ enum Lack {
     TooLarge,
 }
 
-impl Chosen {
+impl Galleries {
     pub(super) fn of(points: &Points<'_>, options: &PictureOptions) -> Self {
         let with = || points.all.iter().filter(|p| !p.record.pictures.is_empty());
         let (mut left, mut waiting) = (options.most_bytes, with().count() as u64);

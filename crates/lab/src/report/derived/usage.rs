@@ -20,20 +20,20 @@ pub(crate) struct Usage {
 ///
 /// Which way rays walk through a relief is no option of `cutaway render`, which chooses it: it stands beside the name.
 pub(crate) fn usage(name: &str) -> Option<Usage> {
-    let Ok(Method { strategy, means }) = name.parse() else {
+    let Ok(Method { strategy, options }) = name.parse() else {
         return None;
     };
-    if means.wide_atomics == Some(false) || means.list == Some(true) {
+    if options.wide_atomics == Some(false) || options.list == Some(true) {
         return None;
     }
     let mut words = strategy.to_string();
-    if means.rasteriser == Some(Rasteriser::Compute) {
+    if options.rasteriser == Some(Rasteriser::Compute) {
         words.push_str(" --rasteriser compute");
     }
-    if means.height_filter == Some(HeightFilter::Hardware) {
+    if options.height_filter == Some(HeightFilter::Hardware) {
         words.push_str(" --height-filter hardware");
     }
-    let limit = match means.relief_walk {
+    let limit = match options.relief_walk {
         Some(ReliefWalk::Cells) => Some("cell by cell, as it does by itself where that pays"),
         Some(ReliefWalk::Pyramid) => Some("over the pyramid, as it does by itself where that pays"),
         None => Some(strategy.limit()).filter(|limit| !limit.is_empty()),

@@ -2,7 +2,7 @@
 //! are its help.
 
 use cutaway::scene::{Amount, parse_color};
-use cutaway_io::document::paths::{PATHS, Path, Takes};
+use cutaway_io::document::paths::{PATHS, Path, ValueType};
 use cutaway_io::document::{Node, Value};
 use eframe::egui::{Checkbox, ComboBox, DragValue, TextEdit, Ui};
 
@@ -47,14 +47,14 @@ pub(in crate::ui) fn cells(
 /// The control of a value alone: what it is changed to, if it is.
 fn edited(ui: &mut Ui, entry: &Path, value: &Value, name: &str) -> Option<Value> {
     match (entry.takes, value) {
-        (Takes::Flag, value) => {
+        (ValueType::Flag, value) => {
             let mut is_on = *value == true.into();
             let response = ui.add(Checkbox::without_text(&mut is_on));
             let response = response.accessible_name(name).on_hover_text(entry.help);
             response.changed().then(|| is_on.into())
         }
-        (Takes::Choice(words), value) => choice(ui, words, value, name),
-        (Takes::Number(least, most), Value::Number(number)) => {
+        (ValueType::Choice(words), value) => choice(ui, words, value, name),
+        (ValueType::Number(least, most), Value::Number(number)) => {
             let mut held = number.value;
             let speed = speed(held, least, most);
             let drag = DragValue::new(&mut held).range(least..=most).speed(speed);
@@ -62,7 +62,7 @@ fn edited(ui: &mut Ui, entry: &Path, value: &Value, name: &str) -> Option<Value>
             let response = response.accessible_name(name).on_hover_text(entry.help);
             response.changed().then(|| held.into())
         }
-        (Takes::Whole(least, most), Value::Number(number)) => {
+        (ValueType::Whole(least, most), Value::Number(number)) => {
             let mut held = number.value.round() as i64;
             let most = most.min(9e15);
             let drag = DragValue::new(&mut held)
@@ -72,8 +72,8 @@ fn edited(ui: &mut Ui, entry: &Path, value: &Value, name: &str) -> Option<Value>
             let response = response.accessible_name(name).on_hover_text(entry.help);
             response.changed().then(|| held.into())
         }
-        (Takes::Amount, value) => amount(ui, entry, value, name),
-        (Takes::Color, Value::Text(text)) => match parse_color(text) {
+        (ValueType::Amount, value) => amount(ui, entry, value, name),
+        (ValueType::Color, Value::Text(text)) => match parse_color(text) {
             Some(color) => {
                 let mut rgb = color.to_array().map(|c| (c * 255.0).round() as u8);
                 let response = ui.color_edit_button_srgb(&mut rgb);

@@ -23,7 +23,7 @@ pub(crate) const FIRST_JOINT: u32 = 2;
 
 /// A part at rest.
 #[derive(Clone, Debug)]
-pub(crate) struct Rest {
+pub(crate) struct RestPart {
     /// To rest space.
     space: SceneSpace,
     /// Position in rest space and normal, by vertex.
@@ -51,7 +51,7 @@ pub(crate) struct Rest {
     pub(crate) outward: Option<Contents>,
 }
 
-impl Rest {
+impl RestPart {
     /// Packs a part, whatever its pose.
     pub(crate) fn of(part: &Part, mirrored: bool) -> Self {
         let space = SceneSpace::new(&part.mesh.bounds());

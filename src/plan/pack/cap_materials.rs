@@ -43,7 +43,7 @@ shared! {
 }
 
 shared! {
-    /// The material of the caps of a part: `shaders/effects/dress.wgsl`.
+    /// The material of the caps of a part: `shaders/effects/cap_materials.wgsl`.
     CapMaterial {
         /// From a point of scene space to the first coordinate in the solid: across the grain.
         x_row: [f32; 4],
@@ -71,8 +71,8 @@ shared! {
 }
 
 shared! {
-    /// The frames of all clip-surfaces: `shaders/effects/dress.wgsl`.
-    DressPlanes {
+    /// The frames of all clip-surfaces: `shaders/effects/cap_materials.wgsl`.
+    CapMaterialPlanes {
         /// By the number of the clip-surface: coordinates in scene units.
         planes: [CapPlane; MOST_CAP_PLANES],
         /// Repeats of the relief in a scene unit along both directions, or what stands for them.

@@ -5,13 +5,13 @@ use crate::plan::{Format, Resource, Role, Shape};
 use crate::scene::Wrap;
 
 /// A resource on the device.
-pub(super) enum Real {
+pub(super) enum GpuResource {
     Buffer(wgpu::Buffer),
     Texture(wgpu::Texture),
     Sampler(wgpu::Sampler),
 }
 
-impl Real {
+impl GpuResource {
     /// Bytes of memory, without padding by the driver.
     pub(super) fn bytes(&self) -> u64 {
         match self {
@@ -38,7 +38,7 @@ fn texel_bytes(format: wgpu::TextureFormat) -> u32 {
 }
 
 /// Makes a resource, with its contents.
-pub(super) fn make(gpu: &Gpu, resource: &Resource) -> Real {
+pub(super) fn make(gpu: &Gpu, resource: &Resource) -> GpuResource {
     let usage = |role| match role {
         Role::Storage => wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC,
         Role::Uniform => gpu.uniform_usage(),
@@ -57,24 +57,24 @@ pub(super) fn make(gpu: &Gpu, resource: &Resource) -> Real {
     };
     match (resource.shape, &resource.contents) {
         (Shape::Buffer { role, .. }, Some(contents)) => {
-            Real::Buffer(gpu.buffer_with(&resource.name, contents, usage(role)))
+            GpuResource::Buffer(gpu.buffer_with(&resource.name, contents, usage(role)))
         }
         (Shape::Buffer { bytes, role }, None) => {
-            Real::Buffer(gpu.device.create_buffer(&wgpu::BufferDescriptor {
+            GpuResource::Buffer(gpu.device.create_buffer(&wgpu::BufferDescriptor {
                 label: Some(&resource.name),
                 size: bytes,
                 usage: usage(role) | wgpu::BufferUsages::COPY_DST,
                 mapped_at_creation: false,
             }))
         }
-        (Shape::Texture { .. }, _) => Real::Texture(texture(gpu, resource)),
+        (Shape::Texture { .. }, _) => GpuResource::Texture(texture(gpu, resource)),
         (Shape::Sampler { wrap }, _) => {
             let address = match wrap {
                 Wrap::Repeat => wgpu::AddressMode::Repeat,
                 Wrap::Mirror => wgpu::AddressMode::MirrorRepeat,
                 Wrap::Clamp => wgpu::AddressMode::ClampToEdge,
             };
-            Real::Sampler(gpu.device.create_sampler(&wgpu::SamplerDescriptor {
+            GpuResource::Sampler(gpu.device.create_sampler(&wgpu::SamplerDescriptor {
                 label: Some(&resource.name),
                 address_mode_u: address,
                 address_mode_v: address,

@@ -1,10 +1,10 @@
-//! What of the cuts matters to which part: the ground of a minimal plan.
+//! Per-part cut culling: which cuts can affect which part. A minimal plan follows from it.
 //!
 //! A part whose box lies wholly on the kept side of some clip-surface of a cut does not notice the cut; one whose box lies
 //! wholly in the removed region is not drawn. Only what is left needs structures. The box is conservative: a part may be
 //! called cut though only its box is.
 
-use super::refusal::{Obstacle, Refusal};
+use super::refusal::{Refusal, Unsupported};
 use crate::plan::pack::{MAX_CUTS, MAX_SURFACES};
 use crate::scene::{Bounds, Prepared, PreparedPart, PreparedSurface, View};
 
@@ -19,25 +19,25 @@ const STEEPEST: f64 = 1e18;
 
 /// How a part is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Treatment {
+pub enum PartDrawMode {
     /// No cut reaches it.
     Plain,
     /// A cut removes all of it.
     Removed,
-    /// These cuts may remove some of it (bits of [`Relevance::cuts`]), and it needs an inside test. No bits: only the near
+    /// These cuts may remove some of it (bits of [`ActiveCuts::cuts`]), and it needs an inside test. No bits: only the near
     /// plane opens it.
     Cut(u32),
 }
 
-/// What of the cuts matters.
+/// The cuts that can affect a frame, and how each part is drawn.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Relevance {
-    /// Clip-surfaces that matter, by number in the scene.
+pub struct ActiveCuts {
+    /// Clip-surfaces of these cuts, by number in the scene.
     pub surfaces: Vec<usize>,
-    /// Cuts that matter, as bits of `surfaces`.
+    /// Cuts, as bits of `surfaces`.
     pub cuts: Vec<u32>,
     /// How each part is drawn, by rank.
-    pub parts: Vec<Treatment>,
+    pub parts: Vec<PartDrawMode>,
     /// Parts in the order of the part table: those that need an inside test first, each group by rank.
     pub order: Vec<usize>,
     /// The place of each part in `order`, by rank.
@@ -61,7 +61,7 @@ enum Side {
     Across,
 }
 
-impl Relevance {
+impl ActiveCuts {
     /// What matters in a scene seen in a view; the reason where the scene has more than a frame can tell apart.
     pub fn new(prepared: &Prepared, view: &View) -> Result<Self, Refusal> {
         if prepared.parts.len() > MOST_PARTS {
@@ -75,7 +75,7 @@ impl Relevance {
         let mut parts = Vec::with_capacity(prepared.parts.len());
         for part in &prepared.parts {
             if part.is_hidden || part.is_removed {
-                parts.push(Treatment::Removed);
+                parts.push(PartDrawMode::Removed);
                 continue;
             }
             // What removes a part altogether is asked first: the other cuts of such a part do not matter.
@@ -83,7 +83,7 @@ impl Relevance {
                 .filter_map(|cut| Some((*cut, removes_all(prepared, *cut, part)?)))
                 .collect();
             if reached.iter().any(|(_, all)| *all) {
-                parts.push(Treatment::Removed);
+                parts.push(PartDrawMode::Removed);
                 continue;
             }
             let mut bits = 0_u32;
@@ -96,7 +96,7 @@ impl Relevance {
                         surfaces.extend(numbers);
                         if surfaces.len() > MAX_SURFACES || cuts.len() == MAX_CUTS {
                             return Err(Refusal::new(
-                                Obstacle::Cuts,
+                                Unsupported::Cuts,
                                 format!(
                                     "more than {MAX_SURFACES} clip-surfaces or {MAX_CUTS} cuts meet the parts"
                                 ),
@@ -110,11 +110,11 @@ impl Relevance {
             }
             let near = view.near_cap && view.near_plane_meets(&part.bounds);
             parts.push(match bits {
-                0 if !near => Treatment::Plain,
-                bits => Treatment::Cut(bits),
+                0 if !near => PartDrawMode::Plain,
+                bits => PartDrawMode::Cut(bits),
             });
         }
-        let of_kind = |wanted: fn(&Treatment) -> bool| {
+        let of_kind = |wanted: fn(&PartDrawMode) -> bool| {
             parts
                 .iter()
                 .enumerate()
@@ -122,12 +122,12 @@ impl Relevance {
                 .map(|(i, _)| i)
                 .collect::<Vec<_>>()
         };
-        let mut order = of_kind(|t| matches!(t, Treatment::Cut(_)));
+        let mut order = of_kind(|t| matches!(t, PartDrawMode::Cut(_)));
         let lanes = order.len();
-        order.extend(of_kind(|t| *t == Treatment::Plain));
+        order.extend(of_kind(|t| *t == PartDrawMode::Plain));
         // Where no cut reaches nobody asks about crossings: a part that only the near plane opens is not to widen what hangs on the
         // box, for it would change with the camera.
-        let asks = |i: &&usize| surfaces.is_empty() || parts[**i] != Treatment::Cut(0);
+        let asks = |i: &&usize| surfaces.is_empty() || parts[**i] != PartDrawMode::Cut(0);
         let cut_box = (order[..lanes].iter().filter(asks))
             .map(|i| prepared.parts[*i].bounds)
             .fold(Bounds::EMPTY, Bounds::union);
@@ -158,8 +158,8 @@ impl Relevance {
     /// Bits of the cuts that reach a part, by rank.
     pub fn cuts_of(&self, rank: usize) -> u32 {
         match self.parts[rank] {
-            Treatment::Cut(bits) => bits,
-            Treatment::Plain | Treatment::Removed => 0,
+            PartDrawMode::Cut(bits) => bits,
+            PartDrawMode::Plain | PartDrawMode::Removed => 0,
         }
     }
 
@@ -176,7 +176,7 @@ impl Relevance {
     pub(crate) fn clips_of_parts(&self, prepared: &Prepared) -> Vec<(u32, bool)> {
         let mut clips = vec![(0, false); prepared.parts.len()];
         for (rank, part) in prepared.parts.iter().enumerate() {
-            let is_removed = self.parts[rank] == Treatment::Removed;
+            let is_removed = self.parts[rank] == PartDrawMode::Removed;
             clips[part.part] = (self.cuts_of(rank), is_removed);
         }
         clips
@@ -196,7 +196,7 @@ impl Relevance {
     pub fn removed_parts(&self) -> impl Iterator<Item = usize> {
         let parts = self.parts.iter().enumerate();
         parts
-            .filter(|(_, t)| **t == Treatment::Removed)
+            .filter(|(_, t)| **t == PartDrawMode::Removed)
             .map(|(rank, _)| rank)
     }
 

@@ -20,7 +20,7 @@ use super::{cap_materials, hatches};
 
 /// What a document names, opened.
 #[derive(Debug)]
-pub(in crate::document) struct Stock {
+pub(in crate::document) struct SceneAssets {
     /// Of each part.
     pub(in crate::document) parts: Vec<PartSource>,
     /// Of each cut.
@@ -42,7 +42,7 @@ pub(in crate::document) struct Stock {
 
 /// Opens what the parts of a document name.
 pub(super) fn open(entries: &[Entry<'_>], opening: &mut Opening<'_>) -> Result<Vec<PartSource>> {
-    let mut stock = Vec::with_capacity(entries.len());
+    let mut scene_assets = Vec::with_capacity(entries.len());
     let mut given = Vec::with_capacity(entries.len());
     let mut of_caps = Vec::with_capacity(entries.len());
     let before = opening.assets.kept::<AllKnown>().unwrap_or_default();
@@ -57,7 +57,7 @@ pub(super) fn open(entries: &[Entry<'_>], opening: &mut Opening<'_>) -> Result<V
         }
         given.push(name.map(|n| n.text()).transpose()?);
         let known = opening.known(&table, &before)?;
-        stock.push(known.source.clone());
+        scene_assets.push(known.source.clone());
         all_known.push(known);
         let hatch = of_material(&table, "hatch")?;
         let hatch = hatch.map(|hatch| hatches::open(&hatch, opening));
@@ -69,14 +69,16 @@ pub(super) fn open(entries: &[Entry<'_>], opening: &mut Opening<'_>) -> Result<V
     let mut taken = BTreeSet::new();
     // What the document calls its parts counts before what files call them.
     for is_given in [true, false] {
-        let entries = stock.iter_mut().zip(&given);
+        let entries = scene_assets.iter_mut().zip(&given);
         entries
             .filter(|(_, name)| name.is_some() == is_given)
             .for_each(|(held, name)| held.call(*name, &mut taken));
     }
     let mut shapes = Vec::new();
-    stock.iter_mut().for_each(|held| held.colour(&mut shapes));
-    for (held, (hatch, cap)) in stock.iter_mut().zip(of_caps) {
+    scene_assets
+        .iter_mut()
+        .for_each(|held| held.colour(&mut shapes));
+    for (held, (hatch, cap)) in scene_assets.iter_mut().zip(of_caps) {
         for solid in held.solids_mut() {
             let material = &mut solid.part.material;
             if let Some(hatch) = &hatch {
@@ -85,7 +87,7 @@ pub(super) fn open(entries: &[Entry<'_>], opening: &mut Opening<'_>) -> Result<V
             material.cap.clone_from(&cap);
         }
     }
-    Ok(stock)
+    Ok(scene_assets)
 }
 
 /// What the material of a part says under a key.

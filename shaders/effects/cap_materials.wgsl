@@ -29,7 +29,7 @@ struct CapMaterial {
     is_there: u32,
 }
 
-struct DressPlanes {
+struct CapMaterialPlanes {
     planes: array<CapPlane, 256>,
     per_unit: array<vec4<f32>, 256>,
     count: u32,
@@ -42,29 +42,29 @@ struct DressPlanes {
 // By the number of the part in the scene.
 @group(1) @binding(1) var<storage, read> cap_materials: array<CapMaterial>;
 @group(1) @binding(3) var<storage, read_write> lit_layers: array<u32>;
-@group(1) @binding(4) var<uniform> dress_planes: DressPlanes;
+@group(1) @binding(4) var<uniform> cap_material_planes: CapMaterialPlanes;
 
 const FILLED_STACK: u32 = 5u;
 
-struct Dress {
+struct DrawnCap {
     color: vec4<f32>,
     normal: u32,
 }
 
 // The plane that carries the images of a cap: v goes down, as the rows of an image do.
 fn plane_of(number: u32, normal: vec3<f32>) -> CapPlane {
-    if number == NEAR_PLANE || number >= dress_planes.count {
+    if number == NEAR_PLANE || number >= cap_material_planes.count {
         let view = plane_of_view();
         return CapPlane(view.u_row, -view.v_row, view.normal);
     }
-    let plane = dress_planes.planes[number];
+    let plane = cap_material_planes.planes[number];
     if plane.normal.w < 0.5 {
         return plane;
     }
     // Of a cutter: across the axis that its face is nearest to, upright as it is seen.
     let axis = vec3<f32>(vec3<u32>(0u, 1u, 2u) == vec3<u32>(nearest_axis(normal)));
     let out = axis * sign(dot(axis, normal));
-    let up = select(vec3<f32>(0.0, 1.0, 0.0), vec3<f32>(0.0, 0.0, 1.0), dress_planes.is_z_up != 0u);
+    let up = select(vec3<f32>(0.0, 1.0, 0.0), vec3<f32>(0.0, 0.0, 1.0), cap_material_planes.is_z_up != 0u);
     let across = cross(up, out);
     let u = select(vec3<f32>(1.0, 0.0, 0.0), across, dot(across, across) > 0.5);
     return CapPlane(vec4<f32>(u, 0.0), vec4<f32>(-cross(out, u), 0.0), vec4<f32>(normal, 0.0));
@@ -74,10 +74,10 @@ fn repeats_of(number: u32, per_unit: f32) -> vec2<f32> {
     if per_unit > 0.0 {
         return vec2<f32>(per_unit);
     }
-    if number == NEAR_PLANE || number >= dress_planes.count {
-        return vec2<f32>(dress_planes.default_per_unit);
+    if number == NEAR_PLANE || number >= cap_material_planes.count {
+        return vec2<f32>(cap_material_planes.default_per_unit);
     }
-    return dress_planes.per_unit[number].xy;
+    return cap_material_planes.per_unit[number].xy;
 }
 
 fn stack_color(material: CapMaterial, p: vec3<f32>, right: vec3<f32>, down: vec3<f32>) -> vec4<f32> {
@@ -120,10 +120,10 @@ fn solid_color(material: CapMaterial, at: vec2<u32>, depth: f32, normal: vec3<f3
     }
 }
 
-fn dress_of(at: vec2<u32>, word: u32, packed_normal: u32, depth: f32) -> Dress {
+fn drawn_cap(at: vec2<u32>, word: u32, packed_normal: u32, depth: f32) -> DrawnCap {
     let material = cap_materials[part_of(word)];
     if material.is_there == 0u {
-        return Dress(vec4<f32>(0.0), packed_normal);
+        return DrawnCap(vec4<f32>(0.0), packed_normal);
     }
     var normal = unpack_normal(packed_normal);
     var color = solid_color(material, at, depth, normal);
@@ -149,21 +149,21 @@ fn dress_of(at: vec2<u32>, word: u32, packed_normal: u32, depth: f32) -> Dress {
         let slope = (bent.x * plane.u_row.xyz - bent.y * plane.v_row.xyz) / max(bent.z, 0.05);
         normal = normalize(normal + slope);
     }
-    return Dress(color, select(packed_normal, pack_normal(normal), material.normal != NO_TEXTURE));
+    return DrawnCap(color, select(packed_normal, pack_normal(normal), material.normal != NO_TEXTURE));
 }
 
-fn dress_pixel(xy: vec2<u32>) {
+fn draw_pixel(xy: vec2<u32>) {
     let pixel = pixel_index(xy);
     let first = pixel * WORDS_PER_PIXEL;
     let word = layers[first];
-    var dress = Dress(vec4<f32>(0.0), layers[first + 1u]);
+    var cap = DrawnCap(vec4<f32>(0.0), layers[first + 1u]);
     if kind_of(word) == CAP {
-        dress = dress_of(xy, word, dress.normal, bitcast<f32>(layers[first + 2u]));
+        cap = drawn_cap(xy, word, cap.normal, bitcast<f32>(layers[first + 2u]));
     }
-    let of_cap = pack4x8unorm(vec4<f32>(srgb_from_linear(dress.color.rgb), dress.color.a));
+    let of_cap = pack4x8unorm(vec4<f32>(srgb_from_linear(cap.color.rgb), cap.color.a));
     picture[pixel] = select(coat_at(xy, word), of_cap, kind_of(word) == CAP);
     lit_layers[first] = word;
-    lit_layers[first + 1u] = dress.normal;
+    lit_layers[first + 1u] = cap.normal;
     lit_layers[first + 2u] = layers[first + 2u];
 }
 
@@ -177,7 +177,7 @@ fn main(
     for (var turn = 0u; turn < end; turn++) {
         let xy = pixel_at(turn, group, groups, local);
         if all(xy < frame.size_px) {
-            dress_pixel(xy);
+            draw_pixel(xy);
         }
     }
 }

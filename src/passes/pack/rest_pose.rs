@@ -1,5 +1,5 @@
-//! What of a scene its hatches hang on, held from when it was first packed: who touches whom, how thick parts are, and how large the
-//! picture is in the world. A hatch that followed the camera or a motion would swim.
+//! Rest-pose inputs of hatching, captured when the scene is first packed: contacts between parts, their thickness, and the size of the
+//! picture in the world. A hatch that followed the camera or a motion would swim.
 //!
 //! Held in all [updates](super::model::Model::updated) of a model that have as many parts, whatever becomes of these. Thicknesses and contacts
 //! are found when they are first asked for.
@@ -28,7 +28,7 @@ pub(crate) struct Moved {
 
 /// The parts of a scene as they were placed when it was packed.
 #[derive(Debug)]
-pub(crate) struct AtRest {
+pub(crate) struct RestPose {
     parts: Vec<(Arc<Mesh>, DAffine3)>,
     diagonal: f64,
     picture_height: f64,
@@ -36,7 +36,7 @@ pub(crate) struct AtRest {
     thicknesses: OnceLock<Vec<f64>>,
 }
 
-impl AtRest {
+impl RestPose {
     /// Of a scene; what was held before stays, if it has as many parts.
     pub(crate) fn of(scene: &Scene, prepared: &Prepared, before: Option<&Arc<Self>>) -> Arc<Self> {
         if let Some(before) = before.filter(|b| b.parts.len() == scene.parts.len()) {

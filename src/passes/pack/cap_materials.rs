@@ -19,7 +19,7 @@ const USUAL_SIZE: Amount = Amount::Percent(10.0);
 
 /// The materials and coats of a scene.
 #[derive(Clone, Debug)]
-pub(crate) struct Dress {
+pub(crate) struct CapMaterials {
     textures: Vec<Arc<Texture>>,
     table: Contents,
     texels: Contents,
@@ -33,7 +33,7 @@ pub(crate) struct Dress {
     pub(crate) coats: Option<Coats>,
 }
 
-impl Dress {
+impl CapMaterials {
     /// Of a scene of these bounds, with the textures of before where they are the same; none where no part has a material, or a coat that is shown.
     pub(crate) fn of(
         scene: &Scene,

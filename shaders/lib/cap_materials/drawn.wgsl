@@ -1,6 +1,6 @@
-// Colours that `dress.wgsl` left in the picture, over those of parts.
+// Colours that `cap_materials.wgsl` left in the picture, over those of parts.
 
-#define_import_path cutaway::dress
+#define_import_path cutaway::cap_materials
 
 #import cutaway::color::linear_from_srgb
 #import cutaway::picture::picture

@@ -5,7 +5,7 @@ use cutaway::slice::{CappedPart, Half, Slicer, planes_of};
 use serde_json::{Value, json};
 
 /// What there is to say of a part.
-pub(super) struct Facts {
+pub(super) struct ExportSummary {
     pub(super) part: String,
     cuts: Vec<String>,
     /// Of the part as it came in.
@@ -27,7 +27,7 @@ pub(super) struct HalfFacts {
     pub(super) open_edges: usize,
 }
 
-impl Facts {
+impl ExportSummary {
     pub(super) fn of(scene: &Scene, part: &CappedPart, space: &SceneSpace) -> Self {
         let own = &scene.parts[part.part];
         Self {
@@ -64,7 +64,7 @@ impl Facts {
 /// Caps may cover more than the section by this share of it: less would be the same number for a reader.
 const ROUNDED_AREA: f64 = 1e-5;
 
-impl Facts {
+impl ExportSummary {
     /// The areas of caps and section where bodies of the part overlap in the plane: each has a cap of its own.
     pub(super) fn overlap(&self) -> Option<[f64; 2]> {
         let areas = [self.kept.cap_area, self.section_area?];

@@ -11,44 +11,44 @@ use crate::scene::PreparedSurface;
 use crate::shader::Shader;
 
 /// Leaves the colours of what has a material in the picture; the layers with the normals that light is to see, where something has one.
-pub(super) fn dress(
+pub(super) fn cap_materials(
     plan: &mut Plan,
     pixels: Pixels<'_>,
     (layers, picture): (ResourceId, ResourceId),
 ) -> Option<ResourceId> {
     let scene = pixels.scene;
-    let dress = scene.input.model.dress.as_ref()?;
-    let is_cut = scene.input.relevance.lanes > 0;
-    if dress.coats.is_none() && !(is_cut && dress.has_materials()) {
+    let cap_materials = scene.input.model.cap_materials.as_ref()?;
+    let is_cut = scene.input.active_cuts.lanes > 0;
+    if cap_materials.coats.is_none() && !(is_cut && cap_materials.has_materials()) {
         return None;
     }
-    let [textures, texels] = dress.textures();
+    let [textures, texels] = cap_materials.textures();
     let textures = Resource::upload("textures", Role::Storage, textures, Clock::Cut);
     let texels = Resource::upload("texels", Role::Storage, texels, Clock::Cut);
     let textures = [
         Binding::read("textures", plan.add_resource(textures)),
         Binding::read("texels", plan.add_resource(texels)),
     ];
-    let coats = dress.coats.as_ref();
+    let coats = cap_materials.coats.as_ref();
     let coats = coats.map(|coats| coat(plan, scene, coats, (layers, &textures)));
     let lit = per_pixel(plan, scene, "lit_layers", 12);
     let mut table = |name: &'static str, role, contents| {
         let table = Resource::upload(name, role, contents, Clock::Cut);
         Binding::read(name, plan.add_resource(table))
     };
-    let planes = planes_of(scene, dress.default_per_unit());
+    let planes = planes_of(scene, cap_materials.default_per_unit());
     let planes = Contents::from_values(&[planes]);
     let mut bindings = vec![
         scene.frame.clone(),
         scene.parts.clone(),
         Binding::read("layers", layers),
-        table("cap_materials", Role::Storage, dress.materials()),
+        table("cap_materials", Role::Storage, cap_materials.materials()),
         Binding::write("picture", picture),
         Binding::write("lit_layers", lit),
-        table("dress_planes", Role::Uniform, planes),
+        table("cap_material_planes", Role::Uniform, planes),
     ];
     bindings.extend(textures);
-    let shader = Shader::from("effects/dress.wgsl").with(match coats {
+    let shader = Shader::from("effects/cap_materials.wgsl").with(match coats {
         Some(_) => "lib/coat/drawn.wgsl",
         None => "lib/coat/none.wgsl",
     });
@@ -62,8 +62,8 @@ pub(super) fn dress(
 }
 
 /// The planes of all clip-surfaces; those without a relief have so many repeats in a scene unit.
-fn planes_of(scene: &SceneBuffers<'_>, default_per_unit: f32) -> pack::DressPlanes {
-    let mut planes: pack::DressPlanes = bytemuck::Zeroable::zeroed();
+fn planes_of(scene: &SceneBuffers<'_>, default_per_unit: f32) -> pack::CapMaterialPlanes {
+    let mut planes: pack::CapMaterialPlanes = bytemuck::Zeroable::zeroed();
     planes.default_per_unit = default_per_unit;
     planes.is_z_up = u32::from(scene.input.model.prepared.up().z > 0.5);
     let rows = planes.planes.iter_mut().zip(&mut planes.per_unit);

@@ -4,38 +4,38 @@ use cutaway::Result;
 use cutaway::gpu::Gpu;
 use cutaway::passes::Model;
 use cutaway::scene::View;
-use cutaway::strategies::{AUTO, Choice, Means, choose};
+use cutaway::strategies::{AUTO, Choice, DrawOptions, choose};
 use cutaway_lab::experiment::Renderer;
 
 use super::console::Console;
 
 /// Who is to draw.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Drawer {
+pub(super) enum RendererRequest {
     /// A renderer.
     Named(Renderer),
     /// Who is chosen, by these means where they say some.
-    Auto(Means),
+    Auto(DrawOptions),
 }
 
 /// Who draws.
 #[derive(Clone, Debug)]
-pub(super) struct Chosen {
+pub(super) struct RendererChoice {
     pub(super) renderer: Renderer,
     /// Why, where it was chosen.
     pub(super) reason: Option<String>,
 }
 
-impl Drawer {
+impl RendererRequest {
     /// The drawer that a name stands for, by these means where it says no others; `auto` and no name are settled later.
     ///
     /// # Errors
     ///
     /// A name that stands for none, with the one that may have been meant.
-    pub(super) fn named(name: Option<&str>, means: Means) -> Result<Self> {
+    pub(super) fn named(name: Option<&str>, options: DrawOptions) -> Result<Self> {
         Ok(match name {
-            None | Some(AUTO) => Self::Auto(means),
-            Some(name) => Self::Named(name.parse::<Renderer>()?.or(means)),
+            None | Some(AUTO) => Self::Auto(options),
+            Some(name) => Self::Named(name.parse::<Renderer>()?.or(options)),
         })
     }
 
@@ -46,19 +46,19 @@ impl Drawer {
         gpu: Option<&Gpu>,
         (model, view): (&Model, &View),
         console: &Console,
-    ) -> Chosen {
-        let means = match self {
+    ) -> RendererChoice {
+        let options = match self {
             Self::Named(renderer) => {
-                return Chosen {
+                return RendererChoice {
                     renderer,
                     reason: None,
                 };
             }
-            Self::Auto(means) => means,
+            Self::Auto(options) => options,
         };
-        let Choice { method, reason } = choose(model, view, means, gpu.map(Gpu::traits));
+        let Choice { method, reason } = choose(model, view, options, gpu.map(Gpu::traits));
         console.detail(format!("{AUTO}: {method}, for {reason}"));
-        Chosen {
+        RendererChoice {
             renderer: method.into(),
             reason: Some(reason),
         }

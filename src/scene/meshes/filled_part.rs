@@ -11,14 +11,14 @@ use crate::scene::{CoatedTriangle, Mesh, Motion, Part};
 
 /// What a part becomes by added triangles.
 #[derive(Debug)]
-pub(crate) struct Grown {
+pub(crate) struct FilledPart {
     mesh: Arc<Mesh>,
     motion: Option<Arc<Motion>>,
     /// The mesh as its file bound it before, and after, and as the file shows it at rest.
     bound: Option<(Arc<Bound>, Arc<Bound>, Arc<Mesh>)>,
 }
 
-impl Grown {
+impl FilledPart {
     pub(crate) fn of(part: &Part, triangles: &[[u32; 3]]) -> Self {
         let mesh = Arc::new(part.mesh.with_triangles(triangles));
         let of_motion = |motion: &Arc<Motion>| {
