@@ -6,7 +6,7 @@
 
 use std::path::{Path, PathBuf};
 
-/// What can go wrong between a file name and a picture.
+/// Errors between a file name and a picture.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
@@ -19,9 +19,9 @@ pub enum Error {
         line: Option<usize>,
         /// Character in the line, counted from 1, where one is known.
         column: Option<usize>,
-        /// What is wrong.
+        /// Description of the error.
         what: String,
-        /// What the user can do about it.
+        /// Advice for the user.
         help: String,
     },
     /// An option, a key or a value that makes no sense.
@@ -29,20 +29,20 @@ pub enum Error {
     Input {
         /// The option, key or value, as the user wrote it.
         culprit: String,
-        /// What is wrong.
+        /// Description of the error.
         what: String,
-        /// What the user can do about it.
+        /// Advice for the user.
         help: String,
     },
-    /// A file that is named and is not there. The error within says who names it, and has the words.
+    /// A file that is named and does not exist. The inner error contains the source of the name, and the text.
     #[error("{0}")]
     Missing(Box<Self>),
     /// No adapter, or one that lacks what a plan needs.
     #[error("{what}\n  help: {help}")]
     Adapter {
-        /// What is missing.
+        /// Description of the missing item.
         what: String,
-        /// What the user can do about it.
+        /// Advice for the user.
         help: String,
     },
     /// A shader that does not compose or validate: a fault of this crate, never of its input.
@@ -97,7 +97,7 @@ impl Error {
         }
     }
 
-    /// What is wrong, without the name of the file: for who says that name in other words.
+    /// Description of the error without the name of the file: for callers that give that name in other words.
     #[doc(hidden)]
     pub fn into_what(self) -> String {
         match self {

@@ -5,7 +5,7 @@
 
 use glam::Vec3;
 
-/// What a pixel shows (design, section 3).
+/// Kind of content of a pixel (design, section 3).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
 #[repr(u8)]
 pub enum Kind {
@@ -24,7 +24,7 @@ pub const NEAR_PLANE: u8 = 0xff;
 /// One pixel of [`Layers`].
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct Layer {
-    /// What the pixel shows.
+    /// Kind of content of the pixel.
     pub kind: Kind,
     /// Index of the part in the scene; 0 for background.
     pub part: u16,
@@ -34,8 +34,8 @@ pub struct Layer {
     pub back_face: bool,
     /// The strategy marks this pixel as unreliable: odd crossing count, or a buffer that overflowed.
     pub unreliable: bool,
-    /// A cap at which other solids that the same cut opens overlap with the part shown. Strategies say so where they are
-    /// asked to; exact always does.
+    /// True for a cap at which other solids that the same cut opens overlap with the part shown. Strategies report it on
+    /// request; exact always does.
     pub overlap: bool,
     /// Distance from the eye along the viewing direction, in scene units; infinite for background.
     pub depth: f64,
@@ -65,12 +65,12 @@ impl Layers {
         }
     }
 
-    /// How many pixels are of a kind.
+    /// Number of pixels of a kind.
     pub fn count(&self, kind: Kind) -> usize {
         self.pixels.iter().filter(|p| p.kind == kind).count()
     }
 
-    /// How many pixels show a cap that several solids share.
+    /// Number of pixels that show a cap shared by several solids.
     pub fn overlap_px(&self) -> usize {
         self.pixels.iter().filter(|p| p.overlap).count()
     }

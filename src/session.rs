@@ -5,7 +5,7 @@
 //! [`MOST_TRIES`] times; what still overflows is the outcome of the frame.
 //!
 //! A picture that is too large for the limits of the device is drawn in bands of rows, each by a program of its own, which
-//! nobody sees but by the times.
+//! is visible only in the times.
 
 use std::collections::BTreeMap;
 
@@ -30,13 +30,13 @@ pub use encode::{Encoded, Overflow};
 pub use finish::StyleChannels;
 use rows::Rows;
 
-/// How often a frame is drawn until its buffers are large enough.
+/// Number of times a frame is drawn until its buffers are large enough.
 pub const MOST_TRIES: usize = 4;
 
-/// How a frame ended.
+/// Result of a frame.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Outcome {
-    /// All of it was drawn.
+    /// The whole frame was drawn.
     Complete,
     /// A bounded buffer was too small; the pixels concerned are marked.
     Overflowed(String),
@@ -64,11 +64,11 @@ impl Outcome {
     }
 }
 
-/// A frame that was asked for: whether it was drawn, and what that took.
+/// Result of a requested frame: its outcome, and its cost.
 #[must_use = "a strategy may have refused the scene"]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Drawn {
-    /// How it ended.
+    /// Result of the frame.
     pub outcome: Outcome,
     /// The clocks on which something changed.
     pub clocks: ClockSet,
@@ -85,7 +85,7 @@ impl Drawn {
     }
 }
 
-/// What a slot draws.
+/// Content that a slot draws.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Drawing {
     /// Frames with nothing cut, by a rasteriser.
@@ -141,8 +141,8 @@ impl Session {
         Ok(drawn)
     }
 
-    /// The shadow on the ground of what a method keeps of a scene, for [`Model::on_ground`]: small frames from below and above, which are read back.
-    /// It hangs on no camera but on every cut and motion.
+    /// The ground shadow of what a method keeps of a scene, for [`Model::on_ground`]: small frames from below and above, which are read
+    /// back. It depends on no camera but on every cut and motion.
     ///
     /// # Errors
     ///
@@ -206,7 +206,7 @@ impl Session {
         method
     }
 
-    /// Gives back what the programs hold on the device; the next frame of each strategy is built anew.
+    /// Releases the resources of the programs on the device; the next frame of each strategy is built from scratch.
     pub fn forget(&mut self) {
         self.slots.clear();
     }
@@ -237,7 +237,7 @@ impl Session {
         Ok(self.first_band(method)?.program.plan())
     }
 
-    /// How exactly triangles were placed in the last frame by a method: by the adapter where its rasteriser drew some, be they only caps.
+    /// Precision of the triangles in the last frame by a method: of the adapter if its rasteriser drew some, even if only caps.
     pub fn precision(&self, method: impl Into<Method>) -> Result<Precision> {
         let method = method.into();
         Ok(match self.plan(method)?.draws_triangles() {

@@ -10,6 +10,8 @@ use cutaway::shader;
 
 #[path = "architecture/imports.rs"]
 mod imports;
+#[path = "architecture/prose.rs"]
+mod prose;
 #[path = "architecture/shape.rs"]
 mod shape;
 

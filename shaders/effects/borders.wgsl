@@ -6,7 +6,7 @@
 // tangent plane of the farther of two samples goes as far.
 //
 // A sample whose two opposite neighbours agree with each other and not with it is a sliver: it has no border, for strokes around it would
-// be a row of dots. Nor is it a fold where one sample has another normal than two beside it that agree. Where neither of two samples is
+// be a row of dots. Nor is it a fold if one sample has a different normal from two neighbours that agree. Where neither of two samples is
 // reliable there is no stroke between them.
 
 #import cutaway::borders::{CONTOUR, CREASE, CUT, FACE, NO_BORDER, OUTLINE, PART, word_of_tile}

@@ -53,7 +53,7 @@ fn vertex(@builtin(vertex_index) index: u32, @builtin(instance_index) instance: 
 
 @fragment
 fn fragment(coated: Coated) -> @location(0) vec2<u32> {
-    // Derivatives are asked for where all fragments still are.
+    // Derivatives are taken here, where all fragments are still active.
     let right = dpdx(coated.uv);
     let down = dpdy(coated.uv);
     let first = pixel_index(vec2<u32>(coated.position.xy)) * WORDS_PER_PIXEL;

@@ -1,4 +1,4 @@
-// What a relief hides of the sky from the caps that it makes, beside what was found around them in the picture. One invocation owns a pixel at a time.
+// Sky that a relief hides from the caps that it makes, plus the occlusion found in the picture. One invocation owns a pixel at a time.
 //
 // The map of the sky lies texel by texel as the heights do, and is read as they are.
 

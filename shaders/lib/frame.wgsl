@@ -21,7 +21,7 @@ struct Frame {
     far: f32,
     orthographic: u32,
     near_cap: u32,
-    // First row and all rows of the picture that this is a band of: what hangs on the place in the picture asks for it.
+    // First row and number of rows of the whole picture if this is a band: for values that depend on the place in the picture.
     band: vec2<u32>,
 }
 

@@ -11,7 +11,7 @@
 // Pixels along a side of a tile.
 const TILE_PX: u32 = 16u;
 
-// What the background of a picture hangs on; all zero before the first.
+// Inputs of the background of a picture; all zero before the first.
 struct Blank {
     size_px: vec2<u32>,
     band: vec2<u32>,

@@ -1,5 +1,5 @@
-// The touched tiles while they are found. Each goes to the list when it is met first; in which order is left to chance, and nothing
-// hangs on it.
+// The touched tiles while they are found. Each is added to the list when it is met first; the order is left to chance, and
+// has no effect.
 
 #define_import_path cutaway::touching
 

@@ -1,4 +1,4 @@
-// Every fragment of the cut parts leaves what the inside test wants of it (the open module `store`), and is not drawn: for what
+// Every fragment of the cut parts stores the data for the inside test (the open module `store`), and is not drawn: for data that
 // must be known before the pass that draws surfaces.
 
 #import cutaway::cuts::parts
@@ -22,6 +22,6 @@ fn vertex(@location(0) position: vec3<f32>, @builtin(instance_index) place: u32)
 @fragment
 fn fragment(corner: Corner, @builtin(front_facing) front: bool) {
     let lane = Lane(parts[corner.place].lane_word, parts[corner.place].lane_shift, lane_bits);
-    // No crossing is asked for: how many are in front is not known here.
+    // Crossings do not matter here: the number in front is not known.
     store(Fragment(pixel_index(vec2<u32>(corner.position.xy)), lane, corner.place, corner.position.z, 0u, front));
 }

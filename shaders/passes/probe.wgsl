@@ -10,7 +10,7 @@
 
 override lane_bits: u32 = 32u;
 override near_inside: bool = false;
-// Places of the parts that are asked for.
+// Places of the tested parts.
 override first_place: u32 = 0u;
 override end_place: u32 = 1u;
 

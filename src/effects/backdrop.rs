@@ -1,4 +1,4 @@
-//! What is behind the model.
+//! Background behind the model.
 
 use crate::scene::style::Paper;
 

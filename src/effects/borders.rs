@@ -5,7 +5,7 @@ use super::pixels::Pixels;
 use crate::passes::{SceneBuffers, tiles_in};
 use crate::plan::{Binding, Clock, Plan, Resource, ResourceId};
 
-/// How far along a border those are that say where its stroke is; `RAMP` in `shaders/effects/strokes.wgsl`.
+/// Distance along a border within which other borders determine the place of its stroke; `RAMP` in `shaders/effects/strokes.wgsl`.
 pub(super) const RAMP_PX: u32 = 16;
 
 /// The borders of a frame, and where their strokes are.

@@ -61,7 +61,7 @@ pub(super) fn cap_materials(
     Some(lit)
 }
 
-/// The planes of all clip-surfaces; those without a relief have so many repeats in a scene unit.
+/// The planes of all clip-surfaces; those without a relief have `default_per_unit` repeats in a scene unit.
 fn planes_of(scene: &SceneBuffers<'_>, default_per_unit: f32) -> pack::CapMaterialPlanes {
     let mut planes: pack::CapMaterialPlanes = bytemuck::Zeroable::zeroed();
     planes.default_per_unit = default_per_unit;

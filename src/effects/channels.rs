@@ -1,5 +1,5 @@
-//! What effects drew, as numbers: the shares of strokes, hatches and light in each pixel, so that a picture can be checked. The shader
-//! modules are those of the picture; the plan of a picture has no part of this.
+//! Output of effects as numbers: the shares of strokes, hatches and light in each pixel, so that a picture can be checked. The shader
+//! modules are those of the picture; the plan of a picture contains none of this.
 
 use super::ambient::occlusion::occlusion;
 use super::borders::Strokes;
@@ -12,7 +12,7 @@ use crate::shader::Shader;
 
 /// The buffer of the share that strokes cover, an f32 for each pixel.
 pub(crate) const STROKE: &str = "stroke_channel";
-/// Of the share that lines of a hatch cover, the place on the plane of the cap in scene units, and nothing: four numbers a pixel.
+/// The share that lines of a hatch cover, the place on the plane of the cap in scene units, and an unused number: four numbers a pixel.
 pub(crate) const HATCH: &str = "hatch_channel";
 
 /// Records what a style draws over layers.

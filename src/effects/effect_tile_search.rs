@@ -1,11 +1,11 @@
-//! The tiles of the picture that effects go over: those in which something is shown, or beside which, as far as strokes reach, and those
+//! The tiles of the picture that effects process: those that show something, or have such a tile within the reach of strokes, and those
 //! of the frame before, which have to become background again. All others have been background all along.
 //!
 //! One pass over the layers, one over the tiles, and one over the picture where its background changes; 12 bytes a tile of 16 x 16 pixels.
 //! The list outlives its frame, with what its background depends on. It is made of the layers alone, whichever rasteriser drew them.
 //!
-//! Cannot: help effects that draw on the background, as the shadow on the ground and ghosts do, nor unsharp occlusion, which looks far: these go
-//! over all of the picture.
+//! Cannot: help effects that draw on the background, as the shadow on the ground and ghosts do, nor unsharp occlusion, which looks far:
+//! these go over all of the picture.
 
 use super::ambient::horizon;
 use super::backdrop::backdrop;
@@ -26,7 +26,7 @@ const BYTES_OF_TILE: u64 = 12;
 /// Tiles that a workgroup of the pass over tiles owns.
 const TILES_LISTED_AT_ONCE: u32 = 64;
 
-/// How many rows around a band effects make something of for others. A search for horizons looks farther, but at layers alone.
+/// Rows around a band that effects compute for other rows. A search for horizons looks farther, but at layers alone.
 fn computed_halo_rows(style: &Style, view: &View) -> u32 {
     halo::halo_rows(style, view.band[1]).max(horizon::SMOOTH_PX + 1)
 }

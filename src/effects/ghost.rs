@@ -14,7 +14,7 @@ use crate::scene::style::Style;
 use crate::scene::{linear_from_srgb, map_channels};
 use crate::shader::Shader;
 
-/// How far around a pixel borders tell the direction of a line; `SCATTER_PX` in `shaders/lib/phantom/lines.wgsl`.
+/// Radius in pixels in which borders determine the direction of a line; `SCATTER_PX` in `shaders/lib/phantom/lines.wgsl`.
 const SCATTER_PX: u32 = 4;
 
 /// Draws what is gone over a picture of layers.
@@ -82,7 +82,7 @@ pub(super) fn ghost(
     over_picture(plan, scene, about, shader, bindings);
 }
 
-/// How many rows around a band are looked at, of a picture of so many.
+/// Rows around a band that are read, in a picture of `rows` rows.
 pub(super) fn halo_rows(style: &Style, rows: u32) -> u32 {
     match style.ghost.has_lines() {
         // A border two samples beyond those that tell a direction is judged by the sample next to it.

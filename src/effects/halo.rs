@@ -1,11 +1,11 @@
-//! How far effects look beyond a band of a picture.
+//! Reach of effects beyond a band of a picture.
 
 use super::borders::RAMP_PX;
 use super::ghost;
 use super::style_numbers::reach_px;
 use crate::scene::Style;
 
-/// How many rows around a band are looked at, of a picture of so many.
+/// Rows around a band that are read, in a picture of `rows` rows.
 pub(super) fn halo_rows(style: &Style, rows: u32) -> u32 {
     let of_strokes = match style.strokes.widest() > 0.0 {
         // Beyond a stroke's reach those borders say where it is that lead to it, and two samples around them what they are.

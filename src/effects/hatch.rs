@@ -1,7 +1,7 @@
 //! Hatches: families of parallel lines on caps, with the plane of each clip-surface and what each part has.
 //!
 //! The horizontal of a plane is across the up direction and its normal, from left to right as it is seen from the removed side, so that
-//! the angle of a hatch does not hang on the numbers of a plane; a plane that is moved along its normal carries its lines with it. The
+//! the angle of a hatch does not depend on the numbers of a plane; a plane that is moved along its normal carries its lines with it. The
 //! faces of cutters have the planes of the axes of the scene. Distances follow the mean thickness of parts, in steps of about the root of
 //! two, and are held from when the scene was first packed. A part that moves as a whole carries its lines ([`HatchAnchor::Part`]): what
 //! of its turn is about the normal of the plane turns them.
@@ -18,7 +18,7 @@ use crate::plan::{Binding, Clock, Contents, Plan, Resource, Role, pack};
 use crate::scene::style::{Hatch, HatchAnchor, HatchZoom, Style};
 use crate::scene::{CapHatch, PreparedSurface, linear_from_srgb, map_channels};
 
-/// What hatches bind: planes, parts, lines; none where no cap is in the picture or the style has no hatch.
+/// Bindings of hatches: planes, parts, lines; none if no cap is in the picture or the style has no hatch.
 pub(super) fn hatch(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,

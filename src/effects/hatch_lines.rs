@@ -32,9 +32,9 @@ const CROSSED: [(f64, f64); 8] = [
 /// Directions of patterns are those of the first class where a hatch has this angle.
 const PATTERN_DEG: f64 = 45.0;
 
-/// How the lines of a part lie.
+/// Placement of the lines of a part.
 pub(super) struct Placed {
-    /// Of its part.
+    /// Class of its part.
     pub(super) class: usize,
     /// Direction of the general hatch in the first class.
     pub(super) angle_deg: f64,

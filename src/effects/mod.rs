@@ -30,7 +30,7 @@ use crate::passes::{Input, Lanes, Layered, Model, Refusal, SceneBuffers};
 use crate::plan::{Capacities, Clock, Contents, Plan, Resource, ResourceId, Role};
 use crate::scene::View;
 
-/// What a frame ends with.
+/// Output of a frame.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Picture {
     /// Three words per pixel.
@@ -39,7 +39,7 @@ pub(crate) struct Picture {
     pub picture: ResourceId,
 }
 
-/// How many rows around a band the effects of a model look at.
+/// Rows around a band that the effects of a model read.
 pub(crate) fn halo_rows(model: &Model, view: &View) -> u32 {
     let style = &model.prepared.style;
     let strokes = halo::halo_rows(style, view.band[1]);

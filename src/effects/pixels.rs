@@ -1,4 +1,4 @@
-//! What passes over the pixels of a picture share: their buffers, their numbers, their work.
+//! Shared parts of passes over the pixels of a picture: their buffers, their numbers, their work.
 
 use super::effect_tiles::EffectTiles;
 use crate::passes::SceneBuffers;
@@ -11,7 +11,7 @@ pub(crate) const VISIBILITY: &str = "visibility";
 /// The pixels of a frame that effects go over.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pixels<'a> {
-    /// What is drawn.
+    /// Scene to draw.
     pub scene: &'a SceneBuffers<'a>,
     /// The tiles that they lie in; none where they are all of the picture.
     pub tiles: Option<EffectTiles>,
@@ -46,7 +46,7 @@ impl<'a> Pixels<'a> {
     }
 }
 
-/// A buffer of so many bytes for each pixel.
+/// A buffer with a fixed number of bytes for each pixel.
 pub(super) fn per_pixel(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,

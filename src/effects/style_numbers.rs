@@ -17,13 +17,13 @@ pub(super) fn style_numbers(plan: &mut Plan, scene: &SceneBuffers<'_>) -> Bindin
     let style = &scene.input.model.prepared.style;
     let mut numbers = numbers(style, scene.input.view);
     if relief_sky::is_drawn(scene) {
-        // How much of it caps have is in what was found.
+        // The found values already contain the weight on caps.
         numbers.occlusion_cap = 1.0;
     }
     pixels::numbers(plan, "style", numbers)
 }
 
-/// How many pixels away a border may be whose stroke is seen.
+/// Greatest distance in pixels of a border whose stroke is visible.
 pub(super) fn reach_px(style: &Style, rows: u32) -> i32 {
     (half_px(style.strokes.widest(), rows)).ceil() as i32 + 1
 }

@@ -7,7 +7,7 @@ pub(super) async fn all() -> Vec<wgpu::Adapter> {
     instance.enumerate_adapters(wgpu::Backends::all()).await
 }
 
-/// What is known of an adapter, for reports.
+/// Description of an adapter, for reports.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct AdapterReport {
@@ -26,7 +26,7 @@ pub struct AdapterReport {
 }
 
 impl AdapterReport {
-    /// What there is to say before a device is open.
+    /// Description available before a device is open.
     pub(super) fn of(info: &wgpu::AdapterInfo) -> Self {
         Self {
             name: info.name.clone(),

@@ -1,4 +1,4 @@
-//! Words on their way back from a frame that somebody submits.
+//! Words in transfer from a frame that the host or a session submits.
 
 use std::future::poll_fn;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -21,7 +21,7 @@ enum State {
 }
 
 impl Arrival {
-    /// Of a copy that is made by commands of the same encoder.
+    /// Awaits a copy that commands of the same encoder make.
     pub(super) fn new(encoder: &wgpu::CommandEncoder, staging: wgpu::Buffer) -> Self {
         let state = Arc::new(Mutex::new(State::UnderWay(None)));
         let shared = state.clone();
@@ -38,7 +38,7 @@ impl Arrival {
         Self { staging, state }
     }
 
-    /// Whether it may still come.
+    /// Returns true if it may still arrive.
     pub(super) fn is_under_way(&self) -> bool {
         matches!(*lock(&self.state), State::UnderWay(_))
     }

@@ -1,7 +1,7 @@
-//! What the shaders of a host ask: whether a point of a part is kept.
+//! Clip test for the shaders of a host: is a point of a part kept?
 //!
-//! The host draws its surfaces with materials of its own and leaves out what the one list of crossings says is removed; the caps are
-//! composed beside them. The question is WGSL text for the host's shaders ([`clip_wgsl`]) and a bind group of the very lists that the
+//! The host draws its surfaces with materials of its own and leaves out what the one list of crossings removes; the caps are
+//! composed with them. The test is WGSL text for the host's shaders ([`clip_wgsl`]) and a bind group of the very lists that the
 //! caps come from, so that both are cut at the same depths. Costs a look at each crossing before a fragment.
 //!
 //! Cannot: serve frames drawn in bands, whose lists are several; know on which side a face lies that is in a clip-surface, which our own
@@ -54,7 +54,7 @@ pub fn clip_wgsl(group: u32) -> Result<String> {
 }
 
 impl Gpu {
-    /// The layout of the bind group that goes with [`clip_wgsl`], for the pipelines of the host: 2 uniform and 4 storage buffers, for
+    /// The layout of the bind group for [`clip_wgsl`], for the pipelines of the host: 2 uniform and 4 storage buffers, for
     /// any stage.
     pub fn clip_layout(&self) -> Result<wgpu::BindGroupLayout> {
         Ok(self.clip()?.layout.clone())
@@ -89,12 +89,12 @@ impl Gpu {
     }
 }
 
-/// What is known of the parts of a scene beside the lists.
+/// Data about the parts of a scene in addition to the lists.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct ClipTable {
     /// By how much scene space is larger than the world.
     pub(crate) scene_from_world: f32,
-    /// Of each part, by its index in the scene, bits of the cuts that reach it, and whether a cut removes all of it.
+    /// Per part, by its index in the scene: bits of the cuts that reach it, and true if a cut removes all of the part.
     pub(crate) parts: Vec<(u32, bool)>,
 }
 

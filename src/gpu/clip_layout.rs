@@ -1,10 +1,10 @@
-//! What the shader that hosts ask binds.
+//! Bindings of the clip shader for hosts.
 
 use std::sync::Arc;
 
 use crate::shader::Composed;
 
-/// What the shader binds, and the layout of that; found out once.
+/// The bindings of the shader, and their layout; computed once.
 pub(super) struct ClipLayout {
     pub(super) composed: Arc<Composed>,
     pub(super) layout: wgpu::BindGroupLayout,

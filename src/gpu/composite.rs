@@ -1,7 +1,7 @@
-//! A frame in the attachments of a host: its colours where the model is, tested by the host's depth, and its depth beside them.
+//! A frame in the attachments of a host: colours where the model is, tested by the host's depth, and the frame's depth.
 //!
-//! One triangle over the frame reads picture or base colours, and layers, from the buffers that the passes wrote: nothing is copied, nothing read back. Of
-//! a band it draws the band's rows. Costs a pass of 4 bytes of picture and 12 of layers a pixel.
+//! One triangle over the frame reads picture or base colours, and layers, from the buffers that the passes wrote: nothing is copied or read
+//! back. In a band it draws the band's rows. Costs a pass of 4 bytes of picture and 12 of layers a pixel.
 //!
 //! Cannot: show edges finer than pixels where the target has several samples; all samples of a pixel are alike.
 
@@ -15,7 +15,7 @@ use crate::plan::pack::Composite;
 use crate::shader::{self, Shader};
 use crate::{Error, Result};
 
-/// What a pipeline is made for.
+/// Attachments that a pipeline is made for.
 #[derive(Clone, Copy, PartialEq)]
 struct Attachments {
     colors: [Option<wgpu::TextureFormat>; MOST_COLORS],
@@ -41,7 +41,7 @@ impl Compositors {
     }
 }
 
-/// What of a frame is put into attachments.
+/// Buffers of a frame that are composited into attachments.
 pub(super) struct Composed<'a> {
     pub(super) picture: &'a wgpu::Buffer,
     pub(super) layers: &'a wgpu::Buffer,
@@ -58,7 +58,7 @@ pub(crate) struct Compositor {
 }
 
 impl Compositor {
-    /// Of the buffers of a frame.
+    /// Makes one from the buffers of a frame.
     pub(super) fn new(gpu: &Gpu, target: &Destination<'_>, frame: &Composed<'_>) -> Result<Self> {
         let attachments = attachments(target);
         let pipeline = gpu.compositors().get(gpu, attachments)?;
@@ -93,7 +93,7 @@ impl Compositor {
         })
     }
 
-    /// Whether it draws into attachments like these.
+    /// Returns true if it draws into attachments like these.
     pub(crate) fn fits(&self, target: &Destination<'_>) -> bool {
         self.attachments == attachments(target)
     }

@@ -1,6 +1,6 @@
-//! The device: what it can do, and what it complained of. It is opened by `open`, or is that of a host.
+//! The device: its capabilities, and its errors. It is opened by `open`, or is that of a host.
 //!
-//! Everything runs on core WebGPU; native features are asked for by question ([`Gpu::has_timestamps`]) and used when there.
+//! Everything runs on core WebGPU; native features are queried ([`Gpu::has_timestamps`]) and used if present.
 
 use std::borrow::Cow;
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
@@ -17,7 +17,7 @@ use crate::plan::{Contents, Limits};
 use crate::strategies::AdapterTraits;
 use crate::{Error, Result};
 
-/// What [`Limits::wide_atomics`] asks for.
+/// Features that [`Limits::wide_atomics`] requires.
 const WIDE_ATOMICS: wgpu::Features =
     wgpu::Features::SHADER_INT64.union(wgpu::Features::SHADER_INT64_ATOMIC_MIN_MAX);
 
@@ -31,7 +31,7 @@ pub struct Gpu {
     measured: OnceLock<AdapterReport>,
     limits: Limits,
     timestamps: bool,
-    /// Whether uniforms are better read from storage.
+    /// True if uniforms are better read from storage.
     inlines_uniforms: bool,
     pub(super) complaint: Arc<Mutex<Option<String>>>,
     /// Large contents that several programs share, by identity.
@@ -40,7 +40,7 @@ pub struct Gpu {
     pipelines: Mutex<Pipelines>,
     compositors: Mutex<Compositors>,
     preparation: Mutex<Preparation>,
-    /// What shaders of a host bind, once it is asked for.
+    /// Bindings for shaders of a host, made on first use.
     pub(super) clip: OnceLock<ClipLayout>,
 }
 
@@ -64,8 +64,8 @@ impl Gpu {
             | wgpu::Features::TIMESTAMP_QUERY
     }
 
-    /// What to ask an adapter for, so that every strategy that can run on it does: the required limits, bindings, buffers and textures
-    /// as large as the adapter allows, and the wanted features that it offers. A host adds what it wants besides.
+    /// Device descriptor for an adapter that lets every supported strategy run: the required limits, bindings, buffers and textures
+    /// as large as the adapter allows, and the wanted features that it offers. A host adds its own needs.
     pub fn descriptor(adapter: &wgpu::Adapter) -> wgpu::DeviceDescriptor<'static> {
         let have = adapter.limits();
         let mut required = Self::required_limits();
@@ -86,7 +86,7 @@ impl Gpu {
         }
     }
 
-    /// On the device of a host, which goes on to own it: no handler of it is touched. What the device was created with decides what
+    /// Uses the device of a host, which keeps ownership: no handler of the device is touched. The device as created determines what
     /// plans may use.
     ///
     /// # Errors
@@ -154,7 +154,7 @@ impl Gpu {
         &self.unmeasured.name
     }
 
-    /// What is known of the adapter. The first call measures its sub-pixel bits by one small draw and waits for it, but in a browser.
+    /// Description of the adapter. The first call measures its sub-pixel bits by one small draw and waits for it, except in a browser.
     pub fn report(&self) -> &AdapterReport {
         self.measured.get_or_init(|| AdapterReport {
             // A device that refuses so small a draw gives its reason at the next frame.
@@ -164,7 +164,7 @@ impl Gpu {
         })
     }
 
-    /// What the choice of a rasteriser depends on. On a software adapter sub-pixel bits do not matter to it, and are not measured for it.
+    /// Properties for the choice of a rasteriser. On a software adapter sub-pixel bits do not matter to it, and are not measured for it.
     pub fn traits(&self) -> AdapterTraits<'_> {
         let software = self.unmeasured.software;
         AdapterTraits {
@@ -177,7 +177,7 @@ impl Gpu {
         }
     }
 
-    /// What plans are held to on this adapter.
+    /// Limits for plans on this adapter.
     pub fn limits(&self) -> &Limits {
         &self.limits
     }
@@ -188,12 +188,12 @@ impl Gpu {
         Self { limits, ..self }
     }
 
-    /// Whether the device's own timestamps are there and to be trusted.
+    /// Returns true if the device has timestamps and they are reliable.
     pub fn has_timestamps(&self) -> bool {
         self.timestamps
     }
 
-    /// What it took so far to make it ready for its frames.
+    /// Work done so far to make it ready for its frames.
     pub fn preparation(&self) -> Preparation {
         *self.preparing()
     }
@@ -213,7 +213,7 @@ impl Gpu {
         lock(&self.compositors)
     }
 
-    /// Does some work on the device, and makes an error of what the device refuses of it.
+    /// Does some work on the device, and returns an error if the device refuses any of the work.
     pub(crate) fn scoped<T>(&self, work: impl FnOnce() -> Result<T>) -> Result<T> {
         let filters = [
             wgpu::ErrorFilter::OutOfMemory,
@@ -229,7 +229,7 @@ impl Gpu {
         }
     }
 
-    /// What the device complained of beside any scope since the last question, as an error.
+    /// Errors of the device outside any scope since the last call, as one error.
     pub(super) fn complaint(&self) -> Result<()> {
         match lock(&self.complaint).take() {
             None => Ok(()),
@@ -245,7 +245,7 @@ impl Gpu {
         }
     }
 
-    /// What buffers of uniforms are used for.
+    /// Usage flags of uniform buffers.
     pub(super) fn uniform_usage(&self) -> wgpu::BufferUsages {
         uniforms::usage(self.inlines_uniforms)
     }
@@ -305,12 +305,12 @@ impl Gpu {
     }
 }
 
-/// Whether contents are kept once for all programs, which therefore must not write to them.
+/// Returns true if contents are kept once for all programs, which therefore must not write to them.
 pub(super) fn is_shared(contents: &Contents) -> bool {
     contents.len() >= SHARED_FROM_BYTES && !contents.changes()
 }
 
-/// What a scope caught, where that is known at once: a browser says it later, and to its console.
+/// Error that a scope caught, if it is available at once: a browser reports it later, and to its console.
 fn at_once(caught: impl Future<Output = Option<wgpu::Error>>) -> Option<wgpu::Error> {
     let mut caught = std::pin::pin!(caught);
     let mut context = Context::from_waker(Waker::noop());

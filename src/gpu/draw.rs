@@ -55,7 +55,7 @@ struct Depth {
     viewport_px: [[f32; 2]; 2],
     clear: bool,
     far: f32,
-    /// Where the stencil is used: whether it is cleared.
+    /// Clear flag of the stencil, if the stencil is used.
     clear_stencil: Option<bool>,
 }
 

@@ -7,7 +7,7 @@ use super::adapter;
 use super::device::lock;
 use crate::{Error, Result};
 
-/// Which adapter to use.
+/// Selection of the adapter.
 #[derive(Clone, Debug, Default)]
 pub struct GpuOptions {
     /// Part of the adapter's name, in any case; `None` takes the fastest.

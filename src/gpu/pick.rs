@@ -1,5 +1,5 @@
-//! What pixels of a frame show, on their way back: one, or all. What a pointer picks is read from the layers, so that it is what is seen,
-//! cuts and all.
+//! Pixels of a frame in transfer: one, or all. A pointer picks from the layers, and so picks the visible surface,
+//! with all cuts applied.
 //!
 //! Costs a copy of 12 bytes a pixel. Cannot: know of a frame that was not submitted.
 
@@ -9,22 +9,22 @@ use super::layer_words::{layer_from_words, layers_from_words};
 use crate::Result;
 use crate::layers::Layer;
 
-/// A pixel that was asked for.
+/// A requested pixel.
 #[derive(Debug)]
 pub struct Pick(Arrival);
 
 impl Pick {
-    /// Of a copy that is made by commands of the same encoder.
+    /// Awaits a copy that commands of the same encoder make.
     pub(super) fn new(encoder: &wgpu::CommandEncoder, staging: wgpu::Buffer) -> Self {
         Self(Arrival::new(encoder, staging))
     }
 
-    /// Whether it may still come; that it has come is found out by [`Session::poll`](crate::Session::poll).
+    /// Returns true if it may still arrive; [`Session::poll`](crate::Session::poll) detects the arrival.
     pub fn is_under_way(&self) -> bool {
         self.0.is_under_way()
     }
 
-    /// What the pixel shows, once it is known.
+    /// Layer of the pixel, once it has arrived.
     pub fn layer(&self) -> Option<Layer> {
         let words: [u32; 3] = self.0.values()?.try_into().ok()?;
         Some(layer_from_words(&words))
@@ -36,7 +36,7 @@ impl Pick {
 pub(crate) struct Arriving(Arrival);
 
 impl Arriving {
-    /// Of a buffer, which is copied behind what is encoded.
+    /// Reads a buffer, which is copied after the encoded commands.
     pub(super) fn new(
         gpu: &Gpu,
         encoder: &mut wgpu::CommandEncoder,

@@ -1,4 +1,4 @@
-//! What bounded buffers needed, on its way back from a frame that a host submits.
+//! Needs of bounded buffers, in transfer from a frame that a host submits.
 
 use super::arrival::Arrival;
 use crate::plan::Bounded;
@@ -10,7 +10,7 @@ pub(crate) struct Report {
 }
 
 impl Report {
-    /// Of a copy that is made by commands of the same encoder.
+    /// Awaits a copy that commands of the same encoder make.
     pub(super) fn new(
         encoder: &wgpu::CommandEncoder,
         staging: wgpu::Buffer,
@@ -22,7 +22,7 @@ impl Report {
         }
     }
 
-    /// Whether it may still come.
+    /// Returns true if it may still arrive.
     pub(crate) fn is_under_way(&self) -> bool {
         self.arrival.is_under_way()
     }

@@ -10,9 +10,9 @@ use super::Gpu;
 use crate::shader::{self, Shader};
 use crate::{Error, Result};
 
-/// What Vulkan and WebGPU promise.
+/// Sub-pixel bits that Vulkan and WebGPU guarantee.
 const LEAST_BITS: u32 = 4;
-/// Bits that are told apart, at most: more rows would end closer to the column than f32 is exact.
+/// Bits that are distinguished, at most: more rows would end closer to the column than f32 is exact.
 const MOST_BITS: u32 = 12;
 /// Pixels along a side of the target: `shaders/gpu/sub_pixel.wgsl`.
 const SIZE_PX: u32 = 16;

@@ -1,4 +1,4 @@
-//! Where a host wants a frame: in its picture, or in the attachments that its own lights read.
+//! Targets of a host for a frame: its picture, or the attachments that its own lights read.
 
 use crate::scene::HostDepth;
 use crate::{Error, Result};
@@ -16,7 +16,7 @@ pub struct Target<'a> {
     pub sample_count: u32,
     /// Upper left corner of the frame in the attachments, in pixels.
     pub origin_px: [u32; 2],
-    /// Whether the sky is drawn where no model is seen; not with `caps_only`.
+    /// True if the sky is drawn where no model is seen; not with `caps_only`.
     pub background: bool,
     /// Draws caps alone: the host draws the surfaces itself, less what [`Session::clip_group`](crate::Session::clip_group) says is
     /// removed.
@@ -30,7 +30,7 @@ pub struct TargetDepth<'a> {
     pub view: &'a wgpu::TextureView,
     /// Its format.
     pub format: wgpu::TextureFormat,
-    /// What distances become in it.
+    /// Mapping of distances to depth values.
     pub convention: HostDepth,
 }
 
@@ -50,7 +50,7 @@ pub struct GBuffer<'a> {
     pub base_color: Attachment<'a>,
     /// The normal in the host's world: a unit vector towards the eye, in `Rgba16Float` or `Rgba32Float`.
     pub normal: Attachment<'a>,
-    /// What is seen, of the format `R32Uint`. The host clears it, for only pixels that show the model are written. From the lowest bit
+    /// Visible element, of the format `R32Uint`. The host clears it, because only pixels that show the model are written. From bit 0
     /// on: 2 bits for the kind (1 a surface, 2 a cap), 1 for a back face, 1 for a pixel that the method cannot be sure of, 1 for a cap
     /// that several solids share, 3 unused, 8 for the clip-surface of a cap (255 is the near plane), 16 for the part.
     pub what: &'a wgpu::TextureView,

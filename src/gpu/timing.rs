@@ -1,8 +1,8 @@
 //! Time per pass and per clock: timestamps of the device, or wall time where there are none worth reading.
 //!
 //! Software adapters get wall time although they offer timestamps: on llvmpipe (Mesa 22.3.6) the begin of a compute pass is
-//! stamped before or after the work of it by chance, so that one frame of 305 ms was reported as 112 ms every other time.
-//! There every pass is submitted and waited for by itself, about 0.1 ms each; nothing would have run beside it anyhow.
+//! stamped before or after the pass's work by chance, so that one frame of 305 ms was reported as 112 ms every other time.
+//! There every pass is submitted and waited for by itself, about 0.1 ms each; nothing would have run in parallel anyway.
 
 use std::time::Duration;
 
@@ -34,7 +34,7 @@ impl ClockSet {
         Self(self.0 | other.0)
     }
 
-    /// Whether a clock is in the set.
+    /// Returns true if a clock is in the set.
     pub fn contains(self, clock: Clock) -> bool {
         self.0 >> clock as u8 & 1 == 1
     }
@@ -53,12 +53,12 @@ pub struct PassTime {
     pub name: String,
     /// Its clock.
     pub clock: Clock,
-    /// Milliseconds on the device, or on the CPU where that did it; none where nobody asked.
+    /// Milliseconds on the device, or on the CPU for CPU work; none if times were not requested.
     pub time_ms: Option<f64>,
 }
 
 impl PassTime {
-    /// Times of what the CPU does for a plan: `ms` has those of the work beside it.
+    /// Times of the CPU steps of a plan: `ms` returns the time of a step with its work.
     pub(super) fn of_cpu(
         recorded: &Recorded,
         ms: impl Fn(&CpuStep, &CpuWork) -> Option<f64>,
@@ -81,7 +81,7 @@ pub struct RunTimes {
     /// Per pass that ran.
     pub passes: Vec<PassTime>,
     /// From the begin of the first pass of a clock to the end of its last, or the sum of their wall times; `None` for
-    /// clocks that did not run, and where nobody asked.
+    /// clocks that did not run, and if times were not requested.
     pub clocks_ms: [Option<f64>; 3],
 }
 
@@ -142,7 +142,7 @@ pub(super) struct Stopwatch {
 }
 
 impl Stopwatch {
-    /// Of a device that has timestamps; none where the passes are too many.
+    /// Makes one for a device that has timestamps; none if the passes are too many.
     pub(super) fn new(device: &wgpu::Device, passes: usize) -> Option<Self> {
         let count = u32::try_from(passes * 2).ok();
         let count = count.filter(|c| *c > 0 && *c <= 4096)?;
@@ -198,7 +198,7 @@ impl Stopwatch {
         }
     }
 
-    /// How long some work of the CPU takes.
+    /// Time that some work of the CPU takes.
     pub(super) fn ms_of(work: &dyn Fn()) -> f64 {
         let started = Self::now();
         work();

@@ -1,4 +1,4 @@
-//! Uniforms, and the storage buffers in their place on a driver that makes its shaders anew for each of their values.
+//! Uniforms, and the storage buffers in their place on a driver that recompiles its shaders for each of their values.
 //!
 //! llvmpipe of Mesa before 25 puts uniforms on which branches or loops hang into the shader whenever it is bound, and keeps the copy that it
 //! makes for that as long as the pipeline: 1 MB a frame of a cube. What is read from storage it leaves alone. A shader that would then
@@ -7,14 +7,14 @@
 /// The first release of Mesa that keeps no copies.
 const MENDED_IN_MESA: u32 = 25;
 
-/// Whether the driver keeps a copy of a shader each time that it is bound.
+/// Returns true if the driver keeps a copy of a shader each time that it is bound.
 pub(super) fn are_inlined(info: &wgpu::AdapterInfo) -> bool {
     let release = info.driver_info.strip_prefix("Mesa ");
     let major = release.and_then(|release| release.split('.').next()?.parse().ok());
     info.driver == "llvmpipe" && major.is_some_and(|major: u32| major < MENDED_IN_MESA)
 }
 
-/// What buffers of uniforms are used for.
+/// Usage flags of uniform buffers.
 pub(super) fn usage(inlined: bool) -> wgpu::BufferUsages {
     match inlined {
         true => wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::STORAGE,
@@ -22,7 +22,7 @@ pub(super) fn usage(inlined: bool) -> wgpu::BufferUsages {
     }
 }
 
-/// Puts uniforms into storage, if no more than so many buffers are then in it. Their layout is the same in both.
+/// Puts uniforms into storage, if it then holds at most `most` buffers. Their layout is the same in both.
 pub(super) fn read_from_storage(module: &mut naga::Module, most: usize) {
     let is_buffer = |space| {
         matches!(

@@ -2,7 +2,7 @@
 //! against its definition in f64.
 //!
 //! The shader is composed with the library, so it imports the very functions that frames are drawn with. Its output is
-//! poisoned before the run: a word that nobody wrote differs from every word that somebody meant to be zero.
+//! poisoned before the run: an unwritten word differs from every word written as zero.
 
 use super::Gpu;
 use super::programs::bind::bind_group;
@@ -11,7 +11,7 @@ use crate::plan::Resource;
 use crate::shader::{self, BindingKind};
 use crate::{Error, Result};
 
-/// What the output holds before the run.
+/// Value of every output word before the run.
 pub const POISON: u32 = 0xffff_ffff;
 
 /// Name of the output variable, a `var<storage, read_write>` of the shader.

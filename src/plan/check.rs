@@ -1,9 +1,9 @@
 //! The rules of a plan, and the limits of core WebGPU it must keep.
 //!
 //! Rules: names are unique; every binding of a shader has a resource and every resource given has a binding; nothing is
-//! read before it is written or uploaded; nothing is written that nobody reads; passes of slower clocks never read what a
-//! faster clock makes; what a draw reads of indices and arguments lies within their buffers. What indices and arguments say on
-//! the device nobody can check here: the pass that writes them answers for it.
+//! read before it is written or uploaded; nothing is written that is never read; passes of slower clocks never read what a
+//! faster clock makes; what a draw reads of indices and arguments lies within their buffers. The values of indices and arguments on
+//! the device cannot be checked here: the pass that writes them must be correct.
 
 use std::collections::BTreeMap;
 
@@ -33,9 +33,9 @@ pub struct Limits {
     pub texture_layers: u32,
     /// Atomics of 64 bits.
     pub wide_atomics: bool,
-    /// Whether there are textures of 32-bit depth with a stencil.
+    /// True if textures of 32-bit depth with a stencil are supported.
     pub depth32_stencil8: bool,
-    /// Whether samplers filter textures of 32-bit floats.
+    /// True if samplers filter textures of 32-bit floats.
     pub filters_f32: bool,
 }
 
@@ -103,7 +103,7 @@ impl Plan {
         Ok(())
     }
 
-    /// Whether arguments lie within a buffer that is made for them.
+    /// Checks that arguments lie within a buffer that is made for them.
     fn check_arguments(&self, pass: &super::Pass, arguments: &Arguments, bytes: u64) -> Result<()> {
         let of = self.resource(arguments.resource);
         let is_for_arguments = matches!(

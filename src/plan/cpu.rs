@@ -1,7 +1,7 @@
 //! Work of the CPU that makes an upload of a plan.
 //!
-//! A plan is recorded after such work is done, for what is drawn depends on it. The plan keeps what was done, as data; how long it took
-//! this time, and how to do it again where somebody measures, stands beside the plan. Bands of one picture share what is known, so only
+//! A plan is recorded after such work is done, for what is drawn depends on it. The plan keeps what was done, as data; its duration
+//! this time, and a closure that repeats it for measurements, are kept outside the plan. Bands of one picture share what is known, so only
 //! the first of them does the work; where it is done again for its time, each band does it.
 
 use std::fmt;
@@ -22,12 +22,12 @@ pub struct CpuStep {
     pub makes: Vec<ResourceId>,
 }
 
-/// How such work went.
+/// Record of such work.
 #[derive(Clone)]
 pub struct CpuWork {
-    /// Milliseconds that it took for this plan; `None` where all of it was known from before.
+    /// Milliseconds that it took for this plan; `None` where all results were known from before.
     pub took_ms: Option<f64>,
-    /// Does all of it again, and throws away what it makes.
+    /// Repeats all the work, and throws away its results.
     pub again: Arc<dyn Fn() + Send + Sync>,
 }
 
@@ -37,7 +37,7 @@ impl fmt::Debug for CpuWork {
     }
 }
 
-/// A plan with the work of the CPU beside it.
+/// A plan with the record of the CPU's work.
 #[derive(Clone, Debug, Default)]
 pub struct Recorded {
     /// The plan.

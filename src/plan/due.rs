@@ -1,10 +1,10 @@
-//! Which passes of a plan must run, given the plan before: those of a frame, and of the slower ones those whose inputs changed.
+//! Passes of a plan that must run, given the plan before: those of a frame, and of the slower ones those whose inputs changed.
 //!
 //! A plan is followed as a flow of values. An upload or a pass that writes gives a stretch of a resource (bytes of a buffer,
 //! layers of a texture) a new value; a pass reads the values that are there when its turn comes. From that:
 //!
 //! - a pass is due if it is not the same as before, if a value that it reads is new, or if a resource that it writes was made
-//!   anew, so that what it wrote is gone;
+//!   again, so that what it wrote is gone;
 //! - the passes that made a value are due if a pass that is due reads it and it is no longer there, because another pass wrote
 //!   over it since: so passes can share scratch memory, and each is still rebuilt by itself.
 //!
@@ -20,7 +20,7 @@ use super::{
     Access, Arguments, Binding, Clock, Pass, Plan, Resource, ResourceId, Shape, Vertices, Work,
 };
 
-/// What must run before the next frame is right.
+/// Work that must run before the next frame is right.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Due {
     /// Names of passes.
@@ -30,7 +30,7 @@ pub struct Due {
 }
 
 impl Due {
-    /// What is due of either.
+    /// Union of both.
     pub fn add(&mut self, other: &Self) {
         self.passes.extend(other.passes.iter().cloned());
         self.clocks.extend(&other.clocks);
@@ -38,7 +38,7 @@ impl Due {
 }
 
 impl Plan {
-    /// What is due after another plan ran; `is_remade` says of which resources the storage is new.
+    /// Work due after another plan ran; `is_remade` returns true for resources whose storage is new.
     pub fn due_after(&self, before: &Self, is_remade: impl Fn(&Resource) -> bool) -> Due {
         let mut due = Due::default();
         due.clocks.insert(Clock::Frame);
@@ -101,7 +101,7 @@ impl<'a> Old<'a> {
         }
     }
 
-    /// Whether a pass was there, the same in all but the numbers of its resources and the words of its reason.
+    /// Returns true if the pass existed, the same in all but the numbers of its resources and the words of its reason.
     fn has(&self, plan: &Plan, pass: &Pass) -> bool {
         let Some(before) = self.passes.get(pass.name.as_str()) else {
             return false;
@@ -186,13 +186,13 @@ struct Use {
     access: Access,
 }
 
-/// A stretch that a pass reads: who made the values there.
+/// A stretch that a pass reads, and the passes that made the values there.
 struct Reading {
     resource: usize,
     stretch: Range<u64>,
     /// Passes of slower clocks.
     makers: Vec<usize>,
-    /// Whether what was uploaded is there as well.
+    /// True if uploaded values are there as well.
     uploaded: bool,
 }
 
@@ -291,7 +291,7 @@ impl<'a> Flow<'a> {
             || reading.makers.iter().any(|m| due[*m])
     }
 
-    /// Whether another pass writes over a value: one that comes later did so the last time, one that came earlier does so now.
+    /// Returns true if another pass writes over a value: one that comes later did so the last time, one that came earlier does so now.
     fn is_gone(&self, reading: &Reading, due: &[bool]) -> bool {
         let Some(first) = reading.makers.iter().min() else {
             return false;
@@ -310,7 +310,7 @@ fn meet(a: &Range<u64>, b: &Range<u64>) -> bool {
     a.start < b.end && b.start < a.end
 }
 
-/// What is left of a stretch before and behind another.
+/// Remainders of a stretch before and behind another.
 fn without(stretch: &Range<u64>, gone: &Range<u64>) -> impl Iterator<Item = Range<u64>> + use<> {
     let before = stretch.start..stretch.end.min(gone.start);
     let behind = stretch.start.max(gone.end)..stretch.end;
@@ -326,7 +326,7 @@ fn whole(resource: &Resource) -> Range<u64> {
     }
 }
 
-/// What a pass does with which stretches. Clearing a target counts as writing it even where nothing is drawn into it after.
+/// Stretches that a pass uses, with the access. Clearing a target counts as writing it even where nothing is drawn into it after.
 fn uses(plan: &Plan, pass: &Pass) -> Vec<Use> {
     let layer = |layer: u32| u64::from(layer)..u64::from(layer) + 1;
     let mut all: Vec<Use> = (pass.bindings.iter())

@@ -27,23 +27,23 @@ pub use work::{
     Draw, INDEX_BYTES, Stencil, StencilStep, VERTEX_BYTES, Vertices, Work, groups_over,
 };
 
-/// A bounded buffer and what the frame must report of it.
+/// A bounded buffer and the need that the frame must report for it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Bounded {
-    /// What is bounded, in words: "crossings per pixel".
+    /// Name of the bounded quantity: "crossings per pixel".
     pub what: String,
     /// Word of the `need` resource that receives the largest need.
     pub slot: u32,
-    /// How many it holds.
+    /// Capacity, in units of `what`.
     pub capacity: u32,
-    /// Which of [`Capacities`] to change when the need differs, if it can be.
+    /// Member of [`Capacities`] to change when the need differs, if it can be.
     pub resizes: Option<Capacity>,
     /// A need below the capacity also asks for a new plan: the structure is to be as large as the true need, not larger.
     pub exact: bool,
 }
 
 impl Bounded {
-    /// That a frame needed more, in words.
+    /// Message that a frame needed more.
     pub fn shortage(&self, need: u32) -> String {
         format!("{} need {need}, there are {}", self.what, self.capacity)
     }
@@ -77,7 +77,7 @@ pub struct Capacities {
     pub sheets: Option<u32>,
     /// Triangles that a frame makes of clip-surfaces.
     pub triangles: Option<u32>,
-    /// Reliefs have pyramids already, so that rays go over them from now on whatever the view makes of it.
+    /// Reliefs have pyramids already, so that rays go over them from now on in any view.
     pub pyramids: bool,
 }
 
@@ -88,7 +88,7 @@ impl Capacities {
     pub const MOST_CROSSINGS: u32 = 1023;
     /// Crossings that a lane of one word tells apart.
     pub const CROSSINGS_OF_A_WORD: u32 = 31;
-    /// Bands of so many rows are not cut any more: what is still too large is not so for its pixels.
+    /// Bands of this many rows are not cut any more: what is still too large is not so for its pixels.
     pub const FEWEST_ROWS: u32 = 64;
 
     /// Nothing known yet.
@@ -137,11 +137,11 @@ impl Capacities {
 /// The passes of a frame.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Plan {
-    /// What a pass can read and write.
+    /// Resources that passes can read and write.
     pub resources: Vec<Resource>,
     /// In order; passes of slower clocks come first.
     pub passes: Vec<Pass>,
-    /// What the CPU did for the uploads, beyond packing them.
+    /// Work of the CPU for the uploads, beyond packing them.
     pub on_cpu: Vec<CpuStep>,
     /// The layers of the frame: three words per pixel.
     pub layers: Option<ResourceId>,
@@ -149,7 +149,7 @@ pub struct Plan {
     pub picture: Option<ResourceId>,
     /// Words that bounded buffers report their need in.
     pub need: Option<ResourceId>,
-    /// What else is made to be read back.
+    /// Further resources that are made to be read back.
     pub channels: Vec<ResourceId>,
     /// Rays go over pyramids of reliefs, as [`Capacities::pyramids`] says of the frames that follow.
     pub has_pyramids: bool,
@@ -182,7 +182,7 @@ impl Plan {
             .map(ResourceId)
     }
 
-    /// Whether the adapter's rasteriser draws triangles whose edges are seen: any but the one that covers the picture.
+    /// Returns true if the adapter's rasteriser draws triangles whose edges are seen: any but the one that covers the picture.
     pub fn draws_triangles(&self) -> bool {
         self.passes.iter().any(|pass| match &pass.work {
             Work::Draw { draws, .. } => draws.iter().any(|d| *d != Draw::full_screen(d.instance)),
@@ -190,8 +190,8 @@ impl Plan {
         })
     }
 
-    /// The plan less the resources that nothing of it mentions, be it a pass, a step of the CPU or what the frame ends with: what is
-    /// uploaded for any pass that may want it is not there where none does.
+    /// The plan less the resources that no pass, no step of the CPU and no result of the frame refers to: data
+    /// uploaded for optional use by passes is left out where no pass uses it.
     #[must_use]
     pub fn without_unused(mut self) -> Self {
         let mut is_used = vec![false; self.resources.len()];

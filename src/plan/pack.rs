@@ -99,9 +99,9 @@ shared! {
 shared! {
     /// All cuts: `shaders/lib/along_ray/cuts.wgsl`.
     CutTable {
-        /// How many clip-surfaces.
+        /// Number of clip-surfaces.
         surface_count: u32,
-        /// How many cuts.
+        /// Number of cuts.
         cut_count: u32,
         /// 1 where crossings with some clip-surface bring a normal.
         has_normals: u32,
@@ -201,9 +201,9 @@ shared! {
         place: u32,
         /// Bits of the clip-surfaces that they are settled by.
         surfaces: u32,
-        /// Of those, the ones of which they lie on the removed side.
+        /// Subset of `surfaces` on whose removed side they lie.
         removed: u32,
-        /// Of those, the ones that they lie in.
+        /// Subset of `surfaces` that they lie in.
         flush: u32,
         /// 1 where each triangle lies on another one.
         doubled: u32,

@@ -5,12 +5,12 @@ use std::ops::Range;
 use super::{Clock, ResourceId, Vertices, Work};
 use crate::shader::Shader;
 
-/// How a pass uses a resource.
+/// Access of a pass to a resource.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Access {
     /// Only reads it.
     Read,
-    /// Writes all of it that later passes read.
+    /// Writes every part that later passes read.
     Write,
     /// Reads what is there and changes it.
     ReadWrite,
@@ -21,11 +21,11 @@ pub enum Access {
 pub struct Binding {
     /// Name of the variable in WGSL.
     pub name: &'static str,
-    /// What it is bound to.
+    /// Resource that it is bound to.
     pub resource: ResourceId,
     /// Layer of a texture that the shader sees as a plain 2D texture.
     pub layer: Option<u32>,
-    /// How it is used.
+    /// Access of the pass.
     pub access: Access,
     /// Bytes of a buffer that the pass looks at or writes; `None` is all. The shader keeps to them by itself.
     pub bytes: Option<Range<u64>>,
@@ -103,7 +103,7 @@ pub struct Pass {
     pub bindings: Vec<Binding>,
     /// Values of the shader's `override` constants.
     pub constants: Vec<(&'static str, f64)>,
-    /// What it does.
+    /// Dispatch or draws.
     pub work: Work,
 }
 
@@ -176,7 +176,7 @@ impl Pass {
         all
     }
 
-    /// All that it mentions, to be numbered anew.
+    /// All resources that it mentions, to be renumbered.
     pub(super) fn resources_mut(&mut self) -> impl Iterator<Item = &mut ResourceId> {
         let bound = self.bindings.iter_mut().map(|b| &mut b.resource);
         bound.chain(self.work.resources_mut())

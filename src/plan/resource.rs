@@ -34,7 +34,7 @@ impl Format {
     }
 }
 
-/// What a buffer is for.
+/// Use of a buffer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Role {
     /// `var<storage>`.
@@ -56,7 +56,7 @@ pub enum Shape {
     Buffer {
         /// Length.
         bytes: u64,
-        /// What it is for.
+        /// Its use.
         role: Role,
     },
     /// A 2D texture, with layers.
@@ -68,9 +68,9 @@ pub enum Shape {
         /// Format of a texel.
         format: Format,
     },
-    /// What reads textures between their texels, bilinear.
+    /// Reads textures between their texels, bilinear.
     Sampler {
-        /// How addresses outside the texture are read, along both axes.
+        /// Addressing outside the texture, along both axes.
         wrap: Wrap,
     },
 }
@@ -151,7 +151,7 @@ impl Contents {
         self.len
     }
 
-    /// Whether there is no byte.
+    /// Returns true if there is no byte.
     pub fn is_empty(&self) -> bool {
         self.len == 0
     }
@@ -161,7 +161,7 @@ impl Contents {
         &self.pieces
     }
 
-    /// Whether pieces will be exchanged or room between them written.
+    /// Returns true if pieces will be exchanged or room between them written.
     pub fn changes(&self) -> bool {
         self.changes
     }
@@ -188,12 +188,12 @@ impl Contents {
         })
     }
 
-    /// Whether these are the very same pieces, without a look at them.
+    /// Returns true if these are the very same pieces, without comparing their bytes.
     pub(crate) fn is_same(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.pieces, &other.pieces)
     }
 
-    /// Whether somebody else holds them too.
+    /// Returns true if the pieces have another owner too.
     pub(crate) fn is_held_elsewhere(&self) -> bool {
         Arc::strong_count(&self.pieces) > 1
     }
@@ -220,7 +220,7 @@ pub struct Resource {
     pub name: String,
     /// Size and kind.
     pub shape: Shape,
-    /// What the contents depend on.
+    /// Inputs that the contents depend on.
     pub clock: Clock,
     /// Uploaded before the passes of `clock` run; `None` for what passes write altogether.
     pub contents: Option<Contents>,

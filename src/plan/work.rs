@@ -1,4 +1,4 @@
-//! What a pass does: a dispatch of workgroups, or draws into attachments.
+//! Work of a pass: a dispatch of workgroups, or draws into attachments.
 
 use std::ops::Range;
 
@@ -13,7 +13,7 @@ pub struct ColorTarget {
     pub clear: bool,
 }
 
-/// Which fragments pass the depth test.
+/// Depth test of fragments.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum DepthCompare {
     /// Nearest first in a reversed buffer, cleared to 0.
@@ -29,13 +29,13 @@ pub enum DepthCompare {
 }
 
 impl DepthCompare {
-    /// Whether fragments that pass are written.
+    /// Returns true if fragments that pass are written.
     pub fn writes(self) -> bool {
         !matches!(self, Self::Always | Self::Behind)
     }
 }
 
-/// What the fragments of a draw do to the stencil of their pixel.
+/// Effect of a draw's fragments on the stencil of their pixel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum StencilStep {
     /// Each that passes the depth test inverts these bits.
@@ -59,7 +59,7 @@ pub enum StencilStep {
 pub struct Stencil {
     /// Set to 0 before the first draw.
     pub clear: bool,
-    /// What fragments do to it.
+    /// Effect of fragments on it.
     pub step: StencilStep,
 }
 
@@ -74,7 +74,7 @@ pub struct DepthTarget {
     pub clear: bool,
     /// The test.
     pub compare: DepthCompare,
-    /// What is done to the stencil; none where it is left alone or the texture has none.
+    /// Stencil operation; none where the stencil is unchanged or the texture has none.
     pub stencil: Option<Stencil>,
 }
 
@@ -83,7 +83,7 @@ pub const VERTEX_BYTES: u64 = 16;
 /// Bytes of an index.
 pub const INDEX_BYTES: u64 = 4;
 
-/// Which vertex buffer a draw reads.
+/// Vertex buffer that a draw reads.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Vertices {
     /// Position (3 x f32) and octahedral normal (u32), 16 bytes a vertex.
@@ -97,7 +97,7 @@ pub const ARGUMENT_BYTES: u64 = 20;
 /// Bytes of the arguments of a dispatch.
 pub const DISPATCH_ARGUMENT_BYTES: u64 = 12;
 
-/// Where a draw or a dispatch finds its size on the device: in a buffer that passes write. A draw reads [`ARGUMENT_BYTES`] as
+/// Size of a draw or a dispatch on the device: in a buffer that passes write. A draw reads [`ARGUMENT_BYTES`] as
 /// `count, 1, first index, 0, 0`, a dispatch [`DISPATCH_ARGUMENT_BYTES`] as workgroups in x, y and z.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Arguments {
@@ -116,9 +116,9 @@ pub struct Draw {
     pub base_vertex: i32,
     /// Vertices from the base one on that the indices reach; 0 without a vertex buffer.
     pub vertex_count: u32,
-    /// What the shader gets as instance index; with arguments it is 0, for core WebGPU has no other first instance there.
+    /// Instance index in the shader; with arguments it is 0, for core WebGPU has no other first instance there.
     pub instance: u32,
-    /// Where the device finds the range; none where the plan says it.
+    /// Location of the range on the device; none where the plan contains it.
     pub arguments: Option<Arguments>,
 }
 
@@ -135,7 +135,7 @@ impl Draw {
     }
 }
 
-/// What a pass does.
+/// Work of a pass.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Work {
     /// A dispatch of workgroups.

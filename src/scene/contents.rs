@@ -16,16 +16,16 @@ pub struct Scene {
     pub parts: Vec<Part>,
     /// Removed regions; the scene removes their union.
     pub cuts: Vec<Cut>,
-    /// Where it is seen from.
+    /// Camera that views the scene.
     pub camera: Camera,
     /// The box that the scene is framed, scaled and sectioned by; `None` is that of its parts. An animation has one for all
     /// its times, so that pictures do not jump.
     pub stage: Option<Bounds>,
-    /// What a camera is fitted to that shows what is kept; `None` is what is kept now. An animation has one for all its times.
+    /// Outline of the kept geometry that a camera is fitted to; `None` means the current one. An animation has one for all its times.
     pub outline: Option<Arc<Outline>>,
     /// Hatches caps that several solids share, in this colour (sRGB, 0 to 1).
     pub interference: Option<glam::Vec3>,
-    /// How it looks.
+    /// Rendering style.
     pub style: Style,
 }
 
@@ -35,7 +35,7 @@ impl Scene {
         self.stage.unwrap_or_else(|| self.bounds_of_parts())
     }
 
-    /// What the camera is fitted to, where that is not the box of the scene.
+    /// Outline that the camera is fitted to; `None` if it is fitted to the box of the scene.
     #[doc(hidden)]
     pub fn fitted_outline(&self) -> Option<Arc<Outline>> {
         let own = || self.outline.clone();

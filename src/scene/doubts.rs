@@ -1,4 +1,4 @@
-//! What is nearly always a slip in a scene, or makes its caps a matter of opinion.
+//! Checks a scene for likely mistakes, and for input that makes its caps ambiguous.
 
 use super::units::numbers::describe_bounds;
 use super::{Bounds, Cut, Cutter, Fill, Part, Role, Scene, Topology};
@@ -7,17 +7,17 @@ fn described(bounds: &Bounds) -> String {
     describe_bounds(bounds.min.to_array(), bounds.max.to_array())
 }
 
-/// What is said of a scene.
+/// A remark about a scene.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Remark {
-    /// Whether it is nearly always a slip.
+    /// True for a likely mistake (warning), false for a note.
     pub is_warning: bool,
-    /// What is said: a line, more lines that are indented, and last a `help: ` if there is one.
+    /// Text: one line, then indented lines, and last an optional `help: ` line.
     pub text: String,
 }
 
 impl Remark {
-    /// Something to know.
+    /// A remark that is not a warning.
     pub fn note(text: impl Into<String>) -> Self {
         Self {
             is_warning: false,
@@ -33,7 +33,7 @@ impl Remark {
     }
 }
 
-/// What is doubtful about a scene: cuts and cutters that pass by the model, and faces that do not agree which side is out where that
+/// Remarks about a scene: cuts and cutters that miss the model, and faces with inconsistent orientation where orientation
 /// matters.
 pub fn doubts(scene: &Scene) -> Vec<Remark> {
     let bounds = scene.bounds();
@@ -71,8 +71,8 @@ pub fn doubts(scene: &Scene) -> Vec<Remark> {
     doubts
 }
 
-/// Cuts that pass by the model, and whether all of it stays. A face of several that lies beyond the model on the removed side
-/// does no harm, as where a box sticks out.
+/// Cuts that miss the model; the flag is true if all of the model stays. One of several faces that lies beyond the model on the
+/// removed side is not reported: a box may stick out.
 pub fn misses(scene: &Scene) -> impl Iterator<Item = (&Cut, bool)> {
     let bounds = scene.bounds();
     let cuts = (scene.cuts.iter()).filter(|c| c.enabled && !c.surfaces.is_empty());
@@ -117,7 +117,7 @@ fn nonzero_depends(parts: &[Part]) -> Option<Remark> {
     )))
 }
 
-/// What to say of a model of which nothing is seen.
+/// Remark for an empty picture.
 pub fn empty_picture(scene: &Scene) -> Remark {
     Remark::warning(format!(
         "the picture is empty: all of the model is cut away or outside the view\n  bounds: {}\n  help: keep the \

@@ -1,4 +1,4 @@
-//! When a point is inside a mesh: the rule that turns crossings into a solid.
+//! Fill rule: turns crossing counts into the inside and outside of a mesh.
 //!
 //! Along any ray from the point each crossing with a triangle counts 1 where the triangle shows its inner side, -1 where it shows
 //! its outer side; the sum is the *winding number*. A closed mesh that is turned outward and does not meet itself has 1
@@ -15,21 +15,21 @@ use std::str::FromStr;
 use crate::Error;
 use crate::error::did_you_mean;
 
-/// Which points a mesh encloses.
+/// Fill rule: the points that a mesh encloses.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Fill {
-    /// Those that an odd number of crossings lies before.
+    /// Points with an odd number of crossings along a ray.
     #[default]
     EvenOdd,
-    /// Those around which the mesh winds.
+    /// Points with a nonzero winding number.
     Nonzero,
 }
 
 impl Fill {
-    /// Names, as scene files and options say them.
+    /// Names in scene files and options.
     pub const NAMES: [&'static str; 2] = ["even-odd", "nonzero"];
 
-    /// Whether a point with this winding number is inside. Its parity is that of the number of crossings.
+    /// Returns true if a point with this winding number is inside. Its parity is that of the number of crossings.
     pub fn holds(self, winding: i32) -> bool {
         match self {
             Self::EvenOdd => winding % 2 != 0,

@@ -1,8 +1,8 @@
-//! What is cut: parts, clip-surfaces, cuts and the camera.
+//! Scene description: parts, clip-surfaces, cuts and the camera.
 //!
 //! Spaces. *Part* space is that of the mesh file; *world* space is the user's, in f64; *scene* space is world space
 //! recentred and scaled by a power of two so that everything fits in a ball of radius 1 (see [`Prepared`]). The GPU and
-//! the exact reference both start from the f32 vertices of [`Prepared`], so they are asked the same question.
+//! the exact reference both start from the f32 vertices of [`Prepared`], so both evaluate the same geometry.
 
 mod bodies;
 mod clip;

@@ -8,7 +8,7 @@ use glam::{DAffine3, DVec3};
 
 use super::{Bounds, Driver, Fill, Material, Mesh, Motion, Pose};
 
-/// What a cut does to a part (Diepstraten et al. 2003, rule R1).
+/// Effect of a cut on a part (Diepstraten et al. 2003, rule R1).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Role {
     /// Cut by the cuts that apply to it.
@@ -16,7 +16,7 @@ pub enum Role {
     Exterior,
     /// Never cut.
     Interior,
-    /// Never cut, but hidden where cuts remove all of it: bolts, pins and shafts, which drawings do not cut lengthwise.
+    /// Never cut, but hidden if cuts remove the whole part: bolts, pins and shafts, which drawings do not cut lengthwise.
     Whole,
 }
 
@@ -46,23 +46,23 @@ pub struct Part {
     pub world_from_part: DAffine3,
     /// Look.
     pub material: Material,
-    /// Whether it is cut.
+    /// Effect of cuts on the part.
     pub role: Role,
-    /// Its model says that `role`, which is not the usual one for want of another.
+    /// True if its model states `role`; false if `role` is a default.
     pub role_is_said: bool,
-    /// What its file calls its materials: globs of roles look at these names too.
+    /// Material names from its file; globs of roles match these names too.
     pub materials: Vec<String>,
-    /// Its file says that light passes through all of it, which makes it exterior (Diepstraten et al. 2003, section 4).
+    /// True if its file marks the whole part as light-transmitting, which makes it exterior (Diepstraten et al. 2003, section 4).
     pub is_transparent: bool,
-    /// Which part is shown where solids share a point: the higher first. `None` counts as 0; of equals the smaller solid first.
+    /// Priority where solids share a point: the highest is shown. `None` counts as 0; among equals the smaller solid is shown.
     pub priority: Option<i32>,
-    /// Which points its mesh encloses.
+    /// Fill rule of its mesh.
     pub fill: Fill,
-    /// What can move its vertices.
+    /// Morph targets and skin weights of its vertices.
     pub motion: Option<Arc<Motion>>,
-    /// How they stand now.
+    /// Current pose of its vertices.
     pub pose: Pose,
-    /// What the part's file says of how it moves; see [`Part::at_time`].
+    /// Rig and animations from the part's file; see [`Part::at_time`].
     pub driver: Option<Arc<Driver>>,
 }
 

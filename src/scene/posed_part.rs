@@ -1,6 +1,6 @@
 //! Parts that move: at a time of their file's clips, placed, deformed, and posed on the CPU.
 //!
-//! What moves vertices, and how, is below ([`motion`](super::motion)); here it meets the part that it belongs to.
+//! The motion of vertices is in [`motion`](super::motion); this module applies it to parts.
 
 use std::borrow::Cow;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -16,8 +16,8 @@ impl Part {
         self.driver.as_ref().map_or(&[], |d| d.clips())
     }
 
-    /// The part as a clip of [`Part::clips`] has it at a time: placed and posed, its deformers kept. Before a clip begins
-    /// it is as at the first key, after its end as at the last. A clip that the file lacks leaves the part at rest, and so
+    /// The part placed and posed by a clip of [`Part::clips`] at a time; its deformers are kept. Before a clip begins
+    /// the first key applies, after its end the last. A clip that the file lacks leaves the part at rest, and so
     /// does one that does not move it. Changes to the mesh or to `world_from_part` that were not made by [`Part::place`]
     /// are lost, unless the part comes from no file.
     #[must_use]
@@ -56,7 +56,7 @@ impl Part {
     }
 
     /// Bounds of the posed mesh in part space: they hold every posed position, and may be a little larger than needed.
-    /// Cheap for parts of files, whose meshes are measured once; others are measured anew.
+    /// Cheap for parts of files, whose meshes are measured once; other meshes are measured on every call.
     pub fn posed_bounds(&self) -> Bounds {
         let measured = self
             .driver
@@ -71,7 +71,7 @@ impl Part {
         posed.unwrap_or_else(|| self.posed_mesh().bounds())
     }
 
-    /// Whether the pose inflates the mesh, but nobody has said yet where outward is.
+    /// Returns true if the pose inflates the mesh and its outward directions are not computed yet.
     fn lacks_outward(&self) -> bool {
         let known = self.motion.as_ref().map_or(0, |m| m.outward.len());
         let deformers = self.pose.deformers.iter();
@@ -81,7 +81,7 @@ impl Part {
                 .any(|d| matches!(d, Deformer::Inflate { .. }))
     }
 
-    /// Deforms the part in this pose, and finds what the deformers need to know of the mesh.
+    /// Deforms the part in this pose, and computes the mesh data that the deformers need.
     pub fn deform(&mut self, deformers: Vec<Deformer>) {
         self.pose.deformers = deformers;
         if self.lacks_outward() {
@@ -96,11 +96,11 @@ impl Part {
 #[derive(Debug, Default)]
 pub struct Outwards(Mutex<Vec<OutwardEntry>>);
 
-/// Of which mesh and motion, and the motion with its directions.
+/// Key (mesh and motion), and the motion with outward directions.
 type OutwardEntry = (Arc<Mesh>, Option<Arc<Motion>>, Arc<Motion>);
 
 impl Outwards {
-    /// Gives a part the directions that its pose asks for.
+    /// Gives a part the outward directions that its pose needs.
     pub fn complete(&self, part: &mut Part) {
         if !part.lacks_outward() {
             return;

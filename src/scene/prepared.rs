@@ -3,15 +3,15 @@
 //! World space may be far from the origin, tiny or huge; f32 would lose the model. Scene space is world space moved by the
 //! bounds' centre and scaled by a power of two, so that the model has a radius between 1/2 and 1. A power of two and an
 //! offset with few bits keep simple coordinates exact: a plane through a face still goes through it. Vertices and the
-//! origins of clip-surfaces are rounded to f32 once, here, and everybody takes them from here. An origin may be far from the
+//! origins of clip-surfaces are rounded to f32 once, here, and all users take them from here. An origin may be far from the
 //! model all the same; there its coordinates keep their f64, since rounding them would move the cut.
 //!
-//! Parts are ranked by who wins where solids share a point: higher priority first, then the smaller solid, as it is at rest,
-//! so that no pose changes who wins. `parts[0]` wins over all; layers name parts by their index in [`Scene::parts`], kept in
+//! Parts are ranked by precedence where solids share a point: higher priority first, then the smaller solid, as it is at rest,
+//! so that no pose changes the order. `parts[0]` precedes all others; layers name parts by their index in [`Scene::parts`], kept in
 //! [`PreparedPart::part`].
 //!
-//! Poses are applied here, in f64, before anything is rounded: [`Prepared::new`] is the truth about a scene, and what the exact
-//! reference is asked about. A [`Model`](crate::Model) prepares for itself, and leaves the vertices of parts that move to the
+//! Poses are applied here, in f64, before any rounding: [`Prepared::new`] is the exact scene, and the exact reference evaluates
+//! it. A [`Model`](crate::Model) prepares its own scene, and leaves the vertices of moving parts to the
 //! device.
 
 use std::sync::Arc;
@@ -60,7 +60,7 @@ pub struct Prepared {
     pub scale: f64,
     /// As of the scene.
     pub interference: Option<Vec3>,
-    /// How it looks.
+    /// Rendering style.
     pub style: Style,
     /// Planes that faces of several parts lie in.
     #[doc(hidden)]
@@ -75,7 +75,7 @@ impl Prepared {
         Self::in_planes(scene, |parts| SharedPlanes::of(parts, None))
     }
 
-    /// As [`Prepared::new`], with planes that were found in the parts before.
+    /// As [`Prepared::new`], reusing planes found in the parts before.
     pub(crate) fn in_planes(
         scene: &Scene,
         shared: impl FnOnce(&[PreparedPart]) -> Arc<SharedPlanes>,
@@ -86,9 +86,9 @@ impl Prepared {
         Self::with_parts(scene, &scene.bounds(), PreparedPart::place, place, shared)
     }
 
-    /// As [`Prepared::new`], with parts that are placed by somebody else: from the part's index, the part, scene space and the
+    /// As [`Prepared::new`], but the caller places the parts: from the part's index, the part, scene space and the
     /// cuts that apply; cutters likewise, from the cutter, scene space and the number of the clip-surface; and the planes that parts
-    /// share, from all parts by rank. `world` is what [`Scene::bounds`] says, which may have to look at every vertex.
+    /// share, from all parts by rank. `world` is the result of [`Scene::bounds`], which may have to read every vertex.
     pub(crate) fn with_parts(
         scene: &Scene,
         world: &Bounds,
@@ -156,7 +156,7 @@ impl Prepared {
         ))
     }
 
-    /// What the camera of the scene is fitted to, where that is not the box of it.
+    /// Outline that the scene's camera is fitted to; `None` if it is fitted to the scene's box.
     #[doc(hidden)]
     pub fn outline(&self) -> Option<&Outline> {
         self.outline.as_deref().filter(|o| !o.is_empty())
@@ -178,23 +178,23 @@ impl Prepared {
         }
     }
 
-    /// Which way is up in the world.
+    /// Up direction in world space.
     #[doc(hidden)]
     pub fn up(&self) -> DVec3 {
         self.camera.up.axis()
     }
 
-    /// Whether the vertices of all parts are here; what a device places is not.
+    /// Returns true if the vertices of all parts are present here; those placed by a device are absent.
     pub fn is_whole(&self) -> bool {
         !self.parts.iter().any(|p| p.is_on_device)
     }
 
-    /// Ends the program with the reason where it is not.
+    /// Panics with the reason if a device places some of the parts.
     ///
     /// # Panics
     ///
-    /// If a device is to place some of the parts: a reference that was asked about those would answer for another scene, so
-    /// this is a fault of who asks. [`Prepared::new`] and [`Model::truth`](crate::Model::truth) are whole.
+    /// If a device places some of the parts: a reference would then evaluate another scene, so the call is
+    /// a programming error. [`Prepared::new`] and [`Model::truth`](crate::Model::truth) are whole.
     pub fn must_be_whole(&self) {
         assert!(
             self.is_whole(),
@@ -203,7 +203,7 @@ impl Prepared {
         );
     }
 
-    /// How many triangles all parts have.
+    /// Number of triangles of all parts.
     pub fn triangle_count(&self) -> usize {
         self.parts.iter().map(|p| p.triangles.len()).sum()
     }

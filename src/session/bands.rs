@@ -2,7 +2,7 @@
 //!
 //! A list of crossings per pixel outgrows a storage binding before a picture outgrows the memory. Where a plan breaks a limit,
 //! the picture is cut into twice as many bands until it fits, down to [`Capacities::FEWEST_ROWS`] rows. Every band is a view with the same
-//! rays, so all pixels are what they are in one piece, but for those that hang on the rounding of a rasteriser. Each band has
+//! rays, so all pixels are the same as in one piece, except those that depend on the rounding of a rasteriser. Each band has
 //! structures of its own: sprites and posed vertices are made once for each, and the mesh is read once for each.
 
 use super::encode::Last;
@@ -21,7 +21,7 @@ use crate::{Error, Result};
 pub(super) struct Band {
     pub(super) program: Program,
     pub(super) rows: Rows,
-    /// What puts it into the attachments of a host, with the generation of the program that it was made for.
+    /// Compositor into the attachments of a host, with the generation of the program that it was made for.
     pub(super) compositor: Option<(u64, Compositor)>,
 }
 
@@ -32,7 +32,7 @@ impl Band {
     }
 }
 
-/// What a strategy keeps from frame to frame.
+/// State that a strategy keeps from frame to frame.
 #[derive(Default)]
 pub(super) struct Slot {
     /// From the top.
@@ -45,13 +45,13 @@ pub(super) struct Slot {
     model: Option<Model>,
     /// Why the last call left no frame to read, if it did.
     pub(super) refused: Option<String>,
-    /// What was last encoded for a host, where it still stands.
+    /// Frame last encoded for a host, if it is still valid.
     pub(super) last: Option<Last>,
     /// The clocks of the passes of the frame that was last encoded.
     pub(super) clocks: ClockSet,
     /// A bounded buffer has grown since.
     pub(super) must_redraw: bool,
-    /// What the shaders of a host bind of an encoded frame, and whether that is the last one.
+    /// Bindings of an encoded frame for the shaders of a host. The flag is true if that frame is the last one.
     pub(super) clip: Option<Clip>,
     pub(super) is_clip_of_last: bool,
     pub(super) reports: Vec<Report>,
@@ -103,7 +103,7 @@ impl Slot {
         if self.size_px != view.size_px || self.bands.is_empty() {
             (self.size_px, self.halo_rows) = (view.size_px, halo_rows);
             match &mut self.bands[..] {
-                // What hangs on no view is kept.
+                // Resources that depend on no view are kept.
                 [band] => band.rows = Rows::whole(view.size_px[1]),
                 _ => self.cut_into(1),
             }

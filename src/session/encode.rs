@@ -25,10 +25,10 @@ const MOST_REPORTS: usize = 16;
 #[must_use = "a method may have refused the scene"]
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Encoded {
-    /// The frame is in the attachments when the encoder has been submitted; so many passes of its own it took, none where nothing
+    /// The frame is in the attachments when the encoder has been submitted; `passes` counts its own passes, 0 if nothing
     /// changed.
     Drawn {
-        /// Passes beside the one that composites.
+        /// Passes without the compositing pass.
         passes: usize,
     },
     /// The method does not draw such a scene, and nothing was encoded.
@@ -38,13 +38,13 @@ pub enum Encoded {
 /// A bounded buffer that was too small for a frame, whose pixels concerned are marked.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Overflow {
-    /// What needed more, and how much.
+    /// Buffer that needed more, and how much.
     pub what: String,
-    /// Whether the next frame has the room.
+    /// True if the next frame has the room.
     pub is_mended: bool,
 }
 
-/// What was last encoded.
+/// Frame last encoded.
 pub(super) struct Last {
     model: Model,
     view: View,
@@ -119,7 +119,7 @@ impl Slot {
         band.program.pick(gpu, encoder, pixel)
     }
 
-    /// What the shaders of a host bind of the frame that was last encoded.
+    /// Bindings of the frame last encoded, for the shaders of a host.
     pub(super) fn clip_group(&mut self, gpu: &Gpu) -> Result<BindGroup> {
         if let Some(clip) = self.clip.as_ref().filter(|_| self.is_clip_of_last) {
             return Ok(clip.group().clone());

@@ -10,14 +10,14 @@ use crate::scene::View;
 use crate::strategies::Refusal;
 use crate::{Error, Result};
 
-/// What the effects of a style drew over layers: numbers for each pixel, row by row.
+/// Output of the effects of a style over layers: numbers for each pixel, row by row.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct StyleChannels {
     /// Share of the pixel that strokes cover; empty where the style has none.
     pub stroke: Vec<f32>,
     /// Share that the lines of a hatch cover, before their alpha; empty where the style has none, or no cap is seen.
     pub hatch: Vec<f32>,
-    /// Where the pixel is on the plane of its cap that carries the hatch, to the right and up, in scene units; 0 where there is no hatch.
+    /// Position of the pixel on the plane of its cap that carries the hatch, to the right and up, in scene units; 0 where no hatch is.
     pub cap_uv: Vec<[f32; 2]>,
     /// Share of the light that occlusion leaves; empty where the style has none.
     pub visibility: Vec<f32>,
@@ -45,7 +45,7 @@ impl Session {
         Ok(pictures?.concat())
     }
 
-    /// Encodes the same picture for a host, into its encoder and its attachments, as [`Session::encode`] does for a method. Nothing of it is kept
+    /// Encodes the same picture for a host, into its encoder and its attachments, as [`Session::encode`] does for a method. Nothing is kept
     /// for the next frame.
     ///
     /// # Errors
@@ -75,7 +75,7 @@ impl Session {
         Ok(())
     }
 
-    /// What makes a picture of layers, encoded.
+    /// Passes that make a picture of layers, encoded.
     pub(super) fn finished(
         &self,
         encoder: &mut CommandEncoder,
@@ -90,7 +90,7 @@ impl Session {
         Ok(program)
     }
 
-    /// What the style of a scene draws over layers, pixel by pixel, so that a picture can be checked.
+    /// Output of the style of a scene over layers, pixel by pixel, so that a picture can be checked.
     pub fn style_channels(
         &mut self,
         model: &Model,

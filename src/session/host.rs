@@ -1,4 +1,4 @@
-//! What a host asks of a session: frames in its encoder, pixels of them, and what its own shaders bind.
+//! Services of a session for a host: frames in its encoder, their pixels, and the bindings for its own shaders.
 
 use super::{Drawing, Encoded, Overflow, Session};
 use crate::gpu::{BindGroup, ClockSet, CommandEncoder, Destination, GBuffer, Pick, Target};
@@ -37,10 +37,10 @@ impl Session {
         self.encode_into(encoder, model, view, method.into(), Some(&target))
     }
 
-    /// As [`Session::encode`], into no attachments yet: the host draws surfaces itself, less what [`Session::clip_group`] says is removed and
+    /// As [`Session::encode`], into no attachments yet: the host draws surfaces itself, less what [`Session::clip_group`] removes and
     /// less the parts that are [hidden](crate::scene::PreparedPart::is_hidden),
-    /// and has the caps composed beside them by [`Session::encode`] with [`Target::caps_only`]. [`Session::poll`] belongs before this or
-    /// after the submission, for it may ask for longer lists.
+    /// and has the caps composed with them by [`Session::encode`] with [`Target::caps_only`]. Call [`Session::poll`] before this or
+    /// after the submission, because it may request longer lists.
     pub fn encode_passes(
         &mut self,
         encoder: &mut CommandEncoder,
@@ -76,7 +76,7 @@ impl Session {
     }
 
     /// The bind group for shaders of a host with [`clip_wgsl`](crate::gpu::clip_wgsl), of the frame that was last encoded by a method: of
-    /// one that lists crossings. Asked for after each [`Session::encode_passes`]; it is made anew only where buffers are.
+    /// one that lists crossings. Call it after each [`Session::encode_passes`]; it is rebuilt only where buffers are.
     ///
     /// # Errors
     ///
@@ -113,7 +113,7 @@ impl Session {
                 Ok(Encoded::Refused(refusal))
             }
             Ok(drawn) => Ok(drawn),
-            // What failed on the device has not run: the next frame begins anew.
+            // Passes that failed on the device have not run: the next frame starts over.
             Err(error) => {
                 self.slots.remove(&Drawing::By(method));
                 Err(error)

@@ -7,16 +7,16 @@ use crate::scene::View;
 pub(super) struct Rows {
     /// The first that is its own.
     pub(super) first: u32,
-    /// How many are.
+    /// Number of its own rows.
     pub(super) count: u32,
-    /// How many are drawn above these, for what looks at neighbours.
+    /// Number of rows drawn above these, for passes that read neighbours.
     pub(super) above: u32,
-    /// And below.
+    /// Number of rows drawn below.
     below: u32,
 }
 
 impl Rows {
-    /// The rows of a picture in so many bands, from the top; `halo` more are drawn around each, as far as there are some.
+    /// The rows of a picture in `bands` bands, from the top; up to `halo` more are drawn on each side, as far as there are some.
     pub(super) fn bands(rows: u32, bands: u32, halo: u32) -> impl Iterator<Item = Self> {
         let begin = move |band: u32| {
             let row = u64::from(rows) * u64::from(band) / u64::from(bands);
@@ -58,7 +58,7 @@ impl Rows {
         }
     }
 
-    /// What is its own of all that was drawn, with so many values in a row.
+    /// The band's own values among all drawn ones, with `in_a_row` values in a row.
     pub(super) fn own<T: Copy>(&self, drawn: &[T], in_a_row: usize) -> Vec<T> {
         let before = self.above as usize * in_a_row;
         drawn[before..before + self.count as usize * in_a_row].to_vec()

@@ -25,23 +25,23 @@ pub(super) struct Place<'a> {
 }
 
 impl Place<'_> {
-    /// Whether an integer expression is limited from above by constants, whatever buffers hold.
+    /// Returns true if constants bound an integer expression from above, for any buffer contents.
     pub(super) fn is_limited(self, expression: Handle<Expression>) -> bool {
         self.limited(expression, 0)
     }
 
-    /// Whether a counter begins at or above a constant, or is unsigned.
+    /// Returns true if a counter begins at or above a constant, or is unsigned.
     pub(super) fn begins_high(self, counter: Handle<LocalVariable>, inside: &Block) -> bool {
         self.counts_unsigned(counter)
             || self.begins(counter, inside, |place, e| place.is_high(e, 0))
     }
 
-    /// Whether a counter begins at or below a constant.
+    /// Returns true if a counter begins at or below a constant.
     pub(super) fn begins_low(self, counter: Handle<LocalVariable>, inside: &Block) -> bool {
         self.begins(counter, inside, |place, e| place.limited(e, 0))
     }
 
-    /// Whether all that is stored to a counter outside of its loop is as wanted.
+    /// Returns true if every value stored to a counter outside its loop meets `is_wanted`.
     fn begins(
         self,
         counter: Handle<LocalVariable>,
@@ -116,7 +116,7 @@ impl Place<'_> {
         }
     }
 
-    /// What a function may return, with the place where that is evaluated.
+    /// Values that a function may return, with the place where they are evaluated.
     fn results(
         self,
         function: Handle<Function>,
@@ -128,7 +128,7 @@ impl Place<'_> {
         values.into_iter().map(move |value| (within, value))
     }
 
-    /// Whether a member of a struct or a component of a vector is limited.
+    /// Returns true if a member of a struct or a component of a vector is limited.
     fn member_is_limited(self, base: Handle<Expression>, index: u32, depth: u32) -> bool {
         match &self.function.expressions[base] {
             Expression::Compose { components, .. } => (components.get(index as usize))
@@ -139,7 +139,7 @@ impl Place<'_> {
         }
     }
 
-    /// Whether every call of the function gives a limited argument.
+    /// Returns true if every call of the function gives a limited argument.
     fn argument_is_limited(self, index: u32, depth: u32) -> bool {
         let mut named = self.module.functions.iter();
         let Some((own, _)) = named.find(|(_, f)| std::ptr::eq(*f, self.function)) else {
@@ -160,7 +160,7 @@ impl Place<'_> {
         is_called
     }
 
-    /// Whether a local variable begins at or above a constant and is only counted up.
+    /// Returns true if a local variable begins at or above a constant and is only counted up.
     fn only_rises(self, pointer: Handle<Expression>, depth: u32) -> bool {
         let Expression::LocalVariable(variable) = self.function.expressions[pointer] else {
             return false;
@@ -202,7 +202,7 @@ impl Place<'_> {
         }
     }
 
-    /// Whether a signed expression is limited from below by constants.
+    /// Returns true if constants bound a signed expression from below.
     fn is_high(self, expression: Handle<Expression>, depth: u32) -> bool {
         if depth > DEEPEST {
             return false;
@@ -236,7 +236,7 @@ impl Place<'_> {
     }
 }
 
-/// Values stored to a variable in a block; what is stored to a part of it counts for all of it.
+/// Values stored to a variable in a block; a store to a part counts as a store to the whole.
 fn stored(
     function: &Function,
     block: &Block,

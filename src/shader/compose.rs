@@ -67,9 +67,9 @@ pub struct Composed {
     /// Validated with naga's default capabilities: what core WebGPU offers. Only shaders with a file of [`NATIVE`] get 64-bit atomics
     /// as well.
     pub module: naga::Module,
-    /// What naga found out about it.
+    /// naga's analysis of the module.
     pub info: ModuleInfo,
-    /// What its entry points bind, by group and number.
+    /// Bindings of its entry points, by group and number.
     pub bindings: Vec<ShaderBinding>,
     /// It needs atomics of 64 bits.
     pub is_native: bool,
@@ -100,8 +100,8 @@ pub fn compose(shader: &Shader) -> Result<Arc<Composed>> {
     Ok(composed)
 }
 
-/// What naga finds out about a composed shader; its report where that is unsound. What core WebGPU lacks is let pass: composing has
-/// held that.
+/// naga's analysis of a composed shader, or its report if the shader is invalid. Features outside core WebGPU are accepted here: composing
+/// has checked them.
 pub fn validate(module: &naga::Module) -> Result<ModuleInfo, String> {
     let validated = validator(true).validate(module);
     validated.map_err(|e| chain(e.as_inner()))
@@ -170,7 +170,7 @@ fn compose_source(
     Ok((module, info, is_native))
 }
 
-/// What naga allows.
+/// Capabilities that naga allows.
 fn capabilities(native: bool) -> Capabilities {
     if native {
         Capabilities::default()
@@ -181,8 +181,8 @@ fn capabilities(native: bool) -> Capabilities {
     }
 }
 
-/// Ways to compose the shaders of the tree: each file in each open module that it needs. Of a shader with more than 128 ways so many
-/// that any two files that can be together are in one.
+/// Ways to compose the shaders of the tree: each file in each open module that it needs. For a shader with more than 128 ways, a subset
+/// in which any two files that can be combined occur together.
 pub fn compositions() -> Vec<Shader> {
     let mut all = Vec::new();
     for (path, text) in SHADERS {

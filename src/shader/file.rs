@@ -2,7 +2,7 @@
 //!
 //! A scanner that knows comments, numbers and names, and where a name cannot be that of a declaration: behind a point, in an
 //! attribute such as `@builtin(position)`, between the angle brackets of `var<storage, read>`, before the colon of a member. That is
-//! enough to give every declaration a name of its own in the whole; naga parses what comes of it. Takes microseconds a file.
+//! enough to give every declaration a unique name in the whole; naga parses the result. Takes microseconds a file.
 //!
 //! Cannot: read a comment of the form `/* */`, which the tree does not have (a lint holds that), or directives but the two of ours,
 //! `#define_import_path` and `#import MODULE::NAME` or `#import MODULE::{NAME, NAME}`, one to a line.
@@ -14,7 +14,7 @@ use std::ops::Range;
 #[derive(Debug)]
 pub(super) struct File<'a> {
     pub(super) path: &'a str,
-    /// What other files import it as; whole shaders have no name.
+    /// Name under which other files import it; whole shaders have no name.
     pub(super) module: Option<&'a str>,
     /// The names that it has of other modules, and of which.
     pub(super) imports: BTreeMap<&'a str, &'a str>,
@@ -28,7 +28,7 @@ pub(super) struct Declaration<'a> {
     pub(super) name: &'a str,
     /// With its attributes.
     pub(super) text: &'a str,
-    /// Where names of declarations of this file and of imported ones stand in the text, its own among them.
+    /// Ranges in the text of the names of declarations of this file and of imported ones, its own among them.
     pub(super) names: Vec<Range<usize>>,
     /// Line of the file that it begins on, from 1.
     pub(super) line: usize,
@@ -95,7 +95,7 @@ impl<'a> Scanner<'a> {
         }
     }
 
-    /// Where the next name, number or mark stands; blanks, comments and directives are passed.
+    /// Range of the next name, number or mark; blanks, comments and directives are skipped.
     fn next(&mut self) -> Option<Range<usize>> {
         let bytes = self.text.as_bytes();
         loop {

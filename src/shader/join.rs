@@ -2,8 +2,8 @@
 //! all.
 //!
 //! What a library file declares gets the name of its module behind its own, so that two files may use one name for two things, and a
-//! file that has not imported a name does not see it. The shader's own names stay: its entry points and overrides are asked for by
-//! them. Takes tens of microseconds; naga then parses what is needed and nothing else.
+//! file that has not imported a name does not see it. The shader's own names stay: its entry points and overrides are looked up by
+//! name. Takes tens of microseconds; naga then parses what is needed and nothing else.
 
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
@@ -18,7 +18,7 @@ pub(super) struct Joined<'a> {
     pub(super) text: String,
     /// Line of the text that a declaration begins on, from 1, its file, and its line there; in order.
     begins: Vec<(usize, &'a str, usize)>,
-    /// What names of the files end with, the longest first.
+    /// Suffixes of the names of the files, the longest first.
     endings: Vec<String>,
 }
 

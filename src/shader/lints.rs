@@ -1,6 +1,6 @@
 //! Our own rules of WGSL, on naga's representation of a composed shader.
 //!
-//! naga says whether a shader is valid; these say whether it is one of ours: every loop ends, no decision hangs on two floats
+//! naga checks that a shader is valid; these check our own rules: every loop ends, no decision depends on two floats
 //! being equal, nothing is declared and unused, and core WebGPU can run it. A finding names its rule and its place; which
 //! findings are allowed, and why, is stated where the tree is tested.
 
@@ -33,13 +33,13 @@ pub enum Rule {
     EntryPoints,
 }
 
-/// Where a shader breaks a rule.
+/// Place where a shader breaks a rule.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Finding {
     pub rule: Rule,
     /// The function, the variable or the stage, as its author named it.
     pub place: String,
-    /// What was found.
+    /// Description of the finding.
     pub what: String,
 }
 
@@ -109,7 +109,7 @@ fn in_function(
     }
 }
 
-/// Bindings that the shader's own file declares; those of the library are declared for all who import it.
+/// Reports unused bindings that the shader's own file declares; those of the library are declared for all importers.
 fn unused_bindings(module: &Module, info: &ModuleInfo, found: &mut Vec<Finding>) {
     for (handle, variable) in module.global_variables.iter() {
         let name = variable.name.as_deref().unwrap_or_default();

@@ -1,4 +1,4 @@
-//! Whether a loop ends, read off its form.
+//! Proof that a loop ends, from its form.
 //!
 //! A loop is bounded where its body begins with a guard that leaves it unless `counter < bound` (or `>`, `<=`, `>=`), the
 //! counter is a local variable that the loop stores to exactly once, by one constant step in the direction of the bound,
@@ -12,7 +12,7 @@ use naga::{
     BinaryOperator, Block, Expression, Function, Handle, Literal, LocalVariable, Statement,
 };
 
-/// How a loop ends.
+/// Way in which a loop ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum End {
     /// Nothing proves that it does.
@@ -23,7 +23,7 @@ pub(super) enum End {
     ByConstant,
 }
 
-/// How each loop of a function ends, in order.
+/// End of each loop of a function, in order.
 pub(super) fn ends_of_loops(place: Place<'_>) -> Vec<End> {
     let mut all = Vec::new();
     ends_in(place, &place.function.body, &mut all);
@@ -238,7 +238,7 @@ fn conjuncts(
     }
 }
 
-/// What the counter is compared with, where the comparison ends the loop in the direction of the step.
+/// Bound that the counter is compared with, if the comparison ends the loop in the direction of the step.
 fn bound_of(
     function: &Function,
     condition: Handle<Expression>,
@@ -268,7 +268,7 @@ fn bound_of(
     ends.then_some(bound)
 }
 
-/// Expressions that are evaluated anew in every round; all others have the value they had before the loop.
+/// Expressions that are evaluated again in every round; all others have the value they had before the loop.
 fn evaluated_in(block: &Block, evaluated: &mut BTreeSet<usize>) {
     for statement in block.iter() {
         match statement {
@@ -284,7 +284,7 @@ fn evaluated_in(block: &Block, evaluated: &mut BTreeSet<usize>) {
     }
 }
 
-/// Whether a bound may have another value in the next round.
+/// Returns true if a bound may have another value in the next round.
 fn may_move(
     function: &Function,
     bound: Handle<Expression>,

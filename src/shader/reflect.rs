@@ -1,10 +1,10 @@
-//! What a composed module binds and how its structs are laid out, as naga sees it.
+//! Bindings and struct layouts of a composed module, from naga.
 
 use super::join::undecorated;
 use naga::valid::ModuleInfo;
 use naga::{AddressSpace, Module, StorageAccess, TypeInner};
 
-/// What kind of resource a binding takes.
+/// Kind of resource that a binding takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BindingKind {
     /// `var<uniform>`.
@@ -29,7 +29,7 @@ pub struct ShaderBinding {
     pub name: String,
     pub group: u32,
     pub binding: u32,
-    /// What it takes.
+    /// Kind of resource.
     pub kind: BindingKind,
     /// Visible to the vertex, fragment and compute stage.
     pub stages: [bool; 3],
@@ -83,7 +83,7 @@ pub fn bindings(module: &Module, info: &ModuleInfo) -> Vec<ShaderBinding> {
     found
 }
 
-/// How naga lays a struct out.
+/// naga's layout of a struct.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct StructLayout {
     /// Name, offset and size in bytes of each field.

@@ -1,9 +1,9 @@
-//! The surface in a plane that closed curves bound, each point of it as often as they wind around it.
+//! Triangulation of the region that closed curves bound in a plane, each point covered as often as the curves wind around it.
 //!
 //! [`super::fill`] answers where a region is; this answers what closes a mesh: triangles whose edges, taken with their directions, add
 //! up to the given ones and to nothing else. Where an edge has to pass other points than its ends, because loops cross or because one
 //! runs through a point of another, the crossing is reported, so that what lies on its other side can be divided in the same way. Points
-//! that are as good as one are told as well.
+//! that coincide are reported as well.
 //!
 //! Cost: as filling, and a sort of the edges.
 
@@ -16,7 +16,7 @@ use super::outline::{Drawn, Outline};
 /// A surface in a plane. Numbers of points count through the given ones, then through `added`.
 #[derive(Debug, Default)]
 pub(super) struct Cover {
-    /// Where loops cross.
+    /// Crossing points of loops.
     pub(super) added: Vec<DVec2>,
     /// For each given point the one that is in its place.
     pub(super) stand_ins: Vec<u32>,
@@ -24,7 +24,7 @@ pub(super) struct Cover {
     pub(super) triangles: Vec<([u32; 3], i32)>,
     /// Edges of loops that are more than one edge of triangles: all their points in order.
     pub(super) paths: Vec<Vec<u32>>,
-    /// Loops that are not part of it.
+    /// Loops left out of the result.
     pub(super) left_out: Vec<usize>,
 }
 

@@ -22,13 +22,13 @@ const MOST_DRAWN: usize = 8_000_000;
 /// A filled region. Numbers of points count through the given ones, then through `added`.
 #[derive(Debug, Default)]
 pub(super) struct Filled {
-    /// Where loops cross.
+    /// Crossing points of loops.
     pub(super) added: Vec<DVec2>,
     /// Counter-clockwise.
     pub(super) triangles: Vec<[u32; 3]>,
     /// Edges with the region on their left only.
     pub(super) boundary: Vec<[u32; 2]>,
-    /// Loops that are not part of it.
+    /// Loops left out of the result.
     pub(super) left_out: Vec<usize>,
 }
 
@@ -44,7 +44,7 @@ pub(super) fn fill(points: &[DVec2], loops: &[Vec<u32>], holds: impl Fn(i32) -> 
     }
 }
 
-/// Draws an outline, cut until nothing of it crosses and without what crosses all the same. None where nothing is left.
+/// Draws an outline, cut until no edges cross and without those that still do. None if nothing is left.
 pub(super) fn settled(outline: &mut Outline) -> Option<Drawn> {
     let (mut round, mut parts_drawn) = (0, 0);
     while !outline.parts.is_empty() {
@@ -67,7 +67,7 @@ pub(super) fn settled(outline: &mut Outline) -> Option<Drawn> {
     None
 }
 
-/// How often the edges of a triangulation wind around each of its faces.
+/// Winding number of the edges of a triangulation around each of its faces.
 pub(super) fn windings(mesh: &Mesh) -> Vec<i32> {
     let mut windings: Vec<Option<i32>> = vec![None; mesh.num_all_faces()];
     let outer = mesh.outer_face().fix().index();

@@ -24,13 +24,13 @@ impl HalfPlane {
         ON_LINE * (self.normal.length() * size + self.offset.abs())
     }
 
-    /// Whether all points are in it or on its line.
+    /// Returns true if all points are inside or on its line.
     pub(super) fn holds(&self, points: &[DVec2], size: f64) -> bool {
         let slack = self.slack(size);
         points.iter().all(|p| self.value(*p) <= slack)
     }
 
-    /// Whether all points are outside or on its line.
+    /// Returns true if all points are outside or on its line.
     pub(super) fn misses(&self, points: &[DVec2], size: f64) -> bool {
         let slack = self.slack(size);
         points.iter().all(|p| self.value(*p) >= -slack)

@@ -3,14 +3,14 @@
 //! A piece has two halves, one at each end. Halves that name the same mesh edge are partners: two of them at an ordinary edge;
 //! at an edge of more triangles those that bound one wedge of the solid, by their angles. Halves left over at points that are
 //! equal in both coordinates are paired in the same way, which closes meshes that repeat vertices. Then curves are walked from
-//! partner to partner. Angles only choose among pairings that all close. Lengths are asked for in one case: of an odd number of
+//! partner to partner. Angles only choose among pairings that all close. Lengths matter in one case: of an odd number of
 //! halves at an edge the one that is left is of a piece without length, if there is one, for it has no angle.
 //!
 //! Cost: two sorts of the halves.
 
 use glam::DVec2;
 
-/// What a plane cuts out of one triangle: from one crossed mesh edge to another, each by its vertices, lesser first.
+/// Segment in which a plane cuts one triangle: from one crossed mesh edge to another, each by its vertices, lesser first.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Piece {
     pub(super) from: [u32; 2],
@@ -115,7 +115,7 @@ impl Joints<'_> {
         self.points[there as usize] - self.points[here as usize]
     }
 
-    /// Which of some halves is of a piece without length.
+    /// Index of the half that belongs to a piece without length.
     fn speck(&self, halves: &[u32]) -> Option<usize> {
         let mut lengths = halves.iter().map(|h| self.way(*h).length());
         let longest = lengths.clone().fold(0.0, f64::max);

@@ -1,7 +1,7 @@
 //! Loops drawn into a constrained Delaunay triangulation, and cut where they cross.
 //!
 //! All points are vertices, all edges of loops become constraints. An edge that would cross another is not forced in: both are
-//! cut where they meet, and everything is drawn anew. Cutting moves edges by a rounding, which may make them cross elsewhere;
+//! cut where they meet, and the outline is triangulated again. Cutting moves edges by a rounding, which may make them cross elsewhere;
 //! so it happens on a lattice (snap rounding, Hobby 1999), where near coincidences become coincidences instead of ever finer
 //! ones. Triangles then may be turned over by as much as a step of the lattice is wide.
 
@@ -40,7 +40,7 @@ impl HasPosition for Vertex {
     }
 }
 
-/// How often an edge is passed: in the direction of its first handle, less those in the other.
+/// Passes along an edge: those in the direction of its first handle, less those in the other.
 #[derive(Default)]
 pub(super) struct Passed {
     pub(super) net: i32,
@@ -55,15 +55,15 @@ pub(super) struct Part {
     from: u32,
     to: u32,
     of_loop: usize,
-    /// Which of the edges given it is, or is a part of: counted through all loops.
+    /// Index of the input edge that contains it, counted through all loops.
     pub(super) edge: u32,
 }
 
-/// What is to be filled, scaled into the range of the triangulation by a power of two.
+/// Region to fill, scaled into the range of the triangulation by a power of two.
 pub(super) struct Outline {
     /// Units of the input per unit in here.
     unit: f64,
-    /// Where vertices are, no two equal, and what their points are called.
+    /// Vertex positions, no two equal, each with its point index.
     vertices: Vec<(DVec2, u32)>,
     vertex_at: HashMap<[u64; 2], u32>,
     /// The vertex of each point that a loop has.
@@ -71,14 +71,14 @@ pub(super) struct Outline {
     /// Vertices by their cells, once something is to be cut.
     vertex_in: HashMap<[i64; 2], u32>,
     pub(super) parts: Vec<Part>,
-    /// How many points were given.
+    /// Number of input points.
     given: usize,
     /// Points at which parts were cut, in units of the input.
     pub(super) added: Vec<DVec2>,
     pub(super) left_out: BTreeSet<usize>,
 }
 
-/// A triangulation with the parts that could be made edges of it.
+/// A triangulation with the parts that could be inserted as its edges.
 pub(super) struct Drawn {
     pub(super) mesh: Mesh,
     /// Per part that could, its edges in order.
@@ -318,7 +318,7 @@ impl Outline {
     }
 }
 
-/// The cell that a place is in: it is next to the middle of it.
+/// The lattice cell of a position: the cell whose centre is nearest.
 fn cell_of(at: DVec2) -> [i64; 2] {
     at.to_array().map(|c| (c / STEP).round() as i64)
 }
@@ -327,26 +327,26 @@ fn middle_of(cell: [i64; 2]) -> DVec2 {
     DVec2::from(cell.map(|c| c as f64)) * STEP
 }
 
-/// Whether an edge passes a vertex so near that it is to pass through it.
+/// Returns true if an edge passes a vertex so near that it must pass through it.
 fn is_near(at: DVec2, [from, to]: [DVec2; 2]) -> bool {
     let way = to - from;
     let along = ((at - from).dot(way) / way.length_squared()).clamp(0.0, 1.0);
     at.distance_squared(from + way * along) < NEAR * NEAR
 }
 
-/// Whether an edge runs in the direction that its count is for.
+/// Returns true if an edge runs in the direction that its count is for.
 pub(super) fn is_first(edge: FixedDirectedEdgeHandle) -> bool {
     edge.as_undirected().as_directed() == edge
 }
 
-/// What a sorted list has for a key.
+/// Entries of a sorted list with a key.
 fn of(sorted: &[(usize, u32)], key: usize) -> &[(usize, u32)] {
     let first = sorted.partition_point(|(k, _)| *k < key);
     let rest = &sorted[first..];
     &rest[..rest.partition_point(|(k, _)| *k == key)]
 }
 
-/// Where a line crosses an edge whose ends lie on both sides of it: on the edge, however flat they meet.
+/// Intersection of a line and an edge whose ends lie on both sides of the line: on the edge, however flat they meet.
 fn meeting(line: [DVec2; 2], edge: [DVec2; 2]) -> DVec2 {
     let [a, b] = line.map(|p| Coord { x: p.x, y: p.y });
     let [near, far] = edge.map(|p| orient2d(a, b, Coord { x: p.x, y: p.y }).abs());

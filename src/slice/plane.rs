@@ -1,4 +1,4 @@
-//! The plane of a section, and on which side of it a point is, exactly.
+//! The plane of a section, with an exact test for the side of a point.
 
 use glam::{DVec2, DVec3};
 
@@ -17,7 +17,7 @@ pub struct SlicePlane {
     pub zero: DVec3,
     /// `Û`, `V̂` and `N`, orthonormal.
     pub frame: SurfaceFrame,
-    /// How far the plane was moved against its normal.
+    /// Distance by which the plane was moved against its normal.
     pub lift: f64,
 }
 
@@ -95,7 +95,7 @@ impl SlicePlane {
         self.flat().exact_height(point)
     }
 
-    /// Whether a point is on the kept side, and not on the plane.
+    /// Returns true if a point is on the kept side, and not on the plane.
     pub fn is_above(&self, point: DVec3) -> bool {
         self.signed(point) > 0.0
     }
@@ -120,7 +120,7 @@ impl SlicePlane {
         point
     }
 
-    /// Whether two planes have the same points, whichever side each keeps.
+    /// Returns true if two planes have the same points, whichever side each keeps.
     pub(super) fn is_same(&self, other: &Self) -> bool {
         let (own, of_other) = (self.frame.normal, other.frame.normal);
         let is_parallel = own == of_other || own == -of_other;
@@ -141,8 +141,8 @@ impl SlicePlane {
         }
     }
 
-    /// Whether all of a box is clearly on one side, and farther away than `margin`. May say no of a box that is, never yes of one that
-    /// is not.
+    /// Returns true if all of a box is clearly on one side, and farther away than `margin`. May be false for such a box, never true for one
+    /// that is not.
     pub(super) fn misses(&self, bounds: &Bounds, margin: f64) -> bool {
         // Halves first: the sum of two coordinates may be too large.
         let (low, high) = (bounds.min * 0.5, bounds.max * 0.5);
@@ -179,7 +179,7 @@ impl SlicePlane {
         met
     }
 
-    /// Whether it can be computed with.
+    /// Returns true if the plane is usable in computations.
     pub(super) fn is_usable(&self) -> bool {
         let SurfaceFrame {
             u_hat,
@@ -194,7 +194,7 @@ impl SlicePlane {
     }
 }
 
-/// Whether a point can be computed with.
+/// Returns true if a point is usable in computations.
 pub(super) fn is_within(point: DVec3) -> bool {
     point.abs().cmple(DVec3::splat(LARGEST)).all()
 }

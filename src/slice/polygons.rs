@@ -73,7 +73,7 @@ fn edges([a, b, c]: [u32; 3]) -> [[u32; 2]; 3] {
     [[a, b], [b, c], [c, a]]
 }
 
-/// Which triangle has an edge in which direction, and the pieces that triangles make through their edges.
+/// Map from directed edges to their triangles, and the pieces that triangles make through their edges.
 struct Adjacency {
     /// The corner opposite to each directed edge, and the triangle.
     opposite: HashMap<[u32; 2], (u32, usize)>,
@@ -117,7 +117,7 @@ impl Adjacency {
         self.opposite.contains_key(&[b, a])
     }
 
-    /// The points of the boundary from an edge of it on until it comes back to that edge.
+    /// The points of the boundary from one edge on until the walk returns to that edge.
     fn walk(&self, first: [u32; 2], walked: &mut HashSet<[u32; 2]>) -> Vec<u32> {
         let mut points = Vec::new();
         let mut edge = first;

@@ -1,4 +1,4 @@
-//! What a plane cuts out of a mesh: points, loops, triangles, and what is wrong with them.
+//! Section of a mesh by a plane: points, loops, triangles and defects.
 
 use glam::{DVec2, DVec3};
 
@@ -15,7 +15,7 @@ pub struct Section {
     pub triangles: Vec<[u32; 3]>,
     /// Outline of the region: edges of `triangles` with the region on their left and none on their right, in no order.
     pub boundary: Vec<[u32; 2]>,
-    /// What the mesh lacks for a section without doubt.
+    /// Defects of the mesh that put the section in doubt.
     pub defects: Vec<SectionDefect>,
 }
 
@@ -39,7 +39,7 @@ pub enum SectionDefect {
         "{triangles} triangles have corners that are not there or coordinates beyond 1e300 and are left out"
     )]
     Unusable {
-        /// How many, of the whole mesh.
+        /// Number of triangles, of the whole mesh.
         triangles: usize,
     },
     /// The mesh ends on the plane.
@@ -47,7 +47,7 @@ pub enum SectionDefect {
         "the mesh is open: {chains} curves of the section do not close, one ends at {at}; they bound no cap"
     )]
     Open {
-        /// How many curves.
+        /// Number of curves.
         chains: usize,
         /// An end of one of them.
         at: DVec3,
@@ -55,7 +55,7 @@ pub enum SectionDefect {
     /// Neighbours that face opposite ways: the rule *nonzero* has to guess which of them are wrong.
     #[error("{pieces} pieces of the outline face the other way than the rest of their loops")]
     Turned {
-        /// How many pieces.
+        /// Number of pieces.
         pieces: usize,
     },
     /// The mesh passes through itself.
@@ -71,7 +71,7 @@ pub enum SectionDefect {
     /// Loops that could not be kept apart from others in f64, or cross too often.
     #[error("{loops} loops cross others too often or too finely, one at {at}, and are not capped")]
     LeftOut {
-        /// How many loops.
+        /// Number of loops.
         loops: usize,
         /// A point of one of them.
         at: DVec3,
@@ -79,7 +79,7 @@ pub enum SectionDefect {
 }
 
 impl SectionDefect {
-    /// What is to be done about it.
+    /// Advice on how to repair the defect.
     pub fn help(&self) -> &'static str {
         match self {
             Self::Plane => "give the plane an origin and a normal that are finite",
@@ -94,19 +94,19 @@ impl SectionDefect {
         }
     }
 
-    /// Whether some of the solid may be without a cap, or capped where it should not be.
+    /// Returns true if some of the solid may be without a cap, or capped where it should not be.
     pub fn loses_cap(&self) -> bool {
         !matches!(self, Self::Turned { .. } | Self::Crossing { .. })
     }
 }
 
 impl Section {
-    /// Whether everything that the plane meets is capped.
+    /// Returns true if everything that the plane meets is capped.
     pub fn is_whole(&self) -> bool {
         !self.defects.iter().any(SectionDefect::loses_cap)
     }
 
-    /// Whether the plane meets nothing of the mesh but perhaps open ends.
+    /// Returns true if the plane meets nothing of the mesh except open ends.
     pub fn is_empty(&self) -> bool {
         self.loops.is_empty() && self.open.is_empty()
     }

@@ -1,4 +1,4 @@
-//! The mesh made ready to be cut again and again, and one cut of it.
+//! A mesh prepared for repeated cuts, and one such cut.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -23,12 +23,12 @@ pub struct Slicer {
     tree: Tree,
     /// Triangles left out.
     unusable: usize,
-    /// Where it is decided which faces lie in a plane, and how far off their vertices may be there; without it a vertex is on a plane to
+    /// Space in which faces are found to lie in a plane, with the tolerance for their vertices; without it a vertex is on a plane to
     /// the last bit.
     scene: Option<(SceneSpace, f64)>,
 }
 
-/// What is crossed by a plane, and which faces lie in it.
+/// Elements that a plane crosses, and the faces that lie in the plane.
 struct Cut<'a> {
     slicer: &'a Slicer,
     plane: &'a SlicePlane,
@@ -95,8 +95,8 @@ impl Slicer {
         })
     }
 
-    /// What a plane caps: the section less the faces that lie in it with the solid above them, for what is seen there is the face
-    /// itself.
+    /// Cap by a plane: the section less the faces that lie in it with the solid above them, because there the face itself
+    /// is visible.
     pub fn cap_by(&self, plane: &SlicePlane, rule: Fill) -> Section {
         self.filled(plane, rule, |cut| {
             cut.in_plane = self.faces_in(plane);
@@ -200,7 +200,7 @@ impl Slicer {
         })
     }
 
-    /// Where a vertex is in the space in which faces are decided.
+    /// Position of a vertex in the space in which faces are decided.
     fn in_scene_space(&self, vertex: u32) -> DVec3 {
         let position = self.positions[vertex as usize];
         match &self.scene {
@@ -230,7 +230,7 @@ impl Cut<'_> {
         self.slicer.positions[vertex as usize]
     }
 
-    /// Whether a vertex is on the plane for being one of a face in it.
+    /// Returns true if a vertex is on the plane because it belongs to a face in the plane.
     fn is_of_face(&self, vertex: u32) -> bool {
         !self.in_plane.is_empty() && self.in_plane.holds(self.slicer.in_scene_space(vertex))
     }
@@ -239,7 +239,7 @@ impl Cut<'_> {
         self.plane.is_above(self.position(vertex)) && !self.is_of_face(vertex)
     }
 
-    /// How far a vertex is from the plane.
+    /// Distance of a vertex from the plane.
     fn distance(&self, vertex: u32) -> f64 {
         match self.is_of_face(vertex) {
             true => 0.0,
@@ -305,7 +305,7 @@ impl Cut<'_> {
         pieces.collect()
     }
 
-    /// Where a crossed edge meets the plane. Computed from the lesser of its ends, so that edges that are equal in all
+    /// Intersection of a crossed edge and the plane. Computed from the lesser of its ends, so that edges that are equal in all
     /// coordinates are equal here.
     fn crossing(&self, edge: [u32; 2]) -> DVec2 {
         let [mut a, mut b] = edge;

@@ -1,6 +1,6 @@
-//! The part of a section that some half-planes leave of it.
+//! Part of a section that remains after clipping by half-planes.
 //!
-//! The outline of the section, the convex region that it is kept in, and the convex regions that are taken out of it are drawn
+//! The outline of the section, the convex region that it is kept in, and the convex regions that are removed are drawn
 //! into one triangulation ([`super::fill`]): the section and the region count 1 where they are, what is taken out counts -1, and what is
 //! left is where the sum is all that there is to have. So edges that coincide need no rule of their own, and cost is n log n in
 //! the points.
@@ -14,7 +14,7 @@ use super::fill::{Filled, fill};
 use super::half_plane::{HalfPlane, in_common, stretch};
 use super::{Loop, Section, SectionDefect, SlicePlane};
 
-/// What is left of a section: what is in all half-planes of `within`, and not in all half-planes of any of `without`.
+/// Clip of a section: keeps what is in all half-planes of `within`, and not in all half-planes of any of `without`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Trim {
     /// The section is kept where all of them are.
@@ -24,7 +24,7 @@ pub struct Trim {
 }
 
 impl Trim {
-    /// The part of a section by a plane that is left; none where all of it is.
+    /// The remaining part of a section by a plane; none if all of the section remains.
     pub fn of(&self, section: &Section, plane: &SlicePlane) -> Option<Section> {
         let points = &section.points;
         let size = points
@@ -79,7 +79,7 @@ impl Trim {
         Some(trimmed)
     }
 
-    /// What is left of the curves that do not close.
+    /// Remaining parts of the curves that do not close.
     fn open(&self, section: &Section, points: &mut Vec<DVec2>) -> Vec<Vec<u32>> {
         let mut left = Vec::new();
         for chain in &section.open {
@@ -125,7 +125,7 @@ impl Trim {
     }
 }
 
-/// What is wrong with what is left, and a point of it.
+/// Defects of the remaining part, each with one of its points.
 fn defects(
     before: &Section,
     plane: &SlicePlane,

@@ -1,15 +1,15 @@
-//! `auto`: the method that draws where nobody names one.
+//! `auto`: the method that draws where none is named.
 //!
 //! Only those are taken that are exact on closed meshes, mark most of what may be wrong on others, and refuse nothing but more
-//! clip-surfaces than a word has bits. That is `raycast+mask`; what is chosen is who rasterises the mesh. `stencil` and `planar`
-//! come near it in time for one plane, but mark nothing, or build anew what moves.
+//! clip-surfaces than a word has bits. That is `raycast+mask`; the choice is the rasteriser of the mesh. `stencil` and `planar`
+//! come near it in time for one plane, but mark nothing, or rebuild moving parts.
 //!
 //! The rule:
 //!
-//! 1. Who is asked for rasterises.
+//! 1. A requested rasteriser is used.
 //! 2. A software adapter is the CPU, to which fixed functions are code like any other: there the compute rasteriser, which cuts, caps and
 //!    finds what is nearest in one sweep, took less time, or as much, in all that was measured (docs/results.md).
-//! 3. Where it refuses a scene, as one of more parts than its table holds, or would bind more than the device does however few rows are drawn at
+//! 3. Where it refuses a scene, as one of more parts than its table holds, or would bind more than the device does with the fewest rows at
 //!    once, the hardware rasteriser draws: that takes a mesh as vertex and index buffers, which may be larger than storage bindings.
 //! 4. An adapter that snaps vertices to coarser steps than 1/256 px draws other silhouettes than the compute rasteriser, which has 8
 //!    sub-pixel bits everywhere: there too the compute rasteriser.
@@ -26,7 +26,7 @@ use crate::scene::{USUAL_SUB_PIXEL_BITS, View};
 /// The name that stands for the choice.
 pub const AUTO: &str = "auto";
 
-/// What was chosen.
+/// Result of the choice.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Choice {
     /// The method.
@@ -35,18 +35,18 @@ pub struct Choice {
     pub reason: String,
 }
 
-/// What the choice depends on of an adapter.
+/// Properties of an adapter that the choice depends on.
 #[derive(Clone, Copy, Debug)]
 pub struct AdapterTraits<'a> {
-    /// What plans are held to.
+    /// Limits for plans.
     pub limits: &'a Limits,
-    /// Whether it runs on the CPU.
+    /// True if it runs on the CPU.
     pub software: bool,
     /// To which fraction of a pixel it snaps vertices, 2^-bits; `None` where that is not known, as in a browser.
     pub sub_pixel_bits: Option<u32>,
 }
 
-/// Chooses the method for a scene in a view; `asked` are the means that are settled already, `adapter` that which will draw.
+/// Chooses the method for a scene in a view, with the means that are already fixed and the adapter that will draw.
 pub fn choose(
     model: &Model,
     view: &View,

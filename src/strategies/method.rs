@@ -11,7 +11,7 @@ use crate::passes::{Rasteriser, ReliefWalk};
 use crate::scene::{HeightFilter, Precision};
 use crate::{Error, Result};
 
-/// How a frame is drawn: by which strategy, and by which means.
+/// Method for a frame: a strategy and its means.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Method {
     /// The strategy.
@@ -23,21 +23,21 @@ pub struct Method {
 /// Options of how a strategy draws. `None` leaves each to the [default](Method::or).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct DrawOptions {
-    /// What rasterises the mesh; usually the GPU's own rasteriser.
+    /// Rasteriser of the mesh; usually the GPU's own.
     pub rasteriser: Option<Rasteriser>,
-    /// Whether the compute rasteriser uses atomics of 64 bits: the picture is the same, in one sweep instead of two. Usually where the
-    /// adapter has them; where a plan is recorded without an adapter, not.
+    /// True if the compute rasteriser uses atomics of 64 bits: the picture is the same, in one sweep instead of two. Usually true if the
+    /// adapter has them; false where a plan is recorded without an adapter.
     pub wide_atomics: Option<bool>,
-    /// To which fraction of a pixel, 2^-bits, the GPU's own rasteriser snaps vertices: with fewer bits than 8 rays are followed farther
-    /// beside the solids. A session measures it; where a plan is recorded without an adapter, 8.
+    /// Sub-pixel bits: the GPU's own rasteriser snaps vertices to 2^-bits of a pixel. With fewer bits than 8 rays are followed farther
+    /// beyond the solids. A session measures the value; where a plan is recorded without an adapter, 8.
     pub sub_pixel_bits: Option<u32>,
-    /// How rays are followed through reliefs: the crossings are the same. Usually chosen by the cells that a ray meets.
+    /// Walk of rays through reliefs: the crossings are the same. Usually chosen by the number of cells that a ray meets.
     pub relief_walk: Option<ReliefWalk>,
-    /// Whether the one list of crossings is made even where all there is to cross is one plane, which passes of the compute rasteriser could
-    /// as well ask, and holds all crossings in the box of what is cut, also where no triangle is near. Usually not; [hosts that clip by
-    /// it](crate::gpu::clip_wgsl) want it, and with it the masks of all methods are the same word by word.
+    /// True if the one list of crossings is made even where a single plane is crossed, which passes of the compute rasteriser could test
+    /// directly, and holds all crossings in the box of the cut solids, also where no triangle is near. Usually not; [hosts that clip by
+    /// it](crate::gpu::clip_wgsl) need it, and with it the masks of all methods are the same word by word.
     pub list: Option<bool>,
-    /// What interpolates the heights of reliefs between texels. Usually exact; strategies that do not ask for heights at points refuse
+    /// Filter of the heights of reliefs between texels. Usually exact; strategies that do not read heights at points refuse
     /// any other where there is a relief.
     pub height_filter: Option<HeightFilter>,
 }
@@ -45,7 +45,7 @@ pub struct DrawOptions {
 /// A word, and what it sets.
 type Word = (&'static str, fn(&mut DrawOptions));
 
-/// What may follow the `@`.
+/// Words allowed after the `@`.
 const OPTION_WORDS: [Word; 7] = [
     ("hardware", |m| m.rasteriser = Some(Rasteriser::Hardware)),
     ("compute", |m| m.rasteriser = Some(Rasteriser::Compute)),
@@ -71,7 +71,7 @@ impl DrawOptions {
         }
     }
 
-    /// How the GPU's own rasteriser places triangles: it draws caps also where the compute rasteriser draws the mesh.
+    /// Precision with which the GPU's own rasteriser places triangles: it draws caps also where the compute rasteriser draws the mesh.
     pub(crate) fn precision(&self) -> Precision {
         Precision {
             sub_pixel_bits: (self.sub_pixel_bits).unwrap_or(Precision::USUAL.sub_pixel_bits),
@@ -79,7 +79,7 @@ impl DrawOptions {
         }
     }
 
-    /// Whether a word may follow the `@`.
+    /// Returns true if a word may follow the `@`.
     pub fn is_word(word: &str) -> bool {
         OPTION_WORDS.iter().any(|(name, _)| *name == word)
     }

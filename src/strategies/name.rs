@@ -19,12 +19,12 @@ impl CapSurface {
     /// One plane, counted in the stencil.
     pub const STENCIL: Self = Self::new(&inside::stencil::alone::ROW, 0);
 
-    /// The paper's quad, refined into so many cells along a side and displaced.
+    /// The paper's quad, refined into `cells` cells along a side and displaced.
     pub const fn grid(cells: u32) -> Self {
         Self::new(&surface::grid::ROW, cells)
     }
 
-    /// A tessellation as fine as keeps it within so many pixels of the relief; none outside of 0.01 to 100.
+    /// A tessellation just fine enough to stay within `tau_px` pixels of the relief; none outside of 0.01 to 100.
     pub fn adaptive(tau_px: f64) -> Option<Self> {
         Self::with(&surface::adaptive::ROW, tau_px)
     }
@@ -36,17 +36,17 @@ impl InsideTest {
     /// Parity in the stencil buffer, a draw of the mesh for each crossing.
     pub const STENCIL: Self = Self::new(&inside::stencil::ROW, 0);
 
-    /// The paper's volumetric depth sprite, of so many texels along a side.
+    /// The paper's volumetric depth sprite, with `resolution` texels along a side.
     pub const fn vds(resolution: u32) -> Self {
         Self::new(&inside::vds::ROW, resolution)
     }
 
-    /// A layered depth image, whose lists keep what peeling a sprite loses, of so many texels along a side.
+    /// A layered depth image, whose lists keep what peeling a sprite loses, with `resolution` texels along a side.
     pub const fn ldi(resolution: u32) -> Self {
         Self::new(&inside::ldi::ROW, resolution)
     }
 
-    /// Whether it answers for points of a part by images of it.
+    /// Returns true if it tests points against images of the part.
     pub fn is_of_points(&self) -> bool {
         matches!(self.row().answers, InsideTestKind::Points(_))
     }
@@ -55,9 +55,9 @@ impl InsideTest {
 /// A cap surface with an inside test.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Strategy {
-    /// Where caps may be.
+    /// Cap surface: where caps may be.
     pub surface: CapSurface,
-    /// Where they are; none where the cap surface knows by itself.
+    /// Inside test: where caps are; none if the cap surface decides that itself.
     pub inside: Option<InsideTest>,
 }
 
@@ -94,13 +94,13 @@ impl Strategy {
         all()
     }
 
-    /// Whether it has the same cap surface and inside test, with whatever parameters.
+    /// Returns true if it has the same cap surface and inside test, with any parameters.
     pub fn is_of_the_kind(&self, other: &Self) -> bool {
         let kind = |s: &Self| (s.surface.facts().name, s.inside.map(|i| i.facts().name));
         kind(self) == kind(other)
     }
 
-    /// What it can be asked for.
+    /// Supported requests.
     pub fn can(&self) -> Abilities {
         let of_surface = self.surface.facts().can;
         let both = match &self.inside {
@@ -119,7 +119,7 @@ impl Strategy {
         }
     }
 
-    /// What it is limited to, in a few words; empty where it is to nothing.
+    /// Limitations in a few words; empty if there are none.
     pub fn limit(&self) -> &'static str {
         let of_test = self.inside.map_or("", |inside| inside.facts().limit);
         match self.surface.facts().limit {
@@ -134,17 +134,17 @@ impl Strategy {
         Some(inside.steps())
     }
 
-    /// Whether clip-surfaces are drawn as triangles.
+    /// Returns true if clip-surfaces are drawn as triangles.
     pub fn is_tessellated(&self) -> bool {
         matches!(self.surface.row().caps, Caps::Triangles(_))
     }
 
-    /// Whether surface and caps of a frame follow from the one list of crossings per pixel.
+    /// Returns true if surface and caps of a frame follow from the one list of crossings per pixel.
     pub fn lists_crossings(&self) -> bool {
         self.inside.is_some() && !self.is_by_the_papers_rule()
     }
 
-    /// Whether the mesh is clipped by chi at every fragment and the tessellated cap drawn by itself, as in the paper, rather than
+    /// Returns true if the mesh is clipped by chi at every fragment and the tessellated cap is drawn separately, as in the paper, not
     /// both by one list of crossings: where the inside test answers for points.
     pub fn is_by_the_papers_rule(&self) -> bool {
         self.is_tessellated() && self.inside.is_some_and(|i| i.is_of_points())

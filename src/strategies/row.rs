@@ -16,17 +16,17 @@ use crate::plan::{CpuWork, Plan};
 /// A parameter that follows the name of a row, as in `grid:256`.
 #[derive(Clone, Copy, Debug)]
 pub struct Parameter {
-    /// What stands for it in help texts.
+    /// Placeholder in help texts.
     pub letter: &'static str,
-    /// What it is, with its unit.
+    /// Description, with the unit.
     pub about: &'static str,
-    /// What it is where nobody says it, in steps.
+    /// Default value, in steps.
     pub usual: u32,
     /// The least it may be, in steps.
     pub least: u32,
     /// The most it may be, in steps.
     pub most: u32,
-    /// How many steps make 1.
+    /// Number of steps in 1.
     pub steps_per_unit: u32,
 }
 
@@ -45,7 +45,7 @@ impl Parameter {
     }
 }
 
-/// What can be asked for beside planes through parts that are filled by parity.
+/// Supported requests in addition to planes through parts that are filled by parity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Abilities {
     /// Parts filled by the nonzero rule.
@@ -73,7 +73,7 @@ impl Abilities {
         compute: true,
     };
 
-    /// What both can.
+    /// Abilities of both.
     #[must_use]
     pub fn and(self, other: Self) -> Self {
         Self {
@@ -87,27 +87,27 @@ impl Abilities {
     }
 }
 
-/// What is known of a cap surface or of an inside test.
+/// Facts about a cap surface or an inside test.
 #[derive(Debug)]
 pub struct StrategyInfo {
     /// Its name.
     pub name: &'static str,
     /// Its parameter, if it has one.
     pub parameter: Option<Parameter>,
-    /// What it is, in a line.
+    /// Description in one line.
     pub about: &'static str,
-    /// What it is limited to, in a few words; empty where it is to nothing.
+    /// Limitations in a few words; empty if there are none.
     pub limit: &'static str,
-    /// What is made again when a mesh changes; empty for nothing.
+    /// Data rebuilt when a mesh changes; empty for nothing.
     pub rebuilds: &'static str,
-    /// What it can be asked for.
+    /// Supported requests.
     pub can: Abilities,
     /// The methods by which it is drawn in hard cases, and whether in large pictures too.
     pub hard_cases: &'static [(&'static str, bool)],
 }
 
 impl StrategyInfo {
-    /// How it is written, with a letter for the parameter: `kbuffer:K`.
+    /// Spelling, with a letter for the parameter: `kbuffer:K`.
     pub(super) fn pattern(&self) -> String {
         match &self.parameter {
             Some(parameter) => format!("{}:{}", self.name, parameter.letter),
@@ -119,24 +119,24 @@ impl StrategyInfo {
 /// A cap surface.
 #[derive(Debug)]
 pub struct CapSurfaceRow {
-    /// What is known of it.
+    /// Facts for reports and help.
     pub facts: StrategyInfo,
     /// Why it asks no sampler for heights of reliefs; empty where it may, or draws none.
     pub(super) exact_heights: &'static str,
     /// The inside tests that `all` has it with.
     pub(super) usual_tests: fn(&InsideTestRow) -> bool,
-    /// How caps come about.
+    /// Production of caps.
     pub(crate) caps: Caps,
 }
 
 impl CapSurfaceRow {
-    /// Whether it draws the whole frame and needs no inside test.
+    /// Returns true if it draws the whole frame and needs no inside test.
     pub(super) fn is_alone(&self) -> bool {
         matches!(self.caps, Caps::Alone(_))
     }
 }
 
-/// How caps come about.
+/// Production of caps.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Caps {
     /// Crossings of each pixel's ray go into the one list, whatever the inside test is.
@@ -147,12 +147,12 @@ pub(crate) enum Caps {
     Alone(RecordAlone),
 }
 
-/// Records the passes that write the list of crossings of a pixel, with room for so many, and make every pixel ready for its first
+/// Records the passes that write the list of crossings of a pixel, with the given capacity, and make every pixel ready for its first
 /// fragment on the way.
 pub(super) type ListCrossings =
     fn(&mut Plan, &SceneBuffers<'_>, u32, &Store) -> Result<Crossings, Refusal>;
 
-/// Records the clip-surfaces as triangles, planes only where they are asked for. The number is the parameter, in steps.
+/// Records the clip-surfaces as triangles, planes only on request. The number is the parameter, in steps.
 pub(super) type Tessellate =
     fn(&mut Plan, &SceneBuffers<'_>, u32, bool) -> Result<Tessellation, Refusal>;
 
@@ -162,13 +162,13 @@ pub(super) type RecordAlone = fn(&mut Plan, &Input<'_>) -> Result<(Picture, Vec<
 /// An inside test.
 #[derive(Debug)]
 pub struct InsideTestRow {
-    /// What is known of it.
+    /// Facts for reports and help.
     pub facts: StrategyInfo,
-    /// What it answers for.
+    /// Kind of query that it answers.
     pub(crate) answers: InsideTestKind,
 }
 
-/// What an inside test answers for.
+/// Kind of query that an inside test answers.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum InsideTestKind {
     /// The crossings of the camera's rays: it records the frame of a cap surface.
@@ -186,7 +186,7 @@ pub(super) type RecordImages =
 
 /// A row of one of the two tables.
 pub trait Row: fmt::Debug + 'static {
-    /// What is known of it.
+    /// Facts for reports and help.
     fn facts(&self) -> &StrategyInfo;
 }
 
@@ -238,7 +238,7 @@ impl<R: Row> Selection<R> {
         self.row
     }
 
-    /// What is known of it.
+    /// Facts for reports and help.
     pub fn facts(&self) -> &'static StrategyInfo {
         self.row.facts()
     }
@@ -293,7 +293,7 @@ impl<R: Row> Hash for Selection<R> {
     }
 }
 
-/// The refusal of a cap surface or an inside test that is asked for with another.
+/// Refusal of a pair of cap surface and inside test that do not work together.
 pub(super) fn unpaired(who: impl fmt::Display, what: &str) -> Refusal {
     Refusal::new(Unsupported::Pairing, format!("{who} {what}"))
 }

@@ -97,7 +97,7 @@ fn rows_as_markdown(what: &str, rows: impl Iterator<Item = &'static StrategyInfo
     text
 }
 
-/// What is not among abilities, in words.
+/// Missing abilities, in words.
 fn lacks(can: Abilities) -> Vec<&'static str> {
     let all = [
         (can.nonzero, "nonzero parts"),

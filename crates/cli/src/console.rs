@@ -1,4 +1,4 @@
-//! What is said on standard error: notes, warnings and progress.
+//! Output on standard error: notes, warnings and progress.
 //!
 //! Progress shows only on a terminal and only once the work has taken a second, and it never stays behind.
 
@@ -12,10 +12,10 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 /// Work shorter than this shows no progress.
 const PATIENCE: Duration = Duration::from_secs(1);
 
-/// So many notes about inputs are shown without being asked for.
+/// Number of notes about inputs that are shown without `--verbose`.
 const MOST_NOTES: usize = 5;
 
-/// How much is said.
+/// Amount of console output.
 #[derive(Clone, Copy, Debug, Default, clap::Args)]
 pub(super) struct ConsoleArgs {
     /// Say what is being done, on which adapter, and how long it takes
@@ -33,7 +33,7 @@ pub(super) struct Console {
 }
 
 impl Console {
-    /// A console that says as much as it was asked to, for work of some steps.
+    /// Returns a console with the requested amount of output, for work of `steps` steps.
     pub(super) fn new(args: ConsoleArgs, steps: usize) -> Self {
         let bar = ProgressBar::with_draw_target(Some(steps as u64), ProgressDrawTarget::hidden());
         if let Ok(style) =
@@ -63,7 +63,7 @@ impl Console {
         }
     }
 
-    /// What whoever has no progress to look at may want to know: on a terminal it is left out.
+    /// Prints a line that stands in for the progress bar: left out on a terminal.
     pub(super) fn milestone(&self, text: impl AsRef<str>) {
         if !self.args.quiet && !std::io::stderr().is_terminal() {
             self.say(text.as_ref());
@@ -109,20 +109,20 @@ impl Console {
         self.bar.inc(1);
     }
 
-    /// What is done after the last frame.
+    /// Reports a step after the last frame.
     pub(super) fn say_step(&self, what: &'static str) {
         self.detail(what);
         self.bar.set_message(what);
     }
 
-    /// What may interest: left out by `--quiet`.
+    /// Prints additional information: left out by `--quiet`.
     pub(super) fn note(&self, text: impl AsRef<str>) {
         if !self.args.quiet {
             self.say(&format!("note: {}", text.as_ref()));
         }
     }
 
-    /// Notes of one kind, of which nobody reads many: the first few, and how many more there are.
+    /// Prints notes of one kind: the first few, and the count of the rest.
     pub(super) fn notes(&self, notes: &[String]) {
         let shown = if self.args.verbose {
             notes.len()
@@ -138,12 +138,12 @@ impl Console {
         }
     }
 
-    /// What was done and to no purpose, or is not as it should be.
+    /// Prints a warning: an action had no effect, or something is not as it should be.
     pub(super) fn warn(&self, text: impl AsRef<str>) {
         self.say(&format!("warning: {}", text.as_ref()));
     }
 
-    /// What only `--verbose` says.
+    /// Prints a line with `--verbose` only.
     pub(super) fn detail(&self, text: impl AsRef<str>) {
         if self.args.verbose {
             self.say(text.as_ref());
@@ -172,7 +172,7 @@ impl Console {
     }
 }
 
-/// How many of so many notes are shown. One line more says no less than that there is one.
+/// Number of notes to show. A single remaining note is shown itself, since a line with the count would take as much room.
 fn shown_of(notes: usize) -> usize {
     if notes <= MOST_NOTES + 1 {
         notes

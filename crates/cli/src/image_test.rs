@@ -9,14 +9,14 @@ use cutaway::{Error, Result};
 use cutaway_io::load::input_file;
 use image::{Rgba, RgbaImage};
 
-/// What an image test found.
+/// Result of an image test.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Finding {
     /// No channel of any pixel is off by more than the threshold.
     Same,
     /// Some are; the picture shows where.
     Different {
-        /// What is wrong, in words.
+        /// Description of the difference.
         what: String,
         /// Grey where equal, red where not; none if the sizes differ.
         difference: Option<RgbaImage>,
@@ -44,7 +44,7 @@ pub(super) fn open(path: &Path) -> Result<RgbaImage> {
     Ok(image.to_rgba8())
 }
 
-/// Where the difference image goes: beside the output.
+/// Path of the difference image: next to the output.
 pub(super) fn difference_path(output: &Path) -> PathBuf {
     output.with_extension("diff.png")
 }

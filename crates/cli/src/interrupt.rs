@@ -8,7 +8,7 @@ use cutaway::{Error, Result};
 
 use super::writing::output::remove_pending;
 
-/// Whether the work is to end.
+/// Flag that requests the end of the work.
 pub(super) struct Interrupt(Arc<AtomicBool>);
 
 impl Interrupt {
@@ -30,7 +30,7 @@ impl Interrupt {
         Ok(Self(wanted))
     }
 
-    /// Whether Ctrl-C was pressed, or SIGTERM came.
+    /// Returns true after Ctrl-C or SIGTERM.
     pub(super) fn is_wanted(&self) -> bool {
         self.0.load(Ordering::SeqCst)
     }

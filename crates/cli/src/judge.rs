@@ -9,7 +9,7 @@ use cutaway_lab::experiment::{
 use super::console::Console;
 use super::input::subject::Subject;
 
-/// How many steps [`judge`] tells the console of.
+/// Number of steps that [`judge`] reports to the console.
 pub(super) fn steps(renderers: usize, rounds: usize) -> usize {
     error_steps(renderers) + timing_steps(rounds)
 }

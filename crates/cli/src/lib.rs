@@ -4,7 +4,7 @@
 //! Imports: [`cutaway`], [`cutaway_io`], [`cutaway_lab`].
 //!
 //! Everything a user can get wrong is looked at before the work starts: options, scene files, meshes, and whether the
-//! outputs can be written. Standard output carries only what was asked for; notes, warnings, progress and errors go to
+//! outputs can be written. Standard output carries only the requested results; notes, warnings, progress and errors go to
 //! standard error. What is written to a file is complete or not there at all.
 //!
 //! Exit codes: 0 done; 1 done, but a stated expectation failed; 2 bad input or usage; 130 ended by Ctrl-C or SIGTERM, where what is
@@ -101,7 +101,7 @@ enum Command {
     /// Show the passes of a frame and why each is there; needs no graphics adapter
     #[command(after_help = commands::plan::EXAMPLES, after_long_help = with_shapes(commands::plan::EXAMPLES))]
     Plan(commands::plan::PlanArgs),
-    /// Run experiments: files that say what is varied, who is asked and what is expected; leaves a record of each point
+    /// Run experiments: files that state what is varied, which methods run and what is expected; leaves a record of each point
     #[command(after_help = commands::measure::EXAMPLES)]
     Measure(commands::measure::MeasureArgs),
     /// Make pages and tables of what was measured; needs no graphics adapter

@@ -1,4 +1,4 @@
-//! What is said of a frame that is not as somebody may expect.
+//! Notes about unexpected properties of a frame.
 
 use cutaway::gpu::Gpu;
 use cutaway::layers::{Kind, Layers};
@@ -9,7 +9,7 @@ use cutaway_lab::experiment::Renderer;
 use super::console::Console;
 use super::verdict::Verdict;
 
-/// The adapter, for who reports a fault.
+/// Description of the adapter, for fault reports.
 pub(super) fn adapter_in_words(gpu: &Gpu) -> String {
     let report = gpu.report();
     let bits = match report.sub_pixel_bits {
@@ -27,7 +27,7 @@ pub(super) fn unreliable_px(layers: &Layers) -> usize {
 /// Strategies that mark no pixel of a closed mesh: a mark is then a fault of the program or of the driver.
 const MARK_OPEN_MESHES_ALONE: [&str; 3] = ["raycast+mask", "raycast+abuffer", "raycast+stencil"];
 
-/// Whether marked pixels of a frame can be no fault of the mesh: all parts are closed and filled even-odd.
+/// Returns true if the mesh cannot cause marked pixels: all parts are closed and filled even-odd.
 fn is_own_fault(renderer: Renderer, scene: &Scene) -> bool {
     let Renderer::Method(method) = renderer else {
         return false;

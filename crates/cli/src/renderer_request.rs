@@ -1,4 +1,4 @@
-//! Who draws the pictures of a command: whom it names, or whom scene and adapter ask for.
+//! Choice of the renderer of a command: named explicitly, or derived from scene and adapter.
 
 use cutaway::Result;
 use cutaway::gpu::Gpu;
@@ -9,16 +9,16 @@ use cutaway_lab::experiment::Renderer;
 
 use super::console::Console;
 
-/// Who is to draw.
+/// Requested renderer.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum RendererRequest {
     /// A renderer.
     Named(Renderer),
-    /// Who is chosen, by these means where they say some.
+    /// Automatic choice, with the options set here.
     Auto(DrawOptions),
 }
 
-/// Who draws.
+/// Renderer of the pictures.
 #[derive(Clone, Debug)]
 pub(super) struct RendererChoice {
     pub(super) renderer: Renderer,
@@ -39,8 +39,8 @@ impl RendererRequest {
         })
     }
 
-    /// Chooses where nobody is named, for a scene in a view on a device; says so to who wants to know everything. Without a device what draws
-    /// is chosen as for one with fixed functions.
+    /// Resolves an automatic choice for a scene in a view on a device, and reports it with `--verbose`. Without a device, the choice is
+    /// that for a device with fixed functions.
     pub(super) fn settle(
         self,
         gpu: Option<&Gpu>,

@@ -1,4 +1,4 @@
-//! How commands end: verdicts, and the exit codes that they become.
+//! Outcomes of commands, and their exit codes.
 
 use std::process::ExitCode;
 
@@ -7,13 +7,13 @@ use cutaway::Result;
 /// Exit code of a command that Ctrl-C or SIGTERM has ended: 128 and the number of SIGINT, as shells have it.
 pub(crate) const INTERRUPTED: u8 = 130;
 
-/// How a command that ran to its end came out.
+/// Outcome of a command that ran to its end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Verdict {
     Done,
     /// Done, but a stated expectation failed; standard error says which.
     Failed,
-    /// Ended by whoever started it; what is complete is kept.
+    /// Ended by Ctrl-C or SIGTERM; complete results are kept.
     Interrupted,
 }
 

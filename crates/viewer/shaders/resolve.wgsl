@@ -1,4 +1,4 @@
-// The mean of the samples of a picture, in linear light, each with the share that it covers: as `render --supersample` has it.
+// Mean of the samples of a picture, in linear light, each with the share that it covers: as in `render --supersample`.
 
 @group(0) @binding(0) var samples: texture_2d_array<f32>;
 

@@ -1,4 +1,4 @@
-//! What can be done: every button, key, drag and dropped file becomes one of these, which [`State`](crate::State) carries out.
+//! Actions of the user: every button, key, drag and dropped file becomes an action, which [`State`](crate::State) carries out.
 
 use std::path::PathBuf;
 
@@ -10,7 +10,7 @@ use crate::editing::regions::RegionMove;
 use crate::picture::camera::CameraMove;
 use crate::picture::slot::{Layout, Painter, Side};
 
-/// What the panels are about.
+/// Subject of the panels.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Selection {
     /// The scene as a whole.
@@ -41,7 +41,7 @@ pub enum Action {
     Set {
         /// Dotted path.
         path: String,
-        /// What it is to be.
+        /// The new value.
         value: Value,
     },
     /// Sets several values, or takes them out, after which what is usual holds, in one step.
@@ -70,15 +70,15 @@ pub enum Action {
     Select(Selection),
     /// Moves the eye.
     MoveCamera(CameraMove),
-    /// Chooses who draws a slot.
+    /// Chooses the painter of a slot.
     Choose(Side, Painter),
     /// Exchanges the slots.
     Swap,
-    /// How the slots are seen.
+    /// Sets the layout of the slots.
     Arrange(Layout),
-    /// Where the line between the slots is: 0 at the left end.
+    /// Sets the position of the line between the slots: 0 at the left end.
     Wipe(f32),
-    /// Whether errors are shown over the slots.
+    /// Shows errors over the slots, or hides them.
     ShowErrors(bool),
     /// Puts a key of what is selected at the moment that is shown.
     AddKey,
@@ -88,7 +88,7 @@ pub enum Action {
     MoveKey([usize; 2], f64),
     /// Takes a key of a row away.
     RemoveKey([usize; 2]),
-    /// Whether the open edges of meshes are shown over the picture.
+    /// Shows the open edges of meshes over the picture, or hides them.
     ShowOpenEdges(bool),
     /// Shows a moment.
     Seek(f64),

@@ -1,10 +1,10 @@
-//! Work beside the window: on a thread that leaves a core to the window; in a browser, which gives none, at once.
+//! Background work: on a thread that leaves a core to the window; in a browser, which has no threads, at once.
 //!
 //! Cost: a thread and a pool for each piece of work, some 0.1 ms.
 //!
 //! Cannot: be ended before it is done.
 
-/// Does something beside the window.
+/// Runs work in the background.
 #[cfg(not(target_arch = "wasm32"))]
 pub(crate) fn beside(work: impl FnOnce() + Send + 'static) {
     std::thread::spawn(move || {

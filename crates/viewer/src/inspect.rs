@@ -1,4 +1,4 @@
-//! What is wrong with the meshes of a scene: found once for each mesh, beside the window.
+//! Defects of the meshes of a scene: found once for each mesh, in the background.
 //!
 //! One mesh at a time is inspected, on a thread that leaves a core to the window; in a browser, which gives none, at once. What is known
 //! stays as long as something holds the mesh. Cost: that of [`Topology::new`], some seconds for some million faces.
@@ -14,7 +14,7 @@ use glam::DVec3;
 
 use crate::beside::beside;
 
-/// What was found.
+/// Defects of a mesh.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Findings {
     /// The ends of edges with an odd number of faces, in the space of the mesh.
@@ -30,7 +30,7 @@ pub struct Findings {
 }
 
 impl Findings {
-    /// Of a mesh.
+    /// Inspects a mesh.
     pub fn of(mesh: &Mesh) -> Self {
         let facts = Topology::new(mesh);
         let at = |index: u32| mesh.positions[index as usize];
@@ -56,7 +56,7 @@ pub struct Counts {
 }
 
 impl Counts {
-    /// Of several meshes.
+    /// Sums the findings of several meshes.
     pub fn of<'a>(all: impl IntoIterator<Item = &'a Findings>) -> Self {
         let mut sum = Self::default();
         for findings in all {
@@ -69,7 +69,7 @@ impl Counts {
         sum
     }
 
-    /// Whether a hole is among them.
+    /// Returns true if there are open edges.
     pub fn is_open(&self) -> bool {
         self.open > 0
     }
@@ -127,7 +127,7 @@ impl Counts {
 /// A mesh that was inspected, which is gone when nothing holds it any more.
 type CachedFindings = (Weak<Mesh>, Findings);
 
-/// What is known of meshes, and the one that is inspected now.
+/// Known findings of meshes, and the mesh under inspection.
 #[derive(Debug, Default)]
 pub struct Inspector {
     /// By the address of the mesh, which stays its own as long as it is held here.
@@ -157,7 +157,7 @@ impl Inspector {
                 let mesh = part.mesh.clone();
                 self.under_way = Some((mesh.clone(), answers));
                 beside(move || {
-                    // The window is closed where there is nobody to be told.
+                    // If the window is closed, there is no receiver.
                     let _ = tell.send(Findings::of(&mesh));
                     wake();
                 });
@@ -167,12 +167,12 @@ impl Inspector {
         has_ended
     }
 
-    /// Whether a mesh is being inspected.
+    /// Returns true while a mesh is being inspected.
     pub fn is_busy(&self) -> bool {
         self.under_way.is_some()
     }
 
-    /// What was found in a mesh, if it is known.
+    /// Findings of a mesh, once they are known.
     pub fn of(&self, mesh: &Arc<Mesh>) -> Option<&Findings> {
         self.known.get(&address(mesh)).map(|(_, findings)| findings)
     }

@@ -1,18 +1,18 @@
-//! What the user is told, and may forget: errors with what to do, and what was done.
+//! Transient notices for the user: errors with a remedy, and completed actions.
 
 use cutaway::Error;
 
-/// Something to be told.
+/// A notice for the user.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Notice {
-    /// What it is.
+    /// The message.
     pub text: String,
-    /// Whether something failed.
+    /// True if something failed.
     pub is_error: bool,
 }
 
 impl Notice {
-    /// What was done.
+    /// Notice of a completed action.
     pub fn done(text: impl Into<String>) -> Self {
         Self {
             text: text.into(),

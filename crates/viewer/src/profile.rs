@@ -1,7 +1,7 @@
-//! What frames of the window cost the CPU: of those that drew a picture, and of those in which nothing of the scene changed.
+//! CPU cost of frames of the window: of those that drew a picture, and of those in which nothing of the scene changed.
 //!
-//! Times are by the clock of the wall from where the window is asked for a frame until it is handed to egui: what egui and the device do
-//! with it comes on top. Costs three looks at the clock a frame.
+//! Times are wall-clock times from the request for a frame until it is handed to egui: the work of egui and the device comes on top.
+//! Costs three reads of the clock a frame.
 
 use std::fmt;
 
@@ -10,11 +10,11 @@ use cutaway_lab::experiment::Samples;
 /// One frame, in milliseconds.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct FrameCost {
-    /// What actions made of the scene, and its preparation.
+    /// Actions on the scene, and its preparation.
     pub scene_ms: f64,
     /// The passes of pictures, recorded and submitted; nothing where none was drawn.
     pub picture_ms: Option<f64>,
-    /// All of it, with the panels.
+    /// The whole frame, with the panels.
     pub whole_ms: f64,
 }
 

@@ -1,6 +1,6 @@
-//! What the window shows, and what actions make of it: a document with its history, the scene that it shows, two slots, a selection.
+//! State of the window, and its change by actions: a document with its history, the scene that it shows, two slots, a selection.
 //!
-//! Nothing here knows of a window: a test applies actions and looks at the document. What is refused changes nothing, and is told
+//! Nothing here depends on a window: a test applies actions and reads the document. A refused action changes nothing, and is reported
 //! ([`State::notices`]).
 //!
 //! Cost of an action that changes the scene: the tree of the document, and what [`Shown::open`] costs.
@@ -33,7 +33,7 @@ use ahead::Ahead;
 
 pub use ahead::Moment;
 
-/// What the window shows. A clone shares what is large.
+/// State of the window. A clone shares large data.
 #[derive(Clone, Debug)]
 pub struct State {
     document: Document,
@@ -47,11 +47,11 @@ pub struct State {
     shown: Option<Shown>,
     /// Counts changes of the scene and of the eye.
     scene_revision: u64,
-    /// Counts changes of who draws the slots and how they are seen.
+    /// Counts changes of the renderers of the slots and of their layout.
     slots_revision: u64,
     /// Counts actions.
     acted: u64,
-    /// What was read and prepared elsewhere for the action that is carried out.
+    /// Data read and prepared elsewhere for the action that is carried out.
     ahead: Option<Ahead>,
     time_s: Option<f64>,
     selection: Selection,
@@ -94,7 +94,7 @@ impl State {
     ) -> Result<Self> {
         document.guess_up(&mut assets)?;
         let shown = Shown::open(&document, &mut assets, None, alike)?;
-        // What options have made of a scene file is a change of it.
+        // Changes of a scene file by command-line options count as changes.
         let is_file = !document.path().as_os_str().is_empty();
         let read = is_file.then(|| Document::read_from(document.path(), &*store).ok());
         let mut state = Self {
@@ -130,7 +130,7 @@ impl State {
         &self.document
     }
 
-    /// Where its files are.
+    /// Storage of its files.
     pub fn store(&self) -> &Arc<dyn Store> {
         &self.store
     }
@@ -140,7 +140,7 @@ impl State {
         self.posed.as_ref().unwrap_or(&self.document)
     }
 
-    /// Whether it says something else than its file.
+    /// Returns true if the document differs from its file.
     pub fn is_changed(&self) -> bool {
         self.document != self.saved
     }
@@ -160,37 +160,37 @@ impl State {
         self.scene_revision
     }
 
-    /// Whether there is a step to be taken back, and one to be done again.
+    /// Availability of an undo step and of a redo step.
     pub fn can_undo_redo(&self) -> [bool; 2] {
         self.history.reaches()
     }
 
-    /// What the panels are about.
+    /// Subject of the panels.
     pub fn selection(&self) -> Selection {
         self.selection
     }
 
-    /// Who draws a slot.
+    /// Painter of a slot.
     pub fn painter(&self, side: Side) -> Painter {
         self.slots[side.index()]
     }
 
-    /// How the slots are seen.
+    /// Layout of the slots.
     pub fn layout(&self) -> Layout {
         self.layout
     }
 
-    /// Where the line between the slots is: 0 at the left end.
+    /// Position of the line between the slots: 0 at the left end.
     pub fn wipe(&self) -> f32 {
         self.wipe
     }
 
-    /// Whether errors are shown over the slots.
+    /// Returns true if errors are shown over the slots.
     pub fn shows_errors(&self) -> bool {
         self.shows_errors
     }
 
-    /// Whether the open edges of meshes are shown over the picture.
+    /// Returns true if the open edges of meshes are shown over the picture.
     pub fn shows_open_edges(&self) -> bool {
         self.shows_open_edges
     }
@@ -200,7 +200,7 @@ impl State {
         self.time_s
     }
 
-    /// What is to be told since the last time.
+    /// Takes the notices since the last call.
     pub fn notices(&mut self) -> Vec<Notice> {
         std::mem::take(&mut self.notices)
     }
@@ -210,7 +210,7 @@ impl State {
         std::mem::take(&mut self.opened)
     }
 
-    /// Something to be told.
+    /// Adds a notice for the user.
     pub fn tell(&mut self, notice: impl Into<Notice>) {
         self.notices.push(notice.into());
     }
@@ -225,8 +225,8 @@ impl State {
         (self.shown.as_ref()).map_or(Bounds::EMPTY, |shown| shown.scene.bounds())
     }
 
-    /// The document of what is seen: with the eye where it is, at the moment that is shown, by who draws the first slot. Keys do not move that
-    /// eye any more.
+    /// The document of the visible picture: with the present eye, the moment that is shown, and the painter of the first slot. Keys no
+    /// longer move that eye.
     ///
     /// # Errors
     ///
@@ -253,7 +253,7 @@ impl State {
         self.with_settings(document)
     }
 
-    /// A document with the moment that is shown and who draws the first slot.
+    /// A document with the moment that is shown and the painter of the first slot.
     fn with_settings(&self, mut document: Document) -> Result<Document> {
         if let Some(time_s) = self.time_s {
             document.set("time_s", time_s)?;
@@ -281,7 +281,7 @@ impl State {
         Ok(command::quoted(&words))
     }
 
-    /// Prepares the scene as a picture of it would, when nothing has moved for a while.
+    /// Prepares the scene as an exported picture does, when nothing has moved for a while.
     pub fn settle(&mut self) {
         let settled = self.shown.as_mut().map_or(Ok(()), Shown::settle);
         if let Err(error) = settled {
@@ -289,7 +289,7 @@ impl State {
         }
     }
 
-    /// Carries an action out; what refuses it is told.
+    /// Carries an action out; a refusal becomes a notice.
     pub fn apply(&mut self, action: Action) {
         // To let go changes nothing by itself.
         self.acted += u64::from(action != Action::Release);

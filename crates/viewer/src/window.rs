@@ -35,7 +35,7 @@ const TOO_SOON_S: f64 = 10.0;
 /// A file whose being there loses the device.
 const LOSE_DEVICE: &str = "CUTAWAY_LOSE_DEVICE";
 
-/// What to do where no adapter is of use.
+/// Remedy where no adapter is usable.
 const INSTALL: &str = "install a Vulkan driver, for which a software one will do: the package mesa-vulkan-drivers (Debian, Ubuntu, Fedora) or \
                        vulkan-swrast (Arch)";
 
@@ -83,7 +83,7 @@ pub fn open(opened: Opened) -> Result<()> {
     }
 }
 
-/// Whether a device is lost too soon, so long after the window was opened again; the first window is not.
+/// Returns true if a device is lost too soon after the window was reopened; the first window never is.
 fn is_too_soon(open_ms: Option<f64>) -> bool {
     open_ms.is_some_and(|open_ms| open_ms < TOO_SOON_S * 1000.0)
 }
@@ -111,9 +111,9 @@ fn not_opened(error: &eframe::Error) -> Error {
     }
 }
 
-/// What is the same from one device to the next.
+/// State that survives a change of the device.
 struct Window {
-    /// What the first window begins with.
+    /// State of the first window.
     state: Option<State>,
     viewer: Option<Viewer>,
     /// Part of the name of the adapter that is wanted.
@@ -215,7 +215,7 @@ fn on_adapter(options: &mut WgpuConfiguration, wanted: String) {
     setup.native_adapter_selector = Some(Arc::new(select));
 }
 
-/// Where a window is and how large, for the next one.
+/// Position and size of a window, for the next one.
 fn placed_as(info: &ViewportInfo) -> ViewportBuilder {
     let mut next = ViewportBuilder::default()
         .with_inner_size(info.inner_rect.map_or([1280.0, 800.0].into(), |r| r.size()))

@@ -1,4 +1,4 @@
-// Lists the tiles that are to be drawn. An invocation owns a tile. In which order they are listed is left to chance, and nothing hangs on it.
+// Lists the tiles to draw. An invocation owns a tile. The order of the list is left to chance, and has no effect.
 
 #import cutaway::borders::MOST_REACH_PX
 #import cutaway::effect_tile_marks::effect_tiles

@@ -1,4 +1,4 @@
-// Finds in which tiles of the picture something is shown. A workgroup owns a tile, an invocation a pixel of it.
+// Finds the tiles of the picture that show something. A workgroup owns a tile, an invocation one of the tile's pixels.
 
 #import cutaway::backdrop::backdrop
 #import cutaway::effect_tile_marks::effect_tiles

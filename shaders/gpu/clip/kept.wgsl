@@ -1,5 +1,5 @@
-// What the shaders of a host ask: whether a point of a part is kept. Given to them as text, without the entry points.
-// Names begin with `cutaway` where those of a host stand beside them.
+// Clip test for the shaders of a host: is a point of a part kept? Given to them as text, without the entry points.
+// Names begin with `cutaway` to differ from those of a host in the same module.
 
 #import cutaway::crossings::crossings_before
 #import cutaway::cuts::is_removed
@@ -8,7 +8,7 @@
 struct CutawayClip {
     // By how much scene space is larger than the host's world.
     scene_from_world: f32,
-    // Of each part of the scene bits of the cuts that reach it, and 1 where a cut removes all of it.
+    // Per part of the scene, bits of the cuts that reach it, and 1 if a cut removes all of the part.
     parts: array<vec2<u32>>,
 }
 

@@ -17,7 +17,7 @@ fn is_kept(sample: Sample) -> bool {
     return !is_removed(sides, sample.part.cuts) && !is_passed(sample.front);
 }
 
-// Counts the crossings before a sample, leaves to the inside test what that wants of it, and says whether it is kept.
+// Counts the crossings before a sample, stores the data for the inside test, and returns true if the sample is kept.
 fn count_and_store(sample: Sample) -> bool {
     let part = sample.part;
     let before = crossings_before(sample.z, sample.at);

@@ -40,8 +40,8 @@ struct Cap {
     overlap: bool,
 }
 
-// The first cap among the crossings before `limit`. Parts are asked in order, and the first wins; whether a second one shares
-// the cap is asked only where it is shown.
+// The first cap among the crossings before `limit`. Parts are tested in order, and the first wins; a second part that shares
+// the cap is searched for only where that is shown.
 fn first_cap(lanes: Lanes, at: vec2<u32>, limit: u32, start: u32) -> Cap {
     var sides = start;
     var cap = Cap(false, 0u, 0u, false);

@@ -1,4 +1,4 @@
-// The only clip-surface of a frame, a plane, where the ray of a pixel crosses it: computed anew by whoever asks, always the same
+// The only clip-surface of a frame, a plane, where the ray of a pixel crosses it: recomputed on each use, always the same
 // way. So a fragment's side and the place of the cap agree.
 
 #define_import_path cutaway::lone_plane
@@ -26,7 +26,7 @@ fn lone_plane_at(at_px: vec2<f32>) -> LonePlane {
     return LonePlane(buffer_from_depth(depth), rises);
 }
 
-// Whether the ray crosses the plane where a cap may be: in the box of the cut solids, as a list of crossings has it.
+// Returns true if the ray crosses the plane where a cap may be: in the box of the cut solids, as in a list of crossings.
 fn is_in_box(plane: LonePlane, at_px: vec2<f32>) -> bool {
     let interval = box_interval(ray_through(at_px));
     let depth = depth_from_buffer(plane.z);

@@ -1,7 +1,7 @@
 // Depth of fragments whose triangles are settled, in a frame with a list of crossings.
 //
-// Depth of a face in a clip-surface, or just beside it, is that of the surface but for rounding. So no depth orders its fragments
-// against the crossing: they are moved in front of it or behind, if they are not there. All else about them goes by the
+// The depth of a face in a clip-surface, or close to it, is that of the surface but for rounding. So no depth orders its fragments
+// against the crossing: they are moved in front of the crossing or behind, if necessary. All other decisions about them use the
 // depth they have then: every decision of a pixel still compares the same numbers.
 
 #define_import_path cutaway::settled_depth

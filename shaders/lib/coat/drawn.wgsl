@@ -1,6 +1,6 @@
 // Coats that `coat.wgsl` drew: a colour and the part. Bound as @group(1) @binding(6).
 //
-// A pixel at an edge that the draw of coats did not cover has the colour of a pixel of the same part beside it.
+// A pixel at an edge that the draw of coats did not cover has the colour of a neighbouring pixel of the same part.
 
 #define_import_path cutaway::coat
 

@@ -1,7 +1,7 @@
 // Reading the one list of crossings per pixel. Bound as @group(0) @binding(5), (6) and (7).
 //
 // Crossing i of a pixel is at depth-buffer value crossing_z[i * pixels + pixel], nearest first, so a fragment's `behind`
-// is how many crossings it has in front of it. The list is written once per frame and decides everything: which fragment
+// is the number of crossings in front of the fragment. The list is written once per frame and decides everything: which fragment
 // is kept, where a cap may be, and whether it is inside.
 
 #define_import_path cutaway::crossings
@@ -39,7 +39,7 @@ fn cappable(at: vec2<u32>) -> u32 {
     return listed(head_of(at).x);
 }
 
-// Clip-surface of a crossing, and what else is kept of it.
+// Clip-surface of a crossing, and its other stored data.
 fn word_at(index: u32, at: vec2<u32>) -> u32 {
     if !keeps_words() {
         return 0u;

@@ -1,7 +1,7 @@
-// The crossings of a pixel where the only clip-surface is a plane: one or none, computed anew by whoever asks. Nothing is stored or read.
+// The crossings of a pixel where the only clip-surface is a plane: one or none, recomputed on each use. Nothing is stored or read.
 //
-// Pipelines may round it differently, by what an f32 is worth. Of a part that is cut nothing hangs on that: each of its samples is judged
-// once, by the pass that finds it, and with one plane all that are kept lie on one side of it.
+// Pipelines may round it differently, by the precision of an f32. No result for a cut part depends on that: each of its samples is judged
+// once, by the pass that finds it, and with one plane all kept samples lie on one side of the plane.
 
 #define_import_path cutaway::crossings
 

@@ -1,9 +1,9 @@
-// The tiles of the picture that effects draw: those in which something is shown, or beside which, as far as a stroke reaches, and those of
+// The tiles of the picture that effects draw: those that show something, or have such a tile within the reach of a stroke, and those of
 // the frame before. All others are background already, without a stroke. Tiles are as large as touched ones.
 
 #define_import_path cutaway::effect_tiles
 
-// What the background hangs on: where it changes, all of the picture is cleared.
+// Inputs of the background: when they change, the whole picture is cleared.
 struct Backdrop {
     size_px: vec2<u32>,
     band: vec2<u32>,

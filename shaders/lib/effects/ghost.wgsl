@@ -1,4 +1,4 @@
-// What a picture shows beside what it would show uncut. Bound as @group(1) @binding(0) and (1).
+// Uncut picture of the scene, for a picture that shows the removed parts. Bound as @group(1) @binding(0) and (1).
 
 #define_import_path cutaway::ghost
 

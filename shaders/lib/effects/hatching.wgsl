@@ -1,6 +1,6 @@
 // Hatches: families of parallel lines on caps, anchored to the clip-surface in units of the scene. Bound as @group(2) @binding(2), (3), (5).
 //
-// A line is a pulse of a period; what a pixel has of it is the integral of the pulses over the pixel, which is right at any distance from
+// A line is a pulse of a period; its share of a pixel is the integral of the pulses over the pixel, which is right at any distance from
 // line to line: finer than a pixel it is their mean, and never noise. Dashes are pulses along the lines.
 
 #define_import_path cutaway::hatching

@@ -16,11 +16,11 @@ struct Style {
     depth_px: f32,
     // How much of the light a cap takes.
     cap_light: f32,
-    // How much of that hangs on where it faces.
+    // Share of that light that depends on the orientation of the cap.
     cap_relief: f32,
     // How many pixels away a border may be whose stroke is seen: half the greatest width, rounded up, and one for the edge.
     stroke_reach_px: i32,
-    // How many samples a pixel of the picture has along each side: each sees so much less of it.
+    // Samples per pixel of the picture along each side: each covers that fraction of the pixel.
     fineness: f32,
     // How much of occlusion surfaces and caps have.
     occlusion_surface: f32,

@@ -1,4 +1,4 @@
-// Nothing but the queue begins anew with a screen.
+// Only the queue is reset with a screen.
 
 #define_import_path cutaway::fresh
 

@@ -1,4 +1,4 @@
-// What begins anew with the screen of a frame: no tile is touched.
+// Reset with the screen of a frame: no tile is touched.
 
 #define_import_path cutaway::fresh
 

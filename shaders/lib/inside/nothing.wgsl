@@ -1,4 +1,4 @@
-// No part is cut: nothing is asked.
+// No part is cut: no test is made.
 
 #define_import_path cutaway::inside
 

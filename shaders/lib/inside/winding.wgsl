@@ -1,5 +1,5 @@
 // The inside test `mask` where some part is filled by the nonzero rule: a crossing is inside such a part where the steps of the
-// fragments behind it do not cancel. The others are asked for parity.
+// fragments behind it do not cancel. The others are tested by parity.
 
 #define_import_path cutaway::inside
 
@@ -51,7 +51,7 @@ fn next_starting(lanes: Lanes, place: u32, pixel: u32) -> u32 {
     return lanes.count;
 }
 
-// Whether the answers for a pixel may be wrong because something found no room: so many fragments that a byte may have run over.
+// Returns true if the answers for a pixel may be wrong because of too many fragments: a byte may have overflowed.
 fn in_doubt(lanes: Lanes, pixel: u32) -> bool {
     for (var place = 0u; place < min(lanes.count, MOST_LANES); place++) {
         let part = parts[place];

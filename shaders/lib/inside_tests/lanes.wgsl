@@ -28,7 +28,7 @@ struct Fragment {
     place: u32,
     // Value of the depth buffer.
     z: f32,
-    // How many crossings are in front of it.
+    // Number of crossings in front of the fragment.
     behind: u32,
     // Whether it shows the outside of its triangle.
     front: bool,

@@ -2,7 +2,7 @@
 //
 // Crossings of one clip-surface arrive nearest first, so an insertion is nearly always one read and one write; an array in
 // registers would cost its whole capacity in every pixel. Bound as @group(1) @binding(0) to (3). `need` keeps the longest
-// list asked for and the longest walk, so that a frame that overflowed tells the next one how much to provide.
+// list needed and the longest walk, so that the frame after an overflow provides enough.
 
 #define_import_path cutaway::crossing_list
 

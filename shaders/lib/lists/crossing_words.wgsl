@@ -1,4 +1,4 @@
-// What a list keeps of a crossing beside its depth, as a word. Bits 0-4 the clip-surface, by its index in the table. A crossing with a
+// Word that a list keeps for a crossing next to its depth. Bits 0-4 the clip-surface, by its index in the table. A crossing with a
 // triangle has no other source for its normal: bit 5 is set, and bits 6-31 hold the normal, octahedral, 13 and 13 bits.
 //
 // Fractions go from 0 to 8190, so that 0 has a code of its own and normals along the axes stay what they are: off by less than

@@ -9,7 +9,7 @@
 // Linear light.
 @group(1) @binding(4) var<uniform> interference: vec4<f32>;
 
-// Pixels from stripe to stripe along a row; a stripe takes three fifths of it.
+// Pixels from stripe to stripe along a row; a stripe takes three fifths of the period.
 const STRIPE_PX: u32 = 10u;
 
 fn cap_base(base: vec3<f32>, word: u32, at: vec2<u32>) -> vec3<f32> {

@@ -1,4 +1,4 @@
-// Caps that several solids share look like those of the part that is shown: nobody asked where they are.
+// Caps that several solids share look like those of the part that is shown: shared caps are not detected.
 
 #define_import_path cutaway::overlap
 

@@ -55,7 +55,7 @@ struct Stretch {
     slope: vec3<f32>,
 }
 
-// The point of what is gone beside a border.
+// The point of the removed surface next to a border.
 fn gone_point(at: vec2<i32>, step: vec2<i32>) -> vec3<f32> {
     let gone = vec2<u32>(select(at + step, at, is_gone(at)));
     let first = first_word_of(gone);

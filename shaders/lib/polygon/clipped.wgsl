@@ -1,4 +1,4 @@
-// Some triangles of the screen cross the near plane or the guard band. Each workgroup cuts its triangle back anew, by its first
+// Some triangles of the screen cross the near plane or the guard band. Each workgroup clips its triangle again, by its first
 // invocation: the same arithmetic in the same pipeline, so that all pieces of a triangle are of one polygon.
 
 #define_import_path cutaway::polygon

@@ -1,7 +1,7 @@
 // Exclusive sums over a block of words by one workgroup of 256: each invocation owns eight words in a row.
 // Bound as @group(0) @binding(0).
 //
-// Sums are of u32 and wrap: who calls keeps the total below 2^32.
+// Sums are of u32 and wrap: the caller keeps the total below 2^32.
 
 #define_import_path cutaway::scan
 

@@ -41,7 +41,7 @@ fn borders_beyond(clip: vec4<f32>) -> u32 {
     return beyond;
 }
 
-// Bits of the sides of the picture that a point is beyond, by more than a pixel: what is snapped may come back by a small part of it.
+// Bits of the sides of the picture that a point is beyond, by more than a pixel: a snapped point may move back by a small part of one.
 // Linear in clip space, so that it holds of what is between points that are beyond the same side, also where w is negative.
 fn sides_beyond(clip: vec4<f32>) -> u32 {
     let reach = (1.0 + 2.0 / vec2<f32>(frame.size_px)) * clip.w;
@@ -67,7 +67,7 @@ fn on_screen(clip: vec4<f32>) -> vec3<f32> {
     return vec3<f32>(at_px - 0.5, clip.z / clip.w);
 }
 
-// Snapping is exact but for its one rounding, so whoever snaps a vertex finds the same.
+// Snapping is exact but for its one rounding, so all passes that snap a vertex get the same result.
 fn snapped(at: vec3<f32>) -> Point {
     return Point(at.xy, at.z, vec2<i32>(round(at.xy * 256.0)) + 128);
 }
@@ -130,7 +130,7 @@ fn last_pixel(high: vec2<i32>) -> vec2<i32> {
 }
 
 // A sample on an edge belongs to the triangle if the edge is a top or a left one: then 0, else -1 to be added to the edge
-// function before its sign is asked for. Triangles are oriented so that their inside is where edge functions are positive.
+// function before its sign is tested. Triangles are oriented so that their inside is where edge functions are positive.
 fn edge_bias(edge: vec2<i32>) -> i32 {
     return select(-1, 0, edge.y < 0 || (edge.y == 0 && edge.x > 0));
 }

@@ -15,7 +15,7 @@ struct TileEdge {
     // floor(e0 / 256), and what remains of e0.
     floor: i32,
     rest: u32,
-    // floor((e0 + bias) / 256): its sign is asked for.
+    // floor((e0 + bias) / 256): only its sign is used.
     biased: i32,
     // e0, rounded.
     rounded: f32,

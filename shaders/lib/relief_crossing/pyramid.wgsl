@@ -3,12 +3,12 @@
 // The list is that of the walk over all cells, bit for bit. Three things see to that. A node is passed only if every cell in it
 // would have been found on the side that the ray is on already, with room for the rounding of such a cell; so a sign is never
 // set but by a cell, and where the side is known without the map, it is the same. Cells are entered where the walk enters them:
-// at the depth of the last border that was met, which hangs on the number of that border and on nothing that was met before. And
+// at the depth of the last border that was met, which depends on the number of that border and on nothing that was met before. And
 // which cell comes after a node is found by the walk's own comparisons: of the borders along the other axis those were met that
 // come before the one the node is left by; a guess from the depth there is put right by comparing them.
 //
 // From one node to the next the ray goes on at the same level, or one up if the border is one of the parent as well, so no node is
-// asked twice. A node that is near is taken apart, and the cells of the smallest are walked. Invocations look for such a node
+// visited twice. A node that is near is taken apart, and the cells of the smallest are walked. Invocations look for such a node
 // together, then walk its cells together, which keeps them in step.
 
 #define_import_path cutaway::relief_crossing
@@ -85,7 +85,7 @@ fn cross_relief(list: ptr<function, List>, surface: u32, at_px: vec2<f32>, inter
     var closes = vec2<bool>(false);
     // Of the block that is walked, how many cells may be left.
     var cells = 0u;
-    // A round ends with one of the smallest blocks, or in a cell of it that holds something.
+    // A round ends with one of the smallest blocks, or in one of its cells that holds something.
     for (var n = 0u; n < 2u * cell_limit; n++) {
         // Blocks, until one of the smallest is near.
         for (var m = 0u; m < cell_limit + 64u && cells == 0u; m++) {

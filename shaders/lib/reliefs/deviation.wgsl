@@ -1,7 +1,7 @@
 // How far the map is from a plane through three of its texels: at texels, and on the diagonal of a cell between two of them.
 //
 // On a cell the map is bilinear, and so is its difference from the plane, which is extreme at corners. Where the diagonal of a cell
-// halves it between two triangles the difference is quadratic along it: linear between its ends d and e, and beside that
+// halves it between two triangles the difference is quadratic along it: linear between its ends d and e, plus
 // ± twist s (1 - s). Its only extreme between the ends is (d + e) / 2 + q / 4 + (e - d)² / (4 q), and is there where |e - d| < |q|.
 
 #define_import_path cutaway::deviation

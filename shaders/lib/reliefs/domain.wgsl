@@ -1,7 +1,7 @@
 // The part of a clip-surface that is tessellated as finely as a view asks for: whole texels of its map around the box of the cut
 // solids, in square patches. Bound as @group(1) @binding(8).
 //
-// A vertex is two integers, counted from the corner in steps of 1 / 2^step_bits of a texel, so that everybody who meets it computes
+// A vertex is two integers, counted from the corner in steps of 1 / 2^step_bits of a texel, so that all invocations that meet it compute
 // the same point from the same numbers; vertices of texels lie where the bilinear map has its texel centres.
 
 #define_import_path cutaway::domain

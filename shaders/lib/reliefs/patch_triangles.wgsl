@@ -1,5 +1,5 @@
-// The triangles of a patch, for one view, shared among invocations: each has one of the triangles that the two of the patch would be
-// halved into so many times over, with all that comes of it; a triangle that is not halved so often belongs to the first of those
+// The triangles of a patch, for one view, shared among invocations: halving the two of the patch a fixed number of times gives each one
+// triangle, with all its descendants; a triangle that is not halved so often belongs to the first of those
 // within it. Nothing is stored on the way: a triangle is its vertices and the turns that led to it, and so are its neighbours. Bound as
 // @group(1) @binding(11), (12).
 //
@@ -31,14 +31,14 @@ struct Share {
 const SHARED: u32 = 5u;
 // How often a triangle may be halved that one invocation has for itself.
 const MOST_OWN_HALVINGS: u32 = 10u;
-// Triangles in a walk, at most: all that come of so many halvings, and the way there, of 32 at most.
+// Most triangles in a walk: all from `MOST_OWN_HALVINGS` halvings, and the way there, of 32 at most.
 const MOST_VISITS: u32 = (2u << MOST_OWN_HALVINGS) + 32u;
 // What a walk that was cut short returns: more than 64 whole walks find together.
 const TOO_MANY: u32 = 1u << 20u;
 
 var<workgroup> place: u32;
 
-// Halvings by which a deep patch is shared, so that no walk of it is cut short.
+// Halvings by which a deep patch is shared, so that none of its walks is cut short.
 fn deep_halvings(surface: u32) -> u32 {
     return max(greatest_depth(surface), SHARED + MOST_OWN_HALVINGS) - MOST_OWN_HALVINGS;
 }

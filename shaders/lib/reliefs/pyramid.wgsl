@@ -5,11 +5,11 @@
 // covers along each axis the cells from k 2^l up to (k + 1) 2^l, or to the end of the map. It need not be square, sizes need not be
 // powers of two, and all levels begin at the same border.
 //
-// The cells that a ray passes are those of the plane without end; a node follows from any cell of it, in integers, and with it
+// The cells that a ray passes are those of the plane without end; a node follows from any of its cells, in integers, and so does
 // the border at which the ray leaves the node:
 //
 // - *repeat*: the plane is copies of the map side by side; a node never reaches beyond its copy;
-// - *mirror*: every other copy is turned round, with the cell at its far end between the first texel and itself, which goes with
+// - *mirror*: every other copy is turned round, with the cell at its far end between the first texel and itself, which belongs to
 //   node 0; the cell between the last texel and itself belongs to the copy that is not turned;
 // - *clamp*: beyond the map heights do not change along that axis; nodes go on in their own width, and have the heights of
 //   the first or last node of the map.

@@ -1,10 +1,10 @@
-// Whether a triangle is halved: where the error that it would keep may be seen in this view. Bound as @group(1) @binding(9), (10).
+// Halving test of a triangle: true if the error that it would keep may be seen in this view. Bound as @group(1) @binding(9), (10).
 //
-// The answer hangs on the middle of the hypotenuse alone, which two triangles share, so either both are halved or none, and no vertex
+// The result depends on the middle of the hypotenuse alone, which two triangles share, so either both are halved or none, and no vertex
 // lies on the edge of another's triangle (Lindstrom & Pascucci, *Visualization of large terrains made easy*, 2001). For this a
-// middle's error bounds those of all middles that come of it (the pass that measures sees to it), and the depth that it is seen at is
-// the least in a box that holds theirs. A square of side s and all that comes of it lie within 1.5 s of its middle along each axis,
-// an edge of length s and all that comes of it within s: half a side to the edge and s beyond it, a quarter of s to the middle
+// middle's error bounds those of all its descendant middles (the measuring pass ensures it), and the depth that it is seen at is
+// the least in a box that holds theirs. A square of side s and all its descendants lie within 1.5 s of its middle along each axis,
+// an edge of length s and all its descendants within s: half a side to the edge and s beyond it, a quarter of s to the middle
 // of the next smaller square and 1.5 s/2 beyond. Depth is linear on the plane and counted in integers, so that no rounding breaks it.
 //
 // Below a texel the map is bilinear, off its chord by |twist| s² / 4 on the diagonal of a square of side s, and nowhere more. The
@@ -93,7 +93,7 @@ fn is_halved(surface: u32, triangle: Triangle, depth: u32) -> bool {
 const ALL_BORDERS: u32 = 0x7ffu;
 const OUTSIDE: u32 = 0x80000000u;
 
-// Which of some borders, as bits, a triangle lies across, and all that it is halved into may lie across; or that nothing of it is seen
+// Bits of the given borders that a triangle or one of its descendants may lie across; or `OUTSIDE` if no part of the triangle is seen
 // inside the box of the cut solids.
 fn borders_across(surface: u32, triangle: Triangle, borders: u32) -> u32 {
     let a = vec2<f32>(triangle.a);

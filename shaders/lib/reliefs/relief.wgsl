@@ -13,7 +13,7 @@ const REPEAT: u32 = 0u;
 const MIRROR: u32 = 1u;
 
 // Remainder in 0..n of an address within 2^24. The quotient in f32 is off by one at the most, which the last lines mend; the
-// remainder of integers costs a walk over a relief half of its time where the device has no vectors of it.
+// remainder of integers costs a walk over a relief half of its time where the device has no vector instruction.
 fn remainder(address: i32, n: i32) -> i32 {
     let m = address - i32(floor(f32(address) / f32(n))) * n;
     return select(select(m, m - n, m >= n), m + n, m < 0);
@@ -67,7 +67,7 @@ fn corners_of(map: Map, cell: vec2<i32>) -> vec4<f32> {
     return vec4<f32>(heights[y0 + x0], heights[y0 + x1], heights[y1 + x0], heights[y1 + x1]);
 }
 
-// The same of a cell from those of the one beside it: two are theirs. `by_x` says along which axis it is the next, `up` which way.
+// Corners of a cell from those of its neighbour: two are the same. `by_x` is the axis along which it is the next, `up` the direction.
 fn corners_beside(map: Map, corners: vec4<f32>, cell: vec2<i32>, by_x: bool, up: bool) -> vec4<f32> {
     let side = cell + select(0, 1, up);
     let first = select(vec2<i32>(cell.x, side.y), vec2<i32>(side.x, cell.y), by_x);

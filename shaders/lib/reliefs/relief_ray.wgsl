@@ -21,7 +21,7 @@ struct Way {
     start: f32,
     // Depth at which the way ends; none where it is not above 0.
     end: f32,
-    // From where to where somebody asks for it. All else is as if that were all of it: what is found at a depth is the same to the bit.
+    // Requested interval. All else is as for the whole way: the result at a depth is the same to the bit.
     first: f32,
     last: f32,
     // It begins and ends on a border of the slab, where the side is known without the map.
@@ -59,7 +59,7 @@ fn heading_of(way: Way) -> Heading {
     return Heading(up, select(vec2<i32>(-1), vec2<i32>(1), up), select(vec2<i32>(0), vec2<i32>(1), up));
 }
 
-// The cell in which a way is first asked for, and the depth at which the ray enters it.
+// The first cell of the requested interval, and the depth at which the ray enters it.
 struct Begin {
     cell: vec2<i32>,
     entry: f32,
@@ -84,7 +84,7 @@ fn depth_at_border(border: i32, value: vec2<f32>) -> f32 {
     return select((f32(border) - value.x) / value.y, 3.4e38, value.y == 0.0);
 }
 
-// The way of the ray of a pixel inside an interval of depths, of which a part is asked for. Where there is none the ray is on one side
+// The way of the ray of a pixel inside an interval of depths, for the requested part. Where there is none the ray is on one side
 // throughout that part, which is noted.
 fn way_through(list: ptr<function, List>, surface: u32, at_px: vec2<f32>, asked: Interval) -> Way {
     let interval = asked.all;
@@ -179,7 +179,7 @@ fn cross_cell(
     return Found(roots.count, entry + roots.at, kept);
 }
 
-// What comes of a step of the walk: what the cell holds, whether it is the last that is asked for, and along which axis it is left.
+// Result of a step of the walk: the content of the cell, whether it is the last one needed, and the axis along which it is left.
 struct CellStep {
     found: Found,
     is_last: bool,

@@ -1,6 +1,6 @@
 // What a covered sample does where a list of crossings is known and atomics have 64 bits: one sweep.
 //
-// It counts the crossings before the sample, leaves to the inside test what that wants of it (the open module `store`), and keeps
+// It counts the crossings before the sample, stores the data for the inside test (the open module `store`), and keeps
 // the nearest kept triangle, depth and number in one word.
 
 #define_import_path cutaway::sample

@@ -1,6 +1,6 @@
 // What a covered sample does where a list of crossings is known, in core WebGPU: two sweeps of 32 bits.
 //
-// The first counts the crossings before the sample, leaves to the inside test what that wants of it (the open module `store`), and
+// The first counts the crossings before the sample, stores the data for the inside test (the open module `store`), and
 // raises the pixel's depth if it is kept. The second, once all depths are known, sets the triangle.
 
 #define_import_path cutaway::sample

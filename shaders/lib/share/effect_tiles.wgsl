@@ -5,7 +5,7 @@
 #import cutaway::effect_tile_list::effect_tiles
 #import cutaway::touched::{pixel_in, turns_among}
 
-// How many tiles it has, of a dispatch of so many workgroups.
+// Number of tiles of a workgroup, in a dispatch of `groups` workgroups.
 fn turns(group: vec3<u32>, groups: vec3<u32>) -> u32 {
     return turns_among(effect_tiles.count, group.x, groups.x);
 }

@@ -5,7 +5,7 @@
 #import cutaway::touched::{pixel_in, turns_among}
 #import cutaway::touched_list::{touched_at, touched_count}
 
-// How many tiles it has, of a dispatch of so many workgroups.
+// Number of tiles of a workgroup, in a dispatch of `groups` workgroups.
 fn turns(group: vec3<u32>, groups: vec3<u32>) -> u32 {
     return turns_among(touched_count(), group.x, groups.x);
 }

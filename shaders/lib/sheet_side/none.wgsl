@@ -1,4 +1,4 @@
-// On which side of a sheet a point lies, where no sheet has a facing and so nobody asks.
+// Side of a sheet on which a point lies, where no sheet has a facing and so the side is not used.
 
 #define_import_path cutaway::sheet_side
 

@@ -5,7 +5,7 @@
 #import cutaway::crossing_words::surface_of_word
 #import cutaway::cuts::cut_table
 
-// Whether a list keeps a word for each crossing beside its depth: where there is but one clip-surface it goes without saying.
+// Returns true if a list keeps a word for each crossing next to its depth: a single clip-surface needs none.
 fn keeps_words() -> bool {
     return cut_table.surface_count > 1u || cut_table.has_normals != 0u;
 }

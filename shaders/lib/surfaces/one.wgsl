@@ -1,4 +1,4 @@
-// There is one clip-surface, a plane or a relief: its number is no question, which spares a lookup for each lane wherever it is asked for.
+// There is one clip-surface, a plane or a relief: its number is fixed, which saves a lookup for each lane at each use.
 
 #define_import_path cutaway::surfaces
 

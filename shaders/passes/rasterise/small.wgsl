@@ -1,8 +1,8 @@
 // Covers the samples of small triangles, and queues the others. One invocation owns one triangle.
 //
 // A box that holds no sample ends the invocation before anything is multiplied: of a fine mesh that is most of them. A side of
-// at most 2^14 steps keeps edge functions below 2^30 in magnitude. The first sweep lists the triangles of which a sample asked
-// for another visit, and a later one visits only those.
+// at most 2^14 steps keeps edge functions below 2^30 in magnitude. The first sweep lists the triangles that have a sample which needs
+// another visit, and a later one visits only those.
 
 #import cutaway::enqueue::{enqueue, enqueue_clipped, is_large, queue}
 #import cutaway::flat::{depth_at, flat_through}

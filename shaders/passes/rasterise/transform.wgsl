@@ -1,4 +1,4 @@
-// Takes every vertex to the screen, once, and has what a frame finds begin anew (the open module `fresh`). One invocation owns one vertex.
+// Takes every vertex to the screen, once, and resets the results of a frame (the open module `fresh`). One invocation owns one vertex.
 
 #import cutaway::fresh::freshen
 #import cutaway::mesh::clip_position

@@ -2,8 +2,8 @@
 //
 // Only crossings inside the ray's interval in the box of the cut solids count, and they alternate by their order: at a fold of a
 // sheet seen edge-on two of them may have changed places by rounding, which then does no harm. On which side the ray begins is
-// asked at the end of the interval that is farther from the sheet (the open module `sheet_side`); where that is too near to tell,
-// the crossings say it by the side that they show. Where the two ends and the number of crossings do not agree, the sheet has a
+// decided at the end of the interval that is farther from the sheet (the open module `sheet_side`); if that is too near to decide,
+// the crossings decide by the side that they show. Where the two ends and the number of crossings do not agree, the sheet has a
 // hole, and the pixel is marked. A sheet that bounds a solid shows nothing: the ray begins inside, on the removed side, where an
 // odd number of all its crossings lies ahead. These bring their normals with them.
 
@@ -165,7 +165,7 @@ fn merge(xy: vec2<u32>) {
     let pixel = pixel_index(xy);
     let last = last_of(pixel);
     var list = resume(pixel, capacity);
-    // No `surface_of`: uniforms of a known row that loops hang on crash the software driver of Mesa 22.3.6 where they are in two bindings.
+    // No `surface_of`: uniforms of a known row that control loops crash the software driver of Mesa 22.3.6 if they are in two bindings.
     // Backwards: of crossings at one depth the last is the cap's, and of clip-surfaces in one plane the first has the cap.
     for (var left = min(cut_table.surface_count, MAX_SURFACES); left > 0u; left--) {
         cross(&list, last, left - 1u, ray, interval);

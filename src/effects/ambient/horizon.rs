@@ -9,11 +9,11 @@ use crate::plan::{Binding, Plan, ResourceId, pack};
 use crate::scene::View;
 use crate::scene::style::Occlusion;
 
-/// The farthest sample, in thousandths of the picture's height: near the eye a radius would be all of it.
+/// The farthest sample, in thousandths of the picture's height: near the eye a radius would be the whole height.
 const REACH: f64 = 160.0;
 /// And in pixels: bands of large pictures are to fit devices that bind no more than core WebGPU asks for.
 const MOST_REACH_PX: f64 = 512.0;
-/// How far the mean of the pattern reaches.
+/// Radius of the mean over the pattern.
 pub(in crate::effects) const SMOOTH_PX: u32 = 2;
 
 /// Finds what of the sky each pixel sees.
@@ -69,7 +69,7 @@ fn reach_px(view: &View) -> f64 {
     (REACH / 1000.0 * f64::from(view.band[1])).min(MOST_REACH_PX)
 }
 
-/// How many rows around a band are looked at.
+/// Rows around a band that are read.
 pub(in crate::effects) fn halo_rows(view: &View) -> u32 {
     reach_px(view).ceil() as u32 + SMOOTH_PX + 1
 }

@@ -6,7 +6,7 @@ use crate::plan::{Plan, ResourceId};
 use crate::scene::View;
 use crate::scene::style::{Occlusion, OcclusionKind};
 
-/// What of the light reaches each pixel, one f32 a pixel; none where the style has no occlusion.
+/// Share of the light that reaches each pixel, one f32 a pixel; none if the style has no occlusion.
 pub(in crate::effects) fn occlusion(
     plan: &mut Plan,
     pixels: Pixels<'_>,
@@ -28,7 +28,7 @@ pub(in crate::effects) fn occlusion(
     }
 }
 
-/// How many rows around a band are looked at.
+/// Rows around a band that are read.
 pub(in crate::effects) fn halo_rows(style: &Occlusion, view: &View) -> u32 {
     match style.kind {
         _ if !style.is_drawn() => 0,

@@ -64,7 +64,7 @@ fn sigma_px(style: &Occlusion, view: &View) -> f64 {
     f64::from(style.blur_percent) / 100.0 * size[0].hypot(size[1])
 }
 
-/// How many rows around a band are looked at.
+/// Rows around a band that are read.
 pub(in crate::effects) fn reach_px(style: &Occlusion, view: &View) -> i32 {
     (3.0 * sigma_px(style, view)).ceil() as i32
 }

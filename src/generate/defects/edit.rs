@@ -4,7 +4,7 @@ use glam::{DVec3, Vec3};
 
 use crate::scene::{Bounds, Mesh};
 
-/// A face with what goes with it.
+/// A face with its shading normals.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Face {
     pub(super) corners: [u32; 3],
@@ -13,7 +13,7 @@ pub(super) struct Face {
 }
 
 impl Face {
-    /// The other side of it.
+    /// The face with reversed orientation.
     pub(super) fn turned(self) -> Self {
         let [a, b, c] = self.corners;
         Self {
@@ -71,12 +71,12 @@ impl Edit {
         }
     }
 
-    /// Where a vertex is.
+    /// Position of a vertex.
     pub(super) fn at(&self, vertex: u32) -> DVec3 {
         self.positions[vertex as usize]
     }
 
-    /// Where the corners of a face are.
+    /// Positions of the corners of a face.
     pub(super) fn points(&self, face: &Face) -> [DVec3; 3] {
         face.corners.map(|v| self.at(v))
     }

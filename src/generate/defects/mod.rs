@@ -12,7 +12,7 @@
 //! | `t-junctions` | an edge has a vertex in its middle that only the face on one side knows | share of the faces | |
 //! | `gaps` | the surface falls into charts whose rims do not touch | width of the gaps, a length | `charts`: how many, 8 |
 //! | `overlap` | small copies of the mesh stick in its surface | size of a copy over that of the mesh | `copies`: how many, 8 |
-//! | `open` | all faces beyond a plane are missing: a bowl without a wall | depth of what is gone, as a share of the box | `axis`: `x` to `-z`, z |
+//! | `open` | all faces beyond a plane are missing: a bowl without a wall | depth removed, as a share of the box | `axis`: `x` to `-z`, z |
 //! | `soup` | no two faces share a vertex, and every corner is moved | how far at most, a length | |
 //!
 //! Shares are given in percent; lengths in units of the mesh, or in percent of the diagonal of its box.
@@ -23,7 +23,7 @@
 //! stretch a little.)
 //!
 //! Cost: a sort of the edges or of the faces. Limit: new vertices move as the vertices they come from; the middle of an edge goes
-//! with one end of it under a skin.
+//! with one of its ends under a skin.
 
 mod edit;
 mod faces;
@@ -41,45 +41,45 @@ use edit::Edit;
 /// One way to spoil a mesh.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Defect {
-    /// What is done.
+    /// Kind of the defect.
     pub kind: DefectKind,
-    /// How much of it; see the table of the module for what of.
+    /// Amount of the defect; the table of the module lists its unit per kind.
     pub amount: Amount,
     /// Chooses which faces, and where they go.
     pub seed: u64,
 }
 
-/// What is done to a mesh.
+/// Kind of damage to a mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DefectKind {
-    /// Faces are missing, in patches of so many.
+    /// Faces are missing, in patches of `patch` faces.
     Holes {
         /// Faces that go together.
         patch: u32,
     },
-    /// Faces are turned over, in patches of so many.
+    /// Faces are turned over, in patches of `patch` faces.
     Flipped {
         /// Faces that go together.
         patch: u32,
     },
-    /// Faces are there twice, in patches of so many.
+    /// Faces are duplicated, in patches of `patch` faces.
     Duplicated {
         /// Faces that go together.
         patch: u32,
     },
     /// Edges are split on one side only.
     TJunctions,
-    /// The surface falls into so many charts, or more if it is in pieces already, whose rims do not touch.
+    /// The surface falls into `charts` charts, or more if it is in pieces already, whose rims do not touch.
     Gaps {
-        /// How many charts.
+        /// Number of charts.
         charts: u32,
     },
     /// So many small copies stick in the surface.
     Overlap {
-        /// How many copies.
+        /// Number of copies.
         copies: u32,
     },
-    /// What lies beyond a plane is missing.
+    /// All faces beyond a plane are missing.
     Open {
         /// Number of the axis.
         axis: usize,

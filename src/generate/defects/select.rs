@@ -1,4 +1,4 @@
-//! Which faces: a seeded order of all of them, patches that grow from the first, and charts that share the surface among
+//! Selection of faces: a seeded order of all of them, patches that grow from the first, and charts that share the surface among
 //! themselves.
 
 use std::collections::VecDeque;
@@ -67,7 +67,7 @@ pub(super) fn edges_of(face: &Face) -> [[u32; 2]; 3] {
     [[a, b], [b, c], [c, a]].map(|[p, q]| [p.min(q), p.max(q)])
 }
 
-/// A share of the faces: patches of so many that hang together by edges, the first faces of the shuffled order in their middles.
+/// A share of the faces: patches of `patch` faces connected by edges, centred on the first faces of the shuffled order.
 /// Of one seed and patch, a greater share holds a smaller one.
 pub(super) fn chosen(faces: &[Face], share: f64, patch: u32, seed: u64) -> Vec<bool> {
     let mut is_chosen = vec![false; faces.len()];

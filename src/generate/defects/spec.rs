@@ -75,7 +75,7 @@ impl DefectKind {
         }
     }
 
-    /// Whether its amount is a length rather than a share.
+    /// Returns true if the amount is a length rather than a share.
     pub(super) fn is_length(&self) -> bool {
         matches!(self, Self::Gaps { .. } | Self::Soup)
     }

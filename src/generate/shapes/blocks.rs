@@ -100,7 +100,7 @@ pub(super) const COMB: ShapeInfo = ShapeInfo {
     },
 };
 
-/// Whether a cell survives the drilling: at no level may two of its coordinates lie in the middle third.
+/// Returns true if a cell survives the drilling: at no level may two of its coordinates lie in the middle third.
 fn in_sponge(mut cell: [u32; 3], level: u32) -> bool {
     for _ in 0..level {
         if cell.iter().filter(|c| **c % 3 == 1).count() > 1 {

@@ -34,7 +34,7 @@ pub(super) const COLUMN: ShapeInfo = ShapeInfo {
 const RINGS: usize = 24;
 /// Depth of a flute over its width.
 const DEPTH: f64 = 0.22;
-/// How much of its radius the shaft loses.
+/// Taper of the shaft, as a share of its radius.
 const NARROWING: f64 = 0.18;
 /// Heights, and radii at their ends, of what carries the shaft and of what lies on it, over its radius.
 const BASE: [[f64; 2]; 4] = [[0.0, 1.35], [0.18, 1.35], [0.18, 1.18], [0.34, 1.18]];

@@ -57,7 +57,7 @@ pub(super) fn pin_middle(throws: usize, k: usize) -> DVec3 {
 
 /// With four throws these two give 99,968 triangles.
 const DETAIL: u32 = 120;
-/// Of inner points of planar faces, in steps of the outlines.
+/// Spacing of inner points of planar faces, in steps of the outlines.
 const FACE_SPACING: f64 = 3.04;
 
 const THROW: f64 = 0.215;
@@ -100,7 +100,7 @@ struct Bearing {
     bore: (usize, usize),
 }
 
-/// Where the main journal before throw `k` begins; the last one is followed by the flange.
+/// Start of the main journal before throw `k`; the last one is followed by the flange.
 fn main_start(k: usize) -> f64 {
     let snout: f64 = SNOUT.iter().map(|[_, length]| length).sum();
     snout + k as f64 * (MAIN_LENGTH + PIN_LENGTH + 2.0 * WEB_LENGTH)
@@ -129,7 +129,7 @@ fn crank(throws: usize, detail: usize) -> Crank {
     let outline = WEB.outline(fine.step());
     for (k, angle) in throw_angles(throws).into_iter().enumerate() {
         let up = DVec2::from_angle(angle);
-        // Local y to the pin, local x to the right of it.
+        // Local y to the pin, local x to its right.
         let web: Vec<DVec2> = outline.iter().map(|p| up * p.y - up.perp() * p.x).collect();
         let [outer_back, outer_front] = [main_end(k), main_start(k + 1)];
         let [inner_back, inner_front] = [outer_back + WEB_LENGTH, outer_front - WEB_LENGTH];

@@ -56,7 +56,7 @@ const BORE: f64 = 0.19;
 /// Outer radius of the walls of a bore, which water goes around.
 const LINER: f64 = 0.215;
 const PISTON_PIN: f64 = 0.042;
-/// Where the block begins and ends above the axis of the crank, and the jacket within it.
+/// Heights of the block's ends above the axis of the crank, and of the jacket within it.
 const BLOCK: [f64; 2] = [0.46, 1.16];
 const JACKET: [f64; 2] = [0.66, 1.06];
 const HEAD: f64 = 0.2;
@@ -119,7 +119,7 @@ impl Engine {
         self.fine.step()
     }
 
-    /// Where the piston pin of a cylinder is.
+    /// Position of the piston pin of a cylinder.
     fn piston_pin(&self, k: usize) -> DVec3 {
         let pin = self.pins[k];
         DVec3::new(pin.x, pin.y + (ROD * ROD - pin.z * pin.z).sqrt(), 0.0)

@@ -54,7 +54,7 @@ pub(super) const GEARS: ShapeInfo = ShapeInfo {
 
 const TEETH: [u32; 2] = [17, 2000];
 const PRESSURE_ANGLE: f64 = PI / 9.0;
-/// Of a tooth above and below the pitch circle, and by how much each tooth is thinned, in modules.
+/// Height of a tooth above and below the pitch circle, and thinning of each tooth, in modules.
 const ADDENDUM: f64 = 1.0;
 const DEDENDUM: f64 = 1.25;
 const BACKLASH: f64 = 0.05;
@@ -121,7 +121,7 @@ mod tests {
     use super::super::outline::area;
     use super::*;
 
-    /// Whether a point is in a polygon: parity of the edges to its right.
+    /// Returns true if a point is in a polygon: parity of the edges to its right.
     fn contains(polygon: &[DVec2], p: DVec2) -> bool {
         let n = polygon.len();
         let crossed = (0..n).filter(|i| {

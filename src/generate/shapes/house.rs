@@ -49,7 +49,7 @@ const NO_POINTS: f64 = 100.0;
 /// Its name, its least and greatest corner, its colour.
 type Furniture = (&'static str, [[f64; 3]; 2], [f32; 3]);
 
-/// What stands in the rooms.
+/// Furniture of the rooms.
 const FURNITURE: [Furniture; 5] = [
     (
         "bed",

@@ -12,7 +12,7 @@ use super::outline::circle;
 /// Length of a wall's quads along the axis over their width: along the axis walls are straight, and detail is worth less.
 const ASPECT: f64 = 3.5;
 
-/// How finely things are divided.
+/// Fineness of the tessellation.
 #[derive(Clone, Copy)]
 pub(super) struct Fineness {
     /// Corners around a circle of radius `unit`.

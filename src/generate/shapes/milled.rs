@@ -14,13 +14,13 @@ use crate::Result;
 /// A closed polygon across the axis, counter-clockwise seen from the axis' positive end.
 #[derive(Clone, Debug)]
 pub(super) struct Ring {
-    /// Where along the axis.
+    /// Position along the axis.
     pub(super) station: f64,
     /// The corners.
     pub(super) points: Vec<DVec2>,
 }
 
-/// Which side of a wall is solid.
+/// Solid side of a wall.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Side {
     /// The wall bounds the solid from outside.

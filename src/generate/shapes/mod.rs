@@ -1,6 +1,6 @@
 //! Built-in shapes: solids with known answers, and the pictures of the documentation.
 //!
-//! A shape is asked for by `NAME?param=value&param=value`. Each of its parts is a closed, consistently oriented surface
+//! A shape is named by `NAME?param=value&param=value`. Each of its parts is a closed, consistently oriented surface
 //! with outward normals and positions shared by index; the same spec gives the same mesh. Wherever the polyhedron has a
 //! volume in closed form, a test holds the mesh to it.
 //!

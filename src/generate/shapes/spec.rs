@@ -1,4 +1,4 @@
-//! What can be asked of a shape, and the reading of `NAME?param=value&param=value`.
+//! Parameters of shapes, and the parser of `NAME?param=value&param=value`.
 //!
 //! Every number is checked here against its declared range, and the triangles it asks for against [`MOST_TRIANGLES`],
 //! before anything is built: a typo must cost a message, not a machine's memory.
@@ -15,7 +15,7 @@ pub const MOST_TRIANGLES: f64 = 20e6;
 pub struct Parameter {
     /// Name in a spec.
     pub name: &'static str,
-    /// What it is, for help texts.
+    /// Description for help texts.
     pub summary: &'static str,
     /// Value where the spec is silent.
     pub default: f64,
@@ -23,7 +23,7 @@ pub struct Parameter {
     pub min: f64,
     /// Greatest value.
     pub max: f64,
-    /// Whether only whole numbers are allowed.
+    /// True if only whole numbers are allowed.
     pub whole: bool,
 }
 
@@ -99,7 +99,7 @@ pub struct ShapeInfo {
     pub summary: &'static str,
     /// The numbers it takes.
     pub parameters: &'static [Parameter],
-    /// How many triangles it will have, at most; exact for all but the crank and the gears.
+    /// Maximum number of triangles; exact for all but the crank and the gears.
     pub(super) triangles: fn(&Values) -> f64,
     /// The parts.
     pub(super) build: fn(&Values) -> Result<Vec<Part>>,

@@ -177,7 +177,7 @@ pub(super) const CONDUIT: ShapeInfo = ShapeInfo {
     },
 };
 
-/// How finely the balls of a conduit are divided.
+/// Subdivisions of the balls of a conduit.
 const BALL_SUBDIVISIONS: usize = 4;
 
 /// A grid that is periodic in both directions. A section turns so that row times column direction points outward.

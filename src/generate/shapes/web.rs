@@ -16,7 +16,7 @@ pub(super) struct Web {
     pub(super) throw: f64,
     /// Radius of the cheek around the pin.
     pub(super) cheek: f64,
-    /// Where cheek and counterweight meet, on the right.
+    /// Point where cheek and counterweight meet, on the right.
     pub(super) waist: DVec2,
     /// Radius with which the waist is rounded.
     pub(super) waist_round: f64,

@@ -252,7 +252,7 @@ fn stencil_state(step: StencilStep) -> wgpu::StencilState {
             0xff,
         ),
         StencilStep::Take { bits } => {
-            // The reference is 0, as it is where nobody sets another.
+            // The reference is 0, the default.
             let both = face(wgpu::CompareFunction::NotEqual, Zero, Zero, Zero);
             (both, both, bits, 0xff)
         }

@@ -1,4 +1,4 @@
-//! What it took to make a device ready for its frames so far: shaders, pipelines, uploads.
+//! Work done so far to make a device ready for its frames: shaders, pipelines, uploads.
 
 use std::time::Duration;
 

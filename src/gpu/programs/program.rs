@@ -22,9 +22,9 @@ use crate::{Error, Result};
 
 /// Passes that were encoded.
 pub(crate) struct Encoded {
-    /// How many.
+    /// Number of passes.
     pub(crate) passes: usize,
-    /// What bounded buffers will have needed.
+    /// Needs of bounded buffers, known after the frame.
     pub(crate) report: Option<Report>,
 }
 
@@ -36,7 +36,7 @@ pub struct Program {
     steps: Vec<Step>,
     stopwatch: Option<Stopwatch>,
     generation: u64,
-    /// What has not run since its inputs changed, be it because a run failed.
+    /// Work that has not run since its inputs changed, also after a failed run.
     due: Due,
 }
 
@@ -90,7 +90,7 @@ impl Program {
         self.resources
             .retain(|name, _| plan.resource_named(name).is_some());
         if rebind {
-            // Until all of it is built, nothing is loaded: a failure on the way must not look like an unchanged plan.
+            // Until the whole plan is built, nothing is loaded: a failure on the way must not look like an unchanged plan.
             self.recorded = Recorded::default();
             self.steps.clear();
             self.generation += 1;
@@ -225,8 +225,8 @@ impl Program {
             .map(|(index, (pass, step))| (index, pass, step))
     }
 
-    /// Encodes what is due, for an encoder that somebody else submits; how many passes that are. What bounded buffers
-    /// needed is copied behind them, where there are some.
+    /// Encodes the due work, for an encoder that the caller submits; returns the number of passes. The needs of bounded buffers
+    /// are copied behind them, if there are some.
     pub(crate) fn encode_due(
         &mut self,
         gpu: &Gpu,
@@ -283,7 +283,7 @@ impl Program {
         Ok(Arriving::new(gpu, encoder, self.picture_buffer()?))
     }
 
-    /// What puts the picture into the attachments of a host.
+    /// Pipeline and bindings that put the picture into the attachments of a host.
     pub(crate) fn compositor(&self, gpu: &Gpu, target: &Destination<'_>) -> Result<Compositor> {
         let table = |name: &str| {
             let fault = || Error::Plan(format!("the plan has no {name}"));
@@ -305,12 +305,12 @@ impl Program {
         }
     }
 
-    /// How often its resources were made or bound anew: what holds on to them is to be made anew as well when it changes.
+    /// Number of times its resources were made or bound: holders of these must be rebuilt when it changes.
     pub(crate) fn generation(&self) -> u64 {
         self.generation
     }
 
-    /// What the bounded buffers reported: the largest need of each, in order of [`Plan::bounded`].
+    /// Reported needs of the bounded buffers: the largest need of each, in order of [`Plan::bounded`].
     pub fn needs(&self, gpu: &Gpu) -> Result<Vec<u32>> {
         let Some(id) = self.recorded.plan.need else {
             return Ok(Vec::new());
@@ -386,7 +386,7 @@ fn new_encoder(gpu: &Gpu) -> wgpu::CommandEncoder {
     gpu.device.create_command_encoder(&descriptor)
 }
 
-/// Whether two plans differ in nothing but the contents of their uploads.
+/// Returns true if two plans differ in nothing but the contents of their uploads.
 fn same_structure(a: &Plan, b: &Plan) -> bool {
     let same = |(a, b): (&Resource, &Resource)| a.name == b.name && a.shape == b.shape;
     a.passes == b.passes

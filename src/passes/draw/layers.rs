@@ -6,7 +6,7 @@ use crate::passes::frame::input::Input;
 use crate::plan::{Binding, Clock, Contents, Pass, Plan, Resource, ResourceId, Role, Work};
 use crate::scene::{linear_from_srgb, map_channels};
 
-/// What a frame has when it knows what it shows.
+/// Completed layers of a frame.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Layered {
     /// Three words per pixel.

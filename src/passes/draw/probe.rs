@@ -15,7 +15,7 @@ use crate::shader::Shader;
 pub(crate) struct Volume {
     /// File that fills `cutaway::volume`.
     pub file: &'static str,
-    /// What it binds.
+    /// Bindings of the file.
     pub bindings: Vec<Binding>,
 }
 

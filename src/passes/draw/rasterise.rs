@@ -25,9 +25,9 @@ use crate::plan::{Access, Binding, Clock, Pass, Plan, Resource, ResourceId, Work
 use crate::shader::Shader;
 
 impl<'a> SceneBuffers<'a> {
-    /// Takes the mesh to the screen before crossings are looked for, so that this is done in touched tiles alone; makes pixels ready for
-    /// fragments on the way. `to_come` are the crossings as they will be listed. Nothing is done for the GPU's own rasteriser, and where lists
-    /// are to be those of all pixels, as for hosts. The reason where there are too many parts.
+    /// Takes the mesh to the screen before crossings are computed, so that this is done in touched tiles alone; makes pixels ready for
+    /// fragments on the way. `to_come` are the crossings as they will be listed. Nothing is done for the GPU's own rasteriser, and where
+    /// lists are to be those of all pixels, as for hosts. The reason where there are too many parts.
     pub(crate) fn on_screen_first(
         mut self,
         plan: &mut Plan,
@@ -43,7 +43,7 @@ impl<'a> SceneBuffers<'a> {
     }
 }
 
-/// What the sweeps over the mesh leave.
+/// Results of the sweeps over the mesh.
 #[derive(Clone, Debug)]
 pub(crate) struct Swept {
     /// The nearest kept triangle of each pixel.
@@ -52,7 +52,7 @@ pub(crate) struct Swept {
     layers: ResourceId,
     picture: Option<ResourceId>,
     touched: Touched,
-    /// How the screen of the frame was gone over, and the table of the parts on it; file that fills `cutaway::rows`.
+    /// File that fills `cutaway::rows`, then the sweep parameters of the frame's screen and the table of its parts.
     rows: &'static str,
     sweep: ResourceId,
     drawn_parts: ResourceId,

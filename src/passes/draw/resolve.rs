@@ -13,17 +13,17 @@ use crate::passes::frame::crossings::CrossingSource;
 use crate::plan::{Binding, Pass, Plan, ResourceId, Work};
 use crate::shader::Shader;
 
-/// How the inside test is answered.
+/// Implementation of the inside test.
 #[derive(Clone, Debug)]
 pub(crate) struct Inside {
     /// File that fills `cutaway::inside`.
     pub file: &'static str,
-    /// What it binds.
+    /// Bindings of the file.
     pub bindings: Vec<Binding>,
 }
 
 impl Inside {
-    /// No part is cut, and none is asked about.
+    /// Inside test for frames without cut parts, which is never evaluated.
     pub(crate) fn unasked() -> Self {
         Self {
             file: "lib/inside/nothing.wgsl",

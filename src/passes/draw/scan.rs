@@ -3,7 +3,7 @@
 //! The words are taken in blocks of [`BLOCK_WORDS`], one workgroup each: the sums of the blocks are summed in the same way,
 //! level by level until one block is left, and go back down as where each block begins. No workgroup waits for another, so
 //! nothing is assumed of the order in which they run, and core WebGPU is enough. Up to 2^11 words are one pass, up to 2^22
-//! three, up to 2^33 five; each word is read twice and written once, and there are 1/2048 words beside them.
+//! three, up to 2^33 five; each word is read twice and written once, and the block sums take another 1/2048 of the words.
 //!
 //! Cannot: sums from 2^32 on, which wrap. After Harris, Sengupta & Owens, *Parallel prefix sum (scan) with CUDA* (2007).
 
@@ -15,17 +15,17 @@ pub const BLOCK_WORDS: u32 = 2048;
 /// A prefix sum to be recorded.
 #[derive(Clone, Copy, Debug)]
 pub struct Scan<'a> {
-    /// What the passes are named after, unique in the plan.
+    /// Prefix of the pass names, unique in the plan.
     pub name: &'a str,
-    /// What is summed, for the reader of the plan: "fragments of each pixel".
+    /// Description of the summed values for the plan listing: "fragments of each pixel".
     pub what: &'a str,
     /// When.
     pub clock: Clock,
     /// The buffer whose words are summed in place.
     pub items: ResourceId,
-    /// Which words.
+    /// Range of the words.
     pub run: Run,
-    /// Where the total goes.
+    /// Destination of the total.
     pub total: Total,
 }
 
@@ -34,7 +34,7 @@ pub struct Scan<'a> {
 pub struct Run {
     /// The first of them.
     pub first: u32,
-    /// How many, at most. Passes are dispatched for all of them; blocks beyond the count end at once.
+    /// Largest number of words. Passes are dispatched for all of them; blocks beyond the count end at once.
     pub length: u32,
     /// Word of the buffer that gives the count, where it is found on the device.
     pub count_at: Option<u32>,
@@ -62,7 +62,7 @@ impl Run {
     }
 }
 
-/// Where the total of a prefix sum goes.
+/// Destination of the total of a prefix sum.
 #[derive(Clone, Copy, Debug)]
 pub enum Total {
     /// Into one word of a buffer.
@@ -129,7 +129,7 @@ impl Scan<'_> {
         }
     }
 
-    /// A pass of so many workgroups.
+    /// A pass with a given number of workgroups.
     fn pass(
         &self,
         name: String,

@@ -32,10 +32,10 @@ const SAFE_PX: f64 = 7000.0;
 /// A place of a part that needs no inside test: `NO_LANE` in `shaders/lib/rasterise/sweep.wgsl`.
 pub const NO_LANE: u32 = u32::MAX;
 
-/// What is to be taken to a screen.
+/// Inputs of a screen.
 #[derive(Clone, Debug)]
 pub(crate) struct ScreenOf<'a> {
-    /// What its passes and resources are named after; empty for the view of the frame.
+    /// Prefix of the names of its passes and resources; empty for the view of the frame.
     pub name: &'a str,
     pub view: &'a View,
     /// The view as the shaders read it, under the name `frame`; of the same size.
@@ -44,20 +44,20 @@ pub(crate) struct ScreenOf<'a> {
     pub clock: Clock,
     /// Ranks of the parts, in the order of the part table.
     pub ranks: &'a [usize],
-    /// Whether groups of settled triangles have rows of their own.
+    /// True if groups of settled triangles have rows of their own.
     pub settles: bool,
-    /// How samples are shared out to invocations.
+    /// Distribution of samples over invocations.
     pub share: Share,
-    /// What begins anew with it.
+    /// Data that is reset with it.
     pub fresh: Fresh,
 }
 
-/// What begins anew with a screen beside its queue.
+/// Data that is reset with a screen in addition to its queue.
 #[derive(Clone, Debug)]
 pub(crate) struct Fresh {
     /// Files that fill `cutaway::fresh` and what that asks for.
     pub files: Vec<&'static str>,
-    /// What they bind.
+    /// Bindings of the files.
     pub bindings: Vec<Binding>,
     /// For how many numbers they are called.
     pub items: u32,
@@ -88,7 +88,7 @@ impl Screen {
         }
     }
 
-    /// What every pass over its triangles binds of it.
+    /// Bindings for every pass over its triangles.
     pub(crate) fn bindings(&self) -> Vec<Binding> {
         vec![
             self.frame.clone(),
@@ -270,7 +270,7 @@ impl Input<'_> {
         first..first + range.vertex_count
     }
 
-    /// Whether a part reaches beyond the near plane or anywhere near the guard band, by its box.
+    /// Returns true if the box of a part reaches beyond the near plane or close to the guard band.
     fn may_clip(&self, view: &View, rank: usize) -> bool {
         let corners = self.model.prepared.parts[rank].bounds.corners();
         corners.into_iter().any(|corner| {

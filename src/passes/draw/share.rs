@@ -1,4 +1,4 @@
-//! How the samples of triangles are shared out to invocations.
+//! Distribution of the samples of triangles over invocations.
 //!
 //! **Bounded work.** Drivers end loops: llvmpipe after 65,535 rounds of all loops of an invocation together, cards by a watchdog. A covered
 //! sample takes as many rounds as its crossings, its lane and its settled faces say; how many samples an invocation may cover follows from
@@ -15,7 +15,7 @@ use crate::passes::frame::crossings::CrossingSource;
 /// Rounds of loops that samples may take in one invocation: below those 65,535, with room for the rest.
 const ROUNDS_OF_SAMPLES: u32 = 48_000;
 
-/// How samples are shared out to invocations.
+/// Distribution of samples over invocations.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Share {
     /// Longest side of the box of a triangle that one invocation covers, in pixels.
@@ -44,7 +44,7 @@ impl Share {
         Self::of_rounds(store.rounds + crossings.rounds() + settled)
     }
 
-    /// The largest share of samples that take so many rounds each.
+    /// The largest share of samples for a given number of loop rounds per sample.
     fn of_rounds(rounds: u32) -> Self {
         let most = ROUNDS_OF_SAMPLES / (rounds + 2);
         let small = [64, 32, 16, 8].into_iter().find(|px| px * px <= most);

@@ -2,11 +2,11 @@
 //!
 //! The triangles of a clip-surface leave their fragments in linked lists, one for each pixel (Yang, Hensley, Gruen and Thibieroz 2010). A
 //! pass then inserts them into the one list of crossings, by the same rule as crossings that are found in closed form. From there
-//! on nobody knows where a crossing came from: the list decides, so that no tessellation, however coarse, opens the shell of a
-//! solid. What a coarse sheet costs is that the cap lies beside where it should. A sheet must have no crack: where the ends of a ray
+//! on the source of a crossing is irrelevant: the list decides, so that no tessellation, however coarse, opens the shell of a
+//! solid. A coarse sheet only displaces the cap. A sheet must have no crack: where the ends of a ray
 //! do not lie on the sides that its crossings imply, the pixel is marked.
 //!
-//! Per frame: the triangles once, by the GPU's rasteriser whoever draws the mesh; a pass that empties the lists and one that merges, in
+//! Per frame: the triangles once, by the GPU's rasteriser in every case; a pass that empties the lists and one that merges, in
 //! time quadratic in the crossings of a pixel, both in those tiles alone that have something where these are known; 4 bytes per pixel and
 //! 12 per fragment.
 //!
@@ -23,7 +23,7 @@ use crate::plan::{
 };
 use crate::shader::Shader;
 
-/// What is bounded, for the report of a frame that needs more.
+/// Name of the bounded resource, for the report of a frame that needs more.
 const FRAGMENTS_OF_SHEETS: &str = "fragments of sheets";
 
 /// Triangles of sheets, drawn in one pass.
@@ -32,7 +32,7 @@ pub(crate) struct SheetDraw {
     /// The name of its pass, unique among those of a frame.
     pub name: String,
     pub shader: Shader,
-    /// What it binds beside the lists.
+    /// Its bindings in addition to the lists.
     pub bindings: Vec<Binding>,
     /// Override constants.
     pub constants: Vec<(&'static str, f64)>,
@@ -46,21 +46,21 @@ pub(crate) struct SheetDraw {
 /// The sheets of a frame. Clip-surfaces are bits by their index in the table.
 #[derive(Clone, Debug)]
 pub(crate) struct Sheets {
-    /// What draws them.
+    /// Draws of their triangles.
     pub draws: Vec<SheetDraw>,
     /// Those whose triangles show their front to the kept side.
     pub by_facing: u32,
     /// Those that bound a solid, the removed side: they are crossed an even number of times by any line.
     pub by_parity: u32,
-    /// Of these, those whose outside is the removed side.
+    /// Subset of `by_parity` whose outside is the removed side.
     pub keeps_inside: u32,
-    /// Of these, those that the near plane does not meet: an odd number of fragments marks the pixel.
+    /// Subset of `by_parity` that the near plane does not meet: an odd number of fragments marks the pixel.
     pub closed: u32,
-    /// File that fills `cutaway::sheet_side`, asked on which side of a sheet with facing a ray begins and ends, and what it needs.
+    /// File that fills `cutaway::sheet_side`, the side of a sheet with facing on which a ray begins and ends, and its dependencies.
     pub side: Vec<&'static str>,
     /// By how much its answer may be off, in scene units: nearer to a sheet the facings of its crossings say it.
     pub beside: f64,
-    /// What that binds.
+    /// Bindings of `side`.
     pub side_bindings: Vec<Binding>,
 }
 

@@ -1,13 +1,13 @@
-//! What fragments leave for inside tests.
+//! Fragment stores for inside tests.
 
 use crate::plan::{Access, Binding};
 
-/// What the pass over the mesh leaves for an inside test.
+/// Store that the pass over the mesh fills for an inside test.
 #[derive(Clone, Debug)]
 pub(crate) struct Store {
     /// File that fills `cutaway::store`.
     pub file: &'static str,
-    /// What it binds: what every fragment updates, and what says how.
+    /// Its bindings: the data that every fragment updates, and its parameters.
     pub bindings: Vec<Binding>,
     /// Rounds of a loop that one fragment may take.
     pub rounds: u32,

@@ -10,7 +10,7 @@ use crate::plan::{
 };
 use crate::shader::Shader;
 
-/// How many crossings a surface is behind that is drawn where no list is known; `UNCOUNTED` in `shaders/lib/layers.wgsl`.
+/// Crossing count of a surface that is drawn where no list is known; `UNCOUNTED` in `shaders/lib/layers.wgsl`.
 const UNCOUNTED: f64 = 254.0;
 
 /// The nearest surface of each pixel while it is drawn: the first pass clears it.
@@ -43,7 +43,7 @@ pub(crate) struct DrawPass {
 }
 
 impl Surfaces {
-    /// Nothing drawn yet, with a stencil beside the depth.
+    /// Nothing drawn yet, with a stencil in addition to the depth.
     pub(crate) fn with_stencil(plan: &mut Plan, scene: &SceneBuffers<'_>) -> Self {
         let depth = &mut plan.resources[scene.depth.0];
         let format = Format::Depth32FloatStencil8;
@@ -63,7 +63,7 @@ impl Surfaces {
         }
     }
 
-    /// Nothing drawn yet, beside those of the frame, under the names of words and depth.
+    /// Nothing drawn yet, in addition to those of the frame, under the names of words and depth.
     pub(crate) fn named(
         plan: &mut Plan,
         scene: &SceneBuffers<'_>,
@@ -80,7 +80,7 @@ impl Surfaces {
         }
     }
 
-    /// What a pass reads that looks at them.
+    /// Bindings for a pass that reads them.
     pub(crate) fn bindings(&self) -> [Binding; 2] {
         [
             Binding::read("surface_words", self.words),

@@ -4,10 +4,10 @@
 //! that of the GPU's own rasteriser, on devices that have few units for that. What a covered sample does is a file that fills
 //! `cutaway::sample`; where that leaves fragments to an inside test, how is a file that fills `cutaway::store`.
 //!
-//! The first sweep over a screen queues the triangles that are not small, and lists the small ones of which a sample asked to be
-//! seen again; later ones go by these lists. A prefix sum over the queue counts the pieces of its triangles, and a workgroup is dispatched
-//! for each ([`Share`](super::share::Share)). Sweeps over one screen with the same sample run the same pipelines, so that they compute the same depths bit for bit. After
-//! Laine & Karras, *High-performance software rasterization on GPUs* (2011).
+//! The first sweep over a screen queues the triangles that are not small, and lists the small ones of which a sample requested another
+//! sweep; later ones go by these lists. A prefix sum counts the pieces of queued triangles, and a workgroup is dispatched for each
+//! ([`Share`](super::share::Share)). Sweeps over one screen with the same sample run the same pipelines: their depths are bitwise equal.
+//! After Laine & Karras, *High-performance software rasterization on GPUs* (2011).
 
 use super::store::Store;
 use crate::passes::frame::buffers::SceneBuffers;
@@ -18,20 +18,20 @@ use crate::passes::frame::touched::Touched;
 use crate::plan::{Access, Binding, Pass, Plan, Work};
 use crate::shader::Shader;
 
-/// What a sweep does.
+/// Description of a sweep.
 #[derive(Clone, Debug)]
 pub(crate) struct Sweep<'a> {
-    /// What its passes are named after: "mark" makes "mark small" and "mark large".
+    /// Prefix of the pass names: "mark" makes "mark small" and "mark large".
     pub name: &'a str,
     /// Why it is there: what a sample does.
     pub reason: &'a str,
     /// File that fills `cutaway::sample`.
     pub sample: &'static str,
-    /// What fragments leave, where the sample says so.
+    /// Store for fragments, where the sample leaves them to an inside test.
     pub store: Option<&'a Store>,
     /// The crossings, where the sample counts the crossings before it.
     pub crossings: Option<&'a CrossingSource>,
-    /// What else the sample binds.
+    /// Further bindings of the sample.
     pub bindings: Vec<Binding>,
     /// The tiles that it touches, where it is to find them.
     pub touched: Option<Touched>,

@@ -10,21 +10,21 @@ use crate::scene::{Bounds, Prepared, PreparedPart, PreparedSurface, View};
 
 /// Parts that the 16 bits of a layer can name.
 const MOST_PARTS: usize = 1 << 16;
-/// Clip-surfaces that the 8 bits of a layer can name beside the near plane.
+/// Clip-surfaces that the 8 bits of a layer can name in addition to the near plane.
 const MOST_NAMED_SURFACES: usize = 255;
 /// Texels from an origin at which f32 still has two bits for the place within a texel.
 const MOST_TEXELS: f64 = (1 << 22) as f64;
 /// Height of a relief times texels per unit of which the square, in the discriminant of a crossing, is still an f32.
 const STEEPEST: f64 = 1e18;
 
-/// How a part is drawn.
+/// Draw mode of a part.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PartDrawMode {
     /// No cut reaches it.
     Plain,
-    /// A cut removes all of it.
+    /// A cut removes the whole part.
     Removed,
-    /// These cuts may remove some of it (bits of [`ActiveCuts::cuts`]), and it needs an inside test. No bits: only the near
+    /// These cuts may remove some of the part (bits of [`ActiveCuts::cuts`]), and it needs an inside test. No bits: only the near
     /// plane opens it.
     Cut(u32),
 }
@@ -36,13 +36,13 @@ pub struct ActiveCuts {
     pub surfaces: Vec<usize>,
     /// Cuts, as bits of `surfaces`.
     pub cuts: Vec<u32>,
-    /// How each part is drawn, by rank.
+    /// Draw mode of each part, by rank.
     pub parts: Vec<PartDrawMode>,
     /// Parts in the order of the part table: those that need an inside test first, each group by rank.
     pub order: Vec<usize>,
     /// The place of each part in `order`, by rank.
     places: Vec<usize>,
-    /// How many parts need an inside test.
+    /// Number of parts that need an inside test.
     pub lanes: usize,
     /// The near plane meets a part that needs an inside test.
     pub near_inside: bool,
@@ -53,7 +53,7 @@ pub struct ActiveCuts {
 /// Touching within rounding counts as across: the list of crossings settles it.
 const TOUCHING: f64 = 1e-5;
 
-/// Where a box lies with respect to a clip-surface.
+/// Side of a clip-surface that a box lies on.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Side {
     Kept,
@@ -62,7 +62,7 @@ enum Side {
 }
 
 impl ActiveCuts {
-    /// What matters in a scene seen in a view; the reason where the scene has more than a frame can tell apart.
+    /// The cuts that affect a view of a scene; the reason where the scene has more than a frame can distinguish.
     pub fn new(prepared: &Prepared, view: &View) -> Result<Self, Refusal> {
         if prepared.parts.len() > MOST_PARTS {
             return Err(Refusal::amount(format!(
@@ -78,7 +78,7 @@ impl ActiveCuts {
                 parts.push(PartDrawMode::Removed);
                 continue;
             }
-            // What removes a part altogether is asked first: the other cuts of such a part do not matter.
+            // A cut that removes the whole part is tested first: the other cuts of such a part do not matter.
             let reached: Vec<(usize, bool)> = (part.cuts.iter())
                 .filter_map(|cut| Some((*cut, removes_all(prepared, *cut, part)?)))
                 .collect();
@@ -125,8 +125,8 @@ impl ActiveCuts {
         let mut order = of_kind(|t| matches!(t, PartDrawMode::Cut(_)));
         let lanes = order.len();
         order.extend(of_kind(|t| *t == PartDrawMode::Plain));
-        // Where no cut reaches nobody asks about crossings: a part that only the near plane opens is not to widen what hangs on the
-        // box, for it would change with the camera.
+        // Without a cut that reaches it, a part opened only by the near plane uses no crossings: it must not enlarge the box and the
+        // values derived from the box, which would then change with the camera.
         let asks = |i: &&usize| surfaces.is_empty() || parts[**i] != PartDrawMode::Cut(0);
         let cut_box = (order[..lanes].iter().filter(asks))
             .map(|i| prepared.parts[*i].bounds)
@@ -172,7 +172,7 @@ impl ActiveCuts {
         (0..self.surfaces.len()).filter(move |slot| bits >> slot & 1 == 1)
     }
 
-    /// Of each part, by its index in the scene, the bits of the cuts that reach it, and whether a cut removes all of it.
+    /// Per part, by its index in the scene: the bits of the cuts that reach it, and true if a cut removes the whole part.
     pub(crate) fn clips_of_parts(&self, prepared: &Prepared) -> Vec<(u32, bool)> {
         let mut clips = vec![(0, false); prepared.parts.len()];
         for (rank, part) in prepared.parts.iter().enumerate() {
@@ -243,7 +243,7 @@ fn beyond_words(number: usize, surface: &PreparedSurface, cut_box: &Bounds) -> O
     })
 }
 
-/// Whether a cut removes all of a box; `None` where it does not reach it.
+/// Returns true if a cut removes the whole box of a part; `None` if the cut does not reach it.
 fn removes_all(prepared: &Prepared, cut: usize, part: &PreparedPart) -> Option<bool> {
     // Faces in a surface may be so far off it.
     let touching = TOUCHING.max(part.plane_tolerance);
@@ -255,7 +255,7 @@ fn removes_all(prepared: &Prepared, cut: usize, part: &PreparedPart) -> Option<b
 
 fn side_of(surface: &PreparedSurface, bounds: &Bounds, touching: f64) -> Side {
     if let Some(volume) = &surface.volume {
-        // What is beside the cutter's box is outside of the cutter; of the rest nothing is known.
+        // A box that misses the cutter's box is outside the cutter; any other box is undecided.
         let apart = (volume.bounds.min - bounds.max).max_element() > touching
             || (bounds.min - volume.bounds.max).max_element() > touching;
         return match (apart, volume.keeps_inside) {

@@ -14,12 +14,12 @@ use super::refusal::Refusal;
 use crate::plan::pack::{self, CutTable, MAX_SURFACES, Part};
 use crate::plan::{Binding, Clock, Contents, Format, Plan, Resource, ResourceId, Role, Vertices};
 
-/// What passes bind of a scene.
+/// Scene buffers that passes bind.
 #[derive(Clone, Debug)]
 pub(crate) struct SceneBuffers<'a> {
-    /// What they were made of.
+    /// Input that they were made from.
     pub input: &'a Input<'a>,
-    /// Where the words of parts are among those of a pixel.
+    /// Positions of the parts' words among the words of a pixel.
     pub lanes: Lanes,
     /// The view.
     pub frame: Binding,

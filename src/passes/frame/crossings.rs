@@ -1,5 +1,5 @@
-//! The crossings of each pixel's ray with the clip-surfaces, as passes ask for them: who makes the one list is a cap surface, who reads it
-//! is everybody. Where the only clip-surface is a plane there need be none: each asks the plane.
+//! The crossings of each pixel's ray with the clip-surfaces. A cap surface makes the one list, and any pass may read it. Where the only
+//! clip-surface is a plane no list is needed: each pass evaluates the plane.
 
 use super::buffers::SceneBuffers;
 use super::input::Input;
@@ -14,19 +14,19 @@ pub(crate) struct Crossings {
     pub z: ResourceId,
     /// Clip-surfaces.
     pub surfaces: ResourceId,
-    /// How many a pixel has room for.
+    /// Room per pixel, in crossings.
     pub capacity: u32,
     /// File that fills `cutaway::surfaces`.
     pub surfaces_file: &'static str,
 }
 
-/// What fills `cutaway::crossings` in a shader.
+/// File that fills `cutaway::crossings` in a shader, and its dependencies.
 #[derive(Clone, Debug)]
 pub(crate) struct CrossingSource {
     file: &'static str,
     /// File that fills `cutaway::surfaces`.
     pub(crate) surfaces_file: &'static str,
-    /// What it binds.
+    /// Bindings of the file.
     pub bindings: Vec<Binding>,
     /// Crossings that a list has room for; 0 where there is none.
     pub(crate) capacity: u32,
@@ -42,7 +42,7 @@ impl Crossings {
         ]
     }
 
-    /// The list, for who may as well ask a plane.
+    /// The list, for passes that could evaluate a plane instead.
     pub(crate) fn asked(&self) -> CrossingSource {
         CrossingSource {
             bindings: self.bindings().into(),
@@ -52,7 +52,7 @@ impl Crossings {
 }
 
 impl CrossingSource {
-    /// Lists of so many crossings that are not there yet, to find out what fragments will cost.
+    /// Lists of `capacity` crossings that do not exist yet, used to estimate the cost of fragments.
     pub(crate) fn to_come(input: &Input<'_>, capacity: u32) -> Self {
         let surfaces_file = match input.has_one_surface() {
             true => ONE_SURFACE,
@@ -113,6 +113,6 @@ const SHORT_LIST: u32 = 8;
 const LIST: &str = "lib/crossings/list.wgsl";
 /// The files that read it whatever the clip-surfaces are.
 pub(crate) const LISTED: [&str; 2] = [LIST, ANY_SURFACES];
-/// How many clip-surfaces there are, for shaders: files that fill `cutaway::surfaces`.
+/// Clip-surface count for shaders: files that fill `cutaway::surfaces`.
 pub(crate) const ANY_SURFACES: &str = "lib/surfaces/any.wgsl";
 pub(crate) const ONE_SURFACE: &str = "lib/surfaces/one.wgsl";

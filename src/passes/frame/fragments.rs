@@ -33,12 +33,12 @@ pub(crate) struct FragmentLists {
 }
 
 impl FragmentLists {
-    /// What a fragment does while lists are counted.
+    /// Store for fragments while lists are counted.
     pub(crate) fn counting(&self) -> Store {
         self.stored("lib/store/count.wgsl")
     }
 
-    /// What a fragment does while lists are filled.
+    /// Store for fragments while lists are filled.
     pub(crate) fn keeping(&self) -> Store {
         self.stored("lib/store/keep.wgsl")
     }
@@ -75,7 +75,7 @@ impl FragmentLists {
         ]
     }
 
-    /// How many lists there are.
+    /// Number of lists.
     pub(crate) fn count(&self) -> u32 {
         self.layout.lists
     }
@@ -154,7 +154,7 @@ fn pool(plan: &mut Plan, name: &str, layout: FragmentPool) -> Binding {
 }
 
 /// Has the fragments of the cut parts leave what an inside test wants, without drawing them; the reason where the compute
-/// rasteriser cannot. That takes the mesh to a screen of its own, whose queue of large triangles nobody else fills.
+/// rasteriser cannot. That takes the mesh to a screen of its own, whose queue of large triangles no other pass fills.
 pub(crate) fn leave_fragments(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,

@@ -38,7 +38,7 @@ impl SampledMaps {
 }
 
 impl Input<'_> {
-    /// Why the sampler of the GPU does not read the heights that are asked of it; `None` where it does, and where nothing is.
+    /// Reason why the sampler of the GPU cannot read the requested heights; `None` where it can, and where no heights are requested.
     pub(crate) fn unfiltered(&self) -> Option<String> {
         let first = self.sampled()?;
         for (map, wrap) in self.maps() {

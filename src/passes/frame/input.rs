@@ -1,4 +1,4 @@
-//! What a frame is recorded from. Nothing of it changes while a plan is made; what passes make and read are handles beside it.
+//! Input from which a frame is recorded. It does not change while a plan is made; the resources of passes are handles kept separately.
 
 use super::active_cuts::ActiveCuts;
 use super::rasteriser::Rasteriser;
@@ -10,25 +10,25 @@ use crate::plan::pack::most_box_margin;
 use crate::plan::{Capacities, Draw};
 use crate::scene::{Fill, HeightFilter, PreparedPart, View};
 
-/// What a frame is recorded from.
+/// Input from which a frame is recorded.
 #[derive(Clone, Debug)]
 pub(crate) struct Input<'a> {
     /// The scene.
     pub model: &'a Model,
     pub view: &'a View,
-    /// What of the cuts matters.
+    /// The cuts that affect the frame.
     pub active_cuts: ActiveCuts,
     /// Sizes of bounded buffers.
     pub capacities: &'a Capacities,
-    /// Who turns the mesh into samples.
+    /// Rasteriser of the mesh.
     pub rasteriser: Rasteriser,
     /// The compute rasteriser may use atomics of 64 bits.
     pub wide_atomics: bool,
-    /// How rays are followed through reliefs; `None` chooses by what the view makes of them.
+    /// Traversal of reliefs by rays; `None` chooses by the view.
     pub relief_walk: Option<ReliefWalk>,
-    /// The one list of crossings is made also where one plane could be asked, and holds those that no part is near.
+    /// The one list of crossings is made even where one plane could be evaluated, and holds crossings that no part is near.
     pub keeps_list: bool,
-    /// Who interpolates heights at points.
+    /// Interpolation of heights at points.
     pub height_filter: HeightFilter,
     /// The groups of settled triangles; none where the frame settles nothing.
     pub settled: Option<Vec<GroupOfPart<'a>>>,
@@ -57,8 +57,8 @@ impl<'a> Input<'a> {
         Ok(input)
     }
 
-    /// Whether passes may ask the only clip-surface, a plane, where a ray crosses it: then no list need be made. The GPU's own rasteriser
-    /// has no pass beside the list that makes pixels ready for fragments, and hosts clip by lists.
+    /// Returns true if passes may intersect rays with the only clip-surface, a plane, so that no list is needed. The GPU's own rasteriser
+    /// has no pass other than the list's that prepares pixels for fragments, and hosts clip by lists.
     pub(crate) fn asks_plane(&self) -> bool {
         self.rasteriser == Rasteriser::Compute
             && !self.keeps_list
@@ -67,7 +67,7 @@ impl<'a> Input<'a> {
             && !self.has_cutters()
     }
 
-    /// Whether lists hold crossings with one clip-surface, without normals of their own.
+    /// Returns true if lists hold crossings with one clip-surface, without normals of their own.
     pub(crate) fn has_one_surface(&self) -> bool {
         self.active_cuts.surfaces.len() < 2 && !self.has_cutters()
     }
@@ -82,19 +82,19 @@ impl<'a> Input<'a> {
         pixels(self.view.size_px)
     }
 
-    /// Whether some clip-surface that matters is a relief.
+    /// Returns true if some active clip-surface is a relief.
     pub(crate) fn has_reliefs(&self) -> bool {
         let surfaces = &self.active_cuts.surfaces;
         surfaces.iter().any(|s| self.model.is_relief(*s))
     }
 
-    /// Whether some clip-surface that matters is a cutter.
+    /// Returns true if some active clip-surface is a cutter.
     pub(crate) fn has_cutters(&self) -> bool {
         let surfaces = &self.active_cuts.surfaces;
         surfaces.iter().any(|s| self.model.is_cutter(*s))
     }
 
-    /// Whether some part that needs an inside test is filled nonzero.
+    /// Returns true if some part that needs an inside test is filled nonzero.
     pub(crate) fn has_nonzero(&self) -> bool {
         let parts = &self.model.prepared.parts;
         let mut ranks = self.active_cuts.cut_parts().iter();
@@ -113,12 +113,12 @@ impl<'a> Input<'a> {
         self.active_cuts.cut_parts().iter().find_map(|r| meets(*r))
     }
 
-    /// Whether anything asks where solids overlap, and two are there that could.
+    /// Returns true if overlaps of solids are shown, and at least two parts could overlap.
     pub(crate) fn shows_overlaps(&self) -> bool {
         self.model.prepared.interference.is_some() && self.active_cuts.lanes > 1
     }
 
-    /// Whether the picture is one that is made of layers alone, a pixel at a time.
+    /// Returns true if the picture is made from layers alone, pixel by pixel.
     pub(crate) fn is_plain(&self) -> bool {
         self.model.prepared.style.is_plain() && self.model.cap_materials.is_none()
     }

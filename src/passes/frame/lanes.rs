@@ -1,4 +1,4 @@
-//! Where the words of each part are among those of a pixel, for inside tests that keep such words; and the mask that they make.
+//! Layout of the parts' words within a pixel, for inside tests that keep such words; and the mask that they make.
 //!
 //! Parts filled even-odd have lanes of bits, as many to a word as fit, or several words each where lists are long. Parts filled
 //! nonzero have words of their own after all of those, where the inside test gives them some.
@@ -37,13 +37,13 @@ impl Lanes {
         }
     }
 
-    /// Lanes wide enough for lists of so many crossings, all of bits. Up to 32 bits they are a power of two, beyond that whole words,
+    /// Lanes wide enough for lists of `crossings` crossings, all of bits. Up to 32 bits they are a power of two, beyond that whole words,
     /// so that none straddles a word.
     pub(crate) fn of_bits(input: &Input<'_>, crossings: u32) -> Self {
         Self::with_counts(input, crossings, 0)
     }
 
-    /// The same, but that parts filled nonzero have so many words each.
+    /// The same, but parts filled nonzero have `words_of_counts` words each.
     pub(crate) fn with_counts(input: &Input<'_>, crossings: u32, words_of_counts: u32) -> Self {
         let bits = crossings + 1;
         let bits = if bits > 32 {

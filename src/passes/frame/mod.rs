@@ -1,4 +1,4 @@
-//! What a frame is recorded from, and what its passes share: the input, what matters to it, the buffers and lists.
+//! Input of a frame and the data that its passes share: the active cuts, the buffers and lists.
 
 pub(crate) mod active_cuts;
 pub(crate) mod buffers;

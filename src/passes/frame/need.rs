@@ -1,4 +1,4 @@
-//! What bounded buffers need: a word for each kind, which passes raise and the next frame's plan learns from.
+//! Needs of bounded buffers: a word for each kind, which passes raise and the next frame's plan learns from.
 
 use super::input::Input;
 use crate::plan::{Clock, Plan, Resource, ResourceId};

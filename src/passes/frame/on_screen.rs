@@ -14,19 +14,19 @@ pub(crate) struct Screen {
     pub(crate) indices: Binding,
     /// The groups of settled triangles, where they have rows of their own.
     pub(crate) settled: Option<Binding>,
-    /// How a first sweep goes over it.
+    /// Parameters of the first sweep.
     pub(crate) sweep: Binding,
-    /// How one that comes again does.
+    /// Parameters of later sweeps.
     pub(crate) sweep_again: Binding,
     pub(crate) triangle_count: u32,
     pub(crate) vertices: ResourceId,
     pub(crate) queue: ResourceId,
-    /// How many workgroups the queued triangles take.
+    /// Workgroup count for the queued triangles.
     pub(crate) pieces: ResourceId,
     pub(crate) share: Share,
-    /// Whether a pass before the first sweep has filled the queue.
+    /// True if a pass before the first sweep has filled the queue.
     pub(crate) is_queued: bool,
-    /// Whether there is no part but one.
+    /// True if there is only one part.
     pub(crate) has_one_row: bool,
     /// Some part may reach beyond the near plane or the guard band.
     pub(crate) may_clip: bool,

@@ -20,7 +20,7 @@ const MOST_LEVELS: u32 = 15;
 const LEVELS_OF_PASS: u32 = 5;
 const NODE_BYTES: u64 = 8;
 
-/// Nodes of a level along a side of a map of so many texels.
+/// Nodes of a level along a side of a map, from its number of texels.
 fn nodes_of(texels: u32, level: u32) -> u32 {
     texels.div_ceil(1 << level)
 }
@@ -76,7 +76,7 @@ impl Input<'_> {
         (rows, nodes)
     }
 
-    /// Whether the pyramids of the frame fit what core WebGPU offers.
+    /// Returns true if the pyramids of the frame fit the limits of core WebGPU.
     pub(crate) fn pyramids_fit(&self) -> bool {
         let limits = Limits::CORE;
         let (rows, nodes) = self.pyramid_rows();

@@ -1,4 +1,4 @@
-//! Who turns triangles into samples.
+//! Choice of rasteriser.
 
 use std::fmt;
 use std::str::FromStr;
@@ -6,7 +6,7 @@ use std::str::FromStr;
 use crate::Error;
 use crate::error::did_you_mean;
 
-/// Who rasterises the mesh of a frame.
+/// Rasteriser of the mesh of a frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Rasteriser {
     /// The GPU's own.

@@ -1,21 +1,21 @@
-//! Why a frame is not drawn: what stands in the way, for who asks by kind, and what of the scene it is, for who reads.
+//! Reason why a frame is not drawn: the kind of obstacle, for programs, and the offending element of the scene in words, for readers.
 
-/// What of a scene, or of a device, a method cannot do.
+/// Feature of a scene, or of a device, that a method does not support.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, thiserror::Error)]
 pub enum Unsupported {
-    /// A cap surface and an inside test that do not go together.
+    /// A cap surface and an inside test that are not compatible.
     #[error("the cap surface and the inside test do not go together")]
     Pairing,
-    /// The rasteriser that is asked for.
+    /// The requested rasteriser.
     #[error("it is not drawn by that rasteriser")]
     Rasteriser,
-    /// The way in which heights of reliefs are asked to be interpolated.
+    /// The requested interpolation of relief heights.
     #[error("its heights are not read through a sampler")]
     HeightFilter,
     /// A part that is filled by the nonzero rule.
     #[error("it knows parity alone")]
     Nonzero,
-    /// Being asked where several solids share a cap.
+    /// The overlaps of several solids in a cap.
     #[error("it does not tell where solids overlap")]
     Overlaps,
     /// A cut by a closed mesh.
@@ -45,14 +45,14 @@ pub enum Unsupported {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{reason}")]
 pub struct Refusal {
-    /// What kind of thing stands in the way.
+    /// Kind of obstacle.
     pub unsupported: Unsupported,
-    /// What it is, in words.
+    /// Description in words.
     pub reason: String,
 }
 
 impl Refusal {
-    /// What stands in the way, and in words.
+    /// A refusal of a kind, with its description.
     pub fn new(unsupported: Unsupported, reason: impl Into<String>) -> Self {
         Self {
             unsupported,
@@ -60,7 +60,7 @@ impl Refusal {
         }
     }
 
-    /// What is more, or larger, than frames provide for.
+    /// A count or size that exceeds the limits of frames.
     pub(crate) fn amount(reason: impl Into<String>) -> Self {
         Self::new(Unsupported::Amount, reason)
     }

@@ -1,8 +1,8 @@
-//! How rays are followed through reliefs.
+//! Ray traversal of reliefs.
 
 use std::fmt;
 
-/// How rays are followed through the heights of a relief.
+/// Method of ray traversal through the heights of a relief.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum ReliefWalk {
     /// From cell to cell.

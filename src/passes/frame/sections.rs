@@ -222,7 +222,7 @@ fn now() -> Instant {
     Instant::now()
 }
 
-/// Bytes of a buffer for so many: the next power of two.
+/// Buffer size for a number of bytes: the next power of two.
 fn room(bytes: u64) -> u64 {
     bytes.next_power_of_two()
 }

@@ -87,7 +87,7 @@ impl<'a> Input<'a> {
         Contents::from_values(&table)
     }
 
-    /// The plane that a group shares with other parts, as [`SettledGroup::plane`] has it.
+    /// The plane that a group shares with other parts, in the form of [`SettledGroup::plane`].
     fn plane_of(&self, rank: usize, group: &Group) -> [f32; 4] {
         let shared = self.model.prepared.shared.planes();
         let plane = group.lie.plane.map(|number| &shared[usize::from(number)]);
@@ -98,7 +98,7 @@ impl<'a> Input<'a> {
         })
     }
 
-    /// How often the table of groups changes: depths of shared planes are those of a view.
+    /// Update rate of the table of groups: depths of shared planes belong to a view.
     pub(crate) fn settled_clock(&self) -> Clock {
         let mut groups = self.settled_groups().iter();
         match groups.any(|(_, group)| group.lie.plane.is_some()) {

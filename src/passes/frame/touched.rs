@@ -2,9 +2,9 @@
 //!
 //! The list is made by a pass over the triangles before all else, or by the first sweep where nothing looks at pixels before that
 //! (`shaders/lib/touching.wgsl`). It outlives its frame: what that has drawn the next one sets back, so that what no frame touches is
-//! written once. For that it says of which picture it is; a buffer that was made anew says of none.
+//! written once. For that it stores the picture that it belongs to; a new buffer belongs to none.
 //!
-//! Cost: 16 bytes a tile of 16 x 16 pixels. Whole tiles are gone over: of small or thin things many pixels are beside them.
+//! Cost: 16 bytes a tile of 16 x 16 pixels. Whole tiles are processed: for small or thin things many of their pixels are background.
 
 use crate::plan::{Access, Binding, Clock, Contents, Plan, Resource, ResourceId, Role, Work};
 
@@ -39,12 +39,12 @@ impl Touched {
         }
     }
 
-    /// How many tiles the picture has.
+    /// Number of tiles in the picture.
     pub(crate) fn tile_count(self) -> u32 {
         self.tile_count
     }
 
-    /// For who goes over them, or adds some.
+    /// Binding for passes that process tiles, or add some.
     pub(crate) fn binding(self, access: Access) -> Binding {
         Binding {
             access,
@@ -58,12 +58,12 @@ impl Touched {
     }
 }
 
-/// How many tiles a picture has.
+/// Number of tiles in a picture.
 pub(crate) fn tiles_in(size_px: [u32; 2]) -> u32 {
     size_px.map(|px| px.div_ceil(TILE_PX)).iter().product()
 }
 
-/// A dispatch whose workgroups share a list of up to so many tiles.
+/// A dispatch whose workgroups share a list of at most `tile_count` tiles.
 pub(crate) fn share_tiles(tile_count: u32) -> Work {
     let groups = (tile_count / TILES_OF_GROUP).clamp(1, MOST_GROUPS);
     Work::Compute {

@@ -1,5 +1,5 @@
-//! What caps are made of and what surfaces are painted with, packed for upload: the textures of all one after the other, and for each part
-//! what it has.
+//! Materials of caps and coats of surfaces, packed for upload: the textures of all one after the other, and a row for each
+//! part.
 //!
 //! Textures that stay the same objects are packed once. A part that is bent is dressed as it stood: its solid texture goes where the part is
 //! placed, and not with its vertices.
@@ -14,7 +14,7 @@ use crate::plan::pack::{self, FILLED_STACK, NO_TEXTURE};
 use crate::plan::{Contents, Piece};
 use crate::scene::{Amount, Bounds, Part, Scene, SceneSpace, SolidTexture, Texture, TextureKind};
 
-/// Of what repeats and has no size, in percent of the diagonal of the scene.
+/// Size of repeating textures without a given size, in percent of the diagonal of the scene.
 const USUAL_SIZE: Amount = Amount::Percent(10.0);
 
 /// The materials and coats of a scene.
@@ -25,16 +25,16 @@ pub(crate) struct CapMaterials {
     texels: Contents,
     /// By the number of a part in the scene.
     materials: Vec<pack::CapMaterial>,
-    /// Whether some part has a material.
+    /// True if some part has a material.
     has_materials: bool,
     /// Repeats in a scene unit where nothing is said.
     default_per_unit: f32,
-    /// What surfaces are painted with.
+    /// Coats of surfaces.
     pub(crate) coats: Option<Coats>,
 }
 
 impl CapMaterials {
-    /// Of a scene of these bounds, with the textures of before where they are the same; none where no part has a material, or a coat that is shown.
+    /// Materials of a scene with these bounds, reusing unchanged textures; none if no part has a material or a shown coat.
     pub(crate) fn of(
         scene: &Scene,
         space: &SceneSpace,
@@ -92,17 +92,17 @@ impl CapMaterials {
         }))
     }
 
-    /// Whether some part has a material.
+    /// Returns true if some part has a material.
     pub(crate) fn has_materials(&self) -> bool {
         self.has_materials
     }
 
-    /// What each part has, by its number in the scene.
+    /// Material of each part, by its number in the scene.
     pub(crate) fn materials(&self) -> Contents {
         Contents::from_values(&self.materials)
     }
 
-    /// Where each texture is among texels, and the texels.
+    /// Table of the textures' positions among the texels, and the texels.
     pub(crate) fn textures(&self) -> [Contents; 2] {
         [self.table.clone(), self.texels.clone()]
     }
@@ -116,7 +116,7 @@ impl CapMaterials {
 /// All texels together: what one binding of any device holds. Larger images are there without their largest sizes.
 const MOST_TEXELS_OF_TEXTURES: usize = 30 << 20;
 
-/// How many sizes to leave out, of all textures alike.
+/// Number of largest sizes to leave out, the same for all textures.
 fn left_out(textures: &[Arc<Texture>]) -> u32 {
     let count = |level: u32| {
         let all = textures.iter();
@@ -158,7 +158,7 @@ fn packed(textures: &[Arc<Texture>]) -> [Contents; 2] {
     ]
 }
 
-/// What a part has, whose textures begin at `first`.
+/// Material row of a part, whose textures begin at `first`.
 fn row_of(
     part: &Part,
     space: &SceneSpace,

@@ -16,22 +16,22 @@ const MOST_WORDS: u64 = 32 << 20;
 pub(crate) struct Coats {
     /// A row for each part that has one.
     pub(crate) rows: Vec<CoatRow>,
-    /// How many triangles each has.
+    /// Triangle count of each coat.
     pub(crate) triangles: Vec<u32>,
     pub(crate) words: Contents,
     /// 0, 1, 2 and so on, three for each triangle of the part that has most.
     pub(crate) indices: Contents,
 }
 
-/// Whether a part shows the coat of its mesh.
+/// Returns the coat of a part's mesh if the part shows it.
 pub(crate) fn shown(part: &Part) -> Option<&Coat> {
     let coat = part.mesh.coat.as_ref();
     coat.filter(|_| !part.material.is_painted_over)
 }
 
 impl Coats {
-    /// Of the parts that show one; none where none does. Their textures begin at `first_image`, in the order of parts. Numbers that count
-    /// up are those of before where there are as many.
+    /// Coats of the parts that show one; none if no part does. Their textures begin at `first_image`, in the order of parts. Numbers
+    /// that count up are those of before where there are as many.
     pub(crate) fn of(
         scene: &Scene,
         (packed, rooms): (&[Packed], &[Room]),

@@ -28,7 +28,7 @@ pub struct Cutters {
     pub faces: Contents,
     /// Indices of all cutters.
     pub indices: Contents,
-    /// Where each is, by number of the clip-surface.
+    /// Range of each cutter, by number of the clip-surface.
     ranges: Vec<Option<MeshRange>>,
     packed: Vec<Packed>,
 }
@@ -111,7 +111,7 @@ impl Cutters {
         }
     }
 
-    /// Where the triangles of a clip-surface are, if it is a cutter.
+    /// Range of the triangles of a clip-surface, if it is a cutter.
     pub fn range(&self, surface: usize) -> Option<&MeshRange> {
         self.ranges.get(surface)?.as_ref()
     }
@@ -147,7 +147,7 @@ struct Corner {
     begins: Option<u32>,
 }
 
-/// Which vertices there are, and which of them make the triangles: what hangs on the mesh and its creases alone.
+/// Vertices and the triangles that index them; both depend on the mesh and its creases alone.
 #[derive(Debug)]
 struct Order {
     corners: Vec<Corner>,

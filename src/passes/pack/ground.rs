@@ -1,12 +1,12 @@
 //! The ground and the shadow on it: how much of the light from above is hidden from each place.
 //!
-//! What is kept is looked at from straight below and above, through parallel rays, by the method that draws the scene, so that all cuts count.
+//! Kept solids are rendered from straight below and above, with parallel rays, by the method that draws the scene, so that all cuts count.
 //! Light comes from a disc of the sky: what is `h` above the ground has a shadow that is blurred over `h` times the tangent of its radius. So
-//! have the undersides, which makes contacts dark, and the tops, which hide half of the disc beside a wall; the darker counts. Heights are
+//! have the undersides, which makes contacts dark, and the tops, which hide half of the disc next to a wall; the darker counts. Heights are
 //! sorted into [`BINS`], each of which is blurred at once by three boxes, which is nearly a Gaussian; a height between two bins
 //! belongs to both.
 //!
-//! Costs two frames of [`SIDE_PX`] squared and their read-back, then a few additions for each of its pixels and bin. Cannot: cast light aslant,
+//! Costs two frames of [`SIDE_PX`] squared and their read-back, then a few additions per pixel and bin. Cannot: cast light aslant,
 //! shade the model itself, or see what is between the first thing above the ground and the last.
 
 use glam::{DVec2, DVec3};
@@ -18,7 +18,7 @@ use crate::scene::{Precision, Prepared, View};
 
 /// Pixels along each side of the map.
 const SIDE_PX: u32 = 320;
-/// Heights that are told apart.
+/// Number of distinct heights.
 const BINS: usize = 8;
 /// Standard deviation of a blur over the radius of the disc of light at the height.
 const DEVIATION: f64 = 0.5;
@@ -122,7 +122,7 @@ impl GroundShadow {
     }
 }
 
-/// Where the ground is along the direction up: below all that the camera is fitted to, or else all of the scene.
+/// Level of the ground along the direction up: below all that the camera is fitted to, or else all of the scene.
 fn level(prepared: &Prepared) -> f64 {
     let up = prepared.up();
     let kept = prepared.outline().map(|outline| {
@@ -138,12 +138,12 @@ fn level(prepared: &Prepared) -> f64 {
     }
 }
 
-/// How far from below a thing so high its shadow goes.
+/// Distance from its foot that the shadow of a point at a height reaches.
 fn reach(shadow: &Shadow, height: f64) -> f64 {
     height * f64::from(shadow.spread_deg).to_radians().tan()
 }
 
-/// How much of the sky what stands at these heights hides from each place.
+/// Share of the sky hidden from each place by things at these heights.
 fn darkness(heights: &[Option<f64>], side: usize, reach_px: impl Fn(f64) -> f64) -> Vec<f32> {
     let tallest = heights.iter().flatten().copied().fold(0.0, f64::max);
     let mut dark = vec![0.0_f64; heights.len()];
@@ -219,7 +219,7 @@ mod tests {
         let slab = |h: f64| -> Vec<Option<f64>> {
             let inside =
                 |i: usize| (24..40).contains(&(i % side)) && (24..40).contains(&(i / side));
-            // A mast that makes all heights be told apart alike.
+            // A mast that raises the range of heights, so that all cases use the same bins.
             let mut heights: Vec<_> = (0..side * side).map(|i| inside(i).then_some(h)).collect();
             heights[0] = Some(16.0);
             heights

@@ -1,7 +1,7 @@
 //! The heights of all reliefs in one buffer, map after map.
 //!
-//! Maps are told apart as objects: those that several clip-surfaces share are there once, and of a scene over time only those
-//! that are new are packed and uploaded, as long as the others keep their place. What no part is cut by has no place.
+//! Maps are compared by identity: those that several clip-surfaces share are stored once, and of a scene over time only those
+//! that are new are packed and uploaded, as long as the others keep their place. Maps by which no part is cut have no place.
 
 use std::sync::Arc;
 
@@ -19,7 +19,7 @@ pub(crate) struct PackedMap {
     bytes: Arc<[u8]>,
 }
 
-/// What there is of heights.
+/// Heights of a scene, packed.
 pub(crate) struct Heights {
     /// The texels of all maps.
     pub(crate) contents: Contents,

@@ -5,7 +5,7 @@ use std::sync::{Mutex, PoisonError};
 
 use crate::plan::Contents;
 
-/// The contents that were last asked for.
+/// Cache of the contents that were requested last.
 #[derive(Default)]
 pub struct KeptContents(Mutex<Option<(u32, Contents)>>);
 

@@ -35,7 +35,7 @@ pub struct Model {
     pub vertices: Contents,
     /// Indices of all parts.
     pub indices: Contents,
-    /// Where each part is, by rank.
+    /// Range of each part, by rank.
     pub ranges: Vec<MeshRange>,
     /// The parts that the pose pass places, by rank.
     pub moving: Vec<Option<Moving>>,
@@ -51,20 +51,20 @@ pub struct Model {
     rooms: Vec<Room>,
     /// Triangles whose sides of clip-surfaces are known; none where there is none.
     pub(crate) settled: Option<SettledParts>,
-    /// The indices of grids, which go with no scene but are asked for in every frame.
+    /// The indices of grids, which belong to no scene but are requested in every frame.
     pub grid_indices: Arc<KeptContents>,
-    /// What its hatches hang on.
+    /// Rest-pose inputs of its hatches.
     pub(crate) at_rest: Arc<RestPose>,
-    /// What reliefs hide of the sky.
+    /// Sky hidden by reliefs.
     pub(crate) relief_sky: Arc<ReliefSky>,
-    /// What caps are made of and surfaces painted with, where that is more than a colour.
+    /// Materials of caps and coats of surfaces, where these are more than a colour.
     pub(crate) cap_materials: Option<Arc<CapMaterials>>,
     /// The shadow on the ground, where there is one.
     pub(crate) ground: Option<Arc<GroundShadow>>,
-    /// How parts have moved since, by index in the scene.
+    /// Motion of each part since the rest pose, by index in the scene.
     pub(crate) moved: Vec<Option<Moved>>,
     lineage: Arc<()>,
-    /// Of this model and its copies alone.
+    /// Identity of this model and its copies alone.
     identity: Arc<()>,
 }
 
@@ -74,15 +74,15 @@ impl Model {
         Self::after(scene, None)
     }
 
-    /// The scene at another time: what did not change is shared with this model. Meshes, motions and maps are told apart as
-    /// objects, so a scene over time must keep those that stay.
+    /// The scene at another time: what did not change is shared with this model. Meshes, motions and maps are compared by
+    /// identity, so a scene over time must keep those that stay.
     #[must_use]
     pub fn updated(&self, scene: &Scene) -> Self {
         Self::after(scene, Some(self))
     }
 
-    /// The scene as if it were seen for the first time, with all that it shares with this model: hatches hang on where its parts and its
-    /// eye are now.
+    /// The scene as if seen for the first time, with all that it shares with this model: hatches depend on the current positions of its
+    /// parts and its eye.
     #[must_use]
     pub fn anew(&self, scene: &Scene) -> Self {
         let updated = self.updated(scene);
@@ -184,7 +184,7 @@ impl Model {
         }
     }
 
-    /// The same scene as the exact reference is to be asked about it: posed in f64, with all vertices. `scene` is the one that
+    /// The same scene as the input of the exact reference: posed in f64, with all vertices. `scene` is the one that
     /// this model was made of. The view is taken from either.
     pub fn truth(&self, scene: &Scene) -> Cow<'_, Prepared> {
         if self.prepared.is_whole() {
@@ -232,27 +232,27 @@ impl Model {
         styled
     }
 
-    /// What slicing a part needs again, by rank.
+    /// Reusable slicing data of a part, by rank.
     pub(crate) fn sliced(&self, rank: usize) -> Arc<Sliced> {
         self.packed[self.prepared.parts[rank].part].sliced.clone()
     }
 
-    /// Whether a clip-surface is a true relief rather than a plane, a flat map or a cutter.
+    /// Returns true if a clip-surface is a true relief rather than a plane, a flat map or a cutter.
     pub fn is_relief(&self, surface: usize) -> bool {
         self.first_texel[surface] != NO_RELIEF
     }
 
-    /// Whether a clip-surface is a cutter.
+    /// Returns true if a clip-surface is a cutter.
     pub fn is_cutter(&self, surface: usize) -> bool {
         self.prepared.surfaces[surface].volume.is_some()
     }
 
-    /// Whether one is a copy of the other.
+    /// Returns true if one is a copy of the other.
     pub(crate) fn is(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.identity, &other.identity)
     }
 
-    /// Whether one is the other at another time, or of the same solids.
+    /// Returns true if one is the other at another time, or has the same solids.
     pub fn is_kin_of(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.lineage, &other.lineage) || self.vertices == other.vertices
     }

@@ -2,7 +2,7 @@
 //!
 //! A part that stands still is uploaded as it stands. One that moves (it has a pose, or it was elsewhere a frame ago) is
 //! uploaded once, at rest, and placed by the pose pass; its room in the vertices is left to that pass. A part whose mesh is
-//! another is packed anew, alone: rooms keep their places as long as everything fits, and those of parts that were seen to
+//! another is packed again, alone: rooms keep their places as long as everything fits, and those of parts that were seen to
 //! change their mesh have a quarter to spare.
 
 use std::sync::Arc;
@@ -28,21 +28,21 @@ pub(crate) struct Packed {
     motion: Option<Arc<Motion>>,
     world_from_part: DAffine3,
     space: SceneSpace,
-    /// The part without what a cut or a material says of it.
+    /// The part without its cuts and its material.
     pub(crate) part: PreparedPart,
-    /// Of a part that stands still.
+    /// Vertices of a part that stands still.
     vertices: Option<Arc<[u8]>>,
     pub(crate) indices: Arc<[u8]>,
     pub(crate) vertex_count: u32,
-    /// Of a part that moves.
+    /// Rest data of a part that moves.
     pub(crate) rest: Option<Arc<RestPart>>,
     /// Its coat, if its mesh has one.
     pub(crate) coat: Option<Arc<PackedCoat>>,
     /// Triangles that lie on another one.
     doubled: Arc<Vec<u32>>,
-    /// What slicing it needs again.
+    /// Reusable slicing data.
     pub(crate) sliced: Arc<Sliced>,
-    /// Whether its mesh was another before.
+    /// True if its mesh was another before.
     is_other: bool,
 }
 
@@ -68,7 +68,7 @@ impl Packed {
         }
     }
 
-    /// Whether the mesh and what can move it are the same; those that are equal but not the same are not looked at.
+    /// Returns true if the mesh and the motion are the same objects; equal copies do not count.
     fn is_of(&self, part: &Part) -> bool {
         is_same_motion(self.motion.as_ref(), part.motion.as_ref())
             && Arc::ptr_eq(&self.mesh, &part.mesh)

@@ -14,7 +14,7 @@ pub(crate) struct PackedCoat {
 }
 
 impl PackedCoat {
-    /// Of a coat, with the vertices that are drawn in the places of the corners; both in the order of the mesh, the vertices turned
+    /// Packs a coat, with the vertices that are drawn in the places of the corners; both in the order of the mesh, the vertices turned
     /// over already where the placement mirrors.
     pub(crate) fn of(coat: &Coat, vertices: &[[u32; 3]], mirrored: bool) -> Self {
         let rows = coat

@@ -1,4 +1,4 @@
-//! How parts that move stand, packed for the pose pass: what a pose says is multiplied out in f64 here, down to one matrix per joint that
+//! Poses of moving parts, packed for the pose pass: a pose is multiplied out in f64 here, down to one matrix per joint that
 //! goes straight to scene space, or to rest space where deformers follow.
 
 use std::sync::Arc;
@@ -17,7 +17,7 @@ pub struct Moving {
     pub(crate) packed_pose: PackedPose,
 }
 
-/// How a part stands, packed.
+/// Pose of a part, packed.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct PackedPose {
     pub(crate) pose: Contents,

@@ -1,6 +1,6 @@
-//! What reliefs hide of the sky from themselves: a map for each map of heights, in the same places.
+//! Sky that reliefs hide from themselves: a map for each map of heights, in the same places.
 //!
-//! Made when it is first asked for, and kept as long as the maps and how they lie stay what they are. Clip-surfaces that share a map share
+//! Made on first request, and kept as long as the maps and their placement stay the same. Clip-surfaces that share a map share
 //! what the first of them hides.
 
 use std::sync::{Arc, OnceLock};
@@ -28,7 +28,7 @@ pub(crate) struct ReliefSky {
 }
 
 impl ReliefSky {
-    /// Of a scene whose heights begin at these texels; that of before, if nothing of it has changed.
+    /// Hidden sky of a scene whose heights begin at these texels; the previous one, if it has not changed.
     pub(crate) fn of(
         prepared: &Prepared,
         first_texel: &[u32],
@@ -71,7 +71,7 @@ impl ReliefSky {
         }
     }
 
-    /// Whether there is any relief.
+    /// Returns true if there is any relief.
     pub(crate) fn has_reliefs(&self) -> bool {
         !self.placed.is_empty()
     }

@@ -1,4 +1,4 @@
-//! What the pose pass knows of a part beforehand: its vertices at rest and all that can move them, packed once per mesh.
+//! Inputs of the pose pass that do not change with the pose: a part's vertices at rest and all that can move them, packed once per mesh.
 //!
 //! *Rest space* is part space moved to the middle of the mesh and scaled by a power of two, so that f32 loses nothing that the
 //! scene would show. Morph targets, pulls and outward directions are kept per position; the vertices that shading splits name
@@ -37,17 +37,17 @@ pub(crate) struct RestPart {
     pub(crate) coat: Option<Arc<PackedCoat>>,
     /// The triangles as they are cut, by position.
     pub(crate) triangles: Arc<Vec<[u32; 3]>>,
-    /// Whether they are turned over for a placement that mirrors.
+    /// True if they are turned over for a placement that mirrors.
     pub(crate) mirrored: bool,
     /// In part space.
     pub(crate) bounds: Bounds,
     /// Volume in part space.
     pub(crate) volume: f64,
-    /// Of morph targets, target by target.
+    /// Displacements of morph targets, target by target.
     pub(crate) displacements: Option<Contents>,
-    /// Of a skin.
+    /// Pulls of a skin.
     pub(crate) pulls: Option<Contents>,
-    /// Of a mesh that can be inflated.
+    /// Outward directions of a mesh that can be inflated.
     pub(crate) outward: Option<Contents>,
 }
 
@@ -127,8 +127,8 @@ fn displacements(motion: &Motion, positions: usize, scale: f64) -> Option<Conten
     (!numbers.is_empty()).then(|| Contents::from_values(&numbers))
 }
 
-/// Where the pulls of each position begin, then the pulls. What is missing to a whole goes to the origin of part space, which is
-/// where the sum of the f64 path has it.
+/// First index of each position's pulls, then the pulls. Weight missing from 1 goes to the origin of part space, which is
+/// the result of the sum in the f64 path.
 fn pulls(motion: &Motion, positions: usize) -> Option<Contents> {
     if motion.pulls.is_empty() {
         return None;

@@ -1,8 +1,8 @@
 //! Rest-pose inputs of hatching, captured when the scene is first packed: contacts between parts, their thickness, and the size of the
 //! picture in the world. A hatch that followed the camera or a motion would swim.
 //!
-//! Held in all [updates](super::model::Model::updated) of a model that have as many parts, whatever becomes of these. Thicknesses and contacts
-//! are found when they are first asked for.
+//! Held in all [updates](super::model::Model::updated) of a model that have as many parts, however these change. Thicknesses and contacts
+//! are computed on first request.
 
 use std::sync::{Arc, OnceLock};
 
@@ -16,13 +16,13 @@ const CELLS: f64 = 150.0;
 /// The picture that the size of a scene is taken from: its shape matters little.
 const FRAMED_PX: [u32; 2] = [1024, 768];
 
-/// How a part has moved as a whole, in scene space.
+/// Motion of a part as a whole, in scene space.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Moved {
     pub(crate) turned: DQuat,
-    /// Where its middle was.
+    /// Earlier position of its middle.
     pub(crate) start: DVec3,
-    /// Where it is.
+    /// Current position of its middle.
     pub(crate) end: DVec3,
 }
 
@@ -37,7 +37,7 @@ pub(crate) struct RestPose {
 }
 
 impl RestPose {
-    /// Of a scene; what was held before stays, if it has as many parts.
+    /// Rest pose of a scene; the previous one is kept if it has as many parts.
     pub(crate) fn of(scene: &Scene, prepared: &Prepared, before: Option<&Arc<Self>>) -> Arc<Self> {
         if let Some(before) = before.filter(|b| b.parts.len() == scene.parts.len()) {
             return before.clone();
@@ -56,7 +56,7 @@ impl RestPose {
         }
     }
 
-    /// Of a scene that is seen as if for the first time. What was found of the same parts is not found again.
+    /// Rest pose of a scene that is seen as if for the first time. Results for the same parts are not computed again.
     pub(crate) fn anew(&self, scene: &Scene, prepared: &Prepared) -> Self {
         let new = Self::new(scene, prepared);
         let is_same = |((mesh, at), (was, was_at)): (&(Arc<Mesh>, DAffine3), &(_, _))| {
@@ -99,7 +99,7 @@ impl RestPose {
         })
     }
 
-    /// How each part of the scene has moved since, by its index: none where it stands, bends or is stretched.
+    /// Motion of each part of the scene since the rest pose, by its index: none where it stands, bends or is stretched.
     pub(crate) fn moved(&self, scene: &Scene, prepared: &Prepared) -> Vec<Option<Moved>> {
         let to_scene = |p: DVec3| (p - prepared.centre_in_world) * prepared.scale;
         let parts = scene.parts.iter().zip(&self.parts);

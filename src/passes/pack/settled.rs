@@ -2,7 +2,7 @@
 //! other likewise, of which the one that faces the eye is to be seen, and those in a plane that parts share
 //! ([`SharedPlanes`](crate::scene::SharedPlanes)), of which the first part in rank is.
 //!
-//! On which side of a clip-surface a triangle lies that is in it, or just beside it, is known
+//! On which side of a clip-surface a triangle lies that is in it, or just next to it, is known
 //! ([`Settled`](crate::scene::Settled)). Its fragments are identified by the draw that they belong to: a group of triangles has a draw of
 //! its own, or a row in the table of the compute rasteriser, and every other triangle of the scene is drawn as ever. Where no triangle
 //! is settled there is no group, no pass and no binding.
@@ -10,8 +10,8 @@
 //! Per cut: a look at every vertex of the parts that a flat clip-surface passes through, and where something is settled the indices of
 //! the part once more. Parts that the device places without bending them are placed here as well for that.
 //!
-//! Cannot: tell more than [`MOST_SETTLED_GROUPS`](crate::plan::pack::MOST_SETTLED_GROUPS) parts and groups apart; the triangles of further parts are left to their depths. A face of a
-//! part beside a face of a thin cutter, in one plane with it, may be taken for a face in it.
+//! Cannot: distinguish more than [`MOST_SETTLED_GROUPS`](crate::plan::pack::MOST_SETTLED_GROUPS) parts and groups (others keep their
+//! depths). A face of a part next to a face of a thin cutter, in one plane with it, may be taken for a face in it.
 
 use super::packed::{Packed, Room};
 use super::settlers::{Group, Numbered, Settlers, Settling};
@@ -23,7 +23,7 @@ use crate::scene::{Prepared, PreparedPart};
 pub(crate) struct SettledParts {
     /// Groups by rank, with ranges of `indices`.
     pub(crate) groups: Vec<Vec<Group>>,
-    /// Of all parts.
+    /// Indices of all parts.
     pub(crate) indices: Contents,
 }
 
@@ -76,7 +76,7 @@ impl SettledParts {
     }
 }
 
-/// The clip-surfaces that pass by a part so close that they may settle some of it.
+/// The clip-surfaces that pass a part so closely that they may settle some of its triangles.
 fn surfaces_near(prepared: &Prepared, part: &PreparedPart) -> Vec<Numbered> {
     if part.is_posed {
         return Vec::new();

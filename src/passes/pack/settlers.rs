@@ -1,4 +1,4 @@
-//! What triangles of a part may be settled by, and its triangles sorted by what settles them.
+//! Surfaces that can settle triangles of a part, and its triangles sorted by the surfaces that settle them.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -9,7 +9,7 @@ use glam::Vec3;
 use crate::plan::Piece;
 use crate::scene::{FlatSurface, PreparedVolume, Side};
 
-/// What triangles may be settled by.
+/// Surface that can settle triangles.
 #[derive(Clone, Debug)]
 pub(crate) enum Settling {
     /// A clip-surface without relief.
@@ -31,7 +31,7 @@ impl PartialEq for Settling {
 /// A clip-surface with its number.
 pub(crate) type Numbered = (u16, Settling);
 
-/// What triangles of a part may be settled by.
+/// Surfaces and shared planes that can settle triangles of a part.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Settlers {
     /// Clip-surfaces that pass close by.
@@ -41,7 +41,7 @@ pub(crate) struct Settlers {
 }
 
 impl Settlers {
-    /// Whether there is nothing.
+    /// Returns true if there are none.
     pub(crate) fn is_empty(&self) -> bool {
         self.surfaces.is_empty() && self.shared.is_empty()
     }
@@ -50,7 +50,7 @@ impl Settlers {
 /// So many steps of a component of a normal tell planes apart.
 pub(crate) const NORMAL_STEPS: f32 = 4096.0;
 
-/// How triangles lie.
+/// Position of triangles relative to the surfaces that settle them.
 #[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Lie {
     /// Sides by number of the clip-surface.

@@ -1,5 +1,5 @@
-//! What slicing a part needs again: its slicer, made when it is first sliced, the sections of late, and which of its triangles the
-//! flat clip-surfaces of late settle.
+//! Reusable slicing data of a part: its slicer, made when it is first sliced, the latest sections, and which of its triangles the
+//! latest flat clip-surfaces settle.
 //!
 //! A part keeps both for as long as it keeps its mesh, its pose and its place ([`Model::updated`](super::model::Model::updated)), whatever
 //! becomes of cuts and cameras. So a camera that moves slices nothing, and a plane that moves slices by what the slicer knows.
@@ -22,16 +22,16 @@ use crate::slice::{Section, SectionDefect, SlicePlane, Slicer};
 /// Sections that are kept: as many as one frame can ask for.
 const MOST_KNOWN: usize = MAX_SURFACES;
 
-/// How far beyond its box doubt about a part reaches, as a share of the radius of the box.
+/// Distance beyond its box that doubt about a part reaches, as a share of the radius of the box.
 const DOUBT_MARGIN: f64 = 1e-3;
 
 /// Curves within this of their first point are rounding, as a share of the radius of the part's box.
 const SPECK: f64 = 1e-6;
 
-/// What a plane caps of a part, packed for upload.
+/// Section of a part by a plane, packed for upload.
 #[derive(Clone)]
 pub(crate) struct PackedSection {
-    /// As [`Vertices::Mesh`](crate::plan::Vertices::Mesh) has them, in scene space; nobody reads their normals.
+    /// In the format of [`Vertices::Mesh`](crate::plan::Vertices::Mesh), in scene space; no shader reads their normals.
     pub(crate) vertices: Arc<[u8]>,
     pub(crate) vertex_count: u32,
     /// Three to a triangle: those of the section, and after them those of all that its plane can meet of the part.
@@ -53,7 +53,7 @@ struct CachedSection {
 /// The slicer of a part, and its sections of late.
 #[derive(Default)]
 pub(crate) struct Sliced {
-    /// Of a part that the device poses.
+    /// Source of a part that the device poses.
     posed: Option<(Part, SceneSpace)>,
     /// The box of the posed vertices, once it is needed.
     bounds: OnceLock<Bounds>,
@@ -63,7 +63,7 @@ pub(crate) struct Sliced {
     sorted: Mutex<Option<SortedBy>>,
 }
 
-/// What triangles were last sorted by, and what that made of them.
+/// Inputs and result of the last sorting of triangles.
 struct SortedBy {
     by: Settlers,
     sorted: Option<Arc<Sorted>>,
@@ -79,7 +79,7 @@ impl fmt::Debug for Sliced {
 }
 
 impl Sliced {
-    /// Of a part that the device poses.
+    /// Slicing data of a part that the device poses.
     pub(crate) fn posed(part: &Part, space: &SceneSpace) -> Self {
         Self {
             posed: Some((part.clone(), *space)),
@@ -87,7 +87,7 @@ impl Sliced {
         }
     }
 
-    /// Whether a part with the same mesh and motion stands as this one does.
+    /// Returns true if a part with the same mesh and motion stands as this one does.
     pub(crate) fn stands_as(&self, part: &Part, space: &SceneSpace) -> bool {
         self.posed.as_ref().is_some_and(|(known, known_space)| {
             known.pose == part.pose
@@ -107,7 +107,7 @@ impl Sliced {
         Some(section)
     }
 
-    /// Keeps a section in the place of the one that was not asked for the longest.
+    /// Stores a section, replacing the least recently requested one.
     pub(crate) fn keep(&self, plane: SlicePlane, rule: Fill, section: Arc<PackedSection>) {
         let mut known = self.known.lock().unwrap_or_else(PoisonError::into_inner);
         // Two cuts may have the same plane.
@@ -158,7 +158,7 @@ impl Sliced {
         }
     }
 
-    /// Whether the slicer is made.
+    /// Returns true if the slicer is made.
     pub(crate) fn has_slicer(&self) -> bool {
         self.slicer.get().is_some()
     }
@@ -195,7 +195,7 @@ impl Sliced {
     }
 }
 
-/// Where the vertices of a part stand in scene space: those that exact is asked about.
+/// Positions of a part's vertices in scene space, as in the exact reference.
 fn positions_of(part: &Part, space: &SceneSpace) -> Vec<DVec3> {
     let mesh = part.posed_mesh();
     let placed = |p: &DVec3| space.point(part.world_from_part.transform_point3(*p));
@@ -233,7 +233,7 @@ impl PackedSection {
     }
 }
 
-/// Whether some of what the plane meets may have no cap that could be seen. An open curve no longer than rounding bounds nothing: a
+/// Returns true if some of the part met by the plane may lack a visible cap. An open curve no longer than rounding bounds nothing: a
 /// triangle without area, of which two sides meet the plane in one place, leaves such curves.
 fn is_doubtful(section: &Section, bounds: &Bounds) -> bool {
     let least = bounds.radius() * SPECK;
@@ -247,7 +247,7 @@ fn is_doubtful(section: &Section, bounds: &Bounds) -> bool {
     losses.any(|d| !is_open(d)) || !section.open.iter().all(is_speck)
 }
 
-/// A box that also holds what rounding moves out of it.
+/// A box with a margin for points that rounding moves out.
 fn with_margin(bounds: &Bounds) -> Bounds {
     let margin = DVec3::splat(bounds.radius() * DOUBT_MARGIN);
     Bounds {

@@ -15,7 +15,7 @@ pub(crate) struct Vertex {
     pub(crate) normal: u32,
 }
 
-/// Where a part is in the shared buffers.
+/// Range of a part in the shared buffers.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct MeshRange {
     /// Range of indices.

@@ -53,15 +53,15 @@ shared! {
         z_row: [f32; 4],
         /// Texture of colours.
         diffuse: u32,
-        /// Of normals.
+        /// Texture of normals.
         normal: u32,
-        /// Of light.
+        /// Texture of light.
         light: u32,
         /// 0 for none, 1 wood, 2 marble, 3 granite, 4 a stack of images that repeats, 5 one that fills the box of the part.
         solid: u32,
         /// First image of a stack.
         first_image: u32,
-        /// How many there are.
+        /// Number of images.
         image_count: u32,
         /// Repeats of images in a scene unit; 0 takes those of the relief.
         per_unit: f32,
@@ -77,7 +77,7 @@ shared! {
         planes: [CapPlane; MOST_CAP_PLANES],
         /// Repeats of the relief in a scene unit along both directions, or what stands for them.
         per_unit: [[f32; 4]; MOST_CAP_PLANES],
-        /// How many there are.
+        /// Number of planes.
         count: u32,
         /// Repeats in a scene unit where there is no relief.
         default_per_unit: f32,

@@ -1,11 +1,11 @@
-//! What puts a frame into the attachments of a host.
+//! Compositing of a frame into the attachments of a host.
 
 use bytemuck::{Pod, Zeroable};
 
 use super::Layout;
 
 shared! {
-    /// How pixels become those of a host: `shaders/lib/composite.wgsl`.
+    /// Mapping of pixels to those of a host: `shaders/lib/composite.wgsl`.
     Composite {
         /// Upper left corner of the frame in the target, in pixels.
         origin_px: [u32; 2],

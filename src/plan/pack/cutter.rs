@@ -1,11 +1,11 @@
-//! Triangles of cutters, beside the vertices that they begin with.
+//! Triangles of cutters, in addition to the vertices that they begin with.
 
 use bytemuck::{Pod, Zeroable};
 
 use super::Layout;
 
 shared! {
-    /// A triangle of a cutter, beside its first corner: `shaders/strategies/surface/cutter/draw.wgsl`.
+    /// A triangle of a cutter, without its first corner: `shaders/strategies/surface/cutter/draw.wgsl`.
     CutterFace {
         /// Its second corner.
         second: [f32; 4],

@@ -1,4 +1,4 @@
-//! How scene space becomes pixels.
+//! Mapping from scene space to pixels.
 
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec2, DVec3};
@@ -8,7 +8,7 @@ use super::layout::{matrix, row};
 use crate::scene::{Bounds, Precision, View};
 
 shared! {
-    /// How scene space becomes pixels: `shaders/lib/frame.wgsl`.
+    /// Mapping from scene space to pixels: `shaders/lib/frame.wgsl`.
     Frame {
         /// To clip space.
         clip_from_scene: [f32; 16],
@@ -16,7 +16,7 @@ shared! {
         ray_origin: [[f32; 4]; 3],
         /// Ray direction, likewise.
         ray_direction: [[f32; 4]; 3],
-        /// What a pixel right and a pixel down mean in scene space.
+        /// Steps of one pixel right and one pixel down, in scene space.
         ray_step: [[f32; 4]; 2],
         /// Viewing direction.
         forward: [f32; 4],
@@ -39,24 +39,24 @@ shared! {
     }
 }
 
-/// How much larger than the cut solids the box around them is at least, so that no solid lies in a face of it.
+/// Least margin of the box around the cut solids, so that no solid lies in a face of the box.
 const BOX_MARGIN: f64 = 1e-4;
 
 /// And at most, with the usual sub-pixel bits, however small the picture is.
 const MOST_BOX_MARGIN: f64 = 9e-4;
 
-/// How much of a pixel it is larger where it is farthest: fixed functions may cover samples beside a solid, as vertices are moved by half
+/// Margin in pixels where the box is farthest: fixed functions may cover samples next to a solid, as vertices are moved by half
 /// of 1/16 px along each axis where an adapter has the fewest sub-pixel bits that there are. Which crossings a fragment there lies behind
 /// is not known if its ray misses the box.
 const BOX_MARGIN_PX: f64 = 1.0 / 16.0;
 
-/// How much larger than the cut solids the box around them may be: what walks over reliefs have room for, and less than tessellations
-/// reach beyond the solids. Pitches of grids hang on it, so it does not change with the camera.
+/// Largest margin of the box around the cut solids: traversals of reliefs have room for it, and it is less than tessellations
+/// reach beyond the solids. Pitches of grids depend on it, so it does not change with the camera.
 pub(crate) fn most_box_margin(precision: Precision) -> f64 {
     MOST_BOX_MARGIN * precision.coarseness()
 }
 
-/// How much larger than the cut solids the box around them is in a view.
+/// Margin of the box around the cut solids in a view.
 pub(crate) fn box_margin(view: &View, cut_box: &Bounds) -> f64 {
     let most = most_box_margin(view.precision);
     (BOX_MARGIN_PX * view.pixel_size(view.farthest_in(cut_box))).clamp(BOX_MARGIN, most)

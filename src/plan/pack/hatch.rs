@@ -25,7 +25,7 @@ shared! {
     HatchPlanes {
         /// By the number of the clip-surface.
         planes: [CapPlane; MOST_HATCH_PLANES],
-        /// How many there are.
+        /// Number of planes.
         count: u32,
         /// Scene units along a pixel of the picture as the scene was first seen.
         unit_px: f32,
@@ -39,17 +39,17 @@ shared! {
 shared! {
     /// The hatch of a part.
     PartHatch {
-        /// Of lines, linear light.
+        /// Colour of lines, linear light.
         color: [f32; 4],
         /// Its first family of lines.
         first_line: u32,
-        /// How many it has; without any the cap is filled.
+        /// Number of families; without any the cap is filled.
         line_count: u32,
-        /// How much of the ink lines have.
+        /// Opacity of the ink of lines.
         alpha: f32,
         /// Width of a line in pixels.
         width_px: f32,
-        /// How the part was turned since its lines were laid down, a quaternion.
+        /// Rotation of the part since its lines were laid down, a quaternion.
         turned: [f32; 4],
         /// Its middle then, in scene space; the last is 1 where it has moved.
         start: [f32; 4],
@@ -69,9 +69,9 @@ shared! {
         phase: f32,
         /// Added along.
         dash_phase: f32,
-        /// How far the next line is moved along itself, in periods of dashes.
+        /// Shift of the next line along itself, in periods of dashes.
         shift: f32,
-        /// How many strokes a period has; 0 for a line without end.
+        /// Number of strokes in a period; 0 for a line without end.
         dash_count: u32,
         /// Their middles, in periods.
         dash_centres: [f32; MOST_STROKES],

@@ -1,4 +1,4 @@
-//! How structs that the CPU and the shaders share are laid out, and the rows that they are made of.
+//! Layout of structs that the CPU and the shaders share, and the rows that they are made of.
 
 use bytemuck::Pod;
 use glam::{DMat4, DVec3, Mat4};

@@ -7,7 +7,7 @@ use super::Layout;
 shared! {
     /// Lists of fragments in one buffer: `shaders/lib/lists/fragment_pool.wgsl`.
     FragmentPool {
-        /// How many lists.
+        /// Number of lists.
         lists: u32,
         /// Fragments in all of them together.
         capacity: u32,
@@ -21,7 +21,7 @@ shared! {
 shared! {
     /// Lists of sheet fragments in one buffer: `shaders/lib/lists/sheet_pool.wgsl`.
     SheetPool {
-        /// How many lists.
+        /// Number of lists.
         lists: u32,
         /// Fragments in all of them together.
         capacity: u32,
@@ -33,7 +33,7 @@ shared! {
 shared! {
     /// The nearest fragments of each pixel and part: `shaders/lib/lists/cascade.wgsl`.
     Cascade {
-        /// How many are kept.
+        /// Number of fragments kept.
         slots: u32,
         /// Parts.
         lanes: u32,

@@ -7,7 +7,7 @@ use super::Layout;
 shared! {
     /// The search for horizons: `shaders/effects/horizon/find.wgsl`.
     Horizon {
-        /// How far away something may be that hides the sky, in scene units.
+        /// Largest distance at which something hides the sky, in scene units.
         radius: f32,
         /// The greatest distance of a sample in pixels.
         reach_px: f32,
@@ -27,17 +27,17 @@ shared! {
         sigma_px: f32,
         /// Samples to each side.
         reach_px: i32,
-        /// How much darker it is where depth is greater than around by 1.
+        /// Darkening where depth is greater by 1 than around.
         strength: f32,
     }
 }
 
 shared! {
-    /// What of occlusion caps on reliefs have: `shaders/effects/relief_sky.wgsl`.
+    /// Weights of occlusion on caps of reliefs: `shaders/effects/relief_sky.wgsl`.
     ReliefSky {
-        /// How much they have of what was found in the picture.
+        /// Weight of the occlusion found in the picture.
         cap: f32,
-        /// How much of what the relief hides.
+        /// Weight of the occlusion by the relief.
         relief: f32,
         /// Unused.
         padding_a: u32,
@@ -57,7 +57,7 @@ shared! {
         up: [f32; 4],
         /// Columns and rows of the map.
         side: u32,
-        /// How much of the light is missing where it is darkest.
+        /// Share of the light missing where it is darkest.
         strength: f32,
         /// Unused.
         padding_a: u32,

@@ -1,25 +1,25 @@
-//! How a part stands, as `shaders/lib/vertices/pose.wgsl` and `shaders/lib/vertices/deformers.wgsl` read it.
+//! Pose of a part in the layout of `shaders/lib/vertices/pose.wgsl` and `shaders/lib/vertices/deformers.wgsl`.
 
 use bytemuck::{Pod, Zeroable};
 
 use super::Layout;
 
 shared! {
-    /// How a part stands: `shaders/lib/vertices/pose.wgsl`.
+    /// Pose of a part: `shaders/lib/vertices/pose.wgsl`.
     Pose {
         /// Rows of the placement.
         scene_from_rest: [[f32; 4]; 3],
-        /// Of its vertices among those of all parts.
+        /// Number of its first vertex among those of all parts.
         first_vertex: u32,
-        /// How many vertices.
+        /// Number of vertices.
         vertex_count: u32,
-        /// How many positions.
+        /// Number of positions.
         position_count: u32,
         /// Morph targets that have a weight.
         weight_count: u32,
-        /// How many deformers.
+        /// Number of deformers.
         deformer_count: u32,
-        /// How many matrices pulls refer to.
+        /// Number of matrices that pulls refer to.
         joint_count: u32,
         /// -1 where the placement mirrors, else 1.
         hand: f32,
@@ -40,9 +40,9 @@ shared! {
         kind: u32,
         /// Turn per unit, amplitude or distance.
         amount: f32,
-        /// Of a wave, radians per unit.
+        /// For a wave: radians per unit.
         turn_per_unit: f32,
-        /// Of a wave, radians.
+        /// Phase of a wave, radians.
         phase: f32,
     }
 }

@@ -14,7 +14,7 @@ shared! {
     Pyramid {
         /// First texel in the heights buffer.
         first_texel: u32,
-        /// How many levels; 0 for a plane.
+        /// Number of levels; 0 for a plane.
         levels: u32,
         /// Width and height of the map.
         map_size: [u32; 2],

@@ -26,9 +26,9 @@ shared! {
         patch_bits: u32,
         /// Steps along a texel, as a power of two.
         step_bits: u32,
-        /// Where the errors of its vertices begin.
+        /// First index of the errors of its vertices.
         first_vertex: u32,
-        /// Where the twists of its cells begin.
+        /// First index of the twists of its cells.
         first_cell: u32,
         /// Twist that every cell is taken to have at least.
         least_twist: f32,
@@ -38,7 +38,7 @@ shared! {
         map_size: [u32; 2],
         /// Its first texel in `heights`.
         map_first: u32,
-        /// How it goes on.
+        /// Wrap mode of the map.
         wrap: u32,
         /// Unused.
         padding: [u32; 2],
@@ -46,8 +46,8 @@ shared! {
 }
 
 impl Domain {
-    /// What of it the errors of its vertices hang on: the same wherever the clip-surface lies, as long as the same texels are asked
-    /// about. Nothing for a plane, of which nothing is measured.
+    /// The fields that the errors of its vertices depend on: the same wherever the clip-surface lies, as long as it covers the same
+    /// texels. All zero for a plane, for which nothing is measured.
     #[must_use]
     pub fn as_measured(&self) -> Self {
         if self.map_size == [0, 0] {
@@ -65,7 +65,7 @@ impl Domain {
 }
 
 shared! {
-    /// What a view asks of a tessellation: `shaders/lib/reliefs/refinement.wgsl`.
+    /// Requirements of a view on a tessellation: `shaders/lib/reliefs/refinement.wgsl`.
     Refinement {
         /// Values at vertex (0, 0), per step along rows, per step along columns.
         borders: [[f32; 4]; BORDERS_OF_DOMAIN],
@@ -75,7 +75,7 @@ shared! {
         error_per_depth: f32,
         /// Triangles that there is room for.
         capacity: u32,
-        /// Where its list of deep patches begins.
+        /// First index of its list of deep patches.
         first_patch: u32,
         /// Unused.
         padding: u32,

@@ -5,11 +5,11 @@ use bytemuck::{Pod, Zeroable};
 use super::Layout;
 
 shared! {
-    /// How a picture looks: `shaders/lib/effects/style.wgsl`. Colours are in linear light.
+    /// Look of a picture: `shaders/lib/effects/style.wgsl`. Colours are in linear light.
     Style {
-        /// Of strokes and hatches.
+        /// Colour of strokes and hatches.
         ink: [f32; 4],
-        /// What is behind the model; alpha 0 for nothing.
+        /// Colour behind the model; alpha 0 for nothing.
         paper: [f32; 4],
         /// Cool blue, warm yellow, and the shares of the own colour in cool and in warm light.
         gooch: [f32; 4],
@@ -19,17 +19,17 @@ shared! {
         crease_cos: f32,
         /// The least jump in depth that is a contour, in widths of a pixel.
         depth_px: f32,
-        /// How much of the light a cap takes.
+        /// Weight of light on caps.
         cap_light: f32,
-        /// How much of that hangs on where it faces.
+        /// Share of that light that depends on the facing of the cap.
         cap_relief: f32,
-        /// How many pixels away a border may be whose stroke is seen.
+        /// Largest distance, in pixels, of a border whose stroke is seen.
         stroke_reach_px: i32,
-        /// How many samples a pixel of the picture has along each side.
+        /// Samples per pixel of the picture along each side.
         fineness: f32,
-        /// How much of occlusion surfaces have.
+        /// Weight of occlusion on surfaces.
         occlusion_surface: f32,
-        /// How much of it caps have.
+        /// Weight of occlusion on caps.
         occlusion_cap: f32,
         /// Unit vectors across the lines of engraving, and about the distance from line to line in pixels.
         engraving: [[f32; 4]; 2],

@@ -1,9 +1,9 @@
-//! Which triangles at an edge bound the same wedge of solid.
+//! Pairs the triangles at an edge that bound the same wedge of solid.
 //!
-//! Going around the edge, a triangle either opens solid or closes it, by its orientation. What opens goes with the next that closes, as
-//! brackets do. Triangles at the same angle, as of solids that touch, close before others open, and go together by their numbers.
+//! Going around the edge, a triangle either opens solid or closes it, by its orientation. Each opening pairs with the next closing, as
+//! brackets do. Triangles at the same angle, as of solids that touch, close before others open, and pair by their numbers.
 //!
-//! Cost: a sort of the triangles at the edge. Angles are rounded: what is nearer than a ten thousandth of a radian is at the same angle.
+//! Cost: a sort of the triangles at the edge. Angles are rounded: angles within a ten thousandth of a radian are equal.
 
 use std::f64::consts::TAU;
 

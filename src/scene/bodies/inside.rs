@@ -1,9 +1,9 @@
-//! Which closed shells contain a shell.
+//! Finds the closed shells that contain a shell.
 //!
 //! A vertex of the inner shell is in the outer one if the ray from there along x crosses it in sum, counted with the direction in which
 //! it leaves; where its triangles contradict each other, if the crossings are odd in number. Every sign is exact ([`robust`]); a ray
 //! through an edge passes on the side of larger z, or else of larger y, so that nothing is counted twice or not at all. A vertex on the
-//! outer shell says nothing. Some vertices are asked, and one that is outside settles it: shells that touch, or that cross each other, do
+//! outer shell is undecided. Some vertices are tested, and one that is outside is conclusive: shells that touch or cross each other do
 //! not contain each other.
 //!
 //! Cost: boxes over the triangles of closed shells once; a ray looks at the boxes that it meets, and at the triangles in the last of
@@ -16,10 +16,10 @@ use super::super::{Bounds, Mesh};
 use super::shells::Shells;
 use crate::scene::meshes::tree::{BRANCHES, Tree, order};
 
-/// So many vertices of a shell are asked, spread over its triangles.
+/// Number of vertices of a shell that are tested, spread over its triangles.
 const ASKED: usize = 8;
 
-/// Closed shells, ready to be asked what they contain.
+/// Closed shells, prepared for containment tests.
 pub(super) struct Insides<'a> {
     mesh: &'a Mesh,
     shells: &'a Shells,
@@ -30,14 +30,14 @@ pub(super) struct Insides<'a> {
     tree: Tree,
 }
 
-/// Where a point is, of a closed shell that it is not outside of.
+/// Position of a point relative to a closed shell that it is not outside.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Place {
     Within,
     On,
 }
 
-/// What a ray found of a shell.
+/// Hit of a ray on a shell.
 struct Found {
     shell: u32,
     /// Direction of the crossing; 0 where the point is on the shell.
@@ -189,7 +189,7 @@ fn crossing(point: DVec3, corners: [DVec3; 3]) -> Option<i32> {
     is_ahead.then_some(turns)
 }
 
-/// Whether a point is on a triangle, its border included.
+/// Returns true if a point is on a triangle, its border included.
 fn is_on(point: DVec3, corners: [DVec3; 3]) -> bool {
     if behind(point, corners) != 0.0 {
         return false;

@@ -1,6 +1,6 @@
-//! The bodies of a mesh: what of it could be taken away without tearing anything.
+//! The bodies of a mesh: pieces that can be removed without tearing the surface.
 //!
-//! A *shell* is a piece of surface whose triangles hang together over edges (see [`shells`]); a vertex alone joins nothing. A body is a
+//! A *shell* is a piece of surface whose triangles are connected over edges (see [`shells`]); a vertex alone joins nothing. A body is a
 //! shell with its cavities. Shells that are closed nest: of those that contain a shell wholly, the smallest is around it.
 //!
 //! | the shell | is |
@@ -9,7 +9,7 @@
 //! | around it is a body that faces the same way | a body of its own: solids that overlap |
 //! | around it is a body that faces the other way | a cavity of that body |
 //! | around it is a cavity | a body, whichever way it faces |
-//! | it is open | a body: nothing is inside of it |
+//! | it is open | a body: nothing is inside |
 //!
 //! So a mesh that is inside out as a whole has the bodies that it has the right way round. Where orientation says nothing, because
 //! triangles of a shell contradict each other or it is flat, what is directly in a body is its cavity: parity.
@@ -33,11 +33,11 @@ pub use self::pieces::{Pieces, body_name};
 use self::shells::{Facing, Shells};
 use super::Mesh;
 
-/// Which body each triangle of a mesh belongs to.
+/// Body of each triangle of a mesh.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bodies {
     of_triangles: Vec<u32>,
-    /// Of each body.
+    /// Per body.
     is_closed: Vec<bool>,
 }
 
@@ -64,17 +64,17 @@ impl Bodies {
         }
     }
 
-    /// How many there are.
+    /// Number of bodies.
     pub fn count(&self) -> usize {
         self.is_closed.len()
     }
 
-    /// How many of them are open.
+    /// Number of open bodies.
     pub fn open(&self) -> usize {
         self.is_closed.iter().filter(|closed| !**closed).count()
     }
 
-    /// Whether each is closed.
+    /// Per body: true if it is closed.
     pub(crate) fn closed(&self) -> &[bool] {
         &self.is_closed
     }

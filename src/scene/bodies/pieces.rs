@@ -44,7 +44,7 @@ impl Pieces {
         }
     }
 
-    /// Whether they are those of a part.
+    /// Returns true if they belong to a part.
     pub fn are_of(&self, part: &Part) -> bool {
         let bound = match (bound_of(part), &self.bound) {
             (Some(a), Some(b)) => Arc::ptr_eq(a, b),
@@ -111,7 +111,7 @@ impl Piece {
     }
 }
 
-/// What the file of a part bound, if the part still has the triangles of it.
+/// Binding of a part by its file, if the part still has the triangles of that file.
 pub(in crate::scene) fn bound_of(part: &Part) -> Option<&Arc<Bound>> {
     let driver = part.driver.as_ref()?;
     let has_its_mesh = [driver.rest_mesh(), &driver.bound().mesh]
@@ -135,7 +135,7 @@ impl Part {
     }
 }
 
-/// What a body is called, numbered from 1, of a part or of whatever else has a name.
+/// Name of a body, numbered from 1, of a part or another named item.
 pub fn body_name(of: &str, number: usize) -> String {
     format!("{of}/{number}")
 }

@@ -1,10 +1,10 @@
-//! Shells: pieces of surface that hang together over edges.
+//! Shells: pieces of surface whose triangles are connected over edges.
 //!
 //! An edge of two triangles joins them, however they are turned. Where more meet, the order of the triangles comes first: files write one
-//! solid after the other, so triangles that are closed by themselves as soon as the last of them comes are apart from all others ([`runs`]).
+//! solid after the other, so triangles that are closed by themselves once the last of them comes are apart from all others ([`runs`]).
 //! Of the others, a shell that uses the edge as often in one direction as in the other is complete by itself: two cubes that share an edge
 //! are two shells. The rest go together around the edge so that each wedge of
-//! solid has its two walls ([`around_edge`](super::around_edge)), or all of them where that does not work out. Thus a sheet that hangs on
+//! solid has its two walls ([`around_edge`](super::around_edge)), or all of them if that fails. Thus a sheet attached to
 //! a solid by one edge comes off it, and cubes that share a face, twice there, come apart. A mesh of negative volume is taken the other way
 //! round, so that cubes come apart there too.
 
@@ -14,31 +14,31 @@ use super::super::{Bounds, Mesh};
 use super::around_edge::walls;
 use crate::scene::meshes::topology::{EdgeUse, EdgeUses, Sets};
 
-/// What is thinner on the mean, as a share of its size, is flat: rounding decides which way it faces.
+/// A shell with a smaller mean thickness, as a share of its size, is flat: rounding decides which way it faces.
 const FLAT: f64 = 1e-9;
 
-/// Which way a closed shell faces.
+/// Orientation of a closed shell.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Facing {
     Out,
     In,
 }
 
-/// What there is to know of a shell.
+/// Properties of a shell.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Shell {
     /// Every edge has an even number of uses in it.
     pub(super) is_closed: bool,
     /// Every edge has as many uses in one direction as in the other.
     pub(super) is_consistent: bool,
-    /// Of a closed one, if its triangles agree and it is not flat.
+    /// Set for a closed shell if its triangles agree and it is not flat.
     pub(super) facing: Option<Facing>,
     pub(super) bounds: Bounds,
     volume: f64,
 }
 
 impl Shell {
-    /// What contains another is not less.
+    /// Orders shells so that a shell is not less than one that it contains.
     pub(super) fn by_size(&self, other: &Self) -> Ordering {
         let span = |s: &Self| s.bounds.size().element_sum();
         let by_volume = |a: &Self, b: &Self| a.volume.abs().total_cmp(&b.volume.abs());
@@ -123,7 +123,7 @@ fn joined(mesh: &Mesh, uses: &EdgeUses) -> Vec<u32> {
             }
         }
     }
-    // By what edges of two have joined, so that no edge hangs on the order of those before it.
+    // By the patches that edges of two triangles have joined, so that no edge depends on the order of those before it.
     let patches: Vec<u32> = match shared.is_empty() {
         true => Vec::new(),
         false => (0..count as u32).map(|t| sets.find(t)).collect(),
@@ -179,7 +179,7 @@ fn runs(count: usize, uses: &EdgeUses) -> Vec<u32> {
         .collect()
 }
 
-/// Which triangles go together at an edge of more than two.
+/// Pairs of triangles to join at an edge of more than two.
 fn pairs_at(mesh: &Mesh, edge: [u32; 2], mut run: Vec<EdgeUse>, patches: &[u32]) -> Vec<[u32; 2]> {
     let patch = |u: &EdgeUse| patches[u.triangle as usize];
     run.sort_by_key(|u| (patch(u), u.triangle));
@@ -194,7 +194,7 @@ fn pairs_at(mesh: &Mesh, edge: [u32; 2], mut run: Vec<EdgeUse>, patches: &[u32])
         .collect()
 }
 
-/// Boxes, volumes and what they say of which way shells face.
+/// Boxes and volumes of the shells, and the orientation derived from them.
 fn measured(mesh: &Mesh, of_triangles: &[u32], count: usize) -> Vec<Shell> {
     let mut bounds = vec![Bounds::EMPTY; count];
     for (t, shell) in of_triangles.iter().enumerate() {
@@ -224,7 +224,7 @@ fn measured(mesh: &Mesh, of_triangles: &[u32], count: usize) -> Vec<Shell> {
         .collect()
 }
 
-/// Which way a closed surface faces, unless it is flat.
+/// Orientation of a closed surface, unless it is flat.
 fn facing_of(volume: f64, area: f64, bounds: &Bounds) -> Option<Facing> {
     let is_flat = volume.abs() <= FLAT * area * bounds.size().length();
     let facing = if volume > 0.0 {

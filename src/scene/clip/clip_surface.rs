@@ -28,7 +28,7 @@ pub struct ClipSurface {
     pub scale: DVec3,
     /// `OM`; a plane has none.
     pub relief: Option<Arc<OffsetMap>>,
-    /// How the map goes on outside 0..1.
+    /// Address mode of the map outside 0..1.
     pub wrap: Wrap,
 }
 
@@ -64,7 +64,7 @@ impl ClipSurface {
         }
     }
 
-    /// Why the parameters make no clip-surface, if they do not: all numbers must be finite, the lengths of `U` and `V`
+    /// Returns the reason if the parameters are invalid: all numbers must be finite, the lengths of `U` and `V`
     /// between 1e-150 and 1e150 so that their squares are numbers, and the angle between them right to 1e-6.
     pub fn defect(&self) -> Option<String> {
         let vectors = [
@@ -93,8 +93,8 @@ impl ClipSurface {
         })
     }
 
-    /// Why the surface cannot be drawn beside a model with these bounds, if it cannot: devices compute in radii of the model and in
-    /// f32, which repeats of the map and heights must fit.
+    /// Returns the reason if the surface cannot be drawn with a model of these bounds: devices compute in radii of the model and in
+    /// f32, whose range must hold repeats of the map and heights.
     pub fn defect_beside(&self, model: &Bounds) -> Option<String> {
         if let Some(what) = self.defect() {
             return Some(what);
@@ -150,7 +150,7 @@ impl ClipSurface {
         (point - self.origin).dot(self.frame().normal) + height * self.scale.z
     }
 
-    /// The same surface moved along `-N`, relief and all: what lies within `distance` of it on the removed side is kept.
+    /// The same surface and relief moved along `-N`: points within `distance` on the removed side are kept.
     #[must_use]
     pub fn keeping(&self, distance: f64) -> Self {
         Self {

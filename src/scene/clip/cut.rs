@@ -13,7 +13,7 @@ pub struct Cut {
     pub surfaces: Vec<ClipSurface>,
     /// A closed mesh that acts as one more clip-surface, after the others.
     pub volume: Option<Cutter>,
-    /// What places its cutter, if it places itself: see [`Scene::open_breakaways`](crate::scene::Scene::open_breakaways).
+    /// Parameters of a cutter that places itself: see [`Scene::open_breakaways`](crate::scene::Scene::open_breakaways).
     pub breakaway: Option<Breakaway>,
     /// The number of its opening, from 0: a breakaway with several is several cuts. Set where breakaways are opened.
     pub opening: usize,
@@ -25,11 +25,11 @@ pub struct Cut {
     pub except: Vec<String>,
     /// Parts from which more or less is removed.
     pub offsets: Vec<Offset>,
-    /// Whether anything is removed at all. The clip-surfaces of a cut that is off keep their numbers.
+    /// True if the cut removes anything. The clip-surfaces of a cut that is off keep their numbers.
     pub enabled: bool,
 }
 
-/// How much less a cut removes from some parts.
+/// Offset of a cut for some parts: removes less from them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Offset {
     /// Glob of the parts.
@@ -64,17 +64,17 @@ impl Cut {
         }
     }
 
-    /// Whether the cut removes anything from a part.
+    /// Returns true if the cut removes anything from a part.
     pub fn applies_to(&self, part: &Part) -> bool {
         self.is_on() && part.role == Role::Exterior && self.names(part)
     }
 
-    /// Whether it removes anything: not where it is off, nor where its opening has found no place.
+    /// Returns false if the cut is off, or if no place was found for its opening.
     pub(crate) fn is_on(&self) -> bool {
         self.enabled && (self.breakaway.is_none() || self.volume.is_some())
     }
 
-    /// Whether the globs mean a part.
+    /// Returns true if the globs match a part.
     #[doc(hidden)]
     pub fn names(&self, part: &Part) -> bool {
         let any = |globs: &[String]| globs.iter().any(|g| glob_matches(g, &part.name));

@@ -16,7 +16,7 @@ use crate::scene::meshes::topology::Edges;
 use crate::scene::units::range;
 use crate::scene::{Bounds, Mesh, Part};
 
-/// Why the bounds of a cutter are more than can be drawn beside a model, if they are.
+/// Returns the reason if the bounds of a cutter are too large to draw with a model.
 pub fn too_far(cutter: &Bounds, model: &Bounds) -> Option<String> {
     if !cutter.size().length().is_finite() {
         return Some("reaches to infinity".to_owned());
@@ -95,7 +95,7 @@ impl Cutter {
         self
     }
 
-    /// The same cutter, refused where it reaches farther than can be drawn beside a model with these bounds.
+    /// The same cutter; an error if it reaches farther than can be drawn with a model of these bounds.
     pub fn beside(self, model: &Bounds) -> Result<Self> {
         match too_far(&self.bounds_in_world(), model) {
             Some(what) => {

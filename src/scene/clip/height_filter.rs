@@ -1,4 +1,4 @@
-//! Who interpolates the heights of a relief between the texels of its map.
+//! Interpolation of a relief's heights between the texels of its map: by shader or by sampler.
 
 use std::fmt;
 use std::str::FromStr;
@@ -6,7 +6,7 @@ use std::str::FromStr;
 use crate::Error;
 use crate::error::did_you_mean;
 
-/// Who interpolates heights where a strategy asks for them at points.
+/// Interpolator of heights that a strategy evaluates at points.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum HeightFilter {
     /// The shader, from four texels in f32: the definition of a relief.

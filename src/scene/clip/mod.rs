@@ -1,4 +1,4 @@
-//! What removes: planes, height maps, boxes and wedges, cutters, and the cuts that combine them.
+//! Removed regions: planes, height maps, boxes and wedges, cutters, and the cuts that combine them.
 
 pub(super) mod clip_surface;
 pub(super) mod cut;

@@ -2,13 +2,13 @@
 //!
 //! `f` is bilinear between texel centres, `(i + 0.5) / width`, from four texels; addresses outside 0..width follow the
 //! wrap mode. Nothing else interpolates heights, on either side: a hardware sampler keeps only about eight bits of the
-//! weight, which would tear a cap from the mesh it closes. Who asks for one to see what it costs gets it ([`HeightFilter`]).
+//! weight, which would tear a cap from the mesh it closes. Callers can select one to measure its error ([`HeightFilter`]).
 //!
 //! [`HeightFilter`]: crate::scene::HeightFilter
 
 use glam::DVec2;
 
-/// How addresses outside the map are read.
+/// Address mode outside the map.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 #[cfg_attr(
     feature = "serde",

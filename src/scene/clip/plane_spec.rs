@@ -32,7 +32,7 @@ pub enum Amount {
 }
 
 impl Amount {
-    /// Reads `12.5` or `12.5%`; what is wrong with it otherwise.
+    /// Reads `12.5` or `12.5%`; returns an error text otherwise.
     pub fn parse(text: &str) -> Result<Self, String> {
         let text = text.trim();
         let (digits, percent) = match text.strip_suffix('%') {
@@ -144,7 +144,7 @@ impl PlaneSpec {
     }
 }
 
-/// Percentages of a plane that was moved have so many decimals.
+/// Number of decimals of a moved plane's percentages.
 const PERCENT_DECIMALS: i32 = 3;
 /// Lengths of one are rounded to this share of the model.
 const FINEST_SHARE: f64 = 1e-6;
@@ -183,7 +183,7 @@ impl PlaneSpec {
         })
     }
 
-    /// The same plane, of which the other side is kept.
+    /// The same plane, keeping the other side.
     #[must_use]
     pub fn flipped(&self) -> Self {
         Self::new(match self.plane {
@@ -209,7 +209,7 @@ impl PlaneSpec {
     ///
     /// # Errors
     ///
-    /// A plane that makes no sense beside such bounds.
+    /// A plane that is invalid for such bounds.
     pub fn turned(&self, normal: DVec3, bounds: &Bounds) -> Result<Self> {
         let through = self.surface(bounds, Up::PlusY)?.origin;
         let normal = unit(normal);
@@ -269,7 +269,7 @@ impl fmt::Display for Amount {
     }
 }
 
-/// A length, to what can be told apart in a model.
+/// A length rounded to the smallest significant step in a model.
 fn rounded(length: f64, bounds: &Bounds) -> f64 {
     let finest = (bounds.max - bounds.min).max_element() * FINEST_SHARE;
     match finest > 0.0 && finest.is_finite() {
@@ -289,7 +289,7 @@ impl ClipSurface {
         PlaneSpec::parse(text)?.surface(bounds, Up::PlusY)
     }
 
-    /// Whether the surface, with all the heights its relief can have, passes by a box: then it cuts nothing or removes
+    /// Returns true if the surface, with all the heights its relief can have, passes by a box: then it cuts nothing or removes
     /// everything in it. One that only touches the box does not miss it.
     pub fn misses(&self, bounds: &Bounds) -> bool {
         if bounds.is_empty() {

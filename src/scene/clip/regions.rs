@@ -1,16 +1,16 @@
 //! Boxes and wedges: removed regions in few numbers, as unions of intersections of planes.
 //!
-//! A region is made into faces: planes that keep what is outside. A wedge of up to 180 degrees is the intersection of two half
-//! spaces, which of 180 degrees are one and the same but for their reliefs; a wider one is not convex, but the union of the two, so that it has two alternatives and no wall inside of it. Angles
+//! A region is made into faces: planes that keep the outside. A wedge of up to 180 degrees is the intersection of two half spaces, which
+//! at 180 degrees coincide but for their reliefs; a wider one is their union: two alternatives, and no wall inside. Angles
 //! count counter-clockwise about the axis, seen from its tip, and multiples of 90 degrees about an axis of the world give planes
 //! without rounding. A region without an inside still has its faces, so that clip-surfaces keep their numbers while it opens; a cut
-//! of it is better off.
+//! with such a region should be switched off.
 
 use glam::DVec3;
 
 use crate::scene::{ClipSurface, Up};
 
-/// What two unions of intersections of removed sides have in common, as such a union.
+/// Intersection of two unions of intersections of removed sides, as such a union.
 pub fn in_common(a: &[Vec<ClipSurface>], b: &[Vec<ClipSurface>]) -> Vec<Vec<ClipSurface>> {
     let pairs = a
         .iter()
@@ -23,7 +23,7 @@ pub fn in_common(a: &[Vec<ClipSurface>], b: &[Vec<ClipSurface>]) -> Vec<Vec<Clip
 pub struct Face {
     /// `-x` to `+z` of a box; `from`, `to`, `min` or `max` of a wedge.
     pub name: &'static str,
-    /// Its plane, which keeps what is outside.
+    /// Its plane, which keeps the outside.
     pub plane: ClipSurface,
 }
 
@@ -42,7 +42,7 @@ impl Block {
         (0..3).find(|i| matches!((self.min[*i], self.max[*i]), (Some(a), Some(b)) if a > b))
     }
 
-    /// Whether it has no inside.
+    /// Returns true if it has no inside.
     pub fn is_empty(&self) -> bool {
         (0..3).any(|i| matches!((self.min[i], self.max[i]), (Some(a), Some(b)) if a >= b))
     }
@@ -73,18 +73,18 @@ pub struct Wedge {
     pub along: DVec3,
     /// Direction of 0 degrees, of length 1, at a right angle to the axis.
     pub zero: DVec3,
-    /// Where it begins.
+    /// Start angle.
     pub from_deg: f64,
-    /// Where it ends, at most a full turn after its beginning.
+    /// End angle, at most a full turn after the start.
     pub to_deg: f64,
-    /// Where it ends along the axis: the coordinate `P . along` of its lower face.
+    /// Lower end along the axis: the coordinate `P . along` of its lower face.
     pub min: Option<f64>,
-    /// That of its upper face.
+    /// Upper end along the axis: the same coordinate of its upper face.
     pub max: Option<f64>,
 }
 
 impl Wedge {
-    /// Whether it has no inside.
+    /// Returns true if it has no inside.
     pub fn is_empty(&self) -> bool {
         let is_flat = matches!((self.min, self.max), (Some(a), Some(b)) if a >= b);
         is_flat || self.to_deg <= self.from_deg
@@ -157,7 +157,7 @@ fn cosine_and_sine(degrees: f64) -> [f64; 2] {
 mod tests {
     use super::*;
 
-    /// Whether a union of intersections removes a point.
+    /// Returns true if a union of intersections removes a point.
     fn removes(alternatives: &[Vec<Face>], point: DVec3) -> bool {
         let inside = |faces: &Vec<Face>| faces.iter().all(|f| f.plane.kept_height(point) < 0.0);
         alternatives.iter().any(inside)

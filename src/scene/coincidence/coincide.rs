@@ -12,10 +12,10 @@ use robust::{Coord3D, orient3d};
 
 use crate::scene::{Bounds, PreparedVolume};
 
-/// How far the distances of two planes from the origin may be apart, in scene units, for a look at their points: more than rounding.
+/// Greatest difference, in scene units, of two planes' distances from the origin at which their points are compared: more than rounding.
 const NEAR: f64 = 1e-5;
 
-/// Whether three points are in the plane of a triangle, to the last bit.
+/// Returns true if three points are in the plane of a triangle, to the last bit.
 pub fn lies_in(points: [DVec3; 3], face: [DVec3; 3]) -> bool {
     let of = |p: DVec3| Coord3D {
         x: p.x,
@@ -57,7 +57,7 @@ impl PreparedVolume {
     }
 }
 
-/// How far the plane of a triangle is from the origin, along its normal; not a number where it has no area.
+/// Distance of a triangle's plane from the origin, along its normal; NaN if the triangle has no area.
 fn distance_of([a, b, c]: [DVec3; 3]) -> f64 {
     let normal = (b - a).cross(c - a);
     a.dot(normal) / normal.length()

@@ -1,7 +1,7 @@
-//! Which solids touch, and classes such that no two that touch have the same.
+//! Finds solids that touch, and assigns classes such that no two touching solids share one.
 //!
 //! Surfaces are sampled more finely than the cells of a grid; parts that share a cell, or have neighbouring ones, are neighbours. So
-//! parts are told apart that are closer than a cell, whether they touch or not. Costs a sample for each triangle and each part of a cell
+//! parts closer than a cell get different classes, whether they touch or not. Costs a sample for each triangle and each part of a cell
 //! that it covers, sorted. Boxes would not do: nested rings all have boxes that meet.
 //!
 //! Cannot: see contacts of parts that meet only in another pose.
@@ -54,10 +54,10 @@ pub(crate) fn contacts(parts: &[(&Mesh, DAffine3)], cell: f64) -> Vec<Vec<usize>
     neighbours
 }
 
-/// Of so many parts of a cell it is asked whether they are neighbours: where hundreds are within one, directions tell none apart.
+/// Number of parts of a cell that are tested as neighbours: among hundreds within one cell, directions cannot separate any.
 const MOST_IN_A_CELL: usize = 32;
 
-/// So many things take their classes in the best order; of more, whoever comes first.
+/// Greatest number of items that get classes in the best order; if there are more, each gets its class in input order.
 const MOST_IN_ORDER: usize = 4096;
 
 /// Bits of a coordinate in the key of a cell.

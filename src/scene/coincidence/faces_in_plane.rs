@@ -2,7 +2,7 @@
 //!
 //! CAD writes a face that was turned or moved with coordinates that are a step of `f32` apart, and people type coordinates as they are
 //! printed. So a planar face lies in a plane where all of its vertices are within [`STEPS`] such steps, taken at the largest coordinate of
-//! the mesh as its file has it. It then lies in the plane as a whole: its triangles on the side on which the solid is, and its vertices
+//! the mesh in its file's coordinates. It then lies in the plane as a whole: its triangles on the solid's side, and its vertices
 //! on the plane, for all triangles that share them. Coordinates are not moved.
 //!
 //! Which side the solid is on follows from the orientation of the face, turned round where the mesh as a whole is inside out. Slivers, whose
@@ -26,16 +26,16 @@ use crate::scene::{Bounds, FlatSurface, SceneSpace, Side, longest_edge};
 /// 7 off it.
 const STEPS: f64 = 8.0;
 
-/// What rounding a vertex and the plane to `f32` in scene space adds, in scene units.
+/// Rounding error of a vertex and the plane in `f32` in scene space, in scene units.
 const SCENE_ROUNDING: f64 = f32::EPSILON as f64;
 
-/// Triangles whose altitude is no more than so many times the tolerance are slivers.
+/// Triangles whose altitude is no more than this multiple of the tolerance are slivers.
 const SLIVER: f64 = 4.0;
 
 /// Solid between two faces that are farther apart than this share of the tolerance is there; nearer ones touch.
 const TOUCHING: f64 = 0.25;
 
-/// How far off a plane the vertices of a face in it may be, in scene units. `in_part` holds the mesh as it was read, before it is placed.
+/// Greatest distance from a plane of the vertices of a face in it, in scene units. `in_part` holds the mesh as read, before placement.
 pub(crate) fn plane_tolerance(in_part: &Bounds, placed: &DAffine3, space: &SceneSpace) -> f64 {
     let largest = in_part.min.abs().max(in_part.max.abs()).max_element() as f32;
     let step = f64::from(largest.next_up()) - f64::from(largest);
@@ -51,15 +51,15 @@ pub(crate) fn plane_tolerance(in_part: &Bounds, placed: &DAffine3, space: &Scene
 
 /// Triangles of which some may lie in a plane, in scene space.
 pub(crate) struct Candidates<'a, P> {
-    /// Of the whole mesh.
+    /// Triangles of the whole mesh.
     pub(crate) triangles: &'a [[u32; 3]],
     /// Place of a vertex; of parts of a scene that of [`PreparedPart::positions`](crate::scene::PreparedPart::positions).
     pub(crate) position: P,
     /// The triangles to look at: at least all with three vertices within the tolerance.
     pub(crate) near: Vec<u32>,
-    /// How far off vertices may be; with 0 only those on the plane to the last bit count.
+    /// Greatest distance of vertices from the plane; at 0 only those on the plane to the last bit count.
     pub(crate) tolerance: f64,
-    /// Whether the mesh encloses a negative volume; only called where a face is found.
+    /// Returns true if the mesh encloses a negative volume; called only if a face is found.
     pub(crate) is_inside_out: &'a dyn Fn() -> bool,
 }
 
@@ -73,7 +73,7 @@ pub(crate) struct FacesInPlane {
 }
 
 impl FacesInPlane {
-    /// Whether there are none.
+    /// Returns true if there are no faces.
     pub(crate) fn is_empty(&self) -> bool {
         self.faces.is_empty()
     }
@@ -89,7 +89,7 @@ impl FacesInPlane {
         Some(self.faces[at].1)
     }
 
-    /// Whether a vertex is one of theirs, or in the place of one.
+    /// Returns true if a vertex belongs to a face, or coincides with one that does.
     pub(crate) fn holds(&self, position: DVec3) -> bool {
         !self.places.is_empty() && self.places.contains(&place_of(position))
     }
@@ -200,7 +200,7 @@ impl FlatSurface {
     }
 }
 
-/// Of each triangle, whether it is of a face with solid behind it that ends within the tolerance.
+/// Per triangle: true if it belongs to a face with solid behind it that ends within the tolerance.
 fn thin(near: &[Near], tolerance: f64) -> Vec<bool> {
     let apart = TOUCHING * tolerance;
     let of = |up: bool| near.iter().filter(move |n| n.faces_up == Some(up));

@@ -10,9 +10,9 @@ const RELATIVE_ROUNDING: f64 = 1e-15;
 /// A side of a clip-surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Side {
-    /// What stays.
+    /// The side that stays.
     Kept,
-    /// What the clip-surface removes, where the others of its cut do.
+    /// The side that the clip-surface removes, where the others of its cut do too.
     Removed,
 }
 

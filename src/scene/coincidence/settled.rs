@@ -25,8 +25,8 @@ use rayon::prelude::*;
 use super::faces_in_plane::Candidates;
 use crate::scene::{Bounds, FlatSurface, Prepared, PreparedPart, PreparedSurface, Side};
 
-/// How close to a surface triangles are settled, in scene units: about what the 1/256 px of a rasteriser's vertices make of depth
-/// along a surface in a picture of 60 px, and more than any rounding.
+/// Distance from a surface within which triangles are settled, in scene units: about the error in depth along a surface due to the
+/// 1/256 px of a rasteriser's vertices in a picture of 60 px, and more than any rounding.
 const CLOSE: f64 = 1.0 / 16384.0;
 
 /// The greatest sine of the angle between a settled triangle that does not lie in the surface and the surface.
@@ -39,7 +39,7 @@ pub struct Settled {
     pub triangle: u32,
     /// Index in [`Prepared::surfaces`](crate::scene::Prepared::surfaces).
     pub surface: u16,
-    /// Where it lies.
+    /// Side on which it lies.
     pub side: Side,
 }
 
@@ -48,14 +48,14 @@ pub struct Settled {
 pub(crate) struct SettledTriangle {
     /// Its number.
     pub(crate) triangle: u32,
-    /// Where it lies.
+    /// Side on which it lies.
     pub(crate) side: Side,
-    /// It is of a face in the surface.
+    /// True if it belongs to a face in the surface.
     pub(crate) is_in: bool,
 }
 
 impl FlatSurface {
-    /// Whether something in a box may be close enough to be settled; vertices of faces in the surface may be as far off as `tolerance`.
+    /// Returns true if geometry in a box may be close enough to settle; vertices of faces in the surface may be off by up to `tolerance`.
     pub fn comes_near(&self, bounds: &Bounds, tolerance: f64) -> bool {
         let heights = bounds.corners().map(|c| self.height(c));
         let close = CLOSE.max(tolerance);

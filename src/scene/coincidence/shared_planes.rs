@@ -2,7 +2,7 @@
 //!
 //! A pin flush with its plate has two faces in one place, and the depths of both are the same number but for rounding, which every
 //! triangle does for itself. So such faces have no depths of their own: a sample of either has the depth of the plane, and of parts
-//! at one depth the first in rank has it. A plane is that of its largest triangle; others are of it where all of their vertices are
+//! at one depth the first in rank is drawn. A plane is that of its largest triangle; others belong to it if all of their vertices are
 //! within the tolerance of both parts ([`plane_tolerance`](super::faces_in_plane::plane_tolerance)) and they face the same way.
 //!
 //! Cost: nothing but a look at pairs of boxes where no boxes of parts overlap; else, for triangles where they do, a sort by area and for
@@ -18,23 +18,23 @@ use glam::{DVec2, DVec3, Vec3};
 
 use crate::scene::{Bounds, PreparedPart, View, longest_edge};
 
-/// So many parts of planes are settled; with the sides of cuts they fit into the groups of a frame.
+/// Greatest number of parts of planes that are settled; with the sides of cuts they fit into the groups of a frame.
 const MOST_MEMBERS: usize = 256;
 
-/// Of so many parts it is found out which meet, pair by pair: each takes a group of a frame, and leaves half of them to settled faces.
+/// Greatest number of parts that are tested for overlap in pairs: each takes a group of a frame, and leaves half of them to settled faces.
 const MOST_PARTS: usize = 512;
 
-/// So many planes of one cell of normals and offsets are told apart, those with the largest triangles: what bounds the search on curved
+/// Greatest number of planes per cell of normals and offsets, those with the largest triangles: bounds the search on curved
 /// and on rough surfaces, where each triangle has a plane of its own.
 const MOST_IN_CELL: usize = 64;
 
 /// Cells of a unit normal's component, and of the distance from the origin.
 const CELLS: [f64; 2] = [128.0, 512.0];
 
-/// How far from the border of a cell planes are looked for in the next one too, in cells.
+/// Distance from the border of a cell, in cells, within which the next cell is searched too.
 const BESIDE: f64 = 0.25;
 
-/// Triangles whose altitude is no more than so many times the tolerance are slivers.
+/// Triangles whose altitude is no more than this multiple of the tolerance are slivers.
 const SLIVER: f64 = 4.0;
 
 /// An eye nearer to a plane than this, in scene units, or a parallel view with so small a sine to it, sees it edge-on.
@@ -85,7 +85,7 @@ type FoundIn = Option<(Arc<Vec<Vec3>>, Arc<Vec<[u32; 3]>>)>;
 /// The planes that parts of a scene share.
 #[derive(Clone, Debug, Default)]
 pub struct SharedPlanes {
-    /// Of each part by rank, what they were found in.
+    /// Per part by rank: the input in which they were found.
     meshes: Vec<FoundIn>,
     planes: Vec<SharedPlane>,
     /// By rank: triangles in order, each with the number of its plane.
@@ -173,7 +173,7 @@ struct Face {
 }
 
 impl Face {
-    /// Whether this one lies in the plane of another.
+    /// Returns true if this one lies in the plane of another.
     fn lies_in(&self, plane: &Self) -> bool {
         let tolerance = self.tolerance.max(plane.tolerance);
         let height = |p: &DVec3| (p.dot(plane.normal) - plane.offset).abs();
@@ -187,7 +187,7 @@ impl Face {
     }
 }
 
-/// Whether boxes have an area in common, or touch along one.
+/// Returns true if boxes have an area in common, or touch along one.
 fn meet(a: &Bounds, b: &Bounds, tolerance: f64) -> bool {
     let common = (a.max.min(b.max) - a.min.max(b.min)).to_array();
     common.iter().all(|c| *c >= -tolerance)
@@ -213,7 +213,7 @@ fn meeting(boxes: &[(Bounds, f64)], mut pair: impl FnMut(usize, usize)) {
     }
 }
 
-/// Whether the faces of a part are looked for: whatever cuts leave of it, for they may move.
+/// Returns true if the faces of a part are searched, regardless of its cuts, since they may move.
 fn is_looked_at(part: &PreparedPart) -> bool {
     !part.is_posed && !part.is_on_device && !part.triangles.is_empty()
 }

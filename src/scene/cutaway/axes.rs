@@ -24,21 +24,21 @@ const SWEEPS: usize = 16;
 pub struct MainAxes {
     /// The middle of the surface.
     pub centre: DVec3,
-    /// Of length 1, at right angles, that of the greatest spread first; the greatest component of each is positive.
+    /// Orthonormal axes, the greatest spread first; the greatest component of each is positive.
     pub axes: [DVec3; 3],
     /// Variances along them, in square units.
     pub spreads: [f64; 3],
 }
 
-/// Which axis is meant.
+/// Rule that selects an axis.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub enum AxisRule {
-    /// That of the greatest spread, or of a disc the one around which it is round; of a solid without a main axis the up axis.
+    /// Axis of the greatest spread; for a disc its axis of symmetry; for a solid without a main axis the up axis.
     #[default]
     Auto,
-    /// That of the greatest spread, as in the paper.
+    /// Axis of the greatest spread, as in the paper.
     Main,
-    /// That of the least.
+    /// Axis of the least spread.
     Symmetry,
     /// A direction.
     Along(DVec3),
@@ -77,13 +77,13 @@ impl MainAxes {
         }
     }
 
-    /// Whether no axis stands out.
+    /// Returns true if no axis stands out.
     pub fn is_even(&self) -> bool {
         let [a, b, c] = self.spreads;
         (a - b) / a < ALIKE && (b - c) / a < ALIKE
     }
 
-    /// Whether two axes of the greatest spread are as good as each other.
+    /// Returns true if the two axes of the greatest spread are equivalent.
     pub fn is_disc(&self) -> bool {
         let [a, b, c] = self.spreads;
         (a - b) / a < DISC && (b - c) / a > DISC
@@ -144,7 +144,7 @@ fn eigen(mut matrix: DMat3) -> ([f64; 3], [DVec3; 3]) {
     )
 }
 
-/// Where a cutout lies: what its wedge is placed by.
+/// Coordinate frame that places the wedge of a cutout.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CutoutFrame {
     /// A point of the axis.
@@ -153,7 +153,7 @@ pub struct CutoutFrame {
     pub along: DVec3,
     /// Direction of 0 degrees, of length 1.
     pub zero: DVec3,
-    /// Where the eye is, in degrees about the axis.
+    /// Direction of the eye, in degrees about the axis.
     pub eye_deg: f64,
     /// No axis stands out.
     pub is_even: bool,
@@ -200,7 +200,7 @@ mod tests {
     fn closed_form(size: DVec3) -> [f64; 3] {
         let DVec3 { x, y, z } = size;
         let whole = 2.0 * (x * y + y * z + z * x);
-        // Two faces across each axis lie half a side away, the others go along all of it.
+        // Per axis: two faces perpendicular to it at half a side's distance; the others extend along its full length.
         [(x, y * z), (y, z * x), (z, x * y)].map(|(side, face)| {
             side * side * (2.0 * face / 4.0 + (whole - 2.0 * face) / 12.0) / whole
         })
@@ -277,7 +277,7 @@ mod tests {
         rings.flat_map(ring).collect()
     }
 
-    /// Spreads along z and across it, in closed form, beside those of a polyhedron of so many sides.
+    /// Spreads along z and across it, in closed form, and an approximating polyhedron with a given number of sides.
     struct RoundSolid {
         along: f64,
         across: f64,

@@ -1,11 +1,11 @@
 //! Breakaways: an opening through which what is inside is seen from the eye (Diepstraten, Weiskopf and Ertl 2003, rules R6 and R7).
 //!
-//! The hull of the interiors, extended by a ball, is swept towards the eye by a cone that holds all directions from it to the eye; the hull of
-//! the two ends is a closed convex mesh, which is a cutter like any other, so that its walls have caps. The paper clips exteriors before the
+//! The hull of the interiors, extended by a ball, is swept towards the eye by a cone of all directions from it to the eye; the hull of
+//! the two ends is a closed convex mesh: a cutter like any other, so its walls have caps. The paper clips exteriors before the
 //! foremost surface of the extended hull in the picture, and can show walls in parts alone.
 //!
-//! Whatever lies between an interior and the eye is within: of a point p of the extended hull and a direction u of the cone, p + t u is in the
-//! hull of both ends for all t up to the length of the sweep. Cost: the hull of the vertices of the interiors, and one of some ten thousand
+//! All points between an interior and the eye are within: of a point p of the extended hull and a direction u of the cone, p + t u is in
+//! the hull of both ends for all t up to the sweep's length. Cost: the hull of the vertices of the interiors, and one of some ten thousand
 //! points for each opening. Cannot: open towards an eye that is within the extended hull; there is none then.
 
 use std::sync::LazyLock;
@@ -18,13 +18,13 @@ use crate::scene::{Amount, Bounds, Cutter, Mesh, View};
 
 /// Sides of the cone.
 const SIDES: u32 = 24;
-/// Corners of the extended hull lie so much farther out than the ball, for rounding.
+/// The extended hull's corners lie farther out than the ball by this factor, for rounding.
 const SLACK: f64 = 1.001;
-/// What stands out by less than this share of the distance is left out of the hull, for which the distance is so much larger.
+/// Points that protrude by less than this share of the distance are left out of the hull; the distance is enlarged by as much.
 const LEFT_OUT: f64 = 0.05;
 /// The widest half angle of a cone.
 const WIDEST_DEG: f64 = 80.0;
-/// How far towards the eye it goes, of the way, where that is out of the model.
+/// Length of the opening as a share of the distance to the eye, if that ends outside the model.
 const NEAR_THE_EYE: f64 = 0.75;
 /// Steps towards the point of a difference of two hulls that is nearest to the origin.
 const MOST_STEPS: usize = 256;
@@ -32,17 +32,17 @@ const MOST_STEPS: usize = 256;
 /// An opening that is placed by what it shows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Breakaway {
-    /// How far it stays away from what it shows: in world units, or percent of the diagonal of the scene.
+    /// Clearance around the shown parts: in world units, or percent of the scene's diagonal.
     pub distance: Amount,
-    /// How much wider than the rays of sight its walls open, in degrees: at 0 they are hardly seen.
+    /// Angle between the walls and the rays of sight, in degrees: at 0 the walls are hardly seen.
     pub bevel_deg: f64,
-    /// How many openings there are.
+    /// Number of openings.
     pub clusters: Clusters,
-    /// Which eye it opens to.
+    /// Eye that it opens to.
     pub view: BreakawayView,
 }
 
-/// How many openings a breakaway has.
+/// Number of openings of a breakaway.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Clusters {
     /// One around all that is inside, as in the paper.
@@ -52,7 +52,7 @@ pub enum Clusters {
     Auto,
 }
 
-/// Which eye a breakaway opens to.
+/// Eye that a breakaway opens to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum BreakawayView {
     /// The eye of each frame, as in the paper.
@@ -74,7 +74,7 @@ impl Default for Breakaway {
 }
 
 impl Breakaway {
-    /// How far it stays away, in world units.
+    /// Clearance in world units.
     fn distance_in(&self, bounds: &Bounds) -> f64 {
         match self.distance {
             Amount::Units(units) => units,
@@ -174,8 +174,8 @@ impl Breakaway {
     }
 }
 
-/// The corners of points that matter, and the hull of these and a ball around each; `None` where that has no inside. The ball is larger by what
-/// the corners that were left out stand out.
+/// The corners that matter, and the hull of these and a ball around each; `None` if that has no inside. The ball is larger by the
+/// protrusion of the corners that were left out.
 fn extended(points: &[DVec3], distance: f64) -> Option<(Vec<DVec3>, ConvexHull)> {
     let size = Bounds::from_points(points.iter().copied()).size().length();
     let aside = (LEFT_OUT * distance / size).clamp(1e-6, 1e-3);
@@ -227,9 +227,9 @@ fn ball() -> Vec<DVec3> {
     points.into_iter().map(|p| p * (SLACK / nearest)).collect()
 }
 
-/// Whether two hulls have a point in common, by the point of their difference that is nearest to the origin (Frank and Wolfe 1956): where a
-/// plane is found between them they do not. Where none is found in time, as between long solids near each other, the planes of their faces are
-/// tried; what only an edge of each sets apart is then taken to meet.
+/// Returns true if two hulls intersect, by the point of their difference that is nearest to the origin (Frank and Wolfe 1956): if this
+/// finds a plane between them they do not. If it finds none in time, as between long solids near each other, the planes of their faces are
+/// tried; hulls that only a pair of edges separates are then taken to intersect.
 fn meet(a: &ConvexHull, b: &ConvexHull) -> bool {
     let Some((first, second)) = a.corners.first().zip(b.corners.first()) else {
         return false;

@@ -9,8 +9,8 @@ use crate::error::{Error, Result};
 use crate::scene::{Camera, Cut, Outline, Part, Role, Scene, View};
 
 impl Scene {
-    /// Opens breakaways ([`Cut::breakaway`]) towards the eye of the scene's camera in a picture of a size: they get their cutters, those with
-    /// several openings as cuts beside each other. To be done again when the camera or what is inside has moved; those that open to the
+    /// Opens breakaways ([`Cut::breakaway`]) towards the scene camera's eye in a picture of a size: each gets its cutter, and one with
+    /// several openings becomes several cuts. Call it again when the camera or the interior has moved; those that open to the
     /// first eye alone ([`BreakawayView::First`]) stay as they are then.
     ///
     /// # Errors
@@ -27,7 +27,7 @@ impl Scene {
         })
     }
 
-    /// Whether any cut is a breakaway.
+    /// Returns true if any cut is a breakaway.
     #[doc(hidden)]
     pub fn has_breakaways(&self) -> bool {
         self.cuts.iter().any(|cut| cut.breakaway.is_some())
@@ -44,7 +44,7 @@ impl Scene {
             let view = cut.breakaway.as_ref().and_then(|b| view_for(cut, b));
             match (&cut.breakaway, view) {
                 (Some(breakaway), Some(view)) if cut.enabled => {
-                    // Those beside the first were made of it.
+                    // The cuts of further openings were created from the first.
                     if cut.opening == 0 {
                         cuts.extend(self.openings(cut, breakaway, view)?);
                     }

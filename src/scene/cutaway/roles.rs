@@ -1,9 +1,9 @@
-//! Which parts are seen from outside, and which only when those are gone: the classification that Diepstraten, Weiskopf and Ertl (2003, rule
-//! R1) leave to who makes the scene.
+//! Classifies parts as seen from outside or only once others are gone: the classification that Diepstraten, Weiskopf and Ertl (2003, rule
+//! R1) leave to the author of the scene.
 //!
-//! All parts are looked at from 26 sides, uncut. A part of which less than [`LEAST_SEEN`] of what its area would make one expect is seen lies
-//! within; what is seen once all others are gone is one level deeper. Costs 26 pictures of 256 x 256 of the corners of all triangles, on
-//! all cores. Cannot: say anything of parts much smaller than a pixel, nor take for interior what an opening shows as well as a wall would.
+//! All parts are viewed from 26 sides, uncut. A part whose seen share is less than [`LEAST_SEEN`] of that expected from its area lies
+//! within; parts seen once all others are gone are one level deeper. Cost: 26 pictures of 256 x 256 of the corners of all triangles, on
+//! all cores. Cannot: classify parts much smaller than a pixel, nor take for interior parts that an opening shows as well as a wall would.
 
 use glam::DVec3;
 use rayon::prelude::*;
@@ -14,17 +14,17 @@ use crate::scene::{Bounds, Part};
 const SIDE_PX: usize = 256;
 /// Share of the pixels of all over share of the area of all, from which a part counts as seen.
 const LEAST_SEEN: f64 = 0.15;
-/// Of a part that would have fewer in all pictures together nothing is said.
+/// A part with a smaller expected pixel count in all pictures together is not classified.
 const FEWEST_PX: f64 = 40.0;
 /// No solid has more layers than this that matter.
 const MOST_LEVELS: u32 = 16;
 
-/// How much is seen of a part from outside.
+/// Visibility of a part from outside.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sight {
-    /// Share of the pixels of all parts over share of the area of all; 1 is as much as one expects.
+    /// Share of the pixels of all parts over share of the area of all; 1 is the expected value.
     pub seen: f64,
-    /// 0 for what is seen from outside, 1 for what is once that is gone, and so on; none where the part is too small to tell.
+    /// 0 for a part seen from outside, 1 for one seen once level 0 is gone, and so on; `None` if the part is too small to classify.
     pub level: Option<u32>,
 }
 
@@ -34,7 +34,7 @@ struct Shape {
     area: f64,
 }
 
-/// What is seen of each part.
+/// Visibility of each part.
 pub fn sights(parts: &[Part]) -> Vec<Sight> {
     let shapes: Vec<Shape> = parts.par_iter().map(Shape::of).collect();
     let mut left: Vec<usize> = (0..parts.len()).collect();
@@ -87,14 +87,14 @@ impl Shape {
     }
 }
 
-/// What pictures say of a shape.
+/// Visibility of a shape in the pictures.
 struct Seen {
     /// Share of the pixels over share of the area.
     share: f64,
     expected_px: f64,
 }
 
-/// How much is seen of some of the shapes where there is nothing else.
+/// Visibility of some of the shapes in the absence of all others.
 fn seen_of(shapes: &[Shape], of: &[usize]) -> Vec<Seen> {
     let corners = of.iter().flat_map(|i| &shapes[*i].corners).flatten();
     let bounds = Bounds::from_points(corners.copied());
@@ -126,7 +126,7 @@ fn seen_of(shapes: &[Shape], of: &[usize]) -> Vec<Seen> {
     of.iter().zip(&counts).map(seen).collect()
 }
 
-/// How many pixels of each show in a picture through parallel rays.
+/// Number of visible pixels of each shape in a picture through parallel rays.
 fn counts_from(shapes: &[Shape], of: &[usize], bounds: &Bounds, forward: DVec3) -> Vec<u64> {
     let (right, up) = forward.any_orthonormal_pair();
     let centre = bounds.centre();

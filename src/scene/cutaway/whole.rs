@@ -1,20 +1,20 @@
-//! Parts that are never cut, and hidden where all of them lies in what is removed: bolts, pins, shafts. A pin that is spared would stand in the
-//! air before the cut.
+//! Parts that are never cut, and hidden if they lie wholly in the removed region: bolts, pins, shafts. A pin that is spared would stand in
+//! the air before the cut.
 //!
 //! A part is hidden where each of its triangles lies in one of the cuts with all its corners; of a cutter that is not convex its edges may
-//! leave it in between. What a breakaway shows it does not hide. Cost: for each such part the sides of its corners, up to the first triangle
-//! that is kept.
+//! leave it in between. A breakaway does not hide the parts that it shows. Cost: for each such part the sides of its corners, up to the
+//! first triangle that is kept.
 
 use glam::{DVec2, DVec3};
 use robust::{Coord, orient2d};
 
 use crate::scene::{Bounds, ClipSurface, Cut, Cutter, Part, Role, Scene};
 
-/// What lies within this share of the size of the scene of a clip-surface lies on it: nothing without thickness is left.
+/// Points within this share of the scene's size of a clip-surface lie on it, so that no part of zero thickness is left.
 const FLUSH: f64 = 1e-9;
 
-/// Whether each triangle of a part that is whole lies in what some cut removes. `world` is what [`Scene::bounds`] says, which may have to
-/// look at every vertex.
+/// Returns true if each triangle of a whole part lies in the removed region of some cut. `world` is the result of [`Scene::bounds`], which
+/// may have to read every vertex.
 pub(crate) fn is_removed_whole(scene: &Scene, world: &Bounds, part: &Part) -> bool {
     if part.role != Role::Whole {
         return false;
@@ -38,14 +38,14 @@ pub(crate) fn is_removed_whole(scene: &Scene, world: &Bounds, part: &Part) -> bo
         && triangles.all(|t| cuts.iter().any(|cut| t.iter().all(|p| cut.holds(*p))))
 }
 
-/// What a cut removes of a part.
+/// Region that a cut removes from a part.
 struct Removed {
     surfaces: Vec<ClipSurface>,
     flush: f64,
     cutter: Option<Inside>,
 }
 
-/// The inside of a cutter, or what is outside of it.
+/// The inside of a cutter, or its outside.
 struct Inside {
     bounds: Bounds,
     triangles: Vec<[DVec3; 3]>,
@@ -92,7 +92,7 @@ impl Inside {
         (is_near && self.holds(point)) != self.keeps_inside
     }
 
-    /// Whether a ray along z crosses it an odd number of times.
+    /// Returns true if a ray along z crosses it an odd number of times.
     fn holds(&self, point: DVec3) -> bool {
         let crosses = |[a, b, c]: &&[DVec3; 3]| {
             let side = |p: DVec3, q: DVec3| side_of(p.truncate(), q.truncate(), point.truncate());
@@ -108,7 +108,7 @@ impl Inside {
     }
 }
 
-/// On which side of an edge a point is, the same for both triangles of the edge; points on it lie to one side of it.
+/// Side of an edge that a point is on, the same for both triangles of the edge; points on it count to one side.
 fn side_of(from: DVec2, to: DVec2, point: DVec2) -> bool {
     let is_turned = (to.x, to.y) < (from.x, from.y);
     let (first, last) = if is_turned { (to, from) } else { (from, to) };

@@ -1,9 +1,9 @@
-//! Where an eye is that sees some points in the middle of its picture, as large as its borders let them be.
+//! Places the eye so that some points are centred in its picture, as large as its borders allow.
 //!
 //! Points are given along the axes of the picture: to the right, up, and into it. In perspective each border is a plane through the
 //! eye. A point is on the inner side of the right one, at eye `(x, y, z)` and with half a width of `t` at depth 1, if
-//! `p.x - t p.z <= x - t z`; so the greatest `p.x - t p.z` says all that there is to know of the points. Left and right together say
-//! how far away the eye has to be, as do the lower and the upper border; of the two the farther eye sees all. That is exact, and in
+//! `p.x - t p.z <= x - t z`; so the greatest `p.x - t p.z` is all that matters of the points. Left and right together determine
+//! the eye's distance, as do the lower and the upper border; of the two the farther eye sees all. That is exact, and in
 //! one pass over the points. On the axis that has room to spare the eye is put where the margins are equal in the picture.
 
 use glam::{DVec2, DVec3};
@@ -23,7 +23,7 @@ fn filled(size_px: [u32; 2]) -> DVec2 {
     1.0 - 2.0 * MARGIN * size.min_element() / size
 }
 
-/// The middle of the points in the picture and half the height of it, of a parallel view.
+/// Centre of the points in the picture and half the picture's height, of a parallel view.
 pub(in crate::scene) fn fit_parallel(points: &[DVec3], size_px: [u32; 2]) -> (DVec2, f64) {
     let [least, most] = extent(points);
     let half = (most - least).truncate() / 2.0 / filled(size_px);
@@ -62,7 +62,7 @@ pub(in crate::scene) fn fit_perspective(
     DVec3::new(middle(0), middle(1), z)
 }
 
-/// How much farther the points reach to the greater side of the picture than to the lesser, from an eye.
+/// Excess of the points' reach on the greater side of the picture over that on the lesser, from an eye.
 fn lean(points: &[DVec3], axis: usize, at: f64, z: f64) -> f64 {
     let slopes = points.iter().map(|p| (p[axis] - at) / (p.z - z));
     let [least, most] = slopes.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], s| {
@@ -80,7 +80,7 @@ fn sides(points: &[DVec3], axis: usize, border: f64) -> [f64; 2] {
     })
 }
 
-/// How far away an eye has to be that looks at the origin of the points, in perspective: nothing is centred.
+/// Distance of an eye that looks at the origin of the points, in perspective: nothing is centred.
 pub fn distance_around(points: &[DVec3], half_height: f64, size_px: [u32; 2]) -> f64 {
     let aspect = f64::from(size_px[0]) / f64::from(size_px[1]);
     let borders = DVec2::new(half_height * aspect, half_height) * filled(size_px);

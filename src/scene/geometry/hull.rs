@@ -5,7 +5,7 @@
 //! it sees. What it sees is decided by exact signs (Shewchuk 1997), and a facet that it lies in is not seen: so what is seen is a
 //! disk, whatever lies in one plane, and its border one ring with no edge in line with the point.
 //!
-//! Where only extents are asked for, points that stand out by less than [`ASIDE`] are left out: a ball of a million corners has some ten
+//! If only extents are needed, points that stand out by less than [`ASIDE`] are left out: a ball of a million corners has some ten
 //! thousand that matter. Cost: time in proportion to the points, times the logarithm of the corners. Points of one plane have no hull.
 
 use std::collections::BTreeMap;
@@ -13,7 +13,7 @@ use std::collections::BTreeMap;
 use glam::DVec3;
 use robust::{Coord3D, orient3d};
 
-/// What stands out by less, as a share of the thickness of all, is left out: a tenth of a pixel in a picture of a thousand.
+/// Points that protrude by less than this share of the total thickness are left out: a tenth of a pixel in a picture of a thousand.
 const ASIDE: f64 = 1e-4;
 
 /// A convex hull as a closed mesh.
@@ -31,12 +31,12 @@ impl ConvexHull {
         Hull::around(points, 0.0).map(|hull| hull.as_mesh())
     }
 
-    /// That of points which need not all be in it: what stands out by less than a ten-thousandth of the thickness may be left out.
+    /// The hull of points, some optional: those that protrude by less than a ten-thousandth of the thickness may be left out.
     pub(crate) fn nearly(points: &[DVec3]) -> Option<Self> {
         Self::roughly(points, ASIDE)
     }
 
-    /// That of points of which those may be left out that stand out by less than a share of the thickness.
+    /// The hull of points; those that protrude by less than the share `aside` of the thickness may be left out.
     pub(crate) fn roughly(points: &[DVec3], aside: f64) -> Option<Self> {
         Hull::around(points, aside).map(|hull| hull.as_mesh())
     }
@@ -48,7 +48,7 @@ impl ConvexHull {
             .unwrap_or_default()
     }
 
-    /// Whether a point lies in it or on it.
+    /// Returns true if a point lies in it or on it.
     pub(crate) fn holds(&self, point: DVec3) -> bool {
         self.faces()
             .all(|[a, b, c]| (b - a).cross(c - a).dot(point - a) <= 0.0)

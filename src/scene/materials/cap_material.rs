@@ -1,10 +1,10 @@
-//! Cap materials: what the surface of a cut looks like (Trapp and Döllner 2013, sections 4.1 and 4.2, Fig. 11).
+//! Cap materials: the look of a cut's surface (Trapp and Döllner 2013, sections 4.1 and 4.2, Fig. 11).
 
 use std::sync::Arc;
 
 use crate::scene::{Amount, Texture};
 
-/// Of what a solid is made all through, so that every cut shows it.
+/// Solid texture: material throughout the volume of a solid, so that every cut shows it.
 #[derive(Clone, Debug)]
 pub enum SolidTexture {
     /// Rings around the longest axis of the part.
@@ -18,7 +18,7 @@ pub enum SolidTexture {
 }
 
 impl SolidTexture {
-    /// Those that need no file, by their names.
+    /// Textures that need no file, by their names.
     pub const NAMED: [(&'static str, Self); 3] = [
         ("wood", Self::Wood),
         ("marble", Self::Marble),
@@ -26,7 +26,7 @@ impl SolidTexture {
     ];
 }
 
-/// What caps are made of. Images lie in the (u, v) of the clip-surface, its relief's repeats or `size`, and go on all around; a solid texture
+/// Material of caps. Images lie in the (u, v) of the clip-surface, its relief's repeats or `size`, and repeat without end; a solid texture
 /// lies in the part.
 #[derive(Clone, Debug, Default)]
 pub struct CapMaterial {
@@ -36,9 +36,9 @@ pub struct CapMaterial {
     pub normal: Option<Arc<Texture>>,
     /// Share of the light, by its red channel.
     pub light: Option<Arc<Texture>>,
-    /// What the solid is made of.
+    /// Material throughout the solid.
     pub solid: Option<SolidTexture>,
-    /// Length of a repeat of the images, or of what repeats in the solid, in world units or percent of the diagonal of the scene. Without it
+    /// Length of a repeat of the images, or of the solid texture, in world units or percent of the diagonal of the scene. Without it
     /// images lie on the relief, texel by texel as they are, and other things take 10 %.
     pub size: Option<Amount>,
 }

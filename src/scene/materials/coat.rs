@@ -21,14 +21,14 @@ pub struct Coat {
 pub struct CoatedTriangle {
     /// Colours of the corners, sRGB.
     pub colors: [[u8; 4]; 3],
-    /// Where the corners are in the image, in repeats, (0, 0) its upper left.
+    /// Texture coordinates of the corners, in repeats; (0, 0) is the image's upper left.
     pub uv: [Vec2; 3],
-    /// Which image; `None` leaves the colours as they are.
+    /// Index of the image; `None` leaves the colours unchanged.
     pub image: Option<u32>,
 }
 
 impl CoatedTriangle {
-    /// Whether it has colours of its own: there is no image, or it is tinted.
+    /// Returns true if it has colours of its own: there is no image, or it is tinted.
     #[doc(hidden)]
     pub fn has_colors(&self) -> bool {
         self.image.is_none() || self.colors != [[255; 4]; 3]
@@ -47,7 +47,7 @@ impl Coat {
         }
     }
 
-    /// The one colour of all of it, sRGB, where it has no image and but one.
+    /// The colour (sRGB) if the coat has no image and a single colour.
     #[doc(hidden)]
     pub fn one_color(&self) -> Option<[u8; 4]> {
         let first = self.triangles.first()?.colors[0];

@@ -46,7 +46,7 @@ pub fn parse_color(text: &str) -> Option<Vec3> {
     }
 }
 
-/// How to write what is no colour, as the text of a `help:` line.
+/// Text of a `help:` line for a string that is not a valid colour.
 pub fn color_help(text: &str) -> String {
     let names: Vec<&str> = COLOR_NAMES.iter().map(|(name, _)| *name).collect();
     match nearest(&text.to_ascii_lowercase(), &names) {
@@ -58,7 +58,7 @@ pub fn color_help(text: &str) -> String {
     }
 }
 
-/// A colour of three channels with so many bits each.
+/// A colour of three channels with `bits` bits each.
 fn of_bits(value: u32, bits: u32) -> Vec3 {
     let most = (1 << bits) - 1;
     let channel = |i: u32| ((value >> (bits * i)) & most) as f32 / most as f32;

@@ -7,7 +7,7 @@ use std::sync::Arc;
 /// The most strokes and dots of a period of dashes.
 pub const MOST_STROKES: usize = 4;
 
-/// What the caps of a part are hatched with, where a style has hatches.
+/// Hatch of a part's caps, in styles that have hatches.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum CapHatch {
     /// Parallel lines.
@@ -15,7 +15,7 @@ pub enum CapHatch {
     General,
     /// Nothing.
     None,
-    /// All of it.
+    /// Filled without gaps.
     Solid,
     /// A pattern.
     Pattern(Arc<HatchPattern>),
@@ -24,7 +24,7 @@ pub enum CapHatch {
 /// Families of lines.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HatchPattern {
-    /// What it is called.
+    /// Name of the pattern.
     pub name: String,
     /// At least one; their directions are over that of the hatch's first class less 45 degrees.
     pub families: Vec<LineFamily>,
@@ -37,7 +37,7 @@ pub struct LineFamily {
     pub angle_deg: f64,
     /// A point that a line begins at.
     pub origin: [f64; 2],
-    /// How far the next line is moved along itself.
+    /// Offset of each line from the previous one along the line direction.
     pub shift: f64,
     /// Distance from line to line; not 0.
     pub spacing: f64,
@@ -50,7 +50,7 @@ pub struct LineFamily {
 pub struct Dash {
     /// 0 is a dot.
     pub length: f64,
-    /// Whether it is drawn.
+    /// True for a stroke, false for a gap.
     pub is_drawn: bool,
 }
 
@@ -60,7 +60,7 @@ impl LineFamily {
         self.dashes.iter().map(|d| d.length).sum()
     }
 
-    /// Whether the lines of both run the same way.
+    /// Returns true if the lines of both are parallel.
     fn is_parallel_to(&self, other: &Self) -> bool {
         let apart = (self.angle_deg - other.angle_deg).rem_euclid(180.0);
         apart.min(180.0 - apart) < 0.5
@@ -80,7 +80,7 @@ impl HatchPattern {
             .fold(f64::INFINITY, f64::min)
     }
 
-    /// Whether lines run in more than one direction, so that a quarter turn may change nothing.
+    /// Returns true if lines run in more than one direction, so that a quarter turn may change nothing.
     pub fn is_crossed(&self) -> bool {
         let first = self.families.first();
         first.is_some_and(|first| !self.families.iter().all(|f| f.is_parallel_to(first)))

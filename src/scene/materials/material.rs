@@ -1,4 +1,4 @@
-//! How a part looks; nothing here changes what is visible.
+//! Look of a part; nothing here changes visibility.
 
 use std::sync::Arc;
 
@@ -15,14 +15,14 @@ pub struct Material {
     pub cap_color: Option<Vec3>,
     /// Hatch of the cap, where a style has hatches.
     pub hatch: CapHatch,
-    /// Whether `color` is in the place of the coat of the mesh, where it has one ([`Mesh::coat`](crate::scene::Mesh::coat)).
+    /// True if `color` replaces the coat of the mesh, if there is one ([`Mesh::coat`](crate::scene::Mesh::coat)).
     pub is_painted_over: bool,
-    /// What the cap is made of, in the place of one colour and of [`CapHatch::General`].
+    /// Material of the cap; replaces the single colour and [`CapHatch::General`].
     pub cap: Option<Arc<CapMaterial>>,
 }
 
 impl PartialEq for Material {
-    /// Materials of caps are told apart as objects: what they hold is large.
+    /// Compares cap materials by pointer, since their contents are large.
     fn eq(&self, other: &Self) -> bool {
         let is_same_cap = match (&self.cap, &other.cap) {
             (Some(a), Some(b)) => Arc::ptr_eq(a, b),

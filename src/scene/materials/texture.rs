@@ -9,7 +9,7 @@ use glam::Vec3;
 
 use crate::scene::{linear_from_srgb, map_channels, srgb_from_linear};
 
-/// What the numbers of a texture are.
+/// Meaning of a texture's values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TextureKind {
     /// Colours, sRGB.
@@ -41,7 +41,7 @@ impl Texture {
         })
     }
 
-    /// Of the texels of an image, rows from the top; what is wrong with them otherwise.
+    /// Creates a texture from the texels of an image, rows from the top.
     ///
     /// # Errors
     ///
@@ -73,7 +73,7 @@ impl Texture {
         self.size
     }
 
-    /// What its numbers are.
+    /// Meaning of its values.
     pub fn kind(&self) -> TextureKind {
         self.kind
     }

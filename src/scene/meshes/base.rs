@@ -1,23 +1,23 @@
-//! Which axis of a mesh is up, where its file does not say: the one along which it stands on a flat base.
+//! Finds the up axis of a mesh whose file does not state it: the axis along which it stands on a flat base.
 //!
-//! Counted is the area of the faces that lie in the lowest plane across an axis and face down. A printed part or a machined one has such
-//! a base along the axis that it was drawn upright in, and most have none, or a smaller one, along another. What has none, as a scan,
-//! stands as its format does by habit. Cannot: know a part from one that lies on its side. Cost: one pass over the triangles.
+//! The measure is the area of downward faces in the lowest plane perpendicular to an axis. A printed or machined part has such
+//! a base along its design's upright axis, and most have none, or a smaller one, along another. A mesh without a base, such as a scan,
+//! keeps the default of its format. Cannot: recognise a part that lies on its side. Cost: one pass over the triangles.
 
 use glam::DVec3;
 
 use crate::scene::{Bounds, Part, Up};
 
-/// How far from the lowest plane a face of the base may lie, as a share of the diagonal.
+/// Greatest distance of a base face from the lowest plane, as a share of the diagonal.
 const THIN: f64 = 1e-3;
 
 /// The least base, as a share of the box across the axis.
 const LEAST_BASE: f64 = 0.02;
 
-/// How many times as large as the other a base has to be that outweighs the habit.
+/// Least ratio of the other axis' base to the default axis' base at which the other axis is chosen.
 const CLEARLY: f64 = 2.5;
 
-/// What stands upright, as far as its base says it; otherwise by habit.
+/// Up axis by the base of the parts; otherwise the default `habit`.
 pub fn standing_up(parts: &[Part], habit: Up) -> Up {
     let bounds = parts.iter().map(Part::bounds_in_world);
     let bounds = bounds.fold(Bounds::EMPTY, Bounds::union);

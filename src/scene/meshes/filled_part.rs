@@ -9,7 +9,7 @@ use crate::scene::bodies::bound_of;
 use crate::scene::motion::Bound;
 use crate::scene::{CoatedTriangle, Mesh, Motion, Part};
 
-/// What a part becomes by added triangles.
+/// A part with added triangles.
 #[derive(Debug)]
 pub(crate) struct FilledPart {
     mesh: Arc<Mesh>,
@@ -52,7 +52,7 @@ impl FilledPart {
         }
     }
 
-    /// Whether a part with the mesh that it was made of is bound as that one was.
+    /// Returns true if a part with the source mesh has the same binding as the source.
     pub(crate) fn is_of(&self, part: &Part) -> bool {
         match (bound_of(part), &self.bound) {
             (Some(a), Some((b, ..))) => Arc::ptr_eq(a, b),
@@ -61,7 +61,7 @@ impl FilledPart {
         }
     }
 
-    /// Puts it in the place of what the part was.
+    /// Replaces the mesh, motion and binding of the part.
     pub(crate) fn apply(&self, part: &mut Part) {
         part.mesh = Arc::clone(&self.mesh);
         part.motion.clone_from(&self.motion);

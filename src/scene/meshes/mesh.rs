@@ -21,7 +21,7 @@ pub struct Mesh {
     pub coat: Option<Coat>,
 }
 
-/// Why a mesh is refused.
+/// Reason for which a mesh is refused.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum MeshDefect {
@@ -43,7 +43,7 @@ pub enum MeshDefect {
         triangle: usize,
         /// The index it holds.
         index: u32,
-        /// How many vertices there are.
+        /// Number of vertices.
         vertices: usize,
     },
 }

@@ -6,7 +6,7 @@
 //! regions are triangulated. Normals of the file win where there are any. Normals never move a position or an edge.
 //!
 //! Cost: one bucket sort of the corners, then every position on its own, in parallel; the result does not depend on the
-//! number of threads. Limit: a triangle without area gets the normal of some triangle beside it, or `+Z`.
+//! number of threads. Limit: a triangle without area gets the normal of some adjacent triangle, or `+Z`.
 
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
@@ -62,7 +62,7 @@ struct Corner {
 }
 
 impl ShadingMesh {
-    /// Splits the vertices of triangles. `crease_deg` is the turn from which an edge is sharp; it is not asked where they
+    /// Splits the vertices of triangles. `crease_deg` is the turn from which an edge is sharp; it is ignored if the triangles
     /// have normals of their own.
     pub fn new(of: Faces<'_>, crease_deg: f32) -> Self {
         let buckets = Buckets::of(of);

@@ -1,9 +1,9 @@
-//! What a mesh is like as the boundary of a solid: closed or not, in how many pieces, how deep.
+//! Properties of a mesh as the boundary of a solid: closed or open, number of pieces, depth complexity.
 //!
 //! An edge is an unordered pair of vertex indices; its *uses* are the triangles that have it. Only vertices that a
 //! triangle names count.
 //!
-//! Cost: parallel sorts of three keys per triangle, of the positions and of the triangles, and three passes over the triangles. Limit: 2^31 vertices.
+//! Cost: parallel sorts of three keys per triangle, of the positions and of the triangles; three passes over them. Limit: 2^31 vertices.
 
 mod edges;
 mod rays;
@@ -17,7 +17,7 @@ use rays::Rays;
 
 use crate::scene::{Bounds, Mesh, Part};
 
-/// How many open edges are remembered as examples.
+/// Number of open edges kept as examples.
 const EXAMPLES: usize = 16;
 
 /// The facts of a mesh that decide how well it can be capped.
@@ -50,7 +50,7 @@ pub struct Topology {
     pub area: f64,
     /// The box around the vertices in use.
     pub bounds: Extent,
-    /// How often axis-parallel rays cross the surface.
+    /// Crossing counts of axis-parallel rays with the surface.
     pub depth_complexity: DepthComplexity,
     /// Share of the rays with an odd number of crossings; 0 for a closed mesh.
     pub odd_ray_share: f64,

@@ -82,7 +82,7 @@ pub(crate) fn order(positions: &[DVec3], triangles: &[[u32; 3]]) -> Vec<u32> {
     order.into_par_iter().map(|(_, i)| i).collect()
 }
 
-/// Where a point of the unit cube lies on a Z-order curve: the leading 21 bits of each coordinate, interleaved.
+/// Position of a point of the unit cube on a Z-order curve: the leading 21 bits of each coordinate, interleaved.
 fn place_on_curve(share: DVec3) -> u64 {
     let steps = (share * f64::from(1 << 21)).to_array();
     let spread = |step: f64| {

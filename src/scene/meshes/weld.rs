@@ -21,14 +21,14 @@ use crate::scene::Bounds;
 /// coordinate as large as the diagonal, so nothing that f32 can tell apart out there is joined.
 const NEAR_SHARE: f64 = 1e-8;
 
-/// Where the vertices went.
+/// Map from old vertices to welded ones.
 #[derive(Debug)]
 pub struct Weld {
     /// Vertices after welding.
     pub positions: Vec<DVec3>,
     /// New index of every old vertex.
     pub new_from_old: Vec<u32>,
-    /// What was done, for the user.
+    /// Summary of the changes, for the user.
     pub note: String,
 }
 

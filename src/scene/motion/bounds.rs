@@ -24,13 +24,13 @@ struct Pulled {
     moves: Vec<Bounds>,
 }
 
-/// Where the positions of a mesh can go.
+/// Bounds of the positions that a mesh can take.
 #[derive(Clone, Debug)]
 pub(in crate::scene) struct Reach {
     pulled: Vec<Pulled>,
     /// Least and greatest sum of the weights of a position.
     weight_sum: [f64; 2],
-    /// Whether a weight is negative or NaN, so that positions leave the boxes.
+    /// True if a weight is negative or NaN, so that positions leave the boxes.
     is_wild: bool,
 }
 
@@ -90,7 +90,7 @@ impl Reach {
         &mut self.pulled[*slot]
     }
 
-    /// Bounds in a pose without its deformers; `None` if the boxes say nothing.
+    /// Bounds in a pose without its deformers; `None` if the boxes do not bound it.
     pub(in crate::scene) fn posed(&self, pose: &Pose) -> Option<Bounds> {
         if self.is_wild {
             return None;

@@ -1,14 +1,14 @@
-//! What can be wrong with a [`Motion`] that was put together by hand.
+//! Defects of a [`Motion`] that was built by hand.
 //!
 //! Nothing panics over a motion with defects: what is missing moves nothing, a joint that the pose lacks stays where it was
-//! bound. It is only not what was meant, which this finds.
+//! bound. Only the result is wrong, which this check finds.
 
 use super::Motion;
 
 /// Pulls of a position may sum to 1 with this tolerance: some roundings of f32.
 const WEIGHT_SUM: f64 = 1e-5;
 
-/// Why a motion does not fit its mesh.
+/// Reason for which a motion does not fit its mesh.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum MotionDefect {
@@ -17,9 +17,9 @@ pub enum MotionDefect {
     Target {
         /// Index of the target.
         target: usize,
-        /// How many positions it moves.
+        /// Number of positions that it moves.
         found: usize,
-        /// How many there are.
+        /// Number of positions of the mesh.
         positions: usize,
     },
     /// A displacement that is NaN or infinite.
@@ -47,7 +47,7 @@ pub enum MotionDefect {
 }
 
 impl Motion {
-    /// The first reason why it is not a motion of a mesh with so many positions, if any.
+    /// The first reason why it is not a motion of a mesh with `positions` positions, if any.
     pub fn defect(&self, positions: usize) -> Option<MotionDefect> {
         for (target, moves) in self.targets.iter().enumerate() {
             if moves.len() != positions {

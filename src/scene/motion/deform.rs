@@ -61,7 +61,7 @@ pub enum Deformer {
     /// curvature, and comes round to itself after `|h| = pi / |k|`. Points beyond the middle of the arc, `k x > 1`, come
     /// out on its other side with the hand reversed.
     Bend {
-        /// What is bent.
+        /// Axis that is bent.
         axis: Axis,
         /// Radians per unit of length along the axis: the arc's curvature.
         turn_per_unit: f64,
@@ -106,7 +106,7 @@ impl Axis {
 }
 
 impl Deformer {
-    /// Where a point goes, and its normal with it.
+    /// Maps a point and its normal.
     pub fn apply(&self, point: DVec3, normal: DVec3) -> (DVec3, DVec3) {
         let about = |axis: &Axis, f: &dyn Fn(DVec3, DVec3) -> (DVec3, DVec3)| {
             let (place, normal) = f(

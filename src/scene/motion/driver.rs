@@ -22,7 +22,7 @@ use crate::scene::{Mesh, Pose};
 pub struct Bound {
     pub(crate) mesh: Arc<Mesh>,
     pub(crate) motion: Option<Arc<Motion>>,
-    /// Measured when somebody asks.
+    /// Measured on first use.
     reach: OnceLock<Reach>,
 }
 
@@ -36,7 +36,7 @@ impl Bound {
         }
     }
 
-    /// What this very mesh and motion reach; `None` if they are others.
+    /// Reach of this very mesh and motion; `None` if they are others.
     fn reach_of(&self, mesh: &Arc<Mesh>, motion: Option<&Arc<Motion>>) -> Option<&Reach> {
         let same_mesh = Arc::ptr_eq(&self.mesh, mesh);
         let same_motion = is_same_motion(self.motion.as_ref(), motion);
@@ -47,7 +47,7 @@ impl Bound {
     }
 }
 
-/// What takes a part to where it is.
+/// Node or joints that a part is attached to.
 #[derive(Clone, Debug)]
 pub enum RigAttachment {
     /// Its node, as a whole.
@@ -69,9 +69,9 @@ pub struct Driver {
     rest_weights: Vec<f64>,
     /// The mesh that is shown at rest.
     rest_mesh: Arc<Mesh>,
-    /// Where it is shown: from part space to the file's world.
+    /// Placement at rest: from part space to the file's world.
     file_from_part: DAffine3,
-    /// Where the user has put the file's world.
+    /// The user's placement of the file's world.
     placed: DAffine3,
 }
 
@@ -120,7 +120,7 @@ impl Driver {
         }
     }
 
-    /// Where all joints in use take the mesh at rest, if that is the same place and there is a way back from it.
+    /// Common transform of the mesh by all joints in use at rest; `None` if they differ or it has no inverse.
     fn common_place(&self) -> Option<DAffine3> {
         let joints = self.file_joints(None);
         let motion = self.bound.motion.as_deref()?;
@@ -130,7 +130,7 @@ impl Driver {
         (all_alike && first.inverse().is_finite()).then_some(*first)
     }
 
-    /// Where the joints of the skin take the bound mesh, in the file's world.
+    /// Transforms of the bound mesh by the joints of the skin, in the file's world.
     fn file_joints(&self, moment: Option<Moment>) -> Vec<DAffine3> {
         let RigAttachment::Skin { skin, with_node } = self.hold else {
             return Vec::new();
@@ -159,7 +159,7 @@ impl Driver {
         &self.rest_mesh
     }
 
-    /// The same for a piece of the mesh, as it was bound and as it is at rest: it goes where it went as a part of the whole.
+    /// The same for a piece of the mesh, as bound and as at rest: the piece moves as it did as part of the whole.
     pub(crate) fn of_piece(&self, bound: &Arc<Bound>, rest_mesh: &Arc<Mesh>) -> Self {
         Self {
             bound: Arc::clone(bound),
@@ -177,7 +177,7 @@ impl Driver {
         )
     }
 
-    /// Whether the mesh and its place at rest are finite.
+    /// Returns true if the mesh and its placement at rest are finite.
     #[doc(hidden)]
     pub fn is_finite(&self) -> bool {
         let is_bound = Arc::ptr_eq(&self.rest_mesh, &self.bound.mesh);
@@ -185,7 +185,7 @@ impl Driver {
         self.file_from_part.is_finite() && (is_bound || positions.iter().all(|p| p.is_finite()))
     }
 
-    /// What the mesh and motion of the file reach; `None` if they are others.
+    /// Reach of the file's mesh and motion; `None` if the arguments are others.
     pub(in crate::scene) fn reach_of(
         &self,
         mesh: &Arc<Mesh>,
@@ -204,13 +204,13 @@ impl Driver {
         self.placed = placed * self.placed;
     }
 
-    /// Whether the file has anything that could move the part.
+    /// Returns true if the file has anything that could move the part.
     #[doc(hidden)]
     pub fn is_needed(&self) -> bool {
         !self.rig.clips().is_empty() || self.bound.motion.is_some()
     }
 
-    /// What a part is at a moment.
+    /// State of a part at a moment.
     pub(in crate::scene) fn at(&self, moment: Moment) -> Driven {
         let (mesh, world_from_part) = self.at_rest();
         let mut driven = Driven {
@@ -257,11 +257,11 @@ impl Driver {
     }
 }
 
-/// A part as a driver has it at a moment.
+/// State of a part at a moment, computed by a driver.
 pub(in crate::scene) struct Driven {
     pub(in crate::scene) mesh: Arc<Mesh>,
     pub(in crate::scene) world_from_part: DAffine3,
-    /// What moves the vertices, with the weights and joints of the pose; none at rest.
+    /// Motion of the vertices, with the weights and joints of the pose; none at rest.
     pub(in crate::scene) moved: Option<(Arc<Motion>, Vec<f64>, Vec<DAffine3>)>,
 }
 

@@ -1,7 +1,7 @@
-//! What moves the vertices of a part: morph targets, a skin and deformers, and the pose they take at one time.
+//! Motion of a part's vertices: morph targets, a skin and deformers, and the pose at one time.
 //!
-//! A [`Motion`] is what is known beforehand, per position of the part's mesh; a [`Pose`] is the small rest that changes from
-//! time to time, in f64. Two paths apply a pose: [`Part::posed_mesh`] in f64 on the CPU, which the exact reference is given,
+//! A [`Motion`] is the constant data per position of the part's mesh; a [`Pose`] is the small rest that changes from
+//! time to time, in f64. Two paths apply a pose: [`Part::posed_mesh`] in f64 on the CPU, which the exact reference uses,
 //! and the pose pass of a frame in f32 on the GPU. They share the numbers of the pose and nothing else.
 //!
 //! The files of parts bring a rig with them: nodes, skins and clips, which give a pose for a time ([`Part::at_time`]).

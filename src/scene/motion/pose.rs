@@ -1,4 +1,4 @@
-//! Poses applied on the CPU, in f64: what the exact reference is given.
+//! Poses applied on the CPU, in f64, for the exact reference.
 //!
 //! Written from the definitions alone and sharing nothing with the GPU's pose pass, so that each can be held against the
 //! other. Cost: time in proportion to positions times targets and pulls. Applying a pose is total: a displacement that a target
@@ -63,7 +63,7 @@ fn morphed(motion: &Motion, pose: &Pose, index: usize, rest: DVec3) -> DVec3 {
     })
 }
 
-/// Where the joints together take a position.
+/// Blended transform of a position by its joints.
 fn blend(motion: &Motion, pose: &Pose, index: usize) -> DAffine3 {
     let pulls = motion.pulls_of(index);
     if pulls.is_empty() || pose.joints.is_empty() {
@@ -79,7 +79,7 @@ fn blend(motion: &Motion, pose: &Pose, index: usize) -> DAffine3 {
     blend
 }
 
-/// What takes normals where a matrix takes points: they stay at right angles to what the matrix makes of the surface.
+/// Matrix that transforms normals where `m` transforms points: they stay perpendicular to the transformed surface.
 fn cofactors(m: DMat3) -> DMat3 {
     let [a, b, c] = [m.x_axis, m.y_axis, m.z_axis];
     DMat3::from_cols(b.cross(c), c.cross(a), a.cross(b))

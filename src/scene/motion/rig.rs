@@ -1,7 +1,7 @@
-//! Rigs: the nodes of a file, the skins that hang on them, and the clips that move them.
+//! Rigs: the nodes of a file, the skins attached to them, and the clips that move them.
 //!
-//! A rig answers where a node is at a moment; it is shared by all parts of a file. One node costs its ancestors, a skin all
-//! nodes of the file. Nodes that a clip does not move stand as the file has them.
+//! A rig computes the transform of a node at a moment; all parts of a file share it. One node costs its ancestors, a skin all
+//! nodes of the file. Nodes that a clip does not move keep their transforms from the file.
 
 use std::collections::BTreeMap;
 
@@ -25,7 +25,7 @@ pub struct Moment {
     pub time_s: f64,
 }
 
-/// How a node stands in its parent.
+/// Transform of a node relative to its parent.
 #[derive(Clone, Copy, Debug)]
 pub struct NodeTransform {
     pub translation: DVec3,
@@ -44,20 +44,20 @@ impl NodeTransform {
 pub struct RigNode {
     /// Index into [`Rig::nodes`], less than that of the node itself.
     pub parent: Option<usize>,
-    /// Where it is while no clip moves it.
+    /// Transform while no clip moves it.
     pub rest: DAffine3,
     /// The same in pieces; `None` for a matrix that does not come apart.
     pub stand: Option<NodeTransform>,
 }
 
-/// What pulls at the vertices of a mesh.
+/// Joints that pull at the vertices of a mesh.
 #[derive(Clone, Debug, Default)]
 pub struct RigSkin {
     /// Nodes and their inverse bind matrices.
     pub joints: Vec<(usize, DAffine3)>,
 }
 
-/// What a clip changes of one node.
+/// Tracks of a clip for one node.
 #[derive(Clone, Debug, Default)]
 pub struct NodeTracks {
     pub translation: Option<Track<DVec3>>,
@@ -72,7 +72,7 @@ impl NodeTracks {
     }
 }
 
-/// What a clip changes.
+/// Nodes that a clip moves.
 #[derive(Clone, Debug, Default)]
 struct Moves {
     of_node: BTreeMap<usize, NodeTracks>,
@@ -80,7 +80,7 @@ struct Moves {
     is_moved: Vec<bool>,
 }
 
-/// What moves the parts of a file.
+/// Nodes, skins and clips that move the parts of a file.
 #[derive(Clone, Debug, Default)]
 pub struct Rig {
     /// Parents first.
@@ -122,7 +122,7 @@ impl Rig {
         self.moves.pop();
     }
 
-    /// Whether a clip moves a node, by itself or with its parent.
+    /// Returns true if a clip moves a node, by itself or with its parent.
     pub(crate) fn moves(&self, clip: usize, node: usize) -> bool {
         let moves = self.moves.get(clip);
         moves.is_some_and(|m| m.is_moved.get(node) == Some(&true))
@@ -159,7 +159,7 @@ impl Rig {
         stand.affine()
     }
 
-    /// Where a node is; at rest without a moment.
+    /// World transform of a node; at rest without a moment.
     pub(crate) fn world(&self, node: usize, moment: Option<Moment>) -> DAffine3 {
         // From the root down, as `worlds` multiplies: the same node must not be in two places by a rounding.
         let above = |n: &usize| self.nodes[*n].parent;
@@ -172,7 +172,7 @@ impl Rig {
             .fold(root_world, |world, n| world * self.local(*n, moment))
     }
 
-    /// Where all nodes are.
+    /// World transforms of all nodes.
     pub fn worlds(&self, moment: Option<Moment>) -> Vec<DAffine3> {
         let mut worlds: Vec<DAffine3> = Vec::with_capacity(self.nodes.len());
         for (index, node) in self.nodes.iter().enumerate() {
@@ -182,7 +182,7 @@ impl Rig {
         worlds
     }
 
-    /// Where the joints of a skin take what they pull, from bind space to the file's world.
+    /// Transforms of vertices by the joints of a skin, from bind space to the file's world.
     pub fn palette(&self, skin: usize, moment: Option<Moment>) -> Vec<DAffine3> {
         let worlds = self.worlds(moment);
         let joints = self.skins[skin].joints.iter();
@@ -191,13 +191,13 @@ impl Rig {
             .collect()
     }
 
-    /// Where one joint of a skin takes what it pulls.
+    /// Transform of vertices by one joint of a skin.
     pub(crate) fn joint(&self, skin: usize, joint: usize, moment: Option<Moment>) -> DAffine3 {
         let (node, inverse) = self.skins[skin].joints[joint];
         self.world(node, moment) * inverse
     }
 
-    /// Whether a clip moves any joint of a skin.
+    /// Returns true if a clip moves any joint of a skin.
     pub(crate) fn moves_skin(&self, clip: usize, skin: usize) -> bool {
         let joints = &self.skins[skin].joints;
         joints.iter().any(|(node, _)| self.moves(clip, *node))

@@ -3,11 +3,11 @@
 //! Before its first key a track has its first value, after its last key its last. In between it steps, goes straight, or
 //! follows a cubic Hermite spline. Rotations go straight along the shorter arc at constant speed, and are made unit again
 //! after a spline; where a spline passes through zero, no rotation is there to be found and the key before holds on.
-//! Whoever picks the time decides whether a motion repeats. Cost: a binary search for the keys around.
+//! The caller that picks the time decides whether a motion repeats. Cost: a binary search for the keys around.
 
 use glam::{DQuat, DVec3};
 
-/// How a track goes from key to key.
+/// Interpolation of a track between keys.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Way {
     /// Stays until the next key.
@@ -18,7 +18,7 @@ pub enum Way {
     Cubic,
 }
 
-/// What a track can be made of.
+/// Type of the values of a track.
 pub trait Value: Clone {
     /// Sum of values times factors.
     fn sum(terms: &[(f64, &Self)]) -> Self;
@@ -34,10 +34,10 @@ pub trait Value: Clone {
         self
     }
 
-    /// Whether all its numbers are finite.
+    /// Returns true if all its numbers are finite.
     fn is_finite(&self) -> bool;
 
-    /// Why it cannot be a key, apart from numbers that are not finite.
+    /// Returns the reason if it cannot be a key, apart from numbers that are not finite.
     fn fault(&self) -> Option<&'static str> {
         None
     }
@@ -116,7 +116,7 @@ pub struct Track<V> {
 }
 
 impl<V: Value> Track<V> {
-    /// Checks what a file has; the error says what is wrong with it.
+    /// Checks the data of a file; the error states the defect.
     pub fn new(times_s: Vec<f64>, way: Way, mut values: Vec<V>) -> Result<Self, String> {
         let per_key = if way == Way::Cubic { 3 } else { 1 };
         if times_s.is_empty() || values.len() != per_key * times_s.len() {

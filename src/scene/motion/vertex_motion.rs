@@ -1,4 +1,4 @@
-//! What can move the vertices of a mesh, and how they stand at one time: plain data.
+//! Data that can move the vertices of a mesh, and their pose at one time: plain data.
 
 use std::sync::Arc;
 
@@ -15,12 +15,12 @@ pub struct JointWeight {
     pub weight: f32,
 }
 
-/// What is known beforehand of how a mesh moves, per position of [`Part::mesh`](crate::scene::Part::mesh).
+/// Constant data of a mesh's motion, per position of [`Part::mesh`](crate::scene::Part::mesh).
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Motion {
     /// Morph targets: how far each moves every position at weight 1, in part space.
     pub targets: Vec<Vec<DVec3>>,
-    /// Where the pulls of each position begin, and one more for the end; empty without a skin.
+    /// Index of the first pull of each position, and one more for the end; empty without a skin.
     pub first_pull: Vec<u32>,
     /// Pulls of all positions, one after the other.
     pub pulls: Vec<JointWeight>,
@@ -29,7 +29,7 @@ pub struct Motion {
     pub outward: Vec<DVec3>,
 }
 
-/// Whether two parts have the very same motion, or both none; those that are equal but not the same are not looked at.
+/// Returns true if two parts share the same motion object, or both have none; equal but separate objects are not compared.
 pub fn is_same_motion(a: Option<&Arc<Motion>>, b: Option<&Arc<Motion>>) -> bool {
     match (a, b) {
         (Some(a), Some(b)) => Arc::ptr_eq(a, b),
@@ -49,7 +49,7 @@ impl Motion {
         pulls.unwrap_or_default()
     }
 
-    /// How far a target moves a position at weight 1; nowhere if it says nothing about it.
+    /// Displacement of a position by a target at weight 1; zero if the target lacks the position.
     #[doc(hidden)]
     pub fn displacement(&self, target: usize, position: usize) -> DVec3 {
         let of_target = self.targets.get(target);
@@ -59,7 +59,7 @@ impl Motion {
             .unwrap_or_default()
     }
 
-    /// What moves a choice of the positions, in the order of the choice.
+    /// Motion of a choice of the positions, in the order of the choice.
     #[doc(hidden)]
     pub fn of_positions(&self, chosen: &[u32]) -> Self {
         let of_target = |t| {
@@ -83,19 +83,19 @@ impl Motion {
     }
 }
 
-/// How a mesh stands at one time. The default is the rest pose.
+/// Pose of a mesh at one time. The default is the rest pose.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Pose {
     /// Weights of [`Motion::targets`].
     pub weights: Vec<f64>,
-    /// Where each joint takes what follows it, in part space.
+    /// Transforms of vertices by each joint, in part space.
     pub joints: Vec<DAffine3>,
     /// Applied last, in order.
     pub deformers: Vec<Deformer>,
 }
 
 impl Pose {
-    /// Whether it leaves the mesh as it is.
+    /// Returns true if it leaves the mesh as it is.
     pub fn is_rest(&self) -> bool {
         self.joints.is_empty()
             && self.deformers.is_empty()

@@ -9,7 +9,7 @@ use std::sync::Arc;
 use super::{PreparedCut, PreparedSurface, PreparedVolume, SceneSpace};
 use crate::scene::{Cutter, Part, Scene};
 
-/// Which cuts there are: index in the scene, and offset.
+/// Table of cuts: index in the scene, and offset.
 pub(super) struct CutTable(Vec<(usize, f64)>);
 
 impl CutTable {
@@ -41,7 +41,7 @@ impl CutTable {
             .collect()
     }
 
-    /// The cuts and their clip-surfaces in scene space; a cutter, which no offset moves, after those it goes with.
+    /// The cuts and their clip-surfaces in scene space; a cutter, which no offset moves, follows the other clip-surfaces of its cut.
     pub(super) fn placed(
         &self,
         scene: &Scene,

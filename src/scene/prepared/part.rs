@@ -25,25 +25,25 @@ pub struct PreparedPart {
     pub triangles: Arc<Vec<[u32; 3]>>,
     /// Unit normals at the corners of `triangles`, in scene space, where the mesh has them.
     pub corner_normals: Option<Arc<Vec<[Vec3; 3]>>>,
-    /// What is drawn: `positions` split where the surface has a crease, with a normal each.
+    /// Vertices for drawing: `positions` split where the surface has a crease, with a normal each.
     pub shading: Arc<ShadingMesh>,
-    /// It stands in a pose that moves its vertices against each other.
+    /// True if it stands in a pose that moves its vertices against each other.
     pub is_posed: bool,
     /// A pass of the frame places the vertices, by the pose and the placement of the part: they are not here.
     pub is_on_device: bool,
-    /// It is [whole](crate::scene::Role::Whole) and cuts remove all of it: it has no triangles here.
+    /// True if it is [whole](crate::scene::Role::Whole) and cuts remove it entirely: it has no triangles here.
     pub is_hidden: bool,
-    /// Some cut removes all of it.
+    /// True if some cut removes the whole part.
     pub is_removed: bool,
     /// Bounds of `positions`, or a box that holds what the device makes of them.
     pub bounds: Bounds,
-    /// How far off a plane the vertices of a face in it may be, in scene units; 0 in a pose.
+    /// Greatest distance from a plane of the vertices of a face in it, in scene units; 0 in a pose.
     pub(crate) plane_tolerance: f64,
-    /// Volume of the mesh in its rest pose, as it is placed, in world units: who wins where solids share a point.
+    /// Volume of the mesh in its rest pose, as it is placed, in world units: ranks solids that share a point.
     pub volume_at_rest: f64,
     /// Look.
     pub material: Material,
-    /// Which points the mesh encloses.
+    /// Fill rule of the mesh.
     pub fill: Fill,
     /// Indices into [`Prepared::cuts`](super::Prepared::cuts) of the cuts that apply.
     pub cuts: Vec<usize>,

@@ -1,17 +1,17 @@
-//! Parts of which a cut removes all: they have no surface and no cap, closed or open, in the reference as in strategies.
+//! Parts that a cut removes entirely: they have no surface and no cap, closed or open, in the reference as in strategies.
 //!
-//! Of an open part crossings along a ray do not tell inside from outside; but nothing of a part that lies wholly on the removed side is in
-//! a clip-surface, so that it has no cap there.
+//! In an open part, crossings along a ray do not separate inside from outside; but a part wholly on the removed side has no point in
+//! a clip-surface, so it has no cap there.
 //!
-//! Cost: a look at the vertices of a part until one is kept: of a part that is cut, few.
+//! Cost: reads the vertices of a part until one is kept: few for a part that is cut.
 //!
-//! Cannot: look at vertices that a device makes; there the box of the part is asked, which may say no of a part that is removed.
+//! Cannot: read vertices that a device computes; the box of the part is tested instead, which may miss a part that is removed.
 
 use glam::DVec3;
 
 use super::{PreparedCut, PreparedPart, PreparedSurface};
 
-/// Whether some cut removes all of a part.
+/// Returns true if some cut removes the whole part.
 pub(super) fn is_removed(
     part: &PreparedPart,
     cuts: &[PreparedCut],
@@ -23,7 +23,7 @@ pub(super) fn is_removed(
     })
 }
 
-/// Whether all of a part is on the removed side of a clip-surface.
+/// Returns true if the whole part is on the removed side of a clip-surface.
 fn is_beyond(part: &PreparedPart, surface: &PreparedSurface) -> bool {
     if surface.volume.is_some() {
         return false;

@@ -1,10 +1,10 @@
-//! Scene space: where it lies in the world, and what is taken to it.
+//! Scene space: its place in the world, and conversions to it.
 
 use glam::{DAffine3, DMat3, DVec3, Vec3};
 
 use crate::scene::{Bounds, FlatSurface};
 
-/// Where scene space lies in the world: `scene = (world - centre) * scale`.
+/// Transform from world to scene space: `scene = (world - centre) * scale`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SceneSpace {
     /// Centre of scene space in world space.
@@ -14,7 +14,7 @@ pub struct SceneSpace {
 }
 
 impl SceneSpace {
-    /// The space of what is in scene space already.
+    /// The space of data that is in scene space already.
     pub(crate) const ITSELF: Self = Self {
         centre_in_world: DVec3::ZERO,
         scale: 1.0,
@@ -46,7 +46,7 @@ impl SceneSpace {
         self.point(world).as_vec3()
     }
 
-    /// A flat clip-surface of the world, as [`PreparedSurface::flat`] has it.
+    /// A flat clip-surface of the world, in the form of [`PreparedSurface::flat`].
     pub(crate) fn flat(&self, world: &FlatSurface) -> FlatSurface {
         FlatSurface {
             origin: rounded_near(self.point(world.origin)),

@@ -20,7 +20,7 @@ pub struct PreparedSurface {
     pub height_scale: f64,
     /// Offset map, for a relief.
     pub relief: Option<Arc<OffsetMap>>,
-    /// How the map goes on outside 0..1.
+    /// Address mode of the map outside 0..1.
     pub wrap: Wrap,
     /// A closed mesh in the place of plane and relief: its inside is the removed side.
     pub volume: Option<Arc<PreparedVolume>>,
@@ -35,7 +35,7 @@ pub struct PreparedCut {
     pub name: String,
     /// Index in [`Scene::cuts`](crate::scene::Scene::cuts).
     pub of: usize,
-    /// How much more it keeps than the cut of the scene says, in world units ([`Cut::offsets`](crate::scene::Cut::offsets)).
+    /// Extra kept distance over the cut of the scene, in world units ([`Cut::offsets`](crate::scene::Cut::offsets)).
     pub keeps: f64,
     /// Indices into [`Prepared::surfaces`](crate::scene::Prepared::surfaces); all removed sides together make the removed region.
     pub surfaces: Vec<usize>,

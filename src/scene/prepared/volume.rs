@@ -1,7 +1,7 @@
 //! A cutter in scene space: placed and rounded to f32 once, as parts are.
 //!
 //! Everything large is shared. Orientation is not kept: what is inside follows from parity, and a normal is that of the triangle,
-//! or of the smooth patch that it is in, turned towards who looks.
+//! or of its smooth patch, turned towards the viewer.
 
 use std::sync::Arc;
 
@@ -19,7 +19,7 @@ pub struct PreparedVolume {
     pub positions: Arc<Vec<Vec3>>,
     /// The mesh as it was given: its triangles are indices of `positions`.
     pub mesh: Arc<Mesh>,
-    /// What its caps are shaded by, where it is smooth: `positions` split at creases, with a normal each.
+    /// Vertices for shading its caps, if it is smooth: `positions` split at creases, with a normal each.
     pub shading: Option<Arc<ShadingMesh>>,
     /// Bounds of `positions`.
     pub bounds: Bounds,
@@ -30,7 +30,7 @@ pub struct PreparedVolume {
 }
 
 impl PreparedVolume {
-    /// Moves a cutter to scene space, with what is still right of how it was moved before.
+    /// Moves a cutter to scene space; reuses the still valid data of the previous placement.
     pub(crate) fn place(cutter: &Cutter, space: &SceneSpace, before: Option<&Self>) -> Self {
         let placement = cutter.world_from_cutter;
         let known = before.filter(|b| {

@@ -5,7 +5,7 @@ use rayon::prelude::*;
 
 use crate::scene::{OffsetMap, Wrap};
 
-/// How two heights become one.
+/// Operation that combines two heights.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum BlendOp {
     /// The sum; two maps of 0..=1 give 0..=2.
@@ -20,7 +20,7 @@ pub enum BlendOp {
     Screen,
     /// The product twice where the first is below one half, and the screen of what is left above: the second deepens and raises the first.
     Overlay,
-    /// How far apart they are.
+    /// Absolute difference.
     Difference,
     /// `a (1 - share) + b share`.
     Mix {
@@ -30,7 +30,7 @@ pub enum BlendOp {
 }
 
 impl BlendOp {
-    /// Names that [`BlendOp::named`] knows.
+    /// Names that [`BlendOp::named`] accepts.
     pub const NAMES: [&str; 8] = [
         "add",
         "multiply",

@@ -1,10 +1,10 @@
-//! What follows from an offset map (Trapp and Döllner 2013, section 4.2): its normals, and how much of the sky each place sees.
+//! Data derived from an offset map (Trapp and Döllner 2013, section 4.2): its normals, and the visible share of the sky per texel.
 //!
-//! Normals are of the gradient at texel centres, the mean of those of the four cells that meet there. Of the sky, slices through the normal of
-//! the plane are looked at; in each the horizon to both sides is found along growing steps up to two repeats, and what is between them is
+//! Normals are of the gradient at texel centres, the mean of those of the four adjacent cells. The sky is sampled in slices through the
+//! plane's normal; each searches the horizon to both sides along growing steps up to two repeats, and the part between them is
 //! integrated in closed form with the cosine to the surface (the integral of ground-truth occlusion, Jimenez et al. 2016).
 //!
-//! Cost: two texels a normal; [`SLICES`] times twice [`STEPS`] heights a place of the sky, on all cores. Cannot: see what is farther away than
+//! Cost: two texels per normal; [`SLICES`] times twice [`STEPS`] heights per sky value, on all cores. Cannot: see anything farther than
 //! two repeats, or steps over ridges that are thinner than the last steps.
 
 use glam::{DVec2, DVec3, Vec3};
@@ -17,19 +17,19 @@ const SLICES: u32 = 12;
 /// Heights to each side.
 const STEPS: u32 = 48;
 
-/// How a map lies on its plane.
+/// Placement of a map on its plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MapScale {
     /// Length of one repeat along `U` and `V`, in world units.
     pub repeat: DVec2,
     /// World units for a height of 1.
     pub height: f64,
-    /// How it goes on outside.
+    /// Address mode outside the map.
     pub wrap: Wrap,
 }
 
 impl MapScale {
-    /// That of the relief of a clip-surface.
+    /// Scale of a clip-surface's relief.
     pub fn of(surface: &ClipSurface) -> Self {
         let lengths = DVec2::new(surface.u.length(), surface.v.length());
         Self {
@@ -49,7 +49,7 @@ impl OffsetMap {
         places.collect()
     }
 
-    /// How much of the light of an even sky comes to texel centres, 0 to 1, row by row.
+    /// Share of an even sky's light that reaches each texel centre, 0 to 1, row by row.
     pub fn visibility(&self, scale: &MapScale) -> Vec<f32> {
         let places: Vec<[u32; 2]> = self.places().collect();
         let visibility = places
@@ -58,7 +58,7 @@ impl OffsetMap {
         visibility.collect()
     }
 
-    /// The same heights on a grid of at least so many texels along each side: a smaller map repeats, and is interpolated.
+    /// The same heights on a grid of at least `texels` texels along each side: a smaller map repeats and is interpolated.
     #[must_use]
     pub fn at_least(&self, texels: u32) -> Self {
         let size = self.size().map(|n| n.max(1) * texels.div_ceil(n.max(1)));

@@ -33,7 +33,7 @@ impl Procedure {
         (extent([x, y]) + 0.5) / extent(self.size)
     }
 
-    /// Cells on each axis, square or nearly so in texels, for so many along the longer side.
+    /// Number of cells on each axis, square or nearly so in texels, for `cells` along the longer side.
     fn grid(&self, cells: u32) -> [u32; 2] {
         let longer = f64::from(self.size[0].max(self.size[1]));
         self.size

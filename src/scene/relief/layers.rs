@@ -3,7 +3,7 @@
 //! Layer `i` lies at the coordinate `i`, as texels lie at their centres; beyond the first and the last the layers go on as the
 //! wrap mode says, so that under `repeat` the last is followed by the first again. The map at a coordinate is the linear
 //! interpolation of its two neighbours, in f64 and rounded to f32 once per texel: bilinear interpolation of that map is the
-//! trilinear one of the layers, but for this rounding, and the device and the exact reference are asked about one and the same
+//! trilinear one of the layers, but for this rounding, and the device and the exact reference evaluate the same
 //! map. At a whole coordinate it is the layer itself. Cost: one pass over the texels whenever the coordinate changes.
 
 use std::sync::Arc;

@@ -1,7 +1,7 @@
-//! Where the heights of a relief come from: a procedure, an image, numbers, a blend of two others or a place between layers.
+//! Sources of a relief's heights: a procedure, an image, numbers, a blend of two others or a place between layers.
 //!
-//! A [`Relief`] says where heights come from; [`resolve`] turns named ones, which may blend each other, into offset maps;
-//! [`ClipSurface::with_relief`](super::ClipSurface::with_relief) puts a map on a section, so high and so wide as a [`Placement`] says.
+//! A [`Relief`] describes the source of heights; [`resolve`] turns named ones, which may blend each other, into offset maps;
+//! [`ClipSurface::with_relief`](super::ClipSurface::with_relief) puts a map on a section, scaled by a [`Placement`].
 
 mod blend;
 mod derived;
@@ -37,7 +37,7 @@ pub enum Relief {
     Blend {
         /// Their names, at least two.
         of: Vec<String>,
-        /// How.
+        /// Operation that combines them.
         op: BlendOp,
     },
     /// Heights in a row along `U`, all the same along `V`.
@@ -48,7 +48,7 @@ pub enum Relief {
         of: Vec<String>,
         /// The coordinate across them: layer `i` is at `i`.
         at: f64,
-        /// How they go on beyond the first and the last.
+        /// Address mode beyond the first and the last.
         wrap: Wrap,
     },
 }
@@ -58,7 +58,7 @@ pub enum Relief {
 pub struct Image {
     /// The file.
     pub path: PathBuf,
-    /// What it holds.
+    /// Heights of the image.
     pub map: Arc<OffsetMap>,
 }
 
@@ -104,7 +104,7 @@ fn resolve_within(
         return Err(Error::input(culprit, what, help));
     }
     let Some(relief) = reliefs.get(name) else {
-        // Images that are layers have names that nobody can write, and that help nobody.
+        // Images that are layers have names that no user can write, so they are no help.
         let known = reliefs.keys().map(String::as_str);
         let mut known = known
             .filter(|n| !n.starts_with(char::is_control))

@@ -1,4 +1,4 @@
-//! Where a map of heights stands on a section.
+//! Places a map of heights on a section.
 //!
 //! The section plane runs through the middle of the heights: the surface never leaves the slab of half its amplitude on either
 //! side, and flat heights give back the plane. The middle of the map lies over the middle of the bounds. Height 1 of the map
@@ -11,14 +11,14 @@ use crate::scene::clip::plane_spec::Amount;
 use crate::scene::units::range;
 use crate::scene::{Bounds, ClipSurface, OffsetMap, Wrap};
 
-/// How a map stands on a section.
+/// Placement of a map on a section.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Placement {
     /// Height from the lowest to the highest texel; percent are of the bounds' diagonal.
     pub amplitude: Amount,
     /// Length of one repeat of the map along `U`; `None` is a share of the diagonal that suits the relief.
     pub period: Option<Amount>,
-    /// How the map goes on beyond one repeat.
+    /// Address mode of the map beyond one repeat.
     pub wrap: Wrap,
 }
 
@@ -43,7 +43,7 @@ pub fn parse_wrap(name: &str) -> Result<Wrap, String> {
 }
 
 impl Placement {
-    /// Why the numbers make no placement, if they do not.
+    /// Returns the reason if the numbers are not a valid placement.
     pub fn defect(&self) -> Option<String> {
         match self.period {
             Some(Amount::Units(v) | Amount::Percent(v)) if v <= 0.0 => {
@@ -65,12 +65,12 @@ fn usual_period(map: &OffsetMap, wrap: Wrap) -> f64 {
 }
 
 impl ClipSurface {
-    /// The same with a map on it, so high and so wide as a placement says; percent are of the diagonal of `bounds`, which is the box of
-    /// what is cut. Texels of images that have both a width and a height stay as square as they are.
+    /// The same with a map on it, scaled by a placement; percentages are of the diagonal of `bounds`, which is the box of
+    /// the cut geometry. Texels of images that have both a width and a height stay as square as they are.
     ///
     /// # Errors
     ///
-    /// A placement without length, or one with which nothing can be computed beside a model of this size.
+    /// A placement without length, or one out of the range that can be computed for a model of this size.
     pub fn with_relief(
         self,
         map: impl Into<Arc<OffsetMap>>,
@@ -84,7 +84,7 @@ impl ClipSurface {
     }
 }
 
-/// Puts a map on a plane; what is wrong if the placement has no length. Texels of images that have both a width and a
+/// Puts a map on a plane; an error text if the placement has no length. Texels of images that have both a width and a
 /// height stay as square as they are: `|V|` follows from the period, `|U|`.
 pub fn place_map(
     surface: ClipSurface,

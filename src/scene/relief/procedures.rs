@@ -3,7 +3,7 @@
 /// Most texels of a map: 128 MiB of f32, the largest buffer every WebGPU adapter can bind.
 pub const MAX_TEXELS: u64 = 1 << 25;
 
-/// What a procedure computes.
+/// Function that a procedure computes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ProcedureKind {
     /// The 2 x 2 map of Diepstraten et al. 2003: repeated, its bilinear interpolation is a zigzag along `U`, one tooth
@@ -18,7 +18,7 @@ pub enum ProcedureKind {
     Fractal {
         /// Lattice cells of the coarsest octave along the longer side of the map.
         cells: u32,
-        /// How many octaves; those finer than two texels are left out, they would only alias.
+        /// Number of octaves; those finer than two texels are left out, since they would only alias.
         octaves: u32,
         /// Height of an octave over that of the coarser one.
         gain: f64,
@@ -45,7 +45,7 @@ pub enum ProcedureKind {
 /// A procedure with its size and seed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Procedure {
-    /// What is computed.
+    /// Function to compute.
     pub kind: ProcedureKind,
     /// Width and height of the map in texels.
     pub size: [u32; 2],
@@ -54,7 +54,7 @@ pub struct Procedure {
 }
 
 impl Procedure {
-    /// Names that [`Procedure::named`] knows.
+    /// Names that [`Procedure::named`] accepts.
     pub const NAMES: [&str; 6] = [
         "sawtooth", "waves", "fractal", "cracks", "steps", "constant",
     ];
@@ -91,7 +91,7 @@ impl Procedure {
         })
     }
 
-    /// Keys that [`Procedure::set`] knows for this kind.
+    /// Keys that [`Procedure::set`] accepts for this kind.
     pub fn keys(&self) -> &'static [&'static str] {
         match self.kind {
             ProcedureKind::Sawtooth => &[],

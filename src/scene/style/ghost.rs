@@ -1,23 +1,23 @@
-//! Ghost: what was removed, shown all the same.
+//! Ghost: removed geometry that is still shown.
 
 use glam::Vec3;
 
 /// The uncut solids where a cut has taken something of them away.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ghost {
-    /// What is drawn of them.
+    /// Elements that are drawn.
     pub kind: GhostKind,
     /// Width of phantom lines, in thousandths of the picture's height.
     pub width: f32,
-    /// How much of the colour lines have, 0 to 1.
+    /// Opacity of lines, 0 to 1.
     pub alpha: f32,
-    /// How much glass is seen, 0 to 1.
+    /// Opacity of glass, 0 to 1.
     pub glass: f32,
-    /// Of lines and glass; `None` is the ink.
+    /// Colour of lines and glass; `None` is the ink.
     pub color: Option<Vec3>,
 }
 
-/// What is drawn of what was removed.
+/// Elements that are drawn of the removed geometry.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default, PartialOrd, Ord)]
 pub enum GhostKind {
     /// Nothing.
@@ -54,19 +54,19 @@ impl Default for Ghost {
 }
 
 impl Ghost {
-    /// Whether phantom lines are drawn.
+    /// Returns true if phantom lines are drawn.
     pub fn has_lines(&self) -> bool {
         matches!(self.kind, GhostKind::Lines | GhostKind::Both)
             && self.width > 0.0
             && self.alpha > 0.0
     }
 
-    /// Whether glass is drawn.
+    /// Returns true if glass is drawn.
     pub fn has_glass(&self) -> bool {
         matches!(self.kind, GhostKind::Glass | GhostKind::Both) && self.glass > 0.0
     }
 
-    /// Whether anything is.
+    /// Returns true if anything is drawn.
     pub fn is_drawn(&self) -> bool {
         self.has_lines() || self.has_glass()
     }

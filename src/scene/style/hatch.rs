@@ -8,7 +8,7 @@ use glam::Vec3;
 pub struct Hatch {
     /// Width of a line; 0 draws none.
     pub width: f32,
-    /// How much of the ink a line has, 0 to 1.
+    /// Opacity of a line, 0 to 1.
     pub alpha: f32,
     /// Colour of lines; `None` is the ink.
     pub color: Option<Vec3>,
@@ -22,13 +22,13 @@ pub struct Hatch {
     pub most: f32,
     /// Parts that are thinner on the mean have their caps filled.
     pub solid_below: f32,
-    /// What lines are held to.
+    /// Anchor of the lines.
     pub anchor: HatchAnchor,
-    /// What becomes of distances when the camera comes nearer.
+    /// Behaviour of line distances when the camera comes nearer.
     pub zoom: HatchZoom,
 }
 
-/// What the lines of a hatch are held to.
+/// Anchor of the lines of a hatch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default, PartialOrd, Ord)]
 pub enum HatchAnchor {
     /// The part, where that moves as a whole: lines turn about the normal of the cut and shift along it as the part does.
@@ -43,13 +43,13 @@ impl HatchAnchor {
     pub const ALL: [(&'static str, Self); 2] = [("part", Self::Part), ("cut", Self::Cut)];
 }
 
-/// What becomes of the distances from line to line when the camera comes nearer.
+/// Behaviour of the distances between lines when the camera comes nearer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default, PartialOrd, Ord)]
 pub enum HatchZoom {
-    /// They are what they are in the scene.
+    /// Distances are fixed in the scene.
     #[default]
     Fixed,
-    /// They are doubled or halved until they are about as far in the picture as the style says; in between every second line thins out.
+    /// Distances are doubled or halved to stay near the style's distance in the picture; in between every second line thins out.
     Banded,
 }
 
@@ -76,7 +76,7 @@ impl Default for Hatch {
 }
 
 impl Hatch {
-    /// Whether it draws anything.
+    /// Returns true if it draws anything.
     pub fn is_drawn(&self) -> bool {
         self.width > 0.0 && self.alpha > 0.0
     }

@@ -25,34 +25,34 @@ use glam::Vec3;
 
 use super::Material;
 
-/// How a picture looks. Colours are sRGB in 0..=1.
+/// Look of a picture. Colours are sRGB in 0..=1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Style {
-    /// What is behind the model.
+    /// Background.
     pub paper: Paper,
     /// Colour of strokes and hatches.
     pub ink: Vec3,
-    /// How light becomes colour.
+    /// Lighting model.
     pub shading: Shading,
     /// Colours of surfaces.
     pub surface: Tint,
-    /// Whether surfaces have the coats of their meshes ([`Mesh::coat`](super::Mesh::coat)), in the place of `surface`.
+    /// True if the coats of meshes ([`Mesh::coat`](super::Mesh::coat)) replace `surface`.
     pub coat: bool,
-    /// How caps differ.
+    /// Look of caps.
     pub cap: CapLook,
-    /// Light by Gooch's rule, where that is asked for.
+    /// Gooch's lighting, used if `shading` selects it.
     pub gooch: Gooch,
     /// Lines between what differs.
     pub strokes: Strokes,
     /// Lines on caps.
     pub hatch: Hatch,
-    /// Lines on surfaces, where shading asks for them.
+    /// Lines on surfaces, used if `shading` selects them.
     pub engraving: Engraving,
     /// Darkening of what lies deep.
     pub occlusion: Occlusion,
-    /// What was removed.
+    /// Drawing of removed geometry.
     pub ghost: Ghost,
-    /// What the model does to the ground.
+    /// Shadow of the model on the ground.
     pub shadow: Shadow,
 }
 
@@ -76,12 +76,12 @@ impl Default for Style {
     }
 }
 
-/// How caps differ from surfaces.
+/// Differences of caps from surfaces.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CapLook {
     /// Their colours.
     pub tint: Tint,
-    /// How much of the light they take by [`Shading::Calm`], 0 to 1: at 0 they have their colour whatever the light.
+    /// Strength of light on caps by [`Shading::Calm`], 0 to 1: at 0 they have their colour whatever the light.
     pub light: f32,
     /// Share of cap shading that depends on the normal, 0 to 1; the rest is even, as of paper.
     pub relief: f32,
@@ -97,7 +97,7 @@ impl Default for CapLook {
     }
 }
 
-/// What is behind the model.
+/// Background of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub enum Paper {
     /// Light grey that darkens downwards.
@@ -109,7 +109,7 @@ pub enum Paper {
     None,
 }
 
-/// How light becomes colour.
+/// Lighting model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default, PartialOrd, Ord)]
 pub enum Shading {
     /// A key light over the left shoulder, a cool fill, highlights.
@@ -129,7 +129,7 @@ pub enum Shading {
     Engraved,
 }
 
-/// Light from cool to warm: cool is a blue and a share of the own colour, warm a yellow and a share of it (Gooch et al. 1998, b, y, alpha
+/// Light from cool to warm: cool is a blue and a share of the own colour, warm a yellow and a share of that (Gooch et al. 1998, b, y, alpha
 /// and beta).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gooch {
@@ -174,15 +174,15 @@ impl Shading {
 pub struct Strokes {
     /// Around the model.
     pub outline: f32,
-    /// Where a cap ends, unless the model does.
+    /// At the border of a cap, unless the model ends there.
     pub cut: f32,
     /// Between two parts.
     pub part: f32,
     /// Between caps of one part by two clip-surfaces.
     pub face: f32,
-    /// Where a surface hides more of the same part.
+    /// At the border of a surface that hides more of the same part.
     pub contour: f32,
-    /// Where a surface is folded.
+    /// At a fold of a surface.
     pub crease: f32,
     /// The least fold that is a crease, in degrees.
     pub crease_deg: f32,
@@ -225,7 +225,7 @@ impl Strokes {
 }
 
 impl Style {
-    /// Whether it is drawn as measurements take it, by one pass and no more.
+    /// Returns true if it is the default style, which measurements use: a single pass.
     pub fn is_plain(&self) -> bool {
         *self == Self::default()
     }

@@ -1,32 +1,32 @@
-//! Occlusion: how dark it is where little of the sky is seen.
+//! Occlusion: darkening of places that see little of the sky.
 
 /// Darkening of what lies deep, from the layers of a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Occlusion {
-    /// How it is found.
+    /// Method.
     pub kind: OcclusionKind,
-    /// How far away something may be that hides the sky, in percent of the diagonal of the scene (`horizon`).
+    /// Greatest distance at which geometry hides the sky, in percent of the diagonal of the scene (`horizon`).
     pub radius_percent: f32,
-    /// How many planes through the line of sight are searched for horizons.
+    /// Number of planes through the line of sight that are searched for horizons.
     pub slices: u32,
-    /// How many samples are taken to each side of a slice.
+    /// Number of samples to each side of a slice.
     pub steps: u32,
     /// The standard deviation of the blur, in percent of the diagonal of the picture (`unsharp`).
     pub blur_percent: f32,
-    /// How much darker it is where depth is greater than that around by the diagonal of the scene (`unsharp`, lambda of Luft et al. 2006).
+    /// Darkening per excess depth of one scene diagonal over the surroundings (`unsharp`, lambda of Luft et al. 2006).
     pub strength: f32,
-    /// How much of it surfaces have, 0 to 1.
+    /// Weight on surfaces, 0 to 1.
     pub surface: f32,
-    /// How much of it caps have, 0 to 1.
+    /// Weight on caps, 0 to 1.
     pub cap: f32,
-    /// How much caps have of what their own relief hides of the sky, 0 to 1, whatever the kind.
+    /// Weight on caps of the occlusion by their own relief, 0 to 1, whatever the kind.
     pub relief: f32,
 }
 
-/// How occlusion is found.
+/// Method that computes occlusion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default, PartialOrd, Ord)]
 pub enum OcclusionKind {
-    /// It is not.
+    /// No occlusion.
     #[default]
     None,
     /// The share of the sky over the horizons around, weighted by the cosine: of what the picture shows the true one (Jimenez et al. 2016).
@@ -62,7 +62,7 @@ impl Default for Occlusion {
 }
 
 impl Occlusion {
-    /// Whether it darkens anything.
+    /// Returns true if it darkens anything.
     pub fn is_drawn(&self) -> bool {
         let is_found = match self.kind {
             OcclusionKind::None => false,

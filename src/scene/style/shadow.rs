@@ -1,13 +1,13 @@
 //! Shadow: what stands on a ground darkens it.
 
-/// The shadow on a level ground below all that is kept, of light from straight above. Lights of a style shine from the camera; this one
-/// says where the model stands, and is drawn where it is asked for alone: by `render` and `animate`, and of a [`Model`](crate::Model) that was
+/// The shadow on a level ground below all kept geometry, of light from straight above. Lights of a style shine from the camera; this one
+/// shows the ground contact. It is drawn only on request: by `render` and `animate`, and for a [`Model`](crate::Model) that was
 /// given one by [`Model::on_ground`](crate::Model::on_ground), which its updates forget.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shadow {
-    /// How much of the light is missing where all of it is hidden, 0 to 1; 0 draws none.
+    /// Share of the light that is missing in full shadow, 0 to 1; 0 draws none.
     pub strength: f32,
-    /// How far from straight above light still comes, in degrees: what is far above the ground has a shadow that is so soft.
+    /// Greatest angle of the light from the vertical, in degrees: sets the softness of shadows of geometry far above the ground.
     pub spread_deg: f32,
 }
 
@@ -21,7 +21,7 @@ impl Default for Shadow {
 }
 
 impl Shadow {
-    /// Whether it is drawn.
+    /// Returns true if it is drawn.
     pub fn is_drawn(&self) -> bool {
         self.strength > 0.0
     }

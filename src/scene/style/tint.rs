@@ -4,19 +4,19 @@ use glam::Vec3;
 
 use super::oklab::{oklab_from_srgb, srgb_from_oklab};
 
-/// What becomes of the colour of a part.
+/// Rule that changes the colour of a part.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub enum Tint {
-    /// It stays.
+    /// The colour is kept.
     #[default]
     Material,
-    /// All parts have this one, sRGB in 0..=1.
+    /// All parts have this colour, sRGB in 0..=1.
     Color(Vec3),
-    /// Its hue stays, in OKLab (Ottosson 2020).
+    /// The hue is kept, in OKLab (Ottosson 2020).
     Hue {
         /// Lightness of all, 0 to 1.
         lightness: f32,
-        /// The greatest chroma; what has less keeps it.
+        /// The greatest chroma; lower values are kept.
         chroma: f32,
         /// Added to both axes of hue: green to red, blue to yellow.
         warmth: [f32; 2],

@@ -1,6 +1,6 @@
 //! Numbers as documents have them, rounded so that they are read easily.
 
-/// A number with so many decimals, of which there may be less than none, and never -0. One that has no such neighbour stays as it is.
+/// Rounds to a number of decimals, which may be negative; never returns -0. A value without such a neighbour is returned unchanged.
 pub fn to_decimals(value: f64, decimals: i32) -> f64 {
     let unit = 10.0_f64.powi(decimals.abs());
     let rounded = match decimals >= 0 {

@@ -1,4 +1,4 @@
-//! How long a unit of a model is, as formats say it.
+//! Length of a model's unit, as formats state it.
 
 /// A unit of length.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,4 +1,4 @@
-//! How large and how small numbers of a scene may be, so that nothing that is computed from them overflows.
+//! Range of the numbers in a scene within which no computation overflows.
 //!
 //! Volumes and exact signs multiply three coordinates, in f64. Devices compute in f32, in units of the model's radius.
 
@@ -10,10 +10,10 @@ pub const LARGEST: f64 = 1e100;
 /// Least length that is not 0, for the same reason.
 pub const SMALLEST: f64 = 1e-100;
 
-/// So many radii of the model anything may reach: farther away its coordinates are no f32 in the space of the model.
+/// Greatest distance in radii of the model: farther away, coordinates overflow f32 in the model's space.
 pub const MOST_RADII: f64 = 1e30;
 
-/// Why a box is more, or less, than can be computed with, if it is.
+/// Returns an error text if a box is too large or too small to compute with.
 pub fn defect(of: &Bounds) -> Option<String> {
     if of.is_empty() {
         return None;
@@ -28,7 +28,7 @@ pub fn defect(of: &Bounds) -> Option<String> {
         .then(|| format!("is {widest:.0e} wide, less than {SMALLEST:.0e}"))
 }
 
-/// Why a length in the world is no number beside a model with these bounds, if it is not.
+/// Returns an error text if a length in the world is out of range relative to a model with these bounds.
 pub fn beside(length: f64, model: &Bounds) -> Option<String> {
     let radius = model.radius();
     let radii = length.abs() / if radius > 0.0 { radius } else { 1.0 };

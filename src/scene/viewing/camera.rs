@@ -1,14 +1,14 @@
 //! The camera as the user states it, and the [`View`] that it resolves to.
 //!
-//! An orbit looks at the model from a direction, from as far as shows all that it is fitted to ([`Fit`]): the box of the model, or
-//! the silhouette of what the cuts keep of it. Whoever stands somewhere explicitly stays there.
+//! An orbit looks at the model from a direction, at a distance that shows all that it is fitted to ([`Fit`]): the box of the model, or
+//! the silhouette of the geometry that the cuts keep. An explicit viewpoint stays where it is.
 
 use glam::{DVec2, DVec3};
 
 use crate::scene::geometry::fitting::{fit_parallel, fit_perspective};
 use crate::scene::{Bounds, Precision, Up, View};
 
-/// How depth narrows the picture.
+/// Projection of depth onto the picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Projection {
     /// Vertical field of view in degrees.
@@ -23,10 +23,10 @@ pub enum Projection {
     },
 }
 
-/// Where the eye is.
+/// Position of the eye.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Viewpoint {
-    /// On a sphere around the model, far enough to show all of it.
+    /// On a sphere around the model, far enough to show all parts.
     Orbit {
         /// Turn about the up axis, from the front.
         azimuth_deg: f64,
@@ -51,32 +51,32 @@ pub enum Viewpoint {
     },
 }
 
-/// What an orbit is fitted to.
+/// Geometry that an orbit is fitted to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Fit {
-    /// The box of the whole model, whatever is cut away.
+    /// The box of the whole model, regardless of the cuts.
     #[default]
     All,
-    /// The silhouette of what the cuts keep, in the middle of the picture, with a margin of 6 % of its shorter side. See [`Outline`](crate::scene::Outline).
+    /// The kept geometry's silhouette, centred, with a margin of 6 % of the picture's shorter side. See [`Outline`](crate::scene::Outline).
     Kept,
 }
 
 /// The camera in world space.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
-    /// Where the eye is.
+    /// Position of the eye.
     pub viewpoint: Viewpoint,
-    /// How depth narrows the picture.
+    /// Projection of depth onto the picture.
     pub projection: Projection,
-    /// Which axis is up.
+    /// Up axis.
     pub up: Up,
     /// Distance of the near plane in world units; `None` picks one just before the model.
     pub near: Option<f64>,
-    /// What an orbit is fitted to.
+    /// Geometry that an orbit is fitted to.
     pub fit: Fit,
-    /// How much larger than fitted it is shown.
+    /// Magnification over the fitted size.
     pub zoom: f64,
-    /// How far all of the picture is moved, to the right and up, in heights of it. The eye stays where it is, and so does what hides what.
+    /// Shift of the picture to the right and up, in picture heights. The eye does not move, so occlusion does not change.
     pub pan: DVec2,
     /// Draw a cap where the near plane cuts a solid. Without it a ray that begins inside a solid shows what it *enters* next, a
     /// surface or a cap: neither the near plane's section nor the wall by which it leaves. Strategies tell that wall by its back,
@@ -121,7 +121,7 @@ impl Camera {
         self.view_fitted(scene_from_world, scale, (bounds, &[]), size_px)
     }
 
-    /// Whether where the eye is hangs on what the cuts keep.
+    /// Returns true if the eye's position depends on the kept geometry.
     #[doc(hidden)]
     pub fn fits_kept(&self) -> bool {
         self.fit == Fit::Kept && !matches!(self.viewpoint, Viewpoint::Explicit { .. })

@@ -13,7 +13,7 @@ use crate::{Error, Result};
 /// By how much pixels may be off square, and axes off unit length.
 const TOLERANCE: f64 = 1e-4;
 
-/// What a distance from the eye, along the viewing direction, becomes in the depth buffer of a host.
+/// Map from the distance to the eye, along the viewing direction, to the depth buffer of a host.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HostDepth {
     /// `(x d + y) / (z d + w)` is the depth at distance `d`, in world units.
@@ -21,7 +21,7 @@ pub struct HostDepth {
 }
 
 impl HostDepth {
-    /// That of a projection matrix.
+    /// Depth map of a projection matrix.
     pub fn from_projection(clip_from_view: &DMat4) -> Self {
         let sign = forward_sign(clip_from_view);
         let [z, t] = [clip_from_view.z_axis, clip_from_view.w_axis];
@@ -36,7 +36,7 @@ impl HostDepth {
         (a * distance + b) / (c * distance + d)
     }
 
-    /// The depth of what is infinitely far, kept to what a buffer holds.
+    /// The depth of infinitely far points, clamped to the range of a buffer.
     pub fn far(&self) -> f64 {
         let [a, _, c, _] = self.coefficients;
         let far = match c {
@@ -47,10 +47,10 @@ impl HostDepth {
         far.clamp(0.0, 1.0)
     }
 
-    /// Whether what is nearer has the greater depth.
+    /// Returns true if nearer points have the greater depth.
     pub fn is_reversed(&self) -> bool {
         let [a, b, c, d] = self.coefficients;
-        // The sign of the derivative, wherever it is asked.
+        // The sign of the derivative, which is the same at every distance.
         a * d - b * c < 0.0
     }
 

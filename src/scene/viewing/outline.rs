@@ -1,6 +1,6 @@
-//! What a camera is fitted to that shows what the cuts keep: the corners of the convex hull of that, over one time or many.
+//! Outline of the kept geometry that a camera is fitted to: the corners of its convex hull, over one time or many.
 //!
-//! The extent of a thing in a picture, from wherever it is seen, hangs on its convex hull alone. The hull of what is kept of a part has
+//! The extent of an object in a picture, from any viewpoint, depends on its convex hull alone. The hull of the kept part of a part has
 //! its corners at vertices that are kept, where edges cross clip-surfaces, where two planes of different cuts meet in a triangle, and
 //! where three meet inside the solid. Planes are met exactly. Along a relief edges are followed in steps and the crossing is found by
 //! bisection; what rises between them is looked up at points of a grid, and where three meet inside a solid they count as planes.
@@ -20,29 +20,29 @@ use crate::scene::geometry::hull::hull_corners;
 use crate::scene::{Part, Scene, is_removed_whole};
 use region::Regions;
 
-/// Corners of the convex hull of what the cuts keep, in world space.
+/// Corners of the convex hull of the kept geometry, in world space.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Outline {
     points: Vec<DVec3>,
 }
 
 impl Outline {
-    /// That of a scene as it stands. It is empty where nothing is kept.
+    /// The outline of a scene as it stands. It is empty if nothing is kept.
     pub fn of(scene: &Scene) -> Self {
         let mut outline = Self::default();
         outline.add(scene);
         outline
     }
 
-    /// Takes in what is kept of a scene at another time.
+    /// Adds the kept geometry of a scene at another time.
     pub fn add(&mut self, scene: &Scene) {
         self.add_parts(scene, scene.parts.iter());
     }
 
-    /// Takes in what is kept of some parts of a scene.
+    /// Adds the kept geometry of some parts of a scene.
     #[doc(hidden)]
     pub fn add_parts<'a>(&mut self, scene: &Scene, parts: impl Iterator<Item = &'a Part>) {
-        // A ghost shows what is hidden.
+        // A ghost shows hidden parts.
         let world = scene.bounds();
         let is_seen =
             |part: &&Part| scene.style.ghost.is_drawn() || !is_removed_whole(scene, &world, part);
@@ -58,7 +58,7 @@ impl Outline {
         }
     }
 
-    /// Whether nothing is kept.
+    /// Returns true if nothing is kept.
     pub fn is_empty(&self) -> bool {
         self.points.is_empty()
     }

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-/// Which axis of the world points up.
+/// Up axis of the world.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Up {
     /// The habit of graphics.
@@ -13,7 +13,7 @@ pub enum Up {
 }
 
 impl Up {
-    /// As documents have it.
+    /// Name in documents.
     pub fn name(self) -> &'static str {
         match self {
             Self::PlusY => "+Y",
@@ -30,7 +30,7 @@ impl Up {
         }
     }
 
-    /// As a direction.
+    /// Unit vector of the axis.
     pub fn axis(self) -> DVec3 {
         match self {
             Self::PlusY => DVec3::Y,
@@ -38,7 +38,7 @@ impl Up {
         }
     }
 
-    /// The unit vector from what is looked at to an eye at some azimuth and elevation.
+    /// The unit vector from the target to an eye at some azimuth and elevation.
     pub fn direction(self, [azimuth_deg, elevation_deg]: [f64; 2]) -> DVec3 {
         let (sin_a, cos_a) = azimuth_deg.to_radians().sin_cos();
         let (sin_e, cos_e) = elevation_deg.to_radians().sin_cos();

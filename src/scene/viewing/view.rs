@@ -1,4 +1,4 @@
-//! What the ray of a pixel is and what its depth means, in scene space, for a camera that is resolved.
+//! Pixel rays and the meaning of depth, in scene space, for a resolved camera.
 //!
 //! *Depth* is the distance from the eye along the viewing direction, so a ray's direction has length 1 along `forward` and its
 //! parameter is the depth. The depth buffer is reversed (near = 1) with an infinite far plane: `z = near / depth` in perspective, where
@@ -13,7 +13,7 @@ use crate::scene::Bounds;
 pub struct View {
     /// Width and height in pixels.
     pub size_px: [u32; 2],
-    /// Where in the picture the viewing direction points: the middle, unless the picture is shifted by parts of a pixel.
+    /// Point of the picture at which the viewing direction points: the middle, unless the picture is shifted by a fraction of a pixel.
     pub centre_px: DVec2,
     /// The eye.
     pub eye: DVec3,
@@ -31,54 +31,54 @@ pub struct View {
     pub near: f64,
     /// Depth behind everything; only orthographic views use it.
     pub far: f64,
-    /// Whether the near plane makes caps.
+    /// True if the near plane makes caps.
     pub near_cap: bool,
     /// The first row and all rows of the picture that this is a band of, by [`View::rows`]; of a whole picture 0 and its height.
     pub band: [u32; 2],
-    /// How many rows at the top and at the bottom are drawn only as neighbours for effects: the picture does not keep them.
+    /// Number of rows at the top and at the bottom that are drawn only as neighbours for effects: the picture does not keep them.
     pub halo_rows: [u32; 2],
-    /// How many such views along each side make one picture, by [`View::sampled_at`]: effects that filter see so much less of a pixel.
+    /// Number of such views along each side that make one picture, by [`View::sampled_at`]: filters of effects cover less of a pixel by it.
     pub fineness: u32,
-    /// How exactly triangles are placed in the picture that is judged. Plans are recorded with that of their
+    /// Precision of triangle placement in the picture that is judged. Plans are recorded with that of their
     /// [`DrawOptions`](crate::strategies::DrawOptions) instead.
     pub precision: Precision,
 }
 
-/// How exactly a rasteriser places triangles.
+/// Precision with which a rasteriser places triangles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Precision {
-    /// To which fraction of a pixel, 2^-bits, it snaps vertices.
+    /// Sub-pixel bits: vertices are snapped to 2^-bits of a pixel.
     pub sub_pixel_bits: u32,
-    /// Whether depths are interpolated by their slopes in the picture, in f32, as fixed functions may; the compute rasteriser finds the
+    /// True if depths are interpolated by their slopes in the picture, in f32, as fixed functions may; the compute rasteriser finds the
     /// depth of each sample by the triangle's plane.
     pub slopes_in_f32: bool,
 }
 
 impl Precision {
-    /// That of the compute rasteriser.
+    /// Precision of the compute rasteriser.
     pub const USUAL: Self = Self {
         sub_pixel_bits: USUAL_SUB_PIXEL_BITS,
         slopes_in_f32: false,
     };
 
-    /// Whether there are fewer sub-pixel bits than usual.
+    /// Returns true if there are fewer sub-pixel bits than usual.
     pub fn is_coarse(&self) -> bool {
         self.sub_pixel_bits < USUAL_SUB_PIXEL_BITS
     }
 
-    /// How many times as far as by the usual sub-pixel bits vertices are moved: 16 times by 4 bits.
+    /// Ratio of the snapping distance of vertices to that by the usual sub-pixel bits: 16 for 4 bits.
     pub fn coarseness(&self) -> f64 {
         f64::from(1_u32 << USUAL_SUB_PIXEL_BITS.saturating_sub(self.sub_pixel_bits))
     }
 }
 
-/// What llvmpipe keeps, and the compute rasteriser. Vulkan promises 4.
+/// Sub-pixel bits of llvmpipe and of the compute rasteriser. Vulkan guarantees 4.
 pub const USUAL_SUB_PIXEL_BITS: u32 = 8;
-/// So many pixels along a side are drawn from f32 coordinates as exactly as vertices are snapped.
+/// Up to this picture size, in pixels along a side, f32 coordinates are as exact as vertices are snapped.
 const FINE_SIZE_PX: u32 = 2048;
 
 impl View {
-    /// Why the view cannot be drawn, if it cannot: rays are computed in f32, in radii of the model, and lengths are squared.
+    /// Returns the reason if the view cannot be drawn: rays are computed in f32, in radii of the model, and lengths are squared.
     pub fn defect(&self) -> Option<String> {
         let axes = [self.right, self.up, self.forward];
         if let Some(axis) = axes
@@ -103,7 +103,7 @@ impl View {
     }
 }
 
-/// So many radii of the model the eye may be away.
+/// Greatest distance of the eye, in radii of the model.
 const FARTHEST_EYE: f64 = 1e15;
 
 impl View {
@@ -140,7 +140,7 @@ impl View {
         }
     }
 
-    /// The views of a grid of so many points along each side of a pixel, each with its place in the grid: together they make one picture.
+    /// The views of a grid of `count` points along each side of a pixel, each with its place in the grid: together they make one picture.
     pub fn samples(&self, count: u32) -> impl Iterator<Item = ([u32; 2], Self)> + use<> {
         let view = *self;
         let places = (0..count).flat_map(move |j| (0..count).map(move |i| [i, j]));
@@ -155,7 +155,7 @@ impl View {
         })
     }
 
-    /// The view of some of the rows, with the same rays through them: pixel (x, y) of it is pixel (x, `first` + y) of this one.
+    /// The view of some of the rows, with the same rays through them: its pixel (x, y) is pixel (x, `first` + y) of this one.
     #[must_use]
     pub fn rows(&self, first: u32, count: u32) -> Self {
         let share = f64::from(count) / f64::from(self.size_px[1]);
@@ -168,7 +168,7 @@ impl View {
         }
     }
 
-    /// Where a point lands in the picture, in pixels, and its depth. Points at depth 0 land nowhere sensible in perspective.
+    /// Projects a point to pixels, with its depth. Points at depth 0 have no meaningful projection in perspective.
     pub fn project(&self, point: DVec3) -> (DVec2, f64) {
         let d = point - self.eye;
         let depth = self.depth_of(point);
@@ -182,7 +182,7 @@ impl View {
         (point - self.eye).dot(self.forward)
     }
 
-    /// The depth of what is farthest in a box, or that of the near plane where all of it is before that.
+    /// The depth of a box's farthest point, or that of the near plane if the whole box is before that.
     pub(crate) fn farthest_in(&self, bounds: &Bounds) -> f64 {
         let depths = bounds.corners().map(|c| self.depth_of(c));
         depths.into_iter().fold(self.near, f64::max)
@@ -269,7 +269,7 @@ impl View {
         shift * clip_from_view * view_from_scene
     }
 
-    /// Whether the near plane meets a box: then a solid in it may be cut by the near plane.
+    /// Returns true if the near plane meets a box: then a solid in it may be cut by the near plane.
     pub fn near_plane_meets(&self, bounds: &Bounds) -> bool {
         let depths = bounds.corners().map(|c| self.depth_of(c));
         depths.iter().any(|d| *d < self.near) && depths.iter().any(|d| *d > self.near)

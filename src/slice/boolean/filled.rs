@@ -1,4 +1,4 @@
-//! The solid that a mesh is by a fill rule, where bodies of it overlap: with voids where an even number of them do, or in one.
+//! Solid of a mesh by a fill rule, where its bodies overlap: with voids where an even number of them do, or as one.
 //!
 //! Cost: a comparison of the boxes of all bodies; an operation for each body whose box meets that of another, where the rule is even-odd.
 

@@ -1,4 +1,4 @@
-//! What is left of a mesh, and what is removed, where reliefs and cutters are among what removes it.
+//! Kept and removed half of a mesh, where reliefs and cutters are among the removing surfaces.
 //!
 //! Each region becomes a closed mesh: a block around the part, divided by the planes of the region as [`halves`] divides meshes, in common
 //! with what lies below its reliefs ([`sheet`]) and within or around its cutter. The part in common with all regions is what is removed,
@@ -26,7 +26,7 @@ use super::capped::{Cap, Half, Halves, halves, of_used};
 use super::in_world::in_world;
 use crate::scene::{Bounds, ClipSurface, Cutter, Edges, Fill, Mesh};
 
-/// What a cut removes of a part.
+/// Region that a cut removes from a part.
 pub(super) struct Region<'a> {
     /// In world space, moved by the offset of the part.
     pub(super) surfaces: Vec<ClipSurface>,
@@ -36,21 +36,21 @@ pub(super) struct Region<'a> {
 /// A part divided by regions.
 pub(super) struct Divided {
     pub(super) halves: Halves,
-    /// How far the caps are off the reliefs along `N`, in world units.
+    /// Distance of the caps from the reliefs along `N`, in world units.
     pub(super) off: f64,
 }
 
 /// Name of the faces of a block: no clip-surface.
 const BLOCK: u32 = u32::MAX;
 
-/// Which cap the faces of a mesh make: the mesh, its region, and the clip-surface; `None` where its faces are called after theirs.
+/// Source of the cap faces of a mesh: the mesh, its region, and the clip-surface; `None` where its faces keep the name of their source.
 struct CapOf {
     mesh: u32,
     region: usize,
     surface: Option<usize>,
 }
 
-/// Divides a mesh into what lies in any region, and the rest. Reliefs get about so many cells along the longer side of the mesh.
+/// Divides a mesh into what lies in any region, and the rest. Reliefs get about `cells` cells along the longer side of the mesh.
 ///
 /// # Errors
 ///

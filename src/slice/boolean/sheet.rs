@@ -1,7 +1,7 @@
 //! The removed side of a relief as a closed mesh: a sheet of triangles over a block, with walls and a floor beneath it.
 //!
 //! A relief is bilinear between the centres of its texels. Corners of the sheet lie on those centres and on equal parts of the way between
-//! them; where texels are smaller than cells, on every so many of them. What is between corners is two triangles, which differ from
+//! them; where texels are smaller than cells, on every nth centre. Between corners lie two triangles, which differ from
 //! the relief by up to a quarter of the twist of the cell, or by what lies between texels that were passed over.
 //!
 //! Cost: one look at the map for each corner and three for each cell.
@@ -50,7 +50,7 @@ impl Axis {
     }
 }
 
-/// What lies below a relief, around a block and farther down than it. There are about so many cells along the longer side of the block, as
+/// Solid below a relief, around a block and farther down than it. There are about `cells` cells along the longer side of the block, as
 /// it is seen along `N`.
 pub(super) fn below(surface: &ClipSurface, block: &Bounds, cells: u32) -> Sheet {
     let frame = surface.frame();

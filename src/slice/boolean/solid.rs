@@ -9,12 +9,12 @@ use manifold_rust::types::{BooleanEngine, Error, MeshGLP, OpType};
 
 use crate::scene::Mesh;
 
-/// A face of a result: which mesh it came from, and what that said of it.
+/// A face of a result: its source mesh and its face in that mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Origin {
     /// Number of the mesh.
     pub(super) mesh: u32,
-    /// What the mesh called the face.
+    /// Face index in the source mesh.
     pub(super) face: u32,
 }
 
@@ -126,12 +126,12 @@ impl Undivided {
 /// Operations at work.
 static AT_WORK: AtomicUsize = AtomicUsize::new(0);
 
-/// Whether a panic may be one of the Boolean crate, which becomes an error and is nothing to print.
+/// Returns true if a panic may come from the Boolean crate: it becomes an error and is not printed.
 pub fn is_at_work() -> bool {
     AT_WORK.load(Ordering::SeqCst) > 0
 }
 
-/// What an operation makes, or why it makes nothing. A fault of the crate is no reason to end the program.
+/// Result of an operation, or the reason for its failure. A fault of the crate is no reason to end the program.
 fn guarded(operation: impl FnOnce() -> Manifold) -> Result<Manifold, Undivided> {
     AT_WORK.fetch_add(1, Ordering::SeqCst);
     let made = catch_unwind(AssertUnwindSafe(operation));

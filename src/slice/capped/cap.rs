@@ -24,7 +24,7 @@ use crate::scene::meshes::weld::has_three;
 /// A use of an edge in a plane by a candidate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct PlaneUse {
-    /// Of the candidate.
+    /// Group of the candidate.
     group: u32,
     /// The lesser first.
     ends: [u32; 2],
@@ -48,14 +48,14 @@ impl PlaneUse {
 /// An edge of an outline.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Piece {
-    /// Of the faces at it.
+    /// Group of the adjacent faces.
     pub(super) group: u32,
     ends: [u32; 2],
-    /// Whether the faces at it agree which side is out.
+    /// True if the adjacent faces agree on the outward side.
     is_oriented: bool,
 }
 
-/// What the faces above a plane do not cancel, group by group.
+/// Edges that the faces above a plane do not cancel, group by group.
 pub(super) fn pieces(mut uses: Vec<PlaneUse>) -> Vec<Piece> {
     uses.sort_unstable();
     let mut pieces = Vec::new();

@@ -15,7 +15,7 @@
 //!
 //! The sign of a vertex is exact ([`SlicePlane::is_above`]); a vertex that was made on a plane is on it, whatever its rounded coordinates
 //! say. Only an edge between both sides is crossed, in one new vertex, computed from the lesser end by coordinates. A triangle in
-//! the plane goes with the solid behind it: a face is never doubled by a cap, and nothing without thickness is left.
+//! the plane is assigned to the side of the solid behind it: a face is never doubled by a cap, and nothing without thickness is left.
 //!
 //! Cost: for each plane a look at all vertices and faces, in parallel, and sorts of what it meets.
 
@@ -31,7 +31,7 @@ use super::groups::groups;
 use crate::scene::meshes::weld::has_three;
 use crate::scene::{Bounds, FacesInPlane, Mesh, Side};
 
-/// What has become of a face.
+/// State of a face.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum State {
     /// It is a face of what is kept.
@@ -77,7 +77,7 @@ pub(super) type Splits = HashMap<[u32; 2], Vec<u32>>;
 
 /// See above.
 pub(super) struct Complex<'a> {
-    /// What planes divide.
+    /// Mesh that planes divide.
     pub(super) mesh: &'a Mesh,
     pub(super) planes: Vec<MarkedPlane>,
     pub(super) positions: Vec<DVec3>,
@@ -321,7 +321,7 @@ pub(super) fn divided(
     parts: &mut Vec<[u32; 3]>,
 ) {
     let [a, b, c] = corners;
-    // Of two ways to divide what is left beside a corner the one with the shorter new edge.
+    // Of the two diagonals that divide the rest next to a corner, take the one with the shorter new edge.
     let length = |i: &u32, j: u32| at[*i as usize].distance_squared(at[j as usize]);
     let across = |i: usize| sides[i].first().map(|v| length(v, [c, a, b][i]));
     let first = (0..3)

@@ -1,4 +1,4 @@
-//! Which faces of a part lie in a plane, as the picture of its scene has it.
+//! Faces of a part that lie in a plane, decided as in the picture of its scene.
 //!
 //! Cost: for each plane a look at all vertices.
 
@@ -8,14 +8,14 @@ use super::super::SlicePlane;
 use super::complex::{Complex, MarkedPlane};
 use crate::scene::{Candidates, FacesInPlane, Mesh, Part, SceneSpace, tolerance_of};
 
-/// Where faces are decided, and how far off their vertices may be there.
+/// Space in which faces are decided, and the tolerance for their vertices there.
 pub(super) struct InScene {
     space: SceneSpace,
     tolerance: f64,
 }
 
 impl InScene {
-    /// Of a part of a scene.
+    /// Builds it for a part of a scene.
     pub(super) fn of(part: &Part, space: &SceneSpace) -> Self {
         Self {
             space: *space,

@@ -1,4 +1,4 @@
-//! What is left of a mesh, and what is removed of it, as meshes with their caps.
+//! Division of a mesh into the kept and the removed half, each a mesh with caps.
 //!
 //! A cut removes the intersection of the removed sides of its planes, a scene the union of its cuts. Regions are removed one after the
 //! other, and each by its planes one after the other: what is above a plane stays, what is below all of them goes, and the caps of what
@@ -10,8 +10,8 @@
 //! the mesh passes through itself. Both share their vertices on the caps to the last bit, and their volumes add up to that of the mesh but
 //! for rounding. An open mesh stays open where it was, and where a curve of the section does not close.
 //!
-//! Cost: for each plane a look at all triangles, in parallel; then what planes meet, n log n. Memory: some 60 bytes a triangle beside the mesh
-//! and what comes out.
+//! Cost: each plane tests all triangles, in parallel; then n log n in the elements it meets. Memory: some 60 bytes a triangle on top of
+//! the mesh and the result.
 //!
 //! Reliefs and cutters are not of planes: parts that they cut are divided by Boolean operations, with the feature `boolean`.
 //!
@@ -41,14 +41,14 @@ use super::{SectionDefect, SlicePlane};
 use crate::scene::Mesh;
 use crate::scene::meshes::weld::has_three;
 
-/// What is left of a mesh, and what is removed.
+/// Kept and removed half of a mesh.
 #[derive(Clone, Debug, Default)]
 pub struct Halves {
-    /// What is left.
+    /// Kept half.
     pub kept: Half,
-    /// What is removed.
+    /// Removed half.
     pub removed: Half,
-    /// What the mesh lacks for caps without doubt, plane by plane.
+    /// Defects of the mesh that put caps in doubt, plane by plane.
     pub defects: Vec<SectionDefect>,
 }
 
@@ -57,7 +57,7 @@ pub struct Halves {
 pub struct Half {
     /// Faces of the mesh, then caps; they share vertices. It has no triangles where nothing is left.
     pub mesh: Mesh,
-    /// Of each face which triangle of the mesh it is, or is a part of.
+    /// Per face, the triangle of the mesh that contains it.
     pub sources: Vec<u32>,
     /// The caps, by their planes.
     pub caps: Vec<Cap>,
@@ -75,7 +75,7 @@ pub struct Cap {
 }
 
 impl Half {
-    /// How many triangles are faces of the mesh: caps follow.
+    /// Number of triangles that are faces of the mesh: caps follow.
     pub fn surface_triangles(&self) -> usize {
         self.sources.len()
     }
@@ -92,7 +92,7 @@ impl Half {
 }
 
 /// Divides a mesh into what lies below all planes of any region, which is removed, and the rest. Planes are in the space of the
-/// mesh; a region without planes is all of it.
+/// mesh; a region without planes is the whole mesh.
 ///
 /// ```
 /// use cutaway::generate::shapes::shape;

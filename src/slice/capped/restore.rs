@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 use super::complex::{Complex, Face, divided};
 use crate::scene::meshes::weld::has_three;
 
-/// A triangle of the mesh that can be put together: the vertices on its sides, and a face of it.
+/// A triangle of the mesh that can be put together: the vertices on its sides, and one of its faces.
 struct Whole {
     face: Face,
     corners: [u32; 3],

@@ -11,14 +11,14 @@ use crate::slice::boolean::{self, Region};
 use crate::slice::in_world::in_world;
 use crate::{Error, Result};
 
-/// What the cuts of a scene make of a part.
+/// Result of the cuts of a scene for one part.
 #[derive(Clone, Debug, Default)]
 pub struct CappedPart {
     /// Index of the part in the scene.
     pub part: usize,
     /// Indices of the cuts that apply to it, in the order of the regions of its caps.
     pub cuts: Vec<usize>,
-    /// What is left and what is removed, in world space.
+    /// Kept and removed half, in world space.
     pub halves: Halves,
     /// Largest distance along `N` between caps and the reliefs that they follow, in world units, as found at the middles of cells.
     pub relief_off: f64,
@@ -27,7 +27,7 @@ pub struct CappedPart {
 /// Cells of a relief along the longer side of a part, by default.
 pub const RELIEF_CELLS: u32 = 256;
 
-/// What the cuts of a scene leave of each part, and what they remove, as meshes with caps in world space. Each part is a solid of its own,
+/// Divides each part by the cuts of a scene into kept and removed meshes with caps, in world space. Each part is a solid of its own,
 /// also where parts overlap; a part that is never cut is left whole.
 ///
 /// ```
@@ -53,7 +53,7 @@ pub fn capped(scene: &Scene) -> Result<Vec<CappedPart>> {
     capped_with(scene, RELIEF_CELLS)
 }
 
-/// [`capped`], where reliefs get about so many cells along the longer side of a part as it is seen along `N`.
+/// [`capped`], with reliefs sampled in about `relief_cells` cells along the longer side of a part as seen along `N`.
 ///
 /// # Errors
 ///
@@ -107,7 +107,7 @@ pub fn planes_of(cut: &Cut, part: &Part) -> Option<Vec<SlicePlane>> {
     planes.filter(|_| cut.volume.is_none())
 }
 
-/// What cuts of any kind make of a part, and how far its caps are off their reliefs.
+/// Result of cuts of any kind for a part, and the distance of its caps from their reliefs.
 #[cfg(feature = "boolean")]
 fn divided<'a>(
     part: &Part,

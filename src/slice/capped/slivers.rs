@@ -1,6 +1,6 @@
-//! Edges that division left too short to be told from points, made points.
+//! Collapses edges that division left too short to be distinguished from points.
 //!
-//! A plane through a vertex but for rounding crosses the edges at that vertex a hair beside it, and leaves triangles without area. Programs
+//! A plane that misses a vertex by rounding crosses the edges at that vertex a hair away, and leaves triangles without area. Programs
 //! that read halves take such vertices for one, each in its own way, and find the mesh open. So an end that division made goes to the other
 //! end, which stays where it is; only an axis-aligned plane moves it onto itself, by less than such an edge. Ends of the mesh are never
 //! joined to each other.
@@ -14,7 +14,7 @@ use crate::scene::meshes::weld::has_three;
 /// Edges shorter than this share of the diagonal of the mesh are points: half of what f32 tells apart at that size.
 const SHORT: f64 = 1.0 / 33_554_432.0;
 
-/// How often short edges are looked for: some are left where both ends of one were the goals of others.
+/// Passes over short edges: some are left where both ends of one were the goals of others.
 const PASSES: usize = 4;
 
 impl Complex<'_> {

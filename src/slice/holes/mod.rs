@@ -1,7 +1,7 @@
 //! Holes of open meshes, closed by triangles between the vertices that they have: planar ones of any size, and small ones.
 //!
 //! A hole is a closed way along edges that one triangle has. It is
-//! - *planar* where no vertex of it is further from a plane than [`PLANAR`] of the hole's size. Its triangles are those of the constrained
+//! - *planar* if all its vertices are within [`PLANAR`] of the hole's size from a plane. Its triangles are those of the constrained
 //!   Delaunay triangulation that caps have; holes in one plane are filled together, so that the end of a pipe is a ring. Where edges
 //!   cross, or pass through vertices, nothing is filled.
 //! - *small* where it has [`SMALL_EDGES`] edges at most, or is no longer around than [`SMALL_SHARE`] of the diagonal of the mesh's box and
@@ -30,8 +30,8 @@ use crate::scene::{Bounds, Mesh};
 pub use parts::close_holes_of;
 use planar::Plane;
 
-/// How far from a plane vertices of a planar hole may be, as a share of the diagonal of the hole's box: the rounding of a small hole
-/// far from the origin, in f32.
+/// Tolerance of a planar hole: distance of vertices from a plane, as a share of the diagonal of the hole's box: the rounding of a
+/// small hole far from the origin, in f32.
 const PLANAR: f64 = 1e-4;
 
 /// Edges of a small hole, however long.
@@ -49,7 +49,7 @@ const FOLDED: f64 = -0.999_85;
 /// A closed way along open edges.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Hole {
-    /// Its vertices in order, so that triangles inside of it are turned as their neighbours are.
+    /// Its vertices in order, so that triangles inside are oriented like their neighbours.
     pub vertices: Vec<u32>,
     /// Why it stays open, if it does.
     pub defect: Option<HoleDefect>,
@@ -62,7 +62,7 @@ pub enum HoleDefect {
     /// It is neither planar nor small.
     #[error("neither planar nor small")]
     Large,
-    /// What would close it lies on its neighbours, as for the rim of a sheet.
+    /// Filling would lie on its neighbours, as for the rim of a sheet.
     #[error("closed it would lie on its own surface")]
     Folded,
     /// It is planar, and its edges cross, or pass through vertices.
@@ -73,7 +73,7 @@ pub enum HoleDefect {
     Taken,
 }
 
-/// What closes a mesh.
+/// Triangles that close a mesh.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Closing {
     /// Triangles to be added.
@@ -84,7 +84,7 @@ pub struct Closing {
     pub loose_edges: usize,
 }
 
-/// What closes the planar and small holes of a mesh. Indices must be in range ([`Mesh::defect`]).
+/// Closes the planar and small holes of a mesh. Indices must be in range ([`Mesh::defect`]).
 ///
 /// ```
 /// use cutaway::generate::shapes::shape;
@@ -148,7 +148,7 @@ pub fn close_holes(mesh: &Mesh) -> Closing {
     closing
 }
 
-/// What is known of the surface at its holes.
+/// Surface data at the holes.
 struct Surface<'a> {
     mesh: &'a Mesh,
     /// The normals of triangles at open edges, by the edges as holes have them.
@@ -230,7 +230,7 @@ impl<'a> Surface<'a> {
         Ok(())
     }
 
-    /// What closes some holes in one plane.
+    /// Triangles that close some holes in one plane.
     fn filling(
         &self,
         holes: &[Hole],
@@ -289,7 +289,7 @@ impl<'a> Surface<'a> {
     }
 }
 
-/// What closes some holes.
+/// Triangles that close some holes.
 struct Filling {
     triangles: Vec<[u32; 3]>,
     /// Its edges that are of no hole, the lesser vertex first.

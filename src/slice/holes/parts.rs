@@ -1,4 +1,4 @@
-//! The holes of parts closed, and what is to be said of it: how many, where, how large.
+//! Closes the holes of parts, and reports their number, positions and sizes.
 
 use std::sync::Arc;
 
@@ -11,10 +11,10 @@ use crate::scene::meshes::weld::thousands;
 use crate::scene::units::numbers::round;
 use crate::scene::{FilledPart, Mesh, Part};
 
-/// Holes that are told of one by one, of each sort of a part.
+/// Holes reported one by one, per kind and part.
 const MOST_TOLD: usize = 4;
 
-/// Parts that are told of one by one.
+/// Parts reported one by one.
 const MOST_PARTS_TOLD: usize = 16;
 
 /// Closes the planar and small holes of parts, and says which. Parts that share a mesh share what closes it; closed ones stay as they
@@ -66,7 +66,7 @@ impl Closing {
     }
 }
 
-/// What is said of a part, if it is open.
+/// Note about a part, if it is open.
 fn note(part: &Part, closing: &Closing) -> Option<String> {
     let loose = match closing.loose_edges {
         0 => String::new(),
@@ -109,7 +109,7 @@ fn note(part: &Part, closing: &Closing) -> Option<String> {
     Some(text)
 }
 
-/// Where a hole is in the world, and how large.
+/// Position of a hole in the world, and its size.
 struct Place {
     edges: usize,
     around: f64,
@@ -131,7 +131,7 @@ impl Place {
     }
 }
 
-/// The longest of some holes, and how many there are beside.
+/// The longest holes, and the number of the others.
 fn list(before: &str, mut places: Vec<Place>) -> String {
     if places.is_empty() {
         return String::new();

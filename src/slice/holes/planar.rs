@@ -14,7 +14,7 @@ const SAME_PLANE: f64 = 1e-3;
 /// The plane of a hole.
 pub(super) struct Plane {
     origin: DVec3,
-    /// Of the triangles that close the hole.
+    /// Normal of the triangles that close the hole.
     normal: DVec3,
 }
 

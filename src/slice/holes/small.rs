@@ -8,7 +8,7 @@
 use super::{MOST_EDGES, SMALL_EDGES, SMALL_SHARE, perimeter, points_of};
 use crate::scene::Mesh;
 
-/// Whether a hole is closed by this.
+/// Returns true if this module closes a hole.
 pub(super) fn is_small(mesh: &Mesh, rim: &[u32], diagonal: f64) -> bool {
     let is_short = || perimeter(&points_of(mesh, rim)) <= SMALL_SHARE * diagonal;
     rim.len() <= SMALL_EDGES || (rim.len() <= MOST_EDGES && is_short())

@@ -23,7 +23,7 @@ use crate::shader::Shader;
 use crate::strategies::row::{Abilities, CapSurface, InsideTestKind, InsideTestRow, StrategyInfo};
 use crate::strategies::surface;
 
-/// What is bounded, for the report of a frame that needs more.
+/// Name of the bounded buffer, for the report of a frame that needs more.
 const FRAGMENTS_OF_PIXELS: &str = "fragments of the A-buffer";
 
 /// The row of the table.

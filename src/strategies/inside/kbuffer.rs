@@ -2,7 +2,7 @@
 //!
 //! A fragment is offered to the slots of its pixel from the nearest on; each keeps the greater depth-buffer value and offers
 //! the other to the next, by one atomic maximum: no lock, no order, no list to lay out. Behind a crossing are all fragments
-//! but those in front of it, so that what the near plane cuts off does no harm: it is missing from both numbers. A pass per
+//! except those in front, so that what the near plane cuts off does no harm: it is missing from both numbers. A pass per
 //! pixel turns counts and slots into the very words that `mask` writes at once.
 //!
 //! Per frame: one mesh pass of up to K + 1 atomics a fragment, one reduction, one resolve; 4 (K + 1) bytes per pixel and cut

@@ -26,7 +26,7 @@ use crate::plan::{
 use crate::shader::Shader;
 use crate::strategies::row::{Abilities, InsideTestKind, InsideTestRow, Parameter, StrategyInfo};
 
-/// What is bounded, for the report of a frame that needs more.
+/// Name of the bounded buffer, for the report of a frame that needs more.
 const FRAGMENTS_OF_TEXELS: &str = "fragments of the layered depth images";
 
 /// The row of the table.

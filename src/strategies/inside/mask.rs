@@ -11,8 +11,8 @@
 //! fragments, which a closed mesh ends with at 0, and their number, which says whether a byte may have run over: more than 254
 //! fragments in a pixel are marked. The other parts of the scene keep their bits.
 //!
-//! By the compute rasteriser with one plane and nothing else for a clip-surface there is no list: each sample asks the plane. Nothing of a
-//! cut part hangs on who asks, for each of its samples is judged once, and all that are kept lie on one side.
+//! By the compute rasteriser with one plane as the only clip-surface there is no list: each sample tests the plane. No result for a
+//! cut part depends on the testing pass, because each sample is judged once, and all that are kept lie on one side.
 //!
 //! Why the nearest kept fragment is a true boundary though inner shells are fragments too: were the ray inside the part
 //! before it as well as after, it would have come inside by a fragment, which would be kept and nearer; or by leaving what is

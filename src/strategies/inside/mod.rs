@@ -1,6 +1,6 @@
 //! Inside tests.
 //!
-//! Those of rays record the frame of a cap surface themselves. Those of points record images, which are asked about every crossing of
+//! Ray tests record the frame of a cap surface themselves. Point tests record images, which are sampled at every crossing of
 //! the camera's rays here, or by the paper's rule ([`paper`](super::surface::paper)) about every fragment of a cap.
 
 pub(crate) mod abuffer;
@@ -21,7 +21,7 @@ use crate::passes::{
 };
 use crate::plan::{Binding, Plan, ResourceId};
 
-/// Lists crossings, of at most so many to a pixel, and draws the mesh with fragments that leave nothing: the inside test asks elsewhere, or
+/// Lists crossings, at most `capacity` per pixel, and draws the mesh with fragments that store nothing: the inside test uses other data, or
 /// draws the mesh again. Its mask begins empty.
 fn leaving_nothing(
     plan: &mut Plan,

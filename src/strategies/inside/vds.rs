@@ -6,7 +6,7 @@
 //! make it grow with the resolution. The test loads texels without filtering, for filtering would blend different surfaces.
 //!
 //! Per solid: one counting pass and d peeling passes; 4 d RES² bytes a part, and 4 RES² to count. Per frame: d loads per cap
-//! fragment. Error: a point is tested up to half a texel beside where it is, so wrong pixels line the silhouettes in
+//! fragment. Error: a point is tested up to half a texel away from its position, so wrong pixels line the silhouettes in
 //! proportion to 1/RES. Cannot: follow a moving mesh without a rebuild; keep coincident faces apart (peeling loses ties).
 //!
 //! Slips of the paper mended here: its listing 2 samples slices at their boundary, where filtering blends two layers; its

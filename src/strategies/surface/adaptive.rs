@@ -1,10 +1,10 @@
-//! `adaptive:TAU`: a tessellation that is made anew for every view, as fine as keeps it within TAU pixels of the relief.
+//! `adaptive:TAU`: a tessellation rebuilt for every view, just fine enough to stay within TAU pixels of the relief.
 //!
 //! Squares of texels are halved into right triangles, and these at the middle of their longest edge again and again, below a texel
 //! too (Lindstrom & Pascucci, *Visualization of large terrains made easy*, 2001). What a triangle would be off by is measured on the
-//! map, once for each cut; what of that is seen follows from the least depth that it may be seen at. Whether an edge is halved is asked
-//! of its middle, in integers where it matters, so that neighbours agree without asking each other and no crack can arise. Triangles
-//! outside the picture or outside the box of the cut solids are left out: nobody asks about crossings there.
+//! map, once for each cut; its visible part follows from the least depth at which it may be seen. The halving of an edge is decided
+//! at its middle, in integers where it matters, so that neighbours agree without communication and no crack can arise. Triangles
+//! outside the picture or outside the box of the cut solids are left out: no crossings are needed there.
 //!
 //! Per cut: a texel is looked at once for each size of edge and of square, up to 13 times; 8 bytes per texel around the cut solids.
 //! Per frame: a workgroup per patch, and several where an invocation would walk through more than 2,000 triangles; time in proportion to the
@@ -12,9 +12,9 @@
 //! read back.
 //!
 //! Cannot: halve a texel more often than 16 bits can count, where a map has very many; an error of TAU asks for more only where a
-//! single texel is hundreds of pixels high. Keep what it measured where a relief moves across its texels, or the box of the solids that are
-//! cut does: all is measured again. Say which pixels miss triangles that found no room: the frame is drawn again with as many as it needs. Refuses
-//! reliefs of more texels than a storage binding holds: `raycast` draws those.
+//! single texel is hundreds of pixels high. Keep its measurements where a relief moves across its texels, or the box of the solids that are
+//! cut does: all is measured again. Say which pixels miss triangles that found no room: the frame is drawn again with as many as it needs.
+//! Refuses reliefs of more texels than a storage binding holds: `raycast` draws those.
 
 mod domain;
 mod measure;
@@ -63,7 +63,7 @@ const FIRST_TRIANGLES: u32 = 1 << 16;
 /// Most triangles of all reliefs: 128 MiB of indices.
 const MOST_TRIANGLES: u32 = (128 << 20) / 12;
 
-/// The reliefs as triangles and, where they are asked for, the planes as a square each. The reason where a relief is too large.
+/// The reliefs as triangles and, on request, the planes as a square each. Returns the reason if a relief is too large.
 fn tessellation(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,

@@ -1,7 +1,7 @@
 //! Cutters: closed meshes drawn as sheets, whatever the cap surface is.
 //!
 //! Each cutter that matters is drawn once to leave its fragments; they go into the one list of crossings with normals to shade by, and
-//! from there on a cutter is a clip-surface like any other. Which side of it a ray begins on follows from parity: an odd number of its
+//! from there on a cutter is a clip-surface like any other. The side on which a ray begins follows from parity: an odd number of its
 //! fragments ahead is inside. So the eye may be in the cutter, and the near plane may cut it. Where neither is so an odd number of
 //! fragments marks the pixel.
 //!

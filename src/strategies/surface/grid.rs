@@ -42,7 +42,7 @@ pub(crate) static ROW: CapSurfaceRow = CapSurfaceRow {
     caps: Caps::Triangles(|plan, scene, cells, _| Ok(tessellation(plan, scene, cells))),
 };
 
-/// All clip-surfaces as grids of so many cells along a side.
+/// All clip-surfaces as grids of `cells` cells along a side.
 fn tessellation(plan: &mut Plan, scene: &SceneBuffers<'_>, cells: u32) -> Tessellation {
     let input = scene.input;
     let kept = &input.model.grid_indices;

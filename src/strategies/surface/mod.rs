@@ -17,7 +17,7 @@ use crate::plan::Plan;
 
 pub(crate) use raycast::capacity;
 
-/// Records the passes that write the list of crossings, with room for so many in a pixel, and makes every pixel ready for its first
+/// Records the passes that write the list of crossings, with the given capacity per pixel, and makes every pixel ready for its first
 /// fragment on the way; a refusal where a cap surface has none.
 pub(crate) fn list(
     plan: &mut Plan,

@@ -6,7 +6,7 @@
 //! meets the clip-surface at a grazing angle; it is counted (`crack_px`), not hidden.
 //!
 //! Per frame: the mesh once, the triangles for each part and clip-surface, d loads for each cap fragment. Where the near
-//! plane meets a part, the image is asked once more at each pixel: the paper has no cap there. Cannot: draw by the compute rasteriser.
+//! plane meets a part, each pixel samples the image once more: the paper has no cap there. Cannot: draw by the compute rasteriser.
 
 use std::ops::Range;
 

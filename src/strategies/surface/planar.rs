@@ -1,7 +1,7 @@
 //! `planar`: the section of each part by each plane, sliced and triangulated on the CPU and drawn as what is inside.
 //!
-//! The list of crossings of planes in closed form clips the mesh as it does for every inside test. Whether a crossing is inside a
-//! part is then not asked of the part's fragments but of the part's section by that plane: a fragment of the section flips the bit of
+//! The list of crossings of planes in closed form clips the mesh as it does for every inside test. The inside test of a crossing
+//! then does not use the part's fragments but the part's section by that plane: a fragment of the section flips the bit of
 //! its plane's crossing in the part's lane of the mask, and the same resolve as that of `mask` shades. So any number of planes,
 //! parts, priorities and filters goes, and the mesh is drawn once without any atomics.
 //!
@@ -13,8 +13,8 @@
 //! sections once, one resolve; 2 to 32 bits per pixel and cut part. A camera that moves slices nothing.
 //!
 //! Cannot: cut by reliefs; cap at the near plane; follow a large mesh that moves as fast as others do, for it is posed on the CPU and
-//! its slicer made anew in each step. It refuses where the near plane, which goes on beyond the picture, meets the box of a part that
-//! is cut, though nothing of that be seen.
+//! its slicer rebuilt in each step. It refuses where the near plane, which continues beyond the picture, meets the box of a part that
+//! is cut, even if none of that is visible.
 //!
 //! Open meshes are capped as far as their sections close, for what is closed says by itself what it encloses. Where a section does not
 //! close, nothing says how far it would have reached but the box of the part: pixels whose ray enters the part's half of space through
@@ -97,7 +97,7 @@ fn draw(
     crossings: &Crossings,
 ) {
     let depth = DepthTarget {
-        // The depths of surfaces are asked for later.
+        // The depths of surfaces are read later.
         clear: matches!(nearest, NearestKept::Swept(_)),
         ..DepthTarget::untouched(scene.depth)
     };

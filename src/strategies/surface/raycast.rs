@@ -1,15 +1,15 @@
 //! `raycast`: all crossings of each pixel's ray with the clip-surfaces, as one sorted list of depths per pixel.
 //!
 //! No mesh, no tessellation: planes in closed form, reliefs by a walk over the cells of the offset map with the sign carried
-//! from cell to cell and citardauq roots. Where a ray meets many cells, as in grazing views, the walk passes whole blocks of them
-//! by a pyramid of least and greatest heights, to the same list. The list decides surface, cap and inside together, so no pixel of a closed mesh
-//! shows the inside of the shell while buffers hold what they must. Per frame: one invocation per pixel, time in proportion to the cells that a ray passes inside the slab of
-//! heights and the box of the cut solids; 8 bytes per pixel and 4 (one clip-surface) or 8 per crossing it can hold.
+//! from cell to cell and citardauq roots. Where a ray meets many cells, as in grazing views, it passes whole blocks of them by a pyramid of
+//! least and greatest heights, to the same list. The list decides surface, cap and inside together, so no pixel of a closed mesh shows the
+//! inside of the shell while buffers hold what they must. Per frame: one invocation per pixel, time in proportion to the cells met inside
+//! the slab of heights and the box of the cut solids; 8 bytes per pixel and 4 (one clip-surface) or 8 per crossing it can hold.
 //!
 //! Before the compute rasteriser rays through reliefs are followed only between the depths of what is cut in their tile of the picture
 //! ([`SceneBuffers::on_screen_first`]).
 //!
-//! Lists are as long as the longest one that a frame asked for. Cannot: hold more than 1023 crossings per pixel, or lists of more
+//! Lists are as long as the longest one that a frame needed. Cannot: hold more than 1023 crossings per pixel, or lists of more
 //! than 2 GiB in a picture: 512 crossings at 1024 x 768, 64 at 3840 x 2160. A longer list keeps the nearest, marks the pixel and
 //! reports its need.
 
@@ -50,7 +50,7 @@ const FIRST_PER_RELIEF: u32 = 7;
 /// Bytes of the lists of a whole picture, in all of its bands together.
 const MOST_BYTES: u64 = 2 << 30;
 
-/// How many crossings a pixel is given room for.
+/// Capacity of a pixel's list, in crossings.
 pub(crate) fn capacity(input: &Input<'_>) -> u32 {
     let surfaces = &input.active_cuts.surfaces;
     let reliefs = surfaces
@@ -58,7 +58,7 @@ pub(crate) fn capacity(input: &Input<'_>) -> u32 {
         .filter(|s| input.model.is_relief(**s) || input.model.is_cutter(**s))
         .count() as u32;
     let planes = surfaces.len() as u32 - reliefs;
-    // Wider lanes cost time: who needs them will say so.
+    // Wider lanes cost time: a frame that needs them reports it.
     let usual = (planes + reliefs * FIRST_PER_RELIEF).min(Capacities::CROSSINGS_OF_A_WORD);
     let most = if reliefs == 0 {
         planes
@@ -72,8 +72,8 @@ pub(crate) fn capacity(input: &Input<'_>) -> u32 {
     most.clamp(1, most_that_fit(input))
 }
 
-/// The longest lists that find room in bands of a picture, with the lanes that go with them: in core WebGPU, for the plan of a frame
-/// is not to hang on the adapter.
+/// The longest lists that fit in bands of a picture, with their lanes: by the limits of core WebGPU, because the plan of a frame
+/// must not depend on the adapter.
 fn most_that_fit(input: &Input<'_>) -> u32 {
     let parts = &input.model.prepared.parts;
     let cut = input.active_cuts.cut_parts();

@@ -19,16 +19,16 @@ use crate::shader::Shader;
 /// Clip-surfaces per part in the number of an instance: `surface_of` and `place_of` in `shaders/lib/reliefs/facets.wgsl`.
 const SURFACES_PER_PLACE: u32 = 32;
 
-/// How much farther than rays are followed beyond the box of the cut solids a tessellation reaches at least, in scene units.
+/// Least distance in scene units by which a tessellation reaches farther than rays do beyond the box of the cut solids.
 const BEYOND_RAYS: f64 = 1e-4;
 
-/// How much farther than the box of the cut solids a tessellation reaches at least, in scene units: farther than rays are followed beyond
+/// Least distance in scene units by which a tessellation reaches beyond the box of the cut solids: farther than rays are followed beyond
 /// a face of the box. Beyond its corners rays may go on, by more than vertices are moved.
 pub(super) fn beyond_box(view: &View) -> f64 {
     most_box_margin(view.precision) + BEYOND_RAYS
 }
 
-/// What the box of the cut solids spans along an axis, from the origin of a clip-surface.
+/// Interval that the box of the cut solids spans along an axis, from the origin of a clip-surface.
 pub(super) fn span(surface: &PreparedSurface, input: &Input<'_>, axis: DVec3) -> [f64; 2] {
     let corners = input.active_cuts.cut_box.corners();
     let at = corners.map(|c| (c - surface.origin).dot(axis));
@@ -39,12 +39,12 @@ pub(super) fn span(surface: &PreparedSurface, input: &Input<'_>, axis: DVec3) ->
 
 /// Places along a pixel that rasterisers tell apart.
 const SUBPIXELS: f64 = 256.0;
-/// The slope along which a triangle that is beside itself counts.
+/// Slope assumed for the error of a displaced triangle.
 const STEEP: f64 = 4.0;
-/// What triangles may be beside themselves at least, in scene units.
+/// Least displacement assumed for triangles, in scene units.
 const LEAST_ROUNDING: f64 = 2e-4;
 
-/// By how much rasterised triangles may be beside themselves, in scene units: a 256th of a pixel along a steep slope, at the far end
+/// Error by which rasterised triangles may be displaced, in scene units: a 256th of a pixel along a steep slope, at the far end
 /// of the box of the cut solids. In powers of two, for a shader is compiled for each. Adapters with 4 sub-pixel bits get no more: in 80
 /// random scenes three tessellations drew the same pictures with 16 times as much.
 pub(super) fn rounding(input: &Input<'_>) -> f64 {
@@ -60,13 +60,13 @@ pub(super) fn rounding(input: &Input<'_>) -> f64 {
 pub(crate) struct Tessellation {
     /// File that fills `cutaway::tessellation`, and what it needs.
     pub files: Vec<&'static str>,
-    /// What it reads heights from.
+    /// Bindings of the heights.
     pub heights: Vec<Binding>,
-    /// What it binds beside frame, table of cuts and heights.
+    /// Bindings in addition to frame, table of cuts and heights.
     pub bindings: Vec<Binding>,
     /// File that fills `cutaway::sheet_side`, and what it needs.
     pub side: Vec<&'static str>,
-    /// What that binds beside frame, table of cuts and heights.
+    /// Bindings for the side test in addition to frame, table of cuts and heights.
     pub side_bindings: Vec<Binding>,
     /// By how much the answer of that file may be off, in scene units.
     pub beside: f64,
@@ -82,7 +82,7 @@ pub(crate) struct Facets {
     /// Index buffer.
     pub indices: ResourceId,
     pub range: Range<u32>,
-    /// Where the device finds out how much of the range there is; none where it is all.
+    /// Indirect arguments by which the device limits the range; none if the whole range is drawn.
     pub arguments: Option<Arguments>,
 }
 
@@ -140,7 +140,7 @@ impl Tessellation {
         batches
     }
 
-    /// What every use of the triangles binds.
+    /// Bindings for every use of the triangles.
     pub(crate) fn bindings(&self, scene: &SceneBuffers<'_>) -> Vec<Binding> {
         let mut bindings = vec![scene.frame.clone(), scene.cut_table.clone()];
         bindings.extend(self.heights.iter().cloned());

@@ -250,7 +250,7 @@ fn shares_of_an_animation_are_the_frames_of_it() {
     for (line, said) in [
         ("encode many/%02d.png -o again/%02d.png", "numbered already"),
         ("encode none/%02d.png -o a.gif", "none/"),
-        ("encode many/01.png -o a.gif", "no number open"),
+        ("encode many/01.png -o a.gif", "no frame-number format"),
         (
             "animate shape:cube --turntable -o a.gif --shard 0/2",
             "encode",

@@ -4,7 +4,7 @@
 //! random scenes, of each exact strategy by each rasteriser, and prints how much it got through. What it finds wrong is a fault of the
 //! adapter's driver or of this program; either belongs in a bug report, with the rest of what is printed.
 //!
-//! Cannot: prove. A table without a fault says that none was met in so many pictures of 64 px.
+//! Cannot: prove. A table without a fault means that none was found in N pictures of 64 px.
 
 use clap::Args;
 use cutaway::gpu::Gpu;
@@ -31,13 +31,13 @@ It is the first thing that a report of a fault needs. Exit code 1: something tha
 
 /// So long a self-test goes on, but for the picture it is at.
 const SELF_TEST_S: f64 = 20.0;
-/// The part of it that hard cases may take.
+/// Seconds of the self-test for hard cases.
 const CASES_S: f64 = 12.0;
 /// Sides of the pictures of hard cases.
 const SIDE_PX: u32 = 64;
 /// More faults of one strategy in random scenes tell nothing new.
 const MOST_FAULTS: usize = 5;
-/// Of the random scenes. Any would do; one that stays lets two reports be compared.
+/// Seed of the random scenes. Any value would do; a fixed one makes two reports comparable.
 const SEED: u64 = 34;
 /// The strategies that are claimed to be exact, by each rasteriser that draws them.
 const EXACT: [&str; 8] = [
@@ -63,7 +63,7 @@ pub(crate) struct DoctorArgs {
     console: ConsoleArgs,
 }
 
-/// What the self-test found of a strategy.
+/// Result of the self-test for a strategy.
 #[derive(Clone, Debug, Default, Serialize)]
 struct Examined {
     /// Its name, with the rasteriser.
@@ -72,7 +72,7 @@ struct Examined {
     cases: usize,
     /// Random scenes that it drew.
     scenes: usize,
-    /// What is not as it is claimed; at most one for each case.
+    /// Deviations from the claims; at most one for each case.
     faults: Vec<String>,
 }
 

@@ -3,7 +3,7 @@
 //! Parts are cut in f64, in world space, in their poses; nothing is rounded but for the format of the file. The file of what is removed
 //! has the name of the other with `.removed` before its extension, as the material library of an OBJ file has `.mtl` behind its stem, and an
 //! image of OBJ and PLY `.0.png`.
-//! All of them are written beside their places before the first takes its own ([`Results`]), and none where one of the places is a folder.
+//! All of them are written next to their destinations before the first is renamed ([`Results`]), and none if one destination is a folder.
 
 mod summary;
 
@@ -67,15 +67,15 @@ pub(crate) struct ExportArgs {
     when: TimeArgs,
     #[command(flatten)]
     split: SplitArgs,
-    /// What is inside where bodies of a part overlap, for all parts: even-odd or nonzero. Reliefs and cutters cut that solid; planes leave
-    /// the bodies as they are, each with its own cap [default: as the scene says, or even-odd]
+    /// Fill rule where bodies of a part overlap, for all parts: even-odd or nonzero. Reliefs and cutters cut that solid; planes leave
+    /// the bodies as they are, each with its own cap [default: that of the scene, or even-odd]
     #[arg(long, value_name = "RULE", value_parser = parse_fill)]
     fill: Option<Fill>,
     #[command(flatten)]
     defects: DefectArgs,
     #[command(flatten)]
     holes: HoleArgs,
-    /// What is left: .stl, .ply, .obj (with .mtl), .glb or .3mf; images lie beside .ply and .obj
+    /// Output file for what is left: .stl, .ply, .obj (with .mtl), .glb or .3mf; images lie next to .ply and .obj
     #[arg(
         long,
         short,
@@ -90,7 +90,7 @@ pub(crate) struct ExportArgs {
     /// Triangles, volumes, areas of caps and open edges as JSON
     #[arg(long, value_name = "FILE|-", help_heading = "Output")]
     json: Option<String>,
-    /// How long a unit of the model is, for 3MF; other formats do not say it [default: that of the model, or mm]
+    /// Length unit of the model, for 3MF; other formats do not store it [default: that of the model, or mm]
     #[arg(long, value_parser = crate::input::unit::parser(), value_name = "UNIT", help_heading = "Output")]
     unit: Option<LengthUnit>,
     /// Cells of a relief along the longer side of a part, 1 to 4096
@@ -183,16 +183,16 @@ pub(crate) fn run(args: &ExportArgs) -> Result<Verdict> {
     Ok(verdict(&summary, &parts, &console))
 }
 
-/// A mesh file, and what lies beside it.
+/// A mesh file, and the files next to it.
 struct MeshFile {
     path: PathBuf,
     format: Format,
-    /// What is in it, in words.
+    /// Description of its content.
     what: &'static str,
 }
 
 impl MeshFile {
-    /// It and what may lie beside it, of solids with so many images.
+    /// Paths of the file and of those that may lie next to it, for solids with `images` images.
     fn all(&self, images: usize) -> impl Iterator<Item = PathBuf> {
         let stem = self.path.file_stem().unwrap_or_default();
         let beside = self.format.beside(&stem.to_string_lossy(), images);
@@ -203,7 +203,7 @@ impl MeshFile {
     }
 }
 
-/// Where results go.
+/// Output files.
 struct Outputs {
     kept: MeshFile,
     removed: Option<MeshFile>,
@@ -269,7 +269,7 @@ impl Outputs {
         self.with_images(0)
     }
 
-    /// All files of solids with so many images.
+    /// All files for solids with `images` images.
     fn with_images(&self, images: usize) -> Vec<(&'static str, PathBuf)> {
         let kept = self.kept.all(images).map(|path| ("--output", path));
         let removed = self.removed.iter().flat_map(|file| file.all(images));
@@ -282,7 +282,7 @@ impl Outputs {
 /// A vertex that moves by more than this share of the model's size is worth a word.
 const COARSE: f64 = 1e-5;
 
-/// What files are written of.
+/// Source of the files.
 struct Writer<'a> {
     scene: &'a Scene,
     unit: LengthUnit,

@@ -120,7 +120,7 @@ pub(crate) fn run(args: &InspectArgs) -> Result<Verdict> {
     Ok(Verdict::Done)
 }
 
-/// What there is to say of a part, or of all.
+/// Summary of a part, or of all.
 #[derive(Clone)]
 struct MeshSummary<'a> {
     name: &'a str,
@@ -226,7 +226,7 @@ fn to_text(facts: &[MeshSummary<'_>], total: &MeshSummary<'_>) -> String {
     text
 }
 
-/// What makes parts of bodies, where there are several in one.
+/// Hint for parts with several bodies: the option that splits them.
 fn bodies_hint(facts: &[MeshSummary<'_>]) -> Option<String> {
     let several = facts.iter().filter(|f| f.bodies > 1).collect::<Vec<_>>();
     let who = match several.as_slice() {

@@ -85,7 +85,7 @@ pub(crate) fn run(args: &PlanArgs) -> Result<Verdict> {
     subject.save_beside(paths_of(&[("--json", json.as_ref())]), &args.scene.edits)?;
     let SceneAtTime { model, .. } = SceneAtTime::new(&subject.scene);
     let view = subject.view(&model.prepared);
-    // A plan needs no device, but who draws it may hang on the one that there is.
+    // A plan needs no device, but the automatic choice of a renderer may depend on one.
     let gpu = match renderer_request {
         RendererRequest::Auto(_) => Gpu::open(&GpuOptions::default()).ok(),
         RendererRequest::Named(_) => None,

@@ -122,7 +122,7 @@ fn list(heading: &str, args: &[&Arg]) -> String {
     text
 }
 
-/// How an argument is typed: `-o, --output <FILE|->`.
+/// Spelling of an argument: `-o, --output <FILE|->`.
 fn spelling(arg: &Arg) -> String {
     let long = arg.to_string();
     match arg.get_short().filter(|_| arg.get_long().is_some()) {

@@ -32,7 +32,7 @@ plane, -1 to 1 as 0 to 255. occlusion.png is white where all of the sky is seen.
 /// The images, of heights, normals and occlusion.
 const MAPS: [&str; 3] = ["offset.png", "normal.png", "occlusion.png"];
 
-/// Images have at least so many pixels along each side.
+/// Minimum size of an image along each side, in pixels.
 const FEWEST_TEXELS: u32 = 128;
 
 /// Options of `relief`.

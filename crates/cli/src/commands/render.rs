@@ -58,7 +58,7 @@ pub(crate) struct RenderArgs {
     /// its attributes
     #[arg(long, value_name = "FILE", help_heading = "Output")]
     layers: Option<String>,
-    /// Compare the picture with this one: exit 1 and a .diff.png beside the output where it differs
+    /// Compare the picture with this one: exit 1 and a .diff.png next to the output where it differs
     #[arg(long, value_name = "IMAGE", help_heading = "Test")]
     reference: Option<PathBuf>,
     /// Largest allowed difference of a channel of any pixel, 0 to 1
@@ -167,7 +167,7 @@ pub(crate) fn run(args: &RenderArgs) -> Result<Verdict> {
     Ok(verdict)
 }
 
-/// Where results go.
+/// Output files.
 struct Outputs {
     picture: Output,
     json: Option<Output>,
@@ -187,7 +187,7 @@ impl Outputs {
         let picture = Output::checked("--output", &args.output, &["png"])?;
         let json = optional("--json", &args.json, &[])?;
         let layers = optional("--layers", &args.layers, &["exr"])?;
-        // The difference image takes the place beside the picture.
+        // The difference image goes next to the picture.
         let difference = match (&args.reference, picture.path()) {
             (Some(_), Some(path)) => Some(Output::File(image_test::difference_path(path))),
             (Some(_), None) => {
@@ -220,12 +220,12 @@ impl Outputs {
     }
 }
 
-/// What is known of the frame at the plain resolution.
+/// Data of the frame at the plain resolution.
 struct PlainFrame {
     outcome: Outcome,
-    /// None where nobody asked for what only a second, exact evaluation could tell.
+    /// None unless data was requested that needs a second, exact evaluation.
     layers: Option<Layers>,
-    /// Of the layers, which pixels may be wrong.
+    /// Per pixel: true if its layers may be wrong.
     may_be_wrong: Vec<bool>,
     times: Value,
     bytes: PerClock<u64>,
@@ -317,7 +317,7 @@ fn parse_threshold(text: &str) -> Result<f64, String> {
     })
 }
 
-/// What it took to make a device ready.
+/// Description of the time taken to make a device ready.
 fn in_words(took: &Preparation) -> String {
     let ms = |time: Duration| format!("{:.0} ms", time.as_secs_f64() * 1e3);
     format!(

@@ -37,7 +37,7 @@ pub(crate) struct ReportArgs {
     /// Leave the pictures in their files, and link to them
     #[arg(long)]
     pub(crate) link: bool,
-    /// What one method does at all points: its errors, times, memory, and what it refuses and why
+    /// Results of one method at all points: its errors, times, memory, and what it refuses and why
     #[arg(long, value_name = "NAME", conflicts_with = "link")]
     pub(crate) method: Option<String>,
     /// Exit code 1 where points are missing that the experiments ask for

@@ -62,7 +62,7 @@ pub(crate) fn run(args: &SceneCommandArgs) -> Result<Verdict> {
     Ok(Verdict::Done)
 }
 
-/// Whether a path has a part, in which names may stand for `*`: `part.0.scale`, `cut.front`.
+/// Returns true if a path contains a part, in which names may stand for `*`: `part.0.scale`, `cut.front`.
 fn has(path: &str, part: &str) -> bool {
     let part = part.to_lowercase();
     let (known, asked): (Vec<_>, Vec<_>) = (path.split('.').collect(), part.split('.').collect());

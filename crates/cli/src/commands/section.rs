@@ -70,7 +70,7 @@ pub(crate) struct SectionCommandArgs {
     defects: DefectArgs,
     #[command(flatten)]
     holes: HoleArgs,
-    /// Which points each mesh encloses: even-odd or nonzero [default: that of the scene, or even-odd]
+    /// Rule for the points that each mesh encloses: even-odd or nonzero [default: that of the scene, or even-odd]
     #[arg(long, value_name = "RULE", value_parser = crate::input::args::parse_fill)]
     fill: Option<Fill>,
     /// Slice all of the model by every plane, whatever the rest of its cut keeps and other cuts remove
@@ -82,7 +82,7 @@ pub(crate) struct SectionCommandArgs {
     /// Areas, perimeters, loops and planes as JSON; with `-` instead of the table
     #[arg(long, value_name = "FILE|-", help_heading = "Output")]
     json: Option<String>,
-    /// How long a unit of the model is: an SVG drawing gets the size of the model, a DXF drawing says it [default: fitted to 1000 pixels; none]
+    /// Length unit of the model: an SVG drawing gets the size of the model, a DXF drawing states it [default: fitted to 1000 pixels; none]
     #[arg(long, value_parser = crate::input::unit::parser(), value_name = "UNIT", help_heading = "Output")]
     unit: Option<LengthUnit>,
     #[command(flatten)]
@@ -133,7 +133,7 @@ pub(crate) fn run(args: &SectionCommandArgs) -> Result<Verdict> {
     Ok(verdict(&report, &console))
 }
 
-/// Where results go.
+/// Output files.
 struct Outputs {
     drawing: Option<Output>,
     json: Option<Output>,
@@ -238,13 +238,13 @@ fn sliced(scene: &Scene, planes: &[Plane], is_whole: bool) -> SectionReport {
     }
 }
 
-/// What a plane cuts out of a part.
+/// Section of a part by a plane.
 enum Sliced {
     /// Nothing: it passes the part by, or is not for it.
     Missed,
     /// All that there is in the plane.
     Whole(PartReport),
-    /// What the rest of its cut and other cuts leave of that, if anything.
+    /// The section trimmed by the rest of its cut and by other cuts, if anything is left.
     Trimmed(Option<PartReport>),
 }
 

@@ -2,7 +2,7 @@
 //!
 //! The window is a program of its own, `cutaway-viewer`, so that this one is built without a toolkit. It is this command with a [`Window`]:
 //! it takes the same words, makes the same document of them, and refuses the same mistakes. Without a window the command looks for that
-//! program beside itself and hands its words over.
+//! program in its own folder and passes its arguments on.
 
 use std::env;
 use std::path::PathBuf;
@@ -50,16 +50,16 @@ pub(crate) struct ViewArgs {
     profile: bool,
 }
 
-/// What a window begins with.
+/// Initial state of a window.
 #[derive(Debug, Default)]
 pub struct Opened {
-    /// What the words of the command amount to; empty where they name nothing.
+    /// The document that results from the arguments; empty if they name nothing.
     pub document: Document,
-    /// The files of it that were read.
+    /// The files that were read for it.
     pub assets: Assets,
     /// Part of the name of the adapter that is wanted.
     pub adapter: Option<String>,
-    /// Whether what frames cost is said at the end.
+    /// True if the cost of frames is reported at the end.
     pub profile: bool,
 }
 

@@ -23,7 +23,7 @@ use crate::console::Console;
 /// Most pixels along a side of a picture.
 const LARGEST_SIDE: u32 = 16_384;
 
-/// What is drawn, how it is cut, and where it is seen from.
+/// Model, cuts and camera of a picture.
 #[derive(Args)]
 pub(crate) struct SceneArgs {
     /// Meshes (.obj, .stl, .ply, .glb, .gltf, .3mf, .gz of the first three), `-` for one from standard input, `shape:NAME?param=value`, or one scene (.toml)
@@ -41,7 +41,7 @@ pub(crate) struct SceneArgs {
     pub(crate) defects: DefectArgs,
     #[command(flatten)]
     holes: HoleArgs,
-    /// Which points each mesh encloses: even-odd, where an odd number of crossings lies before them, or nonzero, wherever it
+    /// Rule for the points that each mesh encloses: even-odd, where an odd number of crossings lies before them, or nonzero, wherever it
     /// winds around them, which unites shells that overlap [default: that of the scene, or even-odd]
     #[arg(long, value_name = "RULE", value_parser = parse_fill)]
     fill: Option<Fill>,
@@ -125,7 +125,7 @@ pub(crate) fn fill_by(document: &mut Document, rule: Option<Fill>) -> Result<()>
     document.set_in_each("part", "fill", &node.said(&Origin::Option("--fill".into())))
 }
 
-/// Which device draws.
+/// Choice of the device.
 #[derive(Args, Clone)]
 pub(crate) struct AdapterArgs {
     /// Part of the adapter's name [default: that in $CUTAWAY_ADAPTER, or the fastest]
@@ -161,18 +161,18 @@ impl AdapterArgs {
 /// By which means frames are drawn.
 #[derive(Args)]
 pub(crate) struct DrawOptionArgs {
-    /// Who rasterises the mesh: hardware, or compute (mask, abuffer and kbuffer, and raycast with ldi) [default: that of the scene, or
+    /// Rasteriser of the mesh: hardware, or compute (mask, abuffer and kbuffer, and raycast with ldi) [default: that of the scene, or
     /// hardware; with the strategy auto whichever takes less time on the adapter]
     #[arg(long, value_name = "WHO", value_parser = parse_rasteriser, help_heading = "Device")]
     rasteriser: Option<Rasteriser>,
-    /// Who interpolates the heights of reliefs: exact, from four texels, or hardware, the sampler of the GPU (grid alone, for
+    /// Interpolation of the heights of reliefs: exact, from four texels, or hardware, the sampler of the GPU (grid alone, for
     /// the error that it makes) [default: that of the scene, or exact]
     #[arg(long, value_name = "WHO", value_parser = parse_height_filter, help_heading = "Device")]
     height_filter: Option<HeightFilter>,
 }
 
 impl DrawOptionArgs {
-    /// Where each goes in a document, which option says it, and what it says.
+    /// Path in a document, option and value of each setting.
     pub(crate) fn values(&self) -> [(&'static str, &'static str, Option<String>); 2] {
         let rasteriser = self.rasteriser.map(|r| r.to_string());
         let filter = self.height_filter.map(|f| f.to_string());

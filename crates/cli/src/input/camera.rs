@@ -6,10 +6,10 @@ use cutaway_io::document::{Document, Value};
 
 use super::args::{parse_finite, say};
 
-/// Where a scene is seen from.
+/// Camera options.
 #[derive(Args, Clone)]
 pub(crate) struct CameraArgs {
-    /// Where the eye is
+    /// Position of the eye
     #[arg(
         long = "camera-position",
         value_name = "X,Y,Z",
@@ -19,7 +19,7 @@ pub(crate) struct CameraArgs {
         help_heading = "Camera"
     )]
     position: Option<[f64; 3]>,
-    /// What the eye looks at [default: the middle of the model]
+    /// Point that the eye looks at [default: the middle of the model]
     #[arg(
         long = "camera-focal-point",
         value_name = "X,Y,Z",
@@ -39,7 +39,7 @@ pub(crate) struct CameraArgs {
         help_heading = "Camera"
     )]
     view_up: Option<[f64; 3]>,
-    /// Where it is seen from: cut looks straight at the first section, iso along all three axes alike
+    /// View direction: cut looks straight at the first section, iso along all three axes alike
     #[arg(
         long,
         value_name = "NAME",
@@ -69,7 +69,7 @@ pub(crate) struct CameraArgs {
     /// Parallel rays, without perspective
     #[arg(long = "camera-orthographic", help_heading = "Camera")]
     orthographic: bool,
-    /// What the view is fitted to: kept, the silhouette of what the cuts keep, or all, the box of the model [default: that of the scene;
+    /// Fit of the view: kept, the silhouette of what the cuts keep, or all, the box of the model [default: that of the scene;
     /// kept for pictures, all where strategies are compared]
     #[arg(
         long = "camera-fit",
@@ -78,7 +78,7 @@ pub(crate) struct CameraArgs {
         help_heading = "Camera"
     )]
     fit: Option<FitTo>,
-    /// How much larger than the fitted view the model is shown [default: that of the scene, or 1]
+    /// Magnification of the model over the fitted view [default: that of the scene, or 1]
     #[arg(
         long = "camera-zoom-factor",
         value_name = "FACTOR",
@@ -87,7 +87,7 @@ pub(crate) struct CameraArgs {
         help_heading = "Camera"
     )]
     zoom: Option<f64>,
-    /// Moves the model right and up in the picture, in heights of it: 0.1,-0.05 [default: that of the scene, or 0,0]
+    /// Moves the model right and up in the picture, in picture heights: 0.1,-0.05 [default: that of the scene, or 0,0]
     #[arg(
         long = "camera-pan",
         value_name = "X,Y",
@@ -96,7 +96,7 @@ pub(crate) struct CameraArgs {
         help_heading = "Camera"
     )]
     pan: Option<[f64; 2]>,
-    /// Which axis of the model is up [default: that of the scene, or +Y; +Z in pictures of .3mf alone; of .stl and .ply a guess, which is said]
+    /// Up axis of the model [default: that of the scene, or +Y; +Z in pictures of .3mf alone; of .stl and .ply a guess, which is reported]
     #[arg(
         long,
         value_name = "AXIS",

@@ -4,10 +4,10 @@ use clap::Args;
 use cutaway::Result;
 use cutaway_io::document::{Document, defect};
 
-/// What is broken.
+/// Defects to put into the meshes.
 #[derive(Args, Clone)]
 pub(crate) struct DefectArgs {
-    /// Break the meshes of all parts, to see who copes: holes, flipped, duplicated or t-junctions (amount: share of the faces,
+    /// Break the meshes of all parts, to test robustness: holes, flipped, duplicated or t-junctions (amount: share of the faces,
     /// 5% without it), gaps or soup (a length, or percent of the diagonal of the mesh's box, 1%), overlap (size of the copies that
     /// stick in it, 20%), open (share of the box that is gone, 20%). Further keys: seed, patch, charts, copies, axis. May be
     /// repeated

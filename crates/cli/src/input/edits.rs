@@ -18,8 +18,8 @@ pub(crate) struct EditArgs {
     /// the paths. Repeatable
     #[arg(long, value_name = "PATH=VALUE", value_parser = parse_setting, help_heading = HEADING)]
     set: Vec<String>,
-    /// Writes the scene that this command line amounts to: drawn again from that file, the picture is the same. What is asked of it
-    /// beside that, as the strategies of `compare` or a turntable, is not in it. Another file of that name is kept, but for --force
+    /// Writes the scene that results from this command line: drawn again from that file, the picture is the same. Other requests, such as
+    /// the strategies of `compare` or a turntable, are not saved. An existing file with other content is kept, except with --force
     #[arg(long, value_name = "FILE.toml", help_heading = HEADING)]
     save: Option<String>,
     /// Lets --save replace a file, also the scene that is read
@@ -44,7 +44,7 @@ impl EditArgs {
         Ok(())
     }
 
-    /// Where the document goes, if anywhere. A file that says something else is replaced only by force.
+    /// Path of the saved document, if any. A file with other content is replaced only with `--force`.
     pub(crate) fn place(&self, document: &Document) -> Result<Option<PathBuf>> {
         let Some(save) = &self.save else {
             return Ok(None);
@@ -68,13 +68,13 @@ impl EditArgs {
         Ok(Some(path))
     }
 
-    /// Whether a file may be replaced.
+    /// Returns true if a file may be replaced.
     pub(crate) fn is_forced(&self) -> bool {
         self.force
     }
 }
 
-/// Whether a file is what a document would be.
+/// Returns true if a file already holds the document.
 fn holds(path: &Path, document: &Document) -> bool {
     fs::read_to_string(path).is_ok_and(|text| text == document.to_string())
 }

@@ -4,7 +4,7 @@ use clap::Args;
 use cutaway::Result;
 use cutaway_io::document::{Document, Node, Origin};
 
-/// Whether holes are closed.
+/// Option that closes holes.
 #[derive(Args, Clone, Copy)]
 pub(crate) struct HoleArgs {
     /// Close the planar holes of all parts and the small ones, of 12 edges at most or half of the part's diagonal around, and say

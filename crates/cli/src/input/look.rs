@@ -1,4 +1,4 @@
-//! Options of pictures: who draws them, how finely, and on what.
+//! Options of pictures: renderer, resolution and background.
 
 use super::args::{parse_color_word, say};
 use crate::renderer_request::RendererRequest;
@@ -8,22 +8,22 @@ use cutaway::scene::{Fit, Style, color_help, parse_color};
 use cutaway::strategies::{AUTO, DrawOptions, table};
 use cutaway_io::document::{Document, Timeline, Value, named_style, style_names};
 
-/// The style of pictures where nobody names one.
+/// Default style of pictures.
 const USUAL_STYLE: &str = "technical";
 
-/// What holds where the document says nothing of it.
+/// Values for settings that the document leaves open.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Defaults {
-    /// How it looks.
+    /// Style of the picture.
     pub(crate) style: Style,
-    /// What its angles are fitted to.
+    /// Extent that its cameras are fitted to.
     pub(crate) fit: Fit,
-    /// Whether it is guessed which way is up in meshes that do not say it.
+    /// True if the up axis is guessed for meshes that do not state it.
     pub(crate) guesses_up: bool,
 }
 
 impl Defaults {
-    /// That of pictures that are made to be looked at; the default is that of what is measured.
+    /// Defaults for pictures to look at; `Default` gives those for measurements.
     pub(crate) fn of_pictures() -> Result<Self> {
         Ok(Self {
             style: named_style(USUAL_STYLE)?,
@@ -32,7 +32,7 @@ impl Defaults {
         })
     }
 
-    /// A timeline with all of it.
+    /// Returns a timeline with all these defaults.
     pub(crate) fn of(self, timeline: Timeline) -> Result<Timeline> {
         Ok(timeline
             .with_usual_style(self.style)?
@@ -40,7 +40,7 @@ impl Defaults {
     }
 }
 
-/// How pictures are drawn.
+/// Appearance options of pictures.
 #[derive(Args)]
 pub(crate) struct LookArgs {
     #[arg(long, value_name = "NAME", help = strategy_help())]
@@ -61,7 +61,7 @@ pub(crate) struct LookArgs {
     /// One colour for all caps [default: that of the style]
     #[arg(long, value_name = "COLOUR", value_parser = parse_color_word, help_heading = "Output")]
     cap_color: Option<String>,
-    /// What is behind the model: paper, as the style has it, gradient, none, or a colour [default: that of the scene, or paper]
+    /// Background behind the model: paper, from the style, gradient, none, or a colour [default: that of the scene, or paper]
     #[arg(long, value_name = "WHAT", value_parser = parse_background, help_heading = "Output")]
     background: Option<String>,
     /// Show what cuts remove: as phantom lines, glass or both

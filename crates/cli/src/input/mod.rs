@@ -1,4 +1,4 @@
-//! What a command line is about: the scene that its words amount to, and how it is to be drawn.
+//! Subject of a command line: the scene that results from its arguments, and how to draw it.
 
 pub(crate) mod args;
 pub(crate) mod camera;

@@ -88,7 +88,7 @@ pub(crate) fn to_text(roles: &[(Part, RoleBy)]) -> String {
     table.to_text()
 }
 
-/// The same as JSON: what `inspect` says of a part beside its mesh.
+/// The same as JSON: what `inspect` reports of a part in addition to its mesh.
 pub(crate) fn to_json(part: &Part, by: &RoleBy) -> Json {
     let sight = match by {
         RoleBy::Sight(sight) => Some(sight),

@@ -19,8 +19,8 @@ struct Words {
     /// `nx,ny,nz,d`. Repeatable
     #[arg(long, value_name = "SPEC", allow_hyphen_values = true, help_heading = HEADING)]
     section: Vec<String>,
-    /// Makes the section before it (no other, and no box or wedge) a relief: sawtooth, waves, fractal, cracks, steps, constant or an image, with
-    /// `:amplitude=5%,period=40%,seed=7,size=256,wrap=mirror` and the like
+    /// Makes the section before it (no other, and no box or wedge) a relief: sawtooth, waves, fractal, cracks, steps, constant or an image,
+    /// with `:amplitude=5%,period=40%,seed=7,size=256,wrap=mirror` and the like
     #[arg(long, value_name = "SPEC", help_heading = HEADING)]
     relief: Vec<String>,
     /// Keeps the other side of the section before it
@@ -39,7 +39,7 @@ struct Words {
     /// y for x, z for y), as `z:0:90` or `-y:-30:200@0,50%,0`. Repeatable
     #[arg(long = "wedge", value_name = "SPEC", allow_hyphen_values = true, help_heading = HEADING)]
     wedges: Vec<String>,
-    /// Removes a wedge of so many degrees (110) about the main axis, open to the camera; or `axis=z,angle_deg=90,turn_deg=20`
+    /// Removes a wedge of N degrees (110) about the main axis, open to the camera; or `axis=z,angle_deg=90,turn_deg=20`
     #[arg(
         long,
         value_name = "DEG|SPEC",
@@ -60,7 +60,7 @@ struct Words {
         help_heading = HEADING
     )]
     breakaway: Option<String>,
-    /// Which parts are never cut: `auto`, those that are not seen from outside; or `interior=GLOB`, `whole=GLOB` (hidden where all of it is
+    /// Parts that are never cut: `auto`, those that are not seen from outside; or `interior=GLOB`, `whole=GLOB` (hidden where wholly
     /// removed), `exterior=GLOB`. Repeatable
     #[arg(long, value_name = "ROLES", value_parser = roles::parse, help_heading = HEADING)]
     roles: Vec<RoleWord>,
@@ -75,7 +75,7 @@ struct Words {
     exclude: Vec<String>,
 }
 
-/// How several sections go together.
+/// Combination of several sections.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Combination {
     /// Each section removes its side.
@@ -125,7 +125,7 @@ pub(crate) struct SectionArgs {
     sections: Vec<Section>,
     boxes: Vec<String>,
     wedges: Vec<String>,
-    /// What had no section to belong to.
+    /// Option that applies to no section.
     stray: Option<Stray>,
     combination: Combination,
     cutters: Vec<String>,

@@ -17,7 +17,7 @@ pub(crate) struct Shard {
 /// Most shares: more are a typing error.
 const MOST: u32 = 1_000_000;
 
-/// What a scheduler sets: the number of a task, that of the first, the step between them, and how many there are or which is the last.
+/// Variables of a scheduler: number of a task, number of the first, step between them, and their count or the number of the last.
 struct Scheduler {
     name: &'static str,
     task: &'static str,
@@ -91,7 +91,7 @@ impl Shard {
     /// All of the work.
     pub(crate) const WHOLE: Self = Self { index: 0, count: 1 };
 
-    /// The contiguous share of so many things in a row.
+    /// Contiguous range of this share among `things` items in a row.
     pub(crate) fn of_row(self, things: u32) -> std::ops::Range<u32> {
         let at = |k: u32| (u64::from(things) * u64::from(k) / u64::from(self.count)) as u32;
         at(self.index)..at(self.index + 1)

@@ -4,7 +4,7 @@ use clap::Args;
 use cutaway::Result;
 use cutaway_io::document::{Document, Node, Origin};
 
-/// What is one part.
+/// Division of meshes into parts.
 #[derive(Args, Clone, Copy)]
 pub(crate) struct SplitArgs {
     /// Make each connected body a part of its own, NAME/1, NAME/2 and so on: a gearbox in one STL file gets a colour and a hatch for each

@@ -1,8 +1,8 @@
 //! `-` among the models of a command: a model from standard input, whose format is found in its content.
 //!
 //! It is read once, whole, before anything else is opened, and from then on it is a file in memory, `-/stdin.stl`, which only this
-//! process has. Standard input is one for a process, and so is what was read of it: the assets of whatever opens a document later
-//! know it as well.
+//! process has. A process has one standard input, and so one copy of its bytes: the assets of documents opened later
+//! find it as well.
 
 use std::borrow::Cow;
 use std::io::{self, ErrorKind, IsTerminal, Read};
@@ -18,7 +18,7 @@ pub(crate) const WORD: &str = "-";
 
 static PIPED: OnceLock<Arc<Piped>> = OnceLock::new();
 
-/// What standard input holds.
+/// Options for standard input.
 #[derive(Args, Clone, Copy)]
 pub(crate) struct StdinArgs {
     /// Format of the model that comes from standard input, where its content does not tell
@@ -63,12 +63,12 @@ pub(crate) fn assets() -> Assets {
     }
 }
 
-/// What came from standard input, unpacked; none where it was not read.
+/// Unpacked bytes of standard input; none if it was not read.
 pub(crate) fn bytes() -> Option<&'static [u8]> {
     PIPED.get().map(|piped| piped.bytes.as_slice())
 }
 
-/// Whether an input is what came from standard input.
+/// Returns true if an input is the file read from standard input.
 pub(crate) fn is_it(input: &str) -> bool {
     PIPED
         .get()

@@ -1,4 +1,4 @@
-//! What a command is about: the document that its words amount to, and what that shows.
+//! Subject of a command: the document that results from its arguments, and its scene.
 
 use std::path::{Path, PathBuf};
 
@@ -20,7 +20,7 @@ use crate::renderer_request::RendererRequest;
 use crate::writing::output::write_file;
 use crate::writing::places::InputFiles;
 
-/// How many times as fine pictures are drawn where nobody says it.
+/// Default supersampling factor of pictures.
 const USUAL_SUPERSAMPLE: u32 = 2;
 
 /// A document and what it shows.
@@ -33,7 +33,7 @@ pub(crate) struct Subject {
     pub(crate) files: InputFiles,
     document: Document,
     assets: Assets,
-    /// Where the document is saved.
+    /// Path of the saved document.
     saved: Option<PathBuf>,
 }
 
@@ -87,8 +87,8 @@ impl Subject {
         Ok(subject)
     }
 
-    /// The scene as pictures show it: what hatches hang on is that of time 0, so that a picture is that of an animation at its time, in
-    /// whatever pieces that is drawn.
+    /// The scene as pictures show it. Inputs of hatches are taken at time 0, so that a picture equals that of an animation at its time, in
+    /// any division into pieces.
     pub(crate) fn shown(&self) -> Result<SceneAtTime> {
         match self.timeline.moves() && self.scene.style.hatch.is_drawn() {
             true => Ok(SceneAtTime::new(&self.timeline.at(0.0)?).updated(&self.scene)),
@@ -126,12 +126,12 @@ impl Subject {
         }
     }
 
-    /// How long a unit of the model is, where all of its files say the same.
+    /// Length unit of the model, if all of its files state the same.
     pub(crate) fn unit(&self) -> Option<LengthUnit> {
         self.assets.unit()
     }
 
-    /// What all options amount to.
+    /// The document that results from all options.
     pub(crate) fn document(&self) -> &Document {
         &self.document
     }
@@ -146,7 +146,7 @@ impl Subject {
         self.timeline.settings().size_px()
     }
 
-    /// How many times as fine pictures are drawn along each side.
+    /// Supersampling factor of pictures along each side.
     pub(crate) fn supersample(&self) -> u32 {
         let asked = self.timeline.settings().supersample;
         asked.unwrap_or(USUAL_SUPERSAMPLE)
@@ -157,7 +157,7 @@ impl Subject {
         draw_options(self.timeline.settings())
     }
 
-    /// What draws, by these means where it names no others.
+    /// Requested renderer; these options apply unless it names others.
     pub(crate) fn renderer_request(&self) -> Result<RendererRequest> {
         let name = self.timeline.settings().strategy.as_deref();
         RendererRequest::named(name, self.options()?)
@@ -169,7 +169,7 @@ impl Subject {
     }
 }
 
-/// What is to be said of an axis that is likely to be up, where the document has it now, and where it is a file, which means its own.
+/// Note on a probable up axis: `is_set` if the document sets it now, else for a file, which keeps its own.
 fn said_of(likely: &GuessedUp, is_set: bool) -> Option<String> {
     let why = match likely.reason {
         UpReason::Specification if is_set => return None,
@@ -240,7 +240,7 @@ pub(crate) fn check_model(input: &str) -> Result<()> {
     Err(Error::file(path, "there is no such file", help).missing())
 }
 
-/// Whether an input is a scene file by its name.
+/// Returns true if an input is a scene file by its name.
 fn is_scene(input: &str) -> bool {
     let extension = Path::new(input).extension();
     !input.starts_with("shape:") && extension.is_some_and(|e| e.eq_ignore_ascii_case("toml"))

@@ -9,7 +9,7 @@ use super::args::{parse_finite, say};
 /// The moment that is shown.
 #[derive(Args, Default)]
 pub(crate) struct TimeArgs {
-    /// The scene as it stands at this time [default: at rest, as the file has it]
+    /// The scene as it stands at this time [default: at rest, as in the file]
     #[arg(long = "time", value_name = "SECONDS", value_parser = parse_time, allow_hyphen_values = true, help_heading = "Time")]
     time_s: Option<f64>,
     #[command(flatten)]
@@ -19,13 +19,13 @@ pub(crate) struct TimeArgs {
 /// The animation that is shown.
 #[derive(Args, Clone, Default)]
 pub(crate) struct ClipArgs {
-    /// Which animation of a file that has several, by its name or its number from 0 [default: the first]
+    /// Animation of a file that has several, by its name or its number from 0 [default: the first]
     #[arg(long, value_name = "NAME|NUMBER", help_heading = "Time")]
     clip: Option<String>,
 }
 
 impl ClipArgs {
-    /// Puts the animation that is asked for into a document.
+    /// Puts the requested animation into a document.
     pub(crate) fn amend(&self, document: &mut Document) -> Result<()> {
         let clip = self.clip.as_deref().map(Value::from);
         say(document, "clip", "--clip", clip)

@@ -25,16 +25,16 @@ use exr::prelude::{
 };
 use glam::DVec3;
 
-/// What layers are of.
+/// Source of the layers.
 pub(crate) struct About<'a> {
     pub(crate) scene: &'a Scene,
     /// The same in scene space.
     pub(crate) prepared: &'a Prepared,
-    /// Where it is seen from.
+    /// Camera of the frame.
     pub(crate) view: &'a View,
-    /// Of the pixels in order.
+    /// Per pixel, in order: true if its layers may be wrong.
     pub(crate) may_be_wrong: &'a [bool],
-    /// What the style drew over them.
+    /// Channels that the style drew over them.
     pub(crate) drawn: &'a StyleChannels,
 }
 

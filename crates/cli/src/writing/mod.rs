@@ -1,4 +1,4 @@
-//! Where results go: files that are whole or not there, and never in the place of an input.
+//! Output of results: files that are whole or not there, and never in the place of an input.
 
 pub(crate) mod layers_file;
 pub(crate) mod output;

@@ -1,6 +1,6 @@
-//! Where results go: checked before the work starts, written whole or not at all.
+//! Output of results: checked before the work starts, written whole or not at all.
 //!
-//! A file is written beside its place under a name of its own and then renamed, so that a reader never finds half of it, an older one
+//! A file is written next to its destination under a temporary name and then renamed. A reader never finds half a file, an older one
 //! survives a failure, and processes that write one file at the same time do not meet: the last to end wins, on one machine or on
 //! several that share a folder. Devices and pipes cannot be renamed onto; they are written to directly.
 
@@ -50,7 +50,7 @@ impl Output {
         Ok(Self::File(path))
     }
 
-    /// Writes all of it.
+    /// Writes all bytes.
     pub(crate) fn write(&self, bytes: &[u8]) -> Result<()> {
         match self {
             Self::Stdout => write_stdout(bytes),
@@ -117,12 +117,12 @@ fn pending_files() -> MutexGuard<'static, BTreeSet<PathBuf>> {
 /// Removes all files that are not whole, before the process ends on the spot.
 pub(crate) fn remove_pending() {
     for beside in &*pending_files() {
-        // There is nobody left to tell.
+        // An error can no longer be reported.
         let _ = fs::remove_file(beside);
     }
 }
 
-/// A file that is written piece by piece beside its place and takes it at the end. Dropped before that, it leaves nothing
+/// A file that is written in pieces next to its destination and renamed at the end. Dropped before that, it leaves nothing
 /// behind, nor the folders that were made for it.
 pub(crate) struct Pending {
     /// As it is named.
@@ -169,7 +169,7 @@ impl Pending {
         Ok((pending, file))
     }
 
-    /// Where it is until it is whole.
+    /// Temporary path until the file is whole.
     pub(crate) fn beside(&self) -> &Path {
         &self.beside
     }
@@ -179,7 +179,7 @@ impl Pending {
         cannot_write(&self.path, e)
     }
 
-    /// Makes sure that the disk has all of it: network file systems find only now that it is full.
+    /// Flushes the whole file to disk: network file systems report only now that they are full.
     pub(crate) fn sync(&self) -> Result<()> {
         if self.is_placed {
             return Ok(());
@@ -195,7 +195,7 @@ impl Pending {
         self.place_synced()
     }
 
-    /// The same once the disk has all of it.
+    /// The same after all bytes are on disk.
     pub(crate) fn place_synced(mut self) -> Result<()> {
         if self.is_placed {
             return Ok(());
@@ -221,7 +221,7 @@ impl Drop for Pending {
 /// Characters of a file's name, of four bytes at most, that its temporary name begins with.
 const MOST_OF_NAME: usize = 50;
 
-/// A new file beside a place, under a name that no other process takes: process numbers repeat on several machines, and in containers.
+/// Creates a file next to a path, under a name that no other process takes: process ids repeat on several machines, and in containers.
 fn unnamed(path: &Path, folder: &Path) -> std::io::Result<(fs::File, PathBuf)> {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let mut builder = tempfile::Builder::new();
@@ -250,8 +250,8 @@ fn folder_of(path: &Path) -> &Path {
     }
 }
 
-/// Whether files can be made in a folder, or the folder be made, found out by making one without a name where it
-/// exists: a process that ends here leaves none behind.
+/// Checks that files can be made in a folder, or that the folder can be made. In an existing folder it makes a file without a
+/// name: a process that ends here leaves none behind.
 pub(crate) fn check_folder(culprit: &str, folder: &Path) -> Result<()> {
     let there = folder
         .ancestors()

@@ -97,7 +97,7 @@ pub(crate) fn paths_of<'a>(
     })
 }
 
-/// Whether two names lead to one file that exists, through links of both kinds. Most differ in length, which costs least to see.
+/// Returns true if two names lead to one existing file, through links of both kinds. Most differ in length, the cheapest test.
 pub fn is_one_file(a: &Path, b: &Path) -> bool {
     let length = |path: &Path| fs::metadata(path).ok().map(|m| m.len());
     let lengths = (length(a), length(b));

@@ -1,13 +1,13 @@
-//! The results of a command, all or none: a disk that is full, or standard output that takes no more, leaves no file beside the error.
+//! The results of a command, all or none: if the disk is full or standard output fails, the command reports the error and leaves no file.
 //!
-//! Files are written whole beside their places as they are added. At the end standard output is written, and then each file takes its
-//! place.
+//! Files are written whole next to their destinations as they are added. At the end standard output is written, and then each file is
+//! renamed.
 
 use cutaway::Result;
 
 use super::output::{Output, Pending, begun_with, write_stdout};
 
-/// What a command has made, not yet in its places.
+/// Results of a command, not yet in their places.
 #[derive(Default)]
 pub(crate) struct Results {
     files: Vec<Pending>,

@@ -105,7 +105,7 @@ impl Document {
             },
             _ => relief,
         };
-        // One of the file stays its own: keys may move it, and who edits it means the cuts of the file.
+        // A relief of the file stays separate: keys may move it, and an edit to that relief is meant for the cuts of the file.
         let is_it =
             |(_, node): &&(_, Node)| *node == relief && matches!(node.origin, Origin::Option(_));
         if let Some(Value::Table(held)) = self.root().get("relief").map(|n| &n.value)

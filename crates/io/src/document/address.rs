@@ -9,10 +9,10 @@ use cutaway::error::did_you_mean;
 
 use super::node::{Node, Place, Value};
 
-/// What is wrong with a path, and how to mend it.
+/// Error of a path, and its remedy.
 pub(crate) type Lost = (String, String);
 
-/// How far a path leads.
+/// Result of following a path.
 #[derive(Clone)]
 pub(crate) struct Step<'a> {
     /// The value that it leads to.
@@ -20,7 +20,7 @@ pub(crate) struct Step<'a> {
     pub(crate) place: Place,
     /// The path so far as errors write it: entries by name where they have one.
     pub(crate) path: String,
-    /// What of it leads on to nothing.
+    /// Rest of the path, which leads to nothing.
     pub(crate) rest: String,
 }
 
@@ -70,7 +70,7 @@ fn go_on(from: Step<'_>) -> Step<'_> {
     farthest
 }
 
-/// What is directly below a value, under all its names, the usual one first.
+/// Returns the direct children of a value with all their names, the usual one first.
 pub(crate) fn children(node: &Node) -> Vec<(Vec<Cow<'_, str>>, &Node)> {
     match &node.value {
         Value::Table(table) => (table.iter())
@@ -89,7 +89,7 @@ pub(crate) fn children(node: &Node) -> Vec<(Vec<Cow<'_, str>>, &Node)> {
     }
 }
 
-/// Where a path that ends at a value could go on to.
+/// Lists the possible continuations of a path that ends at a value.
 pub(crate) fn farther(node: &Node) -> String {
     let below = children(node);
     let names: Vec<&str> = below.iter().map(|(names, _)| &*names[0]).collect();

@@ -53,7 +53,7 @@ pub struct CutDraft {
     pub(super) surfaces: Vec<SurfaceDraft>,
     pub(super) boxes: Vec<Node>,
     pub(super) wedges: Vec<Node>,
-    /// What it is called, if nobody says: after what it is made of.
+    /// Default names, after the contents of the cut.
     pub(super) names: Vec<String>,
     pub(super) table: Table,
     pub(super) fault: Option<Error>,
@@ -216,11 +216,11 @@ impl SurfaceDraft {
         self
     }
 
-    /// The clip-surface itself, beside a model with these bounds, where +Y is up. Images are read from the current folder.
+    /// Builds the clip-surface for a model with these bounds, where +Y is up. Images are read from the current folder.
     ///
     /// # Errors
     ///
-    /// Words that make no sense, or that make no surface beside such bounds.
+    /// Words that are invalid, or that give no surface for such bounds.
     pub fn on(self, bounds: &Bounds) -> Result<ClipSurface> {
         self.on_from(bounds, &mut Assets::default())
     }
@@ -352,7 +352,7 @@ impl CutDraft {
         self
     }
 
-    /// Takes a key, with what it has of it: lists grow, and there is one of anything else.
+    /// Merges a key and its value: lists are joined, and any other value may exist only once.
     fn take(&mut self, key: &str, node: Node) {
         let held = self.table.iter_mut().find(|(name, _)| **name == *key);
         match (held.map(|(_, held)| &mut held.value), node.value) {

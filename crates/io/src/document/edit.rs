@@ -186,13 +186,13 @@ impl Document {
         self.push_at(&step.place, node)
     }
 
-    /// Whether a value can be set at a path: it is there, or a table that can hold it.
+    /// Returns true if a value can be set at a path: it exists, or a table can hold it.
     #[doc(hidden)]
     pub fn takes(&self, path: &str) -> bool {
         self.to_be_set(path).is_ok()
     }
 
-    /// Whether two paths lead to the same value, or one to a part of the other.
+    /// Returns true if two paths lead to the same value, or one to a part of the other.
     #[doc(hidden)]
     pub fn overlap(&self, one: &str, other: &str) -> bool {
         let [a, b] = [one, other].map(|path| {
@@ -216,7 +216,7 @@ impl Document {
         if !step.rest.is_empty() && !matches!(step.node.value, Value::Table(_)) {
             return Err(lost(path, astray(&step)));
         }
-        // What is not there yet is made as tables: of a list nobody could know which entry is meant.
+        // Missing levels are created as tables: in a list the intended entry would be unknown.
         let new: Vec<&str> = step.rest.split('.').collect();
         let is_list = step.path.is_empty() && LISTS.contains(&new[0]);
         let is_entry = |at: &usize| {

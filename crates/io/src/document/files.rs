@@ -52,7 +52,7 @@ impl Document {
 
 /// A file or a pattern of numbered ones, as it is named.
 struct Named<'a> {
-    /// Where.
+    /// Position in the document tree.
     place: Place,
     name: &'a str,
     /// The number of the first, where it is said.
@@ -75,7 +75,7 @@ fn names(root: &Node) -> Vec<Named<'_>> {
     names
 }
 
-/// The files that keys lead to, of which `*` is any; `beside` is the table that the node is in.
+/// Collects the files at a key path, in which `*` matches any key; `beside` is the table that contains the node.
 fn named_below<'a>(
     node: &'a Node,
     keys: &[&str],

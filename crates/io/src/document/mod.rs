@@ -66,7 +66,7 @@ pub struct Document {
     text: Arc<str>,
     /// The text as it is now, if something was changed.
     edited: Option<DocumentMut>,
-    /// Whether the file holds more than it.
+    /// True if the file holds more than the document.
     is_within: bool,
 }
 
@@ -113,7 +113,7 @@ impl Document {
         Self::parse(path, text.trim_start_matches('\u{feff}'))
     }
 
-    /// Reads a text. Files that it names are looked for beside `path`, which errors name too.
+    /// Parses a text. Files that it names are looked for in the folder of `path`, which errors name too.
     ///
     /// # Errors
     ///
@@ -163,7 +163,7 @@ impl Document {
         self.path.parent().unwrap_or_else(|| Path::new(""))
     }
 
-    /// What it is called: after its file, or else after its models.
+    /// Returns the name of the document: after its file, or else after its models.
     pub fn name(&self) -> String {
         if let Some(stem) = self.path.file_stem().filter(|_| !self.is_within) {
             return stem.to_string_lossy().into_owned();
@@ -175,7 +175,7 @@ impl Document {
         names.join("+")
     }
 
-    /// All of it.
+    /// Returns the root of the tree.
     pub fn root(&self) -> &Node {
         &self.root
     }

@@ -10,13 +10,13 @@ use std::sync::Arc;
 /// A value and where it is said. Nodes are equal that hold the same, wherever they are from.
 #[derive(Clone, Debug)]
 pub struct Node {
-    /// What it is.
+    /// The value.
     pub value: Value,
-    /// Where it is said.
+    /// Source position of the value.
     pub origin: Origin,
 }
 
-/// Where a value is said.
+/// Source position of a value.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub enum Origin {
     /// Nowhere that a user could look: a program has made it.
@@ -42,7 +42,7 @@ pub enum Origin {
     Option(Arc<str>),
 }
 
-/// What a key of a scene holds. Tables are equal in whichever order.
+/// Value of a key of a scene. Equality of tables ignores the order.
 #[derive(Clone, Debug)]
 pub enum Value {
     /// True or false.
@@ -127,7 +127,7 @@ impl<const N: usize> From<[(&str, Self); N]> for Value {
     }
 }
 
-/// Where a value is: the child of the root to follow, the child of that, and so on.
+/// Position of a value: the child index at each level, from the root.
 pub(crate) type Place = Vec<usize>;
 
 impl Number {
@@ -279,12 +279,12 @@ impl Node {
         }
     }
 
-    /// What an entry of a list calls itself.
+    /// Returns the `name` of an entry of a list.
     pub fn name(&self) -> Option<&str> {
         self.get("name")?.text()
     }
 
-    /// What a part is called that does not say it: after its shape or its mesh file.
+    /// Returns the default name of a part without a `name`: after its shape or its mesh file.
     pub fn model(&self) -> Option<String> {
         if let Some(mesh) = self.get("mesh") {
             let stem = Path::new(mesh.text()?).file_stem()?;

@@ -107,7 +107,7 @@ impl<'a> Lines<'a> {
     }
 }
 
-/// Where something begins that was parsed, which has a place.
+/// Returns the start of a parsed item, whose span is present.
 fn begin(span: Option<Range<usize>>) -> usize {
     span.map_or(0, |span| span.start)
 }

@@ -1,4 +1,4 @@
-//! What a scene can hold: every path, with what it takes. `cutaway help scene` prints the list, and readers refuse what is not in it.
+//! Schema of a scene: every path, with its value type. `cutaway help scene` prints the list, and readers refuse any other path.
 //!
 //! A `*` stands for the name of an entry or its number: `part.*.translate` is `part.crank.translate` or `part.0.translate`.
 
@@ -10,32 +10,32 @@ use std::sync::OnceLock;
 pub struct Path {
     /// Dotted path.
     pub path: &'static str,
-    /// What it takes.
+    /// Type of its value.
     pub takes: ValueType,
     /// Unit of its numbers; empty where they have none.
     pub unit: &'static str,
-    /// What it is, in a line.
+    /// Description in one line.
     pub help: &'static str,
     /// A value that it takes, as TOML.
     pub example: &'static str,
-    /// Whether a `[[key]]` can move it, if it is a number or a flag.
+    /// True if a `[[key]]` can animate it, provided that it is a number or a flag.
     pub moves: bool,
 }
 
-/// What a value can be.
+/// Type of a value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ValueType {
     /// A number between two others.
     Number(f64, f64),
     /// A whole number between two others.
     Whole(f64, f64),
-    /// A list of so many numbers.
+    /// A list of this count of numbers.
     Numbers(usize),
     /// A number, or text with a percentage: `"5%"`.
     Amount,
     /// A list of three such.
     Amounts,
-    /// One number, or one for each of so many directions.
+    /// One number, or one for each of this count of directions.
     OneOrMore(usize),
     /// True or false.
     Flag,
@@ -49,7 +49,7 @@ pub enum ValueType {
     Text,
     /// A list of texts.
     Texts,
-    /// What the help says.
+    /// Described in the help.
     Other,
 }
 

@@ -29,7 +29,7 @@ const PLACEMENT: [&str; 3] = ["amplitude", "period", "wrap"];
 pub(super) type Entries = Vec<(String, Value)>;
 
 pub(super) struct ReliefWords {
-    /// What it may be called in a file.
+    /// Suggested name in a file.
     pub(super) name: String,
     /// The table `[relief.NAME]`.
     pub(super) relief: Entries,

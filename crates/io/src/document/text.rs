@@ -210,7 +210,7 @@ fn toml(value: &Value) -> Toml {
             None => Toml::from(number.value),
         },
         Value::Text(text) => Toml::from(&**text),
-        // No scene has one, and whoever reads this one says so.
+        // No scene has one, and its reader reports it.
         Value::Date(date) => date.parse().unwrap_or_else(|_| Toml::from(&**date)),
         Value::List(list) => Toml::Array(array(list)),
         Value::Table(entries) => {

@@ -1,8 +1,8 @@
-//! Which way is up in meshes that do not say it, guessed by what they stand on, and from where a camera without angles looks.
+//! Up axis of meshes that do not define it, guessed from their base, and the viewpoint of a camera without angles.
 //!
-//! STL and PLY have no up axis. It is guessed only where nothing but such meshes is drawn and nobody has said it. Of 3MF it is +Z by its
-//! specification, which is taken where nothing but 3MF is drawn. A scene file that does not say it means +Y, whatever its meshes are: a
-//! better guess than today's must not turn its picture. What would be guessed there is found all the same, for the user to be told.
+//! STL and PLY have no up axis. It is guessed only if all meshes drawn are of these formats and no axis is given. For 3MF it is +Z by the
+//! specification, which applies only if all meshes drawn are 3MF. A scene file without an up axis means +Y, whatever its meshes are: a
+//! future, better guess must not turn its picture. The guess is computed for such a file too, but is only reported to the user.
 
 use std::path::PathBuf;
 
@@ -17,11 +17,11 @@ use crate::load::{Assets, has_z_up, up_by_habit};
 pub struct GuessedUp {
     /// The axis.
     pub up: Up,
-    /// What speaks for it.
+    /// Reason for the guess.
     pub reason: UpReason,
 }
 
-/// What speaks for an axis to be up.
+/// Reason for an axis to be up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum UpReason {
     /// The specification of the format.

@@ -1,8 +1,8 @@
-//! What documents name, read once and shared: meshes, built-in shapes, height maps, textures.
+//! Shared cache of the files that documents name: meshes, built-in shapes, height maps, textures.
 //!
-//! A file is read when it is first asked for, from disk or from the [`Files`] of a host, and what it holds stays in memory; whoever asks
-//! again gets the same [`Arc`]s. A program that has a mesh already puts it in under the name that documents call it by. Files that
-//! change are not noticed: take new assets then.
+//! The first request reads a file, from disk or from the [`Files`] of a host, and keeps its content in memory. Later requests return
+//! the same [`Arc`]s. A program that already has a mesh inserts it under the name that documents use for it. Files that
+//! change are not noticed: create new assets then.
 
 use std::any::{Any, TypeId};
 use std::collections::BTreeMap;
@@ -26,7 +26,7 @@ pub struct Assets {
     shapes: BTreeMap<String, Vec<Part>>,
     images: BTreeMap<PathBuf, Arc<OffsetMap>>,
     textures: BTreeMap<(PathBuf, bool), Arc<Texture>>,
-    /// What readers of documents have made of all this, by type.
+    /// Values that document readers have cached, by type.
     kept: BTreeMap<TypeId, Arc<dyn Any + Send + Sync>>,
 }
 
@@ -49,7 +49,7 @@ impl Assets {
         }
     }
 
-    /// Where files are read from.
+    /// Store from which files are read.
     pub(crate) fn store(&self) -> &dyn Files {
         &*self.store
     }
@@ -60,7 +60,7 @@ impl Assets {
         self.kept.clear();
     }
 
-    /// Puts parts in the place of a built-in shape, under all that a document says of it.
+    /// Inserts parts in place of the built-in shape with exactly this specification, its numbers included.
     pub fn insert_shape(&mut self, spec: impl Into<String>, parts: Vec<Part>) {
         self.shapes.insert(spec.into(), parts);
         self.kept.clear();
@@ -82,17 +82,17 @@ impl Assets {
         self.kept.clear();
     }
 
-    /// Whether there is a texture of this name, put in or to be read.
+    /// Returns true if a texture of this name was inserted or its file exists.
     pub(crate) fn has_texture(&self, path: &Path) -> bool {
         self.textures.contains_key(&(path.to_owned(), true)) || self.store.is_file(path)
     }
 
-    /// Whether there is a mesh of this name, put in or to be read.
+    /// Returns true if a mesh of this name was inserted or its file exists.
     pub fn has_mesh(&self, path: &Path) -> bool {
         self.meshes.contains_key(path) || self.store.is_file(path)
     }
 
-    /// What a mesh file holds.
+    /// Returns the content of a mesh file.
     ///
     /// # Errors
     ///
@@ -102,7 +102,7 @@ impl Assets {
         Ok(&self.meshes[path])
     }
 
-    /// How long a unit is in the mesh files that were read: none where they do not all say the same.
+    /// Returns the length unit of the mesh files that were read: `None` unless all state the same.
     pub fn unit(&self) -> Option<LengthUnit> {
         let mut units = self.meshes.values().map(|loaded| loaded.unit);
         let first = units.next()??;
@@ -163,8 +163,8 @@ impl Assets {
         Ok(self.textures[&key].clone())
     }
 
-    /// What a reader of documents has kept of this type, so as not to make it again for the next document. Gone as soon as anything is put
-    /// into the place of what it may be made of.
+    /// Returns the value of this type that a document reader has cached for the next document. Inserting anything that it may depend on
+    /// discards it.
     pub(crate) fn kept<T: Any + Send + Sync>(&self) -> Option<Arc<T>> {
         self.kept.get(&TypeId::of::<T>())?.clone().downcast().ok()
     }

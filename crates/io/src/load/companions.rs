@@ -1,4 +1,4 @@
-//! The files that a mesh file names: buffers of glTF, material libraries of OBJ. Nothing is checked here; who opens the mesh does that.
+//! Files that a mesh file names: buffers of glTF, material libraries of OBJ. Nothing is checked here; the mesh loader does that.
 //!
 //! It reads the whole file, for a library may be named anywhere in an OBJ.
 
@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use super::{Files, format_and_stem, gltf, input_file, mtl};
 
-/// The files that a mesh file names, beside it. None if it cannot be read.
+/// Returns the files that a mesh file names, without the mesh file itself. None if it cannot be read.
 pub fn companions(path: &Path, store: &dyn Files) -> Vec<PathBuf> {
     let folder = path.parent().unwrap_or_else(|| Path::new(""));
     let format = format_and_stem(path).map(|(format, _)| format);

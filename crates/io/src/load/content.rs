@@ -6,7 +6,7 @@
 use super::lines::lines;
 use super::{stl, without_mark};
 
-/// How much of a text is looked at.
+/// Bytes at the start of a text that are inspected.
 const HEAD_BYTES: usize = 64 << 10;
 
 /// First words of the lines of an OBJ.

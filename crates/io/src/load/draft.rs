@@ -1,8 +1,8 @@
 //! From a file's triangles to solids: the checks at the door, welding, and which groups belong together.
 //!
-//! A *group* is what a file tells apart: an object, a material, a glTF primitive. A group is not always a solid: an
+//! A *group* is a unit that a file separates: an object, a material, a glTF primitive. A group is not always a solid: an
 //! exporter that writes one group per material tears closed solids open. Groups that share an open edge are therefore
-//! joined, closed groups stay apart. A closed group that is inside out is a cavity: it goes with the smallest group around
+//! joined, closed groups stay apart. A closed group that is inside out is a cavity: it belongs to the smallest group around
 //! it, so that the two together are one solid by parity.
 
 use std::path::Path;
@@ -25,21 +25,21 @@ const MOST_VERTICES: usize = 1 << 31;
 #[derive(Debug, Default)]
 pub(super) struct Draft {
     pub(super) mesh: Mesh,
-    /// What can move the mesh's positions.
+    /// Motion data of the mesh's positions.
     pub(super) motion: Motion,
     /// Index into `groups` per triangle; empty if there is one group at most.
     pub(super) group_of_triangle: Vec<u32>,
     pub(super) groups: Vec<Group>,
 }
 
-/// What a file tells about a group of triangles.
+/// Properties that a file gives a group of triangles.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Group {
     pub(super) name: Option<String>,
     pub(super) color: Option<Vec3>,
     /// Name of its material.
     pub(super) material: Option<String>,
-    /// Whether light passes through it.
+    /// True if it transmits light.
     pub(super) is_transparent: bool,
 }
 
@@ -50,7 +50,7 @@ pub(super) struct Solid {
     pub(super) color: Option<Vec3>,
     /// Names of the materials of its groups.
     pub(super) materials: Vec<String>,
-    /// Whether light passes through all of them.
+    /// True if all of them transmit light.
     pub(super) is_transparent: bool,
     pub(super) mesh: Mesh,
     pub(super) motion: Motion,

@@ -1,7 +1,7 @@
-//! Where bytes come from: the disk, or the memory of a host that has no disk, such as a page of a browser.
+//! Sources of file bytes: the disk, or the memory of a host that has no disk, such as a web page.
 //!
-//! All that loaders and scene documents read they read whole, by path, through [`Files`]. Besides they only ask whether there is a file of
-//! some name; no folder is listed. A host that has to fetch files first learns their names from
+//! Loaders and scene documents read whole files, by path, through [`Files`]. Otherwise they only check if a file of
+//! some name exists; no folder is listed. A host that has to fetch files first gets their names from
 //! [`Document::files`](crate::Document::files).
 //!
 //! Cost: one file in memory at a time for each thread that reads; what is in memory already is lent, not copied.
@@ -29,11 +29,11 @@ pub trait Files: fmt::Debug + Send + Sync {
     /// [`ErrorKind::PermissionDenied`] if it may not be read.
     fn read(&self, path: &Path) -> io::Result<Cow<'_, [u8]>>;
 
-    /// Whether there is a file of this name.
+    /// Returns true if a file of this name exists.
     fn is_file(&self, path: &Path) -> bool;
 
-    /// Whether `path`, by its name in the folder of the file `from` or below, leads out of there all the same, by links. A store without
-    /// links leaves this as it is.
+    /// Returns true if links take `path` out of the folder of the file `from`, although by name `path` lies in or below it. A store without
+    /// links keeps the default.
     fn leads_out(&self, _path: &Path, _from: &Path) -> bool {
         false
     }

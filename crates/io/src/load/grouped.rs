@@ -1,4 +1,4 @@
-//! What is said of many nodes or objects alike is said once.
+//! Merging of equal notes about many nodes or objects.
 
 /// Notes about labelled nodes or objects, `noun` of which there is one, those that differ only in their numbers as one: that of the
 /// first, and how many others have it.

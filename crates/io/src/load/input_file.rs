@@ -1,4 +1,4 @@
-//! How files are read: what cannot be is an error that names the file, and no more is unpacked than a machine can hold.
+//! Reading of files: an unreadable file is an error that names it, and unpacking is limited to the size that a machine can hold.
 //!
 //! A model comes from anywhere, and a few kilobytes of gzip can unpack to any size, so that is looked at while they are unpacked.
 
@@ -15,7 +15,7 @@ use super::files::{Disk, Files, MOST_BYTES};
 /// what gzip can do at most, 1 to 1032, only files do that are made for it.
 const MOST_RATIO: u64 = 250;
 
-/// Up to so many bytes the ratio does not count: little harm is in them, and tiny files of one repeated value are common in tests.
+/// Unpacked size in bytes up to which the ratio is not checked: small files are harmless, and tests often use ones of one repeated value.
 const RATIO_COUNTS_FROM: u64 = 64 << 20;
 
 /// Refuses what on disk is no regular file, or too long.
@@ -47,7 +47,7 @@ pub fn unpack(path: &Path, bytes: Vec<u8>) -> Result<Vec<u8>> {
     }
 }
 
-/// Most bytes that so many packed ones may hold.
+/// Returns the most bytes that `packed` packed bytes may unpack to.
 pub(super) fn most_unpacked(packed: u64) -> u64 {
     packed
         .saturating_mul(MOST_RATIO)

@@ -53,16 +53,16 @@ pub use images::texture::read_texture_from;
 pub use pat::read_patterns;
 pub use place::place_of;
 
-/// What a mesh file holds.
+/// Content of a mesh file.
 #[derive(Clone, Debug, Default)]
 pub struct Loaded {
     /// The solids, with unique names.
     pub parts: Vec<Part>,
-    /// What was welded, left out, missing or left open, a sentence each.
+    /// Notes on geometry that was welded, left out, missing or left open, one sentence each.
     pub notes: Vec<String>,
     /// The file and all that it names and that were read: material libraries, buffers.
     pub files: Vec<PathBuf>,
-    /// How long a unit of the parts is, where the format says it: metres in glTF, what the file says in 3MF.
+    /// Length unit of the parts, if the format states one: metres in glTF, the unit of the file in 3MF.
     pub unit: Option<LengthUnit>,
 }
 
@@ -140,7 +140,7 @@ pub fn load_mesh_file_from(path: &Path, store: &dyn Files) -> Result<Loaded> {
     })
 }
 
-/// What makes inside and outside of parts a matter of opinion: open edges, how many, and of one part where one is.
+/// Reports open edges, which make inside and outside of parts ambiguous: their count, and the place of one if a single part is open.
 pub(crate) fn doubt(path: &Path, parts: &[Part]) -> Option<String> {
     const DOUBT: &str = "where a ray passes a hole, inside and outside are a guess, and such pixels are marked as unreliable";
     let edges = parts
@@ -182,8 +182,8 @@ fn check_range(path: &Path, parts: &[Part]) -> Result<()> {
     }
 }
 
-/// Which axis is up by habit in a mesh file whose format does not say it: +Z in STL, of CAD and printing, +Y in PLY, mostly of scans. In
-/// 3MF it is +Z by definition, in glTF +Y, and in OBJ by its usual readers.
+/// Conventional up axis of a mesh file whose format does not define it: +Z in STL, from CAD and printing, +Y in PLY, mostly scans.
+/// In 3MF it is +Z by definition, in glTF +Y, and in OBJ +Y by the convention of its usual readers.
 pub(crate) fn up_by_habit(path: &Path) -> Option<Up> {
     match format_and_stem(path).ok()?.0.as_str() {
         "stl" | "3mf" => Some(Up::PlusZ),
@@ -192,7 +192,7 @@ pub(crate) fn up_by_habit(path: &Path) -> Option<Up> {
     }
 }
 
-/// Whether a mesh file is of a format that defines +Z as up.
+/// Returns true if the format of a mesh file defines +Z as up.
 pub(crate) fn has_z_up(path: &Path) -> bool {
     format_and_stem(path).is_ok_and(|(format, _)| format == "3mf")
 }

@@ -113,7 +113,7 @@ fn image(
     }
 }
 
-/// What a library says of a material.
+/// Properties of a material in a library.
 #[derive(Debug, PartialEq)]
 struct Look {
     name: String,

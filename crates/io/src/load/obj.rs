@@ -37,7 +37,7 @@ const PASSED_OVER: [&str; 13] = [
     "shadow_obj",
 ];
 
-/// What tells groups apart.
+/// Key that separates groups.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
 struct Label {
     object: String,
@@ -62,7 +62,7 @@ impl LeftOut {
     }
 }
 
-/// What a corner of a face names, from 0.
+/// Indices of a face corner, from 0.
 #[derive(Clone, Copy, Debug)]
 struct Corner {
     position: u32,

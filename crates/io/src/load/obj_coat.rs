@@ -1,4 +1,4 @@
-//! What an OBJ says of colours: `vt`, the texture indices of faces, and colours after the coordinates of `v`, as scanners write them.
+//! Colours of an OBJ: `vt`, the texture indices of faces, and vertex colours after the coordinates of `v`, as scanners write them.
 
 use cutaway::scene::Coat;
 use glam::{Vec2, Vec3};

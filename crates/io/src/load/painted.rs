@@ -13,11 +13,11 @@ pub(super) struct Paint {
     /// sRGB; `None` is white under an image or colours of vertices, and the usual colour elsewhere.
     pub(super) color: Option<Vec3>,
     pub(super) image: Option<Arc<Texture>>,
-    /// Whether light passes through it.
+    /// True if it transmits light.
     pub(super) is_transparent: bool,
 }
 
-/// What is known of the corners of a triangle.
+/// Attributes of the corners of a triangle.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct PaintedTriangle {
     /// Index of the group's [`Paint`].

@@ -14,7 +14,7 @@ pub(super) struct Placed {
     pub(super) color: Option<Vec3>,
     pub(super) materials: Vec<String>,
     pub(super) is_transparent: bool,
-    /// What the file says of it.
+    /// Role that the file states.
     pub(super) role: Option<Role>,
     pub(super) mesh: Arc<Mesh>,
     pub(super) world_from_part: DAffine3,

@@ -19,7 +19,7 @@ const HEADER_BYTES: usize = 84;
 const FACET_BYTES: usize = 50;
 const CUT_OFF: &str = "the file is cut off or damaged: export or download it again";
 
-/// Whether bytes are as long as a binary file with their count of facets.
+/// Returns true if the length of `bytes` matches that of a binary file with their facet count.
 pub(super) fn is_binary(bytes: &[u8]) -> bool {
     // Text read as a number of facets is too large for the product to fit where addresses have 32 bits.
     stated_facets(bytes).is_some_and(|n| {
@@ -132,7 +132,7 @@ struct Text<'a> {
     path: &'a Path,
     draft: Draft,
     corners: Vec<DVec3>,
-    /// How many coordinates of a vertex that lacks some were read, and those.
+    /// Count and values of the coordinates read so far of an incomplete vertex.
     vertex: Option<(usize, [f64; 3])>,
     is_in_solid: bool,
 }

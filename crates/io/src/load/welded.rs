@@ -1,4 +1,4 @@
-//! What moves vertices that were joined: they follow the first of them.
+//! Motion of welded vertices: they follow the first of them.
 //!
 //! Files that split vertices for normals or textures give the pieces the same motion, to a rounding. Where they do not, the
 //! seam would tear open in motion; it stays closed, and a note says that its vertices do not go where the file says.

@@ -1,8 +1,8 @@
 //! Binary glTF 2.0: a node for each solid, whose mesh has a primitive for faces and one for caps, on the same vertices; faces that have
 //! colours or images of their own have vertices of their own, and a primitive for each image.
 //!
-//! Without normals viewers shade each triangle flat, as the format has it. Units and axes are those of the model; the format means metres,
-//! and +Y up. The mesh of a solid that is farther from the origin than [`FAR_FROM_ORIGIN`] of its sizes is around the origin of its node, whose
+//! Without normals viewers shade each triangle flat, by the specification. Units and axes are those of the model; the format means metres,
+//! and +Y up. The mesh of a solid farther from the origin than [`FAR_FROM_ORIGIN`] of its sizes is around the origin of its node, whose
 //! translation readers hold in f64 or in f32: so its shape does not depend on where it stands.
 
 use std::collections::BTreeMap;
@@ -19,7 +19,7 @@ const ELEMENT_ARRAY_BUFFER: u32 = 34963;
 const FLOAT: u32 = 5126;
 const UNSIGNED_INT: u32 = 5125;
 
-/// What a file is made of, as it grows.
+/// Contents of a file under construction.
 #[derive(Default)]
 struct Draft {
     bytes: Vec<u8>,
@@ -100,7 +100,7 @@ struct Group {
     color: [f32; 3],
     /// The number of their image among all.
     image: Option<usize>,
-    /// Whether corners have colours or places in the image.
+    /// True if corners have colours or texture coordinates.
     is_coated: bool,
 }
 

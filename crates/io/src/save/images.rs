@@ -66,7 +66,7 @@ impl Images {
         self.all.iter().map(|image| png(image)).collect()
     }
 
-    /// Each as a file beside one that is called `stem` but for its extension.
+    /// Returns each image as a file for the folder of the mesh file, whose name without extension is `stem`.
     pub(super) fn files(&self, stem: &str) -> Result<Vec<(String, Vec<u8>)>, Unwritable> {
         let pngs = self.pngs()?.into_iter().enumerate();
         Ok(pngs.map(|(i, png)| (file_name(stem, i), png)).collect())

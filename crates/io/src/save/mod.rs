@@ -15,7 +15,7 @@
 //! | 3MF | objects | yes | base materials, colours of corners, images | triangles with a base material of their own |
 //!
 //! Where vertices have colours, GLB, PLY and OBJ have a vertex for each colour that corners have in one place: readers join them by their
-//! places. Images are PNGs: within GLB and 3MF, beside PLY and OBJ. What a format does not hold, [`leaves_out`] says.
+//! places. Images are PNGs: within GLB and 3MF, in separate files for PLY and OBJ. [`leaves_out`] names the data that a format cannot hold.
 //!
 //! Cost: one pass over the triangles, and the files in memory.
 
@@ -35,7 +35,7 @@ use glam::DVec3;
 
 pub use solid::{Encoded, Solid, Unwritable};
 
-/// How a mesh is written.
+/// Format of a mesh file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Format {
     /// Binary STL.
@@ -67,7 +67,7 @@ impl Format {
         found.map(|(_, format)| *format)
     }
 
-    /// The names of the files that may lie beside one that is called `stem` but for its extension, of solids with so many images.
+    /// Names of the files that may accompany a mesh file, whose name without extension is `stem`, for solids with `images` images.
     pub fn beside(self, stem: &str, images: usize) -> Vec<String> {
         let library = (self == Self::Obj).then(|| obj::library_name(stem));
         let images = match self {
@@ -123,7 +123,7 @@ pub fn rounding(format: Format, solids: &[Solid<'_>]) -> Option<f64> {
     most
 }
 
-/// What of the looks of solids a format does not hold, in words; none where it holds all.
+/// Names the colours and images of solids that a format cannot hold; `None` if it holds all.
 pub fn leaves_out(format: Format, solids: &[Solid<'_>]) -> Option<&'static str> {
     let mut coats = solids.iter().filter_map(|s| s.coat.as_ref());
     let are_both = |face: &CoatedTriangle| face.image.is_some() && face.has_colors();

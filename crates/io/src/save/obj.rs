@@ -1,5 +1,5 @@
 //! Wavefront OBJ: an object for each solid, a group for its faces and one for its caps, and their materials in a library; a material for
-//! each image, which lies beside the file.
+//! each image, which lies in the same folder.
 //!
 //! Numbers are as short as they can be read back from. Names are words ([`word_of`]), of parts and materials no two alike.
 
@@ -127,9 +127,9 @@ fn cap_of(name: &str) -> String {
 
 /// Names without blanks, no two alike, nor like the cap of another.
 struct Names {
-    /// Of solids and of the materials of their faces.
+    /// Names of solids and of the materials of their faces.
     solids: Vec<String>,
-    /// Of the materials with images.
+    /// Names of the materials with images.
     images: Vec<String>,
 }
 

@@ -37,7 +37,7 @@ pub(super) fn coat_of(part: &Part, half: &Half) -> Option<Coat> {
     })
 }
 
-/// How much each corner of a triangle counts at a point of it.
+/// Weight of each corner of a triangle at a point in it.
 fn shares(corners: [DVec3; 3], at: DVec3) -> [f32; 3] {
     if let Some(corner) = corners.iter().position(|c| *c == at) {
         return [0, 1, 2].map(|i| f32::from(u8::from(i == corner)));

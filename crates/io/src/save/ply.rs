@@ -80,7 +80,7 @@ pub(super) fn encoded(solids: &[Solid<'_>], stem: &str) -> Result<Encoded, Unwri
     Ok(Encoded { file, beside })
 }
 
-/// Where the corners of a face are in its image.
+/// Writes the texture coordinates of the corners of a face, and the number of its image.
 fn put_place(bytes: &mut Vec<u8>, uv: [Vec2; 3], image: Option<usize>) {
     bytes.push(6);
     for place in uv.into_iter().flat_map(upwards) {

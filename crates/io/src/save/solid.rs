@@ -1,4 +1,4 @@
-//! What is written: solids and their colours, and what becomes of them.
+//! Input and output of the writers: solids and their colours, and encoded files.
 
 use cutaway::scene::{Coat, CoatedTriangle, Mesh, Part};
 use cutaway::slice::Half;
@@ -13,13 +13,13 @@ pub struct Solid<'a> {
     pub name: &'a str,
     /// Colour of its faces, sRGB in 0..=1.
     pub color: Vec3,
-    /// What colours its faces have besides, where they have some.
+    /// Colours and images of its faces in addition, if it has some.
     pub coat: Option<Coat>,
     /// Colour of its caps.
     pub cap_color: Vec3,
     /// Faces, then caps.
     pub mesh: &'a Mesh,
-    /// How many triangles are faces.
+    /// Number of triangles that are faces.
     pub faces: usize,
 }
 
@@ -41,7 +41,7 @@ impl<'a> Solid<'a> {
         self.coat.as_ref()?.triangles.get(triangle)
     }
 
-    /// Whether corners have colours of their own, by which images are multiplied.
+    /// Returns true if corners have colours of their own, which multiply the images.
     pub(super) fn has_colors(&self) -> bool {
         let mut faces = self.coat.iter().flat_map(|coat| &coat.triangles);
         faces.any(CoatedTriangle::has_colors)
@@ -53,7 +53,7 @@ impl<'a> Solid<'a> {
 pub struct Encoded {
     /// Its bytes.
     pub file: Vec<u8>,
-    /// Names and bytes of the files that belong into the same folder, of those that [`Format::beside`](super::Format::beside) names.
+    /// Names and bytes of the files that belong in the same folder, of those that [`Format::beside`](super::Format::beside) names.
     pub beside: Vec<(String, Vec<u8>)>,
 }
 

@@ -16,7 +16,7 @@ const CONTENT_TYPES: &str = r#"<?xml version="1.0" encoding="UTF-8"?>
 <Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types"><Default Extension="rels" ContentType="application/vnd.openxmlformats-package.relationships+xml"/><Default Extension="model" ContentType="application/vnd.ms-package.3dmanufacturing-3dmodel+xml"/><Default Extension="png" ContentType="image/png"/></Types>
 "#;
 
-/// Where the model lies in the package.
+/// Path of the model in the package.
 const MODEL: &str = "3D/3dmodel.model";
 
 /// A part of the package that leads to others, which are of one kind.
@@ -127,7 +127,7 @@ impl Textures {
         }
     }
 
-    /// What the package holds of them: files by their names.
+    /// Returns the image files of the package with their names.
     fn files(&self) -> Result<Vec<(String, Vec<u8>)>, Unwritable> {
         if self.images.count() == 0 {
             return Ok(Vec::new());
@@ -143,7 +143,7 @@ impl Textures {
     }
 }
 
-/// Where an image lies in the package.
+/// Path of an image in the package.
 fn path_of(image: usize) -> String {
     format!("3D/Textures/{image}.png")
 }

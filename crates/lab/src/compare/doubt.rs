@@ -1,4 +1,4 @@
-//! Which of the marked pixels of a frame may be wrong.
+//! Search for the marked pixels of a frame that may be wrong.
 //!
 //! A strategy marks the pixels along whose rays the crossings of a mesh do not tell inside from outside. Only caps depend on
 //! that: whether a surface is kept is decided by the clip-surfaces alone. So a marked pixel **may be wrong** if its ray passes from
@@ -73,14 +73,14 @@ fn leaves_what_is_removed(
         if is_nowhere(surely) {
             return !is_nowhere(both(perhaps, seen));
         }
-        // Where a relief begins the ray may pass through a bump of it.
+        // Where a relief begins, the ray may pass through one of its bumps.
         let bumps = [perhaps[0], surely[0]];
         let passes_bumps = bumps[0] < bumps[1] && !is_nowhere(both(bumps, seen));
         passes_bumps || !is_nowhere(both([surely[1], perhaps[1]], seen))
     })
 }
 
-/// Where a ray is perhaps on the removed side of a clip-surface, and where it surely is.
+/// Stretches of a ray that are possibly, and surely, on the removed side of a clip-surface.
 fn removed(surface: &PreparedSurface, (origin, direction): (DVec3, DVec3)) -> [Stretch; 2] {
     if surface.volume.is_some() {
         return [EVERYWHERE, NOWHERE];
@@ -101,7 +101,7 @@ fn removed(surface: &PreparedSurface, (origin, direction): (DVec3, DVec3)) -> [S
     })
 }
 
-/// Where a ray is within a box.
+/// Stretch of a ray within a box.
 fn through(bounds: &Bounds, (origin, direction): (DVec3, DVec3)) -> Stretch {
     (0..3).fold(EVERYWHERE, |stretch, axis| {
         let (at, step) = (origin[axis], direction[axis]);
@@ -121,7 +121,7 @@ mod tests {
     use crate::hard_cases::scenes;
     use cutaway::layers::Kind;
 
-    /// Which of the pixels along a row through the middle of a cube may be wrong if all are marked, with what they show.
+    /// True for each pixel of a row through the middle of a cube that may be wrong if all are marked; `shown` is the depth that they show.
     fn row(sections: &[&str], shown: Option<f64>) -> Vec<bool> {
         let mut scene = scenes::sectioned("cube", sections);
         scene.camera = scenes::parallel(DVec3::Z * 4.0, DVec3::ZERO, 0.2);

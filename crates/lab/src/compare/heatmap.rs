@@ -10,7 +10,7 @@ use image::{Rgba, RgbaImage};
 use super::Verdict;
 use crate::exact::Exact;
 
-/// What a heat map tells apart, the gravest first: a pixel has the colour of the first class that fits.
+/// Classes of a heat map, the gravest first: a pixel has the colour of the first class that fits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Class {
     /// A hole: a back face, or the background away from that of exact, where no cap is due.
@@ -38,7 +38,7 @@ pub struct LegendEntry {
     pub rgb: [u8; 3],
     /// Its name, for readers.
     pub name: &'static str,
-    /// What a pixel of it is, in half a sentence.
+    /// Meaning of a pixel of the class, in half a sentence.
     pub meaning: &'static str,
 }
 
@@ -133,7 +133,7 @@ pub fn heatmap(exact: &Exact, layers: &Layers) -> RgbaImage {
     marked(exact, layers, |truth| opaque(ground(truth)))
 }
 
-/// The same marks alone, to be laid over a picture of the frame: transparent where nothing is to be told.
+/// The same marks alone, to be laid over a picture of the frame: transparent where there is no mark.
 ///
 /// # Panics
 ///

@@ -12,12 +12,12 @@
 //! | leaked cap | anything else | cap |
 //! | wrong part | surface or cap | same kind; another part, or another clip-surface |
 //! | crack | surface or cap, not a back face; decided | a back face; or the background, away from that of exact |
-//! | outline | the same | the background, beside that of exact |
+//! | outline | the same | the background, next to that of exact |
 //!
 //! A crack is a hole: the inside of a shell is seen, or the sky through a solid. Where exact has background in the 3 x 3 block of a
 //! pixel, background is an outline that was moved, which is what a cap that is tessellated does to it, and no crack; a back face
 //! always is one. Cracks are counted among decided pixels only: a sample on an outline may rightly show the background, and a
-//! number that must be 0 cannot hang on it. The other classes count all pixels.
+//! number that must be 0 cannot depend on it. The other classes count all pixels.
 //!
 //! What fits none of these (a surface where there is background, an exact back face drawn as background) is still wrong.
 //!
@@ -61,8 +61,8 @@ pub struct Comparison {
     pub unmarked_wrong_px: usize,
     /// Pixels that the strategy marks: odd crossing count, or a buffer that overflowed.
     pub odd_parity_px: usize,
-    /// Pixels where the strategy says that several solids share the cap; it is asked to look by
-    /// [`Scene::interference`](cutaway::scene::Scene::interference), and else says so nowhere.
+    /// Pixels where the strategy reports that several solids share the cap; it looks for them only if
+    /// [`Scene::interference`](cutaway::scene::Scene::interference) has a colour.
     pub overlap_px: usize,
     /// Largest error of depth in world units.
     pub depth_error_max: f64,
@@ -131,7 +131,7 @@ pub fn compare(exact: &Exact, layers: &Layers, view: &View, scale: f64) -> Compa
     result
 }
 
-/// What is wrong with one pixel.
+/// Errors of one pixel.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 struct Verdict {
     missed_cap: bool,
@@ -143,7 +143,7 @@ struct Verdict {
 }
 
 impl Verdict {
-    /// Of a pixel by its index in the exact image.
+    /// Judges a pixel, by its index in the exact image.
     fn of(exact: &Layers, index: usize, found: &Layer) -> Self {
         let truth = &exact.pixels[index];
         let same_kind = truth.kind == found.kind;
@@ -164,7 +164,7 @@ impl Verdict {
     }
 }
 
-/// What two pixels must share to show the same thing.
+/// Label that two pixels must share to show the same thing.
 fn label(layer: &Layer) -> (Kind, u16, u8) {
     match layer.kind {
         Kind::Background => (Kind::Background, 0, 0),
@@ -182,7 +182,7 @@ fn block(exact: &Layers, index: usize) -> impl Iterator<Item = &Layer> {
     })
 }
 
-/// Whether the pixel or one of its eight neighbours touches a boundary of the exact image: its 3 x 3 block is not all of
+/// Returns true if the pixel or one of its eight neighbours touches a boundary of the exact image: its 3 x 3 block is not all of
 /// one kind, part and clip-surface.
 fn near_boundary(exact: &Layers, index: usize) -> bool {
     let own = label(&exact.pixels[index]);

@@ -1,4 +1,4 @@
-//! The error that theory gives the depth sprite: a point is tested up to half a texel diagonally beside where it is, so a
+//! The error that theory gives the depth sprite: a point is tested up to half a texel diagonally away from where it is, so a
 //! cap pixel can be wrong only where a mesh is that near to its point.
 
 use cutaway::layers::Kind;

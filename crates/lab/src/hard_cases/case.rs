@@ -1,6 +1,6 @@
 //! A case: scenes with a known answer, and what each strategy is expected to make of them.
 //!
-//! A case says what exact strategies and the paper's own make of it, and how its cuts are made; what the others make follows from what
+//! A case gives the expected results of exact strategies and of the paper's own, and the form of its cuts; the others follow from what
 //! they are. Where one does not do as its kind does, the case names it.
 
 use std::sync::Arc;
@@ -19,7 +19,7 @@ use super::expected::Expected::{
 use super::files::Embedded;
 use super::tolerances::FACTOR;
 
-/// What makes the cuts of a case.
+/// Form of the cuts of a case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
     /// One plane, of one cut.
@@ -33,7 +33,7 @@ pub enum Form {
 }
 
 impl Form {
-    /// Whether there is a relief among the cuts.
+    /// Returns true if there is a relief among the cuts.
     pub fn has_reliefs(self) -> bool {
         matches!(self, Self::Reliefs | Self::FlatReliefs)
     }
@@ -44,34 +44,34 @@ impl Form {
 pub struct Case {
     /// Its number in the list of hard cases, or its letter and number where users of other projects met it.
     pub id: String,
-    /// What it is.
+    /// Description of the case.
     pub name: String,
-    /// What makes its cuts.
+    /// Form of its cuts.
     pub form: Form,
-    /// What exact strategies make of it.
+    /// Expectation of exact strategies.
     pub exact: Expected,
-    /// What the paper's own strategy makes of it.
+    /// Expectation of the paper's own strategy.
     pub paper: Expected,
-    /// Who makes something else of it than its kind does, by a glob over names.
+    /// Expectations of strategies that differ from their kind, by a glob over names.
     pub apart: Vec<(String, Expected)>,
-    /// What is expected otherwise where there are fewer than 8 sub-pixel bits, by a glob over names.
+    /// Expectations that differ with fewer than 8 sub-pixel bits, by a glob over names.
     pub coarse: Vec<(String, Expected)>,
     /// Wrong pixels by covered pixels of built-in methods that fail, over all pictures: the least and the most of 64 and 256 px.
     pub found: Vec<(String, [f64; 2])>,
-    /// What exact strategies keep to besides.
+    /// Further bounds on exact strategies.
     pub keeps: Keeps,
     /// Its scene.
     pub document: Document,
-    /// What its pictures have otherwise.
+    /// Changes of its pictures.
     pub pictures: Vec<Picture>,
 }
 
-/// What a picture has otherwise than the scene of its case.
+/// Changes of a picture to the scene of its case.
 #[derive(Clone, Debug, Default)]
 pub struct Picture {
-    /// What it is called.
+    /// Name of the picture.
     pub name: String,
-    /// Whether the middle of the picture is the centre of a pixel.
+    /// True if the middle of the picture is the centre of a pixel.
     pub half_pixel: bool,
     /// Values by their paths.
     pub sets: Vec<(String, Node)>,
@@ -89,7 +89,7 @@ impl Picture {
     }
 }
 
-/// What an exact picture keeps to besides showing the right things.
+/// Bounds on an exact picture in addition to showing the right things.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Keeps {
     /// Largest angle between normals of caps and those of exact, in degrees.
@@ -105,7 +105,7 @@ impl Keeps {
         depth_px: f64::INFINITY,
     };
 
-    /// What a picture does not keep to.
+    /// First bound that a picture exceeds, in words.
     pub fn fault(&self, judged: &Judged) -> Option<String> {
         let found = &judged.comparison;
         let (normal, depth) = (found.normal_error_deg_max, found.depth_error_px_max);
@@ -118,7 +118,7 @@ impl Keeps {
 }
 
 impl Case {
-    /// The scenes of its pictures, which are so many pixels wide and high.
+    /// The scenes of its pictures, which are `size_px` pixels wide and high.
     ///
     /// # Errors
     ///
@@ -137,7 +137,7 @@ impl Case {
         self.pictures.iter().map(scene).collect()
     }
 
-    /// What a strategy is expected to make of it. Bounds are of the built-in methods: another resolution may miss them.
+    /// Expected result of a strategy. Bounds are of the built-in methods: another resolution may miss them.
     pub fn expected(&self, method: &Method) -> Expected {
         let expected = self.declared(method);
         let name = method.to_string();
@@ -159,7 +159,7 @@ impl Case {
         }
     }
 
-    /// What cannot be otherwise for want of bits stays as it is.
+    /// Expectation with fewer sub-pixel bits: refusals, failures and overflows stay as they are.
     fn expected_if_coarse(&self, method: &Method, usual: Expected) -> Expected {
         if matches!(
             usual,
@@ -212,7 +212,7 @@ impl Case {
         }
     }
 
-    /// What is wrong with one picture of a strategy.
+    /// Fault of one picture of a strategy.
     pub fn fault(
         &self,
         question: &super::Question,

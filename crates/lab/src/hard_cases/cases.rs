@@ -1,4 +1,4 @@
-//! The table: what is hard, and who is expected to manage it. Its rows are files.
+//! Table of hard cases and of the strategies expected to draw them. Its rows are files.
 
 use std::sync::LazyLock;
 

@@ -1,4 +1,4 @@
-//! What a strategy is expected to make of a case, and whether it did.
+//! Expected results of a strategy in a case, and the check against the found result.
 //!
 //! Bounds were found with 8 sub-pixel bits. Of an adapter with fewer exact is sure of fewer pixels along outlines, where tessellations and
 //! images are wrong: it may miss a bound from below.
@@ -15,7 +15,7 @@ use cutaway::strategies::{Method, Unsupported};
 use super::tolerances::RIM_SHARE;
 use super::{Judged, Question, band};
 
-/// What a strategy is to make of a case.
+/// Expected result of a strategy in a case.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Expected {
     /// No decided pixel wrong, none cracked, none odd.
@@ -36,7 +36,7 @@ pub enum Expected {
     Listed(f64),
     /// Known to be wrong, for this reason, in at least one of its pictures.
     Fails(Arc<str>),
-    /// As `Fails`, and over all pictures at least and at most so many decided wrong pixels per covered pixel.
+    /// As `Fails`, with the least and the greatest share of decided wrong pixels per covered pixel, over all pictures.
     FailsWithin(Arc<str>, f64, f64),
     /// Not drawn, for what stands in the way.
     Refuses(Unsupported),
@@ -62,7 +62,7 @@ impl Expected {
         Some(why.to_owned())
     }
 
-    /// What is wrong with one picture.
+    /// Fault of one picture.
     pub fn fault(&self, question: &Question, judged: &Judged, method: &Method) -> Option<String> {
         if let Self::Refuses(unsupported) | Self::RefusesSome(unsupported) = self {
             return match self {
@@ -124,7 +124,7 @@ impl fmt::Display for Expected {
     }
 }
 
-/// Odd pixels are to be marked, and no others. A sample beside the rim of a hole may count either way, hidden as the rim may be: a few
+/// Odd pixels are to be marked, and no others. A sample next to the rim of a hole may count either way, hidden as the rim may be: a few
 /// pixels that have a neighbour of the other kind are let pass.
 fn mismarked_fault(judged: &Judged) -> Option<String> {
     let [width, height] = judged.layers.size_px.map(|s| s as usize);
@@ -159,11 +159,11 @@ fn share_fault(question: &Question, judged: &Judged, most: f64) -> Option<String
 }
 
 /// Pixels of background in a frame by a tessellation that are no hole: what is left of a solid may be thinner than its cap is
-/// displaced, and vanish altogether, beside nothing that exact shows as background. Found: one pixel of scene 13 of the search from
+/// displaced, and vanish altogether, next to nothing that exact shows as background. Found: one pixel of scene 13 of the search from
 /// seed 1, by `adaptive:0.5+mask`, and single pixels of thin wings of real meshes. Inner sides never show.
 const REMNANT_PX: usize = 1;
 
-/// What one list of crossings rules out at any tessellation. Background this near to that of exact is an outline that was moved.
+/// Fault that one list of crossings rules out at any tessellation. Background this near to that of exact is an outline that was moved.
 pub(super) fn list_fault(judged: &Judged, outline_px: usize) -> Option<String> {
     let holes = judged.holes(outline_px);
     let counts = [
@@ -175,10 +175,10 @@ pub(super) fn list_fault(judged: &Judged, outline_px: usize) -> Option<String> {
     Some(format!("{} {}", found.0, found.2))
 }
 
-/// What the pictures of a case came to.
+/// Totals over the pictures of a case.
 #[derive(Clone, Debug, Default)]
 pub struct Tally {
-    /// How many there were.
+    /// Number of pictures.
     pub pictures: usize,
     /// Decided wrong pixels in all of them.
     pub wrong_px: usize,
@@ -188,16 +188,16 @@ pub struct Tally {
     pub judged_px: usize,
     /// Pixels that exact leaves undecided in them.
     pub undecided_px: usize,
-    /// How many were refused.
+    /// Number of refused pictures.
     pub refused: usize,
-    /// How many overflowed.
+    /// Number of overflowed pictures.
     pub overflowed: usize,
-    /// Sides of the pictures that its strategy is usually asked about and was not: as long as there are some, nothing wrong may be luck,
-    /// and tells nothing of whether a bound is needed.
+    /// Sides of the strategy's usual pictures that were not drawn: while there are some, a result without wrong pixels may be luck,
+    /// and does not show that a bound is unneeded.
     pub unasked_px: Vec<u32>,
-    /// Whether some were drawn with fewer sub-pixel bits than bounds are of.
+    /// True if some were drawn with fewer sub-pixel bits than bounds are of.
     pub is_coarse: bool,
-    /// What was not as expected, picture by picture.
+    /// Unexpected results, picture by picture.
     pub faults: Vec<String>,
 }
 
@@ -246,12 +246,12 @@ impl Tally {
         ))
     }
 
-    /// Whether exact strategies would have done better.
+    /// Returns true if exact strategies would have done better.
     pub fn is_short_of_exact(&self) -> bool {
         self.wrong_px > 0 || self.refused > 0 || self.overflowed > 0
     }
 
-    /// What was not as expected over all pictures: those of each, and what was declared and did not come.
+    /// Unexpected results over all pictures: those of each, and declared faults that did not occur.
     pub fn faults_of(&self, expected: &Expected) -> Vec<String> {
         let mut faults = self.faults.clone();
         if let Expected::FailsWithin(_, least, most) = expected {

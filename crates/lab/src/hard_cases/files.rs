@@ -13,15 +13,15 @@
 //! apart = { "planar*" = { refuses = "near-plane" } }   # of those that do not do as their kind does
 //! coarse = { "*" = "doubted" }           # of all by a rasteriser of fewer than 8 sub-pixel bits
 //! keeps = { normal_deg = 0.1, depth_px = 0.01 }        # what exact pictures keep to besides
-//! found = { "planar" = [0.01168, 0.01347] }            # wrong by covered pixels of who fails: the least, the most
+//! found = { "planar" = [0.01168, 0.01347] }            # wrong by covered pixels of methods that fail: the least, the most
 //!
 //! [case.pictures]                        # one for each combination of the values; without it the scene as it is
 //! inner = [{ is = "turned", "part.0.shape" = "shells?flip_inner=1" }, ...]
 //! "cut.0.surfaces.0.section" = ["-z=0.05", "-1,-1,-1@0,0,0.1"]
 //! ```
 //!
-//! `half_pixel = true` beside an `is` moves a parallel camera so that the middle of the picture is the centre of a pixel, of pictures of even sizes.
-//! An expectation is a word (`exact`, `marked`, `doubted`, `band`) or a table: `{ share = S }` and `{ listed = S }` of what was found, the former with
+//! `half_pixel = true` next to an `is` moves a parallel camera so that the middle of a picture of even size is the centre of a pixel.
+//! An expectation is a word (`exact`, `marked`, `doubted`, `band`) or a table: `{ share = S }`, `{ listed = S }` as found, the former with
 //! `why` where it is not the usual reason, `{ fails = "WHY" }`, `{ refuses = OBSTACLE }`, `{ refuses_some = OBSTACLE }`,
 //! `{ overflows = "WORDS" }`.
 //!

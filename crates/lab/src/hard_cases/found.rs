@@ -1,4 +1,4 @@
-//! The table asked of a session.
+//! Runs the table of hard cases in a session.
 
 use cutaway::layers::Kind;
 use cutaway::scene::glob_matches;
@@ -9,42 +9,42 @@ use cutaway::{Error, Result};
 use super::methods::{usual_methods, usual_sizes_px};
 use super::{Case, Question, Tally, cases, list};
 
-/// A case, and what came of it.
+/// A case, and its results.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CaseFound {
     /// Its number in the list, or its letter and number.
     pub id: String,
-    /// What it is.
+    /// Description of the case.
     pub name: String,
     /// The tests that hold what is more than its pictures, as one would type them after `cargo test -p cutaway-tests`.
     pub held_by: Option<String>,
-    /// What each strategy was expected to reach, and did; empty where the case has no pictures.
+    /// Expected and found result of each strategy; empty where the case has no pictures.
     pub reached: Vec<Reached>,
 }
 
-/// What was expected of a strategy, and what came of it.
+/// Expected and found result of a strategy.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Reached {
-    /// Of whom.
+    /// Name of the strategy.
     pub strategy: String,
-    /// What was expected.
+    /// Expected result.
     pub expected: String,
     /// Why it cannot be better, where it is a failure or a bound that is declared.
     pub why: Option<String>,
-    /// What was found.
+    /// Found result.
     pub found: String,
-    /// Whether that is what was expected. A declared failure that passes is not.
+    /// True if the found result is the expected one. A declared failure that passes is not.
     pub holds: bool,
 }
 
-/// What is asked of a session.
+/// Request to a session.
 #[derive(Clone, Copy, Debug)]
 pub struct Asked<'a> {
     /// Globs over the numbers of cases.
     pub ids: &'a [String],
     /// Sides of the pictures.
     pub sizes_px: &'a [u32],
-    /// Who is asked: exactly these, or [the usual](super::usual_methods). The bounds of the table are of the latter.
+    /// Methods to run: exactly these, or [the usual](super::usual_methods). The bounds of the table are of the latter.
     pub methods: Option<&'a [Method]>,
 }
 
@@ -71,8 +71,8 @@ pub fn check_ids(ids: &[String]) -> Result<()> {
     }
 }
 
-/// Asks the cases whose ids fit one of the globs, at each size, and tells each before it is asked. Ends early, with nothing, as soon as
-/// `goes_on` says no; it is called before each method.
+/// Runs the cases whose ids fit one of the globs, at each size, and calls `step` before each. Ends early, with nothing, as soon as
+/// `goes_on` returns false; it is called before each method.
 pub fn found(
     session: &mut Session,
     asked: &Asked<'_>,
@@ -118,7 +118,7 @@ pub fn pictures(case: &Case, size_px: u32) -> Result<Vec<(String, Question)>> {
     Ok(scenes.iter().map(of).collect())
 }
 
-/// What a method makes of the pictures of a case.
+/// Results of a method for the pictures of a case.
 pub fn tallied(
     session: &mut Session,
     case: &Case,
@@ -140,7 +140,7 @@ pub fn tallied(
     Ok(tally)
 }
 
-/// Whether a case shows a cap at all: what shows none proves nothing about caps.
+/// Number of cap pixels in the pictures of a case: a case without any proves nothing about caps.
 pub fn caps_px(pictures: &[(String, Question)]) -> usize {
     let caps = pictures
         .iter()
@@ -174,7 +174,7 @@ fn reached(
                 None => tallies.push((method, tally)),
             }
         }
-        // Nothing of these scenes is asked for again.
+        // These scenes are not used again.
         session.forget();
     }
     let describe = |(method, tally): (Method, Tally)| {

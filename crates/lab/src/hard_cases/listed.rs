@@ -1,6 +1,6 @@
 //! The list: every hard case by its number, what is expected in words, and the tests that hold what is more than its pictures.
 //!
-//! It is data, `list.toml` beside this file, and read once.
+//! It is data, `list.toml` next to this file, and read once.
 
 use std::path::Path;
 use std::sync::LazyLock;
@@ -15,16 +15,16 @@ const FILE: &str = "list.toml";
 pub struct Listed {
     /// Its number, or its letter and number where users of other projects met it: `B` by the thread of a project, `U` by many.
     pub id: String,
-    /// What it is.
+    /// Description of the case.
     pub name: String,
-    /// What is expected of an exact strategy, in words.
+    /// Expected result of an exact strategy, in words.
     pub expected: String,
     /// Modules of the tests and functions below them, separated by a space.
     pub tests: Vec<String>,
 }
 
 impl Listed {
-    /// The tests as one would type them after `cargo test -p cutaway-tests`, one after the other; none if pictures are all of it.
+    /// The tests as one would type them after `cargo test -p cutaway-tests`, one after the other; none if pictures cover all.
     pub fn held_by(&self) -> Option<String> {
         let functions = self.tests.iter().filter_map(|t| t.split_once(' '));
         let typed: Vec<String> = functions

@@ -102,7 +102,7 @@ pub fn cells(full: &[[i32; 3]], size: f64) -> Mesh {
     mesh
 }
 
-/// Closed prisms of so many sides, side by side in a square of 2 and 4 long: long and narrow triangles, along no axis.
+/// Closed prisms of `sides` sides, side by side in a square of 2 and 4 long: long and narrow triangles, along no axis.
 pub fn prisms(count: usize, sides: u32) -> Mesh {
     let mut mesh = Mesh::default();
     let per_row = (count as f64).sqrt().ceil() as usize;
@@ -134,7 +134,7 @@ pub fn prisms(count: usize, sides: u32) -> Mesh {
     mesh
 }
 
-/// A closed rod with so many teeth around it, 2 wide and 6 long: walls side by side are long and narrow, and face four ways.
+/// A closed rod with `teeth` teeth around it, 2 wide and 6 long: walls side by side are long and narrow, and face four ways.
 pub fn toothed(teeth: u32) -> Mesh {
     let count = 4 * teeth;
     let corner = |i: u32, y: f64| {

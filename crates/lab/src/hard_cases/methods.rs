@@ -6,13 +6,13 @@
 use cutaway::strategies::Method;
 use cutaway::strategies::table::{CAP_SURFACES, INSIDE_TESTS};
 
-/// Pictures of up to so many pixels along a side are drawn by all.
+/// Largest side, in pixels, of pictures that all methods draw.
 const SMALL_PX: u32 = 64;
 
-/// Pictures of so many pixels along a side are drawn by the others.
+/// Side, in pixels, of the pictures that the others draw.
 const LARGE_PX: u32 = 256;
 
-/// All methods that draw pictures of so many pixels along a side.
+/// All methods that draw pictures of `size_px` pixels along a side.
 pub fn usual_methods(size_px: u32) -> Vec<Method> {
     names()
         .filter(|(_, is_large)| size_px <= SMALL_PX || *is_large)

@@ -1,12 +1,12 @@
 //! Hard cases: scenes with a known answer, and what every strategy is expected to make of them.
 //!
-//! A [`Case`] is scenes and, for each [method](cutaway::strategies::Method), what is [`Expected`] of it: nothing wrong, wrong within what theory allows, a refusal,
-//! or a failure with its reason. [`cases`] is the table, [`found`] asks it of a session, and `cargo test -p cutaway-tests --test it hard_cases::` holds it.
+//! A [`Case`] is scenes and an [`Expected`] result for each [method](cutaway::strategies::Method): nothing wrong, errors within theory,
+//! a refusal, or a failure with its reason. [`found`] runs the table [`cases`]; `cargo test -p cutaway-tests --test it hard_cases::` too.
 //! What of a case is more than a picture is held by tests that [`list`] names, so that each of the fifty numbers has its keeper.
 //!
 //! [`random`] makes scenes without a pattern, and the simplest of those that come out wrong.
 //!
-//! Each case is a scene file in the folder `hard-cases` of this crate, with a table `[case]` of what is expected (`files.rs` has its form), so
+//! Each case is a scene file in this crate's folder `hard-cases`, with a table `[case]` of expected results (its form: `files.rs`), so
 //! that any case can be drawn: `cutaway compare experiments/hard-cases/16-hollow.toml`. What [`scenes`] and [`meshes`] build is for tests;
 //! they panic where a word makes no sense. A case costs one exact image for each of its pictures and a frame for each method; nothing is
 //! kept between cases but what the session keeps.

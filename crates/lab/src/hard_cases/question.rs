@@ -1,4 +1,4 @@
-//! One frame of one scene with the truth about it, and what a strategy made of it.
+//! One frame of one scene with its reference, and the result of a strategy.
 //!
 //! Exact is worked out once per [`Question`] and shared by all strategies that answer it. Which pixels are wrong follows from a definition
 //! of its own, [`is_wrong`], so that the counts of [`crate::compare`] can be held against it.
@@ -26,17 +26,17 @@ pub struct Question {
     pub exact: Arc<Truth<Prepared>>,
 }
 
-/// What a strategy made of a question.
+/// Result of a strategy for a question.
 pub struct Judged {
     /// Error against exact; all zero where the strategy refused.
     pub comparison: Comparison,
     /// The reference, for what drew it.
     pub exact: Arc<Exact>,
-    /// What the strategy drew; background where it refused.
+    /// Layers that the strategy drew; background where it refused.
     pub layers: Layers,
-    /// How the frame ended.
+    /// Outcome of the frame.
     pub outcome: Outcome,
-    /// How exactly triangles were placed.
+    /// Precision of triangle placement.
     pub precision: Precision,
 }
 
@@ -114,7 +114,7 @@ impl Question {
 }
 
 impl Judged {
-    /// What keeps this from being the frame of an exact strategy, if anything does.
+    /// Fault that keeps this from being the frame of an exact strategy, if any.
     pub fn fault_of_exact(&self) -> Option<String> {
         let c = &self.comparison;
         let faults = [
@@ -167,7 +167,7 @@ impl Judged {
             .count()
     }
 
-    /// Decided pixels of background where exact shows the outer side of a solid, and no background within so many pixels. Of one pixel these
+    /// Decided pixels of background where exact has the outer side of a solid and no background within `outline_px`. With 1 pixel these
     /// are the cracks of a comparison that show no back face.
     pub fn holes(&self, outline_px: usize) -> usize {
         let [width, height] = self.layers.size_px.map(|s| s as usize);
@@ -202,14 +202,14 @@ impl Judged {
     }
 }
 
-/// Whether two pixels show different things.
+/// Returns true if two pixels show different things.
 pub fn is_wrong(truth: &Layer, found: &Layer) -> bool {
     let class = class_of(truth) != class_of(found);
     let turned = truth.kind == Kind::Surface && !truth.back_face && found.back_face;
     class || turned
 }
 
-/// What a pixel shows, without depth and normal.
+/// Class of a pixel, without depth and normal.
 pub fn class_of(layer: &Layer) -> (Kind, u16, u8) {
     match layer.kind {
         Kind::Background => (Kind::Background, 0, 0),

@@ -106,7 +106,7 @@ pub(super) fn csv(recorded: &Recorded) -> String {
     String::from_utf8_lossy(&bytes).into_owned()
 }
 
-/// By what a formula may begin, and the apostrophe itself, so that one can always be taken off.
+/// Characters that may begin a formula, and the apostrophe itself, so that one can always be removed.
 const MARKED: [char; 7] = ['=', '+', '-', '@', '\t', '\r', '\''];
 
 /// A cell that no spreadsheet takes for a formula.
@@ -141,7 +141,7 @@ struct JoinedExperiment<'a> {
     cases: &'a [CaseRecords],
 }
 
-/// What is worked out of one point.
+/// Values derived from one point.
 #[derive(Serialize)]
 struct DerivedPoint<'a> {
     folder: String,

@@ -1,9 +1,9 @@
 //! The colour and the marker of each method: one table for every chart, ranking and list of a report.
 //!
-//! Methods are told apart by kind, not by parameters: all grids with a depth sprite are the paper's method, and look alike. Colours are
+//! The look depends on the kind of method, not on parameters: all grids with a depth sprite, the paper's method, look alike. Colours are
 //! classes of the page's style, after Okabe and Ito (2008), which stay apart for all common kinds of colour blindness; the marker tells
 //! apart what has one colour. Colours go by the cap surface: blue casts rays, orange refines a grid, green and ochre know planes alone.
-//! What is not in the table is grey and crossed, and so is whatever is made of it later.
+//! Methods that are not in the table are grey with a cross, and so is everything derived from them later.
 
 /// Shape of a marker.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
@@ -13,15 +13,15 @@ pub(super) enum Marker {
     Diamond,
     Up,
     Down,
-    /// That of what is not in the table.
+    /// Marker of methods that are not in the table.
     #[default]
     Cross,
 }
 
-/// How a method looks.
+/// Colour and marker of a method.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Look {
-    /// Which of the colours of the style.
+    /// Index of the colour in the page's style.
     pub color: usize,
     pub marker: Marker,
 }
@@ -65,7 +65,7 @@ const LOOKS: [(&str, Look); 20] = [
     ("winding", Look::new(NO_COLOR, Marker::Diamond)),
 ];
 
-/// How a method looks, by the name that records, experiments and charts have for it.
+/// Returns the look of a method, by its name in records, experiments and charts.
 pub(super) fn look(name: &str) -> Look {
     let kind = kind(name);
     let found = LOOKS.iter().find(|(known, _)| *known == kind);

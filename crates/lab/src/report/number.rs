@@ -6,7 +6,7 @@
 //! | factor | `×0.84`, `×1.29`, `×12.9`, `×129`: [`times`] |
 //! | share | `0 %`, `0.04 %`, `1.29 %`, `12 %`: [`percent`] |
 //! | any other figure | whole as it is, else as a time: [`figure`] |
-//! | beside an axis | as short as it goes: `0.5`, `25 k`, `2 M`: [`tick`] |
+//! | axis label | as short as it goes: `0.5`, `25 k`, `2 M`: [`tick`] |
 //!
 //! What is too small for six decimals is written as a power of ten.
 
@@ -84,7 +84,7 @@ pub(super) fn figure(value: f64) -> String {
     }
 }
 
-/// A number beside an axis, in few letters.
+/// A number at an axis tick, in few letters.
 pub(super) fn tick(value: f64) -> String {
     let size = value.abs();
     if size > 0.0 && size < LEAST {

@@ -31,7 +31,7 @@ pub fn pages(recorded: &Recorded, pictures: &PictureOptions) -> Pages {
     }
 }
 
-/// What one method does, as a page and as text.
+/// Report on one method, as a page and as text.
 #[derive(Clone, Debug)]
 pub struct MethodPages {
     /// One page with everything in it.
@@ -44,7 +44,7 @@ pub struct MethodPages {
 ///
 /// # Errors
 ///
-/// That no point asked the method, with the names of those that some did.
+/// Fails if no point used the method; the error names the methods that were used.
 pub fn method_pages(recorded: &Recorded, name: &str) -> Result<MethodPages> {
     let document = method_document(recorded, name)?;
     Ok(MethodPages {

@@ -44,7 +44,7 @@ pub fn text(report: &Measurement) -> String {
     }
 }
 
-/// What each strategy gets wrong, in pixels, scene units and degrees.
+/// Errors of each strategy, in pixels, scene units and degrees.
 fn errors(report: &Measurement) -> Table {
     let words = ERRORS.iter().map(|(word, _)| *word);
     let heading = std::iter::once("error").chain(words);
@@ -65,7 +65,7 @@ fn errors(report: &Measurement) -> Table {
     table
 }
 
-/// What each strategy costs.
+/// Costs of each strategy.
 fn times(report: &Measurement) -> Table {
     let mut table = Table::new([
         "time, median ms",

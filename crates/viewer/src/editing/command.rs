@@ -1,6 +1,6 @@
 //! A scene as a command line: the words that make this very picture.
 //!
-//! What the inputs alone amount to is left out; planes without further ado become `--section`, and all the rest `--set`, which takes any
+//! Values that already follow from the inputs are left out; bare planes become `--section`, and all the rest `--set`, which takes any
 //! value of a document.
 
 use cutaway::{Error, Result};
@@ -9,10 +9,10 @@ use cutaway_io::document::{Node, Value, part};
 
 use crate::picture::slot::Painter;
 
-/// What is done with the scene.
+/// Settings of the exported picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Picture {
-    /// Who draws.
+    /// The painter.
     pub painter: Painter,
     /// Width and height in pixels.
     pub size_px: [u32; 2],
@@ -86,7 +86,7 @@ pub fn quoted(words: &[String]) -> String {
     words.iter().map(quote).collect::<Vec<_>>().join(" ")
 }
 
-/// What names a part on a command line.
+/// Name of a part on a command line.
 fn input(part: &Node) -> Option<String> {
     let shape = || Some(format!("shape:{}", part.get("shape")?.text()?));
     match part.get("mesh") {
@@ -116,7 +116,7 @@ fn planes(cuts: &Node) -> Option<Vec<String>> {
     cuts.items().iter().map(plane).collect()
 }
 
-/// What is to be set for a value to become another.
+/// Collects the settings that turn a value into another.
 fn differences(
     path: &str,
     before: Option<&Node>,

@@ -10,7 +10,7 @@ use cutaway_io::Document;
 use cutaway_io::document::{CutDraft, Node, Value, cut, section};
 use glam::DVec3;
 
-/// What a cut removes with.
+/// Kind of the region that a cut removes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CutKind {
     /// One plane.
@@ -23,16 +23,16 @@ pub enum CutKind {
     Box,
     /// A slice of pie.
     Wedge,
-    /// What is inside a mesh.
+    /// The inside of a mesh.
     Cutter,
     /// A wedge that places itself.
     Cutout,
-    /// What hides the interior.
+    /// Everything that hides the interior.
     Breakaway,
 }
 
 impl CutKind {
-    /// What it is called.
+    /// Name of the kind.
     pub fn name(self) -> &'static str {
         match self {
             Self::Plane => "plane",
@@ -52,9 +52,9 @@ impl CutKind {
 pub struct CutEntry {
     /// Its name, or its number where it has none.
     pub name: String,
-    /// What it removes with.
+    /// Kind of the region that it removes.
     pub kind: CutKind,
-    /// Whether it removes anything.
+    /// True if it removes anything.
     pub is_enabled: bool,
 }
 
@@ -98,7 +98,7 @@ pub enum NewCut {
     Wedge,
     /// A wedge that places itself.
     Cutout,
-    /// What hides the interior.
+    /// Everything that hides the interior.
     Breakaway,
 }
 
@@ -140,7 +140,7 @@ fn facing(axis: DVec3, forward: DVec3) -> String {
     format!("{minus}{letter}=50%")
 }
 
-/// How a plane is moved.
+/// Move of a plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum PlaneMove {
     /// Along its normal, in world units.
@@ -197,7 +197,7 @@ impl Surface {
         Ok(Self { path, words })
     }
 
-    /// Its normal of length 1 and a point of it.
+    /// Its normal of length 1 and a point on it.
     fn plane(&self, bounds: &Bounds) -> Result<(DVec3, DVec3)> {
         match &self.words {
             Words::Section(spec) => {
@@ -209,11 +209,11 @@ impl Surface {
     }
 }
 
-/// The plane of a surface of a cut: the normal, which points to what stays, and a point of it.
+/// The plane of a surface of a cut: the normal, which points to the kept side, and a point on it.
 ///
 /// # Errors
 ///
-/// A surface that is none, or one that makes no sense beside such bounds.
+/// A surface that does not exist, or one that is invalid for such bounds.
 pub fn plane(document: &Document, cut: usize, bounds: &Bounds) -> Result<(DVec3, DVec3)> {
     let surface = Surface::find(document, cut, 0)?;
     let (normal, origin) = surface.plane(bounds)?;
@@ -235,7 +235,7 @@ pub fn spin(document: &Document, cut: usize, bounds: &Bounds) -> Option<(DVec3, 
     Some((normal, degrees))
 }
 
-/// Whether a surface keeps the other side than its plane says.
+/// Returns true if a surface keeps the side opposite to that of its plane.
 fn is_flipped(document: &Document, surface: &str) -> bool {
     let flip = document.get(&format!("{surface}.flip"));
     flip.is_ok_and(|n| n.value == true.into())

@@ -1,7 +1,7 @@
 //! Undo and redo: documents as they were.
 //!
 //! A document is small, and knows its text: a step back is the document before it, whole. Changes by one gesture, such as a slider that
-//! is held, are one step. Where the eye is is no step: who takes back a cut wants to see what becomes of it.
+//! is held, are one step. A move of the eye is not a step: after the undo of a cut its effect must stay in view.
 
 use std::sync::Arc;
 
@@ -10,7 +10,7 @@ use cutaway_io::Document;
 /// So many steps are kept.
 const MOST_STEPS: usize = 200;
 
-/// What a change is part of: changes with the same, one after the other, are one step.
+/// Gesture that a change is part of: consecutive changes with the same gesture are one step.
 pub type Gesture = String;
 
 /// Documents before and after the present one.
@@ -57,7 +57,7 @@ impl History {
         Some(after)
     }
 
-    /// Whether there is something to take back, and something to do again.
+    /// Availability of an undo step and of a redo step.
     pub fn reaches(&self) -> [bool; 2] {
         [&self.past, &self.future].map(|steps| !steps.is_empty())
     }

@@ -1,7 +1,7 @@
 //! A scene as the fragment of an address: its document, deflated, in the alphabet of addresses.
 //!
-//! A fragment stays with the browser: no server sees the scene. It holds what the document says, and no file that it names; of a scene with
-//! files the one who follows the link needs them as well, so that there is no link to it.
+//! A fragment stays with the browser: no server sees the scene. It holds the document, and none of the files that it names. The recipient
+//! of a scene with files would need them as well, so that there is no link to such a scene.
 //!
 //! A scene of some cuts takes 200 to 600 characters. Cannot: hold more than a megabyte of text.
 
@@ -15,7 +15,7 @@ use flate2::Compression;
 use flate2::read::DeflateDecoder;
 use flate2::write::DeflateEncoder;
 
-/// What precedes the scene in a fragment, and says how it is written.
+/// Prefix of the scene in a fragment; identifies the encoding.
 const KEY: &str = "scene=";
 
 /// Text that is unpacked: more is no scene but an attack.

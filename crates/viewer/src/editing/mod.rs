@@ -1,4 +1,4 @@
-//! The document of the window: what is shown of it as lists, changed in it and undone.
+//! The document of the window: lists of its contents, changes and undo.
 
 pub mod command;
 pub mod cuts;

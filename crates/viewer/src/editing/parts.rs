@@ -10,7 +10,7 @@ use cutaway_io::document::{Node, Value};
 pub struct PartEntry {
     /// Its name, or what it is called after.
     pub name: String,
-    /// Whether it is there at rest.
+    /// True if it is enabled at rest.
     pub is_enabled: bool,
 }
 
@@ -24,7 +24,7 @@ pub fn parts(document: &Document) -> Vec<PartEntry> {
     entries.iter().enumerate().map(entry).collect()
 }
 
-/// What an entry is called.
+/// Name of an entry.
 pub fn name(index: usize, entry: &Node) -> String {
     let name = entry.name().map(str::to_owned).or_else(|| entry.model());
     name.unwrap_or_else(|| index.to_string())

@@ -9,13 +9,13 @@ use cutaway_io::Document;
 use cutaway_io::document::{Node, Value};
 use glam::DVec3;
 
-/// Percentages that were moved have so many decimals.
+/// Decimals of percentages after a move.
 const PERCENT_DECIMALS: i32 = 3;
 
 /// Lengths are rounded to this share of the model.
 const FINEST_SHARE: f64 = 1e-6;
 
-/// Angles that were moved have so many decimals.
+/// Decimals of angles after a move.
 const DEGREE_DECIMALS: i32 = 2;
 
 /// A region of a cut, and where the document has it.
@@ -25,37 +25,37 @@ pub enum Region {
     Block {
         /// Dotted path.
         path: String,
-        /// Where it is.
+        /// The box.
         block: Block,
     },
     /// A slice of a pie.
     Wedge {
         /// Dotted path.
         path: String,
-        /// Where it is.
+        /// The wedge.
         wedge: Wedge,
     },
 }
 
-/// How a region is moved.
+/// Move of a region.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum RegionMove {
     /// A face of a box.
     Face {
-        /// Which of the [`regions`] of the cut.
+        /// Index into the [`regions`] of the cut.
         region: usize,
         /// 0 is x.
         axis: usize,
-        /// Whether it is the face of the greatest corner.
+        /// True for the face of the greatest corner.
         is_greatest: bool,
         /// To which coordinate.
         to: f64,
     },
     /// A half-plane of a wedge.
     Angle {
-        /// Which of the [`regions`] of the cut.
+        /// Index into the [`regions`] of the cut.
         region: usize,
-        /// Whether it is the one where the wedge ends.
+        /// True for the half-plane where the wedge ends.
         is_end: bool,
         /// To which angle.
         to_deg: f64,

@@ -29,7 +29,7 @@ pub fn take_out(document: &mut Document, path: &str) -> Result<()> {
     Ok(())
 }
 
-/// How much a table or a list holds.
+/// Number of entries of a table or a list.
 fn count(node: &Node) -> Option<usize> {
     match &node.value {
         Value::Table(entries) => Some(entries.len()),

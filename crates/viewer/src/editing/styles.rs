@@ -15,8 +15,8 @@ use glam::Vec3;
 
 use crate::editing::removal;
 
-/// What a style has under the paths of a document, such as `style.strokes.cut`. Of one colour for all parts and the lightness of their
-/// hues only what holds is there.
+/// Values of a style by their paths in a document, such as `style.strokes.cut`. One colour for all parts excludes the lightness of their
+/// hues: only the one in effect is listed.
 pub fn values(style: &Style) -> Vec<(&'static str, Value)> {
     let mut all = vec![
         ("style.paper", paper(style.paper)),
@@ -69,7 +69,7 @@ pub fn values(style: &Style) -> Vec<(&'static str, Value)> {
     all
 }
 
-/// What is a number in every style.
+/// Numbers that every style has.
 fn numbers_of(style: &Style) -> impl Iterator<Item = (&'static str, f32)> {
     let (cap, gooch, hatch) = (style.cap, &style.gooch, &style.hatch);
     let (occlusion, ghost, shadow) = (&style.occlusion, &style.ghost, &style.shadow);

@@ -17,7 +17,7 @@ use cutaway::{Error, Result};
 use cutaway_io::Document;
 use cutaway_io::document::{Key, Node, Number, Value};
 
-/// Times are rounded to so many decimals of a second, and keys stay as far apart.
+/// Steps per second to which times are rounded; keys keep at least one step apart.
 const TIME_DECIMALS: f64 = 1000.0;
 
 /// The keys of one target.
@@ -49,7 +49,7 @@ pub fn tracks(document: &Document) -> Vec<Track> {
     keys.iter().map(track).collect()
 }
 
-/// Whether a key moves the value at a path.
+/// Returns true if a key moves the value at a path.
 pub fn is_target(document: &Document, path: &str) -> bool {
     let path = by_number(document, path);
     let mut tracks = tracks(document).into_iter();
@@ -93,7 +93,7 @@ pub fn add(document: &mut Document, target: &str, time_s: f64, value: Value) -> 
     document.set(&format!("key.{index}.values"), values)
 }
 
-/// Moves a key to another time, between those beside it.
+/// Moves a key to another time, between its neighbours.
 ///
 /// # Errors
 ///

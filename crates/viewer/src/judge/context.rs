@@ -1,4 +1,4 @@
-//! What the judge works with: a session on a device of its own, and the references of the present scene.
+//! State of the judge: a session on a device of its own, and the references of the present scene.
 //!
 //! A device that is lost is replaced by another one of the same adapter, and what was under way on it is done once more.
 
@@ -22,7 +22,7 @@ const MOST_REFERENCES: usize = DIVISORS.len();
 pub(super) struct JudgeContext {
     adapter: Option<String>,
     session: Option<(Session, DeviceLoss)>,
-    /// Of one scene and eye, that which was asked for last at the end.
+    /// References of one scene and eye, the last requested one at the end.
     references: Vec<Reference>,
 }
 
@@ -77,7 +77,7 @@ impl JudgeContext {
 
     fn has_lost_device(&self) -> bool {
         self.session.as_ref().is_some_and(|(session, loss)| {
-            // A loss is told when the device is asked for what it has done.
+            // The device reports a loss when it is polled.
             let _ = session.gpu().device().poll(wgpu::PollType::Poll);
             loss.reason().is_some()
         })
@@ -103,10 +103,10 @@ impl JudgeContext {
         Ok(exact)
     }
 
-    /// What the reference of a picture looks like.
+    /// Shaded picture of the reference.
     pub(super) async fn exact_picture(&mut self, subject: &Subject) -> Result<Arc<RgbaImage>> {
         let exact = self.exact(subject)?;
-        // It is the one that was asked for last.
+        // The last entry is the reference just requested.
         let kept = (self.references.last()).and_then(|r| r.picture.as_ref());
         if let Some((_, picture)) = kept.filter(|(at, _)| Arc::ptr_eq(at, &subject.at)) {
             return Ok(picture.clone());

@@ -1,7 +1,7 @@
-//! What a frame of a slot costs: its passes with their clocks, their times and the bytes that they write.
+//! The cost of a frame of a slot: its passes with their clocks, their times and the bytes that they write.
 //!
 //! The window's own frames are parts of an encoder and are not timed; the judge draws the same frame on its own device, and runs all
-//! clocks of it again.
+//! its clocks again.
 
 use cutaway::Result;
 use cutaway::gpu::{ClockSet, RunTimes};
@@ -14,17 +14,17 @@ use super::Subject;
 use super::context::JudgeContext;
 use crate::picture::slot::Side;
 
-/// How often a frame is run for its times.
+/// Runs of a frame for its times.
 const RUNS: usize = 3;
 
-/// What is asked.
+/// A question.
 #[derive(Clone, Debug)]
 pub struct Question {
     /// Its number, which answers name.
     pub id: u64,
     /// The picture.
     pub subject: Subject,
-    /// Who draws the slots; none that is not seen.
+    /// Renderers of the slots; `None` for a slot that is not visible.
     pub renderers: [Option<Renderer>; 2],
 }
 
@@ -36,7 +36,7 @@ impl Question {
     }
 }
 
-/// What a frame costs.
+/// Cost of a frame.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cost {
     /// Its passes and what the CPU does for it, in order.
@@ -45,13 +45,13 @@ pub struct Cost {
     pub bytes: PerClock<u64>,
     /// Bytes of the scene itself, on all clocks.
     pub scene_bytes: u64,
-    /// Whether times are those of the device, or by the clock of the wall with each pass waited for.
+    /// True if times are device time; otherwise wall-clock time, with a wait after each pass.
     pub is_device_time: bool,
     /// In how many bands of rows it is drawn; passes and the bytes of the scene are those of the first.
     pub bands: usize,
 }
 
-/// What a pass costs.
+/// Cost of a pass.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PassCost {
     /// Its name.
@@ -60,14 +60,14 @@ pub struct PassCost {
     pub clock: Clock,
     /// Why it is there.
     pub reason: String,
-    /// What it takes, in milliseconds: the least of a few runs.
+    /// Time in milliseconds: the least of a few runs.
     pub time_ms: f64,
     /// Bytes of the resources that it writes; of the CPU, those that it uploads.
     pub bytes: u64,
 }
 
 impl Cost {
-    /// What the passes of a clock take, in milliseconds.
+    /// Total time of the passes of a clock, in milliseconds.
     pub fn time_ms(&self, clock: Clock) -> f64 {
         let of_clock = self.passes.iter().filter(|p| p.clock == clock);
         of_clock.map(|p| p.time_ms).sum()

@@ -16,17 +16,17 @@ use super::Subject;
 use super::context::{JudgeContext, picture};
 use crate::picture::slot::Side;
 
-/// Width and height of a neighbourhood, in pixels; its middle is the pixel that is asked about.
+/// Width and height of a neighbourhood, in pixels; its middle is the queried pixel.
 pub const SIDE_PX: u32 = 15;
 
-/// What is asked.
+/// A question.
 #[derive(Clone, Debug)]
 pub struct Question {
     /// Its number, which the answer names.
     pub id: u64,
     /// The picture.
     pub subject: Subject,
-    /// Who draws the slots; none that is not seen.
+    /// Renderers of the slots; `None` for a slot that is not visible.
     pub renderers: [Option<Renderer>; 2],
     /// The pixel, from the upper left corner of the picture.
     pub at_px: [u32; 2],
@@ -37,24 +37,24 @@ pub struct Question {
 pub struct Magnified {
     /// The pixel.
     pub at_px: [u32; 2],
-    /// What the slots show, then what the reference shows.
+    /// Neighbourhoods in the slots, then in the reference.
     pub neighbourhoods: Vec<Neighbourhood>,
     /// All that the ray of the pixel crosses, in order.
     pub depths: Vec<DepthRow>,
-    /// Whether sampling is ambiguous at the pixel, so that no answer can be called wrong.
+    /// True if sampling is ambiguous at the pixel, so that no answer can be called wrong.
     pub is_undecided: bool,
 }
 
-/// What is around a pixel in one picture.
+/// Neighbourhood of a pixel in one picture.
 #[derive(Clone, Debug)]
 pub struct Neighbourhood {
     /// The slot; none for the reference.
     pub side: Option<Side>,
-    /// Who drew it.
+    /// Name of the renderer.
     pub name: String,
     /// [`SIDE_PX`] pixels along each side, transparent beyond the border of the picture; or why there are none.
     pub picture: Result<RgbaImage, String>,
-    /// What the pixel shows, in words.
+    /// Content of the pixel, in words.
     pub says: String,
 }
 
@@ -66,9 +66,9 @@ pub struct DepthRow {
     pub depth: f64,
     /// The part, the cut or the cutter.
     pub what: String,
-    /// Where the ray goes by it.
+    /// Direction in which the ray crosses it.
     pub way: Cow<'static, str>,
-    /// What is left of some part begins or ends there.
+    /// True if the remaining solid of some part begins or ends there.
     pub is_kept: bool,
     /// It is what the reference sees.
     pub is_seen: bool,
@@ -115,7 +115,7 @@ pub(super) async fn answer(context: &mut JudgeContext, question: &Question) -> R
     })
 }
 
-/// What is around a pixel in the picture by a renderer, and what the pixel shows; or why the renderer draws nothing.
+/// Neighbourhood and layer of a pixel in the picture by a renderer; or the reason why the renderer draws nothing.
 async fn shown_by(
     context: &mut JudgeContext,
     subject: &Subject,
@@ -142,7 +142,7 @@ async fn shown_by(
     Ok(Ok((around(&whole, at_px), *layers.at(x, y))))
 }
 
-/// What is around a pixel of a picture.
+/// Neighbourhood of a pixel of a picture.
 fn around(whole: &RgbaImage, [x, y]: [u32; 2]) -> RgbaImage {
     RgbaImage::from_fn(SIDE_PX, SIDE_PX, |i, j| {
         let at = [x + i, y + j].map(|c| c.checked_sub(SIDE_PX / 2));
@@ -176,7 +176,7 @@ fn depths(trace: &Trace, prepared: &Prepared) -> Vec<DepthRow> {
     trace.crossings.iter().map(row).collect()
 }
 
-/// What a pixel shows, in words.
+/// Content of a pixel, in words.
 fn words(layer: &Layer, prepared: &Prepared) -> String {
     let part = || part_name(usize::from(layer.part), prepared);
     let depth = layer.depth / prepared.scale;

@@ -1,4 +1,4 @@
-//! Questions and answers as messages between a page and its worker: JSON, and beside it the pixels as bytes.
+//! Questions and answers as messages between a page and its worker: JSON, and the pixels as separate bytes.
 
 use bytemuck::pod_collect_to_vec;
 use cutaway::Layers;
@@ -24,7 +24,7 @@ pub(super) struct QuestionMessage {
     pub(super) about: About,
 }
 
-/// What is asked.
+/// Subject of a question.
 #[derive(Clone, Copy, Serialize, Deserialize)]
 pub(super) enum About {
     /// The slots, and whether their errors are wanted.
@@ -34,7 +34,7 @@ pub(super) enum About {
 }
 
 impl About {
-    /// Which kind of question it is, in the order in which they are answered: of each kind the newest is.
+    /// Index of the kind of question, in the order in which they are answered: the newest of each kind is answered.
     pub(super) fn kind(self) -> usize {
         match self {
             Self::Pixel(_) => 0,
@@ -64,7 +64,7 @@ impl QuestionMessage {
         self.renderers.each_ref().map(renderer)
     }
 
-    /// What the worker says where it has no answer.
+    /// Replies of the worker where it has no answer.
     pub(super) fn unanswered(&self, why: &str) -> Vec<Reply> {
         match self.about {
             About::Slots { .. } => failed(self.id, why).map(Reply::Answer).into(),
@@ -78,7 +78,7 @@ impl QuestionMessage {
     }
 }
 
-/// What the worker says.
+/// A reply of the worker.
 pub(super) enum Reply {
     Answer(Answer),
     Finding(Finding),
@@ -115,7 +115,7 @@ struct MagnifiedMessage {
 
 #[derive(Serialize, Deserialize)]
 struct NeighbourhoodMessage {
-    /// Whether it is slot B; none for the reference.
+    /// True for slot B; `None` for the reference.
     is_b: Option<bool>,
     name: String,
     says: String,

@@ -46,7 +46,7 @@ pub use thread::Judge;
 #[cfg(target_arch = "wasm32")]
 pub use worker::Judge;
 
-/// A picture that is asked about.
+/// Picture that a question is about.
 #[derive(Clone, Debug)]
 pub struct Subject {
     /// Another number whenever solids, cuts or the eye may be others.
@@ -77,7 +77,7 @@ impl Subject {
         prepared.view_of(&self.camera, self.size_px)
     }
 
-    /// Whether the rays meet the same in it, however that is dressed.
+    /// Returns true if all rays hit the same in both, whatever the style.
     pub fn has_the_rays_of(&self, other: &Self) -> bool {
         let scale = |subject: &Self| subject.at.model.prepared.scale;
         self.revision == other.revision
@@ -86,16 +86,16 @@ impl Subject {
     }
 }
 
-/// What is asked of the errors of the slots.
+/// A question about the errors of the slots.
 #[derive(Clone, Debug)]
 pub struct Question {
     /// Its number, which answers name.
     pub id: u64,
     /// The picture that is looked at.
     pub subject: Subject,
-    /// Who draws the slots; none that is not seen.
+    /// Renderers of the slots; `None` for a slot that is not visible.
     pub renderers: [Option<Renderer>; 2],
-    /// Whether errors are wanted, or only the layers of slots that are found on the CPU.
+    /// True if errors are requested, not only the layers of slots that are found on the CPU.
     pub wants_errors: bool,
 }
 
@@ -108,18 +108,18 @@ pub struct Answer {
     pub side: Side,
     /// By how much coarser than the picture it is.
     pub divisor: u32,
-    /// What is known.
+    /// Content of the answer.
     pub what: Content,
 }
 
-/// What is known of a slot.
+/// Known results of a slot.
 #[derive(Debug)]
 pub enum Content {
     /// The layers of one that is found on the CPU.
     Layers(Layers),
-    /// What is wrong where in one that is not.
+    /// Errors of one that is not.
     Errors {
-        /// What is wrong where: transparent where nothing is.
+        /// Error marks: transparent where the pixel is not wrong.
         marks: RgbaImage,
         /// The counts.
         comparison: Comparison,
@@ -128,7 +128,7 @@ pub enum Content {
     Failed(String),
 }
 
-/// That nothing is known of either slot, and why.
+/// Answers for both slots that report a failure, with the reason.
 fn failed(id: u64, why: &str) -> [Answer; 2] {
     Side::BOTH.map(|side| Answer {
         id,
@@ -138,7 +138,7 @@ fn failed(id: u64, why: &str) -> [Answer; 2] {
     })
 }
 
-/// What else was found.
+/// A result other than errors.
 #[derive(Debug)]
 pub enum Finding {
     /// The neighbourhood of a pixel, by the number of the question.
@@ -149,11 +149,11 @@ pub enum Finding {
     Surveyed(u64, Surveyed),
 }
 
-/// Where answers go.
+/// Receiver of answers.
 trait AnswerSink {
     /// Sends a part of the answer.
     fn send(&self, answer: Answer);
 
-    /// Whether a newer question has come, so that the rest of this answer is of no use; looked at between two steps.
+    /// Returns true if a newer question has come, so that the rest of this answer is of no use; checked between two steps.
     async fn is_superseded(&self) -> bool;
 }

@@ -18,16 +18,16 @@ use cutaway_lab::experiment::{Samples, Stopwatch};
 use super::Subject;
 use super::context::JudgeContext;
 
-/// How many frames are measured of a method, at most.
+/// Maximum number of frames measured per method.
 const MOST_FRAMES: usize = 7;
 
-/// How many frames are measured of a method, however long they take.
+/// Minimum number of frames measured per method, however long they take.
 const FEWEST_FRAMES: usize = 3;
 
 /// After how long no further frame is begun.
 const LONG_ENOUGH_MS: f64 = 1000.0;
 
-/// What is asked.
+/// A question.
 #[derive(Clone, Debug)]
 pub struct Question {
     /// Its number, which answers name.
@@ -36,18 +36,18 @@ pub struct Question {
     pub subject: Subject,
 }
 
-/// What was found of a method.
+/// Result for a method.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Surveyed {
-    /// How many methods there are.
+    /// Number of methods.
     pub total: usize,
     /// The method.
     pub method: Method,
-    /// What was found.
+    /// The result.
     pub found: Found,
 }
 
-/// What was found.
+/// Result of a measurement.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Found {
     /// It draws the picture.
@@ -59,15 +59,15 @@ pub enum Found {
 /// Error and time of a method.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Point {
-    /// What the passes of the frame clock take, in milliseconds: the median.
+    /// Time of the passes of the frame clock, in milliseconds: the median.
     pub time_ms: f64,
-    /// Whether that is time on the device, or by the clock of the wall.
+    /// True if that is device time; otherwise wall-clock time.
     pub is_device_time: bool,
     /// Wrong pixels that the reference is sure of.
     pub wrong_px: usize,
     /// Those of them that the method does not mark as unreliable.
     pub unmarked_px: usize,
-    /// What bounded buffer was too small, if one was.
+    /// Name of the bounded buffer that was too small, if one was.
     pub overflow: Option<String>,
 }
 
@@ -95,7 +95,7 @@ impl Survey {
         self.question.id
     }
 
-    /// Whether all is done.
+    /// Returns true if all methods are done.
     pub(super) fn is_done(&self) -> bool {
         self.done == self.methods.len()
     }
@@ -107,7 +107,7 @@ impl Survey {
         method
     }
 
-    /// What was found of a method.
+    /// Makes the result for a method.
     pub(super) fn surveyed(&self, method: Method, found: Found) -> Surveyed {
         Surveyed {
             total: self.methods.len(),

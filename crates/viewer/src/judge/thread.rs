@@ -1,7 +1,7 @@
-//! A thread that answers, with a device of its own. A survey takes its next step only when nothing else is asked. The thread leaves a core to
-//! the window.
+//! A thread that answers, with a device of its own. A survey takes its next step only when no other question waits. The thread leaves a
+//! core to the window.
 //!
-//! A question whose answer panics is answered with that, and the next one finds nothing of what it left half done.
+//! A question whose answer panics is answered with that. The next question starts without its unfinished state.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::mpsc::{Receiver, Sender, channel};
@@ -36,7 +36,7 @@ struct Pending {
     is_over: bool,
 }
 
-/// What is done next.
+/// The next task.
 enum Task {
     Errors(Question),
     Pixel(magnify::Question),
@@ -67,7 +67,7 @@ impl Judge {
         }
     }
 
-    /// Asks for errors; what was asked of them before is not answered any more.
+    /// Requests errors; earlier questions about errors are no longer answered.
     pub fn ask(&self, _: &State, question: Question) {
         self.put(|pending| pending.errors = Some(question));
     }
@@ -95,12 +95,12 @@ impl Judge {
         self.put(|pending| (pending.survey, pending.surveyed) = (None, None));
     }
 
-    /// What was answered since.
+    /// Answers since the last call.
     pub fn answers(&self) -> impl Iterator<Item = Answer> + '_ {
         self.answers.try_iter()
     }
 
-    /// What else was found since.
+    /// Findings since the last call.
     pub fn findings(&self) -> impl Iterator<Item = Finding> + '_ {
         self.findings.try_iter()
     }
@@ -193,7 +193,7 @@ fn work(
     }
 }
 
-/// An answer, or why there is none: an error, or a panic, after which all that is kept is made anew.
+/// An answer, or the reason why there is none: an error, or a panic, after which everything kept is rebuilt.
 fn guarded<T>(
     context: &mut JudgeContext,
     answer: impl FnOnce(&mut JudgeContext) -> Result<T>,

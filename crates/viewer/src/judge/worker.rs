@@ -1,4 +1,4 @@
-//! A worker of a page that answers, with a device of its own: a second instance of this very program, which is asked by messages.
+//! A worker of a page that answers, with a device of its own: a second instance of this same program, driven by messages.
 //!
 //! ```text
 //! page    [question, scene, path, further files] -> worker
@@ -34,18 +34,18 @@ const SCRIPT: &str = "./judge.js";
 pub struct Judge {
     worker: Option<Worker>,
     replies: Rc<RefCell<Replies>>,
-    /// Whether it has failed: it answers nothing any more.
+    /// True if it has failed: it answers nothing any more.
     is_lost: Rc<Cell<bool>>,
     /// So many files it has been given.
     given: Cell<usize>,
     /// The last question of each kind.
     asked: Rc<RefCell<[Option<QuestionMessage>; 2]>>,
-    /// What takes in its messages, and that it has failed.
+    /// Handler of its messages, and of its failure.
     _on_message: Closure<dyn FnMut(MessageEvent)>,
     _on_error: Closure<dyn FnMut(Event)>,
 }
 
-/// What has come from the worker and is still to be taken.
+/// Replies of the worker that are still to be taken.
 #[derive(Default)]
 struct Replies {
     answers: Vec<Answer>,
@@ -104,7 +104,7 @@ impl Judge {
         }
     }
 
-    /// Asks about what is seen; what was asked before is not answered any more.
+    /// Sends a question about the visible picture; earlier ones are no longer answered.
     pub fn ask(&self, state: &State, question: Question) {
         let wants_errors = question.wants_errors;
         self.send(
@@ -118,7 +118,7 @@ impl Judge {
         );
     }
 
-    /// Asks about a pixel; the one that was asked about before is not answered any more.
+    /// Sends a question about a pixel; the one before is no longer answered.
     pub fn magnify(&self, state: &State, question: magnify::Question) {
         self.send(
             state,
@@ -165,12 +165,12 @@ impl Judge {
         Ok(())
     }
 
-    /// What was answered since.
+    /// Answers since the last call.
     pub fn answers(&self) -> impl Iterator<Item = Answer> + '_ {
         std::mem::take(&mut self.replies.borrow_mut().answers).into_iter()
     }
 
-    /// What else was found since.
+    /// Findings since the last call.
     pub fn findings(&self) -> impl Iterator<Item = Finding> + '_ {
         std::mem::take(&mut self.replies.borrow_mut().findings).into_iter()
     }
@@ -199,18 +199,18 @@ struct Received {
     scene: Document,
 }
 
-/// What the worker keeps.
+/// State of the worker.
 struct Mailbox {
     /// The newest question of each kind that is still to be answered.
     pending: RefCell<[Option<Received>; 2]>,
-    /// What it works with; taken while it does.
+    /// State for answering; taken while a question is answered.
     state: RefCell<Option<WorkerState>>,
     files: Arc<PageFiles>,
-    /// Whether files have come since they were last looked at.
+    /// True if files have arrived since the last check.
     has_further: Cell<bool>,
 }
 
-/// What is kept from one question to the next.
+/// State kept from one question to the next.
 struct WorkerState {
     context: JudgeContext,
     assets: Assets,
@@ -374,7 +374,7 @@ struct PageSink<'a> {
 fn post(reply: Reply) {
     let worker: DedicatedWorkerGlobalScope = js_sys::global().unchecked_into();
     if let Some(message) = reply.into_message() {
-        // A page that is closed has nobody left to tell.
+        // If the page is closed, there is no receiver left.
         let _ = worker.post_message(&message);
     }
 }

@@ -1,4 +1,4 @@
-//! Where the eye is, moved by hand.
+//! Interactive camera control.
 //!
 //! Moves change a [`Camera`], which is then written into the document in its own words: angles and a zoom for an orbit, a position and a
 //! focal point for an eye that stands somewhere. An eye that a document names otherwise, by a view or by `auto`, becomes an orbit.
@@ -21,13 +21,13 @@ const STEEPEST_DEG: f64 = 89.9;
 pub enum CameraMove {
     /// Around the model, in degrees: to the right, and up.
     Orbit(DVec2),
-    /// Of the picture, right and up, in heights of it.
+    /// Along the picture plane, right and up, in picture heights.
     Pan(DVec2),
     /// Larger by a factor, about a point of the picture: right and up from the middle, in heights.
     Zoom {
         /// More than 1 is larger.
         factor: f64,
-        /// What stays where it is.
+        /// Fixed point of the zoom.
         about: DVec2,
     },
     /// To a direction, by azimuth and elevation in degrees.
@@ -77,7 +77,7 @@ pub fn move_camera(camera: &mut Camera, by: CameraMove) {
     }
 }
 
-/// Whether a move leads anywhere.
+/// Returns true if all numbers of a move are finite.
 fn is_finite(by: CameraMove) -> bool {
     match by {
         CameraMove::Orbit(by) | CameraMove::Pan(by) => by.is_finite(),
@@ -130,7 +130,7 @@ pub fn angles(camera: &Camera) -> [f64; 2] {
     camera.up.angles(towards)
 }
 
-/// Rounds a camera to what documents are given of it.
+/// Rounds a camera to the precision of documents.
 pub fn round(camera: &mut Camera) {
     let decimals =
         |v: DVec3, count: i32| DVec3::from_array(v.to_array().map(|c| to_decimals(c, count)));

@@ -1,15 +1,15 @@
 //! Places in a chart of error against time: both axes are logarithms, and errors have a place for none.
 
-/// Where methods with no wrong pixel are: below one wrong pixel, by less than a power of ten.
+/// Place of methods with no wrong pixel: below one wrong pixel, by less than a power of ten.
 pub const NONE_WRONG: f64 = -0.5;
 
-/// Where a time is.
+/// Place of a time.
 pub fn place_of_time(time_ms: f64) -> f64 {
     // Nothing that runs takes less than a nanosecond.
     time_ms.max(1e-6).log10()
 }
 
-/// Where a count of wrong pixels is.
+/// Place of a count of wrong pixels.
 pub fn place_of_wrong(wrong_px: usize) -> f64 {
     match wrong_px {
         0 => NONE_WRONG,
@@ -17,12 +17,12 @@ pub fn place_of_wrong(wrong_px: usize) -> f64 {
     }
 }
 
-/// What stands at a place of the axis of times, in milliseconds.
+/// Label of the time axis at a place, in milliseconds.
 pub fn time_label(place: f64) -> String {
     number(place)
 }
 
-/// What stands at a place of the axis of errors, in pixels.
+/// Label of the error axis at a place, in pixels.
 pub fn wrong_label(place: f64) -> String {
     let is_none = (place - NONE_WRONG).abs() < 1e-9;
     match place < 0.0 {

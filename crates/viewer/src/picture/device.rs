@@ -15,7 +15,7 @@ pub fn on_our_device(options: &mut WgpuConfiguration) {
     }
 }
 
-/// Whether a device is lost.
+/// Shared flag that a device is lost, with the reason.
 #[derive(Clone, Debug, Default)]
 pub struct DeviceLoss(Arc<OnceLock<String>>);
 

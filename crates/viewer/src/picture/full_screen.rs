@@ -8,7 +8,7 @@ pub struct FullScreen {
 }
 
 impl FullScreen {
-    /// Of a shader, onto pictures of a format.
+    /// Creates the pass for a shader and a target format.
     pub fn new(
         device: &wgpu::Device,
         shader: wgpu::ShaderModuleDescriptor<'_>,

@@ -1,8 +1,8 @@
-//! The handles of the selected cut in the picture: lines that show it, and what of it is dragged.
+//! The handles of the selected cut in the picture: lines that show the cut, and handles to drag.
 //!
-//! All of it is geometry in pixels, found from the view; painting and pointers are the window's. A handle goes along a rail in space.
-//! What is held remembers where its value began and how far the pointer took it, so that a value that snaps or ends goes on from
-//! where the pointer is, and none is rounded on the way.
+//! Everything here is geometry in pixels, computed from the view; the window paints and reads the pointer. A handle moves along a rail in
+//! space. A held handle stores its initial value and how far the pointer has moved it, so that a value that snaps or is clamped continues
+//! from the position of the pointer, and no intermediate value is rounded.
 //!
 //! Cannot: drag a surface in the paper's own form, which is changed by its numbers.
 
@@ -20,13 +20,13 @@ use crate::editing::regions::{self, Region, RegionMove};
 use crate::picture::world_view::WorldView;
 use rail::Rail;
 
-/// So near to a handle a pointer takes hold of it, in pixels.
+/// Distance from a handle within which a pointer grabs it, in pixels.
 const NEAR_PX: f64 = 10.0;
 
-/// How much less a pointer moves where it is to be fine.
+/// Factor on the motion of the pointer for fine dragging.
 const FINE: f64 = 0.1;
 
-/// Which handle.
+/// Identity of a handle.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Grip {
     /// The arrow that moves a plane along its normal.
@@ -38,24 +38,24 @@ pub enum Grip {
     Spin,
     /// The knob of a face of a box.
     Face {
-        /// Which of the [regions](regions::regions) of the cut.
+        /// Index into the [regions](regions::regions) of the cut.
         region: usize,
         /// 0 is x.
         axis: usize,
-        /// Whether it is the face of the greatest corner.
+        /// True for the face of the greatest corner.
         is_greatest: bool,
     },
     /// The knob of a half-plane of a wedge.
     Angle {
-        /// Which of the [regions](regions::regions) of the cut.
+        /// Index into the [regions](regions::regions) of the cut.
         region: usize,
-        /// Whether it is the one where the wedge ends.
+        /// True for the half-plane where the wedge ends.
         is_end: bool,
     },
 }
 
 impl Grip {
-    /// What a hand does with it, in a line.
+    /// One-line help for dragging the handle.
     pub fn help(self) -> String {
         let (does, step) = match self {
             Self::Along => ("drag: move the plane along its normal", "1 %"),
@@ -68,7 +68,7 @@ impl Grip {
     }
 }
 
-/// How far along its rail a handle is, as a value.
+/// Map from the amount along a rail to the value of a handle.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Scale {
     /// The value at amount 0.
@@ -93,10 +93,10 @@ impl Scale {
     }
 }
 
-/// What is dragged.
+/// A handle to drag.
 #[derive(Clone, Debug)]
 pub struct Handle {
-    /// Which it is.
+    /// Its identity.
     pub grip: Grip,
     /// The line that shows it, in pixels.
     pub line: Vec<DVec2>,
@@ -104,7 +104,7 @@ pub struct Handle {
     pub knob: Option<DVec2>,
     rail: Rail,
     scale: Scale,
-    /// Of a plane, of length 1.
+    /// Normal of the plane, of length 1.
     normal: DVec3,
 }
 
@@ -126,7 +126,7 @@ impl Default for Handle {
 }
 
 impl Handle {
-    /// How far away a pointer is, in pixels. A knob is nearer than a line.
+    /// Distance of a pointer, in pixels. A knob counts as nearer than a line.
     fn distance(&self, pointer: DVec2) -> f64 {
         let to_line = (self
             .line
@@ -137,7 +137,7 @@ impl Handle {
         to_line.min(to_knob)
     }
 
-    /// Takes hold of it.
+    /// Begins a drag.
     pub fn hold(&self) -> Hold {
         Hold {
             handle: self.clone(),
@@ -151,17 +151,17 @@ impl Handle {
 pub struct Hold {
     /// As it was when it was taken.
     handle: Handle,
-    /// How far along the rail the pointer has taken it since.
+    /// Amount along the rail that the pointer has moved it since.
     amount: f64,
 }
 
 impl Hold {
-    /// Which handle it is.
+    /// Identity of the handle.
     pub fn grip(&self) -> Grip {
         self.handle.grip
     }
 
-    /// What is done when the pointer goes by some pixels.
+    /// Action for a motion of the pointer by some pixels.
     pub fn drag(&mut self, by_px: DVec2, view: &WorldView, is_fine: bool, snaps: bool) -> Action {
         let Handle {
             grip,
@@ -207,12 +207,12 @@ impl Hold {
 pub struct Gizmo {
     /// Lines that show it, in pixels.
     pub outlines: Vec<Vec<DVec2>>,
-    /// What is dragged.
+    /// Handles to drag.
     pub handles: Vec<Handle>,
 }
 
 impl Gizmo {
-    /// Of a cut of a document, beside the box of the model.
+    /// Creates the gizmo for a cut of a document, given the box of the model.
     pub fn of(
         document: &Document,
         cut: usize,
@@ -267,7 +267,7 @@ impl Gizmo {
         }
     }
 
-    /// Adds a handle, of which so much of the rail is shown in so many lines and with a knob, unless it is behind the eye.
+    /// Adds a handle, with a range of its rail drawn as a number of lines, and a knob, unless it is behind the eye.
     fn add(
         &mut self,
         mut handle: Handle,
@@ -286,7 +286,7 @@ impl Gizmo {
     }
 }
 
-/// How far a point is from a segment.
+/// Distance of a point from a segment.
 fn to_segment(point: DVec2, [from, to]: [DVec2; 2]) -> f64 {
     let along = to - from;
     let share = (point - from).dot(along) / along.length_squared().max(1e-12);
@@ -321,7 +321,7 @@ mod tests {
         }
     }
 
-    /// Drags a handle by some pixels in so many steps, and gives the document after it.
+    /// Drags a handle by some pixels in a number of steps, and returns the document after it.
     fn drag(cut: &str, grip: Grip, by_px: DVec2, (is_fine, snaps): (bool, bool)) -> Document {
         let bounds = Bounds::from_points([DVec3::splat(-1.0), DVec3::splat(1.0)]);
         let mut document = document(cut);

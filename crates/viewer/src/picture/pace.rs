@@ -1,22 +1,22 @@
-//! How finely to draw so that a hand that moves something is followed.
+//! Adaptive resolution while something moves.
 //!
 //! While something moves, pictures are drawn at a half, a quarter or an eighth of the resolution, as coarse as it takes to stay within
-//! [`BUDGET_MS`]; when it has rested for [`REST`], whole, and then sample by sample. What a frame takes is told by the device when it is done.
+//! [`BUDGET_MS`]; when it has rested for [`REST`], whole, and then sample by sample. The device reports when a frame is done.
 
 use std::time::Duration;
 
 use crate::picture::screen::Sample;
 
-/// What a frame may take while something moves.
+/// Frame time budget while something moves.
 pub const BUDGET_MS: f64 = 33.0;
 
-/// How long nothing must move for a whole picture.
+/// Time at rest before a whole picture is drawn.
 pub const REST: Duration = Duration::from_millis(150);
 
 /// The coarsest.
 const MOST_DIVISOR: u32 = 8;
 
-/// How finely a picture is drawn.
+/// Resolution or sample of a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Detail {
     /// By so much coarser than the window.
@@ -45,8 +45,8 @@ impl Detail {
         }
     }
 
-    /// What is drawn after the last picture of the same: while something moves nothing that is no finer; at rest the whole, then its samples,
-    /// of which there are so many along each side of a pixel.
+    /// Next frame after the last one of the same scene: while something moves, only a finer one; at rest the whole picture, then its
+    /// samples, `per_side` along each side of a pixel.
     pub fn next(last: Option<Self>, divisor: u32, is_moving: bool, per_side: u32) -> Option<Self> {
         let begun = |index| Sample { index, per_side };
         match last {

@@ -1,4 +1,4 @@
-//! What a pixel of a picture shows, in words and in the coordinates of the model.
+//! Description of a pixel of a picture, in words and in the coordinates of the model.
 
 use cutaway::layers::{Kind, Layer, NEAR_PLANE};
 use cutaway::scene::View;
@@ -6,7 +6,7 @@ use glam::{DVec2, DVec3};
 
 use crate::picture::shown::Shown;
 
-/// What was picked.
+/// Result of picking.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Picked {
     /// Surface, cap or background.
@@ -15,18 +15,18 @@ pub struct Picked {
     pub part: String,
     /// The cut that made the cap, where it is one.
     pub cut: Option<String>,
-    /// How far it is from the eye along the viewing direction, in units of the model.
+    /// Distance from the eye along the viewing direction, in units of the model.
     pub depth: f64,
-    /// Where it is in the world.
+    /// Position in the world.
     pub point: DVec3,
     /// Unit vector away from the solid.
     pub normal: DVec3,
-    /// Whether the method cannot be sure of it.
+    /// True if the method marks the pixel as unreliable.
     pub is_unreliable: bool,
 }
 
 impl Picked {
-    /// What the layers say of a pixel of a view; nothing of the background.
+    /// Reads the layer of a pixel of a view; `None` for the background.
     pub fn new(layer: &Layer, shown: &Shown, view: &View, at_px: [u32; 2]) -> Option<Self> {
         if layer.kind == Kind::Background {
             return None;

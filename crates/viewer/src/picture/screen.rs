@@ -1,8 +1,8 @@
 //! The pictures of the slots, in textures that egui shows: drawn by the session on egui's own device, into an encoder, with nothing waited
 //! for and nothing read back.
 //!
-//! A slot that is drawn on the CPU gets its layers from the [judge](crate::judge), and is shaded here. Two slots by one method are one picture. What a frame
-//! took is told by the queue when it is done; until then no other is drawn, so that a slow device has no frames in store.
+//! A slot that is drawn on the CPU gets its layers from the [judge](crate::judge), and is shaded here. Two slots by one method share one
+//! picture. The queue reports the time of a frame when it is done; until then no other is drawn, so that a slow device queues no frames.
 //!
 //! While nothing moves, [samples](Sample) of a picture follow it, and smooth its edges when all are there.
 //!
@@ -49,14 +49,14 @@ pub struct Screen {
     session: Session,
     host: RenderState,
     pictures: BTreeMap<Side, Picture>,
-    /// Who drew them.
+    /// Renderer of each picture.
     painted_by: [Option<Renderer>; 2],
     difference: Difference,
     samples: Samples,
-    /// What was last drawn of a method is of this view.
+    /// View of the last frame drawn by a method.
     view: Option<View>,
     under_way: Option<UnderWay>,
-    /// A pixel that was asked for.
+    /// A requested pixel.
     pick: Option<([u32; 2], Pick)>,
     /// Why a slot shows nothing.
     refusals: [Option<String>; 2],
@@ -97,12 +97,12 @@ impl Screen {
         self.session.gpu()
     }
 
-    /// What the last whole frame took, in milliseconds, from its submission until it was done.
+    /// Time of the last whole frame, in milliseconds, from its submission until it was done.
     pub fn took_ms(&self) -> Option<f64> {
         self.took_ms
     }
 
-    /// How many passes it had.
+    /// Number of passes of that frame.
     pub fn passes(&self) -> usize {
         self.passes
     }
@@ -122,7 +122,7 @@ impl Screen {
         self.pictures.get(&side).map(|p| p.id)
     }
 
-    /// How far apart the pictures of the slots are.
+    /// Picture of the colour differences between the slots.
     pub fn difference(&self) -> Option<TextureId> {
         self.difference.id()
     }
@@ -147,7 +147,7 @@ impl Screen {
         Ok((done, must_redraw))
     }
 
-    /// Whether a frame is under way.
+    /// Returns true while a frame is under way.
     pub fn is_busy(&self) -> bool {
         self.under_way.is_some()
     }
@@ -223,7 +223,7 @@ impl Screen {
             let encoded =
                 (self.session).encode(&mut encoder, &shown.at.model, &view, method, &target);
             let encoded = encoded.inspect_err(|_| {
-                // The encoder goes with the frames that are in it.
+                // Dropping the encoder also drops the frames recorded in it.
                 self.session.forget();
             })?;
             match encoded {
@@ -295,14 +295,14 @@ impl Screen {
         Ok(())
     }
 
-    /// Whether a pixel that was asked for is still to come.
+    /// Returns true while a requested pixel is pending.
     pub fn is_picking(&self) -> bool {
         self.pick
             .as_ref()
             .is_some_and(|(_, pick)| pick.is_under_way())
     }
 
-    /// The pixel that was asked for, when it has come, and what it shows.
+    /// The requested pixel and its layer, once it has arrived.
     pub fn picked(&mut self) -> Option<([u32; 2], Layer)> {
         let (at_px, pick) = self.pick.take_if(|(_, pick)| !pick.is_under_way())?;
         Some((at_px, pick.layer()?))
@@ -363,7 +363,7 @@ impl Screen {
     }
 }
 
-/// How textures that images are loaded into are sampled: as they are.
+/// Sampling of textures that images are loaded into: nearest neighbour.
 pub const PLAIN: TextureOptions = TextureOptions::NEAREST;
 
 fn clear(encoder: &mut wgpu::CommandEncoder, view: &wgpu::TextureView) {

@@ -1,7 +1,7 @@
 //! The scene that a document shows, prepared to be drawn.
 //!
-//! Opening costs what reading the files costs, once: assets keep them. After that a change costs the tree of the document and what hangs on
-//! the change, for what is as it was keeps its address.
+//! Opening costs as much as reading the files, once: assets keep them. After that a change costs the tree of the document and everything
+//! that depends on the change, because unchanged data keeps its address.
 
 use std::sync::Arc;
 
@@ -55,7 +55,7 @@ impl Shown {
         };
         let at = match last {
             Some(last) => last.at.updated(&scene),
-            // Hatches hang on where parts are at the beginning, as in pictures.
+            // Hatches depend on the positions of parts at the beginning, as in exported pictures.
             None if timeline.moves() => SceneAtTime::new(&timeline.at(0.0)?).updated(&scene),
             None => SceneAtTime::new(&scene),
         };
@@ -81,7 +81,7 @@ impl Shown {
         Ok(())
     }
 
-    /// Prepares the scene as a picture of it would: while something moves, hatches stay as they were laid when it began.
+    /// Prepares the scene as an exported picture does: while something moves, hatches stay as they were laid when it began.
     ///
     /// # Errors
     ///
@@ -101,13 +101,13 @@ impl Shown {
         Ok(())
     }
 
-    /// Whether the camera has keys.
+    /// Returns true if the camera has keys.
     fn moves_camera(&self) -> bool {
         let mut keys = self.timeline.keys();
         keys.any(|key| key.target.starts_with("camera."))
     }
 
-    /// What is seen in a picture of some pixels.
+    /// View of a picture of a size in pixels.
     pub fn view(&self, size_px: [u32; 2]) -> View {
         self.at.model.prepared.view_of(&self.scene.camera, size_px)
     }

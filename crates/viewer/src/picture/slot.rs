@@ -1,4 +1,4 @@
-//! What is compared: two slots, each a method or the reference, and how they are seen together.
+//! Comparison slots: two slots, each a method or the reference, and their layout.
 
 use std::fmt;
 use std::str::FromStr;
@@ -40,7 +40,7 @@ impl fmt::Display for Side {
     }
 }
 
-/// Who draws a slot.
+/// Choice of the renderer of a slot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Painter {
     /// Whom scene and adapter ask for.
@@ -81,19 +81,19 @@ impl FromStr for Painter {
     }
 }
 
-/// How the two slots are seen.
+/// Layout of the two slots.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Layout {
     /// A alone.
     #[default]
     Single,
-    /// A to the left of a line that is dragged, B to the right of it.
+    /// A to the left of a line that can be dragged, B to the right.
     Wipe,
     /// Two pictures of one view.
     SideBySide,
     /// B while a key is held.
     Flicker,
-    /// How far apart the colours of A and B are.
+    /// Colour difference between A and B.
     Difference,
 }
 
@@ -107,7 +107,7 @@ impl Layout {
         Self::Difference,
     ];
 
-    /// What it is called.
+    /// Name of the layout.
     pub fn name(self) -> &'static str {
         match self {
             Self::Single => "Single",
@@ -118,7 +118,7 @@ impl Layout {
         }
     }
 
-    /// Which slots are to be drawn.
+    /// Slots to draw.
     pub fn sides(self) -> &'static [Side] {
         match self {
             Self::Single => &[Side::A],

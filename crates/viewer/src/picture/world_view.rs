@@ -5,18 +5,18 @@ use glam::{DVec2, DVec3};
 
 use crate::picture::shown::Shown;
 
-/// A view, and where the scene of it lies in the world.
+/// A view, and the placement of its scene in the world.
 #[derive(Clone, Copy, Debug)]
 pub struct WorldView {
     view: View,
-    /// What is at the origin of scene space, in world space.
+    /// Position of the origin of scene space, in world space.
     centre: DVec3,
     /// Scene units for a world unit.
     scale: f64,
 }
 
 impl WorldView {
-    /// Of a scene, in a picture of some pixels.
+    /// Creates the view of a scene, in a picture of a size in pixels.
     pub fn of(shown: &Shown, size_px: [u32; 2]) -> Self {
         let prepared = &shown.at.model.prepared;
         Self {
@@ -26,7 +26,7 @@ impl WorldView {
         }
     }
 
-    /// Of a scene whose space is that of the world.
+    /// Creates the view of a scene whose space is that of the world.
     pub fn plain(view: View) -> Self {
         Self {
             view,
@@ -35,7 +35,7 @@ impl WorldView {
         }
     }
 
-    /// Where a point lands, in pixels from the upper left corner; nowhere if it is behind the near plane.
+    /// Projects a point, to pixels from the upper left corner; `None` if it is behind the near plane.
     pub fn project(&self, point: DVec3) -> Option<DVec2> {
         let (at, depth) = self.view.project((point - self.centre) * self.scale);
         (self.view.orthographic || depth > self.view.near).then_some(at)

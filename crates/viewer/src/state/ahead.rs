@@ -12,14 +12,14 @@ use super::State;
 use crate::action::Action;
 use crate::picture::shown::Shown;
 
-/// What was read and prepared elsewhere.
+/// Data read and prepared elsewhere.
 #[derive(Clone, Debug)]
 pub(super) struct Ahead {
     assets: Assets,
     pub(super) shown: Option<Shown>,
 }
 
-/// How far a state was when it was copied.
+/// Progress of a state when it was copied.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Moment {
     acted: u64,
@@ -27,7 +27,7 @@ pub struct Moment {
 }
 
 impl State {
-    /// How far it is.
+    /// Present progress.
     pub fn moment(&self) -> Moment {
         Moment {
             acted: self.acted,
@@ -35,7 +35,7 @@ impl State {
         }
     }
 
-    /// A copy to carry an action out on, with nothing to be told that is told here.
+    /// A copy to carry an action out on, without the pending notices of this state.
     #[must_use]
     pub fn copy(&self) -> Self {
         let mut copy = self.clone();

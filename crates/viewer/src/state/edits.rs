@@ -56,7 +56,7 @@ impl State {
         Ok(())
     }
 
-    /// Goes to another document; it is prepared anew, or after the present scene.
+    /// Switches to another document; it is prepared from scratch if new, otherwise by an update of the present scene.
     pub(super) fn show(&mut self, document: Document, is_new: bool) -> Result<()> {
         let last = self.shown.as_ref().filter(|_| !is_new);
         let ahead = self.ahead.as_ref().and_then(|ahead| ahead.shown.as_ref());

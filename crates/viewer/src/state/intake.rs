@@ -84,7 +84,7 @@ impl State {
         })
     }
 
-    /// Reads all files again. The scene itself is read again only where nothing of it was changed here but the eye.
+    /// Reads all files again. The scene itself is read again only if nothing but the eye was changed here.
     pub(super) fn reload(&mut self) -> Result<()> {
         let mut document = self.document.clone();
         let path = document.path().to_owned();
@@ -118,12 +118,12 @@ impl State {
         Ok(())
     }
 
-    /// Whether something was changed that no file has. Where the eye is is no loss.
+    /// Returns true if there are unsaved changes. A move of the eye does not count.
     pub fn has_unsaved_changes(&self) -> bool {
         self.is_changed() && self.is_changed_beside_the_eye().unwrap_or(true)
     }
 
-    /// Whether the document says something else than its file, wherever the eye is.
+    /// Returns true if the document differs from its file in anything but the eye.
     fn is_changed_beside_the_eye(&self) -> Result<bool> {
         let mut both = [self.document.clone(), self.saved.clone()];
         for document in &mut both {
@@ -132,7 +132,7 @@ impl State {
         Ok(both[0] != both[1])
     }
 
-    /// Takes over what a document asks for beside its scene.
+    /// Applies the settings of a document other than its scene.
     pub(super) fn take_settings(&mut self) -> Result<()> {
         let Some(shown) = &self.shown else {
             return Ok(());

@@ -6,7 +6,7 @@ use cutaway::{Error, Result};
 use super::State;
 use crate::editing::timeline;
 
-/// How long what begins to move takes, in seconds.
+/// Duration of a new animation, in seconds.
 const FIRST_DURATION_S: f64 = 2.0;
 
 impl State {

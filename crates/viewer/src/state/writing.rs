@@ -1,4 +1,4 @@
-//! Files that are written: the scene, and what may be written beside it.
+//! Written files: the scene, and the rules for other files written in addition to it.
 //!
 //! No file replaces an input of the scene, and none replaces another unasked, but the scene that was read.
 
@@ -30,7 +30,7 @@ impl State {
         name.with_extension("toml")
     }
 
-    /// Whether a file would be replaced that the scene was not read from, or that says something else by now.
+    /// Returns true if a write would replace a file that the scene was not read from, or that has changed since.
     pub fn replaces(&self, path: &Path) -> bool {
         let path = &*place_of(path);
         let is_own = self.is_own(path);
@@ -63,13 +63,13 @@ impl State {
         }
     }
 
-    /// Whether a file is that of the scene.
+    /// Returns true if a file is that of the scene.
     pub fn is_own(&self, path: &Path) -> bool {
         let own = self.document.path();
         !own.as_os_str().is_empty() && self.store.is_one(own, path)
     }
 
-    /// Writes the document to a file, with who draws the first slot, and goes on with that.
+    /// Writes the document to a file, with the painter of the first slot, and continues with that.
     pub(super) fn save(&mut self, path: &Path) -> Result<()> {
         if self.replaces(path) {
             let what = match self.is_own(path) {

@@ -11,7 +11,7 @@ use cutaway_io::Document;
 
 use crate::notice::Notice;
 
-/// How many times as fine as the window pictures are drawn.
+/// Supersampling factor of exported pictures, relative to the window.
 const SUPERSAMPLE: &str = "2";
 
 /// A file that is being made.
@@ -95,7 +95,7 @@ impl Export {
         &self.path
     }
 
-    /// What came of it, once it has ended.
+    /// Result of the export, once it has ended.
     pub fn ended(&mut self) -> Option<Notice> {
         let status = self.child.try_wait().ok().flatten()?;
         if status.success() {

@@ -5,7 +5,7 @@ use std::path::Path;
 use cutaway::{Error, Result};
 use cutaway_io::load::{Files, place_of};
 
-/// Where files are read from and written to.
+/// Storage that files are read from and written to.
 pub trait Store: Files {
     /// Writes a file that is there whole or not at all.
     ///
@@ -14,13 +14,13 @@ pub trait Store: Files {
     /// A place that takes no file.
     fn write(&self, path: &Path, bytes: &[u8]) -> Result<()>;
 
-    /// Whether two paths lead to one file.
+    /// Returns true if two paths lead to one file.
     fn is_one(&self, a: &Path, b: &Path) -> bool {
         place_of(a) == place_of(b)
     }
 }
 
-/// What a file is, by its name.
+/// Kind of a file, by its name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// A scene file.
@@ -39,11 +39,11 @@ const IMAGES: [&str; 11] = [
     "png", "jpg", "jpeg", "tif", "tiff", "bmp", "pgm", "ppm", "pnm", "tga", "exr",
 ];
 
-/// What a file is, by its name; a built-in shape is a model.
+/// Kind of a file, by its name; a built-in shape is a model.
 ///
 /// # Errors
 ///
-/// A name that says nothing.
+/// A name of no known kind.
 pub fn kind(path: &Path) -> Result<Kind> {
     let name = path.to_string_lossy().to_lowercase();
     if name.starts_with("shape:") {

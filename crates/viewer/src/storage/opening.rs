@@ -1,4 +1,4 @@
-//! Files that are opened beside the window, on a copy of the state, which the state [takes over](State::take_over) when it is done. One
+//! Files opened in the background, on a copy of the state, which the state [takes over](State::take_over) when it is done. One
 //! action at a time is carried out; others wait.
 //!
 //! Cost for the window: a copy of the state, and at the end nothing, or a change of the document where something else was done meanwhile.
@@ -15,7 +15,7 @@ use crate::action::Action;
 use crate::beside::beside;
 use crate::state::{Moment, State};
 
-/// What is opened and what waits for that.
+/// The opening under way, and the actions that wait for it.
 #[derive(Debug, Default)]
 pub struct Opening {
     waits: VecDeque<Action>,
@@ -30,7 +30,7 @@ struct UnderWay {
 }
 
 impl Opening {
-    /// Whether an action is to be carried out beside the window.
+    /// Returns true if an action is to be carried out in the background.
     pub fn is_for(action: &Action) -> bool {
         cfg!(not(target_arch = "wasm32")) && matches!(action, Action::Take(_) | Action::Reload)
     }
@@ -43,12 +43,12 @@ impl Opening {
         }
     }
 
-    /// Whether something is under way or waits.
+    /// Returns true if something is under way or waits.
     pub fn is_busy(&self) -> bool {
         self.under_way.is_some() || !self.waits.is_empty()
     }
 
-    /// What is under way, in words.
+    /// Description of the opening under way.
     pub fn what(&self) -> Option<String> {
         let name = |path: &PathBuf| {
             let name = path.file_name().unwrap_or(path.as_os_str());
@@ -80,7 +80,7 @@ impl Opening {
             beside(move || {
                 copy.apply(own);
                 copy.settle();
-                // It was cancelled where nobody waits for it.
+                // If it was cancelled, there is no receiver.
                 let _ = tell.send(copy);
                 wake();
             });

@@ -1,7 +1,7 @@
 //! Files that were opened last, in a small text of the user: a line for each, the newest first.
 //!
 //! It is read again before it is written, for another window may have written it, and is there whole or not at all. Two windows that
-//! write at once take turns by a lock on a file beside it, for which one waits 0.1 s at most.
+//! write at once take turns by a lock on a file next to it. A window waits 0.1 s at most for the lock.
 //!
 //! Cannot: keep a name with a line break in it, nor, on other systems than Unix, one that is no Unicode.
 
@@ -16,7 +16,7 @@ use cutaway_cli::write_file;
 /// So many are kept.
 const MOST: usize = 8;
 
-/// How often the lock is asked for, and how long after each time.
+/// Maximum number of attempts to take the lock, and the delay after each.
 const TRIES: usize = 20;
 const BETWEEN_TRIES: Duration = Duration::from_millis(5);
 
@@ -28,7 +28,7 @@ pub struct Recent {
 }
 
 impl Recent {
-    /// Where the text is: in `$XDG_STATE_HOME`, or in `~/.local/state`; nowhere without a home.
+    /// Path of the list: in `$XDG_STATE_HOME`, or in `~/.local/state`; `None` without a home directory.
     pub fn usual_file() -> Option<PathBuf> {
         let folder = |name: &str| {
             env::var_os(name)

@@ -1,4 +1,4 @@
-//! The scene of a program that cannot go on, in a file beside the list of recent files.
+//! The scene of a program that cannot continue, in a file next to the list of recent files.
 
 use std::path::{Path, PathBuf};
 use std::{fs, process};

@@ -9,7 +9,7 @@ use std::time::SystemTime;
 pub struct Watch(BTreeMap<PathBuf, SystemTime>);
 
 impl Watch {
-    /// Whether one of the files has another time than when it was last asked for. A file that is new to it has not.
+    /// Returns true if the modification time of a file differs from the last check. A file seen for the first time is unchanged.
     pub fn has_changed<'a>(&mut self, files: impl Iterator<Item = &'a Path>) -> bool {
         let mut has_changed = false;
         for file in files {

@@ -1,4 +1,4 @@
-//! The desktop beside the window: files that are dropped, and exports by the command.
+//! Integration with the desktop: dropped files, and exports through the command-line program.
 
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -11,11 +11,11 @@ use super::dialogs::naming::Asks;
 use crate::action::Action;
 use crate::storage::export::Export;
 
-/// What goes on beside the window.
+/// State of work outside the window.
 #[derive(Default)]
 pub(super) struct Outside {
     export: Option<Export>,
-    /// Who exports, in the place of this program.
+    /// Program that exports in place of this one.
     program: Option<PathBuf>,
 }
 
@@ -87,7 +87,7 @@ impl Viewer {
         Export::begin(&program, &document, self.size_px, moves, path)
     }
 
-    /// What is being exported, and a button that ends it.
+    /// Shows the running export, with a button that cancels it.
     pub(super) fn exporting(&mut self, ui: &mut Ui) {
         let Some(export) = &mut self.outside.export else {
             return;

@@ -10,13 +10,13 @@ use super::Viewer;
 use crate::picture::pace::{Detail, REST};
 use crate::picture::slot::{Layout, Side};
 
-/// Samples along each side of a pixel where a document says nothing of it, as pictures have them.
+/// Samples along each side of a pixel where a document specifies none; exported pictures use the same default.
 const USUAL_SAMPLES: u32 = 2;
 
 /// Most of them: as many layers of a picture are kept until all are there.
 const MOST_SAMPLES: u32 = 3;
 
-/// What was last drawn.
+/// State of the last frame drawn.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) struct Last {
     revision: u64,
@@ -27,7 +27,7 @@ pub(super) struct Last {
 }
 
 impl Viewer {
-    /// Whether a whole picture of what the state is now is still to come.
+    /// Returns true until the full-resolution picture of the present state is drawn.
     pub(super) fn is_drawing(&self) -> bool {
         let Some(last) = self.last else {
             return self.state.shown().is_some();
@@ -38,7 +38,7 @@ impl Viewer {
         self.state.shown().is_some() && (!is_whole || is_under_way)
     }
 
-    /// Whether samples of that picture are still to come.
+    /// Returns true until all samples of that picture are drawn.
     pub(super) fn is_refining(&self) -> bool {
         let last = self.last.filter(|_| self.state.shown().is_some());
         let per_side = self.samples_per_side();
@@ -46,7 +46,7 @@ impl Viewer {
         last.is_some_and(is_open) || self.screen.is_busy()
     }
 
-    /// How many samples of a pixel follow at rest along each of its sides: as many as the document asks for.
+    /// Samples along each side of a pixel at rest: the count that the document requests.
     fn samples_per_side(&self) -> u32 {
         let asked = (self.state.shown()).and_then(|s| s.timeline.settings().supersample);
         let drawn = self.last.map_or([None; 2], |last| last.renderers);

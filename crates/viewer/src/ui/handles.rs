@@ -23,7 +23,7 @@ pub(super) fn gizmo(state: &State, shown: &Shown, view: &WorldView) -> Gizmo {
     Gizmo::of(state.posed(), index, (&state.bounds(), up), view)
 }
 
-/// Where a point of the window is in a picture.
+/// Converts a point of the window to picture coordinates.
 pub(super) fn in_picture(picture: Rect, at: Pos2) -> DVec2 {
     let at = at - picture.min;
     DVec2::new(f64::from(at.x), f64::from(at.y))

@@ -1,4 +1,4 @@
-//! What the judge has answered: marks of what is wrong, counts, pictures of slots that are drawn on the CPU.
+//! Results of the judge: error marks, counts, and pictures of slots that are drawn on the CPU.
 
 use cutaway_lab::compare::Comparison;
 use cutaway_lab::experiment::Renderer;
@@ -11,10 +11,10 @@ use crate::picture::screen::{PLAIN, Screen};
 use crate::picture::slot::Side;
 use crate::state::State;
 
-/// What is known of the errors of a slot.
+/// Known errors of a slot.
 #[derive(Default)]
 struct Errors {
-    /// Of which question.
+    /// Id of the question.
     id: u64,
     divisor: u32,
     marks: Option<TextureHandle>,
@@ -22,7 +22,7 @@ struct Errors {
     failed: Option<String>,
 }
 
-/// What a question was about.
+/// Subject of a question.
 #[derive(Clone, Copy, PartialEq)]
 struct About {
     revision: u64,
@@ -40,12 +40,12 @@ pub(super) struct Judged {
     /// The picture that the last question was about.
     subject: Option<Subject>,
     errors: [Errors; 2],
-    /// Of which question the pictures are that slots have from here, and how coarse they are.
+    /// Per slot drawn on the CPU: the id of the question of its picture, and the divisor of its resolution.
     pictures: [(u64, u32); 2],
 }
 
 impl Judged {
-    /// Asks about what is seen, if something is to be known of it that was not asked.
+    /// Sends a question about the visible picture if it needs an answer and differs from the last question.
     pub(super) fn ask(
         &mut self,
         ctx: &Context,
@@ -87,7 +87,7 @@ impl Judged {
         (self.judge).get_or_insert_with(|| Judge::start(adapter, move || wake.request_repaint()))
     }
 
-    /// What was found since, beside errors.
+    /// New findings other than errors.
     pub(super) fn findings(&self) -> Vec<Finding> {
         self.judge.iter().flat_map(Judge::findings).collect()
     }
@@ -142,7 +142,7 @@ impl Judged {
         }
     }
 
-    /// Who draws a slot in the picture that was asked about last.
+    /// Renderer of a slot in the picture of the last question.
     fn renderer(&self, side: Side) -> Option<Renderer> {
         self.latest.about()?.renderers[side.index()]
     }
@@ -156,7 +156,7 @@ impl Judged {
             .map(|map| (map, errors.id == self.latest.id()))
     }
 
-    /// Whether an answer is still to come.
+    /// Returns true while an answer is pending.
     pub(super) fn is_busy(&self) -> bool {
         let Some(About {
             renderers,
@@ -189,7 +189,7 @@ impl Judged {
         is_known.then_some((&errors.comparison, errors.divisor))
     }
 
-    /// What is to be said of a slot in a line.
+    /// One-line status of a slot.
     pub(super) fn sentence(&self, side: Side, state: &State, screen: &Screen) -> String {
         let painter = state.painter(side);
         let errors = &self.errors[side.index()];

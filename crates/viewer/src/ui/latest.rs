@@ -1,6 +1,6 @@
-//! The latest question of a kind to the judge: asked once for what it is about, and known by its number.
+//! The latest question of a kind to the judge: sent once per subject, and identified by its number.
 
-/// What was asked last, of which only the answer counts.
+/// The last question sent; only its answer counts.
 #[derive(Debug)]
 pub(super) struct Latest<T> {
     /// The number of the question; 0 before the first.
@@ -30,12 +30,12 @@ impl<T: PartialEq> Latest<T> {
         self.id
     }
 
-    /// What the last question was about.
+    /// Subject of the last question.
     pub(super) fn about(&self) -> Option<&T> {
         self.about.as_ref()
     }
 
-    /// Has the next question asked, whatever it is about. The last one counts until then.
+    /// Forces the next question to be sent, whatever its subject. The last one counts until then.
     pub(super) fn forget(&mut self) {
         self.about = None;
     }

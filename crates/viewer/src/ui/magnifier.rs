@@ -1,6 +1,6 @@
 //! A pixel that was clicked while errors are shown: its neighbourhood as the slots and the reference show it, and what its ray crosses.
 //!
-//! The window follows the picture: when the scene has changed and rests, the same pixel is asked about again.
+//! The window follows the picture: when the scene has changed and rests, the same pixel is queried again.
 
 use cutaway_lab::experiment::Renderer;
 use eframe::egui::{
@@ -15,16 +15,16 @@ use crate::judge::Subject;
 use crate::judge::magnify::{DepthRow, Magnified, Neighbourhood, Question, SIDE_PX};
 use crate::picture::screen::PLAIN;
 
-/// How many points a pixel is wide.
+/// Width of a magnified pixel, in points.
 const POINTS_PER_PX: f32 = 16.0;
 
-/// How many points the list of depths is high where it is longer.
+/// Maximum height of the list of depths, in points; longer lists scroll.
 const LIST_POINTS: f32 = 220.0;
 
-/// Where the window opens, from the upper right corner.
+/// Initial position of the window, from the upper right corner.
 const OPENS_AT: Vec2 = Vec2::new(-780.0, 40.0);
 
-/// What was asked about.
+/// Subject of a question.
 #[derive(Clone, Copy, PartialEq)]
 struct About {
     revision: u64,
@@ -33,7 +33,7 @@ struct About {
     at_px: [u32; 2],
 }
 
-/// What was answered, by the number of the question.
+/// Answer to the question with this id.
 struct Answered {
     id: u64,
     magnified: Result<Magnified, String>,
@@ -55,7 +55,7 @@ impl Magnifier {
         self.at_px = Some(pointed.at_px);
     }
 
-    /// What is shown, once it is known.
+    /// The magnified pixel, once it is known.
     pub(super) fn magnified(&self) -> Option<&Magnified> {
         let answered = self
             .answered
@@ -64,7 +64,7 @@ impl Magnifier {
         answered.magnified.as_ref().ok()
     }
 
-    /// Whether an answer is still to come.
+    /// Returns true while an answer is pending.
     pub(super) fn is_busy(&self) -> bool {
         let is_answered = self
             .answered
@@ -99,7 +99,7 @@ impl Magnifier {
 }
 
 impl Viewer {
-    /// Asks about the pixel of the magnifier, if something is to be known of it that was not asked.
+    /// Sends a question about the magnified pixel if its subject has changed.
     pub(super) fn magnify(&mut self, ctx: &Context) {
         let Some(at_px) = self.magnifier.at_px else {
             return;

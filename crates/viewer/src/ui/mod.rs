@@ -65,7 +65,7 @@ pub struct Viewer {
     toasts: Toasts,
     pace: Pace,
     last: Option<Last>,
-    /// Which revision was last seen, and since when, on egui's clock in seconds.
+    /// The revision last seen, and the time since when, on egui's clock in seconds.
     changed: (u64, f64),
     /// The revision that is prepared as a picture would be.
     settled: Option<u64>,
@@ -86,15 +86,15 @@ pub struct Viewer {
     badges: Badges,
     #[cfg(not(target_arch = "wasm32"))]
     closing: dialogs::closing::Closing,
-    /// What is done when the changes are saved or discarded; nothing where the window is closed.
+    /// Action to carry out once the changes are saved or discarded; `None` where the window is closed.
     #[cfg(not(target_arch = "wasm32"))]
     leaves_for: Option<Action>,
     #[cfg(not(target_arch = "wasm32"))]
     recent: Option<Recent>,
     size_px: [u32; 2],
-    /// Whether edges are smoothed while nothing moves.
+    /// True if edges are antialiased while nothing moves.
     is_smooth: bool,
-    /// What frames cost, where that is asked for, and the present one.
+    /// Costs of frames, where profiling is on, and the cost of the present frame.
     profile: Option<Profile>,
     cost: FrameCost,
 }
@@ -148,8 +148,8 @@ impl Viewer {
         }
     }
 
-    /// The same in a window with another device, in the place of one that is lost: with the scene and its history, and with what goes on
-    /// beside the window. What the lost device has drawn is drawn anew.
+    /// The same in a window with another device, in the place of one that is lost: keeps the scene, its history, and the work in the
+    /// background. Everything that the lost device has drawn is redrawn.
     #[must_use]
     pub fn reopened_on(self, screen: Screen) -> Self {
         let mut reopened = Self {
@@ -170,7 +170,7 @@ impl Viewer {
         reopened
     }
 
-    /// What the window shows.
+    /// The state that the window shows.
     pub fn state(&self) -> &State {
         &self.state
     }
@@ -190,7 +190,7 @@ impl Viewer {
         self.judged.counts(side)
     }
 
-    /// What is under the pointer, once it is known.
+    /// The pixel under the pointer, once it is known.
     pub fn picked(&self) -> Option<&Picked> {
         self.pointing.under_pointer()
     }
@@ -200,18 +200,18 @@ impl Viewer {
         self.magnifier.magnified()
     }
 
-    /// What was found of the methods that have been measured so far.
+    /// Results for the methods measured so far.
     pub fn surveyed(&self) -> &[(Method, Found)] {
         self.chart.entries()
     }
 
-    /// What a frame of a slot costs, where that is shown, once it is known.
+    /// Cost of a frame of a slot, where that is shown, once it is known.
     pub fn cost(&self, side: Side) -> Option<&Cost> {
         self.costs.cost(side)
     }
 
-    /// Whether something is still to come: a frame, an answer of the judge, a pixel that was asked for, a file that is opened or
-    /// exported, a mesh that is inspected.
+    /// Returns true while something is pending: a frame, an answer of the judge, a requested pixel, a file being opened or
+    /// exported, a mesh being inspected.
     pub fn is_busy(&self) -> bool {
         let is_judging = self.judged.is_busy()
             || self.magnifier.is_busy()
@@ -240,7 +240,7 @@ impl Viewer {
         self.profile = Some(Profile::default());
     }
 
-    /// What frames have cost since.
+    /// Frame costs recorded since.
     pub fn profile(&self) -> Option<&Profile> {
         self.profile.as_ref()
     }
@@ -342,7 +342,7 @@ impl Viewer {
         self.ask_costs(ctx);
     }
 
-    /// Takes in what the judge has found beside errors.
+    /// Takes in the findings of the judge other than errors.
     fn take_findings(&mut self, ctx: &Context) {
         for finding in self.judged.findings() {
             match finding {

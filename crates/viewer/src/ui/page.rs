@@ -22,18 +22,18 @@ use crate::state::State;
 use crate::storage::files::{self, Kind};
 use crate::web::files::{PageFiles, download};
 
-/// What is on its way to the window.
+/// Files and notices on their way to the window.
 #[derive(Clone, Default)]
 pub(super) struct Outside {
     come: Rc<RefCell<Vec<Come>>>,
     under_way: Rc<Cell<usize>>,
 }
 
-/// What has come.
+/// A delivery to the window.
 enum Come {
     /// Files, which are among those of the page by now.
     Files(Vec<PathBuf>),
-    /// Something to be told.
+    /// A notice for the user.
     Told(Notice),
 }
 
@@ -88,14 +88,14 @@ async fn read_chosen(chosen: Vec<File>) -> Come {
     Come::Files(paths)
 }
 
-/// Whether changes that no file has may go, as the browser asks in a window of its own.
+/// Asks in a dialog of the browser if unsaved changes may be discarded.
 fn is_agreed() -> bool {
     let question = "The scene was changed and is not saved. Open another in its place?";
     let asked = web_sys::window().and_then(|page| page.confirm_with_message(question).ok());
     asked.unwrap_or(true)
 }
 
-/// What is done with files that have come: those that the scene has by name already are read again, others are taken in.
+/// Actions for files that have arrived: files that the scene already names are read again, others are taken in.
 fn actions_of(paths: Vec<PathBuf>, state: &State) -> Vec<Action> {
     let shown = state.shown();
     let known: Vec<&Path> = shown.map_or(Vec::new(), |s| s.timeline.files().collect());
@@ -182,7 +182,7 @@ impl Viewer {
         }
     }
 
-    /// That something is on its way.
+    /// Shows a spinner while something is on its way.
     pub(super) fn exporting(&mut self, ui: &mut Ui) {
         if self.outside.is_busy() {
             ui.spinner();

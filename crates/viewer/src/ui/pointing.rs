@@ -1,4 +1,4 @@
-//! What the pointer picks: a pixel is asked for when the picture rests, and what it shows is told when it has come. Two clicks measure, and a click
+//! Picking with the pointer: a pixel is requested when the picture rests, and shown when it arrives. Two clicks measure, and a click
 //! while errors are shown opens the magnifier.
 
 use cutaway::scene::View;
@@ -9,7 +9,7 @@ use super::viewport::Pointed;
 use crate::action::Action;
 use crate::picture::pick::Picked;
 
-/// A pixel that is asked for.
+/// A requested pixel.
 #[derive(Clone, Copy, Debug)]
 struct Asked {
     revision: u64,
@@ -17,7 +17,7 @@ struct Asked {
     view: View,
 }
 
-/// What is under the pointer, and what was clicked.
+/// The pixel under the pointer, and the last clicks.
 #[derive(Debug, Default)]
 pub(super) struct Pointing {
     asked: Option<Asked>,
@@ -33,7 +33,7 @@ impl Pointing {
         self.under_pointer.as_ref()
     }
 
-    /// What is told of it in a line.
+    /// One-line description of the picked pixel.
     pub(super) fn sentence(&self) -> String {
         let under = self.under_pointer.as_ref().map(Picked::sentence);
         let under = under.unwrap_or_default();

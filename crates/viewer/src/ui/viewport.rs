@@ -21,13 +21,13 @@ use crate::state::State;
 /// Degrees of an orbit for a point of a drag.
 const DEGREES_PER_POINT: f64 = 0.4;
 
-/// How much a point of scrolling enlarges.
+/// Zoom per point of scrolling.
 const ZOOM_PER_POINT: f64 = 0.003;
 
-/// How near to the line of the wipe a pointer takes hold of it, in points.
+/// Distance from the line of the wipe within which a pointer grabs it, in points.
 const NEAR_LINE: f32 = 8.0;
 
-/// What is held by the pointer.
+/// The item that the pointer holds.
 #[derive(Clone, Debug, Default)]
 pub(super) enum Held {
     /// Nothing, or the eye.
@@ -39,7 +39,7 @@ pub(super) enum Held {
     Handle(Box<Hold>),
 }
 
-/// Where the pointer is in the picture of a slot.
+/// Position of the pointer in the picture of a slot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Pointed {
     pub(super) side: Side,
@@ -203,7 +203,7 @@ pub(super) fn show(
     })
 }
 
-/// Where the line of the wipe is.
+/// Position of the line of the wipe.
 fn line(rect: Rect, at: f32) -> f32 {
     rect.left() + rect.width() * at
 }

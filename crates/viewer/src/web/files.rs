@@ -37,7 +37,7 @@ impl PageFiles {
         files.push((path, bytes.into()));
     }
 
-    /// Those that were put in after the first so many.
+    /// Files added after the first `count`.
     pub fn since(&self, count: usize) -> Vec<File> {
         self.lock().get(count..).unwrap_or_default().to_vec()
     }

@@ -82,7 +82,7 @@ pub async fn start(canvas: HtmlCanvasElement, fragment: String) -> Result<Cutawa
     made.take().ok_or_else(|| "the viewer did not start".into())
 }
 
-/// Has the browser ask who leaves the page with changes that no file has. After a loss of the device the scene is kept elsewhere.
+/// Makes the browser ask before a page with unsaved changes is left. After a loss of the device the scene is kept elsewhere.
 fn ask_before_leaving(viewer: Rc<RefCell<Viewer>>, loss: DeviceLoss) {
     let on_leaving = Closure::<dyn FnMut(_)>::new(move |event: BeforeUnloadEvent| {
         let is_changed = viewer.borrow().state().has_unsaved_changes();
@@ -128,7 +128,7 @@ fn open(fragment: &str) -> Result<State> {
     }
 }
 
-/// Keeps a scene beside the page: in a link, whose fragment is given, or, where it names files, as a download.
+/// Keeps a scene outside the page: in a link, whose fragment is returned, or, where it names files, as a download.
 fn keep(scene: Document) -> Result<Option<String>> {
     if let Ok(fragment) = link::fragment(&scene) {
         return Ok(Some(fragment));
@@ -170,7 +170,7 @@ impl Cutaway {
         *self.on_lost.borrow_mut() = Some(call);
     }
 
-    /// Chooses who draws slot A or B: a strategy such as `raycast+mask@compute`, `auto` or `exact`.
+    /// Chooses the painter of slot A or B: a strategy such as `raycast+mask@compute`, `auto` or `exact`.
     pub fn choose(&self, is_b: bool, name: &str) -> Result<(), JsValue> {
         let painter: Painter = name.parse().map_err(text)?;
         self.apply(Action::Choose(side(is_b), painter));
@@ -188,14 +188,14 @@ impl Cutaway {
         self.apply(Action::ShowErrors(shows));
     }
 
-    /// What is wrong in slot A or B at the whole resolution, as JSON, once it is known.
+    /// Errors of slot A or B at the whole resolution, as JSON, once they are known.
     pub fn errors(&self, is_b: bool) -> Option<String> {
         let viewer = self.viewer.borrow();
         let (errors, _) = viewer.errors(side(is_b)).filter(|(_, at)| *at == 1)?;
         serde_json::to_string(errors).ok()
     }
 
-    /// What the ray of the pixel crosses that was clicked while errors are shown, as JSON, once it is known.
+    /// Crossings of the ray of the pixel that was clicked while errors are shown, as JSON, once they are known.
     pub fn crossings(&self) -> Option<String> {
         let viewer = self.viewer.borrow();
         serde_json::to_string(&viewer.magnified()?.depths).ok()
@@ -207,7 +207,7 @@ impl Cutaway {
         viewer.screen().refusal(side(is_b)).map(str::to_owned)
     }
 
-    /// Whether something is still to come: a frame, an answer of the judge, a pixel that was asked for.
+    /// Returns true while something is pending: a frame, an answer of the judge, a requested pixel.
     pub fn is_busy(&self) -> bool {
         self.viewer.borrow().is_busy()
     }
@@ -261,7 +261,7 @@ impl eframe::App for App {
             let kept = kept.map_or(JsValue::UNDEFINED, |link| {
                 link.map_or(JsValue::NULL, JsValue::from)
             });
-            // What the page makes of it is its own.
+            // An exception in the callback of the page is ignored.
             let _ = call.call2(&JsValue::NULL, &why.into(), &kept);
         }
     }

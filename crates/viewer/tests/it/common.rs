@@ -97,7 +97,7 @@ pub(crate) fn act(harness: &mut Harness<'_, Viewer>, action: Action) {
     settle(harness);
 }
 
-/// Where the picture is, in points.
+/// Rectangle of the picture, in points.
 pub(crate) fn picture(harness: &Harness<'_, Viewer>) -> Rect {
     harness.get_by_label("Picture").rect()
 }

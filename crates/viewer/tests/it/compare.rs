@@ -1,4 +1,4 @@
-//! What is compared: a pixel against the reference, all methods in a chart, the passes of a frame.
+//! Comparisons: a pixel against the reference, all methods in a chart, the passes of a frame.
 
 use cutaway::layers::{Kind, Layer};
 use cutaway::plan::Clock;

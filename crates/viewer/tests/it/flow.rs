@@ -33,7 +33,7 @@ fn picture(harness: &Harness<'_, Viewer>, side: Side) -> RgbaImage {
     common::pixels(harness, side)
 }
 
-/// How many pixels differ.
+/// Number of pixels that differ.
 fn apart(a: &RgbaImage, b: &RgbaImage) -> usize {
     assert_eq!(a.dimensions(), b.dimensions(), "pictures of one view");
     a.pixels().zip(b.pixels()).filter(|(a, b)| a != b).count()

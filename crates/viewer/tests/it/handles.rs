@@ -22,7 +22,7 @@ fn pull(harness: &mut Harness<'_, Viewer>, grip: Grip, by: Vec2) {
     drag(harness, from, by);
 }
 
-/// Where the picture of a handle leads, in points.
+/// Direction of a handle in the picture, of length 1.
 fn along(harness: &Harness<'_, Viewer>, grip: Grip) -> Vec2 {
     let gizmo = gizmo(harness);
     let line = &gizmo.handle(grip).unwrap().line;

@@ -1,4 +1,4 @@
-//! The window without a window: panels are asked by their labels, as a screen reader does, and pictures are read back from the device.
+//! The user interface without a window: panels are queried by their labels, as by a screen reader; pictures are read back from the GPU.
 
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 

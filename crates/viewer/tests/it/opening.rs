@@ -1,4 +1,4 @@
-//! Files are opened beside the window, which goes on meanwhile.
+//! Opening of files in the background, while the window stays responsive.
 
 use std::borrow::Cow;
 use std::fs;

@@ -101,7 +101,7 @@ fn a_scene_is_saved_beside_its_mesh_and_replaces_another_only_when_agreed() {
             .count(),
         2
     );
-    // Until somebody else writes it.
+    // Until another program writes it.
     fs::write(&other, OTHER).unwrap();
     act(&mut harness, Action::Add(NewCut::Plane(1)));
     name(&mut harness, "Save scene ...", &other);

@@ -1,4 +1,4 @@
-//! What the pointer picks is what is seen, and what is exported is what the command makes.
+//! Picking returns the visible surface, and an export matches the picture of the command.
 
 use cutaway::layers::Kind;
 use cutaway_viewer::Action;

@@ -1,7 +1,7 @@
 //! Random actions: none panics, the document stays a file that says the same, every step is taken back and done again, and the command and
 //! the link that are copied draw what is seen.
 //!
-//! A run hangs on its seed alone, which is told with the last actions when it fails.
+//! A run depends on its seed alone. A failure reports the seed and the last actions.
 
 use std::collections::VecDeque;
 use std::fmt::Write;
@@ -142,7 +142,7 @@ const NUMBERS: &[f64] = &[
     f64::NAN,
 ];
 
-/// What actions are made of: all that a window sends, or with what no window does.
+/// Range of generated actions: only those that a window sends, or others as well.
 #[derive(Clone, Copy, PartialEq)]
 enum Kinds {
     Usual,
@@ -312,7 +312,7 @@ fn action(random: &mut Random, kinds: Kinds) -> Action {
     }
 }
 
-/// Runs something that applies actions; where it fails, the seed and the last actions are told.
+/// Runs a function that applies actions; a failure reports the seed and the last actions.
 fn run_of(seed: u64, run: impl FnOnce(&mut Random, &mut VecDeque<Action>)) {
     let mut random = Random(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1);
     let mut last = VecDeque::new();
@@ -397,7 +397,7 @@ fn documents_stay_files_and_steps_are_taken_back_and_done_again() {
     }
 }
 
-/// What a window at rest shows in its first slot.
+/// Picture of the first slot of a window at rest.
 fn drawn(session: &mut Session, state: &mut State) -> RgbaImage {
     state.settle();
     let shown = state.shown().unwrap();

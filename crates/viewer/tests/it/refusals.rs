@@ -1,4 +1,4 @@
-//! What cannot be done is told with what to do, and changes nothing.
+//! Refused actions are reported with a remedy, and change nothing.
 
 use std::fs;
 

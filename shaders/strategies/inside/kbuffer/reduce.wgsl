@@ -1,5 +1,5 @@
 // Turns counts and nearest depths of a pixel into its words of the mask: behind a crossing are all fragments but those in front
-// of it. A crossing behind the last depth that was kept may have more in front of it than are known. An invocation owns a pixel.
+// of the crossing. A crossing behind the last depth that was kept may have more in front than are known. An invocation owns a pixel.
 
 #import cutaway::cascade::{MOST_SLOTS, cascade, first_word}
 #import cutaway::crossings::{head_of, listed, z_at}

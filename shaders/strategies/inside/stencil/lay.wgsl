@@ -1,4 +1,4 @@
-// Lays the depth of one crossing of every pixel into the depth buffer, bit for bit as the list has it. Where a pixel has no such
+// Lays the depth of one crossing of every pixel into the depth buffer, bit for bit as in the list. Where a pixel has no such
 // crossing it lays 0, behind which there is nothing.
 
 #import cutaway::crossings::{head_of, listed, z_at}

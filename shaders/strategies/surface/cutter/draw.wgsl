@@ -1,11 +1,11 @@
 // Draws cutters for the sake of their fragments alone: each leaves its depth, its clip-surface and the normal to shade by in its
 // pixel's list.
 //
-// The first vertex of a triangle is its own: what the triangle is goes with it. A fragment's normal is that of the side it shows: where
+// The first vertex of a triangle is its own: it carries the data of the triangle. A fragment's normal is that of the side it shows: where
 // a ray leaves the removed side it comes from there, so a cap has the normal that faces the eye.
 //
-// A triangle that reaches past the eye is clipped, by whoever rasterises it, to corners up to a hundred thousand pixels away, and what
-// fixed functions interpolate between these has an error that is seen: there the plane of the triangle is asked for the depth.
+// A triangle that reaches past the eye is clipped, by any rasteriser, to corners up to a hundred thousand pixels away, and the values that
+// fixed functions interpolate between these have a visible error: there the depth is computed from the plane of the triangle.
 
 #import cutaway::crossing_words::normal_bits
 #import cutaway::frame::{buffer_from_depth, centre_of, frame, pixel_index, ray_through}
@@ -14,7 +14,7 @@
 #import cutaway::sheet_lists::leave
 #import cutaway::sheet_words::sheet_word
 
-// A triangle of a cutter, beside its first corner.
+// A triangle of a cutter, without its first corner.
 struct CutterFace {
     second: vec4<f32>,
     third: vec4<f32>,
@@ -32,8 +32,8 @@ struct Corner {
     @location(0) normal: vec3<f32>,
     @location(1) @interpolate(flat, first) surface: u32,
     @location(2) @interpolate(flat, first) first: vec3<f32>,
-    // Of the triangle that begins here: its plane, whether it is shaded by the normals of its corners, and between which depths it lies
-    // where its plane is asked for the depth, or 0.
+    // For the triangle that begins here: its plane, whether it is shaded by the normals of its corners, and the depths between which it
+    // lies if its depth is computed from the plane, or 0.
     @location(3) @interpolate(flat, first) plane: vec4<f32>,
     @location(4) @interpolate(flat, first) depths: vec2<f32>,
 }

@@ -1,5 +1,5 @@
 // Draws the cap of a part at the near plane: where the ray of a pixel begins, the image of the part's volume (the open module
-// `volume`) is asked as it is at a clip-surface. It lies before everything; of several parts the first that is drawn stays.
+// `volume`) is sampled as it is at a clip-surface. It lies before everything; of several parts the first that is drawn stays.
 
 #import cutaway::cuts::{is_removed, parts}
 #import cutaway::frame::{frame, ray_through}

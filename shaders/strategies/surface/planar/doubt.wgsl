@@ -1,5 +1,5 @@
 // Marks what planes can meet of parts whose sections by them are not whole: a ray that goes from removed to kept there may have a
-// cap that nobody knows of. One fragment owns one pixel of one triangle; it costs a walk through the list of its pixel.
+// cap that is not known. One fragment owns one pixel of one triangle; it costs a walk through the list of its pixel.
 //
 // The mark is set and not flipped, in the plane of words behind the lanes: triangles may share pixels, and parts may.
 

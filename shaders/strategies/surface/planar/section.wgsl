@@ -2,7 +2,7 @@
 // inside its part. One fragment owns one pixel of one triangle.
 //
 // The bit is flipped and not set: triangles that share their corners cover each pixel of their polygon an odd number of times,
-// also where rounding has turned one of them over, and each pixel outside of it an even number.
+// also where rounding has turned one of them over, and each pixel outside of the polygon an even number.
 
 #import cutaway::crossings::{head_of, listed, surface_at}
 #import cutaway::cuts::{MAX_SURFACES, parts}

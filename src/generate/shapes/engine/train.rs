@@ -1,4 +1,4 @@
-//! What the crank drives: rods, pistons and their pins.
+//! Parts driven by the crank: rods, pistons and their pins.
 
 use glam::{DVec2, DVec3};
 

@@ -7,7 +7,7 @@ pub struct Edges {
     keys: Vec<u64>,
 }
 
-/// How many edges there are of each sort.
+/// Number of edges of each sort.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct EdgeCount {
     pub(crate) edges: usize,
@@ -64,11 +64,11 @@ fn keys_of([a, b, c]: &[u32; 3]) -> [u64; 3] {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct EdgeUse {
     pub(crate) triangle: u32,
-    /// It has the edge from the larger index to the smaller.
+    /// True if it has the edge from the larger index to the smaller.
     pub(crate) is_down: bool,
 }
 
-/// The uses of all edges with who uses them, sorted as those of [`Edges`], then by triangle.
+/// The uses of all edges with their triangles, sorted as those of [`Edges`], then by triangle.
 pub(crate) struct EdgeUses(Vec<(u64, u32)>);
 
 impl EdgeUses {

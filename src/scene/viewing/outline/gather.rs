@@ -1,4 +1,4 @@
-//! Points of a part whose convex hull is that of what is kept of it.
+//! Points whose convex hull is that of the kept geometry of a part.
 
 use glam::DVec3;
 use rayon::prelude::*;
@@ -16,7 +16,7 @@ const CROSSING_HALVINGS: u32 = 24;
 /// Steps to where two reliefs meet.
 const MEETING_STEPS: u32 = 8;
 
-/// By how much of its corners a point may lie beside a triangle and is taken for one on its edge.
+/// Distance from a triangle, as a share of its corners, within which a point counts as on its edge.
 const ON_EDGE: f64 = 1e-9;
 
 /// Triangles that one thread takes at a time.
@@ -85,12 +85,12 @@ struct Gather<'a> {
     least: f64,
 }
 
-/// What some triangles give.
+/// Points from some triangles.
 struct Found {
     /// Vertices that are kept, some of them more than once.
     taken: Vec<usize>,
     more: Vec<DVec3>,
-    /// Of each side where edges cross it.
+    /// Per side: its crossings with edges.
     rims: Vec<Vec<DVec3>>,
 }
 
@@ -99,7 +99,7 @@ impl Gather<'_> {
         self.brackets[vertex * self.regions.sides.len() + side]
     }
 
-    /// Whether a simplex of vertices is kept as a whole, as far as sides say that hold on to all of it.
+    /// Returns true if a simplex of vertices is kept as a whole, as far as sides that hold for all its points can decide.
     fn is_whole(&self, corners: &[usize]) -> bool {
         let over = |side| {
             corners
@@ -109,7 +109,7 @@ impl Gather<'_> {
         self.regions.keep(over)
     }
 
-    /// Whether all of it is removed: under every side of one cut. A box has two sides along every axis, and none to be under as a whole.
+    /// Returns true if all of the simplex is under every side of one cut. A box has two sides per axis, and no single plane to be under.
     fn is_gone(&self, corners: &[usize]) -> bool {
         let is_under = |side: usize| {
             let under = corners
@@ -121,7 +121,7 @@ impl Gather<'_> {
         cuts.any(|[first, end]| (*first..*end).all(is_under))
     }
 
-    /// What is kept of some triangles.
+    /// Points of the kept geometry of some triangles.
     fn found(&self, triangles: &[[u32; 3]]) -> Found {
         let mut found = Found {
             taken: Vec::new(),
@@ -178,7 +178,7 @@ impl Gather<'_> {
         }
     }
 
-    /// Where an edge crosses a side.
+    /// Finds crossings of an edge with a side.
     fn cross(&self, side: usize, [a, b]: [usize; 2], found: &mut Vec<(f64, Option<usize>)>) {
         let [low, high] = [a, b].map(|v| self.bracket(v, side));
         let surface = &self.regions.sides[side];
@@ -241,7 +241,7 @@ impl Gather<'_> {
         }
     }
 
-    /// Where two sides meet in a triangle. Reliefs are met in steps, each with the planes that they lie in at the last.
+    /// Point at which two sides meet in a triangle. Reliefs are met in steps, each with the planes at the heights of the last point.
     fn meeting(&self, sides: [usize; 2], corners: [usize; 3]) -> Option<DVec3> {
         let [a, b, c] = corners.map(|v| self.placed[v]);
         let of_planes = sides.map(|side| {

@@ -1,4 +1,4 @@
-//! What is removed of one part: the cuts that apply to it, each as the sides that it removes together.
+//! The removed region of one part: the cuts that apply to it, each as the sides that it removes together.
 
 use glam::DVec3;
 
@@ -21,7 +21,7 @@ pub(super) enum Side {
 pub(super) struct Regions {
     /// Sides, those of one cut one after the other.
     pub(super) sides: Vec<Side>,
-    /// Of each cut the first of its sides and the one after its last.
+    /// Per cut: the first of its sides and the one after its last.
     pub(super) cuts: Vec<[usize; 2]>,
 }
 
@@ -61,7 +61,7 @@ impl Side {
         }
     }
 
-    /// Whether heights have to be asked for at each point, for they are not linear along lines.
+    /// Returns true if heights must be evaluated at each point, since they are not linear along lines.
     pub(super) fn is_rough(&self) -> bool {
         match self {
             Self::Surface { surface, .. } => surface.relief.is_some(),
@@ -107,7 +107,7 @@ impl Side {
 }
 
 impl Regions {
-    /// Those of a part. A cut by a cutter that removes its inside is taken for none.
+    /// The regions of a part. A cut by a cutter that removes its inside is ignored.
     pub(super) fn of(scene: &Scene, part: &Part) -> Self {
         let mut regions = Self {
             sides: Vec::new(),
@@ -134,17 +134,17 @@ impl Regions {
         regions
     }
 
-    /// Whether no cut removes a point, where `is_over` says that it is over a side.
+    /// Returns true if no cut removes a point; `is_over` returns true if the point is over a side.
     pub(super) fn keep(&self, is_over: impl Fn(usize) -> bool) -> bool {
         (self.cuts.iter()).all(|[first, end]| (*first..*end).any(&is_over))
     }
 
-    /// Whether a point is kept, and not only on the border of what is.
+    /// Returns true if a point is kept and is not on the border of the kept region.
     pub(super) fn keep_point(&self, point: DVec3, least: f64) -> bool {
         self.keep(|side| self.sides[side].height(point) > least)
     }
 
-    /// Which cut a side belongs to.
+    /// Cut that a side belongs to.
     pub(super) fn cut_of(&self, side: usize) -> Option<usize> {
         (self.cuts.iter()).position(|[first, end]| (*first..*end).contains(&side))
     }

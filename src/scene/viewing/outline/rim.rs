@@ -1,4 +1,4 @@
-//! What caps have that no edge of the mesh leads to: heights of reliefs between their rims, corners where three cuts meet inside a solid,
+//! Points of caps that no edge of the mesh leads to: heights of reliefs between their rims, corners where three cuts meet inside a solid,
 //! and those of boxes.
 
 use glam::{DVec2, DVec3};
@@ -71,7 +71,7 @@ pub(super) fn corners_of_boxes(regions: &Regions, placed: &[DVec3], least: f64) 
     corners
 }
 
-/// Where planes of three cuts meet inside the solid of some triangles.
+/// Points where planes of three cuts meet inside the solid of some triangles.
 pub(super) fn inner_corners(
     regions: &Regions,
     placed: &[DVec3],
@@ -111,8 +111,8 @@ pub(super) fn inner_corners(
     corners
 }
 
-/// Whether a ray from a point crosses triangles an odd number of times. It goes nowhere along axes, so that it meets no edge of what is
-/// built along them.
+/// Returns true if a ray from a point crosses triangles an odd number of times. It is not parallel to any axis, so it meets no edge of
+/// axis-aligned geometry.
 fn is_inside(point: DVec3, placed: &[DVec3], triangles: &[[u32; 3]]) -> bool {
     let ray = DVec3::new(0.913_545, 0.287_361, 0.287_918);
     let crossed = triangles.iter().filter(|triangle| {
@@ -148,7 +148,7 @@ fn ring(mut points: Vec<DVec2>) -> Vec<DVec2> {
     all
 }
 
-/// Whether a point lies within a convex ring.
+/// Returns true if a point lies within a convex ring.
 fn holds(ring: &[DVec2], point: DVec2) -> bool {
     let edges = ring.iter().zip(ring.iter().cycle().skip(1));
     edges

@@ -7,7 +7,7 @@
 //! Ancestors: Heidmann's and Carmack's shadow volumes; capping with the clip plane laid into the depth buffer is old practice.
 //!
 //! Per frame: the mesh once for its surfaces, and each cut part once more for each crossing a pixel may have and once for the total;
-//! a pass over the picture for each crossing and each 8 pairs; 5 bytes a pixel beside the mask. No atomics in the passes
+//! a pass over the picture for each crossing and each 8 pairs; 5 bytes a pixel in addition to the mask. No atomics in the passes
 //! over the mesh.
 //!
 //! On the adapter of the tests the mask is that of `mask` bit for bit. Elsewhere a depth test may round a depth otherwise than the
@@ -31,7 +31,7 @@ use crate::strategies::surface;
 
 /// Pairs that fit a stencil.
 const BITS: usize = 8;
-/// Passes beyond which a frame is refused: a device times so many in one go.
+/// Limit of passes for a frame, above which it is refused: a device times this many at once.
 const MOST_PASSES: usize = 2000;
 
 /// One draw of one part.
@@ -115,7 +115,7 @@ fn record(
     Ok(finish(plan, &scene, layered))
 }
 
-/// What the batches share.
+/// Data shared by the batches.
 struct Marks<'a> {
     scene: &'a SceneBuffers<'a>,
     stencil: ResourceId,

@@ -1,4 +1,4 @@
-//! Which texels of each clip-surface are tessellated, and in what patches.
+//! Tessellated texels of each clip-surface, and their patches.
 //!
 //! The domain covers the box of the cut solids as seen along the normal: a point of the surface lies over the point of the plane that
 //! it was displaced from. It is rounded out to whole patches, counted from the origin of the map, so that a solid that moves does not
@@ -60,7 +60,7 @@ pub(super) fn texels(row: &Domain) -> [u64; 2] {
     row.patches.map(|n| u64::from(n) << row.patch_bits)
 }
 
-/// What a domain covers along an axis, from the origin of a clip-surface.
+/// Interval that a domain covers along an axis, from the origin of a clip-surface.
 fn covered(surface: &PreparedSurface, input: &Input<'_>, axis: DVec3) -> [f64; 2] {
     let margin = beyond_box(input.view);
     let [low, high] = span(surface, input, axis);

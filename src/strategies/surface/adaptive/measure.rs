@@ -1,4 +1,4 @@
-//! Measuring, once for each map and for the texels of it that matter, what every triangle of a tessellation would be off by.
+//! Measures the error of every triangle of a tessellation, once for each map and for its relevant texels.
 //!
 //! The passes know the clip-surfaces by a table of their own, without what tells where they lie: neither another cut nor a relief
 //! that moves along its normal or is scaled has anything measured again.
@@ -9,7 +9,7 @@ use crate::plan::pack::Domain;
 use crate::plan::{Binding, Clock, Pass, Plan, Resource, ResourceId, Work};
 
 /// Records the passes that fill `sheet_errors`: cells first, then edges and squares from the smallest on, each no less than those
-/// that come of it.
+/// halved from them.
 pub(super) fn record(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,

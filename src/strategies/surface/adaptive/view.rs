@@ -1,4 +1,4 @@
-//! What a view asks of a tessellation: how far off it may be at which depth, and which of it is seen.
+//! View-dependent part of a tessellation: the tolerated error by depth, and the visible part.
 //!
 //! A point of the surface that is off by e along the normal is seen off by at most `f sqrt(1 + r²) e / (w - e)` pixels, f being the
 //! focal length in pixels, r the tangent of the angle between the viewing direction and the corner of the picture farthest from it, w

@@ -1,4 +1,4 @@
-//! Whether rays are followed through reliefs from cell to cell or over a pyramid: by the cells that a ray is expected to pass.
+//! Choice of the walk of rays through reliefs, from cell to cell or over a pyramid: by the cells that a ray is expected to pass.
 //!
 //! A ray passes texel density x way through the slab of heights x sine of its angle to the normal, which differs over the picture:
 //! the mean over a grid of rays is taken, of those that meet the box of the cut solids and the slab.
@@ -13,12 +13,12 @@ use crate::scene::{Bounds, PreparedSurface, View};
 
 /// Expected cells from which on the pyramid is taken. Measured on Mesa's llvmpipe, time of the walk over that of the pyramid: 17 cells
 /// 0.8, 27 and 42 about 1, 60 to 150 0.9 to 1.7 (256 x 256 texels, fractal); 65 cells 1.4, 106 1.6, 319 2.4, 600 3.0 (1024 x 1024);
-/// smooth maps are slower by it up to some 70 cells. A map that is built anew in every frame asks for more.
+/// smooth maps are slower with it up to some 70 cells. A map that is rebuilt in every frame needs more.
 const CELLS_FOR_PYRAMID: f64 = 40.0;
-/// Rays along each side of the picture, or of what of it the box of the cut solids may be in.
+/// Rays along each side of the picture, or of the part in which the box of the cut solids may be.
 const RAYS: u32 = 12;
 
-/// What was chosen, and why: words for the reader of the plan.
+/// The choice and its reason, as words for the reader of the plan.
 pub(super) struct Choice {
     pub(super) walk: ReliefWalk,
     pub(super) reason: String,
@@ -75,7 +75,7 @@ fn expected_cells(input: &Input<'_>) -> f64 {
     }
 }
 
-/// The rectangle of the picture, in pixels, that a box may be in: all of it where some of the box is behind the eye.
+/// The rectangle of the picture, in pixels, that a box may be in: the whole picture if some of the box is behind the eye.
 fn seen(bounds: &Bounds, view: &View) -> [DVec2; 2] {
     let size = DVec2::from(view.size_px.map(f64::from));
     let clip = bounds

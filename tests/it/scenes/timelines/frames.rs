@@ -220,7 +220,7 @@ fn broken_frames_are_named() {
     }
     for (pattern, fps, phrase) in [
         ("nowhere/%d.ply", 24.0, "nowhere/0.ply"),
-        ("walk.ply", 24.0, "no number"),
+        ("walk.ply", 24.0, "no frame-number format"),
     ] {
         let opened = Sequence::open(pattern, fps, &mut Assets::default());
         let error = opened.expect_err(pattern).to_string();

@@ -18,7 +18,7 @@ use crate::writing::output::Pending;
 /// An animated PNG that is being written.
 pub(super) struct Apng {
     path: PathBuf,
-    // Before its place: files are removed when nobody writes to them any more.
+    // Before its place: files are removed once their writer is closed.
     writer: Writer<File>,
     pending: Pending,
     size_px: [u32; 2],

@@ -152,7 +152,7 @@ fn must_be_whole(culprit: &str, pattern: &Pattern, stamp: &Stamp) -> Result<()> 
     Err(Error::input(culprit, what, DRAW_MISSING))
 }
 
-/// Refuses a picture of another animation than the first, or one that is not complete beside those that are.
+/// Refuses a picture of another animation than the first, or an incomplete one among complete ones.
 fn must_belong(path: &Path, index: u32, own: Option<&Stamp>, first: Option<&Stamp>) -> Result<()> {
     let (what, help) = match (own, first) {
         (None, None) => return Ok(()),

@@ -1,4 +1,4 @@
-//! What every format of animations does: takes frames one by one, and puts the whole into its place at the end.
+//! Interface of all animation formats: an encoder takes frames one by one, and puts the whole into its place at the end.
 
 use std::path::Path;
 
@@ -17,7 +17,7 @@ use crate::console::Console;
 
 /// A format that is being written. Dropped before its end, it leaves no file that is not whole.
 pub(super) trait Encoder {
-    /// Whether a frame, counted from 0, is in its place already and need not be added.
+    /// Returns true if a frame, counted from 0, is in its place already and need not be added.
     fn has(&self, _number: u32) -> bool {
         false
     }
@@ -45,7 +45,7 @@ pub(super) fn encoder(
     })
 }
 
-/// Where two frames differ.
+/// Bounding rectangle of the pixels where two frames differ.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Rectangle {
     /// Upper left corner.
@@ -96,7 +96,7 @@ impl Rectangle {
         }
     }
 
-    /// The rows of it in a picture.
+    /// The rows of the rectangle in a picture.
     pub(super) fn rows<'a, T>(
         &self,
         picture: &'a [T],

@@ -23,7 +23,7 @@ pub(super) fn even(size_px: [u32; 2]) -> [u32; 2] {
     size_px.map(|s| s.next_multiple_of(2))
 }
 
-/// A process that does not outlive whoever started it.
+/// A child process that ends when this is dropped.
 struct Running(Child);
 
 impl Drop for Running {
@@ -37,10 +37,10 @@ impl Drop for Running {
 /// A film that ffmpeg is writing.
 pub(super) struct Ffmpeg {
     path: PathBuf,
-    // Before what it writes to: files are removed when nobody writes to them any more.
+    // Before what it writes to: files are removed once their writer is closed.
     running: Running,
     pending: Pending,
-    /// What it complains of, read beside so that it never waits.
+    /// Its error output, read by a thread so that the process never blocks on it.
     complaint: Option<JoinHandle<String>>,
     size_px: [u32; 2],
 }

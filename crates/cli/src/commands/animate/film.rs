@@ -21,7 +21,7 @@ use crate::notes::warn_of_doubt;
 use crate::renderer_request::RendererChoice;
 use crate::verdict::Verdict;
 
-/// What takes longer than this says beforehand how long, where no bar shows it.
+/// Seconds from which the expected time is reported beforehand, where no progress bar shows it.
 const PATIENCE_S: f64 = 10.0;
 
 /// All that frames are drawn from.
@@ -40,7 +40,7 @@ pub(super) struct Film<'a> {
 }
 
 impl Film<'_> {
-    /// A frame, and what there is to say of it.
+    /// Draws a frame and returns it with its report.
     pub(super) fn draw(
         &mut self,
         frame: u32,
@@ -133,7 +133,7 @@ impl Film<'_> {
         })
     }
 
-    /// All of it in a line.
+    /// Reports all frames in one line.
     pub(super) fn say(&self, frames: &[FrameReport], console: &Console) {
         let [width, height] = self.subject.size_px();
         let clocks = report::clocks(frames);

@@ -28,7 +28,7 @@ const AS_BEFORE: u8 = MOST_COLORS as u8;
 /// Shortest delay in hundredths of a second: browsers take shorter ones for a slip and show a tenth of a second.
 const LEAST_DELAY_CS: f64 = 2.0;
 
-/// The rate nearest to what is asked for that delays in hundredths of a second can have.
+/// The nearest rate to `fps` with a delay in whole hundredths of a second.
 pub(super) fn nearest_fps(fps: f64) -> f64 {
     100.0 / f64::from(delay_cs(fps))
 }
@@ -42,7 +42,7 @@ fn delay_cs(fps: f64) -> u16 {
 /// A GIF that is being written.
 pub(super) struct Gif {
     path: PathBuf,
-    // Before its place: files are removed when nobody writes to them any more.
+    // Before its place: files are removed once their writer is closed.
     file: File,
     pending: Pending,
     size_px: [u32; 2],
@@ -115,7 +115,7 @@ impl Encoder for Gif {
     }
 }
 
-/// What all frames have in common.
+/// Data common to all frames.
 struct Film<'a> {
     palette: &'a Palette,
     size_px: [u32; 2],
@@ -126,7 +126,7 @@ struct Film<'a> {
 impl Film<'_> {
     fn write(&self, file: File, frames: &[Vec<u8>], plays: Plays) -> Result<(), EncodingError> {
         let mut colors = self.palette.colors.concat();
-        // The last of 256 is nobody's colour.
+        // The last of 256 entries is no colour of the picture.
         colors.resize(256 * 3, 0);
         let [width, height] = self.size_px;
         let writer = BufWriter::new(file);

@@ -1,4 +1,4 @@
-//! Which run a numbered frame is of: the scene that all options amount to, its times, the files that it reads, the program and the
+//! Identity of the run of a numbered frame: the scene that results from all options, its times, its input files, the program and the
 //! device. A frame of the same run would be drawn to the same pixels, and need not be drawn again.
 
 use cutaway::session::Session;
@@ -8,14 +8,14 @@ use super::times::Times;
 use crate::input::stdin;
 use crate::input::subject::Subject;
 
-/// What tells this program from others: its length and when it was written. Reading all of it would take as long as a frame.
+/// Identity of this program: its length and modification time. Reading the whole file would take as long as a frame.
 fn program() -> String {
     let file = std::env::current_exe().and_then(std::fs::metadata);
     let written = file.and_then(|m| Ok((m.len(), m.modified()?)));
     format!("{:?}", written.ok())
 }
 
-/// The identity of a run. Where results go, and which share of them is drawn, is not part of it.
+/// The identity of a run, without the output paths and the share of frames that is drawn.
 pub(super) fn of(
     subject: &Subject,
     times: &Times,

@@ -85,7 +85,7 @@ pub(crate) struct AnimateArgs {
         help_heading = "Cuts"
     )]
     sweep: Option<Sweep>,
-    /// The camera goes round the up axis, all the way or by so many degrees, on top of what moves: --turntable=90
+    /// The camera goes round the up axis, all the way or by N degrees, on top of what moves: --turntable=90
     #[arg(
         long = "turntable",
         value_name = "DEGREES",
@@ -223,7 +223,7 @@ pub(crate) fn run(args: &AnimateArgs) -> Result<Verdict> {
     })
 }
 
-/// Lets a plane move as long as anything else does, or as is asked for.
+/// Lets a plane move as long as anything else does, or for the requested duration.
 fn add_sweep(
     sweep: Sweep,
     document: &mut Document,
@@ -312,7 +312,7 @@ fn times(
     args.times.times(fps, moving_s)
 }
 
-/// Frames a second that are asked for, and those that the target can have.
+/// Requested frames per second, and those that the target supports.
 fn rate(args: &AnimateArgs, target: &Target, stands_still: bool) -> (f64, f64) {
     match target {
         Target::Gif(_) => {

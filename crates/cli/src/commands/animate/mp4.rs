@@ -1,10 +1,10 @@
-//! Whether an MP4 file is whole, by its boxes: an encoder whose disk is full may end as if nothing were wrong.
+//! Completeness of an MP4 file, by its boxes: an encoder may report success although the disk is full.
 
 use std::fs::File;
 use std::io::{Read, Seek, SeekFrom};
 use std::path::Path;
 
-/// What is missing of a file for it to be played, if something is: the list of its frames (`moov`), the frames (`mdat`), or the end of
+/// Description of what a file lacks to be played, if anything: the list of its frames (`moov`), the frames (`mdat`), or the end of
 /// a box.
 pub(super) fn missing(path: &Path) -> std::io::Result<Option<String>> {
     let mut file = File::open(path)?;

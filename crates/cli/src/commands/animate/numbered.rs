@@ -39,7 +39,7 @@ impl Numbered {
         self.pattern.file(number + 1)
     }
 
-    /// What a frame says of itself.
+    /// Metadata of a frame.
     fn stamp(&self, number: u32) -> Stamp {
         Stamp {
             run: self.run.text(),

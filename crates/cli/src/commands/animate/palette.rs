@@ -23,7 +23,7 @@ const CELL: usize = 256 / CELLS;
 
 /// Collects colours from frames.
 pub(super) struct Sampler {
-    /// Of each frame, about one pixel in so many.
+    /// Mean distance between sampled pixels of a frame.
     stride: usize,
     sampled: Vec<[u8; 3]>,
     /// All colours, as long as there are few.
@@ -32,7 +32,7 @@ pub(super) struct Sampler {
 }
 
 impl Sampler {
-    /// For so many pixels in all.
+    /// Returns a sampler for `pixels` pixels in total.
     pub(super) fn new(pixels: usize) -> Self {
         Self {
             stride: pixels.div_ceil(SAMPLES).max(1),
@@ -109,7 +109,7 @@ fn refined(palette: &Palette, sampled: &[[u8; 3]]) -> Vec<[u8; 3]> {
     means.collect()
 }
 
-/// Whether a GIF shows a pixel: it knows no half transparent ones.
+/// Returns true if a GIF shows a pixel: the format has no partial transparency.
 pub(super) fn is_opaque(rgba: &[u8]) -> bool {
     rgba[3] >= 128
 }

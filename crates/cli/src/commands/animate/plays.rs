@@ -1,4 +1,4 @@
-//! How often a GIF or an animated PNG plays: the value of `--loop`.
+//! Play count of a GIF or an animated PNG: the value of `--loop`.
 
 use std::str::FromStr;
 
@@ -7,10 +7,10 @@ use cutaway::Error;
 
 use super::target::Target;
 
-/// How often an animation plays, as an option.
+/// Play count of an animation, as an option.
 #[derive(Args, Clone, Copy)]
 pub(crate) struct LoopArgs {
-    /// How often a GIF or an animated PNG plays [default: forever]
+    /// Number of times that a GIF or an animated PNG plays [default: forever]
     #[arg(
         long = "loop",
         value_name = "N|forever",
@@ -31,13 +31,13 @@ impl LoopArgs {
         Err(Error::input("--loop", what, help))
     }
 
-    /// How often it plays.
+    /// The play count.
     pub(super) fn plays(self) -> Plays {
         self.plays.unwrap_or(Plays::Forever)
     }
 }
 
-/// How often an animation plays.
+/// Play count of an animation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Plays {
     /// Without end.

@@ -12,7 +12,7 @@ pub(super) struct Program {
     pub(super) codec: &'static [&'static str],
 }
 
-/// What ffmpeg may have built in, the best first, with what makes each look good.
+/// Codecs that ffmpeg may have built in, the best first, with the options that make each look good.
 const CODECS: &[(&str, &[&str])] = &[
     (
         "libx264",

@@ -1,4 +1,4 @@
-//! What is reported of an animation: frame by frame as JSON, and in one line.
+//! Reports of an animation: frame by frame as JSON, and in one line.
 
 use cutaway::gpu::ClockSet;
 use cutaway::plan::Clock;
@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 pub(super) struct FrameReport {
     /// Its time in the scene.
     pub(super) time_s: f64,
-    /// How it ended: the worst of its samples.
+    /// Outcome of the frame: the worst of its samples.
     pub(super) outcome: Outcome,
     /// Clocks that ran.
     clocks: ClockSet,
@@ -22,7 +22,7 @@ pub(super) struct FrameReport {
 }
 
 impl FrameReport {
-    /// What there is to say of the frames that a picture was made of.
+    /// Report of the frames that a picture was made of.
     pub(super) fn of(time_s: f64, frames: &[Drawn], drawn_ms: f64) -> Self {
         let incomplete = frames.iter().find(|f| f.outcome != Outcome::Complete);
         let mean = |clock: Clock| {
@@ -51,7 +51,7 @@ impl FrameReport {
         }
     }
 
-    /// Whether it was there already.
+    /// Returns true if the picture existed already.
     pub(super) fn is_kept(&self) -> bool {
         self.drawn_ms.is_none()
     }
@@ -79,7 +79,7 @@ pub(super) fn median_ms(frames: &[FrameReport]) -> f64 {
     Samples::new(frames.iter().filter_map(|f| f.drawn_ms).collect()).median
 }
 
-/// How often each clock ran, in words; none of exact.
+/// Number of runs of each clock, in words; none for exact.
 pub(super) fn clocks(frames: &[FrameReport]) -> String {
     let counts = Clock::ALL.map(|c| (c, frames.iter().filter(|f| f.clocks.contains(c)).count()));
     let ran: Vec<String> = (counts.iter().filter(|(_, n)| *n > 0))

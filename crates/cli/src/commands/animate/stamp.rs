@@ -1,4 +1,4 @@
-//! What a numbered picture says of itself in text chunks of PNG: the run that drew it, and which of how many frames it is.
+//! Metadata of a numbered picture in PNG text chunks: the run that drew it, its number and the frame count.
 //!
 //! A picture without them was drawn by another program, or is not complete.
 
@@ -30,7 +30,7 @@ impl Stamp {
         [(RUN, self.run.clone()), (FRAME, frame)]
     }
 
-    /// That of a picture which can be read to its end.
+    /// The stamp of a picture that can be read to its end.
     pub(super) fn of_whole(png: impl BufRead + Seek) -> Option<Self> {
         let mut reader = png::Decoder::new(png).read_info().ok()?;
         let mut pixels = vec![0; reader.output_buffer_size()?];

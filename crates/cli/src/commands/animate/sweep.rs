@@ -10,7 +10,7 @@ use glam::DVec3;
 
 use crate::input::sections::SectionArgs;
 
-/// An axis, the side of it that is kept, and where the plane begins and ends.
+/// An axis, its kept side, and the start and end of the plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Sweep {
     axis: usize,

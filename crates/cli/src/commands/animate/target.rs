@@ -1,4 +1,4 @@
-//! Where an animation goes, and by that in which form: the end of its name decides.
+//! Destination of an animation. The end of its name selects the format.
 
 use std::path::{Path, PathBuf};
 
@@ -93,7 +93,7 @@ impl Target {
         }
     }
 
-    /// All files of so many frames.
+    /// All files of `count` frames.
     pub(super) fn files(&self, count: u32) -> Vec<PathBuf> {
         match self {
             Self::Numbered(pattern) => (1..=count).map(|number| pattern.file(number)).collect(),
@@ -101,7 +101,7 @@ impl Target {
         }
     }
 
-    /// Whether it says by itself how often it plays.
+    /// Returns true if the format stores its play count.
     pub(super) fn counts_plays(&self) -> bool {
         matches!(self, Self::Gif(_) | Self::Apng(_))
     }

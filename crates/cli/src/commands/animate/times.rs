@@ -8,22 +8,22 @@ use cutaway::{Error, Result};
 use crate::input::args::parse_finite;
 use crate::input::when::parse_time;
 
-/// What a turntable takes where nothing else says how long.
+/// Default duration of a turntable in seconds.
 const USUAL_TURN_S: f64 = 4.0;
 
 /// Frames that are no slip: half an hour at 50 a second.
 pub(super) const MOST_FRAMES: u32 = 90_000;
 
-/// Which times are shown.
+/// Selection of the times to show.
 #[derive(Args)]
 pub(super) struct TimesArgs {
     /// Frames per second [default: 24; GIF 12.5; delays of a GIF are hundredths of a second]
     #[arg(long, value_name = "N", value_parser = parse_fps, allow_hyphen_values = true, help_heading = "Time")]
     pub(super) fps: Option<f64>,
-    /// How long it is [default: as long as something moves, or 4 for a turntable of what stands still]
+    /// Duration [default: as long as something moves, or 4 for a turntable of what stands still]
     #[arg(long = "duration", value_name = "SECONDS", value_parser = parse_duration, allow_hyphen_values = true, help_heading = "Time")]
     duration_s: Option<f64>,
-    /// How many frames it has, instead of --duration; those of a turntable of what stands still go over 4 seconds, where there is no --fps
+    /// Number of frames, instead of --duration; those of a turntable of what stands still go over 4 seconds, where there is no --fps
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..), conflicts_with = "duration_s", help_heading = "Time")]
     frames: Option<u32>,
     /// Time of the first frame
@@ -38,12 +38,12 @@ pub(super) struct Times {
     pub(super) start_s: f64,
     /// Frames per second.
     pub(super) fps: f64,
-    /// How many there are.
+    /// Number of frames.
     pub(super) count: u32,
 }
 
 impl TimesArgs {
-    /// Frames a second: as asked for, else the usual ones. So many frames as are asked for of a turntable alone are spread over the turn.
+    /// Frames per second: as requested, else the default. Frames requested for a turntable alone are spread over the turn.
     pub(super) fn rate(&self, usual: f64, stands_still: bool) -> f64 {
         let of_a_turn = (self.frames.filter(|_| stands_still))
             .map(|frames| (f64::from(frames) / USUAL_TURN_S).min(usual));
@@ -85,12 +85,12 @@ impl Times {
         self.start_s + f64::from(frame) / self.fps
     }
 
-    /// Which share of the whole is over when a frame begins: from 0 to less than 1.
+    /// Share of the whole that is over when a frame begins: from 0 to less than 1.
     pub(super) fn share(&self, frame: u32) -> f64 {
         f64::from(frame) / f64::from(self.count)
     }
 
-    /// How long all frames take together.
+    /// Duration of all frames together in seconds.
     pub(super) fn duration_s(&self) -> f64 {
         f64::from(self.count) / self.fps
     }

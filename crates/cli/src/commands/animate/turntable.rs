@@ -37,7 +37,7 @@ pub(super) fn turned(
     }
 }
 
-/// Where a turn begins.
+/// Start of a turn.
 struct Start {
     camera: Camera,
     position: DVec3,
@@ -122,7 +122,7 @@ impl Start {
     }
 }
 
-/// Where a camera that is fitted is after a turn about its up axis.
+/// Viewpoint of a fitted camera after a turn about its up axis.
 fn after(camera: &Camera, turn_deg: f64) -> Viewpoint {
     match camera.viewpoint {
         Viewpoint::Orbit {

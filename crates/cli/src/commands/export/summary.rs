@@ -1,14 +1,14 @@
-//! What `export` says of each part, as JSON: triangles, volumes, areas of caps, open edges.
+//! Report of `export` on each part, as JSON: triangles, volumes, areas of caps, open edges.
 
 use cutaway::scene::{Edges, Mesh, Scene, SceneSpace};
 use cutaway::slice::{CappedPart, Half, Slicer, planes_of};
 use serde_json::{Value, json};
 
-/// What there is to say of a part.
+/// Summary of a part.
 pub(super) struct ExportSummary {
     pub(super) part: String,
     cuts: Vec<String>,
-    /// Of the part as it came in.
+    /// Open edges of the input part.
     pub(super) open_edges: usize,
     pub(super) kept: HalfFacts,
     removed: HalfFacts,
@@ -18,7 +18,7 @@ pub(super) struct ExportSummary {
     defects: Vec<String>,
 }
 
-/// What there is to say of a half of it.
+/// Facts about a half of the part.
 pub(super) struct HalfFacts {
     triangles: usize,
     cap_triangles: usize,
@@ -61,7 +61,7 @@ impl ExportSummary {
     }
 }
 
-/// Caps may cover more than the section by this share of it: less would be the same number for a reader.
+/// Relative excess of cap area over section area that counts as rounding: a reader would see the same number.
 const ROUNDED_AREA: f64 = 1e-5;
 
 impl ExportSummary {

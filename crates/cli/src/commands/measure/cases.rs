@@ -10,7 +10,7 @@ use cutaway_lab::hard_cases::{self, found, usual_methods};
 /// Sides of the pictures where the experiment names none.
 const USUAL_SIZES_PX: [u32; 2] = [64, 256];
 
-/// What came of the hard cases that are asked for; nothing where `goes_on` said no.
+/// Results of the requested hard cases; nothing where `goes_on` returned false.
 pub(super) fn cases(
     session: &mut Session,
     asked: &AskedCases,
@@ -52,7 +52,7 @@ pub(super) fn sizes_px(asked: &AskedCases) -> Vec<u32> {
     }
 }
 
-/// What a search found, as one case: an expectation for each strategy. Nothing where `goes_on` said no.
+/// Result of a search, as one case: an expectation for each strategy. Nothing where `goes_on` returned false.
 pub(super) fn search(
     session: &mut Session,
     asked: &AskedSearch,

@@ -56,7 +56,7 @@ impl Folder {
 
     /// The run that is there, if one is. One of another device, or in full where this is quick, is not to be mixed with this one:
     /// refused unless all is measured again. Shards of one run may be of several devices, but a shard replaces only its own points, so
-    /// that `force` does not allow it beside a run that is quick where this is in full.
+    /// that `force` does not allow a full run next to one that is quick, or the reverse.
     pub(super) fn earlier(
         &self,
         adapter: &AdapterReport,
@@ -113,7 +113,7 @@ impl Folder {
         write_json(&self.path.join(&self.run_file), run)
     }
 
-    /// Writes what was asked, with the names of all records that it makes as `points`, in the order of the experiment: a reader of the
+    /// Writes the definition, with the names of all records that it makes as `points`, in the order of the experiment: a reader of the
     /// folder can tell what is missing, and what is left from before.
     pub(super) fn write_definition(&self, definition: &Definition, stems: &[String]) -> Result<()> {
         let synopsis = Synopsis {
@@ -227,7 +227,7 @@ pub(super) fn remove(files: &[PathBuf]) -> Result<()> {
     Ok(())
 }
 
-/// What a file holds, if it holds such a thing.
+/// Content of a file, if it can be parsed.
 fn read<T: DeserializeOwned>(path: &Path) -> Option<T> {
     let bytes = std::fs::read(path).ok()?;
     serde_json::from_slice(&bytes).ok()

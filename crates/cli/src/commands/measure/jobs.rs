@@ -1,4 +1,4 @@
-//! What is to be measured: the points of all runs that were asked for, in order, checked before the first begins.
+//! Jobs to measure: the points of all requested runs, in order, checked before the first begins.
 
 use std::collections::BTreeSet;
 use std::path::PathBuf;
@@ -22,15 +22,15 @@ use crate::writing::places::InputFiles;
 
 /// One thing to measure.
 pub(super) struct Job<'a> {
-    /// Of which experiment.
+    /// Experiment of the job.
     pub(super) definition: &'a Definition,
-    /// Of which run.
+    /// Run of the job.
     pub(super) run: &'a DefinedRun,
-    /// What it is.
+    /// Task of the job.
     pub(super) task: Task<'a>,
 }
 
-/// What is measured.
+/// Task to measure.
 pub(super) enum Task<'a> {
     /// A point, and whether its pictures are kept.
     Point(&'a SceneRun, &'a Point, bool),
@@ -59,7 +59,7 @@ impl Job<'_> {
         }
     }
 
-    /// What `--only` calls it: the run, and after a colon the point as its files are called.
+    /// Name for `--only`: the run, and after a colon the stem of the point's files.
     fn address(&self) -> String {
         match self.task {
             Task::Point(_, point, _) if !point.stem.is_empty() => {
@@ -69,7 +69,7 @@ impl Job<'_> {
         }
     }
 
-    /// Whether `--only` means it: globs over the run, and over the point where there is a colon.
+    /// Returns true if `--only` selects the job: globs over the run, and over the point where there is a colon.
     fn is_meant(&self, only: &str) -> bool {
         let (run, point) = only.split_once(':').unwrap_or((only, "*"));
         let stem = match self.task {
@@ -89,7 +89,7 @@ impl Job<'_> {
         error.within(&place)
     }
 
-    /// How many rounds it is measured, if it is.
+    /// Number of rounds, if the job is measured.
     pub(super) fn rounds(&self, args: &MeasureArgs) -> usize {
         match self.task {
             Task::Point(run, ..) => args.rounds.map_or(run.rounds, |n| n as usize),
@@ -97,7 +97,7 @@ impl Job<'_> {
         }
     }
 
-    /// How long it takes beside others, in pixels that are drawn: frames of every round, and the reference, which takes as long as some.
+    /// Cost relative to other jobs, in drawn pixels: frames of every round, and the reference, which takes as long as some.
     fn cost(&self, args: &MeasureArgs) -> f64 {
         const REFERENCE_ROUNDS: f64 = 20.0;
         match self.task {
@@ -137,7 +137,7 @@ impl Job<'_> {
         quoted(again.into_iter())
     }
 
-    /// What a record of it would be of.
+    /// Identity of the job's record.
     pub(super) fn identity(
         &self,
         program: &str,
@@ -212,7 +212,7 @@ pub(super) fn load(paths: &[PathBuf]) -> Result<Vec<Definition>> {
     Ok(all)
 }
 
-/// All that is asked of some experiments; refused where a scene names what is not there.
+/// All jobs of some experiments; refused where a scene names something that does not exist.
 pub(super) fn jobs<'a>(definitions: &'a [Definition], args: &MeasureArgs) -> Result<Vec<Job<'a>>> {
     let mut jobs: Vec<Job<'_>> = definitions
         .iter()
@@ -295,7 +295,7 @@ pub(super) fn of_run<'a>(
     tasks.into_iter().map(job).collect()
 }
 
-/// What tells this program from others: its own contents.
+/// Identity of this program: its own contents.
 pub(super) fn program() -> String {
     let mut identity = Identity::default();
     match std::env::current_exe() {
@@ -305,7 +305,7 @@ pub(super) fn program() -> String {
     identity.text()
 }
 
-/// Jobs in words, one line each, with who is asked.
+/// Jobs in words, one line each, with their methods.
 pub(super) fn listed(jobs: &[Job<'_>], args: &MeasureArgs) -> String {
     let mut text = String::new();
     for job in jobs {

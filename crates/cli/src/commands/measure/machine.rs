@@ -1,4 +1,4 @@
-//! Where a run is made: the machine, its place in a cluster, the commit of the program, and the time of day.
+//! Environment of a run: the machine, its place in a cluster, the commit of the program, and the time of day.
 //!
 //! What is not known is left out, never guessed. The commit comes from `git` in the folder that the program was built from, if that
 //! is still there and nothing in it has changed since: a program that was installed, or is older than its sources, has none.
@@ -41,7 +41,7 @@ const JOBS: [&str; 6] = [
     "HQ_JOB_ID",
 ];
 
-/// Where in a cluster this is: job and share, and the node where there is either.
+/// Place in a cluster: job and share, and the node where there is either.
 pub(super) fn place(shard: Option<Shard>) -> Invocation {
     let variables = JOBS.iter().filter_map(|name| std::env::var(name).ok());
     let job = variables.into_iter().find(|id| !id.is_empty());
@@ -54,7 +54,7 @@ pub(super) fn place(shard: Option<Shard>) -> Invocation {
     }
 }
 
-/// What the program is built from, seen from the folder of the project.
+/// Sources of the program, relative to the folder of the project.
 const SOURCES: [&str; 8] = [
     "build.rs",
     "src",

@@ -140,7 +140,7 @@ pub(crate) fn run(args: &MeasureArgs) -> Result<Verdict> {
     Ok(tally.verdict(jobs.len()))
 }
 
-/// How many steps a job tells of.
+/// Number of steps that a job reports.
 fn steps(job: &Job<'_>, args: &MeasureArgs) -> usize {
     match job.task {
         Task::Point(run, point, _) => run.steps(point, job.rounds(args)),
@@ -148,7 +148,7 @@ fn steps(job: &Job<'_>, args: &MeasureArgs) -> usize {
     }
 }
 
-/// What is said of the run. One that goes on keeps its beginning.
+/// Description of the run. A continued run keeps its beginning.
 fn run_of(gpu: &Gpu, earlier: Option<Run>, machine: Machine, is_quick: bool) -> Run {
     let (began, took_s) = match earlier {
         Some(run) => (run.began, run.took_s),
@@ -249,7 +249,7 @@ impl Work<'_> {
         Ok(!tally.interrupted)
     }
 
-    /// A line for each point, for whoever reads the output of a run that nobody looks at.
+    /// Prints a line for each point, for readers of the output of an unattended run.
     fn say_how_far(&self, job: &Job<'_>, tally: &Tally) {
         let (name, run) = (&job.definition.name, &job.run.name);
         let [complete, asked] = tally.of_run(job);
@@ -259,7 +259,7 @@ impl Work<'_> {
         ));
     }
 
-    /// What came of the expectations of a job that need not be measured: its record is held against those that are written by now.
+    /// Expectations of a job that need not be measured: compares its record with those that are written by now.
     fn kept(&self, job: &Job<'_>, identity: &str) -> Result<Option<Vec<Reached>>> {
         let experiment = &job.definition.name;
         let Task::Point(run, point, _) = job.task else {

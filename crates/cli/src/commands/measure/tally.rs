@@ -1,4 +1,4 @@
-//! What an invocation came to: a line for each experiment, and the verdict.
+//! Summary of an invocation: a line for each experiment, and the verdict.
 
 use std::collections::BTreeMap;
 
@@ -9,7 +9,7 @@ use super::jobs::Job;
 use crate::judge::command_line;
 use crate::verdict::Verdict;
 
-/// What was done of one experiment.
+/// Jobs done for one experiment.
 #[derive(Default)]
 struct Line {
     name: String,
@@ -24,15 +24,15 @@ fn key(job: &Job<'_>) -> [String; 2] {
     [job.definition.name.clone(), job.run.name.clone()]
 }
 
-/// What was done of all.
+/// Jobs done for all experiments.
 #[derive(Default)]
 pub(super) struct Tally {
     lines: Vec<Line>,
     /// By experiment and run: how many jobs are complete, out of how many.
     runs: BTreeMap<[String; 2], [usize; 2]>,
-    /// What was begun and has to begin again.
+    /// Job that was begun and must be restarted.
     pub(super) lost: Option<String>,
-    /// Whether somebody ended it.
+    /// True if an interrupt ended the work.
     pub(super) interrupted: bool,
 }
 
@@ -46,7 +46,7 @@ impl Tally {
         tally
     }
 
-    /// How many jobs of the run of this one are complete, and how many were asked for.
+    /// Number of complete and of requested jobs in the run of this one.
     pub(super) fn of_run(&self, job: &Job<'_>) -> [usize; 2] {
         self.runs.get(&key(job)).copied().unwrap_or_default()
     }
@@ -86,7 +86,7 @@ impl Tally {
             .sum()
     }
 
-    /// How it came out.
+    /// Verdict of the invocation.
     pub(super) fn verdict(&self, jobs: usize) -> Verdict {
         if self.interrupted && self.complete() < jobs {
             Verdict::Interrupted

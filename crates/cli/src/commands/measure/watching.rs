@@ -1,4 +1,4 @@
-//! What happens within a job, on the console: its steps, remarks on its scene, expectations that fail.
+//! Console output within a job: its steps, remarks on its scene, expectations that fail.
 
 use std::cell::Cell;
 
@@ -27,7 +27,7 @@ impl<'a> Watching<'a> {
         }
     }
 
-    /// What an interrupt has lost of a point of so many steps, the last of which are its rounds.
+    /// Rounds lost to an interrupt, for a point of `steps` steps, the last of which are its rounds.
     pub(super) fn lost(&self, steps: usize, rounds: usize) -> String {
         let before = steps - rounds;
         // The last round that was reported is not complete.

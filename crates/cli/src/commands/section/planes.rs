@@ -20,17 +20,17 @@ pub(super) struct Plane {
     pub(super) cut: usize,
     /// Number of the clip-surface.
     pub(super) number: usize,
-    /// Which one of the cut it is.
+    /// Face of the cut.
     pub(super) face: Face,
-    /// Where it is, for parts without an offset.
+    /// Position for parts without an offset.
     pub(super) plane: SlicePlane,
 }
 
-/// How one plane lies to another.
+/// Position of one plane relative to another.
 enum Side {
-    /// All of it is on the kept side.
+    /// Wholly on the kept side.
     Kept,
-    /// All of it is on the removed side.
+    /// Wholly on the removed side.
     Removed,
     /// It is on the removed side in a half-plane.
     Crossed(HalfPlane),
@@ -39,12 +39,12 @@ enum Side {
 }
 
 impl Plane {
-    /// Where the plane cuts a part, for which the cut may be offset.
+    /// Plane that cuts a part, with the offset of the cut for that part.
     pub(super) fn for_part(&self, scene: &Scene, part: &Part) -> SlicePlane {
         self.plane.keeping(scene.cuts[self.cut].offset_for(part))
     }
 
-    /// What is left of the section of a part, of some size, by this plane, which is at `at` for it. None if nothing is.
+    /// Trims the section of a part, of a given size, by this plane, which is at `at` for the part. None if nothing is left.
     pub(super) fn trim(
         &self,
         (scene, planes): (&Scene, &[Self]),
@@ -157,7 +157,7 @@ pub(super) fn planes(scene: &Scene) -> Result<Vec<Plane>> {
     Ok(planes)
 }
 
-/// Which face of its cut a plane is. Cuts of one name are one region, as those of a wedge of more than half a turn.
+/// Face of its cut that a plane is. Cuts of one name are one region, as those of a wedge of more than half a turn.
 fn face(scene: &Scene, cut: usize, within: usize, plane: &SlicePlane) -> Face {
     let name = &scene.cuts[cut].name;
     let kin = |cuts: &[cutaway::scene::Cut]| -> usize {

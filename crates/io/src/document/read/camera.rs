@@ -25,14 +25,14 @@ pub(crate) struct Seen {
     pub(super) faces_cut: bool,
 }
 
-/// What `view` can be, as azimuth and elevation; of `cut` they are not known yet.
+/// Values of `view`, with azimuth and elevation; those of `cut` are not known yet.
 fn named_views() -> Vec<(&'static str, Option<[f64; 2]>)> {
     let standard = STANDARD_VIEWS.map(|(name, angles)| (name, Some(angles)));
     standard.into_iter().chain([("cut", None)]).collect()
 }
 
 impl Seen {
-    /// That of a document which says nothing of it.
+    /// Default of a document without camera settings.
     pub(super) fn usual(fit: Fit) -> Self {
         Self {
             camera: Camera {
@@ -44,7 +44,7 @@ impl Seen {
         }
     }
 
-    /// Whether an angle is to be found.
+    /// Returns true if an angle is automatic.
     pub(crate) fn is_free(&self) -> bool {
         self.free.contains(&true)
     }
@@ -119,7 +119,7 @@ pub(super) fn read(entry: &Entry<'_>, bounds: &Bounds, usual_fit: Fit) -> Result
 /// Most heights of the picture that it is moved.
 const FARTHEST_PAN: f64 = 10.0;
 
-/// Refuses what says where the camera is beside a `view`: an angle that is to be found does not.
+/// Refuses other keys for the camera direction in addition to `view`; an automatic angle is allowed.
 fn says_nothing_else(table: &Table<'_>) -> Result<()> {
     let others = [
         "azimuth_deg",
@@ -141,7 +141,7 @@ fn says_nothing_else(table: &Table<'_>) -> Result<()> {
     }
 }
 
-/// Where a camera is that looks straight at the first section of some cuts.
+/// Viewpoint that looks straight at the first section of some cuts.
 pub(super) fn facing_first(
     first: Option<&ClipSurface>,
     up: Up,
@@ -158,7 +158,7 @@ pub(super) fn facing_first(
     }
 }
 
-/// Whether an angle is `"auto"`.
+/// Returns true if an angle is `"auto"`.
 fn is_free(table: &Table<'_>, key: &str) -> bool {
     let auto = Value::from("auto");
     table.get(key).is_some_and(|e| e.node.value == auto)

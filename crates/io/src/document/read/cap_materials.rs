@@ -42,7 +42,7 @@ pub(super) fn check(entry: &Entry<'_>, folder: &Path, assets: &Assets) -> Result
     plain(&table).map(|_| ())
 }
 
-/// What needs no file.
+/// Reads the keys that need no file.
 fn plain(table: &Table<'_>) -> Result<CapMaterial> {
     let solid = match (table.get("solid"), table.get("images")) {
         (Some(_), Some(images)) => {

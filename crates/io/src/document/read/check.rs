@@ -1,4 +1,4 @@
-//! What can be said of a document before anything that it names is opened.
+//! Checks of a document before any file that it names is opened.
 
 use std::path::Path;
 

@@ -10,7 +10,7 @@ use glam::DVec3;
 
 use super::reader::{Entry, Table};
 
-/// What a deformer that is wanted by name needs.
+/// Kind of a deformer, chosen by name.
 #[derive(Clone, Copy)]
 enum Kind {
     Twist,

@@ -18,7 +18,7 @@ static NAMED: LazyLock<Vec<Arc<HatchPattern>>> = LazyLock::new(|| {
     read.map(Arc::new).collect()
 });
 
-/// What is no pattern.
+/// Hatches without a pattern.
 const PLAIN: [(&str, CapHatch); 3] = [
     ("general", CapHatch::General),
     ("none", CapHatch::None),

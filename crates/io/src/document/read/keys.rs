@@ -17,7 +17,7 @@ static KEYS: Keys = Keys::below("key.*");
 /// Tables whose numbers can move: the rest of a file is no part of the scene.
 const MOVABLE: [&str; 5] = ["camera", "part", "cut", "relief", "style"];
 
-/// What lies between two values of a key.
+/// Interpolation between two values of a key.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Interpolation {
     /// A straight line.
@@ -39,7 +39,7 @@ pub struct Key {
     /// One value for each time, all of the same length; a single number has length 1, and rows of a matrix follow each other.
     /// True is 1, and false is 0.
     pub values: Vec<Vec<f64>>,
-    /// What lies between.
+    /// Interpolation between the values.
     pub interpolation: Interpolation,
 }
 
@@ -75,7 +75,7 @@ pub(crate) struct Keyed {
     own_path: String,
     /// Path of its target, entries by name.
     path: String,
-    /// Where the numbers are, in order.
+    /// Positions of the numbers, in order.
     places: Vec<Place>,
 }
 

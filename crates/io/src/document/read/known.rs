@@ -3,7 +3,7 @@
 //!
 //! Likewise what is seen of the parts from outside, where roles are found by that.
 //!
-//! Entries are told apart by the keys that opening them looks at. Finding one costs comparing them with all of the last document.
+//! Entries are compared by the keys that opening them reads. Finding one costs comparing them with all of the last document.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -19,7 +19,7 @@ use super::reader::Table;
 use crate::document::Node;
 use crate::load::Assets;
 
-/// What an entry is opened by.
+/// Keys that opening an entry reads.
 const OPENED_BY: [&str; 10] = [
     "mesh",
     "shape",
@@ -38,7 +38,7 @@ pub(super) struct Known {
     folder: PathBuf,
     /// Its keys among [`OPENED_BY`].
     by: Vec<(&'static str, Node)>,
-    /// What it is made of, without a name or a colour.
+    /// Source of its parts, without a name or a colour.
     pub(super) source: PartSource,
     notes: Vec<String>,
     files: BTreeSet<PathBuf>,
@@ -54,7 +54,7 @@ impl Known {
 }
 
 impl Opening<'_> {
-    /// An entry opened, or found among those that are known; what is to be said of it is said.
+    /// Opens an entry, or finds it among those of the last document, and adds its notes.
     pub(super) fn known(&mut self, table: &Table<'_>, before: &AllKnown) -> Result<Arc<Known>> {
         let said = |key: &&'static str| Some((*key, table.get(key)?.node.clone()));
         let by: Vec<_> = OPENED_BY.iter().filter_map(said).collect();
@@ -86,10 +86,10 @@ impl Opening<'_> {
     }
 }
 
-/// What decides how much is seen of a part: its mesh, what can move it, its place and its pose.
+/// Data that determines the visibility of a part: its mesh, its motion, its place and its pose.
 type PosedMesh = (Arc<Mesh>, Option<Arc<Motion>>, DAffine3, Pose);
 
-/// What was seen of the parts of the last document.
+/// Visibility of the parts of the last document.
 struct KnownSights {
     stands: Vec<PosedMesh>,
     sights: Vec<Sight>,
@@ -107,7 +107,7 @@ impl KnownSights {
     }
 }
 
-/// What is seen of each part from outside.
+/// Computes the visibility of each part from outside.
 pub(in crate::document) fn sights_of(parts: &[Part], assets: &mut Assets) -> Vec<Sight> {
     if let Some(known) = assets.kept::<KnownSights>()
         && known.is_of(parts)

@@ -70,7 +70,7 @@
 //!
 //! # How it is drawn
 //!
-//! Before all tables: what is asked for where nobody asks for anything else.
+//! Before all tables: the defaults of the picture.
 //!
 //! ```toml
 //! resolution = [1024, 768]
@@ -242,12 +242,12 @@ pub(super) fn open(root: &Table<'_>, folder: &Path, assets: &mut Assets) -> Resu
     })
 }
 
-/// What a document asks for beside the scene itself.
+/// Settings of a document in addition to the scene itself.
 pub(super) fn settings(root: &Table<'_>) -> Result<Settings> {
     settings::read(root)
 }
 
-/// What moves.
+/// Animation keys.
 pub(super) fn keys(root: &Table<'_>) -> Result<Vec<Keyed>> {
     keys::read(root)
 }
@@ -263,7 +263,7 @@ pub(super) fn parts(
     Ok(parts.into_iter().map(|(part, _)| part).collect())
 }
 
-/// What is to be said of the roles of some parts; refused, where they name none that there is at any time.
+/// Notes about the roles of some parts; an error if the roles name a part that exists at no time.
 pub(super) fn role_notes(
     root: &Table<'_>,
     scene_assets: &SceneAssets,
@@ -282,12 +282,12 @@ fn names_of(scene_assets: &SceneAssets) -> Vec<&str> {
     names.map(String::as_str).collect()
 }
 
-/// Whether roles are to be found by what is seen from outside.
+/// Returns true if roles are derived from the visibility from outside.
 pub(super) fn finds_roles(root: &Table<'_>) -> Result<bool> {
     Ok(roles::read(root)?.auto)
 }
 
-/// How it looks.
+/// Style of the document.
 pub(super) fn style(root: &Table<'_>, scene_assets: &SceneAssets) -> Result<Style> {
     style::read(root, scene_assets.style.unwrap_or_default())
 }

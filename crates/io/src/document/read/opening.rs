@@ -15,12 +15,12 @@ use crate::document::Origin;
 use crate::load::frames::{Pattern, Sequence, USUAL_FPS};
 use crate::load::{Assets, doubt};
 
-/// What it takes to open what a document names.
+/// Context for opening the files that a document names.
 pub(super) struct Opening<'a> {
     /// The folder that files are named from.
     pub(super) folder: &'a Path,
     pub(super) assets: &'a mut Assets,
-    /// What is to be said of what was opened, each once.
+    /// Notes about the opened files, each once.
     pub(super) notes: Vec<String>,
     /// Files that were read.
     pub(super) files: BTreeSet<PathBuf>,
@@ -152,7 +152,7 @@ impl Opening<'_> {
     }
 }
 
-/// Whether the planar and small holes of an entry are closed.
+/// Returns true if the planar and small holes of an entry are closed.
 fn closes_holes(table: &Table<'_>) -> Result<bool> {
     table.get("close_holes").map_or(Ok(false), |e| e.flag())
 }

@@ -1,4 +1,4 @@
-//! What the parts of an entry are made of: solids, one or one for each frame, with their names and colours.
+//! Sources of the parts of an entry: solids, one or one for each frame, with their names and colours.
 //!
 //! All parts have names of their own: of those that a file gives, a name that is taken gets a number. Parts that neither their file nor
 //! the document colours have colours by their shape.
@@ -11,19 +11,19 @@ use glam::DAffine3;
 use super::solids::Solid;
 use crate::load::frames::Sequence;
 
-/// What one entry `[[part]]` is made of.
+/// Source of one entry `[[part]]`.
 #[derive(Clone, Debug)]
 pub(crate) struct PartSource {
     /// One, or one for each frame.
     frames: Vec<Vec<Solid>>,
     sequence: Option<Sequence>,
-    /// What each solid is called in its file, at any time, and what its part is called.
+    /// Part name for each name that a solid has in its file, at any time.
     names: BTreeMap<String, String>,
-    /// Of the solids by their index, each as the first frame has it that has so many.
+    /// Forms of the solids by their index, each from the first frame that has a solid of this index.
     forms: Vec<Form>,
     /// Bounds of all solids at all times, in the space of the file where they share it, else in the world.
     pub(super) rest: Bounds,
-    /// Whether the file puts all solids in one space.
+    /// True if the file puts all solids in one space.
     pub(super) share_a_space: bool,
 }
 
@@ -63,7 +63,7 @@ impl PartSource {
         self.frames.iter_mut().flatten()
     }
 
-    /// How the frames are played, if there are some.
+    /// Playback of the frames, if the entry has several.
     pub(crate) fn sequence(&self) -> Option<&Sequence> {
         self.sequence.as_ref()
     }
@@ -78,7 +78,7 @@ impl PartSource {
         self.names.values()
     }
 
-    /// What files call the materials of its parts.
+    /// Names that the files give the materials of its parts.
     pub(super) fn materials(&self) -> impl Iterator<Item = &str> {
         let solids = self.frames.iter().flatten();
         (solids.flat_map(|solid| &solid.part.materials)).map(String::as_str)
@@ -126,7 +126,7 @@ impl PartSource {
     }
 }
 
-/// What equal solids have in common wherever they are.
+/// Properties that equal solids share wherever they are.
 #[derive(Clone, Debug)]
 pub(super) struct Form {
     triangles: usize,

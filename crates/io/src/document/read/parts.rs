@@ -15,7 +15,7 @@ use crate::document::Keys;
 /// Keys of a part.
 pub(super) static KEYS: Keys = Keys::below("part.*");
 
-/// The parts at a time, with who says which role each has. One that is not enabled is read, and left out.
+/// The parts at a time, each with the source of its role. A disabled part is read, and left out.
 pub(in crate::document) fn all(
     root: &Table<'_>,
     scene_assets: &SceneAssets,

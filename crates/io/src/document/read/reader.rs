@@ -16,7 +16,7 @@ use crate::document::{Node, Origin, Value};
 
 pub use super::table::{Table, with_table};
 
-/// Where values come from, for errors.
+/// Source of values, for errors.
 #[derive(Clone, Copy)]
 pub(crate) struct Source<'a> {
     pub(crate) path: &'a Path,
@@ -150,7 +150,7 @@ impl<'a> Entry<'a> {
         }
     }
 
-    /// How a number that cannot be is mended.
+    /// Returns the remedy for an invalid number.
     pub(crate) fn help_of_number(&self) -> &'static str {
         match &self.node.value {
             Value::Number(n) if self.source.moment.is_some() && n.value.fract() != 0.0 => {
@@ -281,17 +281,17 @@ impl<'a> Entry<'a> {
         }
     }
 
-    /// Whether the value is text: some keys take a number or text with a unit.
+    /// Returns true if the value is text: some keys take a number or text with a unit.
     pub fn is_text(&self) -> bool {
         matches!(self.node.value, Value::Text(_))
     }
 
-    /// Whether the value is a table.
+    /// Returns true if the value is a table.
     pub fn is_table(&self) -> bool {
         matches!(self.node.value, Value::Table(_))
     }
 
-    /// Whether the value is a list.
+    /// Returns true if the value is a list.
     pub fn is_list(&self) -> bool {
         matches!(self.node.value, Value::List(_))
     }

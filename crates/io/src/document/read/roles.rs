@@ -23,10 +23,10 @@ use crate::document::Keys;
 
 static KEYS: Keys = Keys::below("roles");
 
-/// What is seen of each part from outside, by its name.
+/// Visibility of each part from outside, by its name.
 type Sights = BTreeMap<String, Sight>;
 
-/// Where the role of a part comes from.
+/// Source of the role of a part.
 #[derive(Clone, Debug, PartialEq)]
 pub enum RoleBy {
     /// It is not given: the usual one.
@@ -39,7 +39,7 @@ pub enum RoleBy {
     Glob(String),
     /// Its file says that light passes through it.
     Transparency,
-    /// What is seen of it from outside.
+    /// Its visibility from outside.
     Sight(Sight),
 }
 
@@ -100,7 +100,7 @@ pub(super) fn read(root: &Table<'_>) -> Result<Roles> {
     Ok(roles)
 }
 
-/// Whether a glob is of a part, by its name or that of a material.
+/// Returns true if a glob matches a part, by its name or that of a material.
 fn fits(glob: &str, part: &Part) -> bool {
     let materials = part.materials.iter().map(String::as_str);
     materials
@@ -123,7 +123,7 @@ impl Roles {
         }
     }
 
-    /// What is to be said of globs that no part fits.
+    /// Notes about globs that match no part.
     pub(super) fn notes(&self, parts: &[Part]) -> Vec<String> {
         let has = |glob: &str| parts.iter().any(|part| fits(glob, part));
         let idle = self.globs.iter().filter(|(glob, _)| !has(glob));
@@ -131,7 +131,7 @@ impl Roles {
             .collect()
     }
 
-    /// The role of a part, which its own table has `given` or not, and who says so.
+    /// Returns the role of a part and its source. `given` is true if the table of the part sets the role.
     pub(super) fn of(&self, part: &Part, given: bool, sights: Option<&Sights>) -> (Role, RoleBy) {
         if given {
             return (part.role, RoleBy::Part);

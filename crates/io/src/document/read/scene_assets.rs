@@ -1,6 +1,6 @@
-//! What the parts, cuts and reliefs of a scene are made of: meshes, shapes, images and frames, opened once.
+//! Sources of the parts, cuts and reliefs of a scene: meshes, shapes, images and frames, opened once.
 //!
-//! The numbers of a document may change from time to time, its texts may not: whatever is named by text is opened when the document
+//! The numbers of a document may change from time to time, its texts may not: anything that is named by text is opened when the document
 //! is.
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -18,23 +18,23 @@ use super::parts::{KEYS, MATERIAL};
 use super::reader::{Entry, Table};
 use super::{cap_materials, hatches};
 
-/// What a document names, opened.
+/// Opened assets of a document.
 #[derive(Debug)]
 pub(in crate::document) struct SceneAssets {
-    /// Of each part.
+    /// Source of each part.
     pub(in crate::document) parts: Vec<PartSource>,
-    /// Of each cut.
+    /// Cutter of each cut.
     pub(super) cutters: Vec<Option<CutterSource>>,
     pub(super) images: Images,
     /// On which the style of the document are changes, if it has one.
     pub(in crate::document) style: Option<Style>,
-    /// What orbits are fitted to where the document does not say it.
+    /// Default target that orbits are fitted to.
     pub(in crate::document) fit: Fit,
-    /// How much is seen of each part from outside, where its role hangs on that.
+    /// Visibility of each part from outside, if its role depends on it.
     pub(in crate::document) sights: Option<BTreeMap<String, Sight>>,
-    /// Where the cutouts of each cut lie, once it is known.
+    /// Frames of the cutouts, by the number of their cut, once known.
     pub(in crate::document) frames: BTreeMap<usize, CutoutFrame>,
-    /// What is to be said of it.
+    /// Notes about the assets.
     pub(in crate::document) notes: Vec<String>,
     /// All that were read.
     pub(in crate::document) files: BTreeSet<PathBuf>,
@@ -90,7 +90,7 @@ pub(super) fn open(entries: &[Entry<'_>], opening: &mut Opening<'_>) -> Result<V
     Ok(scene_assets)
 }
 
-/// What the material of a part says under a key.
+/// Returns the entry of a key in the material of a part.
 pub(super) fn of_material<'a>(part: &Table<'a>, key: &str) -> Result<Option<Entry<'a>>> {
     let material = part.get("material").map(|m| m.table(MATERIAL.all()));
     Ok(material.transpose()?.and_then(|m| m.get(key)))

@@ -1,4 +1,4 @@
-//! What a document asks for beside the scene itself: how it is drawn, how large, and which moment is shown.
+//! Settings of a document in addition to the scene itself: drawing method, size, and displayed moment.
 
 use cutaway::error::Result;
 use cutaway::scene::{HeightFilter, color_help, parse_color};
@@ -7,7 +7,7 @@ use glam::Vec3;
 use super::reader::{Entry, Table};
 use crate::document::{Keys, Value};
 
-/// What is asked for where nobody asks for anything else. What a document does not say is `None`.
+/// Default settings of a document. A setting that the document lacks is `None`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Settings {
     /// Name of the strategy that draws; whether there is such a one is for others to say.
@@ -16,9 +16,9 @@ pub struct Settings {
     pub rasteriser: Option<String>,
     /// Width and height of the picture in pixels.
     pub size_px: Option<[u32; 2]>,
-    /// Who interpolates the heights of reliefs.
+    /// Interpolator of the heights of reliefs.
     pub height_filter: Option<HeightFilter>,
-    /// How many times as fine it is drawn along each side.
+    /// Supersampling factor along each side.
     pub supersample: Option<u32>,
     /// The moment that is shown, in seconds.
     pub time_s: Option<f64>,
@@ -26,11 +26,11 @@ pub struct Settings {
     pub clip: Option<String>,
 }
 
-/// What is used where nobody says a size.
+/// Default size.
 const USUAL_SIZE_PX: [u32; 2] = [1024, 768];
 
 impl Settings {
-    /// Width and height of the picture in pixels, asked for or usual.
+    /// Width and height of the picture in pixels, given or default.
     pub fn size_px(&self) -> [u32; 2] {
         self.size_px.unwrap_or(USUAL_SIZE_PX)
     }

@@ -15,13 +15,13 @@ use super::reader::Table;
 /// More bodies than a picture can tell apart are no parts.
 const MOST_BODIES: usize = 1 << 16;
 
-/// A solid as its file has it, or a body of one.
+/// A solid from its file, or a body of one.
 #[derive(Clone, Debug)]
 pub(super) struct Solid {
     pub(super) part: Part,
     /// Bounds in part space.
     pub(super) rest: Bounds,
-    /// What follows the name of the entry in that of the part; nothing where the entry is one solid.
+    /// Suffix of the part name after the name of the entry; `None` if the entry is one solid.
     pub(super) below: Option<String>,
     /// Its file says no colour.
     pub(super) is_plain: bool,
@@ -45,9 +45,9 @@ impl Solid {
     }
 }
 
-/// How the solids of a file, or of the first of some frames, come apart.
+/// Split of the solids of a file, or of the first of some frames, into bodies.
 pub(super) struct Splits {
-    /// Of each solid.
+    /// Bodies of each solid.
     bodies: Vec<Bodies>,
     /// Those that share a mesh share these.
     known: Vec<Pieces>,
@@ -87,7 +87,7 @@ impl Splits {
         self.bodies.iter().map(Bodies::count).sum()
     }
 
-    /// What was found in a file or shape.
+    /// Note about the bodies found in a file or shape.
     pub(super) fn note(&self, of: &str) -> String {
         let (count, solids) = (self.count(), self.bodies.len());
         let bodies = match count {

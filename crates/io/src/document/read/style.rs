@@ -28,7 +28,7 @@ static GHOST: Keys = Keys::below("style.ghost");
 static SHADOW: Keys = Keys::below("style.shadow");
 static ENGRAVING: Keys = Keys::below("style.engraving");
 
-/// The styles that come with the program, beside `lit`, which is the default of the library.
+/// Built-in styles of the program, in addition to `lit`, which is the default of the library.
 const STYLES: [(&str, &str); 8] = [
     ("technical", include_str!("../styles/technical.toml")),
     ("drafting", include_str!("../styles/drafting.toml")),
@@ -81,7 +81,7 @@ fn of_text(path: &Path, text: &str) -> Result<Style> {
     })
 }
 
-/// Whether a base is a file.
+/// Returns true if a base is a file.
 pub(in crate::document) fn is_file(base: &str) -> bool {
     base.ends_with(".toml")
 }

@@ -1,10 +1,10 @@
-//! What a key moves: the numbers at a dotted path, and where they stand in the tree.
+//! Target of a key: the numbers at a dotted path, and their positions in the tree.
 
 use std::fmt;
 
 use crate::document::{Lost, Node, Origin, Place, Step, Value, astray, children, farther, walk};
 
-/// How numbers are nested in lists.
+/// Nesting of numbers in lists.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Shape {
     Number,
@@ -33,7 +33,7 @@ pub(super) struct Target {
     pub(super) path: String,
     /// In the order of the text.
     pub(super) places: Vec<Place>,
-    /// How they are nested.
+    /// Their nesting.
     pub(super) shape: Shape,
 }
 

@@ -1,4 +1,4 @@
-//! Cutaways of a timeline: where cutouts lie, breakaways that open to the eye of a moment, and who says which role a part has.
+//! Cutaways of a timeline: positions of cutouts, breakaways that open to the camera of a moment, and the source of each part's role.
 
 use std::collections::BTreeMap;
 use std::sync::{OnceLock, PoisonError};
@@ -20,7 +20,7 @@ impl Timeline {
         }
         let size_px = self.settings.size_px();
         if scene.camera.fits_kept() && scene.outline.is_none() {
-            // Kept, for the scene is asked for it once more when it is prepared.
+            // Cached, because preparing the scene needs it again.
             scene.outline = scene.fitted_outline();
         }
         let each = scene.view_through(&scene.camera, size_px);
@@ -49,7 +49,7 @@ impl Timeline {
         let first = self.closed_at(0.0)?;
         self.scene_assets.frames = frames_of(&first, cutouts, self.settings.size_px())?;
         self.notes.extend(notes_of(&self.scene_assets.frames));
-        // What was found without them is found anew; the camera stays where they open to.
+        // Results found without the cutouts are recomputed; the camera stays, since the cutouts open towards it.
         self.outline = OnceLock::new();
         let parts = (self.rest.parts.clone(), None);
         let reliefs = self
@@ -62,7 +62,7 @@ impl Timeline {
         Ok(())
     }
 
-    /// Who says which role each part has, in the order of the parts.
+    /// Returns the parts in their order, each with the source of its role.
     ///
     /// # Errors
     ///
@@ -74,7 +74,7 @@ impl Timeline {
     }
 }
 
-/// What is to be said of where cutouts lie.
+/// Notes about the positions of cutouts.
 fn notes_of(frames: &BTreeMap<usize, CutoutFrame>) -> impl Iterator<Item = String> {
     let even = frames.iter().filter(|(_, frame)| frame.is_even);
     even.map(|(number, frame)| {
@@ -86,7 +86,7 @@ fn notes_of(frames: &BTreeMap<usize, CutoutFrame>) -> impl Iterator<Item = Strin
     })
 }
 
-/// Where cutouts lie, by the number of their cut, in a scene that is seen from its camera.
+/// Computes the frames of cutouts, by the number of their cut, in a scene that is seen from its camera.
 fn frames_of(
     scene: &Scene,
     cutouts: Vec<(usize, AxisRule)>,

@@ -1,14 +1,14 @@
 //! A document over time: clips of its files, frame sequences, and its keys.
 //!
 //! [`Timeline::at`] gives the scene at a time. The numbers that keys move are set in the tree, which is read by the readers that read
-//! it at rest, from the same meshes: nothing is opened or parsed again. Clips and looping sequences begin anew after their end, each
-//! after its own; keys stay at their last value. Whatever does not change keeps its `Arc` from time to time, so that those who draw
-//! the scene can tell by address what they have prepared already.
+//! the scene at rest, from the same meshes: nothing is opened or parsed again. Clips and looping sequences restart after their end, each
+//! after its own; keys stay at their last value. Unchanged data keeps its `Arc` from time to time, so that renderers of
+//! the scene can recognize by address what they have prepared already.
 //!
 //! A scene that moves has one [`stage`](Scene::stage) for all its times, so that pictures do not jump and `z=50%` is the same
-//! plane always. It is found when first asked for, from the bounds at many times: between two of them a part may leave it
-//! by as little as it moves there off the straight line. What is kept of it, which its camera may be fitted to, is found likewise, and so
-//! are angles of the camera that are to be found, for all times at once.
+//! plane always. It is computed on first use, from the bounds at many times: between two of them a part may leave it
+//! by the deviation of its motion there from a straight line. The outline of the kept geometry, to which its camera may be fitted, is
+//! computed likewise, as are automatic angles of the camera, for all times at once.
 //!
 //! Cost of a time: that of reading the tree, which is small, and of whatever relief changed.
 
@@ -28,10 +28,10 @@ use super::{Document, Node};
 use crate::load::Assets;
 use crate::load::frames::Sequence;
 
-/// Shares of the whole at which it is asked which cuts are seen.
+/// Times, as shares of the duration, at which visible cuts are collected.
 const LOOKED_AT: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 
-/// A scene that can be asked for at any time.
+/// Scene that can be evaluated at any time.
 #[derive(Debug)]
 pub struct Timeline {
     path: PathBuf,
@@ -43,7 +43,7 @@ pub struct Timeline {
     settings: Settings,
     /// The scene as the numbers are written, with frames at their first.
     rest: Scene,
-    /// What is to be said of the document.
+    /// Notes about the document.
     notes: Vec<String>,
     clips: Vec<Clip>,
     /// The longest of the first clips of parts.
@@ -54,7 +54,7 @@ pub struct Timeline {
     reliefs: Mutex<Resolved>,
     outwards: Outwards,
     stage: OnceLock<Bounds>,
-    /// What is kept at any time.
+    /// Outline of the geometry that the cuts keep at any time.
     outline: OnceLock<Arc<Outline>>,
     /// From where it is seen at all times, where that is to be found.
     viewpoint: OnceLock<Viewpoint>,
@@ -147,8 +147,8 @@ impl Timeline {
         self
     }
 
-    /// What is drawn where nobody asks for a time: the moment that the document asks for, or else what it shows at rest, the numbers as
-    /// they are written and frames at their first.
+    /// Returns the scene that is drawn without an explicit time: at the moment that the document sets, or else at rest, with the numbers as
+    /// written and the first frames.
     pub fn scene(&self) -> Result<Scene> {
         match self.time_s() {
             Some(time_s) => self.at(time_s),
@@ -167,12 +167,12 @@ impl Timeline {
         &self.rest
     }
 
-    /// What the document asks for beside the scene itself.
+    /// Returns the settings of the document in addition to the scene itself.
     pub fn settings(&self) -> &Settings {
         &self.settings
     }
 
-    /// What the user should know: what was mended in a mesh, and what was read without effect.
+    /// Notes for the user: repairs of meshes, and keys without effect.
     pub fn notes(&self) -> &[String] {
         &self.notes
     }
@@ -190,12 +190,12 @@ impl Timeline {
         source.flat_map(PartSource::names).map(String::as_str)
     }
 
-    /// Whether anything moves.
+    /// Returns true if anything moves.
     pub fn moves(&self) -> bool {
         self.duration_s().is_some()
     }
 
-    /// How long until it has shown all: the longest of the clips that are played, keys and sequences. `None` where nothing
+    /// Duration of the whole timeline: the longest of the clips that are played, keys and sequences. `None` if nothing
     /// moves.
     pub fn duration_s(&self) -> Option<f64> {
         let longest = match &self.chosen {
@@ -279,7 +279,7 @@ impl Timeline {
         Ok(Some(*self.stage.get_or_init(|| stage)))
     }
 
-    /// What the cuts keep of the parts at any time; `None` where nothing moves.
+    /// Outline of the geometry that the cuts keep at any time; `None` if nothing moves.
     fn outline(&self) -> Result<Option<Arc<Outline>>> {
         let Some(duration_s) = self.duration_s() else {
             return Ok(None);
@@ -352,7 +352,7 @@ impl Timeline {
         self.outwards.complete(part);
     }
 
-    /// Which of its clips a part plays.
+    /// Index of the clip that a part plays.
     fn clip_of(&self, part: &Part) -> Option<usize> {
         match &self.chosen {
             Some(name) => part.clips().iter().position(|c| c.name == *name),
@@ -380,7 +380,7 @@ fn clips_of(parts: &[Part]) -> Vec<Clip> {
     all
 }
 
-/// The time within a clip that begins anew after its end; its end itself is its end.
+/// Time within a clip that restarts after its end; its end maps to its end.
 fn looped(time_s: f64, duration_s: f64) -> f64 {
     if time_s <= duration_s || duration_s <= 0.0 {
         time_s.min(duration_s)

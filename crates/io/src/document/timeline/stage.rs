@@ -1,5 +1,5 @@
-//! What is asked of a timeline as a whole: the box of all its times, what the cuts keep at any of them, and whether its keys make
-//! sense at all of them.
+//! Properties of a timeline as a whole: the box of all its times, the geometry that the cuts keep at any of them, and the validity of its
+//! keys at all of them.
 //!
 //! Cost: reading the scene at every sample, and the bounds of each part that changed since the sample before.
 
@@ -20,8 +20,8 @@ const MOST_SINGLED_OUT: usize = 512;
 const BETWEEN: [f64; 3] = [0.25, 0.5, 0.75];
 
 impl Timeline {
-    /// Times at which the bounds of a scene are looked at. `clips_s` are the durations of the clips that are played: those that
-    /// are shorter than all begin anew, and times spread over the whole may meet each round at the same places.
+    /// Times at which the bounds of a scene are sampled. `clips_s` are the durations of the clips that are played: those that
+    /// are shorter than all restart, and times spread over the whole may meet each round at the same places.
     fn sampled_times_s(&self, duration_s: f64, clips_s: Vec<f64>) -> Vec<f64> {
         let frames = self.sequences().flat_map(|s| s.times_s());
         let mut singled: Vec<f64> = frames.chain(self.key_times_s()).collect();
@@ -55,7 +55,7 @@ impl Timeline {
         Ok(stage)
     }
 
-    /// What the cuts keep at many times.
+    /// Finds the outline of the geometry that the cuts keep at many times.
     pub(super) fn find_outline(&self, duration_s: f64) -> Result<Outline> {
         let (mut outline, mut last) = (Outline::default(), Scene::default());
         let stage = self.stage()?;
@@ -75,7 +75,7 @@ impl Timeline {
         Ok(outline)
     }
 
-    /// How long the clips are that are played.
+    /// Durations of the clips that are played.
     fn played_s(&self) -> Result<Vec<f64>> {
         let parts = self.unposed_at(0.0)?;
         let clips = parts.iter();
@@ -133,7 +133,7 @@ fn few(mut times: Vec<f64>) -> Vec<f64> {
     spread.collect()
 }
 
-/// Whether cuts remove the same, as far as what they are made of says it.
+/// Returns true if cuts remove the same, judged by the data that defines them.
 fn cut_alike(all: &[Cut], others: &[Cut]) -> bool {
     let is_like = |(a, b): (&Cut, &Cut)| {
         let mut surfaces = a.surfaces.iter().zip(&b.surfaces);
@@ -159,7 +159,7 @@ fn cut_alike(all: &[Cut], others: &[Cut]) -> bool {
     all.len() == others.len() && all.iter().zip(others).all(is_like)
 }
 
-/// Whether two parts fill the same place because everything that places them is the same.
+/// Returns true if two parts fill the same place because everything that places them is the same.
 fn stands_alike(a: &Part, b: &Part) -> bool {
     is_same_motion(a.motion.as_ref(), b.motion.as_ref())
         && Arc::ptr_eq(&a.mesh, &b.mesh)

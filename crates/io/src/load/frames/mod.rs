@@ -16,10 +16,10 @@ use cutaway::scene::Part;
 use super::Assets;
 pub use pattern::Pattern;
 
-/// Frames per second where nobody says how many.
+/// Default frames per second.
 pub const USUAL_FPS: f64 = 24.0;
 
-/// Share of a frame by which a time may fall short of it: `3 / fps * fps` need not be 3.
+/// Tolerance, as a share of a frame, by which a time may fall short of a frame's start: `3 / fps * fps` need not be 3.
 const SLACK: f64 = 1e-6;
 
 /// Meshes in a row.
@@ -33,8 +33,8 @@ pub struct Sequence {
 }
 
 impl Sequence {
-    /// Opens all files of a pattern such as `frames/walk_%04d.ply`, counted from 0 or 1 up until one is missing. It begins
-    /// anew after its last frame.
+    /// Opens all files of a pattern such as `frames/walk_%04d.ply`, counted from 0 or 1 up until one is missing. The sequence
+    /// restarts after its last frame.
     pub fn open(pattern: &str, fps: f64, assets: &mut Assets) -> Result<Self> {
         Self::open_from(&Pattern::parse(pattern)?, None, assets)?.timed(fps, true)
     }
@@ -93,12 +93,12 @@ impl Sequence {
         Ok(Self { fps, loops, ..self })
     }
 
-    /// How many frames there are.
+    /// Number of frames.
     pub fn frame_count(&self) -> usize {
         self.frames.len()
     }
 
-    /// How long all frames take.
+    /// Duration of all frames.
     pub fn duration_s(&self) -> f64 {
         self.frames.len() as f64 / self.fps
     }
@@ -108,7 +108,7 @@ impl Sequence {
         (0..self.frames.len()).map(|i| i as f64 / self.fps)
     }
 
-    /// Which frame is shown at a time, counted from 0.
+    /// Returns the index of the frame that is shown at a time, from 0.
     pub fn frame_at(&self, time_s: f64) -> usize {
         let count = self.frames.len();
         let frame = (time_s.max(0.0) * self.fps + SLACK).floor();
@@ -135,7 +135,7 @@ impl Sequence {
         &self.files
     }
 
-    /// What the user should know: frames left out, and what was mended in them.
+    /// Notes for the user: frames left out, and repairs in them.
     pub fn notes(&self) -> &[String] {
         &self.notes
     }

@@ -11,7 +11,7 @@ const EXAMPLE: &str = "write one %04d where the number belongs, as in `frames/wa
 /// Most digits that a number is filled up to.
 const MOST_DIGITS: usize = 12;
 
-/// How far beyond a missing frame others are looked for, to tell a gap from the end.
+/// Count of numbers after a missing frame at which further frames are looked for, to distinguish a gap from the end.
 const GAP_LOOKED_ACROSS: u32 = 64;
 
 /// A path with a number left open.
@@ -24,7 +24,7 @@ pub struct Pattern {
 }
 
 impl Pattern {
-    /// Whether a path leaves a number open, as `%d` or `%04d`.
+    /// Returns true if a path has a number placeholder, such as `%d` or `%04d`.
     pub fn is_in(text: &str) -> bool {
         Self::parse(text).is_ok()
     }

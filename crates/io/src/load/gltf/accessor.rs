@@ -10,7 +10,7 @@ use gltf::buffer::View;
 /// A sparse accessor without base values takes no bytes; more items than this are taken for a lie.
 const MOST_IMPLIED_ITEMS: usize = 1 << 26;
 
-/// What the accessor should hold.
+/// Expected content of the accessor.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Wanted {
     pub(super) what: &'static str,

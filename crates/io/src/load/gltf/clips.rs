@@ -204,7 +204,7 @@ impl Reader<'_> {
     }
 }
 
-/// How many morph targets a node's mesh has.
+/// Number of morph targets of a node's mesh.
 pub(super) fn targets(node: &gltf::Node<'_>) -> usize {
     let mesh = node.mesh();
     let primitives = mesh.iter().flat_map(gltf::Mesh::primitives);
@@ -214,7 +214,7 @@ pub(super) fn targets(node: &gltf::Node<'_>) -> usize {
         .unwrap_or(0)
 }
 
-/// How many times of a clip are tried for places that are not finite.
+/// Number of times of a clip that are sampled for places that are not finite.
 const TRIED: usize = 9;
 
 /// Adds a clip unless it leads out of the numbers: products of large scales overflow.
@@ -249,7 +249,7 @@ fn add(rig: &mut Rig, name: &str, of_node: BTreeMap<usize, NodeTracks>) -> Resul
     Ok(())
 }
 
-/// What a clip scales to nothing although a skin hangs on it: often meant, to hide a part.
+/// Notes about joints that a clip scales to zero although a skin depends on them: often intended, to hide a part.
 fn flattening(of_node: &BTreeMap<usize, NodeTracks>, name: &str, rig: &Rig) -> Vec<String> {
     let mut found = Vec::new();
     for (node, tracks) in of_node {

@@ -37,7 +37,7 @@ pub(super) fn open(
     extensions::settle_required(path, &mut root, notes)?;
     notes.extend(extensions::unread(&root));
     for image in &mut root.images {
-        // The crate looks for what such an image lacks; of this name there is nothing, which is said where it is asked for.
+        // The crate requires the fields that such an image lacks. An empty data URI satisfies it, and reading the image reports the fault.
         let is_whole =
             image.uri.is_some() || (image.buffer_view.is_some() && image.mime_type.is_some());
         if !is_whole {

@@ -12,7 +12,7 @@ use serde::Deserialize;
 
 use super::packed::{Room, add_view, range};
 
-/// What the extension says of a primitive.
+/// Content of the extension on a primitive.
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(super) struct Packed {
@@ -110,7 +110,7 @@ fn in_components(numbers: &[f32], kind: ComponentType) -> Vec<u8> {
     }
 }
 
-/// Indices of so many corners.
+/// Accessor for the indices of `corners` corners.
 fn indices(corners: usize) -> Accessor {
     Accessor {
         buffer_view: None,

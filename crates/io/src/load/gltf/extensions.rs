@@ -1,6 +1,6 @@
 //! Extensions: those that are read, those that a reader without them may pass over, and notes about all others.
 //!
-//! An extension that a file requires and that is not read stops it, unless its name says that it is about looks or about data beside the
+//! An extension that a file requires and that is not read is an error, unless its name refers to looks or to data in addition to the
 //! geometry. One that is used without being required stops nothing; where it stands on a node or on a mesh, it may move, hide or add
 //! geometry, and a note names it.
 
@@ -17,7 +17,7 @@ use super::packed::{DRACO, MESHOPT};
 /// Instances of a node's mesh.
 pub(super) const INSTANCES: &str = "EXT_mesh_gpu_instancing";
 
-/// Whether a node is shown, with all below it.
+/// Visibility of a node and its descendants.
 pub(super) const VISIBILITY: &str = "KHR_node_visibility";
 
 /// Extensions that are read.

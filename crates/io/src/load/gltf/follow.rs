@@ -1,8 +1,8 @@
-//! What the vertices of a glTF mesh follow: pulls made whole, and morph targets.
+//! Deformers of the vertices of a glTF mesh: repaired joint weights, and morph targets.
 //!
 //! Repaired with a note: weights that do not sum to 1, that are negative or not finite, vertices whose weights are all zero (they follow
 //! their first joint, as in other readers), vertices without joints (they follow the node), and morph targets that do not fit (they move
-//! nothing). Refused: a joint that the skin lacks, since nobody knows where its vertices belong.
+//! nothing). Refused: a joint that the skin lacks, since the place of its vertices is unknown.
 
 use cutaway::scene::motion::{JointWeight, Motion};
 use cutaway::scene::weld::thousands;
@@ -19,7 +19,7 @@ const WHOLE: f64 = 1e-3;
 #[derive(Debug, Default)]
 pub(super) struct Followers {
     pub(super) motion: Motion,
-    /// How many joints the skin has; `None` without a skin.
+    /// Number of joints of the skin; `None` without a skin.
     joints: Option<u16>,
     unwhole: usize,
     weightless: usize,

@@ -1,4 +1,4 @@
-//! The images of a glTF file as textures, each read when it is first asked for. What is wrong with one becomes a note: it only paints.
+//! Images of a glTF file as textures, each read on first use. An error in one becomes a note, because it affects only colours.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -22,11 +22,11 @@ pub(super) struct Images<'a> {
     pub(super) store: &'a dyn Files,
     pub(super) buffers: &'a [Vec<u8>],
     pub(super) read: BTreeMap<usize, Option<Arc<Texture>>>,
-    /// How many pixels they have together.
+    /// Total pixels of all images read.
     pub(super) pixels: u64,
     /// Files that were read.
     pub(super) files: Vec<PathBuf>,
-    /// What is wrong with some.
+    /// Notes about faulty images.
     pub(super) notes: Vec<String>,
 }
 

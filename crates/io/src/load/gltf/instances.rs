@@ -14,7 +14,7 @@ use super::quantized::rotations;
 /// Most instances of all nodes of a file.
 pub(super) const MOST: usize = 1 << 16;
 
-/// Where a node's mesh is in its node; none if it is there once, as it is.
+/// Reads the instance transforms of a node's mesh, relative to the node; `None` if the node is not instanced.
 pub(super) fn read(
     document: &Document,
     node: &Node<'_>,

@@ -1,4 +1,4 @@
-//! What is missing or wrong in a document and takes no geometry away: put right before the crate validates it.
+//! Repairs of missing or invalid entries that remove no geometry, made before the crate validates the document.
 //!
 //! | fault | becomes |
 //! |---|---|
@@ -19,7 +19,7 @@ use super::packed::add_view;
 /// Bytes that accessors without a buffer view share; one that states more is not mended.
 const MOST_ZEROS: usize = 1 << 28;
 
-/// What only looks need, by its keys in a document.
+/// Document keys that only affect looks.
 const LOOKS: [&str; 5] = ["materials", "textures", "images", "samplers", "cameras"];
 
 /// The document of a text that is not read as one, without what only motion or looks need and is not of the right form; none if that is

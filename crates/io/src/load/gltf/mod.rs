@@ -1,10 +1,10 @@
-//! glTF 2.0 and GLB: geometry, placement, base colours with their images, colours of vertices, and what moves it: nodes, skins, morph
+//! glTF 2.0 and GLB: geometry, placement, base colours with their images, colours of vertices, and animation: nodes, skins, morph
 //! targets, clips.
 //!
-//! Every node with a mesh becomes a part, or several if the mesh's primitives are closed solids of their own, or if it has instances;
-//! hidden nodes are left out. Nodes that show the same mesh share it. A part shows its rest pose: by the joints of its skin, with the default weights of its
-//! morph targets. Vertices are welded as they were bound, so that a mesh that is closed stays closed in every pose; what
-//! is welded follows the first of its vertices.
+//! Every node with a mesh becomes a part, or several if the mesh's primitives are separate closed solids, or if it has instances;
+//! hidden nodes are left out. Nodes that show the same mesh share it. A part shows its rest pose: by the joints of its skin, with the
+//! default weights of its morph targets. Vertices are welded in the bind pose, so that a closed mesh stays closed in every pose; welded
+//! vertices follow the first of them.
 //!
 //! Vertices may be quantized, and packed by meshopt or Draco (`packed`).
 //!
@@ -164,7 +164,7 @@ fn role(node: &Node<'_>, notes: &mut Vec<String>) -> Option<Role> {
     role
 }
 
-/// The skin that a node's mesh hangs on, if it can be used.
+/// Returns the skin of a node's mesh, if it can be used.
 fn usable_skin<T>(
     node: &Node<'_>,
     skins: &[Result<T, String>],
@@ -261,7 +261,7 @@ impl Shape {
     }
 }
 
-/// What takes a skinned solid to its place: one joint, if all of it hangs on that one.
+/// Returns the attachment of a skinned solid to the rig: a single joint, if all of its vertices follow that joint.
 fn hold(motion: &Motion, skin: usize, rig: &Rig) -> RigAttachment {
     let beyond = rig.skins[skin].joints.len();
     let joints = motion.pulls.iter().map(|pull| usize::from(pull.joint));

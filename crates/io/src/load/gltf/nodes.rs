@@ -16,16 +16,16 @@ pub(super) struct Nodes<'a> {
     pub(super) nodes: Vec<Node<'a>>,
     /// The same nodes, for a rig.
     pub(super) of_rig: Vec<RigNode>,
-    /// Where a node of the file is in this list; `None` if it is not in the scene.
+    /// Index in this list of each node of the file; `None` if the node is not in the scene.
     pub(super) place_of: Vec<Option<usize>>,
-    /// Where the instances of nodes are in the rig, by the places of those nodes.
+    /// Ranges of the node instances in the rig, by the index of their node.
     instances: BTreeMap<usize, Range<usize>>,
     /// Nodes that are hidden, by themselves or by one above them.
     is_hidden: Vec<bool>,
 }
 
 impl Nodes<'_> {
-    /// Where the rig has the mesh of a node.
+    /// Returns the range of rig nodes that show the mesh of a node.
     pub(super) fn shown_at(&self, place: usize) -> Range<usize> {
         match self.instances.get(&place) {
             _ if self.is_hidden[place] => 0..0,
@@ -34,7 +34,7 @@ impl Nodes<'_> {
         }
     }
 
-    /// How many nodes with a mesh are hidden.
+    /// Number of hidden nodes with a mesh.
     pub(super) fn hidden(&self) -> usize {
         let both = self.nodes.iter().zip(&self.is_hidden);
         both.filter(|(node, hidden)| **hidden && node.mesh().is_some())
@@ -134,7 +134,7 @@ pub(super) fn read<'a>(document: &'a Document, buffers: &[Vec<u8>]) -> Result<No
     Ok(found)
 }
 
-/// Where a node is in its parent, and that in pieces.
+/// Transform of a node relative to its parent, as a matrix and decomposed.
 fn local(node: &Node<'_>) -> (DAffine3, Option<NodeTransform>) {
     match node.transform() {
         Transform::Matrix { matrix } => {
@@ -157,7 +157,7 @@ fn local(node: &Node<'_>) -> (DAffine3, Option<NodeTransform>) {
     }
 }
 
-/// How far a matrix may be from what its pieces make, relative to its largest entry: shear does not come apart.
+/// Largest accepted difference between a matrix and its recomposition, relative to its largest entry: shear cannot be decomposed.
 const SHEAR: f64 = 1e-5;
 
 fn apart(matrix: DAffine3) -> Option<NodeTransform> {

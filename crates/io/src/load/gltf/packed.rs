@@ -1,8 +1,8 @@
-//! What extensions pack, unpacked before anything is read: buffer views by `EXT_meshopt_compression` and its successor
+//! Decompression of data before anything is read: buffer views by `EXT_meshopt_compression` and its successor
 //! `KHR_meshopt_compression`, primitives by `KHR_draco_mesh_compression`. Views and accessors then lie in buffers of their own, so that
-//! no reader knows of it.
+//! readers need no special case.
 //!
-//! What comes out is limited as what archives unpack to is: by a multiple of what is packed.
+//! The unpacked size is limited as for archives: to a multiple of the packed size.
 
 use gltf::json::buffer::{Buffer, View};
 use gltf::json::validation::USize64;
@@ -73,7 +73,7 @@ pub(super) fn unpack(root: &mut Root, buffers: &mut Vec<Vec<u8>>) -> Result<(), 
     Ok(())
 }
 
-/// How many bytes may still come out.
+/// Bytes that may still be unpacked.
 pub(super) struct Room(pub(super) u64);
 
 impl Room {
@@ -129,7 +129,7 @@ pub(super) fn range(
         .ok_or_else(|| format!("its {length} bytes are not in buffer {buffer}"))
 }
 
-/// The extension that packs a view, and what it says of it.
+/// Returns the name and the content of the extension that packs a view.
 fn meshopt_of(view: &View) -> Option<(&'static str, &Value)> {
     let others: &Map<String, Value> = &view.extensions.as_ref()?.others;
     MESHOPT
@@ -137,12 +137,12 @@ fn meshopt_of(view: &View) -> Option<(&'static str, &Value)> {
         .find_map(|name| Some((*name, others.get(*name)?)))
 }
 
-/// What an extension says.
+/// Deserializes the content of an extension.
 fn said<'a, T: Deserialize<'a>>(value: &'a Value) -> Result<T, String> {
     T::deserialize(value).map_err(|e| e.to_string())
 }
 
-/// What the extension says of a view.
+/// Content of the extension on a view.
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase")]
 struct PackedView {

@@ -1,4 +1,4 @@
-//! What a glTF primitive is painted with: base colour and its image, and colours of vertices. Wrapping is always a repeat.
+//! Appearance of a glTF primitive: base colour and its image, and colours of vertices. Wrapping is always a repeat.
 //! Texture coordinates are moved and scaled by `KHR_texture_transform`; a rotation by it is passed over, with a note.
 
 use cutaway::scene::{map_channels, srgb_from_linear};
@@ -89,8 +89,8 @@ pub(super) fn triangles(
     }));
 }
 
-/// What a coordinate is worth that the reader takes for a normalized one: whole numbers that are not normalized, as
-/// `KHR_mesh_quantization` has them, are meant as they are.
+/// Factor that restores a coordinate which the reader has normalized: integers without `normalized`, as in
+/// `KHR_mesh_quantization`, are used unscaled.
 fn stored_unit(accessor: &Accessor<'_>) -> f32 {
     match accessor.data_type() {
         DataType::U8 if !accessor.normalized() => f32::from(u8::MAX),

@@ -14,7 +14,7 @@ use super::paint;
 use super::quantized::triples;
 use super::skin;
 
-/// All primitives of a mesh as groups of one draft. `joints` is how many joints its skin has, if it hangs on one.
+/// Reads all primitives of a mesh as groups of one draft. `joints` is the joint count of its skin, if it has one.
 pub(super) fn draft(
     mesh: &gltf::Mesh<'_>,
     joints: Option<usize>,

@@ -9,7 +9,7 @@ use gltf::{Document, Primitive, Semantic, Skin};
 use super::accessor::{JOINTS, MAT4, WEIGHTS, check, items};
 use super::nodes::Nodes;
 
-/// What moves each vertex: joint and weight, up to four per set.
+/// Influences on each vertex: joint and weight, up to four per set.
 pub(super) type Pulls = Vec<(u16, f32)>;
 
 /// The skins of a file, or why one cannot be used.
@@ -90,7 +90,7 @@ impl gltf::accessor::Item for Columns {
     }
 }
 
-/// Whether any primitive says what pulls its vertices.
+/// Returns true if any primitive has joints for its vertices.
 pub(super) fn pulls_at(mesh: &gltf::Mesh<'_>) -> bool {
     let is_pulled = |p: Primitive<'_>| p.get(&Semantic::Joints(0)).is_some();
     mesh.primitives().any(is_pulled)

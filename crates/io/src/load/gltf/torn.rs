@@ -1,6 +1,6 @@
 //! Solids that a file tears into several nodes: open meshes that stand still and close each other become one part.
 //!
-//! Edges are the same where their ends are in f32. What is not closed by what it shares edges with stays as the file has it.
+//! Edges are equal if their ends are equal in f32. Meshes that do not close together with those they share edges with stay unchanged.
 //!
 //! Cost: one sort of the open edges of all parts.
 

@@ -25,7 +25,7 @@ pub fn read_texture_from(path: &Path, kind: TextureKind, store: &dyn Files) -> R
     })
 }
 
-/// The texture that the bytes of an image file hold, of a format that is told by them or else by the name; what is wrong with them otherwise.
+/// Decodes the texture in the bytes of an image file. The bytes determine the format, or else the name. The error is in words.
 pub(in crate::load) fn texture_of(
     bytes: &[u8],
     by_name: Option<ImageFormat>,

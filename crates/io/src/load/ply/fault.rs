@@ -1,10 +1,10 @@
-//! What is wrong with a PLY file, in one line. The parser takes no NaN and no infinity.
+//! One-line errors of a PLY file. The parser accepts no NaN and no infinity.
 
 use std::io::ErrorKind;
 
 use ply_rs_bw::parser::ParseError;
 
-/// What is wrong, and in which line.
+/// Error and its line.
 pub(super) struct Fault {
     pub(super) line: Option<usize>,
     pub(super) what: String,

@@ -16,7 +16,7 @@ const WORDS: [&str; 7] = [
     "end_header",
 ];
 
-/// A header is looked for in so many bytes.
+/// Bytes within which a header must end.
 const LONGEST: usize = 1 << 20;
 
 /// A word that is as similar to one of [`WORDS`] is that word misspelt.
@@ -50,7 +50,7 @@ pub(super) fn split<'a>(
     (text, payload)
 }
 
-/// How many bytes the header has, with the end of its last line.
+/// Length of the header in bytes, with the end of its last line.
 fn length(bytes: &[u8]) -> usize {
     const END: &[u8] = b"end_header";
     let head = &bytes[..bytes.len().min(LONGEST)];

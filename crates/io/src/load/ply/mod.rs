@@ -150,7 +150,7 @@ impl PropertyAccess for Ignored {
     }
 }
 
-/// What a mesh is made of, and whether its vertices have all of a normal and all of a colour.
+/// Elements of a mesh, and flags that its vertices have complete normals and complete colours.
 #[derive(Default)]
 struct Elements {
     vertices: Vec<Vertex>,
@@ -160,7 +160,7 @@ struct Elements {
     has_colors: bool,
 }
 
-/// Where elements are read from, in the order of the header.
+/// Source of the elements, in the order of the header.
 enum Source<'a, 'b, R: BufRead> {
     Binary(&'a mut Reader<R>, &'a Header),
     Text(&'a mut Words<'b>),

@@ -22,11 +22,11 @@ pub(super) struct Words<'a> {
     words: SplitAsciiWhitespace<'a>,
     line: &'a str,
     number: usize,
-    /// Whether elements are lines.
+    /// True if each line is an element.
     by_line: bool,
 }
 
-/// Reads a payload that stands behind so many lines, by lines or else by words; what is wrong is said of the lines.
+/// Reads a payload after `lines_before` lines, by lines or else by words. Errors refer to the reading by lines.
 pub(super) fn in_either_layout<T>(
     text: &str,
     lines_before: usize,

@@ -25,7 +25,7 @@ pub(super) struct Geometry {
     pub(super) mesh: Mesh,
     /// For each triangle.
     pub(super) assigned: Vec<Assigned>,
-    /// Whether there are beams beside the triangles.
+    /// True if the mesh has beams in addition to the triangles.
     pub(super) has_beams: bool,
 }
 

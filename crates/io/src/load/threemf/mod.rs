@@ -1,15 +1,15 @@
 //! 3MF: the core specification, the production extension, and the colours of the materials extension.
 //!
-//! The relationships of the package lead to a model, and its build to objects: each mesh at each place is a part, through components of
-//! components and through other models of the package. Only what is built is asked for. Objects that are no solids are left out with a
-//! note: supports, surfaces, others, and what slicers mark as regions or as parts to be taken away ([`slicer`]). Numbers stay those of the file, in its unit, which is said where it is not the millimetre; another
-//! model of the same package is scaled to the unit of the first.
+//! The package relationships name the root model. Each mesh at each place in its build becomes a part, through nested components and
+//! through other models of the package. Only built objects are used. Non-solid objects are left out with a note: supports, surfaces,
+//! others, and those that slicers mark as regions or as volumes to subtract ([`slicer`]). Numbers keep the unit of the file, which is
+//! reported if it is not the millimetre. Another model of the same package is scaled to the unit of the first.
 //!
 //! An extension that the file requires and that gives shapes without triangles is refused by name: slices, beams, boolean operations,
 //! functions of space, displacement, encryption. Where one is not required, the triangles are what is shown, with a note of beams.
 //! An image that cannot be read is a note.
 //!
-//! Cost: the text of each model part and what is made of it, in memory one part after the other; each image once; one mesh for all of
+//! Cost: the text of each model part and the data built from it, in memory one part after the other; each image once; one mesh for all of
 //! its places.
 
 mod mesh;
@@ -107,7 +107,7 @@ struct Reader<'a> {
     /// The name of the first model's part.
     first: String,
     models: BTreeMap<String, Model>,
-    /// What was made of objects so far; none of those without triangles.
+    /// Solids built from objects so far; `None` for objects without triangles.
     solids: BTreeMap<Key, Option<Solid>>,
     /// Objects that were come to, with those that were come to before.
     objects: usize,
@@ -117,7 +117,7 @@ struct Reader<'a> {
     notes: Vec<String>,
 }
 
-/// What leads to an object.
+/// Path to an object.
 #[derive(Clone, Copy)]
 struct Way<'a> {
     /// The objects that it is in, from the outermost.
@@ -381,7 +381,7 @@ fn label(id: u32, object: &Object) -> String {
     }
 }
 
-/// Whether two names are of one part of a package.
+/// Returns true if two names refer to the same part of a package.
 fn is_same(a: &str, b: &str) -> bool {
     let [a, b] = [a, b].map(|name| name.trim_start_matches('/'));
     a.eq_ignore_ascii_case(b)

@@ -25,7 +25,7 @@ pub(super) struct Model {
     pub(super) unit: LengthUnit,
     pub(super) objects: BTreeMap<u32, Object>,
     pub(super) properties: Properties,
-    /// What is built; none if that is not said.
+    /// Items of the build; `None` if the model has no `<build>`.
     pub(super) items: Option<Vec<Reference>>,
     pub(super) notes: Vec<String>,
 }
@@ -35,16 +35,16 @@ pub(super) struct Model {
 pub(super) struct Object {
     pub(super) name: Option<String>,
     pub(super) part_number: Option<String>,
-    /// What it is for: `model` is a solid.
+    /// Type of the object: `model` is a solid.
     pub(super) kind: String,
     /// Group and index of what its triangles have without properties of their own.
     pub(super) default: Option<(u32, u32)>,
-    /// What a slicer has it for, where that is no solid.
+    /// Use of the object in a slicer, if it is not a solid.
     pub(super) used_as: Option<Use>,
     pub(super) shape: Shape,
 }
 
-/// What an object is made of.
+/// Geometry of an object.
 #[derive(Debug)]
 pub(super) enum Shape {
     Mesh(Result<Geometry>),

@@ -34,11 +34,11 @@ pub(super) struct Package<'a> {
     archive: ZipArchive<Cursor<&'a [u8]>>,
     /// Most bytes of all parts.
     most: u64,
-    /// How many of them are left.
+    /// Bytes left of them.
     left: u64,
     /// Images that were read, by the names of their parts, or what is wrong with them.
     textures: BTreeMap<String, Result<Arc<Texture>, String>>,
-    /// How many texels others may still have.
+    /// Texels left for further images.
     texels_left: u64,
 }
 

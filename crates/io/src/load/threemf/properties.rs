@@ -27,11 +27,11 @@ enum Group {
     /// Names and colours.
     Materials(Vec<(Option<String>, Option<Rgba>)>),
     Colors(Vec<Option<Rgba>>),
-    /// Of the materials of a group, one for each composite.
+    /// Indices into the materials of a group, one for each composite.
     Composites(u32, Vec<Option<u32>>),
     /// Groups, and an index of each for each property.
     Several(Vec<u32>, Vec<Vec<u32>>),
-    /// Of the image of this number; (0, 0) its upper left.
+    /// Texture coordinates in the image of this number; (0, 0) is its upper left.
     Places(u32, Vec<Vec2>),
 }
 
@@ -40,7 +40,7 @@ enum Group {
 struct Image {
     /// The name of its part.
     path: String,
-    /// What it holds, where it could be read.
+    /// Decoded texture, if it could be read.
     texture: Option<Arc<Texture>>,
 }
 
@@ -53,7 +53,7 @@ pub(super) struct Properties {
     pub(super) repeated: Vec<u32>,
 }
 
-/// What a property comes to.
+/// Resolved property.
 enum Found<'a> {
     Color(Rgba, Option<&'a str>),
     /// The number of an image, and where in it.
@@ -61,7 +61,7 @@ enum Found<'a> {
     Missing,
 }
 
-/// What was made of the properties of an object.
+/// Appearance of an object, from its properties.
 #[derive(Debug, Default)]
 pub(super) struct Look {
     pub(super) coat: Option<Coat>,
@@ -229,7 +229,7 @@ impl Properties {
         }
     }
 
-    /// What the triangles of an object look like; `default` is what those without properties have.
+    /// Computes the appearance of the triangles of an object; `default` is the property of triangles without their own.
     pub(super) fn look(&self, geometry: &Geometry, default: Option<(u32, u32)>) -> Look {
         let mut look = Look::default();
         let mut count_of: BTreeMap<Rgba, usize> = BTreeMap::new();
@@ -310,7 +310,7 @@ fn resolved(assigned: Assigned, default: Option<(u32, u32)>) -> (u32, [u32; 3]) 
     }
 }
 
-/// What the children of this name are, in the element that was opened, which is closed then.
+/// Reads the children of this name in the element that was opened, and closes it.
 fn rows<T>(
     xml: &mut Xml<'_>,
     name: &str,

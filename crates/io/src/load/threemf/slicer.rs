@@ -1,5 +1,5 @@
-//! What slicers say beside the model about the use of its meshes: which are no solids but regions with settings of their own, or are taken
-//! away from what they overlap.
+//! Uses of meshes that slicers write outside the model: modifier regions with their own settings, which are not solids, and meshes that are
+//! subtracted from the ones they overlap.
 //!
 //! PrusaSlicer and its kin write all volumes of an object into one mesh, and which triangles are of which volume into a file of the package.
 //! Bambu Studio and OrcaSlicer write objects of components, and the use of each component. Cura writes its settings of an object into the
@@ -15,13 +15,13 @@ use cutaway::error::Result;
 use super::package::{Package, Text};
 use super::xml::{Element, Xml};
 
-/// Where slicers write it.
+/// Package parts in which slicers write the uses.
 const PARTS: [&str; 2] = [
     "Metadata/Slic3r_PE_model.config",
     "Metadata/model_settings.config",
 ];
 
-/// What a mesh is for that is no solid.
+/// Use of a mesh that is not a solid.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Use {
     Modifier,
@@ -75,14 +75,14 @@ impl Use {
 /// Uses of meshes of the first model, by the numbers of its objects.
 #[derive(Debug, Default)]
 pub(super) struct Uses {
-    /// Of triangles of an object.
+    /// Uses of triangles of an object.
     pub(super) of_triangles: BTreeMap<u32, Vec<(RangeInclusive<usize>, Use)>>,
-    /// Of an object's components, by the numbers of their objects.
+    /// Uses of an object's components, by the numbers of their objects.
     pub(super) of_components: BTreeMap<(u32, u32), Use>,
 }
 
 impl Uses {
-    /// What a package says, as far as it can be read; what cannot is a note.
+    /// Reads the uses in a package; an unreadable one becomes a note.
     pub(super) fn read(package: &mut Package<'_>, notes: &mut Vec<String>) -> Self {
         let mut uses = Self::default();
         for part in PARTS {
@@ -138,7 +138,7 @@ impl Uses {
     }
 }
 
-/// Whether an element of an object may hold settings of Cura.
+/// Returns true if an element of an object may hold settings of Cura.
 pub(super) fn is_settings(element: &Element<'_>) -> bool {
     element.is_named("metadatagroup") || element.is_named("settings")
 }

@@ -21,7 +21,7 @@ const CORRECT: &str = "correct the line, or export the file again";
 /// Elements in elements.
 const MOST_DEPTH: usize = 64;
 
-/// Which specification a name is from.
+/// Specification that defines a name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Space {
     Core,
@@ -61,7 +61,7 @@ impl Space {
     }
 }
 
-/// Where an element is.
+/// Position of an element in the file.
 #[derive(Clone, Copy, Debug)]
 struct Place<'a> {
     path: &'a Path,
@@ -83,14 +83,14 @@ pub(super) struct Element<'a> {
 }
 
 impl Element<'_> {
-    /// Whether it has this name. Names of material extensions are taken of the core's namespace, too, where some programs put them.
+    /// Returns true if it has this name. Names of material extensions also match in the core namespace, in which some programs put them.
     pub(super) fn is(&self, space: Space, name: &str) -> bool {
         let is_of_space =
             self.space == space || (self.space, space) == (Space::Core, Space::Material);
         is_of_space && self.start.local_name().as_ref() == name.as_bytes()
     }
 
-    /// Whether it has this name, wherever that is from.
+    /// Returns true if it has this name, in any namespace.
     pub(super) fn is_named(&self, name: &str) -> bool {
         self.start.local_name().as_ref() == name.as_bytes()
     }
@@ -104,7 +104,7 @@ impl Element<'_> {
         self.place.line
     }
 
-    /// Its name as the file has it.
+    /// Its name as written in the file.
     pub(super) fn name(&self) -> String {
         let name = self.start.name();
         String::from_utf8_lossy(name.as_ref())
@@ -294,7 +294,7 @@ impl<'a> Xml<'a> {
         Ok(rest.split('<').next().unwrap_or_default().trim())
     }
 
-    /// How many elements are open.
+    /// Number of open elements.
     pub(super) fn depth(&self) -> usize {
         self.depth
     }
@@ -307,7 +307,7 @@ impl<'a> Xml<'a> {
         Ok(())
     }
 
-    /// Whether it is no XML: nothing can be read any further.
+    /// True if the text is not XML: nothing further can be read.
     pub(super) fn is_broken(&self) -> bool {
         self.is_broken
     }

@@ -1,7 +1,7 @@
-//! Sections as a drawing for CAD: ASCII DXF of AutoCAD 2004 (`AC1018`), the first with true colours, each loop a closed polyline on the layer of its part.
+//! Sections as ASCII DXF of AutoCAD 2004 (`AC1018`), the first with true colours: each loop is a closed polyline on its part's layer.
 //!
-//! Coordinates are those of [`svg`](super::svg): each plane as it is seen from the side that is removed, `v` up, the planes beside each
-//! other, the first with the very `u` and `v` of the JSON. All digits of a coordinate are kept. Curves that do not close are open polylines on
+//! Coordinates are those of [`svg`](super::svg): each plane as it is seen from the side that is removed, `v` up, the planes side by side,
+//! the first with the very `u` and `v` of the JSON. All digits of a coordinate are kept. Curves that do not close are open polylines on
 //! a layer `PART open`, which is red; a layer has the colour of the cap, which programs that know only the 255 colours of the index
 //! show in the nearest of the first seven. A drawing says nothing of fill rules: where loops nest, the inner ones are holes.
 //!

@@ -1,4 +1,4 @@
-//! What a plane cuts out of the parts of a scene, as data: the JSON of `cutaway section`, and what its drawings are made of.
+//! Sections of the parts of a scene by planes, as data: the JSON of `cutaway section`, and the input of its drawings.
 //!
 //! Everything is in world units. A drawing shows a plane as it is seen from the side that is removed, as pictures show caps: `u` is
 //! to the right and `v` up, and `u` x `v` points against the normal. `v` is as near to the up axis of the scene as the plane
@@ -30,19 +30,19 @@ pub struct SectionReport {
 pub struct PlaneReport {
     /// Name of the cut.
     pub cut: String,
-    /// Which face of the cut it is.
+    /// Face of the cut.
     pub face: Face,
     /// Number of the clip-surface in the scene.
     pub clip_surface: usize,
-    /// Where the plane is, and what is to the right and up in it.
+    /// The plane, with its right and up directions.
     pub plane: Drawn,
-    /// Whether the other clip-surfaces of the cut, or other cuts, leave less of the section than the plane meets.
+    /// True if the other clip-surfaces of the cut, or other cuts, leave less of the section than the plane meets.
     pub trimmed: bool,
     /// Sum over the parts.
     pub area: f64,
     /// Sum over the parts.
     pub perimeter: f64,
-    /// The parts that the plane meets; who wins where they share a point comes last.
+    /// Parts that the plane meets. The part with priority at shared points comes last.
     pub parts: Vec<PartReport>,
 }
 
@@ -51,7 +51,7 @@ pub struct PlaneReport {
 pub struct Face {
     /// Counted from 1, in the order of the scene.
     pub number: usize,
-    /// How many planes the cut has, with those of other cuts of its name.
+    /// Number of planes of the cut, with those of other cuts of its name.
     pub of: usize,
     /// The plane as `--section` takes it, rounded.
     pub plane: String,
@@ -64,21 +64,21 @@ pub struct PartReport {
     pub part: String,
     /// Colour of its cap, sRGB, `#rrggbb`.
     pub color: String,
-    /// Which points its loops enclose: `even-odd` or `nonzero`.
+    /// Fill rule of its loops: `even-odd` or `nonzero`.
     pub fill: String,
-    /// Of what they enclose.
+    /// Area that they enclose.
     pub area: f64,
-    /// Of the outline of that.
+    /// Perimeter of the outline of that area.
     pub perimeter: f64,
-    /// Whether all of the outline is closed and capped.
+    /// True if all of the outline is closed and capped.
     pub closed: bool,
     /// Closed curves; of a mesh that faces outward outlines run counter-clockwise and holes clockwise.
     pub loops: Vec<Curve>,
     /// Curves that end where the mesh does.
     pub open_chains: Vec<Curve>,
-    /// What is wrong with the mesh where the plane meets it, in words.
+    /// Defects of the mesh where the plane meets it, in words.
     pub defects: Vec<String>,
-    /// What is to be done about the first of them that takes something of the section away.
+    /// Remedy for the first of them that takes something of the section away.
     #[serde(skip)]
     pub help: Option<&'static str>,
 }
@@ -178,7 +178,7 @@ impl PlaneReport {
 }
 
 impl PartReport {
-    /// What there is to say of the section of a part.
+    /// Creates the report of the section of a part.
     pub fn new(part: &Part, section: &Section, plane: &SlicePlane, drawn: &Drawn) -> Self {
         let curve = |points: &[u32], closed| {
             // Seen from the other side loops run the other way round.

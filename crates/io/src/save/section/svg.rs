@@ -60,7 +60,7 @@ impl Frame {
     }
 }
 
-/// The planes of a report, beside each other.
+/// Layout of the planes of a report side by side.
 struct Layout {
     frames: Vec<Frame>,
     /// The longest side of all.
@@ -185,7 +185,7 @@ fn outline(curves: &[Curve], decimals: usize, end: &str) -> String {
     data
 }
 
-/// A number with so many decimals, and no more zeros than it needs.
+/// Formats a number with `decimals` decimals, without trailing zeros.
 fn shortened(value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");
     let text = if text.contains('.') {

@@ -26,20 +26,20 @@ const MOST_FINDINGS: usize = 5;
 /// A scene that came out wrong.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Finding {
-    /// By whom.
+    /// Name of the strategy.
     pub strategy: String,
     /// Number of the scene in the search.
     pub scene: u64,
-    /// What is wrong with the simplest scene that was reached.
+    /// Fault of the simplest scene that was reached.
     pub what: String,
-    /// That scene.
+    /// Recipe of that scene.
     pub recipe: Recipe,
 }
 
-/// What a search came to.
+/// Result of a search.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Searched {
-    /// What came out wrong.
+    /// Scenes that came out wrong.
     pub findings: Vec<Finding>,
     /// By each method, in order: how many scenes it drew to the end; the others it refused, or drew with an overflow.
     pub drawn: Vec<usize>,
@@ -137,7 +137,7 @@ fn fault_kept(
     Ok(found.filter(|_| fault(question, &by_lists, &lists).is_some()))
 }
 
-/// What is wrong with an answer. A refusal is none, nor is an overflow that is reported, as long as what is wrong is marked.
+/// Fault of an answer. A refusal is none, nor is an overflow that is reported, as long as what is wrong is marked.
 pub fn fault(question: &Question, judged: &Judged, method: &Method) -> Option<String> {
     let strategy = &method.strategy;
     let is_whole = |judged: &Judged| judged.layers.pixels.iter().all(|p| !p.depth.is_nan());
@@ -157,8 +157,8 @@ pub fn fault(question: &Question, judged: &Judged, method: &Method) -> Option<St
     }
 }
 
-/// How far an outline may be moved, in pixels: a fold of a grid lies up to a cell beside that of its relief, and a cell is about as wide
-/// as the picture through so many. Adaptive cells are under a pixel off.
+/// Largest displacement of an outline, in pixels: a fold of a grid lies up to a cell away from that of its relief. A cell is about as wide
+/// as the picture divided by the number of cells. Adaptive cells are under a pixel off.
 fn outline_px(question: &Question, strategy: &Strategy) -> usize {
     let cells = strategy.surface.steps();
     if strategy.surface != CapSurface::grid(cells) {

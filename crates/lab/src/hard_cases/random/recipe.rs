@@ -16,10 +16,10 @@ const WHOLE_PX: [u32; 2] = [64, 48];
 /// Pixels of a picture of which some rows are drawn.
 const PRINT_PX: [u32; 2] = [2400, 1800];
 
-/// So many rows.
+/// Number of rows.
 const ROWS: u32 = 8;
 
-/// What prisms and rods, which are 4 and 6 long, are scaled by.
+/// Scale of prisms and rods, which are 4 and 6 long.
 const LONG: f64 = 0.25;
 
 /// A solid.
@@ -33,19 +33,19 @@ pub enum Solid {
         subdivisions: u32,
         /// Largest share of the radius.
         lumps: f64,
-        /// Which lumps.
+        /// Phase of the lumps.
         phase: f64,
     },
     /// Prisms side by side, whose walls are long and narrow triangles.
     Prisms {
-        /// How many.
+        /// Number of prisms.
         count: usize,
         /// Sides of each.
         sides: u32,
     },
     /// A rod with teeth, whose walls are narrower still.
     Toothed {
-        /// How many.
+        /// Number of teeth.
         teeth: u32,
     },
 }
@@ -66,13 +66,13 @@ pub struct Surface {
 pub struct Bumps {
     /// In texels.
     pub size: [u32; 2],
-    /// Which noise.
+    /// Seed of the noise.
     pub seed: u64,
     /// From the lowest possible texel to the highest.
     pub height: f64,
     /// Length of one repeat.
     pub period: f64,
-    /// How the map goes on.
+    /// Wrap mode outside the map.
     pub wrap: Wrap,
 }
 
@@ -89,7 +89,7 @@ pub struct Recipe {
     pub cuts: Vec<Vec<Surface>>,
     /// The eye.
     pub from: [f64; 3],
-    /// What it looks at.
+    /// Point that the eye looks at.
     pub to: [f64; 3],
     /// Field of view in degrees, or parallel rays.
     pub fov_deg: Option<f64>,
@@ -112,7 +112,7 @@ impl Recipe {
         let cuts = (0..1 + n.below(2))
             .map(|_| (0..1 + n.below(2)).map(|_| surface(n)).collect())
             .collect();
-        // One eye in four is within the solids or just beside them.
+        // One eye in four is within the solids or just outside them.
         let reach = if n.once_in(4) { 0.35 } else { 2.5 };
         let mut from = point(n, 1.0);
         if DVec3::from_array(from).length() < 0.3 {
@@ -129,7 +129,7 @@ impl Recipe {
             near: n.once_in(4).then(|| n.between(0.01, 1.0) * reach),
             ..Self::default()
         };
-        // What came later is drawn from later numbers: scenes that draw none of it are what they were.
+        // Options added later are drawn from later numbers: scenes that draw none of them are what they were.
         if n.once_in(4) {
             // Parts touch, are flush or share faces.
             for (_, at) in &mut recipe.solids {

@@ -38,7 +38,7 @@ pub(super) fn chapter(recorded: &Recorded) -> Vec<Block> {
     blocks
 }
 
-/// What an experiment asks that has no other section to say it.
+/// Question and analysis of an experiment that has no other section to show them.
 fn asked(experiment: &Experiment) -> Vec<Block> {
     let synopsis = &experiment.synopsis;
     if !experiment.records.is_empty() {

@@ -50,7 +50,7 @@ pub(super) fn blocks(
     blocks
 }
 
-/// Puts a chart beside the one before it, unless it is as wide as the page.
+/// Puts a chart next to the one before it, unless it is as wide as the page.
 fn add_card(blocks: &mut Vec<Block>, chart: Vec<Block>) {
     let is_wide = (chart.iter()).any(|b| matches!(b, Block::Chart(c) if c.panels.len() > 1));
     match blocks.last_mut() {
@@ -66,7 +66,7 @@ pub(super) struct Placed<'a> {
     pub(super) row: Row<'a>,
     pub(super) at: [f64; 2],
     pub(super) series: String,
-    /// What else is varied, where each value has a drawing of its own.
+    /// Values of the other varied parameters: each combination has a drawing of its own.
     pub(super) panel: String,
 }
 
@@ -169,7 +169,7 @@ fn note(asked: &ChartSynopsis, placed: &[Placed<'_>]) -> String {
 /// A list by names, in their order.
 type Named<'n, T> = Vec<(&'n str, T)>;
 
-/// What a list has under a name, added where it has nothing.
+/// Value under a name in a list, added where there is none.
 fn place_of<'l, 'n, T: Default>(list: &'l mut Named<'n, T>, name: &'n str) -> &'l mut T {
     let place = list.iter().position(|(n, _)| *n == name);
     let place = place.unwrap_or_else(|| {
@@ -207,7 +207,7 @@ pub(super) fn spread(row: &Row<'_>, figure: &str) -> f64 {
     row.figures.get(&name).copied().unwrap_or_default()
 }
 
-/// The drawings of a chart, one for each value of what is varied beside the strategies.
+/// The drawings of a chart, one for each value of what is varied in addition to the strategies.
 fn panels(asked: &ChartSynopsis, placed: &[Placed<'_>], front: &[[f64; 2]]) -> Vec<Panel> {
     let mut titles: Vec<&str> = Vec::new();
     for p in placed {

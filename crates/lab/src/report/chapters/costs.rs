@@ -1,4 +1,4 @@
-//! What strategies get wrong at some points and what they cost there: the table, the samples, and where the time goes.
+//! Errors and costs of strategies at some points: the table, the samples, and the time of each pass.
 
 use std::collections::BTreeSet;
 
@@ -33,7 +33,7 @@ const RATIO: usize = COLUMNS_BEFORE + 2;
 const RATIO_UNCUT: usize = COLUMNS_BEFORE + 3;
 const FRAME: usize = COLUMNS_BEFORE + 5;
 
-/// A point, and what a row calls it beside the method; nothing where there is no other.
+/// A point, and its label next to the method in a row; empty where there is no other point.
 pub(super) type Labelled<'a> = (String, &'a Record);
 
 /// Error and cost of each strategy at some points. Columns that hold nothing but zeros are left out, and named below.
@@ -64,7 +64,7 @@ pub(super) fn table(points: &[Labelled<'_>]) -> Vec<Block> {
     finished(grid)
 }
 
-/// Error and cost of one strategy, with a row for each point that asked it.
+/// Error and cost of one strategy, with a row for each point that requests it.
 pub(super) fn of_method(name: &str, points: &[Labelled<'_>]) -> Vec<Block> {
     let mut grid = empty("point", points);
     for (label, record) in points {
@@ -180,7 +180,7 @@ fn warned(cell: Cell, found: &StrategyMeasurement, warnings: &[Warning]) -> Cell
         .titled(words.join("; "))
 }
 
-/// Where the time of each strategy goes, and every sample; nothing where none was taken.
+/// Time of each strategy by pass, and every sample; nothing where none was taken.
 pub(super) fn passes(record: &Record) -> Option<Block> {
     let of = |passes: &[PassTime], clock: Clock| -> Vec<Segment> {
         let of_clock = passes.iter().filter(|p| p.clock == clock);

@@ -1,10 +1,10 @@
-//! What was expected, and what came of it.
+//! Expectations, and their outcomes.
 
 use super::figures::counted;
 use crate::experiment::{Reached, Record};
 use crate::report::document::{Block, Cell, Grid, Tone};
 
-/// What was missed at a point.
+/// Missed expectations of a point.
 pub(super) fn missed(expectations: &[Reached]) -> impl Iterator<Item = Block> {
     expectations.iter().filter(|r| !r.holds).map(missed_notice)
 }
@@ -14,7 +14,7 @@ struct Shared<'a> {
     first: &'a Reached,
     reached: usize,
     missed: usize,
-    /// What was found, each once.
+    /// Outcomes, each once.
     found: Vec<&'a str>,
 }
 
@@ -80,7 +80,7 @@ pub(super) fn of_run(records: &[&Record], only: Option<&str>) -> Option<Block> {
     })
 }
 
-/// What was found at several points; whole on pointing at it.
+/// Outcomes at several points; the tooltip has all of them.
 fn found(all: &[&str]) -> Cell {
     const MOST: usize = 3;
     match all.len() {
@@ -92,7 +92,7 @@ fn found(all: &[&str]) -> Cell {
     }
 }
 
-/// What was missed.
+/// Notice of a missed expectation.
 pub(super) fn missed_notice(reached: &Reached) -> Block {
     Block::Notice(
         Tone::Bad,

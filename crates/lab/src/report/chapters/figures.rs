@@ -53,7 +53,7 @@ pub(super) fn wrong_px(count: usize) -> Cell {
     Cell::number(count.to_string(), count as f64).toned(tone_of(count))
 }
 
-/// How grave wrong pixels are.
+/// Severity of a number of wrong pixels.
 pub(super) fn tone_of(count: usize) -> Tone {
     /// So few wrong pixels are hardly noticed.
     const FEW_PX: usize = 30;

@@ -1,4 +1,4 @@
-//! What a chart of error against cost has beside its drawing: the price of accuracy along the front, and a list where nearly nothing is wrong.
+//! Additions to a chart of error against cost: the price of accuracy along the front, and a list where nearly nothing is wrong.
 
 use super::charts::{Placed, spread};
 use super::figures::{label, times};
@@ -20,7 +20,7 @@ pub(super) fn front_of(asked: &ChartSynopsis, placed: &[Placed<'_>]) -> (Vec<[f6
     (on_front.iter().map(|i| placed[*i].at).collect(), prices)
 }
 
-/// Whether nearly all marks would lie on the line of no error, where a list says more.
+/// Returns true if nearly all marks would lie on the line of no error, where a list shows more.
 pub(super) fn is_mostly_without_error(asked: &ChartSynopsis, placed: &[Placed<'_>]) -> bool {
     const FEW: usize = 2;
     let wrong = placed.iter().filter(|p| p.at[1] > 0.0).count();

@@ -1,4 +1,4 @@
-//! What the words of the tables mean, in one short table.
+//! Glossary of the words in the tables, as one short table.
 
 use super::figures::percent;
 use super::pictures;

@@ -1,4 +1,4 @@
-//! What concerns all of a report, which stands before everything else; and what was run, on what.
+//! Notices on the whole report, which stand before everything else; and the list of what was run, on what.
 
 use super::figures::counted;
 use super::point::Points;
@@ -7,7 +7,7 @@ use crate::experiment::Run;
 use crate::report::document::{Block, Cell, Grid, Tone};
 use crate::report::recorded::{Experiment, Folder, Recorded};
 
-/// How much was measured, what of it is missing or was missed, and what to know of all figures.
+/// Number of measurements, missing points, missed expectations, and warnings on all figures.
 pub(super) fn notices(
     recorded: &Recorded,
     points: &Points<'_>,
@@ -68,7 +68,7 @@ pub(super) fn notices(
     blocks
 }
 
-/// Where and by which commands each folder was measured.
+/// Machine and commands that measured each folder.
 pub(super) fn chapter(recorded: &Recorded) -> Vec<Block> {
     if recorded.folders.iter().all(|f| f.run.is_none()) {
         return Vec::new();
@@ -104,7 +104,7 @@ fn commands(recorded: &Recorded) -> Grid {
     grid
 }
 
-/// How many expectations were reached, of points, of cases, and of areas beside outside baselines; nothing where what was expected is not
+/// Number of expectations reached, of points, of cases, and of areas next to outside baselines; nothing where what was expected is not
 /// measured yet.
 fn reached(recorded: &Recorded) -> Option<Block> {
     let experiments = || recorded.folders.iter().flat_map(|f| &f.experiments);
@@ -139,7 +139,7 @@ fn reached(recorded: &Recorded) -> Option<Block> {
     Some(block)
 }
 
-/// What was to be measured in a folder and was not, and the commands that go on; nothing where all was.
+/// Points of a folder that are not measured yet, and the commands that continue; nothing where all are measured.
 pub(super) fn missing(folder: &Folder, experiment: &Experiment) -> Vec<Block> {
     let lacking = &experiment.missing;
     if lacking.is_empty() {

@@ -1,10 +1,10 @@
-//! How the report was made: commands, limits, and where the measurements are biased.
+//! Section on how the report was made: commands, limits, and biases of the measurements.
 
 use super::pictures::Galleries;
 use crate::report::document::{Block, Cell, Grid};
 use crate::report::recorded::Recorded;
 
-/// What readers should know before they trust a figure.
+/// Biases to consider before trusting a figure.
 const BIAS: &str = "\
 - Errors are counted at pixel centres of the views that were chosen; a strategy that is exact there may be wrong in another view. Hard cases and the property search look for such views.
 - `decided` leaves out pixels where sampling is ambiguous within the error of f32: no answer can be called wrong there.

@@ -1,4 +1,4 @@
-//! What one method does at all points of a report: its answer, its errors, what it costs and what it refuses.
+//! Page of one method at all points of a report: its answer, its errors, its costs and its refusals.
 
 use cutaway::error::{Error, Result, did_you_mean};
 
@@ -16,7 +16,7 @@ use crate::report::recorded::Recorded;
 ///
 /// # Errors
 ///
-/// That no point asked it, with the names of those that some did.
+/// Fails if no point used the method; the error names the methods that were used.
 pub(in crate::report) fn method_document(recorded: &Recorded, name: &str) -> Result<Document> {
     let points = Points::of(recorded);
     let records: Vec<&Record> = points.all.iter().map(|p| p.record).collect();
@@ -174,7 +174,7 @@ fn short(name: &str, records: &[&Record]) -> Vec<Block> {
     blocks
 }
 
-/// How it stands to the fastest exact method of each point.
+/// Ratio to the fastest exact method of each point, as a sentence.
 fn over_fastest(name: &str, records: &[&Record]) -> String {
     let factors = records.iter().filter_map(|record| {
         let own = Situation::View.ratio(record, of(record, name)?)?;

@@ -1,4 +1,4 @@
-//! What a report says, one file for each section; how it looks is the business of [`super::document`].
+//! Contents of a report, one file for each section; [`super::document`] does the layout.
 
 mod advice;
 mod broken;

@@ -1,4 +1,4 @@
-//! Which pictures are in the page, and which are linked or left out.
+//! Choice of the pictures that are embedded in the page, linked, or left out.
 //!
 //! A page that holds its pictures opens from anywhere, but browsers struggle with very large ones. There is a budget of bytes; each
 //! point gets an equal share of what is left, exact first, then the strategies in the order of the record, each with its heat map.
@@ -15,7 +15,7 @@ use crate::experiment::Picture;
 use crate::report::document::{Block, Cell, Gallery, Image, Shot, Source, Swatch, Tone};
 use crate::report::look::look;
 
-/// How pictures come into the page.
+/// Options for the pictures of the page.
 #[derive(Clone, Debug)]
 pub struct PictureOptions {
     /// Folder that the report is written to: links are seen from there.
@@ -34,9 +34,9 @@ impl PictureOptions {
 /// The galleries of all points.
 pub(super) struct Galleries {
     galleries: Vec<Gallery>,
-    /// Which point each is of: run folder, experiment, identity of the record.
+    /// Identity of each gallery's point: run folder, experiment, identity of the record.
     of: Vec<(PathBuf, String, String)>,
-    /// How many pictures each names whose files are not there.
+    /// Number of pictures without a file, per gallery.
     gone: Vec<usize>,
 }
 
@@ -45,7 +45,7 @@ struct Wanted {
     name: String,
     caption: Cell,
     path: PathBuf,
-    /// Where it is wrong.
+    /// Heat map of its errors.
     errors: Option<PathBuf>,
     /// Decided wrong pixels in it; none of the reference.
     wrong_px: Option<usize>,
@@ -99,13 +99,13 @@ impl Galleries {
         blocks
     }
 
-    /// Whether there are pictures of a point.
+    /// Returns true if there are pictures of a point.
     pub(super) fn has(&self, point: &Point<'_>) -> bool {
         let index = self.of.iter().position(|k| *k == key(point));
         index.is_some_and(|index| !self.galleries[index].shots.is_empty())
     }
 
-    /// How many pictures have no file, and how to make them; nothing where all are there.
+    /// Number of pictures without a file, and how to make them; nothing where all are there.
     pub(super) fn gone(&self) -> Option<Block> {
         let gone: usize = self.gone.iter().sum();
         let points = self.gone.iter().filter(|gone| **gone > 0).count();
@@ -125,7 +125,7 @@ impl Galleries {
         })
     }
 
-    /// How many pictures are in the page or linked, and how many are not.
+    /// Number of pictures in the page or linked, and number left out.
     pub(super) fn counts(&self) -> [usize; 2] {
         let files = |s: &Shot| 1 + usize::from(s.errors.is_some());
         let shown = self
@@ -150,7 +150,7 @@ fn key(point: &Point<'_>) -> (PathBuf, String, String) {
     (point.folder.path.clone(), record.experiment.clone(), name)
 }
 
-/// The pictures of a point within a share of the budget, how much of it they take, and how many have no file.
+/// The pictures of a point within a share of the budget, the bytes they use, and the number without a file.
 fn gallery(
     points: &Points<'_>,
     point: &Point<'_>,
@@ -273,7 +273,7 @@ fn relative(from: &Path, to: &Path) -> String {
     up.chain(down).collect::<Vec<_>>().join("/")
 }
 
-/// What the colours of heat maps mean.
+/// Legend of the heat map colours.
 pub(super) fn colors() -> Vec<Swatch> {
     let swatch = |e: &LegendEntry| {
         let [r, g, b] = e.rgb;

@@ -22,7 +22,7 @@ impl Point<'_> {
         words.join(", ")
     }
 
-    /// The run that it is of, as it was asked.
+    /// Run of the point, as the experiment defines it.
     pub(super) fn run(&self) -> Option<&RunSynopsis> {
         let mut runs = self.experiment.synopsis.runs.iter();
         runs.find(|r| r.name == self.record.run)
@@ -37,7 +37,7 @@ impl Point<'_> {
     }
 }
 
-/// What figures must share to be compared: the folder of a run, the adapter, and whether it was measured with `--quick`.
+/// Properties that figures must share to be compared: the folder of a run, the adapter, and whether it was measured with `--quick`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Setup<'a> {
     folder: &'a Folder,
@@ -94,7 +94,7 @@ impl<'a> Points<'a> {
         }
     }
 
-    /// Where points were measured, in the order of the folders.
+    /// Setups of the points, in the order of the folders.
     pub(super) fn setups(&self) -> impl Iterator<Item = &Setup<'a>> {
         self.setups.iter()
     }

@@ -1,14 +1,14 @@
-//! Which marks of a chart belong together, and what that is called.
+//! Grouping of the marks of a chart into series, and their names.
 
 use super::charts::Placed;
 use crate::experiment::ChartSynopsis;
 use crate::report::derived::Row;
 
-/// Figures of the scene: what is varied of it is what is along x.
+/// Figures of the scene: parameters of the scene that vary show along x.
 const OF_SCENE: [&str; 2] = ["triangles", "pixels"];
 
-/// A series has one strategy and one value of whatever is varied over the chart, but for what is along x: where that is a parameter,
-/// all other parameters are told apart; where it is a figure, the strategy's own parameters run along the series. Strategies share a
+/// A series has one strategy and one value of each varied parameter except the one along x: where x is a parameter,
+/// all other parameters separate series; where x is a figure, the strategy's own parameters run along the series. Strategies share a
 /// drawing, and each value of the rest has one of its own; where there is one strategy alone, the values of what is varied last share one.
 pub(super) fn name_series(asked: &ChartSynopsis, placed: &mut [Placed<'_>]) {
     let is_of_scene = OF_SCENE.contains(&asked.x.as_str());
@@ -50,7 +50,7 @@ pub(super) fn name_series(asked: &ChartSynopsis, placed: &mut [Placed<'_>]) {
     }
 }
 
-/// What a series calls its strategy.
+/// Name of a strategy in a series.
 fn method_of(asked: &ChartSynopsis, row: &Row<'_>, is_of_scene: bool) -> String {
     let own = &row.member.parameters;
     let runs_along = own.contains_key(&asked.x);

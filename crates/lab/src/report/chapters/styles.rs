@@ -1,4 +1,4 @@
-//! What a cutaway costs over the same picture without one, and what a style costs over plain light.
+//! Cost of a cutaway over the same picture without one, and of a style over plain light.
 
 use super::advice::cards;
 use super::figures::times;

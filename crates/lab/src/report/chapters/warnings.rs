@@ -1,4 +1,4 @@
-//! What to know of figures before they are believed: each thing once, with all that it concerns.
+//! Warnings on figures: each once, with everything that it concerns.
 
 use crate::experiment::Warning;
 use crate::report::document::{Block, Tone};

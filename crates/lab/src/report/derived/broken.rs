@@ -11,12 +11,12 @@ use super::{Spread, StrategyTotals};
 use crate::Comparison;
 use crate::experiment::{Parameter, Record};
 
-/// Whether the truth of a point is the exact image of another scene.
+/// Returns true if a point is judged by the exact image of another scene.
 pub(crate) fn has_other_truth(record: &Record) -> bool {
     record.truth.is_some()
 }
 
-/// Whether something is broken: a sweep may begin with a defect of amount 0.
+/// Returns true if the scene has a defect: a sweep may begin with a defect of amount 0.
 pub(crate) fn has_defect(record: &Record) -> bool {
     let amounts = |part: &Node| -> Vec<Option<f64>> {
         let defects = part.get("defects").map_or(&[] as &[_], Node::items);
@@ -33,10 +33,10 @@ pub(crate) fn has_defect(record: &Record) -> bool {
     has_other_truth(record) && amounts.any(|a| a != Some(0.0))
 }
 
-/// What a strategy makes of broken meshes.
+/// Errors and marks of a strategy on broken meshes.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Harm {
-    /// Points asked and drawn, and what a frame costs.
+    /// Points requested and drawn, and the cost of a frame.
     pub totals: StrategyTotals,
     /// Pixels that are wrong over those of the exact cap.
     pub wrong: Option<Spread>,
@@ -54,7 +54,7 @@ pub(crate) struct Harm {
 pub(crate) const TOO_MUCH: f64 = 0.5;
 
 impl Harm {
-    /// Whether it drew at all points and leaves enough to be used.
+    /// Returns true if it drew at all points and leaves enough to be used.
     pub(crate) fn is_usable(&self) -> bool {
         self.totals.refused() == 0 && self.lost.is_some_and(|l| l.median < TOO_MUCH)
     }

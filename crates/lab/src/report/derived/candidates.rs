@@ -1,4 +1,4 @@
-//! All methods that were asked at some points, with what they cost there: those that can be trusted first.
+//! All methods requested at some points, with their costs there: those that can be trusted first.
 
 use super::totals::{names, self_standing};
 use super::{Situation, Spread, StrategyTotals};
@@ -7,9 +7,9 @@ use crate::experiment::Record;
 /// A method at some points.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Candidate {
-    /// Points asked, drawn and exact, and reasons of refusals.
+    /// Points requested, drawn and exact, and reasons of refusals.
     pub totals: StrategyTotals,
-    /// Time over drawing the uncut scene, in the situation that was asked about; none where nothing was drawn.
+    /// Time over drawing the uncut scene, in the requested situation; none where nothing was drawn.
     pub ratio: Option<Spread>,
 }
 

@@ -7,7 +7,7 @@
 //! The root blows up what a short step scatters, and a difference of costs within their spreads may be none: neither has a price.
 //! What did not draw all of a frame has fewer errors and less cost for the wrong reason, and is on no front.
 
-/// What one strategy offers.
+/// Error and cost of one strategy.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Offer {
     /// Error, 0 or more.
@@ -16,14 +16,14 @@ pub(crate) struct Offer {
     pub cost: f64,
     /// Median absolute deviation of the cost; none where it is not known.
     pub spread: Option<f64>,
-    /// Whether all of the frame was drawn.
+    /// True if all of the frame was drawn.
     pub is_complete: bool,
 }
 
-/// What a tenfold less error costs along a step of a front.
+/// Price of a tenfold smaller error along a step of a front.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Price {
-    /// So many times as much.
+    /// Factor on the cost.
     Factor(f64),
     /// There is no error left: no number of tenfolds.
     ToNoError,
@@ -45,9 +45,9 @@ pub(crate) struct Step {
     pub to: usize,
     /// Cost of the second over that of the first.
     pub cost_ratio: f64,
-    /// What a tenfold less error costs.
+    /// Price of a tenfold smaller error.
     pub price: Price,
-    /// Whether the spreads of both costs are known.
+    /// True if the spreads of both costs are known.
     pub is_spread_known: bool,
 }
 

@@ -2,9 +2,9 @@
 
 use crate::experiment::{Invocation, Record, Run};
 
-/// The invocations of a run, the earliest first, each with the number of points whose record is of it.
+/// The invocations of a run, the earliest first, each with the number of points whose records name it.
 ///
-/// The command that `run.json` names may have kept every point that it asked for. It is last then, and has the points whose records name
+/// The command that `run.json` names may have kept all of its points. It is last then, and has the points whose records name
 /// no command, as those of older versions do not.
 pub(crate) fn invocations<'a>(
     run: &Run,

@@ -8,7 +8,7 @@
 //! | which strategies are exact wherever they drew, and which of them is the cheapest | [`ranked`] |
 //! | what all methods at some points cost, the wrong ones too | [`candidates`] |
 //! | what a cutaway costs over the picture without one, and a style over plain light | [`variants`] |
-//! | how a strategy is asked for, and what it is limited to | [`usage`] |
+//! | command line of a strategy, and its limits | [`usage`] |
 //! | how wrong broken meshes are drawn, and how much of that is marked | [`Harm`] |
 //! | which commands measured a run | [`invocations`] |
 //! | which strategies are the paper's path | [`papers`] |

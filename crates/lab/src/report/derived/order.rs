@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-/// What may follow a number, and by what it multiplies.
+/// Suffixes of numbers, and the factor of each.
 const SUFFIXES: [(&str, f64); 8] = [
     ("", 1.0),
     ("%", 1.0),

@@ -1,8 +1,8 @@
-//! Which strategy to use at some points: the one ranking of a report.
+//! Choice of a strategy at some points: the one ranking of a report.
 //!
 //! It holds the strategies that `cutaway render` takes and that are exact wherever they drew; a refusal is no picture, and does not count
 //! against them. At each point a strategy has a factor over the fastest of them there, and the least median of these factors comes first,
-//! so that strategies can be compared that were not asked at the same points; of equal ones, the least median of the ratio. Strategies
+//! so that strategies measured at different points can be compared; of equal ones, the least median of the ratio. Strategies
 //! that were exact at half of the points or fewer come last: any two of the others share a point.
 //!
 //! A strategy that is not the first is a draw with it unless the first is faster at more than half of the points where both are exact:
@@ -21,13 +21,13 @@ pub(crate) const BETWEEN_RUNS: f64 = 0.12;
 pub(crate) struct Ranked {
     /// Its name in the records.
     pub name: String,
-    /// How it is asked for.
+    /// Command line of the strategy.
     pub usage: Usage,
     /// Points where it was exact.
     pub exact: usize,
-    /// Time over drawing the uncut scene, in the situation that was asked about.
+    /// Time over drawing the uncut scene, in the requested situation.
     pub ratio: Spread,
-    /// Whether the first of the ranking is not faster than it.
+    /// True if the first of the ranking is not faster than this one.
     pub is_draw: bool,
 }
 
@@ -88,7 +88,7 @@ fn factor(ratios: &Ratios, least: &[f64]) -> f64 {
     Samples::new(factors.collect()).median
 }
 
-/// Whether one strategy is faster than another at more than half of the points that both have.
+/// Returns true if one strategy is faster than another at more than half of the points that both have.
 fn is_faster(one: &Ratios, other: &Ratios) -> bool {
     let both = one.iter().zip(other);
     let both: Vec<(&Samples, &Samples)> = both
@@ -167,7 +167,7 @@ mod tests {
         let alone = record(&[("raycast+mask", 0.0, 20.0, 0)]);
         let records = [&cheap, &cheap, &dear, &dear, &alone, &alone, &alone];
         let ranking = ranked(&records, Situation::View);
-        // The stencil has the lesser median: it was not asked at the dearest points. Where it was, it is the slower one.
+        // The stencil has the lesser median: it was not measured at the dearest points. Where it was, it is the slower one.
         let found: Vec<(&str, f64)> = (ranking.iter())
             .map(|s| (s.name.as_str(), s.ratio.median))
             .collect();

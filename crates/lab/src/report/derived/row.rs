@@ -1,4 +1,4 @@
-//! A strategy at a point: all that was found of it, by name.
+//! Row of a strategy at a point: all its figures, by name.
 //!
 //! Names of figures are those of charts and of the columns of the CSV: those of [`crate::experiment::figures`], and for each situation the
 //! time over that of drawing the uncut scene. What was not measured is not there.
@@ -14,9 +14,9 @@ use crate::experiment::{FamilyMember, Parameter, Record, StrategyMeasurement};
 pub(crate) struct Row<'a> {
     /// The point.
     pub record: &'a Record,
-    /// Which of its strategies.
+    /// Index of the strategy in the record.
     pub index: usize,
-    /// What made it.
+    /// Family and parameters of the strategy.
     pub member: &'a FamilyMember,
     /// Figures by name.
     pub figures: BTreeMap<String, f64>,
@@ -55,7 +55,7 @@ impl<'a> Row<'a> {
         }
     }
 
-    /// What was found of the strategy.
+    /// Measurement of the strategy.
     pub(crate) fn found(&self) -> &'a StrategyMeasurement {
         &self.record.measurement.strategies[self.index]
     }

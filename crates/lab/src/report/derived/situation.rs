@@ -1,4 +1,4 @@
-//! What has to be drawn anew, and what that costs.
+//! Work that a change of the view, the cut or the mesh requires, and its cost.
 //!
 //! Structures are redone on their own clocks. When only the view moves, a frame costs the clock of the frame; when the cut moves, the
 //! clock of the cut comes on top; when the mesh moves, all three. Clocks are added round by round.
@@ -8,7 +8,7 @@ use cutaway_io::document::Node;
 use crate::experiment::Moves;
 use crate::experiment::{Ending, Record, Samples, StrategyMeasurement};
 
-/// What moves.
+/// Part of the input that moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Situation {
     /// Only the view.
@@ -72,7 +72,7 @@ impl Situation {
         ))
     }
 
-    /// That time over drawing the uncut scene, quotient by quotient of the rounds.
+    /// Ratios of that time to drawing the uncut scene, round by round.
     pub(crate) fn ratios(self, record: &Record, found: &StrategyMeasurement) -> Option<Samples> {
         let ratios = self.samples(found)?.over(&record.measurement.draw_only_ms);
         (ratios.median.is_finite() && ratios.median > 0.0).then_some(ratios)
@@ -84,12 +84,12 @@ impl Situation {
     }
 }
 
-/// Whether a strategy drew all of a frame and got no pixel wrong that the reference is sure of.
+/// Returns true if a strategy drew the whole frame and no pixel that the reference is sure of is wrong.
 pub(crate) fn is_exact(found: &StrategyMeasurement) -> bool {
     found.outcome == Ending::Complete && found.comparison.is_some_and(|c| c.decided_wrong_px == 0)
 }
 
-/// By what a scene is cut.
+/// Kind of the cuts of a scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Kind {
     /// One plane alone.
@@ -103,7 +103,7 @@ pub(crate) enum Kind {
 impl Kind {
     pub(crate) const ALL: [Self; 3] = [Self::Plane, Self::Planes, Self::Relief];
 
-    /// Of the scene of a point.
+    /// Classifies the cuts of a point's scene.
     pub(crate) fn of(record: &Record) -> Self {
         let cuts = record.scene.root().get("cut");
         let cuts = cuts.map_or(&[] as &[_], Node::items);

@@ -1,4 +1,4 @@
-//! How strategies stand over many points: how often exact, how often refused, at what cost.
+//! Totals of strategies over many points: counts of exact and refused points, and costs.
 
 use std::collections::BTreeMap;
 
@@ -15,7 +15,7 @@ pub(crate) struct Spread {
 }
 
 impl Spread {
-    /// Of some numbers; none of none.
+    /// Spread of some numbers; `None` if there are none.
     pub(crate) fn of(numbers: Vec<f64>) -> Option<Self> {
         let first = *numbers.first()?;
         let least = numbers.iter().copied().fold(first, f64::min);
@@ -32,7 +32,7 @@ impl Spread {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct StrategyTotals {
     pub name: String,
-    /// Points that it was asked to draw.
+    /// Points that it was requested to draw.
     pub asked: usize,
     /// Points that it drew, overflowed or not.
     pub drawn: usize,
@@ -49,13 +49,13 @@ pub(crate) struct StrategyTotals {
 }
 
 impl StrategyTotals {
-    /// Of a strategy over the points where it was asked.
+    /// Totals of a strategy over the points that request it.
     pub(crate) fn of<'a>(name: &str, records: impl IntoIterator<Item = &'a Record>) -> Self {
         let all = records.into_iter().flat_map(|r| &r.measurement.strategies);
         Self::over(name, all.filter(|found| found.name == name))
     }
 
-    /// Of several strategies as one, each counted where it was asked.
+    /// Totals of several strategies as one, each counted at the points that request it.
     pub(crate) fn over<'a>(
         name: &str,
         all: impl IntoIterator<Item = &'a StrategyMeasurement>,
@@ -94,7 +94,7 @@ impl StrategyTotals {
         self.asked - self.drawn
     }
 
-    /// Whether it was exact wherever it drew.
+    /// Returns true if it was exact wherever it drew.
     pub(crate) fn is_exact(&self) -> bool {
         self.drawn > 0 && self.exact == self.drawn
     }
@@ -111,7 +111,7 @@ pub(super) fn names<'a>(records: &[&'a Record]) -> Vec<&'a str> {
     names
 }
 
-/// Names of strategies that stand for themselves: those that some point asked for by name rather than by a sweep over their
+/// Names of strategies that stand for themselves: those that some point requests by name rather than by a sweep over their
 /// parameters.
 pub(super) fn self_standing<'a>(records: &[&'a Record]) -> Vec<&'a str> {
     let mut names: Vec<&str> = Vec::new();

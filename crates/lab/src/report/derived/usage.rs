@@ -1,4 +1,4 @@
-//! How a strategy of a record is asked for on the command line, and what it is limited to.
+//! Command line of a recorded strategy, and its limits.
 //!
 //! Records name what `cutaway compare` takes, which is more than `cutaway render` does: `winding` draws no picture, and after an `@` stand
 //! means that are options there.
@@ -7,18 +7,18 @@ use cutaway::passes::{Rasteriser, ReliefWalk};
 use cutaway::scene::HeightFilter;
 use cutaway::strategies::Method;
 
-/// What to write after `cutaway render --strategy`, and what to know beside it.
+/// Arguments of `cutaway render --strategy`, and a remark on them.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Usage {
     /// The name, and the options for its means.
     pub words: String,
-    /// What the strategy is limited to.
+    /// Limit of the strategy.
     pub limit: Option<&'static str>,
 }
 
 /// The usage of a strategy by the name that records have for it; none where `cutaway render` cannot draw it.
 ///
-/// Which way rays walk through a relief is no option of `cutaway render`, which chooses it: it stands beside the name.
+/// The walk of rays through a relief is no option of `cutaway render`, which chooses it: the limit names it.
 pub(crate) fn usage(name: &str) -> Option<Usage> {
     let Ok(Method { strategy, options }) = name.parse() else {
         return None;

@@ -2,11 +2,11 @@
 //! over plain light.
 //!
 //! What is varied is the axis `cutaway`, or where there is none `style`; the first value of the axis is what the others are compared with,
-//! at the same values of all other axes. The time is that of all clocks, as such a picture is drawn anew from every place of the eye.
+//! at the same values of all other axes. The time is that of all clocks, as such a picture is drawn again from every place of the eye.
 
 use crate::experiment::{Record, Samples};
 
-/// What is varied, the first that a run has.
+/// Axes that may be varied: the first that a run has counts.
 const AXES: [&str; 2] = ["cutaway", "style"];
 
 /// A run whose points are variants of each other.

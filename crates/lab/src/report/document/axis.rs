@@ -1,4 +1,4 @@
-//! Where values lie along an axis, and which of them are labelled.
+//! Layout of values along an axis, and choice of the labelled ones.
 //!
 //! A logarithmic axis has no place for 0. Where some value is 0, a strip is kept beyond its least end with a tick of its own.
 
@@ -16,9 +16,9 @@ pub(super) struct Scale {
     is_log: bool,
     /// Least and greatest value, logarithms on a logarithmic axis.
     range: [f64; 2],
-    /// Where they are drawn.
+    /// Pixel positions of both.
     px: [f64; 2],
-    /// Where 0 is drawn, if it is apart.
+    /// Pixel position of 0, if it is apart.
     pub(super) zero_px: Option<f64>,
 }
 
@@ -65,7 +65,7 @@ impl Scale {
         }
     }
 
-    /// Where a value is drawn.
+    /// Pixel position of a value.
     pub(super) fn place(&self, value: f64) -> f64 {
         if self.is_log && value <= 0.0 {
             return self.zero_px.unwrap_or(self.px[0]);
@@ -75,7 +75,7 @@ impl Scale {
         self.px[0] + share.clamp(0.0, 1.0) * (self.px[1] - self.px[0])
     }
 
-    /// Values that are written beside the axis, with their words.
+    /// Labelled values of the axis, with their labels.
     pub(super) fn ticks(&self) -> Vec<(f64, String)> {
         let values = if self.is_log {
             self.log_ticks()
@@ -113,7 +113,7 @@ impl Scale {
     }
 }
 
-/// Round values about as many as asked for.
+/// Round values, about `count` of them.
 fn linear_ticks([least, most]: [f64; 2], count: f64) -> Vec<f64> {
     let rough = (most - least) / count;
     let unit = 10_f64.powf(rough.log10().floor());

@@ -1,4 +1,4 @@
-//! Where time goes: for each strategy a bar on each clock, divided by passes, and every time that was taken.
+//! Bars of time: for each strategy a bar on each clock, divided by passes, and every time that was taken.
 //!
 //! Each clock has a scale of its own: building a structure once can take a thousand frames.
 
@@ -10,7 +10,7 @@ use crate::report::number::milliseconds;
 /// Bars under each other.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Bars {
-    /// What they show.
+    /// Description of the bars.
     pub label: String,
     /// Names of the clocks.
     pub clocks: Vec<String>,
@@ -32,7 +32,7 @@ pub(crate) struct Bar {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Segment {
     pub name: String,
-    /// How long it takes.
+    /// Duration in milliseconds.
     pub ms: f64,
 }
 

@@ -2,7 +2,7 @@
 //!
 //! What would be too many lines for one drawing is several small ones with the same axes. A series has the colour and the marker of its
 //! method, as everywhere in a report; in a single drawing its name stands at its end where there is room, and what has none is listed
-//! below. Each mark says what it is when it is pointed at, and in words for those who cannot see it.
+//! below. Each mark has a tooltip, and a text for assistive technology.
 
 use std::collections::BTreeSet;
 
@@ -16,7 +16,7 @@ use crate::report::look::Look;
 /// A chart.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Chart {
-    /// What it shows.
+    /// Subject of the chart.
     pub title: String,
     /// One line under it.
     pub note: Option<String>,
@@ -31,9 +31,9 @@ pub(crate) struct Chart {
 /// One drawing.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Panel {
-    /// What sets it apart from the others of its chart.
+    /// Difference from the other drawings of the chart.
     pub title: String,
-    /// What is drawn.
+    /// Series in the drawing.
     pub series: Vec<Series>,
     /// Points of the front, the cheapest first.
     pub front: Vec<[f64; 2]>,
@@ -42,9 +42,9 @@ pub(crate) struct Panel {
 /// An axis of a chart.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Axis {
-    /// What it measures, with its unit.
+    /// Measured quantity, with its unit.
     pub label: String,
-    /// Whether it is logarithmic.
+    /// True if the axis is logarithmic.
     pub is_log: bool,
     /// Words at 0, 1, 2, ... where values are no numbers.
     pub categories: Vec<String>,
@@ -62,17 +62,17 @@ pub(crate) struct Series {
 /// A mark.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Mark {
-    /// Where it is.
+    /// Position of the mark.
     pub at: [f64; 2],
-    /// How far its coordinates scatter to either side.
+    /// Scatter of its coordinates to either side.
     pub spread: [f64; 2],
-    /// What it is.
+    /// Tooltip of the mark.
     pub title: String,
-    /// Whether something about it is doubtful, as of a frame that overflowed.
+    /// True if the mark is doubtful, such as a frame that overflowed.
     pub is_doubtful: bool,
 }
 
-/// Where a drawing has its axes.
+/// Size of a drawing and placement of its axes.
 pub(super) struct Frame {
     /// Size of the drawing.
     size: [f64; 2],

@@ -1,14 +1,14 @@
-//! Where the names of series stand in a drawing: beside their last mark, where no other name and no mark is.
+//! Placement of series names in a drawing: next to their last mark, where no other name and no mark is.
 //!
-//! Greedy, from the first series on: beside the mark, above, below, then farther away with a line that leads there. A series for which no
-//! place is free has no name in the drawing. Time goes with the square of the number of marks, of which there are some hundred.
+//! Greedy, from the first series on: next to the mark, above, below, then farther away with a line that leads there. A series for which no
+//! place is free has no name in the drawing. Time is quadratic in the number of marks, of which there are some hundred.
 
 /// A name in a drawing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Ending {
-    /// Of which series.
+    /// Index of the series.
     pub series: usize,
-    /// Where the text begins, on its base line.
+    /// Start of the text, on its base line.
     pub at: [f64; 2],
     /// The mark, where a line leads from it.
     pub lead: Option<[f64; 2]>,
@@ -16,7 +16,7 @@ pub(super) struct Ending {
 
 /// Height of a line of text.
 const LINE: f64 = 14.0;
-/// From a mark to the name beside it.
+/// Distance from a mark to the name next to it.
 const GAP: f64 = 8.0;
 
 /// Left, right, top and bottom.

@@ -12,13 +12,13 @@ use crate::report::look::Look;
 /// Pictures of one frame.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Gallery {
-    /// What they show.
+    /// Description of the pictures.
     pub label: String,
     /// One for each method, exact first.
     pub shots: Vec<Shot>,
-    /// Which two lie under the slider at first, left and right.
+    /// Indices of the two pictures under the slider at first, left and right.
     pub opens_at: [usize; 2],
-    /// What the colours of heat maps mean.
+    /// Legend of the heat map colours.
     pub legend: Vec<Swatch>,
     /// Names of pictures that did not fit into the page.
     pub left_out: Vec<String>,
@@ -30,21 +30,21 @@ pub(crate) struct Swatch {
     /// `#rrggbb`.
     pub color: String,
     pub name: String,
-    /// What a pixel of this colour is.
+    /// Meaning of a pixel of this colour.
     pub meaning: String,
 }
 
-/// What a method drew.
+/// Picture drawn by a method.
 #[derive(Clone, Debug)]
 pub(crate) struct Shot {
     /// The method.
     pub name: String,
-    /// How it looks in charts; the reference is in none.
+    /// Look of the method in charts; the reference is in none.
     pub look: Option<Look>,
-    /// What can be seen.
+    /// Caption of the picture.
     pub caption: Cell,
     pub picture: Image,
-    /// Where it is wrong.
+    /// Heat map of its errors.
     pub errors: Option<Image>,
 }
 
@@ -56,7 +56,7 @@ pub(crate) struct Image {
     pub link: String,
 }
 
-/// Where a picture is.
+/// Location of a picture.
 #[derive(Clone, Debug)]
 pub(crate) enum Source {
     /// In the page.

@@ -1,6 +1,6 @@
 //! A table whose cells have a tone, a longer story, and a value to sort by.
 
-/// How grave something is.
+/// Severity of something.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum Tone {
     /// Nothing to say.
@@ -32,13 +32,13 @@ impl Tone {
 /// A cell.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Cell {
-    /// What it says.
+    /// Text of the cell.
     pub text: String,
     /// The longer story.
     pub title: Option<String>,
-    /// How grave it is.
+    /// Severity.
     pub tone: Tone,
-    /// What it is sorted by, where that is not its text.
+    /// Sort key, if it is not the text.
     pub key: Option<f64>,
 }
 
@@ -76,7 +76,7 @@ impl<S: Into<String>> From<S> for Cell {
 /// A table.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Grid {
-    /// What it is, for those who cannot see it.
+    /// Description of the table for assistive technology.
     pub label: String,
     /// Headings of the columns.
     pub heading: Vec<Cell>,

@@ -79,7 +79,7 @@ fn anchors(blocks: &[Block], found: &mut Vec<Anchor>) {
 
 /// Writes blocks in their order.
 struct Writer {
-    /// Of all headings.
+    /// Anchors of all headings.
     anchors: Vec<Anchor>,
     /// Headings that are written.
     headings: usize,

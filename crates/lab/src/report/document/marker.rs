@@ -1,4 +1,4 @@
-//! Markers of methods, alone and beside their names.
+//! Markers of methods, alone and next to their names.
 
 use maud::{Markup, html};
 

@@ -3,7 +3,7 @@
 //! Sections say what is to be read; [`html`] and [`markdown`] say how it looks. Both are made of the same blocks, so that neither knows
 //! more than the other, but for what a page of text cannot show: there the tables around a chart stand for it.
 //!
-//! Words of a block are plain: what comes from a record is escaped by whoever writes it down, in one place for each form. A stretch
+//! Words of a block are plain: each output form escapes the text of records in one place, where it is written. A stretch
 //! between backticks is code.
 
 mod axis;
@@ -34,7 +34,7 @@ pub(super) use ranking::{Line, Ranking};
 #[derive(Clone, Debug, Default)]
 pub(super) struct Document {
     pub title: String,
-    /// What it says, in order.
+    /// Contents, in order.
     pub blocks: Vec<Block>,
 }
 
@@ -56,21 +56,21 @@ pub(super) enum Block {
     Chart(Chart),
     /// Methods under each other with what they cost.
     Ranking(Ranking),
-    /// Where time goes.
+    /// Time of each strategy, by clock and pass.
     Bars(Bars),
     /// Pictures of one frame.
     Gallery(Gallery),
-    /// What the colours of pictures mean.
+    /// Legend of the colours of pictures.
     Swatches(Vec<Swatch>),
-    /// Pieces of one width, beside each other where there is room.
+    /// Pieces of one width, side by side where there is room.
     Cards(Vec<Vec<Self>>),
-    /// What is shown on demand.
+    /// Content shown on demand.
     Folded {
         /// The line that is always shown.
         summary: String,
-        /// Whether it is shown from the start.
+        /// True if it is open from the start.
         open: bool,
-        /// What is in it.
+        /// Content.
         blocks: Vec<Self>,
     },
 }

@@ -18,15 +18,15 @@ const BETWEEN_TICKS: f64 = 18.0;
 /// Methods under each other.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Ranking {
-    /// What is compared.
+    /// Subject of the comparison.
     pub title: String,
-    /// What the lines are: methods, or runs of one.
+    /// Kind of the lines: methods, or runs of one.
     pub names: &'static str,
-    /// What the numbers are of.
+    /// Quantity along the axis.
     pub axis: String,
-    /// Whether they are factors, and not times or bytes.
+    /// True if the numbers are factors, and not times or bytes.
     pub is_factor: bool,
-    /// What the words beside them say.
+    /// Heading of the words next to them.
     pub heading: String,
     /// The ends of the axis: those of several rankings may be the same, so that they can be compared.
     pub range: [f64; 2],
@@ -39,9 +39,9 @@ pub(crate) struct Ranking {
 pub(crate) struct Line {
     pub name: String,
     pub look: Look,
-    /// What it costs; none where it was not drawn.
+    /// Cost; none where it was not drawn.
     pub cost: Option<Spread>,
-    /// What to know of it.
+    /// Remarks on the method.
     pub words: Cell,
 }
 

@@ -12,7 +12,7 @@ pub(super) const PAGE: f64 = 1200.0;
 /// Width of a letter.
 const LETTER: f64 = 7.8;
 
-/// What a cell has on its left and right.
+/// Padding on the left and right of a cell, together.
 const PADDING: f64 = 17.0;
 
 /// Room for the mark of a sorted column.

@@ -12,9 +12,9 @@ use crate::report::derived::{invocations, natural};
 /// A folder of a run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Folder {
-    /// Where it is.
+    /// Path of the folder.
     pub path: PathBuf,
-    /// Where and by what the run was made; none where there are outside baselines alone.
+    /// Machine and program that made the run; `None` if there are outside baselines alone.
     pub run: Option<Run>,
     /// By name.
     pub experiments: Vec<Experiment>,
@@ -25,7 +25,7 @@ pub struct Folder {
 /// An experiment and its records.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Experiment {
-    /// What was asked.
+    /// Definition of the experiment.
     pub synopsis: Synopsis,
     /// Its points: runs in the order of the definition, and in them as it lists its points; those that it does not list come after, by
     /// their parameters.
@@ -42,8 +42,8 @@ const EXPERIMENT_FILE: &str = "experiment.json";
 const PEERS_FOLDER: &str = "peers";
 
 impl Folder {
-    /// Reads all of it: a folder for each device that it was measured on and each program that measured it, for shards may have run on
-    /// several and by several.
+    /// Reads a folder into one [`Folder`] for each device and each program that measured it: shards may have run on several devices and
+    /// by several programs.
     pub(super) fn read(path: &Path) -> Result<Vec<Self>> {
         if path.is_file() {
             return Err(Error::file(path, "it is a file, not a folder", MISSING));
@@ -126,7 +126,7 @@ impl Folder {
     }
 }
 
-/// What figures of different kinds are never put together: the device and the program.
+/// Device and program that made figures: figures of different makers are never combined.
 #[derive(PartialEq)]
 struct Maker<'a> {
     adapter: &'a AdapterReport,
@@ -181,7 +181,7 @@ fn peers_alone(path: &Path) -> Result<Vec<PeerRecord>> {
         .collect()
 }
 
-/// The runs of a folder, those of one device and program made one: that of the command that measured all of it, or of each share of it.
+/// The runs of a folder, merged by device and program: from the command that measured all points, or from each shard.
 fn runs(path: &Path) -> Result<Vec<Run>> {
     let mut runs: Vec<Run> = Vec::new();
     for file in json_files(path)?.iter().filter(|file| Run::is_file(file)) {
@@ -272,7 +272,7 @@ impl Experiment {
     }
 }
 
-/// A record has as many values for each strategy as strategies, and its pictures beside it.
+/// Checks that a record has one entry per strategy in each list, and its pictures in its own folder.
 fn is_at_one(file: &Path, record: &Record) -> Result<()> {
     if let Some(stray) = record.pictures.iter().find(|p| !p.is_beside()) {
         return Err(Error::file(
@@ -303,7 +303,7 @@ fn is_at_one(file: &Path, record: &Record) -> Result<()> {
     Ok(())
 }
 
-/// What is in a folder, by name, without hidden files: unfinished ones are.
+/// Entries of a folder, by name, without hidden files: unfinished files are hidden.
 fn entries(folder: &Path) -> Result<Vec<PathBuf>> {
     let unreadable = |e: std::io::Error| {
         Error::file(

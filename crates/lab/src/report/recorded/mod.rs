@@ -1,8 +1,8 @@
-//! Folders of runs, read whole and checked before anything is made of them.
+//! Reads folders of runs whole, and checks them before they are used.
 //!
-//! A folder is what `cutaway measure` and the outside baselines leave: `run.json`, a folder for each experiment with `experiment.json` and
-//! one file for each point, and `peers/*.json`. A folder in it without `experiment.json` is of something else, and passed over. A file that is half-written, of a form that is not known, or at odds with itself is an
-//! error that names it; what is no JSON is left alone. Nothing is worked out here.
+//! `cutaway measure` and the outside baselines write such a folder: `run.json`, a folder for each experiment with `experiment.json` and
+//! one file for each point, and `peers/*.json`. Folders in it without `experiment.json` are skipped, and so are files that are not JSON.
+//! A half-written file, an unknown form and inconsistent contents are errors that name the file. Nothing is derived here.
 
 mod folder;
 mod peers;
@@ -40,7 +40,7 @@ impl Recorded {
         Ok(Self { folders: read })
     }
 
-    /// How many points are there, how many the experiments ask for, and the names of those that are missing, by experiment.
+    /// Number of points measured, number of points in the experiments, and the names of the missing ones, by experiment.
     pub fn completeness(&self) -> (usize, usize, Vec<String>) {
         let mut seen: Vec<(&Path, &str)> = Vec::new();
         let (mut asked, mut missing) = (0, Vec::new());

@@ -1,4 +1,4 @@
-//! What other tools found of the same cuts, and what ours found beside them: `peers/*.json`.
+//! Results of other tools on the same cuts, next to ours: `peers/*.json`.
 
 use std::collections::BTreeMap;
 
@@ -25,9 +25,9 @@ pub struct PeerRecord {
     /// The command line.
     #[serde(default)]
     pub command: String,
-    /// What was found.
+    /// Results, one row per cut and tool.
     pub rows: Vec<PeerRow>,
-    /// What the areas had to be.
+    /// Checks of the areas against their expected values.
     #[serde(default)]
     pub checks: Vec<PeerCheck>,
 }
@@ -44,16 +44,16 @@ pub struct PeerCheck {
     pub mesh: String,
     /// The cut in words.
     pub cut: String,
-    /// Whose area.
+    /// Tool that computed the area.
     pub tool: String,
-    /// How far it is off, in the unit of the area.
+    /// Error of the area, in its unit.
     pub off: f64,
-    /// How far it may be.
+    /// Largest error allowed.
     pub bound: f64,
-    /// Where the bound comes from.
+    /// Origin of the bound.
     #[serde(default)]
     pub bound_is: String,
-    /// Whether it is within.
+    /// True if the error is within the bound.
     pub holds: bool,
 }
 
@@ -67,7 +67,7 @@ pub struct PeerRow {
     pub triangles: Option<u64>,
     /// The cut in words.
     pub cut: String,
-    /// Who cut.
+    /// Tool that made the cut.
     pub tool: String,
     /// Area of the section or of the cap, where there is one.
     #[serde(default)]
@@ -78,7 +78,7 @@ pub struct PeerRow {
     /// Time, where it was taken.
     #[serde(default)]
     pub time_ms: Option<Samples>,
-    /// What the time covers.
+    /// Work that the time covers.
     #[serde(default)]
     pub clock: Option<String>,
     /// `done`, `refused` or `failed`.

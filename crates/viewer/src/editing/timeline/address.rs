@@ -1,5 +1,5 @@
-//! What paths of keys name: an entry of a list by its name, by what it is called after or by its number. Of several entries that a path
-//! fits the document takes the first in which it leads to something.
+//! Resolution of paths of keys: a path names an entry of a list by its name, by its base name or by its number. Of several entries that a
+//! path fits, the document takes the first in which the path resolves.
 //!
 //! A number names another entry when one before it is removed, and a name that two entries have is that of the first: paths that are
 //! written here fit one entry only, and follow it.
@@ -103,7 +103,7 @@ fn entries<'a>(document: &'a Document, list: &str) -> &'a [Node] {
     document.root().get(list).map_or(&[], Node::items)
 }
 
-/// Whether a node of the tree is another, or below it.
+/// Returns true if a node of the tree is another, or its ancestor.
 fn holds(node: &Node, below: &Node) -> bool {
     std::ptr::eq(node, below)
         || match &node.value {

@@ -1,4 +1,4 @@
-//! What keys are added for: the numbers that say where the selected cut, the selected part or the eye is.
+//! Targets of new keys: the numbers that place the selected cut, the selected part or the eye.
 
 use cutaway::scene::{Bounds, Camera, Viewpoint};
 use cutaway::{Error, Result};
@@ -90,7 +90,7 @@ fn prepare_cut(document: &mut Document, index: usize, bounds: &Bounds) -> Result
     }
 }
 
-/// What keys of the selection move, with its present values; of a document that is [prepared](prepare).
+/// Values that keys of the selection move, with their present values; requires a document that is [prepared](prepare).
 ///
 /// # Errors
 ///

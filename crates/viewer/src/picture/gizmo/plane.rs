@@ -118,7 +118,7 @@ pub(super) fn add_spin(
     );
 }
 
-/// The point of a plane that its handles are about: a point of it that is far from the model is none for them.
+/// Pivot of the handles of a plane: its origin, or the mean of the corners where the origin is outside the box of the model.
 fn pivot_of(corners: &[DVec3], origin: DVec3, bounds: &Bounds) -> DVec3 {
     let is_within = origin.cmpge(bounds.min).all() && origin.cmple(bounds.max).all();
     match corners.is_empty() || is_within {

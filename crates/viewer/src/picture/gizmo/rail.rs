@@ -1,4 +1,4 @@
-//! What a handle goes along in space, and how a pointer moves it there.
+//! Rails of handles in space, and the motion of a handle with the pointer.
 //!
 //! A rail gives a point for each amount: world units along a line, radians about an axis. A pointer that goes by some pixels moves the
 //! handle by as much along the picture of the rail where the handle is: nothing across it, and nothing where the rail is seen end on.
@@ -13,23 +13,23 @@ const END_ON_PX: f64 = 6.0;
 /// Share of the length of a rail between two points whose pictures give its direction.
 const STEP: f64 = 1e-3;
 
-/// What a handle goes along, in world space.
+/// Rail of a handle, in world space.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Rail {
     /// A line.
     Line {
         /// At amount 0.
         from: DVec3,
-        /// Of length 1.
+        /// Direction, of length 1.
         along: DVec3,
-        /// How long it is shown, in world units.
+        /// Drawn length, in world units.
         length: f64,
     },
     /// A circle.
     Circle {
         /// Its middle.
         centre: DVec3,
-        /// Of length 1.
+        /// Axis, of length 1.
         axis: DVec3,
         /// From the middle to amount 0.
         arm: DVec3,
@@ -54,7 +54,7 @@ impl Rail {
         points.collect()
     }
 
-    /// The amount to which a pointer takes a handle from another one.
+    /// New amount of a handle after the pointer has moved by some pixels.
     pub(super) fn follow(&self, amount: f64, by_px: DVec2, view: &WorldView) -> f64 {
         let length = match self {
             Self::Line { length, .. } => *length,

@@ -1,4 +1,4 @@
-//! How far apart the colours of two pictures are, four times as bright as it is, so that a difference of 1 in 64 is seen.
+//! Colour difference between two pictures, amplified by 4, so that a difference of 1 in 64 is visible.
 
 use cutaway::gpu::wgpu;
 use eframe::egui::TextureId;
@@ -24,7 +24,7 @@ impl Difference {
         }
     }
 
-    /// What egui shows of it, where there are two pictures.
+    /// Texture for egui, where there are two pictures.
     pub(super) fn id(&self) -> Option<TextureId> {
         self.picture.as_ref().map(|picture| picture.id)
     }

@@ -18,12 +18,12 @@ use crate::picture::slot::Side;
 pub struct Sample {
     /// Its number.
     pub index: u32,
-    /// How many there are along each side of a pixel.
+    /// Samples along each side of a pixel.
     pub per_side: u32,
 }
 
 impl Sample {
-    /// How many there are in a pixel.
+    /// Samples in a pixel.
     pub fn count(self) -> u32 {
         self.per_side * self.per_side
     }
@@ -36,7 +36,7 @@ impl Sample {
             .map_or(*view, |(_, view)| view)
     }
 
-    /// Whether no other comes after it.
+    /// Returns true if it is the last sample of a pixel.
     pub fn is_last(self) -> bool {
         self.index + 1 == self.count()
     }
@@ -86,7 +86,7 @@ impl Samples {
         }
     }
 
-    /// Where a sample of a slot is drawn.
+    /// Render target of a sample of a slot.
     pub(super) fn target(&self, side: Side, index: u32) -> Option<Target<'_>> {
         let layers = &self.of_slots.get(&side)?.layers;
         layers.get(index as usize).map(covered)

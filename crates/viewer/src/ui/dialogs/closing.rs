@@ -1,4 +1,4 @@
-//! Changes that no file has: who closes the window or opens another scene is asked first. And files that were opened last.
+//! Unsaved changes: a dialog asks before the window closes or another scene is opened. Also keeps the files opened last.
 
 use std::path::PathBuf;
 
@@ -10,15 +10,15 @@ use crate::storage::files::{self, Kind};
 use crate::storage::recent::Recent;
 use crate::ui::Viewer;
 
-/// How far a window is from being closed, or a scene from being left for another.
+/// Progress of closing a window, or of leaving a scene for another.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(in crate::ui) enum Closing {
     /// Nobody closes it.
     #[default]
     Stays,
-    /// It is asked what becomes of the changes.
+    /// The dialog asks about the changes.
     Asks,
-    /// It is closed when the scene is saved under the name that is asked for.
+    /// The window closes when the scene is saved under the name that the dialog requests.
     Saves,
     /// Whatever is not saved may go.
     Agreed,
@@ -30,7 +30,7 @@ impl Viewer {
         self.recent = Some(recent);
     }
 
-    /// Carries an action out, unless it opens another scene in the place of one with changes: that is asked about first.
+    /// Carries an action out, unless it opens another scene in the place of one with changes: then a dialog asks first.
     pub(in crate::ui) fn apply_or_ask(&mut self, action: Action) {
         let is_scene = |path: &PathBuf| files::kind(path).is_ok_and(|kind| kind == Kind::Scene);
         let leaves = matches!(&action, Action::Take(paths) if paths.iter().any(is_scene));
@@ -88,7 +88,7 @@ impl Viewer {
         }
         self.state.apply(Action::Save(path));
         match self.state.has_unsaved_changes() {
-            // What refused it is told.
+            // The reason of the refusal is already in a notice.
             true => self.closing = Closing::Stays,
             false => self.close(ctx),
         }

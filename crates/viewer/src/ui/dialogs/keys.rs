@@ -8,7 +8,7 @@ use crate::editing::cuts::PlaneMove;
 use crate::picture::camera::CameraMove;
 use crate::picture::slot::Layout;
 
-/// What a key does.
+/// The effect of a key.
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::ui) enum Does {
     /// An action of the state.
@@ -31,9 +31,9 @@ pub(in crate::ui) enum Does {
 
 /// A key and what it does.
 pub(in crate::ui) struct Binding {
-    /// The key, with what is held beside it.
+    /// The key, with its modifiers.
     pub(in crate::ui) key: KeyboardShortcut,
-    /// What it does.
+    /// The effect.
     pub(in crate::ui) does: Does,
     /// The same in words.
     pub(in crate::ui) help: &'static str,
@@ -129,13 +129,13 @@ pub(in crate::ui) fn bindings() -> Vec<Binding> {
     ]
 }
 
-/// What keys that were pressed do. Keys that are typed into a text are not theirs.
+/// Effects of the keys pressed. Keys that are typed into a text field are ignored.
 pub(in crate::ui) fn pressed(ctx: &Context) -> Vec<Does> {
     if ctx.egui_wants_keyboard_input() {
         return Vec::new();
     }
     let mut bound = bindings();
-    // Those with most held beside them first: what is consumed is gone for the others.
+    // Keys with most modifiers first: a consumed key is gone for the others.
     bound.sort_by_key(|b| std::cmp::Reverse((b.key.modifiers.shift, b.key.modifiers.any())));
     let is_pressed = |b: &Binding| ctx.input_mut(|input| input.consume_shortcut(&b.key));
     let pressed = bound.into_iter().filter(is_pressed);

@@ -1,4 +1,4 @@
-//! The window in which a file is named, to be opened, saved or exported. A file that is there is replaced by whoever agrees to it.
+//! The dialog for the name of a file to open, save or export. An existing file is replaced only after confirmation.
 
 use std::path::{Path, PathBuf};
 
@@ -8,7 +8,7 @@ use crate::action::Action;
 use crate::storage::files::{self, Kind};
 use crate::ui::Viewer;
 
-/// What a name of a file is for.
+/// Purpose of a file name.
 #[derive(Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(
     target_arch = "wasm32",
@@ -135,7 +135,7 @@ impl Viewer {
         }
     }
 
-    /// Whether a file may be replaced.
+    /// Returns true if a file exists and may be replaced after confirmation.
     fn is_in_the_way(&self, path: &Path) -> bool {
         self.state.replaces(path) && self.state.must_not_be_read(path).is_ok()
     }

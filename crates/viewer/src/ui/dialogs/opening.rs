@@ -1,4 +1,4 @@
-//! What is being opened beside the window, in the menu bar, with a button that drops it.
+//! The opening in the background, in the menu bar, with a button that drops it.
 
 use std::time::Duration;
 
@@ -16,7 +16,7 @@ impl Viewer {
         }
     }
 
-    /// What is being opened, and a button that drops it.
+    /// Shows the opening in progress, with a button that drops it.
     pub(in crate::ui) fn opening(&mut self, ui: &mut Ui) {
         let Some(what) = self.opening.what() else {
             return;

@@ -6,7 +6,7 @@ use eframe::egui::{self, Align2, Area, Color32, Frame, RichText, Vec2};
 
 use crate::notice::Notice;
 
-/// How long what was done is told.
+/// Display time of a notice about a completed action.
 const SHOWN_FOR: Duration = Duration::from_secs(4);
 
 /// Notices that are shown, and since when, on egui's clock in seconds.

@@ -1,4 +1,4 @@
-//! The strip below the picture: who draws the slots, how they are seen, and what is wrong in them.
+//! The strip below the picture: the renderer of each slot, the layout, and the errors.
 
 use cutaway::strategies::{AUTO, Strategy};
 use cutaway_lab::experiment::Renderer;
@@ -38,7 +38,7 @@ pub(in crate::ui) fn show(
     });
 }
 
-/// Who draws, and how it is seen.
+/// Controls for the renderers and the layout.
 fn controls(ui: &mut Ui, state: &State, actions: &mut Vec<Action>) {
     ui.horizontal(|ui| {
         for layout in Layout::ALL {
@@ -80,7 +80,7 @@ fn controls(ui: &mut Ui, state: &State, actions: &mut Vec<Action>) {
     });
 }
 
-/// What can be measured: error and time of all methods, and the cost of the frames of the slots.
+/// Buttons for measurements: error and time of all methods, and the cost of the frames of the slots.
 fn measurements(ui: &mut Ui, state: &State, (asks_survey, shows_cost): (&mut bool, &mut bool)) {
     // Times and lists need what a page does not offer.
     if cfg!(target_arch = "wasm32") {
@@ -98,7 +98,7 @@ fn measurements(ui: &mut Ui, state: &State, (asks_survey, shows_cost): (&mut boo
     ui.separator();
 }
 
-/// Who draws a slot.
+/// Control for the renderer of a slot.
 fn painter(ui: &mut Ui, state: &State, side: Side, actions: &mut Vec<Action>) {
     let held = state.painter(side);
     let shown = ComboBox::new(("painter", side), format!("Slot {side}"));

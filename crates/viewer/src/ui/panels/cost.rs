@@ -1,6 +1,6 @@
 //! The cost of a frame of each slot that is seen: its passes as bars and as a table, and the bytes of each clock.
 //!
-//! Nothing is asked while the window is closed; while it is open, once for each picture that rests.
+//! No question is sent while the window is closed; while it is open, one is sent for each picture that rests.
 
 use cutaway::plan::Clock;
 use cutaway_lab::experiment::Renderer;
@@ -14,13 +14,13 @@ use crate::picture::slot::Side;
 use crate::ui::Viewer;
 use crate::ui::latest::Latest;
 
-/// How many points a stacked bar is high.
+/// Height of a stacked bar, in points.
 const BAR_POINTS: f32 = 18.0;
 
-/// How many points the bar of the longest pass is wide.
+/// Width of the bar of the longest pass, in points.
 const LONGEST_POINTS: f32 = 120.0;
 
-/// What was asked about.
+/// Subject of a question.
 #[derive(Clone, Copy, PartialEq)]
 struct About {
     revision: u64,
@@ -33,12 +33,12 @@ struct About {
 pub(in crate::ui) struct Costs {
     pub(in crate::ui) is_open: bool,
     latest: Latest<About>,
-    /// What was answered of each slot, by the number of the question.
+    /// Answer per slot, with the id of the question.
     answers: [Option<(u64, Result<Cost, String>)>; 2],
 }
 
 impl Costs {
-    /// What is known of a slot.
+    /// Known cost of a slot.
     pub(in crate::ui) fn cost(&self, side: Side) -> Option<&Cost> {
         self.answer(side)?.as_ref().ok()
     }
@@ -48,7 +48,7 @@ impl Costs {
         (*id == self.latest.id()).then_some(answer)
     }
 
-    /// Whether an answer is still to come.
+    /// Returns true while an answer is pending.
     pub(in crate::ui) fn is_busy(&self) -> bool {
         let Some(about) = self.latest.about() else {
             return false;
@@ -126,7 +126,7 @@ impl Viewer {
     }
 }
 
-/// What is to be said of a clock.
+/// Description of a clock.
 fn when(clock: Clock) -> &'static str {
     match clock {
         Clock::Solid => "once for a mesh",

@@ -1,4 +1,4 @@
-//! What is wrong with meshes, in the list of parts and over the picture.
+//! Defects of meshes, in the list of parts and over the picture.
 
 use std::collections::BTreeMap;
 
@@ -17,21 +17,21 @@ const MOST_LINES: usize = 20_000;
 /// The colour of open edges.
 pub(in crate::ui) const COLOR: Color32 = Color32::from_rgb(255, 0, 170);
 
-/// What is said of each part of the document.
+/// Defect counts per part of the document.
 #[derive(Debug, Default)]
 pub(in crate::ui) struct Badges {
-    /// Of which revision they are.
+    /// Revision of the document they belong to.
     revision: Option<u64>,
     counts: Vec<Counts>,
 }
 
 impl Badges {
-    /// What is wrong with a part of the document.
+    /// Defects of a part of the document.
     pub(in crate::ui) fn of(&self, index: usize) -> Counts {
         self.counts.get(index).copied().unwrap_or_default()
     }
 
-    /// Whether a part is open.
+    /// Returns true if any part is open.
     pub(in crate::ui) fn has_open(&self) -> bool {
         self.counts.iter().any(Counts::is_open)
     }

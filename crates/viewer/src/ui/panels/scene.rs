@@ -148,7 +148,7 @@ fn parts(ui: &mut Ui, state: &State, badges: &Badges, actions: &mut Vec<Action>)
     }
 }
 
-/// Whether the selected cut spares what is called so, all of the parts that it is.
+/// Button that makes the selected cut spare all parts that match a name, or cut them again.
 fn spared(
     ui: &mut Ui,
     state: &State,

@@ -1,4 +1,4 @@
-//! The style of the scene: its name, and its numbers, each with a button that takes a change of it back.
+//! The style of the scene: its name, and its numbers, each with a button that resets it.
 
 use cutaway_io::document::paths::PATHS;
 use cutaway_io::document::{Node, Value, named_style, style_names};

@@ -18,19 +18,19 @@ use crate::picture::chart::{
 use crate::picture::slot::{Painter, Side};
 use crate::ui::Viewer;
 
-/// How many points a mark of a method is wide.
+/// Width of the mark of a method, in points.
 const MARK_POINTS: f32 = 12.0;
 
 /// The most points that the list of refusals is high.
 const LIST_POINTS: f32 = 120.0;
 
-/// What is measured, or was.
+/// A survey under way or finished.
 struct Measured {
     /// The scene and the eye.
     document: Document,
     time_s: Option<f64>,
     size_px: [u32; 2],
-    /// How many methods there are, once the first is done.
+    /// Number of methods, once the first is done.
     total: Option<usize>,
     is_cancelled: bool,
     entries: Vec<(Method, Found)>,
@@ -45,7 +45,7 @@ impl Measured {
 /// The window of the chart.
 #[derive(Default)]
 pub(in crate::ui) struct Chart {
-    /// It is to be measured anew.
+    /// True if a new survey is requested.
     pub(in crate::ui) is_asked: bool,
     is_open: bool,
     asked: u64,
@@ -53,12 +53,12 @@ pub(in crate::ui) struct Chart {
 }
 
 impl Chart {
-    /// Whether methods are still to come.
+    /// Returns true while methods are pending.
     pub(in crate::ui) fn is_busy(&self) -> bool {
         self.is_asked || self.measured.as_ref().is_some_and(Measured::is_running)
     }
 
-    /// What was found so far.
+    /// Results so far.
     pub(in crate::ui) fn entries(&self) -> &[(Method, Found)] {
         self.measured.as_ref().map_or(&[], |m| &m.entries)
     }
@@ -74,7 +74,7 @@ impl Chart {
 }
 
 impl Viewer {
-    /// Begins to measure, where that was asked.
+    /// Starts a survey if one is requested.
     pub(in crate::ui) fn survey(&mut self, ctx: &Context) {
         if !self.chart.is_asked || self.is_drawing() {
             return;
@@ -129,7 +129,7 @@ impl Viewer {
     }
 }
 
-/// How far it is, or what was measured; whether it is to end.
+/// Shows the progress or the result. Returns true if the survey is to be cancelled.
 fn head(ui: &mut Ui, measured: &Measured, adapter: &str, is_old: bool) -> bool {
     let mut ends = false;
     let [width, height] = measured.size_px;

@@ -19,22 +19,22 @@ const MOST_ROWS: usize = 5;
 /// Width of what is left of the line of time, in points.
 const GUTTER: f32 = 310.0;
 
-/// Width of what is right of it.
+/// Width of the area to the right of the line of time, in points.
 const BEHIND: f32 = 110.0;
 
 /// Half of the height of a key, in points.
 const HALF_KEY: f32 = 5.0;
 
-/// What the strip remembers.
+/// State of the strip.
 #[derive(Debug, Default)]
 pub(in crate::ui) struct Strip {
     /// The key that was last clicked or dragged: its row, and its place there.
     chosen: Option<[usize; 2]>,
-    /// How much time the line has while a key is dragged, whatever becomes of the end of the scene, in seconds.
+    /// Duration of the line of time while a key is dragged, independent of changes to the end of the scene, in seconds.
     held_duration_s: Option<f64>,
 }
 
-/// How high the strip is, in points.
+/// Height of the strip, in points.
 pub(in crate::ui) fn height(state: &State) -> f32 {
     let rows = timeline::tracks(state.document()).len().min(MOST_ROWS);
     34.0 + rows as f32 * ROW

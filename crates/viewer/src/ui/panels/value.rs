@@ -154,7 +154,7 @@ pub(in crate::ui) fn text_edited(ui: &mut Ui, text: &str, name: &str) -> Option<
     None
 }
 
-/// How far a number goes for a point of a drag.
+/// Change of a number per point of a drag.
 fn speed(value: f64, least: f64, most: f64) -> f64 {
     match (most - least).is_finite() {
         true => (most - least) / 300.0,

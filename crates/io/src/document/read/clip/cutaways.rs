@@ -22,7 +22,7 @@ const BREAKAWAY: &[&str] = &["distance", "bevel_deg", "clusters", "view"];
 /// Between the faces of a cutout, where nothing is said (Diepstraten, Weiskopf and Ertl 2003).
 const USUAL_ANGLE_DEG: f64 = 110.0;
 
-/// Which axis a cutout goes along.
+/// Reads the rule for the axis of a cutout.
 pub(in crate::document::read) fn axis_rule(entry: &Entry<'_>) -> Result<AxisRule> {
     let table = entry.table(&[CUTOUT, RELIEF].concat())?;
     let Some(axis) = table.get("axis") else {
@@ -40,7 +40,7 @@ pub(in crate::document::read) fn axis_rule(entry: &Entry<'_>) -> Result<AxisRule
     axis.choice(&[&rules[..], &axes].concat())
 }
 
-/// Of each cut that is a cutout, by its number, which axis it goes along.
+/// Returns the number and the axis rule of each cut that is a cutout.
 pub(in crate::document) fn cutouts(root: &Table<'_>) -> Result<Vec<(usize, AxisRule)>> {
     let cuts = root.tables("cut")?;
     let mut rules = Vec::new();

@@ -2,8 +2,8 @@
 //!
 //! `{ origin, u, v, scale }` is the paper's own parametrisation; `{ section = "z=50%" }` and `{ normal, origin }` are
 //! planes whose relief is placed by `amplitude` and `period`. `flip = true` keeps the other side in all of them. `box` and
-//! `wedge` ([`regions`]), or lists of them, stand beside `surfaces` or instead, and so does a closed mesh ([`cutters`]): what all have
-//! in common is removed. `cutout` and `breakaway` ([`cutaways`]) place themselves.
+//! `wedge` ([`regions`]), or lists of them, replace `surfaces` or add to it, and so does a closed mesh ([`cutters`]): their
+//! intersection is removed. `cutout` and `breakaway` ([`cutaways`]) place themselves.
 
 use std::sync::Arc;
 
@@ -45,7 +45,7 @@ const NORMAL: &[&str] = &[
     "flip",
 ];
 
-/// What a cut may refer to.
+/// Context that a cut may refer to.
 pub(in crate::document::read) struct Context<'a> {
     pub(in crate::document::read) parts: &'a [Part],
     /// Names of all parts that there are at any time.
@@ -111,7 +111,7 @@ pub(in crate::document::read) fn read(
     Ok(region.alternatives.into_iter().map(of_surfaces).collect())
 }
 
-/// The region of a cut: what `surfaces`, `box` and `wedge` have in common; all of space only beside a cutter.
+/// Region of a cut: the intersection of `surfaces`, `box` and `wedge`; all of space only in addition to a cutter.
 fn region(
     table: &Table<'_>,
     has_volume: bool,
@@ -164,8 +164,8 @@ fn one_or_several<'a>(table: &Table<'a>, key: &str) -> Result<Vec<Entry<'a>>> {
     }
 }
 
-/// Offsets by glob. Which of several globs counts for a part is nothing that a file says: there may be only one, beside the name
-/// itself.
+/// Reads offsets by glob. A file does not rank several globs that match a part: only one may match, in addition to the exact
+/// name.
 fn offsets_of(
     entry: &Entry<'_>,
     cut: &Cut,

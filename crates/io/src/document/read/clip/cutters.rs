@@ -10,7 +10,7 @@ use crate::document::read::opening::Opening;
 use crate::document::read::parts;
 use crate::document::read::reader::{Entry, Table};
 
-/// Keys of a cut that say where its cutter is, and which side of it stays.
+/// Keys of a cut that set the place of its cutter, and the side that is kept.
 pub(in crate::document::read) const PLACES: &[&str] = &[
     "translate",
     "rotate_deg",
@@ -20,7 +20,7 @@ pub(in crate::document::read) const PLACES: &[&str] = &[
     "flip",
 ];
 
-/// A cutter as its file has it.
+/// A cutter from its file.
 #[derive(Clone, Debug)]
 pub(in crate::document::read) struct CutterSource {
     cutter: Cutter,

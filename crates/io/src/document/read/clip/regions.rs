@@ -30,12 +30,12 @@ const WEDGE: &[&str] = &["axis", "origin", "from_deg", "to_deg", "min", "max"];
 /// A union of intersections of removed sides.
 pub(in crate::document::read) struct Union {
     pub(in crate::document::read) alternatives: Vec<Vec<ClipSurface>>,
-    /// Whether it has no inside.
+    /// True if it has no inside.
     pub(in crate::document::read) is_empty: bool,
 }
 
 impl Union {
-    /// What clip-surfaces have in common.
+    /// Intersection of clip-surfaces.
     pub(in crate::document::read) fn of(surfaces: Vec<ClipSurface>) -> Self {
         Self {
             alternatives: vec![surfaces],
@@ -48,7 +48,7 @@ impl Union {
         Self::of(Vec::new())
     }
 
-    /// Whether one alternative is all of space.
+    /// Returns true if one alternative is all of space.
     pub(in crate::document::read) fn is_everywhere(&self) -> bool {
         self.alternatives.iter().any(Vec::is_empty)
     }

@@ -58,7 +58,7 @@ pub(crate) struct Resolved {
 }
 
 impl Resolved {
-    /// Whether a relief, and all that it is blended from, is what it was.
+    /// Returns true if a relief, and all that it is blended from, are unchanged.
     fn still_holds(&self, name: &str, described: &BTreeMap<String, Relief>) -> bool {
         let relief = described.get(name);
         let parts = relief.map_or(&[] as &[String], Relief::of);

@@ -1,8 +1,8 @@
 //! The attribute codec, mode 0, versions 0 and 1: bytes of the same place in consecutive elements as differences.
 //!
 //! The elements come in blocks, and each block byte place by byte place, in groups of 16 differences: all zero, in 1, 2 or 4 bits each with
-//! longer ones after them, or whole. Version 1 chooses for each place of a block which of these its groups have, or leaves the place out
-//! or whole, and for each word of an element whether bytes, halves or the bits of all of it differ. The first element differs from one that
+//! longer ones after them, or whole. Version 1 selects for each place of a block which of these its groups use, or leaves the place out
+//! or whole. For each word of an element it selects differences of bytes, of halves or of all bits. The first element differs from one that
 //! is in the tail of the stream.
 
 use super::{cut_off, parted, too_long};
@@ -22,14 +22,14 @@ const BITS_0: [u8; 4] = [0, 2, 4, 8];
 /// The same in version 1, by the packing of the place.
 const BITS_1: [[u8; 4]; 2] = [[0, 1, 2, 4], [1, 2, 4, 8]];
 
-/// How a word of an element follows from the one before it.
+/// Delta coding of a word of an element, relative to the element before.
 #[derive(Clone, Copy, Debug)]
 enum Change {
     /// Each byte by a difference.
     Bytes,
     /// Each half by a difference.
     Halves,
-    /// By bits that are flipped, which are turned to the left by so many.
+    /// Flipped bits (XOR), rotated to the left by this count.
     Bits(u32),
 }
 
@@ -64,7 +64,7 @@ impl Change {
     }
 }
 
-/// How many elements a block has at most.
+/// Most elements of a block.
 fn block_elements(stride: usize) -> usize {
     ((8192 / stride) & !(GROUP - 1)).min(256)
 }
@@ -132,7 +132,7 @@ pub(super) fn unpack(stream: &[u8], count: usize, stride: usize) -> Result<Vec<u
     }
 }
 
-/// What a place has in a block, by groups whose modes choose among so many bits.
+/// Decodes one byte place of a block, by groups whose modes select one of the counts `bits`.
 fn grouped(body: &mut &[u8], bits: [u8; 4], into: &mut [u8]) -> Result<(), String> {
     let modes = take(body, into.len().div_ceil(4 * GROUP))?;
     for (group, into) in into.chunks_mut(GROUP).enumerate() {
@@ -143,7 +143,7 @@ fn grouped(body: &mut &[u8], bits: [u8; 4], into: &mut [u8]) -> Result<(), Strin
     Ok(())
 }
 
-/// The differences of a group, of so many bits each.
+/// Decodes the differences of a group, of `bits` bits each.
 fn differences(body: &mut &[u8], bits: u8) -> Result<[u8; GROUP], String> {
     let mut all = [0; GROUP];
     if bits == 0 {

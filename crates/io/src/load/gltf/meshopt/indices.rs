@@ -33,13 +33,13 @@ impl<T: Copy + Default> Recent<T> {
         self.next = (self.next + 1) % 16;
     }
 
-    /// The one before so many others.
+    /// Returns the entry `back` places before the last.
     fn get(&self, back: usize) -> T {
         self.all[(self.next + 15 - back % 16) % 16]
     }
 }
 
-/// What is known while triangles are read.
+/// State of the triangle decoder.
 struct Reader<'a> {
     data: &'a [u8],
     /// The index that no triangle has had yet.
@@ -64,7 +64,7 @@ impl Reader<'_> {
         Ok(self.last)
     }
 
-    /// What half a byte stands for: a fresh index, or one of the last vertices.
+    /// Decodes a half byte: a fresh index, or one of the last vertices.
     fn by_half_byte(&mut self, half: u8) -> u32 {
         match half {
             0 => self.fresh(),

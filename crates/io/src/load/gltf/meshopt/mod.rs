@@ -2,8 +2,8 @@
 //! and indices, and the filters octahedral, quaternion, exponential and colour. The second extension adds a version of attributes and the
 //! filter for colours; both are read under either name.
 //!
-//! A stream states no length: how many elements of how many bytes come out is said beside it, and the stream must be used up by exactly
-//! those. Each element costs at least some bits of the stream, which is looked at before room is made: a short stream that promises
+//! A stream states no length: the extension gives the count and the byte size of its elements, and the stream must be used up by exactly
+//! those. Each element costs at least some bits of the stream, which is checked before memory is allocated: a short stream that promises
 //! gigabytes is refused.
 //!
 //! Cost: one pass over what comes out, some hundred megabytes a second.
@@ -12,7 +12,7 @@ mod attributes;
 mod filters;
 mod indices;
 
-/// What a packed view holds.
+/// Content of a packed view.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Mode {
     Attributes,
@@ -28,7 +28,7 @@ impl Mode {
     ];
 }
 
-/// What turns unpacked attributes into those that accessors read.
+/// Filter from unpacked attributes to those that accessors read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Filter {
     None,
@@ -48,14 +48,14 @@ impl Filter {
     ];
 }
 
-/// How a view is packed.
+/// Packing of a view.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Packing {
     pub(super) mode: Mode,
     pub(super) filter: Filter,
     /// Bytes of an element.
     pub(super) stride: usize,
-    /// How many elements there are.
+    /// Number of elements.
     pub(super) count: usize,
 }
 
@@ -111,7 +111,7 @@ fn to_bytes(indices: &[u32], stride: usize) -> Result<Vec<u8>, String> {
     Ok(bytes)
 }
 
-/// A stream whose first byte says what it is, and which ends in a tail of so many bytes: what is between, and the tail.
+/// Splits a stream, whose first byte must be `header` and which ends in a tail of `tail` bytes: the data between, and the tail.
 fn parted(stream: &[u8], header: u8, tail: usize) -> Result<(&[u8], &[u8]), String> {
     match stream.split_first() {
         Some((first, _)) if *first != header => Err(format!(

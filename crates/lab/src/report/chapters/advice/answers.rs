@@ -1,4 +1,4 @@
-//! What should I use: the short answers, all of them worked out from the records.
+//! Short answers on which strategy to use, all derived from the records.
 
 use cutaway::strategies::Strategy;
 
@@ -99,7 +99,7 @@ fn folded(summary: &str, blocks: impl IntoIterator<Item = Block>) -> Block {
     }
 }
 
-/// What the table of exactness counts, and what it leaves out.
+/// Notes on what the table of exactness counts, and what it leaves out.
 fn exactness_notes(others: usize) -> impl Iterator<Item = Block> {
     let counts = Block::Text(
         "A strategy is exact at a point if it drew the whole frame and has no wrong pixel where the reference is sure. \
@@ -117,7 +117,7 @@ fn exactness_notes(others: usize) -> impl Iterator<Item = Block> {
     std::iter::once(counts).chain(left_out)
 }
 
-/// Which methods are exact wherever they drew, in a sentence.
+/// Methods that are exact wherever they drew, in a sentence.
 fn exact_ones(totals: &[StrategyTotals]) -> String {
     let named = |is_it: fn(&StrategyTotals) -> bool| -> Vec<String> {
         let of_it = totals.iter().filter(|s| s.drawn > 0 && is_it(s));
@@ -148,7 +148,7 @@ fn heading(text: &str) -> Block {
     Block::Heading(4, text.to_owned())
 }
 
-/// Whose figures follow, where there are several.
+/// Setup of the figures that follow, where there are several.
 fn whose(points: &Points<'_>, setup: &Setup<'_>) -> Option<Block> {
     (points.setups().count() > 1).then(|| Block::Heading(5, points.label(setup)))
 }
@@ -205,7 +205,7 @@ fn exactness(totals_of_strategies: &[StrategyTotals]) -> Grid {
     grid
 }
 
-/// The paper's path at some points as one strategy: where its own parameters were not asked, with all that were.
+/// The paper's path at some points as one strategy: where its own parameters were not measured, with all that were.
 fn totals_of_paper(records: &[&Record]) -> StrategyTotals {
     let all = records.iter().flat_map(|r| {
         let own = papers(r).into_iter();
@@ -247,7 +247,7 @@ fn papers_path(setup: &str, records: &[&Record]) -> String {
     )
 }
 
-/// How many points have an exact strategy.
+/// Number of points that have an exact strategy.
 fn exact_count(records: &[&Record]) -> usize {
     let has_exact = |r: &&&Record| r.measurement.strategies.iter().any(is_exact);
     records.iter().filter(has_exact).count()
@@ -277,7 +277,7 @@ fn by_situation(points: &[Point<'_>]) -> Grid {
     grid
 }
 
-/// What moves in an experiment: what its runs say where they agree, else the view.
+/// Situation of an experiment: the one that its runs agree on, else the view.
 pub(in crate::report::chapters) fn situation_of(points: &[Point<'_>]) -> Situation {
     let mut all = points.iter().filter_map(Point::run).map(|run| run.moves);
     let first = all.next().unwrap_or_default();

@@ -1,4 +1,4 @@
-//! Which strategy to use at some points, in three cells: its name, its cost, and the next.
+//! Best strategy at some points, in three cells: its name, its cost, and the next.
 
 use crate::experiment::Record;
 use crate::report::chapters::figures::{percent, ranged, times};
@@ -23,7 +23,7 @@ pub(in crate::report::chapters) fn cells(records: &[&Record], situation: Situati
     }
 }
 
-/// A name with what to know beside it in brackets.
+/// A name with its remarks in brackets.
 fn noted(name: &str, notes: &[String]) -> String {
     match notes.is_empty() {
         true => name.to_owned(),
@@ -31,7 +31,7 @@ fn noted(name: &str, notes: &[String]) -> String {
     }
 }
 
-/// What a method of the ranking is limited to and at how many points it is exact where that is not all, in brackets; else nothing.
+/// Limit of a ranked method, and its number of exact points where that is not all, in brackets; else nothing.
 pub(in crate::report::chapters) fn limited(ranked: &Ranked, points: usize) -> String {
     let notes = notes(ranked, points);
     match notes.is_empty() {
@@ -104,7 +104,7 @@ pub(in crate::report::chapters) fn of_broken(harms: &[Harm]) -> [Cell; 3] {
     ]
 }
 
-/// What no picture can be drawn by, with the command that asks it.
+/// Best method that draws no picture, with the command that runs it.
 fn compared_cell(compared: &[&Harm]) -> Cell {
     compared.first().map_or_else(Cell::default, |h| {
         let wrong = h.wrong.map_or_else(String::new, |s| percent(s.median));

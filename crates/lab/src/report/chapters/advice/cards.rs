@@ -1,4 +1,4 @@
-//! One answer: a sentence, and a chart of all methods that were asked.
+//! One answer: a sentence, and a chart of all requested methods.
 
 use super::best::{self, limited};
 use super::reasons;
@@ -84,7 +84,7 @@ fn of_broken(broken: &[&Record]) -> String {
     }
 }
 
-/// What the variants of one picture cost, where the points are those.
+/// Costs of the variants of one picture, where the points are variants.
 fn of_variants(records: &[&Record]) -> Option<String> {
     let found = variants(records)?;
     let values = found
@@ -113,7 +113,7 @@ fn of_variants(records: &[&Record]) -> Option<String> {
     ))
 }
 
-/// The chart of all methods that were asked at some points; none where that is only one.
+/// The chart of all methods requested at some points; none where that is only one.
 pub(in crate::report::chapters) fn ranking(
     title: &str,
     records: &[&Record],
@@ -163,7 +163,7 @@ pub(in crate::report::chapters) fn ranking(
     })
 }
 
-/// The least and the greatest ratio of all that was asked, for axes that can be compared.
+/// The least and the greatest ratio of all requested methods, for axes that can be compared.
 pub(in crate::report::chapters) fn range_of<'a>(
     all: impl Iterator<Item = (Vec<&'a Record>, Situation)>,
 ) -> [f64; 2] {
@@ -183,7 +183,7 @@ fn line(name: &str, cost: Option<Spread>, words: Cell) -> Line {
     }
 }
 
-/// What to know of a method beside its time.
+/// Remarks on a method in addition to its time.
 fn words(candidate: &Candidate, points: usize) -> Cell {
     let totals = &candidate.totals;
     let all: Vec<String> = totals.refusals.keys().cloned().collect();

@@ -1,4 +1,4 @@
-//! What should I use for what I have: a row for each input that runs of the experiments say they stand for.
+//! Advice by input: a row for each input that runs of the experiments stand for.
 
 use super::{best, cards};
 use crate::experiment::{Record, StrategyMeasurement};
@@ -9,7 +9,7 @@ use crate::report::derived::{
 };
 use crate::report::document::{Block, Cell, Grid, Tone};
 
-/// How the answers are worked out.
+/// Explanation of how the answers are derived.
 fn how_to_read() -> String {
     let (between_runs, too_much) = (percent(BETWEEN_RUNS), percent(TOO_MUCH));
     format!(
@@ -118,7 +118,7 @@ fn row(input: &Input<'_>) -> Vec<Cell> {
 /// Headings of the cells of the paper's method.
 pub(in crate::report::chapters) const PAPER_COLUMNS: [&str; 2] = ["paper, ×", "paper, wrong px"];
 
-/// What the paper's method costs at some points, and what it gets wrong.
+/// Cost and errors of the paper's method at some points.
 pub(in crate::report::chapters) fn paper(records: &[&Record], situation: Situation) -> [Cell; 2] {
     let found: Vec<(&Record, &StrategyMeasurement)> = (records.iter())
         .flat_map(|r| {

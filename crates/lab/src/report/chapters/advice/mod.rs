@@ -1,4 +1,4 @@
-//! Which strategy to use: for what one needs, for what one has, and at some points.
+//! Choice of a strategy: by need, by input, and at some points.
 
 pub(super) mod answers;
 mod best;

@@ -1,4 +1,4 @@
-//! Other tools on the same cuts: their areas and times beside ours.
+//! Other tools on the same cuts: their areas and times next to ours.
 //!
 //! Times of different tools cover different work, as each row says: no ratio is made of them.
 
@@ -124,7 +124,7 @@ fn table(record: &PeerRecord) -> Grid {
     grid
 }
 
-/// How far an area is off.
+/// Error of an area, in words.
 fn describe(check: &PeerCheck) -> String {
     let PeerCheck {
         off,
