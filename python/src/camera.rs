@@ -1,4 +1,4 @@
-//! Where a picture is taken from: values for `camera`, which take the place of what contradicts them.
+//! Camera values of a call, which replace contradicting values of the scene.
 
 use cutaway_io::document::{Document, Node, Origin, Value};
 
@@ -9,7 +9,7 @@ const BY_VIEW: [&str; 1] = ["view"];
 const BY_PLACE: [&str; 3] = ["position", "focal_point", "view_up"];
 const BY_ANGLES: [&str; 2] = ["azimuth_deg", "elevation_deg"];
 
-/// Sets values of the camera; angles that nobody gives are found.
+/// Sets values of the camera; missing angles are found.
 pub(crate) fn aim(document: &mut Document, values: Vec<(String, Value)>) -> Result<()> {
     let is_new = document.root().get("camera").is_none();
     let says = |keys: &[&str]| values.iter().any(|(key, _)| keys.contains(&key.as_str()));

@@ -1,4 +1,4 @@
-//! What cuts leave of a scene, and what they remove, as meshes with their caps.
+//! Kept and removed halves of a scene, as meshes with their caps.
 
 use cutaway::scene::Mesh;
 use cutaway::slice::{CappedPart, Half, capped_with};
@@ -21,7 +21,7 @@ struct Flat {
     caps: Vec<i32>,
     volume: f64,
     cap_area: f64,
-    /// How many edges are open, and the middle of one.
+    /// Number of open edges, and the midpoint of one.
     open: Option<(usize, [f64; 3])>,
 }
 

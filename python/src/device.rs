@@ -30,7 +30,7 @@ pub(crate) fn with_session<T>(work: impl FnOnce(&mut Session) -> Result<T>) -> R
     work(session)
 }
 
-/// What draws: `name`, `backend`, `driver`, and whether it is `software`.
+/// The adapter: `name`, `backend`, `driver`, and `software`, true on the CPU.
 #[pyfunction]
 pub(crate) fn adapter(py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
     let report = detached(py, || {

@@ -19,13 +19,13 @@ use cutaway::Error;
 use pyo3::exceptions::{PyFileNotFoundError, PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 
-/// Result of what is asked of the library.
+/// Result of a call of the library.
 pub(crate) type Result<T> = cutaway::Result<T>;
 
 /// The process that first came through the door; 0 before.
 static OWNER: AtomicU32 = AtomicU32::new(0);
 
-/// How long signals of Python wait at most.
+/// Longest wait of a Python signal.
 const BETWEEN_LOOKS: Duration = Duration::from_millis(50);
 
 /// As much as the first thread of a process has.
@@ -51,7 +51,7 @@ pub(crate) fn stoppable<T: Send + 'static>(
     let thread = thread::Builder::new().stack_size(STACK_BYTES);
     let begun = thread.spawn(move || {
         let done = catch_unwind(AssertUnwindSafe(|| work(&flag)));
-        // After an interrupt nobody waits for it.
+        // After an interrupt its result is not used.
         let _ = sender.send(done);
     });
     let lost = |what: String| {
@@ -94,7 +94,7 @@ fn must_be_owner() -> PyResult<()> {
     }
 }
 
-/// An error of the library as Python has it.
+/// Converts an error of the library to a Python exception.
 pub(crate) fn raised(error: Error) -> PyErr {
     let words = error.to_string();
     match &error {

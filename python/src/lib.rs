@@ -1,7 +1,7 @@
 //! `cutaway._native`: the part of the Python module that is in Rust.
 //!
 //! Python holds a [`Scene`](scene::Scene): a document, the files that were read for it, and what it was last drawn as. Every call takes plain values
-//! and arrays and gives plain values and arrays; names, doubts about them and results with methods are in the package beside it,
+//! and arrays and gives plain values and arrays; names, doubts about them and results with methods are in the package next to it,
 //! which is Python.
 //!
 //! No call takes the interpreter down. What is long runs without the interpreter's lock ([`door`]); a panic below becomes an error; and a

@@ -11,10 +11,10 @@ use crate::door::Result;
 /// The style of pictures of scenes that name none.
 const USUAL_STYLE: &str = "technical";
 
-/// What a document is opened for.
+/// Purpose of opening a document.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Purpose {
-    /// To be looked at: as `cutaway render` has it where nothing is said.
+    /// A picture: with the defaults of `cutaway render`.
     Picture,
     /// To be measured, sliced or divided: without looks, and framed as strategies are compared.
     Measurement,
@@ -51,7 +51,7 @@ impl Opened {
                 .with_usual_fit(Fit::Kept);
         }
         let scene = timeline.scene()?;
-        // Hatches hang on where parts are at the beginning.
+        // Hatches depend on the initial placement of parts.
         let begins = match timeline.moves() && scene.style.hatch.is_drawn() {
             true => Some(timeline.at(0.0)?),
             false => None,
@@ -72,7 +72,7 @@ impl Opened {
     }
 }
 
-/// What is seen in a picture of the size that is asked for; refused where its rays would be no numbers.
+/// The view of a picture of the requested size; an error if its rays are not finite.
 pub(crate) fn view(opened: &Opened) -> Result<View> {
     let view = (opened.at.model.prepared).view(opened.timeline.settings().size_px());
     match view.defect() {
@@ -84,7 +84,7 @@ pub(crate) fn view(opened: &Opened) -> Result<View> {
     }
 }
 
-/// What is to be said of a frame that is not all there.
+/// Warning about an incomplete frame.
 pub(crate) fn shortfall(outcome: &Outcome) -> Option<String> {
     match outcome {
         Outcome::Complete => None,

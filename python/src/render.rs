@@ -1,4 +1,4 @@
-//! A picture and its layers, as `cutaway render` draws them: the layers at the resolution that is asked for, the picture smoothed.
+//! A picture and its layers, as `cutaway render` draws them: the layers at the requested resolution, the picture smoothed.
 
 use cutaway::Session;
 use cutaway::layers::{Kind, Layers};
@@ -20,16 +20,16 @@ use crate::opened::{Opened, Purpose, shortfall, view};
 use crate::scene::Scene;
 use crate::state::Asked;
 
-/// How many times as fine pictures are drawn where nobody says it.
+/// Default supersampling factor.
 const USUAL_SUPERSAMPLE: u32 = 2;
 
-/// What is drawn.
+/// A drawn frame.
 struct Drawn {
     rgba: Vec<u8>,
     size_px: [u32; 2],
     layers: Channels,
     strategy: String,
-    /// What the user should know.
+    /// Warnings for the user.
     doubts: Vec<String>,
     /// Names of the parts, by number.
     parts: Vec<String>,

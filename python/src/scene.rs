@@ -27,7 +27,7 @@ impl From<State> for Scene {
 }
 
 impl Scene {
-    /// What it holds, to be taken along to a thread.
+    /// Shared state, to move to a thread.
     pub(crate) fn shared(&self) -> Arc<Shared> {
         self.0.clone()
     }
@@ -73,7 +73,7 @@ impl Scene {
         detached(py, move || Ok(scene.state().copied().into()))
     }
 
-    /// What another process makes the same scene of: see [`Scene::unpickled`].
+    /// Pickled form, from which another process makes the same scene: see [`Scene::unpickled`].
     #[allow(clippy::type_complexity, reason = "the arguments of `unpickled`")]
     fn pickled(&self, py: Python<'_>) -> PyResult<(String, PathBuf, Vec<(String, Vec<u8>)>)> {
         let scene = self.shared();
@@ -85,7 +85,7 @@ impl Scene {
         })
     }
 
-    /// A scene of its text, as a file in the root folder has it, its path, and arrays by their names.
+    /// Builds a scene from its text, written as for a file in the root folder, its path, and arrays by name.
     #[staticmethod]
     fn unpickled(
         py: Python<'_>,
@@ -235,7 +235,7 @@ impl Scene {
         })
     }
 
-    /// The text of the scene as a file of this name, and the bytes of the files beside it.
+    /// The text of the scene as a file of this name, and the bytes of its accompanying files.
     #[allow(clippy::type_complexity, reason = "a text and files by their names")]
     fn saved(&self, py: Python<'_>, path: PathBuf) -> PyResult<(String, Vec<(String, Vec<u8>)>)> {
         let scene = self.shared();

@@ -1,4 +1,4 @@
-//! What a plane cuts out of the parts of a scene, as polygons with holes.
+//! Section of the parts of a scene by a plane, as polygons with holes.
 //!
 //! Points are coordinates along `u` and `v` from `origin`, the point of the plane nearest to that of the world. `u` is along the axis that
 //! follows the one that the normal is nearest to, as far as the plane allows, and `u` x `v` is the normal: in a section `z=..` they are x
@@ -20,7 +20,7 @@ use crate::state::{Asked, Shared};
 /// A ring of points.
 type Ring = Vec<[f64; 2]>;
 
-/// What a plane cuts out of a scene.
+/// Section of a scene by a plane.
 struct Sliced {
     axes: Axes,
     /// Outer ring and holes, with the name of the part.

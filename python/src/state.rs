@@ -1,4 +1,4 @@
-//! What a scene of Python holds: a document that always opens, the files it was read from, and what it was last drawn as.
+//! State of a Python scene: a document that always opens, the files it was read from, and its last drawn model.
 //!
 //! A change is made on a copy of the document, which takes the place of the other only if it still opens. So an error is raised by the call
 //! that is at fault, and leaves the scene as it was.
@@ -29,7 +29,7 @@ impl From<State> for Shared {
 }
 
 impl Shared {
-    /// The state. To be taken without the lock of the interpreter, which who holds the state may wait for.
+    /// The state. Lock it without holding the interpreter lock, because its holder may wait for that.
     pub(crate) fn state(&self) -> MutexGuard<'_, State> {
         self.0.lock().unwrap_or_else(|poisoned| {
             // Documents are never half changed; what was drawn may be.
@@ -44,7 +44,7 @@ impl Shared {
 /// The document of a pickled scene, as a file in the root folder.
 const IN_ROOT: &str = "/scene.toml";
 
-/// What a scene holds.
+/// State of a scene.
 pub(crate) struct State {
     pub(crate) document: Document,
     pub(crate) assets: Assets,
@@ -52,7 +52,7 @@ pub(crate) struct State {
     opened: Option<Opened>,
 }
 
-/// What a call asks for beside the scene, for itself alone: paths and their values, and keys of the camera.
+/// Settings of a single call on top of the scene: paths and their values, and keys of the camera.
 #[derive(Clone, Default)]
 pub(crate) struct Asked {
     /// Values by their paths, the style among them by its name or file.
@@ -61,7 +61,7 @@ pub(crate) struct Asked {
 }
 
 impl Asked {
-    /// What two tables of Python ask for.
+    /// Reads the settings from two Python tables.
     pub(crate) fn of(set: &Bound<'_, PyDict>, camera: &Bound<'_, PyDict>) -> PyResult<Self> {
         Ok(Self {
             values: entries(set)?,
@@ -99,7 +99,7 @@ impl State {
         }
     }
 
-    /// The text of the document as a file of the root folder has it, so that it names files by their whole paths; the path of the document,
+    /// The text of the document, written as for a file of the root folder, so that it names files by their whole paths; the path of the document,
     /// empty if it was read from no file; and its arrays.
     pub(crate) fn pickled(&self) -> Result<(String, PathBuf, Vec<NamedBytes>)> {
         let path = match self.document.path() {
@@ -156,7 +156,7 @@ impl State {
         Ok(self.opened.insert(opened))
     }
 
-    /// The document as a file of some name, and what is to lie beside it: meshes that were arrays, by their names in that file.
+    /// The document as a file of a given name, and its accompanying files: meshes that were arrays, by their names in that file.
     pub(crate) fn saved(&mut self, path: &Path) -> Result<(String, Vec<NamedBytes>)> {
         let mut document = self.document.clone();
         document.guess_up(&mut self.assets)?;
@@ -185,7 +185,7 @@ impl State {
     }
 }
 
-/// Whether there is anything to be drawn.
+/// Returns true if there is anything to draw.
 pub(crate) fn has_parts(document: &Document) -> bool {
     let parts = document.root().get("part");
     parts.is_some_and(|parts| !parts.items().is_empty())

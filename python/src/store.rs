@@ -51,7 +51,7 @@ impl Store {
     }
 }
 
-/// Whether a name is that of arrays. It may have become one from another folder.
+/// Returns true if a name is that of arrays. It may have become one from another folder.
 pub(crate) fn is_virtual(path: &Path) -> bool {
     path.parent().is_some_and(|folder| folder.ends_with(FOLDER))
 }

@@ -7,7 +7,7 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyDict, PyFloat, PyInt, PyList, PyString};
 
-/// How deep lists and tables may lie in one another: no value of a scene comes near, and what holds itself ends here.
+/// Deepest nesting of lists and tables: no value of a scene comes near, and a cyclic value ends here.
 const DEEPEST: usize = 16;
 
 /// The value of a Python object: `bool`, `int`, `float`, `str`, paths, lists, tuples, arrays and `dict`.

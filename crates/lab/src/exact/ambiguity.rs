@@ -1,13 +1,13 @@
-//! Samples whose answer hangs on less than the picture can tell.
+//! Samples whose answer depends on less than the precision of the picture.
 //!
-//! A sample is undecided where an implementation that moves it by [`View::doubt_px`], or rounds a depth by four ulp of f32, may
-//! rightly answer otherwise. Three things can make it so: an outline nearby, two events of one ray that are so close that
-//! their order is open ([`super::order`]; at a seam, of which of two triangles is crossed, as close as the worse of the two leaves it), and a ray that grazes a clip-surface. Of the latter two nearness alone is not enough: the walk is repeated with the
-//! pair swapped, or the graze taken the other way, and only another kind, part or clip-surface leaves the sample undecided;
-//! if all of these stay and the depth jumps, as between the folds of a relief, the depth alone is open; if only other solids
-//! come to overlap at a cap or cease to, that alone is. An outline leaves
-//! the sample undecided where the part is not clearly removed and nothing hides it; one at which the part opens does so although it is
-//! removed, and behind a cap that hangs on it too.
+//! A sample is undecided where an implementation that moves it by [`View::doubt_px`], or rounds a depth by four ulp of f32, may correctly
+//! give another answer. There are three causes: an outline nearby; two events of one ray that are too close to order ([`super::order`]; at
+//! a seam, the choice between its two triangles, as close as the worse of the two allows); and a ray that grazes a clip-surface. For the
+//! last two, nearness alone is not enough: the walk is repeated with the pair swapped, or the graze taken the other way. Only another kind,
+//! part or clip-surface leaves the sample undecided. If these stay and the depth jumps, as between the folds of a relief, only the depth is
+//! open. If only the set of solids that overlap at a cap changes, only the overlap is open. An outline leaves the sample undecided where
+//! the part is not clearly removed and nothing hides it. An outline at which the part opens also counts where the part is removed, and
+//! behind a cap that depends on it.
 //!
 //! What is known of whole triangles is decided: on which side of a flat clip-surface one close to it lies (see [`super::settle`]), and
 //! of two parts that share a triangle, or a plane ([`super::settle`]), the first in rank has it.
@@ -31,12 +31,12 @@ pub(super) fn rounding(view: &View, depth: f64) -> f64 {
     4.0 * f64::from(f32::EPSILON) * depth.abs().max(span).max(1.0)
 }
 
-/// How far an answer can be trusted.
+/// Degree to which an answer is undecided.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Openness {
-    /// All of it is decided.
+    /// The whole answer is decided.
     Nothing,
-    /// Whether solids overlap at a cap may be otherwise; all else is decided.
+    /// Overlap of solids at a cap may differ; all else is decided.
     Overlap,
     /// The depth, and normal and overlap with it, may be another; kind, part and clip-surface are decided.
     Depth,
@@ -45,7 +45,7 @@ pub(super) enum Openness {
 }
 
 impl Openness {
-    /// The greatest, asked for only until nothing can exceed it.
+    /// Maximum of all; stops at [`Openness::All`].
     pub(super) fn worst(all: impl Iterator<Item = Self>) -> Self {
         let mut worst = Self::Nothing;
         for one in all {
@@ -110,7 +110,7 @@ impl Scratch {
 }
 
 impl Case<'_> {
-    /// What of the answer is open.
+    /// Undecided part of the answer.
     pub(super) fn openness(&self, scratch: &mut Scratch) -> Openness {
         if self.brushed(scratch) || self.bitten() {
             return Openness::All;
@@ -126,7 +126,7 @@ impl Case<'_> {
         self.sight.map_or(f64::INFINITY, |s| s.depth)
     }
 
-    /// How far an event may move in depth.
+    /// Distance in depth that an event may move.
     pub(super) fn margin(&self, event: &Event) -> f64 {
         let change = match event.cause {
             Cause::Mesh { rank, .. } => {
@@ -155,7 +155,7 @@ impl Case<'_> {
     }
 
     /// An outline that is neither hidden nor clearly removed. One at which the part opens counts although it is removed, and although it is
-    /// hidden where a cap hangs on it: who counts the crossings behind a cap may find one more there or one fewer.
+    /// hidden where a cap depends on it: an algorithm that counts the crossings behind a cap may find one more there or one fewer.
     fn brushed(&self, scratch: &mut Scratch) -> bool {
         self.brushes.iter().any(|brush| {
             let is_hidden = brush.depth - brush.margin > self.seen_depth();
@@ -167,7 +167,7 @@ impl Case<'_> {
         })
     }
 
-    /// Whether a cap comes or goes where the ray starts on another side of a part. Its faces are seen whatever that side is.
+    /// Returns true if a cap appears or vanishes when the ray starts on another side of a part. Its faces are seen whatever that side is.
     fn start_matters(&self, scratch: &mut Scratch, rank: u16) -> bool {
         let is_clip = |event: &Event| matches!(event.cause, Cause::Clip { .. });
         let shows_cap = self.sight.filter(|s| s.event.is_none_or(|e| is_clip(&e)));
@@ -238,7 +238,7 @@ impl Case<'_> {
         state.removes(self.prepared, brush.rank)
     }
 
-    /// What the grazes change, taken the other way.
+    /// Openness caused by the grazes, taken the other way.
     fn grazed(&self, scratch: &mut Scratch) -> Openness {
         Openness::worst(self.grazes.iter().map(|graze| {
             let hidden = self.seen_depth() + rounding(self.view, graze.depth);

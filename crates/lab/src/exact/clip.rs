@@ -1,4 +1,4 @@
-//! Where a ray crosses a clip-surface.
+//! Crossings of a ray with a clip-surface.
 //!
 //! `F(P) = (P - O).N + f(T(P)).Sz` is the kept height: removed iff `F < 0`. A plane, or a relief whose texels are all
 //! equal, has one root in closed form. For any other relief see [`super::relief`].
@@ -32,7 +32,7 @@ impl Ray {
 pub(super) struct Face {
     /// Its number.
     pub(super) triangle: u32,
-    /// How far apart the depths of its corners are.
+    /// Range of the depths of its corners.
     pub(super) extent: f64,
 }
 
@@ -41,7 +41,7 @@ pub(super) struct Face {
 pub(super) struct Root {
     /// Number of the surface.
     pub(super) surface: u16,
-    /// Where.
+    /// Depth of the crossing.
     pub(super) depth: f64,
     /// The ray passes from the removed to the kept side.
     pub(super) to_kept: bool,
@@ -54,7 +54,7 @@ pub(super) struct Root {
 }
 
 impl Root {
-    /// How much its depth may change when the sample moves by [`View::doubt_px`].
+    /// Change of its depth when the sample moves by [`View::doubt_px`].
     pub(super) fn depth_change(&self, view: &View, ray: &Ray) -> f64 {
         let change = change_per_px(view, self.gradient, self.depth) * view.doubt_px();
         let slope = self.gradient.dot(ray.direction).abs();
@@ -70,7 +70,7 @@ impl Root {
 pub(super) struct Graze {
     /// Number of the surface.
     pub(super) surface: u16,
-    /// Where the extremum is.
+    /// Depth of the extremum.
     pub(super) depth: f64,
     /// The surface is crossed just before and just behind.
     pub(super) crossed: bool,

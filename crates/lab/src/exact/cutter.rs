@@ -1,13 +1,13 @@
-//! Where a ray crosses a cutter: the triangles of a closed mesh as one clip-surface.
+//! Crossings of a ray with a cutter: the triangles of a closed mesh as one clip-surface.
 //!
-//! Parity alone tells what is inside, so crossings alternate in the order of their depths, whichever way faces are turned. Those
-//! of the whole line count, behind the eye too: the side at the start of a range is what those before it say. A crossing
-//! is then a [`Root`] like that of any other clip-surface, with the triangle's normal for its gradient, and all that holds of
-//! ties and of events that are too close to order holds of it as well.
+//! Parity alone decides inside, so crossings alternate in the order of their depths, whichever way faces are turned. Those of the whole
+//! line count, behind the eye too: the crossings before a range give the side at its start. A crossing is then a [`Root`] like that of any
+//! other clip-surface, with the triangle's normal for its gradient. The rules for ties and for events that are too close to order apply
+//! here too.
 //!
-//! A face of a part that lies in a face of the cutter is before it where the ray leaves the part by it, behind it where it enters
-//! ([`super::settle`]). Unlike a plane the cutter's face ends: where a sample is too close to an edge of either triangle ([`share_the_sample`]) to say that both are met,
-//! rather than one of them and the next triangle of the other, the order is as open as any.
+//! A face of a part in a face of the cutter is before it where the ray leaves the part by it, behind it where it enters
+//! ([`super::settle`]). Unlike a plane, the cutter's face ends: where a sample is too close to an edge of either triangle
+//! ([`share_the_sample`]) to be sure to hit both, rather than one and the next triangle of the other, the order is as open as any.
 //!
 //! An outline of a cutter is what a graze of a relief is: a pair of crossings that a sample moved by a hair may have or
 //! not. It leaves a sample undecided where that could change what is seen: where some part that the cut applies to may be
@@ -22,7 +22,7 @@ use super::raster::{Crossing, Projected};
 use super::screen::Corner;
 use super::walk::{Cause, Event, State};
 
-/// Which meshes of a picture are those of cutters: they follow the parts, in the order of their clip-surfaces.
+/// Meshes of a picture that belong to cutters: they follow the parts, in the order of their clip-surfaces.
 pub(super) struct Cutters {
     parts: u16,
     surfaces: Vec<u16>,
@@ -39,17 +39,17 @@ impl Cutters {
         }
     }
 
-    /// How many things of a list ordered by rank are those of parts.
+    /// Number of entries that belong to parts, in a list ordered by rank.
     pub(super) fn split<T>(&self, all: &[T], rank: impl Fn(&T) -> u16) -> usize {
         all.partition_point(|one| rank(one) < self.parts)
     }
 
-    /// Whether a clip-surface is a cutter.
+    /// Returns true if a clip-surface is a cutter.
     pub(super) fn contains(&self, surface: u16) -> bool {
         self.surfaces.binary_search(&surface).is_ok()
     }
 
-    /// Where the mesh of a cutter is.
+    /// Rank of the mesh of a cutter.
     pub(super) fn rank_of(&self, surface: u16) -> u16 {
         self.parts + self.surfaces.partition_point(|s| *s < surface) as u16
     }
@@ -109,14 +109,14 @@ pub(super) fn meet(
     met
 }
 
-/// Whether two triangles in one plane are both met, whoever moves a sample a little.
+/// Returns true if two triangles in one plane are both met wherever a sample moves within `near_px`.
 pub(super) fn share_the_sample(near_px: f64, at: DVec2, triangles: [[&Corner; 3]; 2]) -> bool {
     !triangles
         .into_iter()
         .any(|corners| is_by_an_edge(near_px, at, corners))
 }
 
-/// Whether a sample is so close to an edge of a triangle that who moves it a little may find the next triangle; also where the
+/// Returns true if a sample is so close to an edge of a triangle that, moved a little, it may hit the next triangle; also where the
 /// triangle reaches behind the eye.
 fn is_by_an_edge(near_px: f64, at: DVec2, corners: [&Corner; 3]) -> bool {
     if corners.iter().any(|c| c.at.z <= 0.0) {
@@ -125,8 +125,8 @@ fn is_by_an_edge(near_px: f64, at: DVec2, corners: [&Corner; 3]) -> bool {
     (0..3).any(|edge| is_by_edge(near_px, at, corners, edge))
 }
 
-/// Whether a sample is so close to the edge of a triangle that begins at a corner that, moved a little, it may find the next triangle;
-/// also where the edge reaches behind the eye.
+/// Returns true if a sample is so close to the edge of a triangle that begins at a corner that, moved a little, it may hit the next
+/// triangle; also where the edge reaches behind the eye.
 pub(super) fn is_by_edge(near_px: f64, at: DVec2, corners: [&Corner; 3], edge: usize) -> bool {
     let ends = [corners[edge], corners[(edge + 1) % 3]];
     if ends.iter().any(|c| c.at.z <= 0.0) {
@@ -137,8 +137,8 @@ pub(super) fn is_by_edge(near_px: f64, at: DVec2, corners: [&Corner; 3], edge: u
     from.lerp(to, share.clamp(0.0, 1.0)).distance(at) <= near_px
 }
 
-/// Whether a pair of crossings with a cutter at one of its outlines, there or not, may change what is seen. `events` are those
-/// of the ray with how far each may move, `start` is the state before them.
+/// Returns true if a pair of crossings with a cutter at one of its outlines, there or not, may change what is seen. `events` are those of
+/// the ray with the distance each may move, `start` is the state before them.
 pub(super) fn bites<'a>(
     prepared: &Prepared,
     (brush, surface): (&Brush, u16),

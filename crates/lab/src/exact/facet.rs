@@ -22,7 +22,7 @@ pub(super) struct Facet {
 }
 
 impl Facet {
-    /// That of three corners in scene space with their depths.
+    /// Makes the facet of three corners in scene space with their depths.
     pub(super) fn of(points: [DVec3; 3], depths: [f64; 3]) -> Self {
         let mut points = points;
         // Each exchange of two corners turns the normal over.
@@ -55,13 +55,13 @@ impl Facet {
         }
     }
 
-    /// How far apart the depths of the corners are.
+    /// Range of the depths of the corners.
     pub(super) fn extent(&self) -> f64 {
         self.depths[1] - self.depths[0]
     }
 
-    /// How much the depth may change within the triangle when a sample moves by [`View::doubt_px`], and by how the view's rasteriser
-    /// interpolates.
+    /// Change of the depth within the triangle when a sample moves by [`View::doubt_px`], plus the error of the interpolation in the view's
+    /// rasteriser.
     pub(super) fn depth_change(&self, view: &View, direction: DVec3, depth: f64) -> f64 {
         // Of an edge-on triangle both are infinite, or no number.
         (self.plane_change(view, direction, depth) + self.slopes(view, depth)).min(self.extent())
@@ -72,7 +72,7 @@ impl Facet {
         (self.plane_change_in_middle(view).abs() + self.slopes(view, far)).min(self.extent())
     }
 
-    /// How far off depths are by how the view's rasteriser interpolates.
+    /// Error of depths from the interpolation in the view's rasteriser.
     fn slopes(&self, view: &View, depth: f64) -> f64 {
         match view.precision.slopes_in_f32 {
             true => self.slope_rounding(view, depth),
@@ -80,7 +80,7 @@ impl Facet {
         }
     }
 
-    /// How much the depth on the plane changes, wherever that leads, when a sample moves by [`View::doubt_px`].
+    /// Change of the depth on the plane, without bound by the triangle, when a sample moves by [`View::doubt_px`].
     pub(super) fn plane_change(&self, view: &View, direction: DVec3, depth: f64) -> f64 {
         let along = self.normal.dot(direction).abs();
         let across = lateral(view, self.normal) * view.pixel_size(depth) * view.doubt_px();
@@ -102,7 +102,7 @@ impl Facet {
         self.plane_change(view, direction, depth)
     }
 
-    /// How far off a depth may be that is interpolated in f32. What is interpolated is the value of the depth buffer, over the piece of the
+    /// Error of a depth that is interpolated in f32. The rasteriser interpolates the value of the depth buffer, over the piece of the
     /// triangle beyond the near plane, as triangles that share a corner. Its slopes in the picture are found by products of edges, each
     /// rounded to an ulp of the square of the length, and divided by the area. What that does to a value is the ratio of the two, times the
     /// range of values: with llvmpipe up to 0.02 px at the walls of a tube that are 1200 px long and 2 px wide; of a wall that passes the
@@ -150,8 +150,8 @@ impl Facet {
     }
 }
 
-/// Whether depths that are interpolated in f32 are farther off, somewhere in a scene, than what sub-pixel bits leave open by a margin:
-/// vertices move by 0.7 of [`View::doubt_px`] at most. So it is where triangles are long and narrow.
+/// Returns true if, somewhere in a scene, the error of depths interpolated in f32 exceeds the margin that sub-pixel bits leave: vertices
+/// move by 0.7 of [`View::doubt_px`] at most. This is so where triangles are long and narrow.
 pub(super) fn slopes_matter(prepared: &Prepared, view: &View) -> bool {
     prepared.parts.par_iter().any(|part| {
         part.triangles.par_iter().any(|corners| {
@@ -172,7 +172,7 @@ pub(super) fn slopes_matter(prepared: &Prepared, view: &View) -> bool {
     })
 }
 
-/// What snapping leaves of [`View::doubt_px`].
+/// Share of [`View::doubt_px`] that snapping leaves.
 const SPARE: f64 = 0.25;
 
 /// Length of the part of a vector that lies in the picture.

@@ -13,11 +13,11 @@ use super::ray_scratch::RayScratch;
 use super::walk::{Cause, Sight, walk};
 use super::{Lines, cutter, shading};
 
-/// How far before the first and behind the last crossing clip-surfaces are looked for, in pixels of that depth: events
-/// farther away than this are never too close to order.
+/// Distance before the first and behind the last crossing within which clip-surfaces are searched, in pixels of that depth: events farther
+/// away than this are never too close to order.
 const PAD_PX: f64 = 4.0;
 
-/// What a ray sees.
+/// Result of following a ray.
 pub(super) struct Followed {
     pub(super) layer: Layer,
     pub(super) sight: Option<Sight>,

@@ -1,11 +1,11 @@
 //! The exact reference: what every pixel shows, in f64, from the definition alone.
 //!
-//! Along the ray through a pixel centre the visible point is the first one, beyond the near plane, at which the ray enters
-//! some solid less what is removed from it. It shows a *surface* where the ray crosses the mesh there and a *cap* where it
-//! leaves the removed region. This module lists every crossing of the ray with every triangle (`raster`) and with every
-//! clip-surface (`clip`, `relief`, `cutter`), walks them in order (`follow`, `walk`), and says which answers hang on less than a
-//! picture can tell (`ambiguity`). [`trace`] gives the list of one pixel. With the strategies that it judges it shares the scene, and with it
-//! which faces lie in which plane, and no algorithm.
+//! Along the ray through a pixel centre the visible point is the first one, beyond the near plane, at which the ray enters some solid less
+//! what is removed from it. It shows a *surface* where the ray crosses the mesh there and a *cap* where it leaves the removed region. This
+//! module lists every crossing of the ray with every triangle (`raster`) and with every clip-surface (`clip`, `relief`, `cutter`), walks
+//! them in order (`follow`, `walk`), and marks the answers that depend on less than the precision of a picture (`ambiguity`). [`trace`]
+//! gives the list of one pixel. It shares with the strategies that it judges only the scene, including which faces lie in which plane, and
+//! no algorithm.
 //!
 //! *Inside* is by the part's [`Fill`](cutaway::scene::Fill). The crossings of the whole line count, behind the eye too: inside
 //! at the near plane is what those before it say. An open part has pixels where all of them together still say inside: an odd
@@ -58,17 +58,17 @@ pub use winding::Windings;
 /// The right answer for every pixel of a view, rows from the top.
 #[derive(Clone, Debug)]
 pub struct Exact {
-    /// What each pixel shows.
+    /// Layer of each pixel.
     pub layers: Layers,
-    /// Whether sampling itself is ambiguous there: within [`View::doubt_px`] of an outline, or two events too close to order.
+    /// True where sampling itself is ambiguous: within [`View::doubt_px`] of an outline, or two events too close to order.
     pub undecided: Vec<bool>,
-    /// Whether kind, part and clip-surface are decided there but the depth is not: it jumps within as much, as between two
-    /// folds of a relief. No undecided pixel is one of them.
+    /// True where kind, part and clip-surface are decided but the depth is not: it jumps within [`View::doubt_px`], as between two folds of
+    /// a relief. No undecided pixel is one of them.
     pub depth_open: Vec<bool>,
-    /// Whether solids overlap at the cap is open, be it because its depth is. No undecided pixel is one of them.
+    /// True where the overlap of solids at the cap is open, be it because its depth is. No undecided pixel is one of them.
     pub overlap_open: Vec<bool>,
-    /// Whether some part has an odd number of crossings along the whole line, or crossings that do not cancel where its rule
-    /// is nonzero: it is open there, or its faces do not agree which side is out.
+    /// True where some part has an odd number of crossings along the whole line, or crossings that do not cancel where its rule is nonzero:
+    /// the part is open there, or its faces do not agree which side is out.
     pub odd_parity: Vec<bool>,
 }
 
@@ -140,7 +140,7 @@ struct Lines<'a> {
     /// Parts by rank, then cutters.
     parts: Vec<Projected<'a>>,
     cutters: Cutters,
-    /// By number; those of cutters are not asked.
+    /// Clips by number; those of cutters are unused.
     clips: Vec<Clip>,
     /// By rank.
     settled: Vec<SettledFaces>,
@@ -156,7 +156,7 @@ struct Answer {
     open: Openness,
 }
 
-/// Whether outlines are wanted: they say where sampling is ambiguous, and nothing else.
+/// Selects whether outlines are made: they mark where sampling is ambiguous, and nothing else.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Outlining {
     With,

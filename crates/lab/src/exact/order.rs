@@ -1,7 +1,7 @@
 //! Events of one ray that are so close that their order is open, and what another order would show.
 //!
-//! Pairs are swapped one by one, and a crossing is moved past a clip-surface alone where others lie between the two: those may be
-//! settled against the surface ([`super::settle`]). Costs up to two walks along the ray for each close pair. Three events in an order that no such
+//! Pairs are swapped one by one, and a crossing is moved past a clip-surface alone where others lie between the two: those may be settled
+//! against the surface ([`super::settle`]). Costs up to two walks along the ray for each close pair. Three events in an order that no such
 //! step leads to are not looked for.
 
 use glam::DVec3;
@@ -11,7 +11,7 @@ use super::settle::share_plane;
 use super::walk::{Cause, Event};
 
 impl Case<'_> {
-    /// What it changes to swap two events whose order is open. The near plane is an event too.
+    /// Openness caused by swapping two events whose order is open. The near plane is an event too.
     pub(super) fn disordered(&self, scratch: &mut Scratch) -> Openness {
         let mut margins = std::mem::take(&mut scratch.margins);
         margins.clear();
@@ -44,7 +44,7 @@ impl Case<'_> {
         open
     }
 
-    /// What it changes to move an event to the other side of the near plane; at the plane counts as before it.
+    /// Openness caused by moving an event to the other side of the near plane; an event at the plane counts as before it.
     fn across_near(&self, scratch: &mut Scratch, event: usize, margin: f64) -> Openness {
         let depth = self.events[event].depth;
         let step = rounding(self.view, depth);
@@ -72,7 +72,7 @@ impl Case<'_> {
         }
     }
 
-    /// What it changes to move a crossing past a clip-surface that stays where it is: crossings between the two may be settled against
+    /// Openness caused by moving a crossing past a clip-surface that stays where it is: crossings between the two may be settled against
     /// it, so that it cannot move past those.
     fn passed(&self, scratch: &mut Scratch, [i, j]: [usize; 2], margin: f64) -> Openness {
         let [near, far] = [i, j].map(|k| &self.events[k]);
@@ -90,7 +90,7 @@ impl Case<'_> {
         self.change(scratch, margin)
     }
 
-    /// Puts an event at another depth, and with it all crossings with triangles that coincide with its own: who moves one moves all.
+    /// Puts an event at another depth, along with all crossings with triangles that coincide with its own: they only move together.
     fn put(&self, scratch: &mut Scratch, event: usize, depth: f64) {
         let moved = &self.events[event];
         for (other, copy) in self.events.iter().zip(&mut scratch.events) {
@@ -101,7 +101,7 @@ impl Case<'_> {
         scratch.events[event].depth = depth;
     }
 
-    /// Whether swapping two events can change anything at all, and is not settled by exact coincidence.
+    /// Returns true if swapping two events can change anything, and is not settled by exact coincidence.
     fn order_matters(&self, a: &Event, b: &Event) -> bool {
         let is_settled = |mesh: &Event, surface: u16| {
             (self.settled.iter()).any(|(source, by, _)| (*source, *by) == (mesh.source, surface))
@@ -128,7 +128,7 @@ impl Case<'_> {
         }
     }
 
-    /// Whether two crossings lie on different sides of one clip-surface.
+    /// Returns true if two crossings lie on different sides of one clip-surface.
     fn is_between(&self, a: &Event, b: &Event) -> bool {
         let of = |event: &Event| {
             let source = event.source;
@@ -137,7 +137,7 @@ impl Case<'_> {
         of(a).any(|(_, by, place)| of(b).any(|(_, other, there)| by == other && place != there))
     }
 
-    /// Whether two events are crossings, at one depth, with triangles of the same corners.
+    /// Returns true if two events are crossings, at one depth, with triangles of the same corners.
     fn share_triangle(&self, a: &Event, b: &Event) -> bool {
         let is_mesh = |e: &Event| matches!(e.cause, Cause::Mesh { .. });
         if a.depth != b.depth || !is_mesh(a) || !is_mesh(b) {

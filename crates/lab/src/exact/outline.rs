@@ -1,11 +1,11 @@
 //! Edges at which the number of crossings changes, or the depth at which they are found, and the samples that are too close to them.
 //!
-//! An edge shared by exactly two faces that lie on different sides of it in the picture is no outline: whichever of the
-//! two a sample hits, the ray crosses once. Every other edge is one: a fold (*silhouette*), a rim (*boundary*), an edge
-//! with more than two faces, and, where the rule is nonzero, one whose faces do not agree which side is out. Vertices are matched by position here, because a mesh may store one point twice.
+//! An edge shared by exactly two faces on opposite sides in the picture is no outline: whichever a sample hits, the ray crosses
+//! once. Every other edge is one: a fold (*silhouette*), a rim (*boundary*), an edge of more than two faces, and, where the rule is
+//! nonzero, one whose faces disagree which side is out. Vertices are matched by position, as a mesh may store one twice.
 //!
-//! Where one of the two faces is far steeper than the other, or its depths are interpolated far less well, their edge is a *seam*: whoever
-//! hits the other face finds one crossing too, but maybe at another depth.
+//! Where one of the two faces is far steeper than the other, or its depths are interpolated far less well, their edge is a *seam*: a sample
+//! that hits the other face finds one crossing too, but maybe at another depth.
 //!
 //! A needle narrower than the sub-pixel grid lies on no side of its edges: they are outlines too (see [`sliver_reach`]), but for needles
 //! that reach past the near plane.
@@ -29,7 +29,7 @@ use super::screen::Corner;
 /// No two depths of a scene are farther apart: it lies in a ball of radius 1. The plane of a needle seen edge-on has no such bound.
 const SCENE_DIAMETER: f64 = 2.0;
 
-/// Depths beyond an edge that move by up to this many times as much are no worse than those on this side of it.
+/// Maximum ratio of the depth changes of the two faces at an edge that is no seam.
 const SEAM: f64 = 4.0;
 
 /// Two steps of f32 near 1: what is no wider than that has no plane in f32.
@@ -43,15 +43,15 @@ pub(super) struct Outline {
     margin: f64,
 }
 
-/// What is open beside an edge.
+/// Undecided property near an edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Edge {
-    /// Whether there are two crossings more.
+    /// There may be two more crossings.
     Fold,
-    /// Whether the part is open: it has an odd number of faces, or directions that do not cancel where the rule is nonzero, or a coarse
-    /// adapter parts its triangles there.
+    /// The part may be open: it has an odd number of faces, or directions that do not cancel where the rule is nonzero, or a coarse adapter
+    /// parts its triangles there.
     Rim,
-    /// Which of two triangles is crossed.
+    /// Either of two triangles may be crossed.
     Seam([u32; 2]),
 }
 
@@ -62,11 +62,11 @@ pub(super) struct Brush {
     pub(super) pixel: u32,
     /// Rank of the part.
     pub(super) rank: u16,
-    /// What is open there.
+    /// Undecided property there.
     pub(super) edge: Edge,
     /// Depth of the edge.
     pub(super) depth: f64,
-    /// How far in depth the faces at the edge may reach within [`View::doubt_px`].
+    /// Distance in depth that the faces at the edge may reach within [`View::doubt_px`].
     pub(super) margin: f64,
 }
 
@@ -95,7 +95,7 @@ pub(super) fn outlines(view: &View, rank: u16, projected: &Projected<'_>) -> Vec
             };
             let change = depth_change(view, projected, index as u32);
             let t = t.map(|i| names[i as usize]);
-            // A triangle with two equal corners is an edge, and no face of it.
+            // A triangle with two equal corners is an edge, and not one of its faces.
             let degenerate = t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
             (0..if degenerate { 0 } else { 3 }).map(move |e| {
                 let (from, to) = (t[e], t[(e + 1) % 3]);
@@ -138,7 +138,7 @@ pub(super) fn outlines(view: &View, rank: u16, projected: &Projected<'_>) -> Vec
                     sliver_reach(view, projected, f.triangle).unwrap_or_else(within)
                 })
                 .fold(0.0, f64::max);
-            // Faces at an edge just before the near plane may reach beyond it beside the edge, or by rounding.
+            // Faces at an edge just before the near plane may reach beyond it near the edge, or by rounding.
             let before = view.before_near(margin + rounding(view, view.near));
             let ends = beyond(before, a, b)?;
             Some(Outline {
@@ -180,11 +180,11 @@ fn points(projected: &Projected<'_>) -> Vec<u32> {
     names
 }
 
-/// How far depth reaches at a needle that rounding its corners to the sub-pixel grid may turn over: which of its sides a rasteriser sees,
-/// and so the depth it finds in it, is anybody's guess. Its edges are outlines: there is no telling on which side of them it lies.
+/// Reach in depth of a needle that rounding its corners to the sub-pixel grid may turn over: the side that a rasteriser sees, and so the
+/// depth it finds, is undefined. Its edges are outlines: no sample lies reliably on one side of them.
 ///
-/// If its depths differ by more than the width of a pixel, the reach is that difference. If by less, what its plane changes by within
-/// [`View::doubt_px`] counts too, which has no bound where it is seen edge-on: some rasterisers cover samples beside it, by the rounded
+/// If its depths differ by more than the width of a pixel, the reach is that difference. If by less, the change of its plane within
+/// [`View::doubt_px`] counts too, which has no bound where it is seen edge-on: some rasterisers cover samples outside it, by the rounded
 /// corners, and read the plane of the others there. Where its corners lie on a line there is no plane, and any depth may be read. However
 /// little its depth changes, the side that is seen is open: a needle that is turned over shows its back.
 ///
@@ -216,7 +216,7 @@ fn sliver_reach(view: &View, projected: &Projected<'_>, triangle: u32) -> Option
     })
 }
 
-/// Whether three corners lie on a line but for what f32 rounds.
+/// Returns true if three corners lie on a line, up to f32 rounding.
 fn is_line(points: [DVec3; 3]) -> bool {
     let [a, b, c] = points;
     (b - a).cross(c - a).length() <= LINE_WIDTH * longest_edge(points)
@@ -255,7 +255,7 @@ impl Outline {
         for row in lo.max(first_row)..(hi + 1).min(end_row) {
             let y = f64::from(row) + 0.5;
             let share = |y: f64| ((y - a.y) / along.y).clamp(0.0, 1.0);
-            // The piece of the edge that passes this row; all of it when it runs along the row.
+            // The piece of the edge that passes this row; the whole edge when it runs along the row.
             let (from, to) = if along.y.abs() > near_px {
                 (share(y - near_px), share(y + near_px))
             } else {

@@ -23,11 +23,11 @@ pub(super) struct Projected<'a> {
     pub(super) positions: &'a [Vec3],
     /// Corners of its triangles.
     pub(super) triangles: &'a [[u32; 3]],
-    /// Which points it encloses.
+    /// Fill rule of the mesh.
     pub(super) fill: Fill,
     /// Normals to be shown; a cutter that is not smooth has none.
     pub(super) shading: Option<&'a ShadingMesh>,
-    /// Where its vertices land.
+    /// Projected vertices.
     pub(super) corners: Vec<Corner>,
     /// [`facing`] of its triangles.
     pub(super) facing: Vec<i8>,
@@ -77,7 +77,7 @@ impl<'a> Projected<'a> {
         }
     }
 
-    /// Where the corners of a triangle land.
+    /// Projected corners of a triangle.
     pub(super) fn corners(&self, triangle: u32) -> [&Corner; 3] {
         self.triangles[triangle as usize].map(|i| &self.corners[i as usize])
     }
@@ -104,12 +104,12 @@ pub(super) struct Crossing {
     pub(super) rank: u16,
     /// The triangle faces away from the eye.
     pub(super) back_face: bool,
-    /// Where it is among crossings of clip-surfaces at its very depth: -1 before them, 1 behind; 0 where its triangle lies in none.
+    /// Place among crossings of clip-surfaces at the same depth: -1 before them, 1 behind; 0 where its triangle lies in none.
     pub(super) place: i8,
 }
 
 impl Crossing {
-    /// What it adds to the winding number along the ray: 1 into the mesh, -1 out of it.
+    /// Change of the winding number along the ray: 1 into the mesh, -1 on leaving.
     pub(super) fn step(&self) -> i8 {
         if self.back_face { -1 } else { 1 }
     }
@@ -155,7 +155,7 @@ impl Bands {
         Self { starts, items }
     }
 
-    /// What touches a band.
+    /// Items that touch a band.
     pub(super) fn items(&self, band: usize) -> &[(u16, u32)] {
         &self.items[self.starts[band]..self.starts[band + 1]]
     }

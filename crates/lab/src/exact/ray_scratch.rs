@@ -1,4 +1,4 @@
-//! What one ray is worked out on: its lists of crossings, roots and events, and its states, reused from ray to ray.
+//! Scratch memory of one ray: its lists of crossings, roots and events, and its states, reused from ray to ray.
 
 use cutaway::scene::Prepared;
 
@@ -8,7 +8,7 @@ use super::outline::Brush;
 use super::raster::Crossing;
 use super::walk::{Cause, Event, State, by_depth};
 
-/// What one ray is worked out on; reused from ray to ray.
+/// Scratch memory of one ray; reused from ray to ray.
 pub(super) struct RayScratch {
     pub(super) crossings: Vec<Crossing>,
     /// With one cutter.
@@ -20,8 +20,7 @@ pub(super) struct RayScratch {
     pub(super) ranks: Vec<u16>,
     /// Per surface: its roots are listed.
     pub(super) met: Vec<bool>,
-    /// Crossings and the clip-surfaces that their triangles are settled by, each with its place as [`Crossing::place`] has it: no
-    /// rounding changes their order.
+    /// Crossings and the clip-surfaces that settle their triangles, each with its [`Crossing::place`]: no rounding changes their order.
     pub(super) settled: Vec<(u32, u16, i8)>,
     /// Crossings, and the numbers of the planes that their triangles share with those of other parts.
     pub(super) shared: Vec<(u32, u16)>,

@@ -1,4 +1,4 @@
-//! Where a ray crosses a relief: every texel cell under the ray in turn, but for blocks of them that it is far from.
+//! Crossings of a ray with a relief: visits every texel cell under the ray in turn, but skips blocks of cells far from the ray.
 //!
 //! Within a cell `f` is bilinear and `F` along the ray a quadratic. Signs decide, roots only locate: the sign at the end
 //! of a cell is carried into the next one, one root where the two ends differ, two where they agree but the vertex of the
@@ -6,7 +6,7 @@
 //! cell is skipped when the four-corner bounds of `f` keep `F` away from 0 over the whole cell, and a block of cells when its
 //! bounds do, which skips no cell that would not be.
 //!
-//! Cost: one step per texel border between the depths asked for, where the ray is near the relief; few steps elsewhere.
+//! Cost: one step per texel border in the requested range of depths, where the ray is near the relief; few steps elsewhere.
 
 use std::sync::Arc;
 
@@ -319,7 +319,7 @@ impl Walk<'_> {
         is_far.then_some(!kept)
     }
 
-    /// What rounding may move the sample by at a depth, in scene space.
+    /// Distance that rounding may move the sample at a depth, in scene space.
     fn blur(&self, depth: f64) -> f64 {
         rounding(self.view, depth) * self.ray.direction.length()
     }

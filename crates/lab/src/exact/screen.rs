@@ -1,4 +1,4 @@
-//! Where vertices land in the picture, and on which side of an edge a sample is.
+//! Projection of vertices into the picture, and the side of an edge that a sample is on.
 //!
 //! Notation: a vertex is `(x w, y w, w)` in pixels, `w` its depth (1 in orthographic views). The edge from `f` to `t` is
 //! the plane through the eye with normal `f x t`; `E(x, y) = (x, y, 1).(f x t)` is linear in the picture and needs no
@@ -9,8 +9,8 @@
 //! number, from a filter or from [`robust`]. Two triangles therefore never both take or both leave a sample of the edge they
 //! share, whichever way round they name it.
 //!
-//! Tie rule: a sample stands for `(x + e, y + e^2)` with `e` infinitely small, so one on an edge belongs to the triangle to
-//! the right of it, or below it. This is the top-left rule of rasterisers.
+//! Tie rule: a sample stands for `(x + e, y + e^2)` with `e` infinitely small, so one on an edge belongs to the triangle to the right of
+//! the edge, or below it. This is the top-left rule of rasterisers.
 
 use cutaway::scene::View;
 use glam::{DVec2, DVec3};
@@ -26,7 +26,7 @@ pub(super) struct Corner {
 }
 
 impl Corner {
-    /// Where a point of the scene lands.
+    /// Projects a point of the scene.
     pub(super) fn of(view: &View, point: DVec3) -> Self {
         let d = point - view.eye;
         let depth = view.depth_of(point);
@@ -179,7 +179,7 @@ mod tests {
 
     #[test]
     fn nearly_collinear_samples_get_the_sign_of_the_real_number() {
-        // The edge passes 2^-60 of a pixel beside the sample, far under what f64 can see in one product.
+        // The edge passes 2^-60 of a pixel from the sample, far below the resolution of f64 in one product.
         let off = (-50f64).exp2();
         let line = |d: f64| {
             Line::through(

@@ -1,9 +1,9 @@
 //! Crossings whose order against a clip-surface is known of their whole triangle, and not left to rounding.
 //!
-//! A triangle close to a flat clip-surface lies on one side of it ([`Settled`]): a crossing with it that rounding has put on the
-//! other side of the surface's root gets the depth of that root bit for bit, and its place before it or behind. So all of a face in
-//! a clip-surface is kept or removed alike, in every view. A sample by the rim of what lies alike may, moved a little, meet a triangle
-//! of another side: there the order is as open as any.
+//! A triangle close to a flat clip-surface lies on one side of the surface ([`Settled`]). A crossing that rounding has put on the other
+//! side of the surface's root gets the depth of that root bit for bit, and its place before it or behind. So a face in a clip-surface is
+//! kept or removed as a whole, in every view. A sample near the rim of such faces may, moved a little, meet a triangle of another side:
+//! there the order is as open as any.
 //!
 //! Faces of several parts in one plane, facing the same way, have the depth of that plane, and the first part in rank has them
 //! ([`SharedPlanes`](cutaway::scene::SharedPlanes)).
@@ -23,20 +23,20 @@ use super::ray_scratch::RayScratch;
 use super::walk::Event;
 use super::{Lines, ambiguity, cutter};
 
-/// What is settled of the triangles of a part.
+/// Settled triangles of a part.
 pub(super) struct SettledFaces {
     /// Triangles in planes that parts share, each with the number of its plane.
     shared: Arc<[(u32, u16)]>,
-    /// Of each of these, whether the edges from its corners on are at the rim of those in the plane.
+    /// Per entry of `shared`: true for each edge, by its first corner, at the rim of the faces in the plane.
     shared_rims: Vec<[bool; 3]>,
     /// By triangle.
     all: Vec<Settled>,
-    /// Of each, whether the edges from its corners on are at its rim: whether the next triangle is on another side, or may be.
+    /// Per entry of `all`: true for each edge, by its first corner, at its rim: the next triangle is on another side, or may be.
     rims: Vec<[bool; 3]>,
 }
 
 impl SettledFaces {
-    /// That of a part.
+    /// Makes the settled faces of a part.
     pub(super) fn of(prepared: &Prepared, (rank, part): (usize, &PreparedPart)) -> Self {
         let all = prepared.settled(part);
         let shared = prepared.shared.faces(rank);
@@ -55,7 +55,7 @@ impl SettledFaces {
         Some((self.shared[at].1, self.shared_rims[at]))
     }
 
-    /// What settles a triangle, and where its rim is.
+    /// Settled sides of a triangle, each with its rim edges.
     fn by(&self, triangle: u32) -> impl Iterator<Item = (&Settled, [bool; 3])> {
         let first = self.all.partition_point(|s| s.triangle < triangle);
         let after = self.all[first..].partition_point(|s| s.triangle == triangle);
@@ -66,7 +66,7 @@ impl SettledFaces {
     }
 }
 
-/// Of triangles that lie alike by a key, whether the edges from their corners on are at the rim of those.
+/// Per triangle: true for each edge, by its first corner, at the rim of the triangles with the same key.
 fn rims<K: Ord + Copy>(
     part: &PreparedPart,
     alike: impl Iterator<Item = (u32, K)> + Clone,
@@ -85,8 +85,8 @@ fn rims<K: Ord + Copy>(
     alike.map(|s| edges(s).map(|e| uses[&e] != 2)).collect()
 }
 
-/// Whether two crossings are with faces of parts in one plane, and at its depth: a clip-surface may have moved one of them. `shared` are
-/// the crossings in such planes, with their numbers.
+/// Returns true if two crossings are with faces of parts in one plane, and at its depth: a clip-surface may have moved one of them.
+/// `shared` are the crossings in such planes, with their numbers.
 pub(super) fn share_plane(shared: &[(u32, u16)], events: [&Event; 2]) -> bool {
     let of = |event: &Event| {
         let at = shared.iter().find(|(source, _)| *source == event.source);
@@ -153,7 +153,7 @@ impl Lines<'_> {
         }
     }
 
-    /// Whether a crossing is with a face that lies in the face of a cutter, to the last bit.
+    /// Returns true if a crossing is with a face that lies in the face of a cutter, to the last bit.
     fn coincides(&self, ray: &Ray, root: &Root, crossing: &Crossing) -> bool {
         let distance = (crossing.depth - root.depth).abs();
         let close = ambiguity::rounding(self.view, root.depth) + root.depth_change(self.view, ray);
@@ -165,7 +165,7 @@ impl Lines<'_> {
             })
     }
 
-    /// Whether both triangles of a coincidence are still met when the sample moves a little.
+    /// Returns true if both triangles of a coincidence are still met when the sample moves a little.
     fn goes_on(&self, at: DVec2, root: &Root, crossing: &Crossing) -> bool {
         root.face.is_none_or(|face| {
             let of_cutter = self.mesh_of_cutter(root.surface).corners(face.triangle);

@@ -1,6 +1,6 @@
 //! The crossings of one ray as a list: why a pixel shows what it shows.
 //!
-//! Cost: the meshes are projected as for a whole picture, and rays are followed for one row of it.
+//! Cost: the meshes are projected as for a whole picture, and rays are followed for one row.
 
 use cutaway::layers::Layer;
 use cutaway::scene::{Prepared, View};
@@ -12,7 +12,7 @@ use super::ray_scratch::RayScratch;
 use super::walk::{Cause, Event, State};
 use super::{Lines, Outlining};
 
-/// What a ray crosses.
+/// Object that a ray crosses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Crossed {
     /// The mesh of a part, by its index in the scene.
@@ -28,7 +28,7 @@ pub enum Crossed {
 pub struct RayCrossing {
     /// Distance from the eye along the viewing direction, in scene units.
     pub depth: f64,
-    /// What is crossed.
+    /// The crossed object.
     pub what: Crossed,
     /// The ray enters the mesh, or leaves the removed side of the clip-surface.
     pub enters: bool,
@@ -41,7 +41,7 @@ pub struct RayCrossing {
 /// The ray of a pixel.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Trace {
-    /// What the pixel shows, as [`evaluate`](super::evaluate) has it.
+    /// Layer of the pixel, equal to that of [`evaluate`](super::evaluate).
     pub layer: Layer,
     /// Crossings beyond the near plane, in order: those with the meshes of all parts, and with clip-surfaces where such a mesh is near.
     pub crossings: Vec<RayCrossing>,
@@ -120,7 +120,7 @@ pub fn trace(prepared: &Prepared, view: &View, [x, y]: [u32; 2]) -> Trace {
     }
 }
 
-/// Whether two events that follow each other are one step of the walk, as crossings of clip-surfaces at one depth are.
+/// Returns true if two consecutive events are one step of the walk, as crossings of clip-surfaces at one depth are.
 fn happen_at_once(a: &Event, b: &Event) -> bool {
     let is_clip = |e: &Event| matches!(e.cause, Cause::Clip { .. });
     a.depth == b.depth && is_clip(a) && is_clip(b)

@@ -18,9 +18,9 @@ pub struct Truth<P> {
     prepared: P,
     view: View,
     usual: Arc<Exact>,
-    /// Whether slopes in f32 are coarser than the usual precision.
+    /// True if slopes in f32 are coarser than the usual precision.
     slopes_matter: OnceLock<bool>,
-    /// Of less precision: adapters have one.
+    /// Image at a lower precision: an adapter has one.
     coarse: OnceLock<(Precision, Arc<Exact>)>,
 }
 

@@ -15,14 +15,14 @@ use std::cmp::Ordering;
 
 use cutaway::scene::{Fill, Prepared};
 
-/// What happens.
+/// Cause of an event.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Cause {
     /// The ray crosses the mesh of a part.
     Mesh {
         /// Rank of the part.
         rank: u16,
-        /// What it adds to the winding number: 1 into the mesh, -1 out of it.
+        /// Change of the winding number: 1 into the mesh, -1 on leaving.
         step: i8,
     },
     /// The ray crosses a clip-surface.
@@ -37,11 +37,11 @@ pub(super) enum Cause {
 /// Something that happens along a ray.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Event {
-    /// Where.
+    /// Depth of the event.
     pub(super) depth: f64,
-    /// Where it is among events at that depth: -1 before all clip events, 1 behind them.
+    /// Place among events at that depth: -1 before all clip events, 1 behind them.
     pub(super) place: i8,
-    /// What.
+    /// Cause of the event.
     pub(super) cause: Cause,
     /// Index of the crossing or the root it stands for.
     pub(super) source: u32,
@@ -80,7 +80,7 @@ pub(super) fn restore_order(events: &mut [Event]) {
     }
 }
 
-/// Where a ray stands.
+/// State of a ray at a depth.
 #[derive(Clone, Debug, Default)]
 pub(super) struct State {
     /// Per rank: the winding number.
@@ -112,7 +112,7 @@ impl State {
         self.ends.copy_from_slice(&other.ends);
     }
 
-    /// Whether the ray is inside a part here.
+    /// Returns true if the ray is inside a part here.
     pub(super) fn is_inside(&self, rank: u16) -> bool {
         self.fill[rank as usize].holds(self.winding[rank as usize])
     }
@@ -122,7 +122,7 @@ impl State {
         !surfaces.is_empty() && surfaces.iter().all(|s| self.removed[*s])
     }
 
-    /// Whether a part is removed here.
+    /// Returns true if a part is removed here.
     pub(super) fn removes(&self, prepared: &Prepared, rank: u16) -> bool {
         prepared.parts[rank as usize]
             .cuts
@@ -130,7 +130,7 @@ impl State {
             .any(|c| self.cut_removes(prepared, *c))
     }
 
-    /// Whether the ray is inside a part here, and nothing removes it.
+    /// Returns true if the ray is inside a part here, and nothing removes it.
     pub(super) fn shows(&self, prepared: &Prepared, rank: u16) -> bool {
         self.is_inside(rank) && !self.removes(prepared, rank)
     }
@@ -144,12 +144,12 @@ impl State {
     }
 }
 
-/// What a ray sees.
+/// Visible point of a ray.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sight {
     /// Rank of the part.
     pub(super) rank: u16,
-    /// Where.
+    /// Depth of the point.
     pub(super) depth: f64,
     /// The event that brought it into sight; none where the near plane did.
     pub(super) event: Option<Event>,
@@ -158,7 +158,7 @@ pub(super) struct Sight {
 }
 
 impl Sight {
-    /// What two sights must share to be the same answer: the part and, for a cap, the clip-surface; for a surface, the side it shows.
+    /// Properties that two sights of the same answer share: the part and, for a cap, the clip-surface; for a surface, the side it shows.
     pub(super) fn class(&self) -> (u16, Option<Cause>) {
         let cause = self.event.map(|e| match e.cause {
             Cause::Clip { surface, .. } => Cause::Clip {

@@ -20,14 +20,14 @@ use super::picture_flicker::{PictureFlicker, luminance, sampled};
 use super::{Question, Renderer};
 use crate::exact::{Exact, Truth};
 
-/// How a camera drifts.
+/// Drift of a camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Drift {
-    /// How many frames are drawn.
+    /// Number of frames.
     pub frames: u32,
     /// By how many pixels the picture is shifted from each to the next.
     pub px: f64,
-    /// How much larger it is each time.
+    /// Magnification from each frame to the next.
     pub zoom: f64,
     /// By how many degrees the camera goes around the middle of the scene each time.
     pub turn_deg: f64,
@@ -106,7 +106,7 @@ impl Flicker {
     }
 }
 
-/// What a pixel shows.
+/// Answer of a pixel without its depth: kind, part, clip-surface, and the side of a surface.
 fn class(layer: &Layer) -> (Kind, u16, u8, bool) {
     match layer.kind {
         Kind::Background => (Kind::Background, 0, 0, false),
@@ -118,8 +118,8 @@ fn class(layer: &Layer) -> (Kind, u16, u8, bool) {
 /// A frame, and the exact image of as many sub-pixel bits.
 type Drawn = (Arc<Exact>, Layers);
 
-/// Lets the camera of a scene drift; the figures of each renderer, none of one that refuses or is no method. Ends early with `None` as soon as
-/// `goes_on` says no.
+/// Lets the camera of a scene drift; the figures of each renderer, none of one that refuses or is no method. Ends early with `None` as soon
+/// as `goes_on` returns false.
 pub fn flicker(
     session: &mut Session,
     question: &Question<'_>,

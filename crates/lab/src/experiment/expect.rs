@@ -19,7 +19,7 @@ pub fn judge_again(run: &SceneRun, point: &Point, record: &mut Record) -> bool {
     is_other
 }
 
-/// What was found at a point.
+/// Measurements of a point, as input of its expectations.
 pub struct Findings<'a> {
     /// The strategies, in the order of the point's trials.
     pub measurement: &'a Measurement,
@@ -27,7 +27,7 @@ pub struct Findings<'a> {
     pub figures: &'a [BTreeMap<String, f64>],
 }
 
-/// What came of every expectation of a run at a point, in the order they are written.
+/// Results of all expectations of a run at a point, in the order they are written.
 pub fn reached(run: &SceneRun, point: &Point, found: &Findings<'_>) -> Vec<Reached> {
     let bits = found.measurement.adapter.sub_pixel_bits;
     // What is not known is no excuse.
@@ -76,7 +76,7 @@ fn expectation(claim: &Claim, what: String) -> Expectation {
     }
 }
 
-/// How a frame ended.
+/// Checks the outcome of a frame.
 fn ending(claim: &Claim, strategy: &StrategyMeasurement) -> Reached {
     let reason = strategy.reason.as_deref().unwrap_or_default();
     let says_so = claim
@@ -99,7 +99,7 @@ fn ending(claim: &Claim, strategy: &StrategyMeasurement) -> Reached {
     }
 }
 
-/// What figures of a strategy are to be.
+/// Checks the bounds on figures of a strategy.
 fn bounds(claim: &Claim, index: usize, found: &Findings<'_>) -> Vec<Reached> {
     let of_figure = |(name, wanted): &(String, Wanted)| {
         let Wanted::Within(bound) = wanted else {

@@ -16,7 +16,7 @@ pub const OF_DRIFT: [&str; 3] = ["flicker_px", "flicker_exact_px", "flicker_exce
 /// Figures of the pictures of such a camera: of all that they show, of caps away from strokes, of strokes.
 pub const OF_PICTURES: [&str; 3] = ["flicker_rms", "flicker_rms.cap", "flicker_rms.stroke"];
 
-/// What a strategy takes, other than time, and what it is given.
+/// Figures of resources other than time, and of the size of the input.
 pub const OF_SIZE: [&str; 6] = [
     "bytes",
     "bytes.solid",
@@ -26,7 +26,7 @@ pub const OF_SIZE: [&str; 6] = [
     "pixels",
 ];
 
-/// What takes time. No expectation is about it: it is another on each machine.
+/// Figures of time. No expectation uses them: they differ on each machine.
 pub const OF_TIME: [&str; 7] = [
     "ratio",
     "ratio.cut_moves",
@@ -46,8 +46,8 @@ pub fn of_error() -> Vec<String> {
     fields.chain(more).collect()
 }
 
-/// All figures of the strategy with this number in the measurement, by name. What was not measured is not there: a frame was refused, a
-/// clock never ran. `more` are the figures that one frame does not have. Times have their spread beside them, as `.mad`.
+/// All figures of the strategy with this number in the measurement, by name. A figure that was not measured is absent: a frame was refused,
+/// a clock never ran. `more` holds the figures that a single frame does not have. Times come with their spread, as `.mad`.
 pub fn figures(
     measurement: &Measurement,
     strategy: usize,

@@ -1,5 +1,5 @@
-//! What a record is of: the point, the files it is made of, the program, the device. A point whose identity is that of a record on
-//! disk would be measured to the same errors, and is kept.
+//! Identity of a record: the point, the files it is made of, the program, the device. If a record on disk has the identity of a point,
+//! measuring the point again would give the same errors, so the record is kept.
 //!
 //! A scene is known by its document, and by the contents of the files that this names by its keys and those name in turn: buffers of
 //! glTF, material lists of OBJ.

@@ -1,9 +1,9 @@
 //! Strategies measured on one frame: error against the exact reference, time in turns.
 //!
-//! First every strategy draws its frame until its buffers are settled, and its layers are compared with exact, which is
-//! evaluated once ([`errors`]). Then time is taken ([`times`]): a warm-up round that nobody counts, and rounds in each of which
-//! every strategy and the plain drawing of the uncut scene run once, on all clocks. Whoever begins a round ends the next, so that
-//! what disturbs the machine disturbs all alike.
+//! First every strategy draws its frame until its buffers are settled, and its layers are compared with exact, which is evaluated once
+//! ([`errors`]). Then time is taken ([`times`]): an uncounted warm-up round, then rounds in each of which every strategy and the plain
+//! drawing of the uncut scene run once, on all clocks. The order rotates by one from round to round, so that a disturbance of the machine
+//! affects all alike.
 //!
 //! Where the device has no timestamps to trust, every pass is timed by the wall (see [`cutaway::gpu`]). What runs on the CPU, as the
 //! renderer `winding` does, always is.
@@ -27,15 +27,15 @@ use super::{Evaluator, Renderer, Samples, SceneAtTime, Stopwatch};
 use crate::compare::{Comparison, compare, heatmap};
 use crate::exact::{Exact, Truth};
 
-/// A frame that is asked for, and what the truth about it is asked of.
+/// Frame to measure, and the source of its exact reference.
 pub struct Question<'a> {
     /// Name of the scene.
     pub name: String,
     /// The scene.
     pub shown: &'a SceneAtTime,
-    /// The view of it.
+    /// The camera view.
     pub view: View,
-    /// Of another scene, whose exact image is the truth: that of a whole mesh for a broken one. `None` asks the scene itself.
+    /// Other scene whose exact image is the reference, such as the whole mesh for a broken one. `None` uses the scene itself.
     pub truth: Option<&'a SceneAtTime>,
     /// The command line that asks it again.
     pub command: String,
@@ -62,13 +62,13 @@ impl<'a> Question<'a> {
 
 /// A frame of a renderer.
 pub struct Frame {
-    /// Who drew it.
+    /// Renderer of the frame.
     pub renderer: Renderer,
-    /// How it ended.
+    /// Outcome of the drawing.
     pub outcome: Outcome,
-    /// What it shows; none if it was refused.
+    /// Layers of the frame; none if it was refused.
     pub layers: Option<Layers>,
-    /// The truth, as undecided as who drew it snaps vertices.
+    /// Exact reference, with the undecided pixels for the vertex snapping of this renderer.
     exact: Arc<Exact>,
 }
 
@@ -86,7 +86,7 @@ pub struct Judgement {
 }
 
 impl Judgement {
-    /// Where a frame differs from exact; none if it was refused.
+    /// Heatmap of the differences from exact; none if the frame was refused.
     pub fn heatmap(&self, frame: &Frame) -> Option<RgbaImage> {
         (frame.layers.as_ref()).map(|l| heatmap(&frame.exact, l))
     }
@@ -101,12 +101,12 @@ impl Judgement {
     }
 }
 
-/// How many steps [`errors`] tells of.
+/// Number of steps that [`errors`] reports.
 pub fn error_steps(renderers: usize) -> usize {
     1 + renderers
 }
 
-/// How many steps [`times`] tells of.
+/// Number of steps that [`times`] reports.
 pub fn timing_steps(rounds: usize) -> usize {
     1 + rounds
 }
@@ -265,12 +265,12 @@ fn draw_by(
     Ok((frame, found))
 }
 
-/// Who rasterises for a renderer, as far as that can be said.
+/// Rasteriser of a renderer; the default where its options name none.
 fn rasteriser_of(renderer: &Renderer) -> Rasteriser {
     renderer.options().rasteriser.unwrap_or_default()
 }
 
-/// What runs in turns.
+/// Unit of work that is timed in turns.
 enum Runner {
     /// The scene with nothing cut, by a rasteriser.
     Uncut(Rasteriser),

@@ -1,4 +1,4 @@
-//! What was found of strategies on one frame: the JSON of `cutaway compare`, and the heart of every record.
+//! Measurements of strategies on one frame: the JSON of `cutaway compare`, and the core of every record.
 //!
 //! Every number is a measurement: medians come with their samples, and what was not measured is `null`, never 0.
 
@@ -60,7 +60,7 @@ pub struct Reference {
 }
 
 impl Reference {
-    /// What there is to say of a reference.
+    /// Summary of a reference.
     pub fn new(exact: &Exact, time_ms: f64) -> Self {
         Self {
             cap_px: exact.layers.count(Kind::Cap),
@@ -78,27 +78,27 @@ impl Reference {
         self.share(self.undecided_px)
     }
 
-    /// Of the pixels that show something.
+    /// Share of the pixels that show something.
     fn share(&self, px: usize) -> f64 {
         px as f64 / (self.cap_px + self.surface_px).max(1) as f64
     }
 
-    /// Whether so many pixels are undecided that the rest proves little: more than [`MOST_UNDECIDED`], and not merely a few.
+    /// Returns true if the undecided pixels are too many to trust the rest: more than [`MOST_UNDECIDED`], and not merely a few.
     pub fn is_doubtful(&self) -> bool {
         self.is_doubtful_with(self.undecided_px)
     }
 
-    /// Whether so many would be too many, as those of a rasteriser that is less exact than usual.
+    /// Same test for another count of undecided pixels, such as that of a rasteriser that is less exact than usual.
     pub fn is_doubtful_with(&self, undecided_px: usize) -> bool {
         undecided_px > FEW_UNDECIDED_PX && self.share(undecided_px) > MOST_UNDECIDED
     }
 }
 
-/// How a frame ended, without the reason.
+/// Outcome of a frame, without the reason.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Ending {
-    /// All of it was drawn.
+    /// The whole frame was drawn.
     Complete,
     /// A bounded buffer was too small.
     Overflowed,
@@ -107,7 +107,7 @@ pub enum Ending {
 }
 
 impl Ending {
-    /// Of an outcome.
+    /// Converts an outcome.
     pub fn from_outcome(outcome: &Outcome) -> Self {
         match outcome {
             Outcome::Complete => Self::Complete,
@@ -126,7 +126,7 @@ impl Ending {
     }
 }
 
-/// How times were taken.
+/// Method of timing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Timing {
@@ -147,8 +147,8 @@ pub struct PassTime {
     pub median_ms: f64,
 }
 
-/// What a cut costs beside the drawing: a frame less the same scene drawn with no cut by the same rasteriser, so that one rasteriser that
-/// is faster than the other is not taken for a cheaper cap. The paper tells its own as +0.366 ms at 1024 x 768, 0.47 ns a pixel.
+/// Cost of a cut, without the drawing: time of a frame less that of the same scene drawn with no cut by the same rasteriser, so that a
+/// faster rasteriser is not taken for a cheaper cap. The paper reports +0.366 ms at 1024 x 768, 0.47 ns per pixel.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Price {
     /// Frame time over that of the uncut scene: the median of the quotients of each round.
@@ -162,7 +162,7 @@ pub struct Price {
 }
 
 impl Price {
-    /// Of a frame and the uncut scene, measured in the same rounds.
+    /// Computes the price from a frame and the uncut scene, measured in the same rounds.
     pub(super) fn of(
         frame: &Samples,
         uncut: &Samples,
@@ -186,7 +186,7 @@ impl Price {
 pub struct StrategyMeasurement {
     /// Name of the strategy.
     pub name: String,
-    /// How the frame ended.
+    /// Outcome of the frame.
     pub outcome: Ending,
     /// Why, where it is not complete.
     pub reason: Option<String>,
@@ -209,7 +209,7 @@ pub struct StrategyMeasurement {
     pub frame_over_draw_only: Option<f64>,
     /// Spread of that ratio over the rounds: its median absolute deviation.
     pub frame_over_draw_only_mad: Option<f64>,
-    /// What the cut alone costs; `null` in records that are older than the figure, and where no time was taken.
+    /// Cost of the cut alone; `null` in records older than the figure, and where no time was taken.
     #[serde(default)]
     pub cut: Option<Price>,
     /// Times of the passes.
@@ -217,13 +217,13 @@ pub struct StrategyMeasurement {
 }
 
 impl StrategyMeasurement {
-    /// Whether there is a frame to look at.
+    /// Returns true if there is a frame to look at.
     pub fn was_drawn(&self) -> bool {
         self.comparison.is_some()
     }
 }
 
-/// What a comparison found.
+/// Result of a comparison.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Measurement {
     /// Name of the scene.
@@ -238,7 +238,7 @@ pub struct Measurement {
     pub resolution: [u32; 2],
     /// The device.
     pub adapter: AdapterReport,
-    /// How times were taken.
+    /// Method of timing.
     pub timing: Timing,
     /// Measured rounds, after the warm-up.
     pub rounds: usize,
@@ -249,7 +249,7 @@ pub struct Measurement {
     /// The same by the compute rasteriser; `null` where no strategy was drawn by it, and in records that are older than the figure.
     #[serde(default)]
     pub draw_only_compute_ms: Option<Samples>,
-    /// The strategies, in the order asked for.
+    /// The strategies, in the order requested.
     pub strategies: Vec<StrategyMeasurement>,
 }
 

@@ -1,4 +1,4 @@
-//! What a comparison may take of the memory of the machine.
+//! Limit on the memory of a comparison.
 
 use cutaway::layers::Layer;
 use cutaway::{Error, Result};
@@ -10,7 +10,7 @@ const MOST_LAYER_BYTES: u64 = 8 << 30;
 ///
 /// # Errors
 ///
-/// A size at which the layers of exact and of so many renderers would take more than that.
+/// A size at which the layers of exact and of `renderers` frames would take more than 8 GiB.
 pub fn check_memory(size_px: [u32; 2], renderers: usize) -> Result<()> {
     let [width, height] = size_px.map(u64::from);
     let frames = renderers as u64 + 1;

@@ -1,8 +1,8 @@
 //! Strategies measured: on one frame, and over the sweeps of an experiment.
 //!
-//! An experiment is data: a file that holds a question, scenes, what is varied, who is asked, and what is expected. Running one gives
-//! a [`Record`] for each point of its sweeps, written as soon as it is found; [`crate::report`] makes pages of records and needs
-//! nothing else. Errors are found before any time is taken, and time is taken in turns (see [`times`]).
+//! An experiment is data: a file with a question, scenes, sweep axes, strategies and expectations. Running one gives a [`Record`] for each
+//! point of its sweeps, written as soon as it is found; [`crate::report`] makes pages of records and needs nothing else. Errors are found
+//! before any time is taken, and time is taken in turns (see [`times`]).
 
 pub mod definition;
 pub mod drift;

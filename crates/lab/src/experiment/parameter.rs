@@ -25,7 +25,7 @@ pub enum Parameter {
 pub type Parameters = BTreeMap<String, Parameter>;
 
 impl Parameter {
-    /// What a value of a document is called; lists and tables have no name.
+    /// Name of a value of a document; lists and tables have none.
     pub fn of(value: &Value) -> Option<Self> {
         match value {
             Value::Flag(flag) => Some(Self::Flag(*flag)),

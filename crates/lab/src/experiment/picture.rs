@@ -19,7 +19,7 @@ use crate::experiment::{Renderer, SceneAtTime};
 
 /// A picture, and the frames that it was made of.
 pub struct Picture {
-    /// What it shows.
+    /// The image.
     pub image: RgbaImage,
     /// One for each sample, in order; none of exact.
     pub frames: Vec<Drawn>,
@@ -115,7 +115,7 @@ pub fn strategy_name(renderer: Renderer) -> String {
     }
 }
 
-/// The error of a strategy that does not draw what it was asked to.
+/// Error of a strategy that refused the scene.
 pub fn refused(renderer: Renderer, refusal: &Refusal) -> Error {
     let help = if refusal.unsupported == Unsupported::Cuts {
         "cut the mesh by some of them first (`cutaway export MODEL --section ... -o part.ply`), then draw part.ply with the others"
@@ -174,7 +174,7 @@ fn filtered(samples: &Samples) -> RgbaImage {
                 sum += Vec3::new(own(0), own(1), own(2)) * share;
                 cover += share;
             }
-            // Not premultiplied, as PNG has it.
+            // Straight alpha, as PNG requires.
             let color = if cover > 0.0 { sum / cover } else { Vec3::ZERO };
             let byte = |v: f32| (v.clamp(0.0, 1.0) * 255.0).round() as u8;
             for (slot, v) in pixel.iter_mut().zip(color.to_array()) {

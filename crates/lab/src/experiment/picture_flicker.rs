@@ -1,8 +1,8 @@
-//! How much a picture flickers while the camera drifts: by how much the colour of a pixel strays from that of the same pixel drawn with many
-//! samples, and how much that changes from frame to frame.
+//! Flicker of a picture while the camera drifts: the deviation of a pixel's colour from that of the same pixel drawn with many samples, and
+//! the change of that deviation from frame to frame.
 //!
-//! What strays alike in all frames is blur or sharpness and stands still; what changes is seen to flicker. So the figure is the standard
-//! deviation over the frames of (picture - picture of many samples), in linear luminance, as the root of the mean square over pixels of a kind.
+//! A deviation that is equal in all frames is blur or sharpness and stands still; one that changes is seen as flicker. So the figure is the
+//! standard deviation over the frames of (picture - picture of many samples), in linear luminance, as RMS over pixels of a kind.
 
 use std::collections::BTreeMap;
 
@@ -15,7 +15,7 @@ use cutaway::strategies::Method;
 use super::SceneAtTime;
 use super::figures::OF_PICTURES;
 
-/// What a pixel has shown in all frames so far.
+/// Accumulated values of a pixel over all frames so far.
 #[derive(Clone, Copy, Debug, Default)]
 struct Seen {
     sum: f64,
@@ -93,7 +93,7 @@ pub(super) fn luminance(session: &Session, method: Method) -> Result<Vec<f32>> {
         .collect())
 }
 
-/// The same of a picture with so many samples along each side of a pixel; nothing where a sample is refused.
+/// Luminance of a picture with `samples` samples along each side of a pixel; empty where a sample is refused.
 pub(super) fn sampled(
     session: &mut Session,
     shown: &SceneAtTime,
@@ -102,7 +102,7 @@ pub(super) fn sampled(
 ) -> Result<Vec<f32>> {
     let mut mean = Vec::new();
     for (_, view) in view.samples(samples) {
-        // The whole of it was drawn from the middle of the pixels.
+        // The complete view was drawn from the pixel centres.
         let _ = session.draw(&shown.model, &view, method)?;
         let sample = luminance(session, method)?;
         mean.resize(sample.len(), 0.0);

@@ -1,9 +1,8 @@
-//! What a run leaves behind: one [`Record`] for each point of an experiment, and one [`Run`] that says where and by what.
+//! Results of a run: one [`Record`] for each point of an experiment, and one [`Run`] with the machine and the program.
 //!
-//! A folder of a run holds `run.json`, and for each experiment a folder with `experiment.json` (what was asked) and one JSON file for
-//! each point, with its pictures beside it. Each file is written whole, as soon as it is known: a run that is interrupted has lost
-//! one point, and goes on from the next. Nothing in a record is computed from other records: what a report says of several it works
-//! out anew.
+//! A folder of a run holds `run.json`, and for each experiment a folder with `experiment.json` (its definition) and one JSON file for each
+//! point, next to its pictures. Each file is written whole, as soon as it is known: a run that is interrupted loses one point, and
+//! continues from the next. Nothing in a record is computed from other records: a report recomputes whatever combines several.
 
 use std::collections::BTreeMap;
 use std::path::{Component, Path};
@@ -25,7 +24,7 @@ pub struct Record {
     pub run: String,
     /// Values of what is varied of its scene.
     pub parameters: Parameters,
-    /// Whether it was measured with fewer pixels, values and rounds.
+    /// True if it was measured with fewer pixels, values and rounds.
     pub is_quick: bool,
     /// Says what was measured and by what: a point is not measured again if this is what it would be.
     pub identity: String,
@@ -35,19 +34,19 @@ pub struct Record {
     /// The scene whose exact image is the truth, where that is another.
     #[serde(with = "as_text_if_any")]
     pub truth: Option<Document>,
-    /// What was found.
+    /// The measurements.
     pub measurement: Measurement,
-    /// What made each strategy, in the order of the measurement: at least one, and more where several texts of the experiment come to
-    /// the same.
+    /// Sources of each strategy, in the order of the measurement: at least one, and more where several strategy texts of the experiment
+    /// give the same renderer.
     #[serde(rename = "makers")]
     pub families: Vec<Vec<FamilyMember>>,
     /// More figures of each strategy than one frame has, by name, in the order of the measurement.
     pub figures: Vec<BTreeMap<String, f64>>,
-    /// What was expected, and what was reached.
+    /// The expectations and their results.
     pub expectations: Vec<Reached>,
-    /// What is to be said beside the figures.
+    /// Warnings about the figures.
     pub warnings: Vec<Warning>,
-    /// Pictures beside the record.
+    /// Pictures in the folder of the record.
     pub pictures: Vec<Picture>,
     /// The command that measured it; none in records that are older than this.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -94,10 +93,10 @@ mod as_text_if_any {
     }
 }
 
-/// What made a strategy of an experiment.
+/// Source of a strategy in an experiment.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct FamilyMember {
-    /// What the experiment calls it: `grid:256+vds:{texels}`; its name, where nothing in that is swept.
+    /// Strategy text in the experiment: `grid:256+vds:{texels}`; the strategy's name, where nothing in the text is swept.
     pub family: String,
     /// The values that took the places of the placeholders.
     pub parameters: Parameters,
@@ -150,46 +149,46 @@ pub struct Bound {
 }
 
 impl Bound {
-    /// Whether a number is within.
+    /// Returns true if a number is within the bounds.
     pub fn holds(&self, number: f64) -> bool {
         self.least.is_none_or(|least| number >= least)
             && self.most.is_none_or(|most| number <= most)
     }
 }
 
-/// What a strategy is expected to reach.
+/// Expected result of a strategy.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Expectation {
-    /// What is expected, in a few words: `0 decided wrong`, `refuses reliefs`.
+    /// Short description: `0 decided wrong`, `refuses reliefs`.
     pub what: String,
     /// Why it cannot be better, where it is a failure or a bound that is declared.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub why: Option<String>,
 }
 
-/// An expectation, and what came of it.
+/// An expectation and its result.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Reached {
-    /// Of whom.
+    /// Name of the strategy.
     pub strategy: String,
-    /// What was expected.
+    /// The expectation.
     pub expected: Expectation,
-    /// What was found, in as many words.
+    /// Measured result, in the same form.
     pub found: String,
-    /// Whether that is what was expected. A declared failure that passes is not.
+    /// True if the result is as expected. A declared failure that passes is not.
     pub holds: bool,
 }
 
-/// A hard case: a scene with a known answer, and what came of it.
+/// A hard case: a scene with a known answer, and its results.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CaseRecord {
     /// Its number in the list, or its letter and number where it comes from another project's users: `38`, `B8`.
     pub id: String,
-    /// What it is.
+    /// Short description.
     pub name: String,
-    /// What was expected of each strategy, and what was reached.
+    /// Expectations of each strategy, and their results.
     pub expectations: Vec<Reached>,
-    /// The test that holds what is more than a picture of it, as one would type its name after `cargo test -p cutaway-tests`.
+    /// Test of the properties that its picture cannot show, as its name is typed after `cargo test -p cutaway-tests`.
     pub held_by: Option<String>,
 }
 
@@ -213,7 +212,7 @@ pub struct CaseRecords {
     pub invocation: Option<Invocation>,
 }
 
-/// What is to be said beside a figure. A closed list, so that each has its remedy.
+/// Warning about a figure. A closed list, so that each has its remedy.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "kind", rename_all = "kebab-case")]
 pub enum Warning {
@@ -245,9 +244,9 @@ pub enum Warning {
     },
     /// Something was said when the scene was opened: a section misses the model, a mesh was mended.
     Opening {
-        /// What.
+        /// Text of the remark.
         text: String,
-        /// What to do about it; empty where nothing was said of that. Records of 2026-11-21 call it `mend`.
+        /// Suggested remedy; empty where none was given. Records of 2026-11-21 call it `mend`.
         #[serde(alias = "mend")]
         help: String,
     },
@@ -260,7 +259,7 @@ pub enum Warning {
     Overflowed {
         /// Whose.
         strategy: String,
-        /// Which, and by how much.
+        /// The buffer, and the excess.
         reason: String,
     },
     /// The reference leaves many pixels undecided.
@@ -270,18 +269,18 @@ pub enum Warning {
     },
     /// Too few rounds for a spread to mean anything.
     FewRounds {
-        /// How many.
+        /// Number of rounds.
         rounds: usize,
-        /// Whether there are so few because of `--quick`.
+        /// True if `--quick` caused it.
         #[serde(default)]
         is_quick: bool,
     },
 }
 
-/// A picture beside a record.
+/// A picture in the folder of a record.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Picture {
-    /// Who drew it: the name of a strategy, or `exact`.
+    /// Name of the strategy that drew it, or `exact`.
     pub drawer: String,
     /// File of what was drawn, in the folder of the record.
     pub file: String,
@@ -295,8 +294,8 @@ impl Picture {
         std::iter::once(self.file.as_str()).chain(self.heatmap.as_deref())
     }
 
-    /// Whether its files are in the folder of the record and nowhere else: a record that comes from elsewhere must not lead to other
-    /// places, where what it names is read or removed.
+    /// Returns true if its files are in the folder of the record: a record from elsewhere must not cause files in other places to be read
+    /// or removed.
     pub fn is_beside(&self) -> bool {
         let is_bare = |file: &str| {
             let mut parts = Path::new(file).components();
@@ -309,7 +308,7 @@ impl Picture {
     }
 }
 
-/// What a machine is.
+/// Description of a machine.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Machine {
     /// Operating system and architecture.
@@ -324,7 +323,7 @@ pub struct Machine {
     pub load: Option<f64>,
 }
 
-/// Where and by what a run was made.
+/// Machine and program of a run.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Run {
     /// Version of this form, [`Record::FORMAT`].
@@ -339,7 +338,7 @@ pub struct Run {
     pub began: String,
     /// Seconds of measuring, over all invocations.
     pub took_s: f64,
-    /// Whether fewer pixels, values and rounds were asked for.
+    /// True if fewer pixels, values and rounds were requested.
     pub is_quick: bool,
     /// The machine.
     pub machine: Machine,
@@ -353,12 +352,12 @@ impl Run {
     /// The file of a run that is not divided into shards.
     pub const FILE: &str = "run.json";
 
-    /// The file of one shard of so many.
+    /// File name of shard `index` of `count`.
     pub fn file_of_shard(index: u32, count: u32) -> String {
         format!("run.{index}-of-{count}.json")
     }
 
-    /// Whether a file is that of a run or of a shard, by its name.
+    /// Returns true if a file name is that of a run or of a shard.
     pub fn is_file(path: &Path) -> bool {
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         name.starts_with("run.") && name.ends_with(".json")

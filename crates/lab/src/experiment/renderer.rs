@@ -15,7 +15,7 @@ use cutaway::{Error, Result};
 use super::Stopwatch;
 use crate::exact::{Windings, evaluate};
 
-/// What makes the layers of a frame.
+/// Source of the layers of a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Renderer {
     /// A method, on the device.
@@ -24,7 +24,7 @@ pub enum Renderer {
     Cpu(Evaluator),
 }
 
-/// What evaluates the layers of a frame on the CPU.
+/// CPU evaluator of the layers of a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Evaluator {
     /// The exact reference.
@@ -35,7 +35,7 @@ pub enum Evaluator {
 
 /// A frame that was evaluated on the CPU.
 pub struct Evaluation {
-    /// What it shows.
+    /// The layers.
     pub layers: Layers,
     /// Bytes of what was built from the meshes.
     pub bytes: u64,

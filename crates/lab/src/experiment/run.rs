@@ -1,7 +1,7 @@
 //! One point of an experiment, from its scene to its record.
 //!
-//! Errors come first; expectations are compared with them and reported before any time is taken, so that whoever watches can end a run
-//! that has already failed. Then times are taken in turns, warnings are worked out, and the pictures are drawn last of all.
+//! Errors come first; expectations are checked and reported before any time is taken, so that a user can end a run that has already failed.
+//! Then times are taken in turns, warnings are derived, and the pictures are drawn last.
 //!
 //! Progress is reported by a watcher from outside.
 
@@ -28,15 +28,15 @@ use super::{
 pub trait Watcher {
     /// A step begins.
     fn step(&self, what: String);
-    /// The scene was opened, and something is to be said of it: once, also where the truth has the same fault.
+    /// The scene was opened with a remark: reported once, even where the truth has the same fault.
     fn opened(&self, remark: &Remark);
     /// An expectation was held against what was found.
     fn reached(&self, reached: &Reached);
-    /// Whether to go on: a point that is not complete is not kept.
+    /// Returns false to stop; a point that is not complete is not kept.
     fn goes_on(&self) -> bool;
 }
 
-/// A point to be measured, and what its record says beside what is found.
+/// A point to be measured, and the facts of its record that are not measured.
 pub struct Assignment<'a> {
     /// Name of the experiment.
     pub experiment: &'a str,
@@ -48,22 +48,22 @@ pub struct Assignment<'a> {
     pub point: &'a Point,
     /// Measured rounds.
     pub rounds: usize,
-    /// Whether it is as `--quick` takes it.
+    /// True if it is measured as `--quick` does.
     pub is_quick: bool,
-    /// Whether pictures are kept.
+    /// True if pictures are kept.
     pub keeps_pictures: bool,
     /// As [`Record::identity`].
     pub identity: String,
     /// The command line that measures it again.
     pub command: String,
-    /// Where it is measured.
+    /// Machine of the measurement.
     pub machine: &'a Machine,
     /// By which command.
     pub invocation: &'a Invocation,
 }
 
 impl SceneRun {
-    /// How many steps of one of its points are reported.
+    /// Number of steps that one of its points reports.
     pub fn steps(&self, point: &Point, rounds: usize) -> usize {
         let drift = self.drift.map_or(0, |d| d.frames as usize);
         1 + drift + error_steps(point.trials.len()) + timing_steps(rounds)

@@ -40,7 +40,7 @@ impl Samples {
         ]
     }
 
-    /// What several took together, round by round; one that has no samples never ran.
+    /// Sum of several, round by round; one without samples never ran.
     pub fn sum(all: &[&Self]) -> Self {
         let rounds = all.iter().map(|s| s.samples.len()).max().unwrap_or(0);
         let of_round = |round| all.iter().filter_map(|s| s.samples.get(round)).sum();

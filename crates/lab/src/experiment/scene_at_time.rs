@@ -1,6 +1,6 @@
-//! A scene as strategies draw it and as exact is asked about it: the one place that makes both.
+//! A scene for the strategies and for the exact reference: the one place that makes both.
 //!
-//! Exact is always asked about meshes posed in f64 on the CPU; strategies pose them on the device. Where nothing is posed, a
+//! The exact reference always uses meshes posed in f64 on the CPU; strategies pose them on the device. Where nothing is posed, a
 //! scene is prepared once for both.
 
 use std::sync::OnceLock;
@@ -15,10 +15,10 @@ use cutaway_io::document::Settings;
 /// A scene at one time, ready to be drawn and judged.
 #[derive(Debug)]
 pub struct SceneAtTime {
-    /// What strategies draw.
+    /// Model that strategies draw.
     pub model: Model,
     scene: Scene,
-    /// What exact is asked about, once it is.
+    /// Model for the exact reference, made at the first use.
     truth: OnceLock<Prepared>,
 }
 
@@ -33,7 +33,7 @@ impl SceneAtTime {
         Self::with(self.model.updated(scene), scene)
     }
 
-    /// Prepares a scene as if it were the first, by [`Model::anew`].
+    /// Prepares a scene as if it were the first, without reuse ([`Model::anew`]).
     pub fn anew(&self, scene: &Scene) -> Self {
         Self::with(self.model.anew(scene), scene)
     }
@@ -46,7 +46,7 @@ impl SceneAtTime {
         }
     }
 
-    /// What exact is asked about; refused where a cap could have a number that layers cannot hold, as strategies refuse it.
+    /// Model for the exact reference. Refused where a cap could have a number that layers cannot hold, as strategies refuse it.
     pub fn truth(&self) -> Result<&Prepared> {
         let truth = if self.model.prepared.is_whole() {
             &self.model.prepared

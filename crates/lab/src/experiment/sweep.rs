@@ -1,4 +1,4 @@
-//! What is varied: axes with values, and the points and renderers that they make.
+//! Sweeps: axes with values, and the points and renderers that they make.
 //!
 //! An axis of the scene sets values of the document by their paths and makes *points*: one frame and one record for each value, and for
 //! each combination where there are several such axes. An axis whose name stands in braces in a strategy, `grid:{cells}+mask`, makes
@@ -24,13 +24,13 @@ pub type Changes = Vec<(String, Node)>;
 /// One value of an axis.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Value {
-    /// What it is called.
+    /// Label of the value.
     pub is: Parameter,
-    /// What it sets in the scene; nothing of an axis of strategies.
+    /// Changes to the scene; empty for an axis of strategies.
     pub sets: Changes,
 }
 
-/// What is varied.
+/// Axis of a sweep.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axis {
     /// Its name.
@@ -42,7 +42,7 @@ pub struct Axis {
 }
 
 impl Axis {
-    /// An axis, if its values can be told apart and set the same paths.
+    /// Makes an axis, if its values are distinct and set the same paths.
     pub fn of(name: &str, paths: Vec<String>, values: Vec<Value>) -> Result<Self> {
         let fault = |what: &str, help: &str| Error::input(format!("axis `{name}`"), what, help);
         let Some(first) = values.first() else {
@@ -70,7 +70,7 @@ impl Axis {
         })
     }
 
-    /// Whether it is of strategies, not of the scene.
+    /// Returns true for an axis of strategies, false for one of the scene.
     pub(super) fn is_of_strategies(&self) -> bool {
         self.values.iter().all(|v| v.sets.is_empty())
     }
@@ -109,12 +109,12 @@ impl Axes {
     }
 }
 
-/// What is varied: scenes and strategies.
+/// Input of a sweep: scenes and strategies.
 #[derive(Clone, Debug)]
 pub struct Variable {
     /// The scene, before anything is varied.
     pub scene: Document,
-    /// What its truth has otherwise, where that is another scene.
+    /// Differences of the scene that is the truth, where that is another scene.
     pub truth: Option<Changes>,
     /// Names of renderers.
     pub strategies: Vec<String>,
@@ -125,27 +125,27 @@ pub struct Variable {
 pub struct Point {
     /// Values of what is varied of its scene.
     pub parameters: Parameters,
-    /// What tells it from the other points of its run, for names of files; empty where there is but one.
+    /// Distinguishes the point from others of its run in file names; empty where there is only one.
     pub stem: String,
     /// The scene.
     pub scene: Document,
     /// The scene that is the truth, where that is another.
     pub truth: Option<Document>,
-    /// Who is asked.
+    /// Renderers to measure.
     pub trials: Vec<Trial>,
 }
 
 /// A renderer and the sweep values that produced it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Trial {
-    /// Who is asked.
+    /// Renderer to measure.
     pub renderer: Renderer,
-    /// What made it: each text of the strategies, with values, that comes to this renderer.
+    /// Sources of the renderer: each strategy text, with its values, that gives it.
     pub families: Vec<(usize, FamilyMember)>,
 }
 
 impl Trial {
-    /// Whether something holds for what made it.
+    /// Returns true if a predicate holds for the parameters of any of its sources.
     pub fn is_made_by(&self, holds: impl Fn(&Parameters) -> bool) -> bool {
         self.families
             .iter()
@@ -339,7 +339,7 @@ fn trials(texts: &[String], axes: &[&Axis]) -> Result<Vec<Trial>> {
     Ok(trials)
 }
 
-/// How many combinations there are; none where that is more than can be counted.
+/// Number of combinations; none on overflow.
 fn product(axes: &[&Axis]) -> Option<usize> {
     (axes.iter()).try_fold(1_usize, |count, axis| count.checked_mul(axis.values.len()))
 }

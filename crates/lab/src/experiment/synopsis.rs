@@ -1,7 +1,7 @@
-//! What was asked: an experiment in words, its runs, its charts.
+//! Definition of an experiment for reports: the experiment in words, its runs, its charts.
 //!
-//! It is read from the file of an experiment, written beside its records as `experiment.json`, and all that a report knows of it. What
-//! each point drew is in its record. Keys of `experiment.json` that are not here are passed over.
+//! It is read from the file of an experiment and written to the folder of its records as `experiment.json`. A report has no other source
+//! for it. The drawing of each point is in its record. Unknown keys of `experiment.json` are ignored.
 
 use serde::{Deserialize, Serialize};
 
@@ -15,7 +15,7 @@ pub struct Synopsis {
     /// One sentence that ends in a question mark.
     #[serde(default)]
     pub question: String,
-    /// Markdown: what was asked, how to read the answer, what it cannot say.
+    /// Markdown: the question, how to read the answer, the limits of the answer.
     #[serde(default)]
     pub analysis: String,
     /// Its runs, in order.
@@ -37,13 +37,13 @@ pub struct Synopsis {
 pub struct RunSynopsis {
     /// Unique in the experiment.
     pub name: String,
-    /// What it is, in a line.
+    /// Description, in a line.
     #[serde(default)]
     pub about: Option<String>,
-    /// What a user would call the input that it stands for, if it stands for one: `plane cuts`.
+    /// Common name of the input that it stands for, if any: `plane cuts`.
     #[serde(default)]
     pub input: Option<String>,
-    /// What moves where that is used.
+    /// The inputs that move in such a use.
     #[serde(default)]
     pub moves: Moves,
 }
@@ -51,7 +51,7 @@ pub struct RunSynopsis {
 /// A chart of an experiment.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct ChartSynopsis {
-    /// What it shows, as a sentence.
+    /// Title, as a sentence.
     pub title: String,
     /// Names of runs; all if empty.
     #[serde(default)]
@@ -60,10 +60,10 @@ pub struct ChartSynopsis {
     pub x: String,
     /// A figure.
     pub y: String,
-    /// Which axes are logarithmic: `x`, `y`.
+    /// The logarithmic axes: `x`, `y`.
     #[serde(default)]
     pub log: Vec<String>,
-    /// Whether y is an error and x its cost, so that there is a front.
+    /// True if y is an error and x its cost, so that the chart has a Pareto front.
     #[serde(default)]
     pub pareto: bool,
     /// One line under it.

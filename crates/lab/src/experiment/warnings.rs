@@ -1,6 +1,6 @@
-//! What is to be said beside the figures of a record, worked out from the measurement alone.
+//! Warnings about the figures of a record, derived from the measurement alone.
 //!
-//! Thresholds are habits, not laws: they say when a reader should look at the samples before believing a median.
+//! Thresholds are conventions: they mark where a reader should look at the samples before believing a median.
 
 use super::measurement::Timing;
 use super::{Ending, Machine, Measurement, Reference, Samples, Warning};
@@ -24,7 +24,7 @@ const ROUNDS_OF_A_SPREAD: usize = 5;
 const BUSY: f64 = 0.5;
 
 impl Warning {
-    /// What is to be said of a measurement that was taken on this machine, with fewer rounds because of `--quick` or not.
+    /// All warnings about a measurement taken on this machine, with fewer rounds because of `--quick` or not.
     pub fn all_of(measurement: &Measurement, machine: &Machine, is_quick: bool) -> Vec<Self> {
         let mut all = Vec::new();
         if measurement.adapter.software {
@@ -69,7 +69,7 @@ impl Warning {
         exact.is_doubtful().then_some(Self::Undecided { share })
     }
 
-    /// What was said when the scene was opened, as it stands on standard error: several lines, the last of which may say what to do.
+    /// Parses the remark printed on standard error when the scene was opened: several lines, the last of which may be a remedy.
     pub fn of_opening(said: &str) -> Self {
         let (text, help) = said.split_once("\n  help: ").unwrap_or((said, ""));
         let lines: Vec<&str> = text.lines().map(str::trim).collect();
@@ -88,7 +88,7 @@ impl Warning {
         }
     }
 
-    /// What is the matter.
+    /// Description of the problem.
     pub fn text(&self) -> String {
         match self {
             Self::SoftwareAdapter { adapter } => {
@@ -134,7 +134,7 @@ impl Warning {
         }
     }
 
-    /// What to do about it.
+    /// Suggested remedy.
     pub fn remedy(&self) -> &str {
         match self {
             Self::SoftwareAdapter { .. } => {
@@ -164,7 +164,7 @@ impl Warning {
     }
 }
 
-/// How far times scatter, if that is worth a word.
+/// Spread of times, if it is worth a warning.
 fn spread(times_ms: &Samples) -> Option<f64> {
     let most = if times_ms.samples.len() < ROUNDS_OF_A_SPREAD {
         NOISY_OF_FEW

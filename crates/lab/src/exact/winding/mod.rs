@@ -11,8 +11,8 @@
 //! hole in the picture, but caps have none. On a closed mesh whose faces agree which side is out all decided pixels are
 //! those of [`super::evaluate`].
 //!
-//! A pixel is marked where a number asked for there is nearer to a half than to a whole, and where the mesh shows its inner side to
-//! an eye that is, by the number before it, inside of the solid: no closed mesh does.
+//! A pixel is marked where a number evaluated there is nearer to a half than to a whole, and where the mesh shows its inner side to an eye
+//! that is, by the number before that point, inside the solid: no closed mesh does.
 //!
 //! Cost: a tree over the faces, once per mesh ([`Windings::new`]); per pixel, the crossings, and one walk down the tree per candidate:
 //! some hundred faces and balls. Limit: the tree answers to about a hundredth, which only a point whose number is as near as that to
@@ -32,21 +32,21 @@ use super::ray_scratch::RayScratch;
 use super::walk::{Cause, Event, Sight, pass_clips};
 use super::{Lines, Outlining};
 
-/// How far before a clip-surface the number is asked for, in scene units: a face that lies in the surface is then behind the
-/// point, as it is for the exact reference. Half of the last bit of a coordinate of the scene.
+/// Offset before a clip-surface at which the number is evaluated, in scene units: a face that lies in the surface is then behind the point,
+/// as it is for the exact reference. Half of the last bit of a coordinate of the scene.
 const BEFORE: f64 = 1.0 / (1 << 24) as f64;
 
 /// Farther from a whole number than this, a number is a guess.
 const SURE: f64 = 0.25;
 
-/// The meshes of a scene, ready to be asked for winding numbers.
+/// The meshes of a scene, prepared for winding-number queries.
 pub struct Windings {
     /// By rank.
     trees: Vec<Tree>,
 }
 
 impl Windings {
-    /// Of a scene. It must be whole: [`Prepared::must_be_whole`].
+    /// Builds the trees of a scene. It must be whole: [`Prepared::must_be_whole`].
     pub fn new(prepared: &Prepared) -> Self {
         prepared.must_be_whole();
         let trees = prepared.parts.par_iter();
@@ -67,7 +67,7 @@ impl Windings {
         self.trees.iter().map(Tree::bytes).sum()
     }
 
-    /// What a view of the scene shows.
+    /// Layers of a view of the scene.
     pub fn layers(&self, prepared: &Prepared, view: &View) -> Layers {
         let lines = Lines::with(prepared, view, Outlining::Without);
         let mut layers = Layers::background(view.size_px);
@@ -128,7 +128,7 @@ impl Windings {
         lines.meet_clips(&ray, range, of_cutters, bench);
         lines.settle(at, &ray, bench);
         bench.merge_events();
-        // What is removed, as the range begins; numbers are asked for where they are needed.
+        // The removed state, as the range begins; numbers are evaluated where they are needed.
         bench.start.winding.fill(0);
         bench.state.set(&bench.start);
         let mut ask = Ask {
@@ -166,7 +166,7 @@ impl Ask<'_> {
         number.round() as i32
     }
 
-    /// What is seen first: as [`super::walk::walk`], but that numbers are asked for, not counted.
+    /// First visible point: as [`super::walk::walk`], but numbers are evaluated, not counted.
     fn walk(&mut self, lines: &Lines<'_>, bench: &mut RayScratch) -> Option<Sight> {
         let (prepared, view) = (lines.prepared, lines.view);
         let RayScratch {
@@ -175,7 +175,7 @@ impl Ask<'_> {
             state,
             ..
         } = bench;
-        // Parts that the eye is inside of: their solid goes on until crossings lead out of it.
+        // Parts that contain the eye: their solid goes on until crossings lead out.
         let mut within = Vec::new();
         for rank in ranks.iter().copied() {
             let eye = self.ray.origin + self.ray.direction * view.near;

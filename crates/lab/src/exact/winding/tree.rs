@@ -8,14 +8,14 @@ use std::ops::Range;
 
 use glam::{DVec3, Vec3};
 
-/// A ball is far from a point if its middle is farther than so many of its radii.
+/// Minimum distance of a far point from the middle of a ball, in radii of the ball.
 const FAR: f64 = 3.0;
 
 const LEAF_FACES: usize = 8;
 
 /// A ball around some faces.
 struct Node {
-    /// Where the area of the faces has its middle.
+    /// Centroid of the area of the faces.
     middle: DVec3,
     radius: f64,
     /// Sum of the area vectors.
@@ -27,7 +27,7 @@ struct Node {
     next: u32,
 }
 
-/// What is left to do while a tree is made.
+/// Pending step in the construction of a tree.
 enum Step {
     /// A node of these faces, and what is below it.
     Make(Range<usize>),
@@ -42,7 +42,7 @@ pub(super) struct Tree {
 }
 
 impl Tree {
-    /// Of a mesh.
+    /// Builds the tree of a mesh.
     pub(super) fn of(positions: &[Vec3], triangles: &[[u32; 3]]) -> Self {
         let corners = |t: &[u32; 3]| t.map(|i| positions[i as usize]);
         let mut tree = Self {
@@ -161,8 +161,8 @@ mod tests {
     use super::*;
     use cutaway::generate::shapes::shape;
 
-    /// What taking faces together may change. At the middle of a ball all that are taken together are seen from one side, and their
-    /// errors add up to 0.0106; half of a whole number is what decides.
+    /// Error of approximating a group of faces. At the middle of a ball all faces of the group are seen from one side, and their errors add
+    /// up to 0.0106; the decision threshold is half of a whole number.
     const FIRST_ORDER: f64 = 0.02;
 
     /// The numbers of a mesh by the tree and one by one.

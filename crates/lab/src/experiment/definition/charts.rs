@@ -74,7 +74,7 @@ fn one_of(entry: &Entry<'_>, known: &[&str]) -> Result<String> {
     Err(entry.fault(what, did_you_mean(word, known.iter().copied())))
 }
 
-/// Which axes are logarithmic.
+/// Reads the logarithmic axes.
 fn axes(table: &Table<'_>) -> Result<Vec<String>> {
     let Some(log) = table.get("log") else {
         return Ok(Vec::new());

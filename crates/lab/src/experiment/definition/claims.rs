@@ -1,7 +1,7 @@
-//! `[[run.expect]]`: what somebody is expected to reach.
+//! `[[run.expect]]`: expected results of strategies.
 //!
-//! An expectation is about error, never about time: a time that holds on one machine says nothing on another, and times live in
-//! reports. What declares a failure or a bound says why.
+//! An expectation is about error, never about time: a time on one machine predicts nothing on another, and times belong in reports. An
+//! expectation that declares a failure or a bound gives a reason.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -15,7 +15,7 @@ use crate::experiment::figures::{OF_DRIFT, OF_PICTURES, OF_SIZE, OF_TIME, of_err
 use crate::experiment::sweep::{Point, Trial};
 use crate::experiment::{Bound, Ending, Parameter, Parameters};
 
-/// Keys beside the names of figures.
+/// Keys other than the names of figures.
 const BESIDE_FIGURES: [&str; 6] = [
     "strategies",
     "where",
@@ -25,26 +25,26 @@ const BESIDE_FIGURES: [&str; 6] = [
     "sub_pixel_bits",
 ];
 
-/// What somebody is expected to reach.
+/// Expected results of strategies.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Claim {
     /// Globs over the names of renderers.
     pub strategies: Vec<String>,
     /// Values that the point or the renderer must have.
     pub conditions: Parameters,
-    /// It is about adapters whose rasteriser has at least so many sub-pixel bits; with none, about every adapter.
+    /// Minimum number of sub-pixel bits of the rasterisers that it applies to; with none, it applies to every adapter.
     pub sub_pixel_bits: Option<u32>,
     /// Why it cannot be better.
     pub why: Option<String>,
-    /// How the frame ends.
+    /// Expected outcome of the frame.
     pub outcome: Ending,
     /// Words of the reason, where it is not complete.
     pub reason: Option<String>,
-    /// What figures are to be.
+    /// Expected figures.
     pub figures: Vec<(String, Wanted)>,
 }
 
-/// What a figure is to be.
+/// Expected value of a figure.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Wanted {
     /// A number, or within bounds.
@@ -54,7 +54,7 @@ pub enum Wanted {
 }
 
 impl Claim {
-    /// Whether a renderer of a point is meant: its name, and the values that made the two.
+    /// Returns true if the claim applies to a renderer of a point, by its name and the values that made the two.
     pub fn means(&self, name: &str, of_point: &Parameters, trial: &Trial) -> bool {
         let is_made_so = |own: &Parameters| {
             let has = |(key, value): (&String, &Parameter)| {
@@ -239,7 +239,7 @@ fn wanted(entry: &Entry<'_>, run: &SceneRun) -> Result<Wanted> {
     Ok(Wanted::FallsAlong(axis.to_owned()))
 }
 
-/// Whether one text of the strategies has two values of an axis among those that a claim is about.
+/// Returns true if one strategy text has two values of an axis among the renderers that a claim applies to.
 fn has_a_step(point: &Point, claim: &Claim, axis: &str) -> bool {
     let meant = (point.trials.iter())
         .filter(|e| claim.means(&e.renderer.to_string(), &point.parameters, e));

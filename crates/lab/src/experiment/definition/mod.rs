@@ -1,10 +1,10 @@
-//! An experiment as it is written: one TOML file with a question, scenes, what is varied, who is asked, and what is expected.
+//! Parser of an experiment: one TOML file with a question, scenes, sweep axes, strategies and expectations.
 //!
-//! Reading a file checks all that can be checked without opening a scene: every key is known, every strategy has a name, every
-//! path can be set and every value has a use, and every expectation means somebody. What is read is already expanded: each run
-//! of scenes holds its points twice, in full and as `--quick` takes them, each with its document.
+//! Reading a file checks all that can be checked without opening a scene: every key is known, every strategy has a name, every path can be
+//! set, every value has a use, and every expectation matches a renderer. The result is already expanded: each run of scenes holds its
+//! points twice, in full and for `--quick`, each with its document.
 //!
-//! The format is described in `experiments/README.md`; the readers of its parts are beside this file.
+//! The format is described in `experiments/README.md`; the readers of its parts are in this folder.
 
 mod charts;
 mod claims;
@@ -35,9 +35,9 @@ pub struct Definition {
     pub path: PathBuf,
     /// The stem of the file.
     pub name: String,
-    /// What is run.
+    /// The runs.
     pub runs: Vec<DefinedRun>,
-    /// What a record of it tells, but for the points, which are those in full or of `--quick`.
+    /// Synopsis for a record, without the points, which are those in full or of `--quick`.
     pub synopsis: Synopsis,
 }
 
@@ -46,22 +46,22 @@ pub struct Definition {
 pub struct DefinedRun {
     /// Its name, unique in the experiment.
     pub name: String,
-    /// What is asked.
+    /// The full task.
     pub full: Asked,
-    /// What is asked by `--quick`.
+    /// The task of `--quick`.
     pub quick: Asked,
-    /// Whether that is said: otherwise it is what is asked in full.
+    /// True if the file defines `--quick`; otherwise the full task is used.
     pub has_quick: bool,
 }
 
 impl DefinedRun {
-    /// What is asked.
+    /// The task, in full or for `--quick`.
     pub fn asked(&self, is_quick: bool) -> &Asked {
         if is_quick { &self.quick } else { &self.full }
     }
 }
 
-/// What a run asks.
+/// Task of a run.
 #[derive(Clone, Debug)]
 pub enum Asked {
     /// Strategies on scenes.
@@ -119,7 +119,7 @@ impl Definition {
     }
 }
 
-/// What a folder of records has beside them: no record may be called so.
+/// Names of other entries in a folder of records: no record may have such a name.
 const TAKEN: [&str; 2] = ["experiment", "peers"];
 
 /// A name that can be a file's, on any system.

@@ -1,11 +1,11 @@
-//! What moves where an answer is used: it says which clocks are paid in every frame.
+//! Moving inputs in the use that a run stands for: they select the clocks that count in every frame.
 
 use cutaway::Result;
 use cutaway::error::did_you_mean;
 use cutaway_io::document::reader::Entry;
 use serde::{Deserialize, Serialize};
 
-/// What moves.
+/// Moving inputs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Moves {

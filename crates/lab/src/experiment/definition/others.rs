@@ -8,12 +8,12 @@ use super::Asked;
 use super::scenes;
 use crate::experiment::Renderer;
 
-/// Hard cases that are asked for.
+/// Selected hard cases.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AskedCases {
     /// Globs over their ids.
     pub cases: Vec<String>,
-    /// Who is asked; none means whoever the cases name.
+    /// Methods to run; none means those that the cases name.
     pub methods: Option<Vec<Method>>,
     /// Pixels along the sides of the pictures; empty leaves it to the cases.
     pub sizes_px: Vec<u32>,
@@ -22,11 +22,11 @@ pub struct AskedCases {
 /// A search through random scenes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AskedSearch {
-    /// How many scenes.
+    /// Number of scenes.
     pub scenes: usize,
-    /// Where they begin.
+    /// First seed.
     pub seed: u64,
-    /// Who is asked; none means all that should be exact.
+    /// Methods to run; none means all that should be exact.
     pub methods: Option<Vec<Method>>,
 }
 

@@ -1,4 +1,4 @@
-//! `[[run]]` with a `scene`: a document, and what is varied of it.
+//! `[[run]]` with a `scene`: a document, and its sweep axes.
 
 use std::path::Path;
 
@@ -41,7 +41,7 @@ const QUICK_KEYS: &[&str] = &[
     "drift",
 ];
 
-/// Rounds where nobody says how many.
+/// Default number of rounds.
 const USUAL_ROUNDS: usize = 9;
 
 /// Most rounds, as of `cutaway compare`.
@@ -54,31 +54,31 @@ pub struct SceneRun {
     pub points: Vec<Point>,
     /// Measured rounds, after one to warm up.
     pub rounds: usize,
-    /// Of which points pictures are kept.
+    /// The points that keep pictures.
     pub pictures: Pictures,
-    /// How the camera drifts, if it does.
+    /// Drift of the camera, if any.
     pub drift: Option<Drift>,
-    /// What is expected.
+    /// The expectations.
     pub claims: Vec<Claim>,
-    /// What is varied.
+    /// The sweep axes.
     pub axes: Axes,
 }
 
-/// Of which points of a run pictures are kept: `pictures = true`, `false`, `"all"`, `"last"`.
+/// Points of a run that keep pictures: `pictures = true`, `false`, `"all"`, `"last"`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Pictures {
-    /// Of none.
+    /// No point.
     None,
-    /// Of the first.
+    /// The first point.
     First,
-    /// Of the last.
+    /// The last point.
     Last,
-    /// Of all.
+    /// All points.
     All,
 }
 
 impl Pictures {
-    /// Whether those of the point with this index are, out of so many.
+    /// Returns true if the point with this index, out of `points`, keeps its pictures.
     pub fn are_kept(self, index: usize, points: usize) -> bool {
         match self {
             Self::None => false,
@@ -89,7 +89,7 @@ impl Pictures {
     }
 }
 
-/// What a run says, before it is expanded.
+/// Run as written, before it is expanded.
 #[derive(Clone)]
 struct Draft {
     variable: Variable,
@@ -143,7 +143,7 @@ pub(super) fn read(entry: &Entry<'_>, path: &Path) -> Result<(Asked, Asked)> {
 }
 
 impl Draft {
-    /// Sets what a run says of the scene beside the scene itself.
+    /// Sets the keys of a run that change the scene, other than `scene` itself.
     fn set(&mut self, table: &Table<'_>) -> Result<()> {
         let scene = &mut self.variable.scene;
         if let Some(size) = table.get("resolution") {
@@ -379,7 +379,7 @@ fn settable(sets: &Changes, entry: &Entry<'_>, draft: &Draft) -> Result<()> {
         .map_err(|e| entry.place(e))
 }
 
-/// What a value is called.
+/// Label of a value.
 fn called(entry: &Entry<'_>) -> Result<Parameter> {
     Parameter::of(&entry.node.value).ok_or_else(|| {
         let help = "give it a name: `{ is = \"small\", \"resolution\" = [64, 48] }`";
