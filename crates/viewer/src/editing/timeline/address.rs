@@ -1,4 +1,4 @@
-//! Resolution of paths of keys: a path names an entry of a list by its name, by its base name or by its number. Of several entries that a
+//! Resolution of paths of keys: a path names an entry of a list by its name, by its model or by its number. Of several entries that a
 //! path fits, the document takes the first in which the path resolves.
 //!
 //! A number names another entry when one before it is removed, and a name that two entries have is that of the first: paths that are
