@@ -26,12 +26,8 @@ impl Part {
         if let Some(driver) = &self.driver {
             let driven = driver.at(Moment { clip, time_s });
             (part.mesh, part.world_from_part) = (driven.mesh, driven.world_from_part);
-            let (motion, weights, joints) = match driven.moved {
-                Some((motion, weights, joints)) => (Some(motion), weights, joints),
-                None => (None, Vec::new(), Vec::new()),
-            };
-            part.motion = motion;
-            (part.pose.weights, part.pose.joints) = (weights, joints);
+            part.motion = driven.motion;
+            (part.pose.weights, part.pose.joints) = (driven.weights, driven.joints);
         }
         part
     }

@@ -216,7 +216,9 @@ impl Driver {
         let mut driven = Driven {
             mesh,
             world_from_part,
-            moved: None,
+            motion: None,
+            weights: Vec::new(),
+            joints: Vec::new(),
         };
         let moment = Moment {
             // NaN is the beginning, too.
@@ -251,7 +253,8 @@ impl Driver {
             joints.iter().all(|j| j.is_finite()) && weights.iter().all(|w| w.is_finite());
         if is_finite {
             driven.mesh = Arc::clone(&self.bound.mesh);
-            driven.moved = Some((Arc::clone(motion), weights, joints));
+            driven.motion = Some(Arc::clone(motion));
+            (driven.weights, driven.joints) = (weights, joints);
         }
         driven
     }
@@ -261,8 +264,12 @@ impl Driver {
 pub(in crate::scene) struct Driven {
     pub(in crate::scene) mesh: Arc<Mesh>,
     pub(in crate::scene) world_from_part: DAffine3,
-    /// Motion of the vertices, with the weights and joints of the pose; none at rest.
-    pub(in crate::scene) moved: Option<(Arc<Motion>, Vec<f64>, Vec<DAffine3>)>,
+    /// Motion of the mesh; none at rest.
+    pub(in crate::scene) motion: Option<Arc<Motion>>,
+    /// Weights of its morph targets; empty at rest.
+    pub(in crate::scene) weights: Vec<f64>,
+    /// Joints of its skin in part space; empty at rest.
+    pub(in crate::scene) joints: Vec<DAffine3>,
 }
 
 /// Joints whose matrices differ by less move the mesh as one; relative to the matrix' largest entry.

@@ -7,7 +7,6 @@ use cutaway_io::document::section;
 use cutaway_io::load::load_mesh_file;
 
 use super::data::data;
-use super::shares::Share;
 
 /// Extensions of what is no mesh.
 const OTHERS: [&str; 3] = ["md", "step", "stp"];
@@ -49,14 +48,12 @@ pub(crate) fn cut(file: &Path, relief: Option<&str>) -> Scene {
     scene
 }
 
-/// Closed meshes of some folders, cut as [`cut`] does, with the names of their files: of a share of the files.
+/// Closed meshes among some files, cut as [`cut`] does, with the names of their files.
 pub(crate) fn closed(
-    folders: &[&str],
+    files: impl IntoIterator<Item = PathBuf>,
     relief: Option<&'static str>,
-    share: Share,
 ) -> impl Iterator<Item = (String, Scene)> {
-    let files = share.part(files(folders));
-    files.filter_map(move |file| {
+    files.into_iter().filter_map(move |file| {
         let name = file.file_name().unwrap_or_default();
         let scene = cut(&file, relief);
         is_closed(&scene).then(|| (name.to_string_lossy().into_owned(), scene))

@@ -12,9 +12,6 @@ pub(crate) struct Share {
 }
 
 impl Share {
-    /// All of it.
-    pub(crate) const WHOLE: Self = Self { index: 0, of: 1 };
-
     /// This share of a list.
     pub(crate) fn part<T>(self, all: impl IntoIterator<Item = T>) -> impl Iterator<Item = T> {
         all.into_iter().skip(self.index).step_by(self.of)

@@ -7,7 +7,7 @@
 
 use crate::common;
 
-use common::real::closed;
+use common::real::{closed, files};
 use common::shares::{Share, in_shares};
 use common::{Judged, Question, class_of, session, strategy};
 use cutaway::layers::{Kind, Layer};
@@ -27,7 +27,7 @@ fn on_closed_meshes(
 ) -> usize {
     let mut faults = Vec::new();
     let mut judged = 0;
-    for (name, scene) in closed(&FOLDERS, relief, share) {
+    for (name, scene) in closed(share.part(files(&FOLDERS)), relief) {
         let found = judge(&Question::new(&scene, SIZE_PX));
         faults.extend(found.into_iter().map(|f| format!("{name}: {f}")));
         judged += 1;

@@ -8,7 +8,7 @@ use crate::common;
 
 use common::real::{closed, cut, files};
 use common::shares::{Share, in_shares};
-use common::{Question, is_long, session, strategy};
+use common::{Question, session, some, strategy};
 use cutaway::scene::Topology;
 use cutaway::session::{Outcome, Session};
 use cutaway::strategies::{DrawOptions, Method, Rasteriser, Strategy};
@@ -57,7 +57,7 @@ fn are_exact_on_every_closed_mesh(share: Share, relief: Option<&'static str>) {
     let exact_strategies = ["raycast+mask", "raycast+abuffer", "raycast+kbuffer:32"].map(strategy);
     let (mut judged, mut by_slots) = (0, 0);
     let folders = ["cad", "organic", "assembly", "dense", "large"];
-    for (name, scene) in closed(&folders, relief, share) {
+    for (name, scene) in closed(share.part(files(&folders)), relief) {
         let size_px = relief.map_or(SIZE_PX, |_| SIZE_BY_RELIEF_PX);
         let question = Question::new(&scene, size_px);
         println!(
@@ -159,9 +159,9 @@ fn the_sprite_halves_its_error_with_each_doubling() {
     let all = ["cad", "organic", "large"];
     let mut wrong_px = [0; 4];
     let mut cracks_px = [0; 4];
-    // Where tests do not run whole, every third one will do.
-    let of = if is_long() { 1 } else { 3 };
-    for (_, scene) in closed(&all, None, Share { index: 0, of }) {
+    let plain = files(&all).into_iter();
+    let plain = plain.filter(|f| f.extension().is_some_and(|e| e != "gz"));
+    for (_, scene) in closed(some(plain, 3), None) {
         let question = Question::new(&scene, SIZE_PX);
         for (i, resolution) in [256, 512, 1024, 2048].into_iter().enumerate() {
             let answer = question.answer(strategy(&format!("grid:256+vds:{resolution}")));

@@ -23,7 +23,10 @@ impl Document {
     /// # Errors
     ///
     /// As of [`Document::set`].
-    pub fn with_changes(&self, changes: &[(String, Node)]) -> Result<Self> {
+    pub fn with_changes<'a>(
+        &self,
+        changes: impl IntoIterator<Item = &'a (String, Node)>,
+    ) -> Result<Self> {
         let mut changed = self.clone();
         for (path, node) in changes {
             changed.set_node(path, node.clone())?;

@@ -175,11 +175,19 @@ fn label(layer: &Layer) -> (Kind, u16, u8) {
 
 /// The pixel and its eight neighbours, those that there are.
 fn block(exact: &Layers, index: usize) -> impl Iterator<Item = &Layer> {
-    let [width, height] = exact.size_px.map(|s| s as usize);
+    around(exact.size_px, index, 1).map(|i| &exact.pixels[i])
+}
+
+/// Indices of the pixels in a square around one, itself included, that reaches so far to each side and ends at the picture's borders.
+pub(crate) fn around(
+    size_px: [u32; 2],
+    index: usize,
+    reach_px: usize,
+) -> impl Iterator<Item = usize> {
+    let [width, height] = size_px.map(|s| s as usize);
+    let near = move |at: usize, end: usize| at.saturating_sub(reach_px)..end.min(at + reach_px + 1);
     let (x, y) = (index % width, index / width);
-    (y.saturating_sub(1)..(y + 2).min(height)).flat_map(move |j| {
-        (x.saturating_sub(1)..(x + 2).min(width)).map(move |i| &exact.pixels[j * width + i])
-    })
+    near(y, height).flat_map(move |j| near(x, width).map(move |i| j * width + i))
 }
 
 /// Returns true if the pixel or one of its eight neighbours touches a boundary of the exact image: its 3 x 3 block is not all of

@@ -168,10 +168,7 @@ pub fn expand(axes: &Axes, of: &Variable) -> Result<Vec<Point>> {
     let mut stems = BTreeSet::new();
     let mut points = Vec::with_capacity(count);
     for values in combinations(&of_points) {
-        let mut scene = of.scene.clone();
-        for (path, node) in values.iter().flat_map(|v| &v.sets) {
-            scene.set_node(path, node.clone())?;
-        }
+        let scene = of.scene.with_changes(values.iter().flat_map(|v| &v.sets))?;
         let truth = of
             .truth
             .as_ref()

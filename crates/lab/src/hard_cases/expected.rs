@@ -14,6 +14,7 @@ use cutaway::strategies::{Method, Unsupported};
 
 use super::tolerances::RIM_SHARE;
 use super::{Judged, Question, band};
+use crate::compare::around;
 
 /// Expected result of a strategy in a case.
 #[derive(Clone, Debug, PartialEq)]
@@ -127,14 +128,8 @@ impl fmt::Display for Expected {
 /// Odd pixels are to be marked, and no others. A sample next to the rim of a hole may count either way, hidden as the rim may be: a few
 /// pixels that have a neighbour of the other kind are let pass.
 fn mismarked_fault(judged: &Judged) -> Option<String> {
-    let [width, height] = judged.layers.size_px.map(|s| s as usize);
     let odd = &judged.exact.odd_parity;
-    let is_rim = |i: usize| {
-        let (x, y) = (i % width, i / width);
-        (y.saturating_sub(1)..(y + 2).min(height)).any(|v| {
-            (x.saturating_sub(1)..(x + 2).min(width)).any(|u| odd[v * width + u] != odd[i])
-        })
-    };
+    let is_rim = |i: usize| around(judged.layers.size_px, i, 1).any(|j| odd[j] != odd[i]);
     let differs =
         |i: &usize| judged.layers.pixels[*i].unreliable != odd[*i] && !judged.exact.undecided[*i];
     let (rim, away): (Vec<usize>, Vec<usize>) =

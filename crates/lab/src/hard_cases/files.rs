@@ -22,7 +22,7 @@
 //!
 //! `half_pixel = true` next to an `is` moves a parallel camera so that the middle of a picture of even size is the centre of a pixel.
 //! An expectation is a word (`exact`, `marked`, `doubted`, `band`) or a table: `{ share = S }`, `{ listed = S }` as found, the former with
-//! `why` where it is not the usual reason, `{ fails = "WHY" }`, `{ refuses = OBSTACLE }`, `{ refuses_some = OBSTACLE }`,
+//! `why` where it is not the usual reason, `{ fails = "WHY" }`, `{ refuses = FEATURE }`, `{ refuses_some = FEATURE }`,
 //! `{ overflows = "WORDS" }`.
 //!
 //! The files are part of the program. Reading all of them costs some milliseconds, once.

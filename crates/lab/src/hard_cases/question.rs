@@ -12,7 +12,7 @@ use cutaway::scene::{Camera, Precision, Prepared, Scene, View};
 use cutaway::session::{Outcome, Session};
 use cutaway::strategies::Method;
 
-use crate::compare::{Comparison, compare};
+use crate::compare::{Comparison, around, compare};
 use crate::exact::{Exact, Truth};
 
 /// One frame of one scene, and the truth about it.
@@ -170,15 +170,10 @@ impl Judged {
     /// Decided pixels of background where exact has the outer side of a solid and no background within `outline_px`. With 1 pixel these
     /// are the cracks of a comparison that show no back face.
     pub fn holes(&self, outline_px: usize) -> usize {
-        let [width, height] = self.layers.size_px.map(|s| s as usize);
         let truth = &self.exact.layers.pixels;
         let is_sky = |l: &Layer| l.kind == Kind::Background;
-        let near =
-            |at: usize, end: usize| at.saturating_sub(outline_px)..end.min(at + outline_px + 1);
-        let is_outline = |i: usize| {
-            let (x, y) = (i % width, i / width);
-            near(y, height).any(|v| near(x, width).any(|u| is_sky(&truth[v * width + u])))
-        };
+        let is_outline =
+            |i: usize| around(self.layers.size_px, i, outline_px).any(|j| is_sky(&truth[j]));
         let is_hole = |i: &usize| {
             let is_solid = !is_sky(&truth[*i]) && !truth[*i].back_face;
             is_solid

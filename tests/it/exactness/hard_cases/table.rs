@@ -11,6 +11,7 @@ use cutaway_lab::hard_cases::{
     read, tallied, usual_methods,
 };
 
+use crate::common::shares::{Share, in_shares};
 use crate::common::{scenes, session, tolerances};
 
 /// Cases in which nothing is capped.
@@ -63,41 +64,16 @@ fn none(faults: &[String]) {
     );
 }
 
-/// The cases of a form that one of several tests has, so that none is long: every so many, from one on.
-#[track_caller]
-fn share(has_reliefs: bool, first: usize, tests: usize) {
-    let of_form = cases().filter(|c| c.form.has_reliefs() == has_reliefs);
-    none(&run(of_form.skip(first).step_by(tests)));
+in_shares!(every_case_with_planes_reaches_its_outcome, 4);
+
+fn every_case_with_planes_reaches_its_outcome(share: Share) {
+    none(&run(share.part(cases().filter(|c| !c.form.has_reliefs()))));
 }
 
-#[test]
-fn every_case_with_planes_reaches_its_outcome_1_of_4() {
-    share(false, 0, 4);
-}
+in_shares!(every_case_with_reliefs_reaches_its_outcome, 2);
 
-#[test]
-fn every_case_with_planes_reaches_its_outcome_2_of_4() {
-    share(false, 1, 4);
-}
-
-#[test]
-fn every_case_with_planes_reaches_its_outcome_3_of_4() {
-    share(false, 2, 4);
-}
-
-#[test]
-fn every_case_with_planes_reaches_its_outcome_4_of_4() {
-    share(false, 3, 4);
-}
-
-#[test]
-fn every_case_with_reliefs_reaches_its_outcome_1_of_2() {
-    share(true, 0, 2);
-}
-
-#[test]
-fn every_case_with_reliefs_reaches_its_outcome_2_of_2() {
-    share(true, 1, 2);
+fn every_case_with_reliefs_reaches_its_outcome(share: Share) {
+    none(&run(share.part(cases().filter(|c| c.form.has_reliefs()))));
 }
 
 fn named(name: &str) -> Method {

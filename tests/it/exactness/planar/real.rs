@@ -4,7 +4,7 @@
 use cutaway::session::Session;
 use cutaway::strategies::{DrawOptions, Method, Rasteriser, Strategy};
 
-use super::common::real::closed;
+use super::common::real::{closed, files};
 use super::common::shares::{Share, in_shares};
 use super::common::{Question, gpu};
 
@@ -16,7 +16,7 @@ fn every_closed_mesh_by_an_oblique_plane(share: Share) {
     let mut session = Session::new(gpu());
     let (mut faults, mut judged_count) = (Vec::new(), 0);
     let folders = ["cad", "organic", "assembly", "dense", "large"];
-    for (name, scene) in closed(&folders, None, share) {
+    for (name, scene) in closed(share.part(files(&folders)), None) {
         let question = Question::new(&scene, SIZE_PX);
         for by in [Rasteriser::Hardware, Rasteriser::Compute] {
             let method = Method::new(Strategy::PLANAR, DrawOptions::by(by));

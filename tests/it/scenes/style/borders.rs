@@ -1,7 +1,6 @@
 //! Borders are where layers differ, and nowhere else.
 
 use super::*;
-use crate::common::shares::Share;
 use common::real;
 use cutaway::layers::{Layer, Layers};
 use cutaway::scene::{Camera, Projection, Viewpoint};
@@ -155,7 +154,7 @@ fn borders_are_where_layers_differ_on_every_closed_mesh() {
     let mut met = [0; 5];
     let mut meshes = 0;
     let folders = ["cad", "organic", "assembly", "dense"];
-    for (_, mut scene) in real::closed(&folders, None, Share::WHOLE) {
+    for (_, mut scene) in real::closed(real::files(&folders), None) {
         meshes += 1;
         scene.style = style("technical");
         for cuts in three_cuts(&scene) {

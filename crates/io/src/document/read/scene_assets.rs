@@ -42,7 +42,7 @@ pub(in crate::document) struct SceneAssets {
 
 /// Opens what the parts of a document name.
 pub(super) fn open(entries: &[Entry<'_>], opening: &mut Opening<'_>) -> Result<Vec<PartSource>> {
-    let mut scene_assets = Vec::with_capacity(entries.len());
+    let mut sources = Vec::with_capacity(entries.len());
     let mut given = Vec::with_capacity(entries.len());
     let mut of_caps = Vec::with_capacity(entries.len());
     let before = opening.assets.kept::<AllKnown>().unwrap_or_default();
@@ -57,7 +57,7 @@ pub(super) fn open(entries: &[Entry<'_>], opening: &mut Opening<'_>) -> Result<V
         }
         given.push(name.map(|n| n.text()).transpose()?);
         let known = opening.known(&table, &before)?;
-        scene_assets.push(known.source.clone());
+        sources.push(known.source.clone());
         all_known.push(known);
         let hatch = of_material(&table, "hatch")?;
         let hatch = hatch.map(|hatch| hatches::open(&hatch, opening));
@@ -69,16 +69,14 @@ pub(super) fn open(entries: &[Entry<'_>], opening: &mut Opening<'_>) -> Result<V
     let mut taken = BTreeSet::new();
     // What the document calls its parts counts before what files call them.
     for is_given in [true, false] {
-        let entries = scene_assets.iter_mut().zip(&given);
+        let entries = sources.iter_mut().zip(&given);
         entries
             .filter(|(_, name)| name.is_some() == is_given)
             .for_each(|(held, name)| held.call(*name, &mut taken));
     }
     let mut shapes = Vec::new();
-    scene_assets
-        .iter_mut()
-        .for_each(|held| held.colour(&mut shapes));
-    for (held, (hatch, cap)) in scene_assets.iter_mut().zip(of_caps) {
+    sources.iter_mut().for_each(|held| held.colour(&mut shapes));
+    for (held, (hatch, cap)) in sources.iter_mut().zip(of_caps) {
         for solid in held.solids_mut() {
             let material = &mut solid.part.material;
             if let Some(hatch) = &hatch {
@@ -87,7 +85,7 @@ pub(super) fn open(entries: &[Entry<'_>], opening: &mut Opening<'_>) -> Result<V
             material.cap.clone_from(&cap);
         }
     }
-    Ok(scene_assets)
+    Ok(sources)
 }
 
 /// Returns the entry of a key in the material of a part.
