@@ -59,6 +59,9 @@
 //! A module imports only from modules to its left, and all may import [`error`] and [`layers`]; only [`gpu`] names `wgpu`. A test holds this map against
 //! the source.
 
+// Derived code names the crate as others do.
+extern crate self as cutaway;
+
 mod effects;
 pub mod error;
 pub mod generate;

@@ -130,7 +130,7 @@ fn draw(session: &mut Session, opened: &Opened) -> Result<Drawn> {
     let settings = timeline.settings();
     let view = view(opened)?;
     let options = draw_options(settings)?;
-    let renderer = match settings.strategy.as_deref() {
+    let renderer = match settings.strategy.name.as_deref() {
         None | Some(AUTO) => {
             let adapter = Some(session.gpu().traits());
             let Choice { method, .. } = choose(&at.model, &view, options, adapter);

@@ -14,9 +14,10 @@ use std::str::FromStr;
 
 use crate::Error;
 use crate::error::did_you_mean;
+use crate::scene::describe::Described;
 
 /// Fill rule: the points that a mesh encloses.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Described)]
 pub enum Fill {
     /// Points with an odd number of crossings along a ray.
     #[default]
@@ -26,9 +27,6 @@ pub enum Fill {
 }
 
 impl Fill {
-    /// Names in scene files and options.
-    pub const NAMES: [&'static str; 2] = ["even-odd", "nonzero"];
-
     /// Returns true if a point with this winding number is inside. Its parity is that of the number of crossings.
     pub fn holds(self, winding: i32) -> bool {
         match self {
@@ -40,10 +38,7 @@ impl Fill {
 
 impl fmt::Display for Fill {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::EvenOdd => Self::NAMES[0],
-            Self::Nonzero => Self::NAMES[1],
-        })
+        f.write_str(self.name())
     }
 }
 
@@ -51,15 +46,14 @@ impl FromStr for Fill {
     type Err = Error;
 
     fn from_str(text: &str) -> Result<Self, Error> {
-        match text {
-            "even-odd" => Ok(Self::EvenOdd),
-            "nonzero" => Ok(Self::Nonzero),
-            _ => Err(Error::input(
+        let found = Self::ALL.iter().find(|(name, _)| *name == text);
+        found.map(|(_, fill)| *fill).ok_or_else(|| {
+            Error::input(
                 format!("fill `{text}`"),
                 "there is no such rule",
-                did_you_mean(text, Self::NAMES),
-            )),
-        }
+                did_you_mean(text, Self::ALL.map(|(name, _)| name)),
+            )
+        })
     }
 }
 
@@ -84,7 +78,7 @@ mod tests {
 
     #[test]
     fn names_are_read_and_mended() {
-        for name in Fill::NAMES {
+        for name in Fill::ALL.map(|(name, _)| name) {
             assert_eq!(name.parse::<Fill>().expect(name).to_string(), name);
         }
         let message = "nonzer".parse::<Fill>().expect_err("no rule").to_string();

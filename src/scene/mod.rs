@@ -9,6 +9,7 @@ mod clip;
 mod coincidence;
 mod contents;
 mod cutaway;
+pub mod describe;
 mod doubts;
 mod fill;
 mod geometry;
@@ -36,7 +37,7 @@ pub use clip::cutter::Cutter;
 pub use clip::cutter::too_far;
 pub use clip::height_filter::HeightFilter;
 pub use clip::offset_map::{OffsetMap, Wrap};
-pub use clip::plane_spec::{Amount, PlaneSpec};
+pub use clip::plane_spec::PlaneSpec;
 #[doc(hidden)]
 pub use clip::regions::in_common;
 pub use clip::regions::{Block, Face, Wedge, next_axis};
@@ -96,6 +97,7 @@ pub use prepared::{
 };
 pub(crate) use prepared::{facing_out, tolerance_of};
 pub use style::Style;
+pub use units::amount::Amount;
 pub use units::decimals::to_decimals;
 pub use units::length_unit::LengthUnit;
 #[doc(hidden)]

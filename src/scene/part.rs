@@ -7,9 +7,10 @@ use std::sync::Arc;
 use glam::{DAffine3, DVec3};
 
 use super::{Bounds, Driver, Fill, Material, Mesh, Motion, Pose};
+use crate::scene::describe::Described;
 
 /// Effect of a cut on a part (Diepstraten et al. 2003, rule R1).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Described)]
 pub enum Role {
     /// Cut by the cuts that apply to it.
     #[default]
@@ -21,16 +22,9 @@ pub enum Role {
 }
 
 impl Role {
-    /// All, by their names in files.
-    pub const NAMED: [(&'static str, Self); 3] = [
-        ("exterior", Self::Exterior),
-        ("interior", Self::Interior),
-        ("whole", Self::Whole),
-    ];
-
     /// The role of a name.
     pub fn named(name: &str) -> Option<Self> {
-        let mut all = Self::NAMED.into_iter();
+        let mut all = Self::ALL.into_iter();
         all.find(|(known, _)| *known == name).map(|(_, role)| role)
     }
 }

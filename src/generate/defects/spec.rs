@@ -4,9 +4,10 @@ use std::fmt;
 
 use super::{Defect, DefectKind};
 use crate::scene::Amount;
+use crate::scene::describe::{Described, Field, Given, Leaf, ValueType};
 
-/// Pieces of a mesh: more than this are a slip.
-const MOST_PIECES: u32 = 100_000;
+/// Most pieces of a mesh: more are a slip.
+const MOST_PIECES: f64 = 100_000.0;
 
 const AXES: [(&str, usize, bool); 6] = [
     ("x", 0, false),
@@ -62,19 +63,6 @@ impl DefectKind {
         }
     }
 
-    /// Keys of a defect of this kind.
-    pub fn keys(&self) -> &'static [&'static str] {
-        match self {
-            Self::Holes { .. } | Self::Flipped { .. } | Self::Duplicated { .. } => {
-                &["amount", "seed", "patch"]
-            }
-            Self::TJunctions | Self::Soup => &["amount", "seed"],
-            Self::Gaps { .. } => &["amount", "seed", "charts"],
-            Self::Overlap { .. } => &["amount", "seed", "copies"],
-            Self::Open { .. } => &["amount", "axis"],
-        }
-    }
-
     /// Returns true if the amount is a length rather than a share.
     pub(super) fn is_length(&self) -> bool {
         matches!(self, Self::Gaps { .. } | Self::Soup)
@@ -107,54 +95,92 @@ impl Defect {
         }
     }
 
-    /// Sets the side that is missing; what is wrong with the word otherwise.
-    pub fn set_axis(&mut self, word: &str) -> Result<(), String> {
-        let known = AXES.iter().find(|(name, ..)| *name == word);
-        let Some((_, axis, from_below)) = known else {
-            let names = AXES.map(|(name, ..)| name);
-            return Err(format!("use one of: {}", names.join(", ")));
-        };
-        self.kind = DefectKind::Open {
-            axis: *axis,
-            from_below: *from_below,
-        };
-        Ok(())
+    /// Returns the reason if the amount is none of this kind.
+    pub fn defect(&self) -> Option<&'static str> {
+        match self.amount {
+            Amount::Percent(p) if !(0.0..=100.0).contains(&p) => Some("it must be from 0% to 100%"),
+            Amount::Units(v) if !self.kind.is_length() && v != 0.0 => {
+                Some("it is a share: write it in percent, for example 5%")
+            }
+            _ => None,
+        }
     }
 
-    /// Sets the seed, or the number of pieces by its key; what is wrong with the number otherwise.
-    pub fn set_number(&mut self, key: &str, number: u64) -> Result<(), String> {
-        if key == "seed" {
-            self.seed = number;
-            return Ok(());
+    /// Declarations of the values of all kinds.
+    pub const FIELDS: &'static [Field] = &[AMOUNT, SEED, PATCH, CHARTS, COPIES, AXIS];
+}
+
+const AMOUNT: Field = Field::leaf(
+    "amount",
+    "amount of damage",
+    Amount::TYPE.within(0.0, f64::INFINITY),
+    "\"5%\"",
+)
+.fixed();
+const SEED: Field = Field::leaf("seed", "seed for the choice of faces", u64::TYPE, "1").fixed();
+const PIECES: ValueType = ValueType::Whole(1.0, MOST_PIECES);
+const PATCH: Field = Field::leaf(
+    "patch",
+    "adjacent faces per patch (holes, flipped, duplicated)",
+    PIECES,
+    "12",
+)
+.fixed();
+const CHARTS: Field = Field::leaf("charts", "number of pieces (gaps)", PIECES, "8").fixed();
+const COPIES: Field =
+    Field::leaf("copies", "number of small copies (overlap)", PIECES, "8").fixed();
+const AXIS: Field = Field::leaf(
+    "axis",
+    "side to remove (open)",
+    ValueType::Choice(&["x", "y", "z", "-x", "-y", "-z"]),
+    "\"-z\"",
+);
+
+/// The values of its kind.
+impl Described for Defect {
+    fn fields(&self) -> &'static [Field] {
+        match self.kind {
+            DefectKind::Holes { .. }
+            | DefectKind::Flipped { .. }
+            | DefectKind::Duplicated { .. } => &[AMOUNT, SEED, PATCH],
+            DefectKind::TJunctions | DefectKind::Soup => &[AMOUNT, SEED],
+            DefectKind::Gaps { .. } => &[AMOUNT, SEED, CHARTS],
+            DefectKind::Overlap { .. } => &[AMOUNT, SEED, COPIES],
+            DefectKind::Open { .. } => &[AMOUNT, AXIS],
         }
-        let count = u32::try_from(number).unwrap_or(u32::MAX);
-        if !(1..=MOST_PIECES).contains(&count) {
-            return Err(format!("it must be from 1 to {MOST_PIECES}"));
-        }
-        match self.kind.pieces() {
-            Some(pieces) => *pieces = count,
-            None => return Err(format!("{} has no such key", self.kind.name())),
-        }
-        Ok(())
     }
 
-    /// Sets the amount; what is wrong with it otherwise.
-    pub fn set_amount(&mut self, amount: Amount) -> Result<(), String> {
-        let is_length = self.kind.is_length();
-        match amount {
-            Amount::Percent(p) if !(0.0..=100.0).contains(&p) => {
-                return Err("it must be from 0% to 100%".to_owned());
+    fn set(&mut self, field: usize, given: Given) {
+        match (self.fields().get(field).map_or("", |f| f.key), given) {
+            ("amount", given) => self.amount.set(given),
+            ("seed", given) => self.seed.set(given),
+            ("axis", Given::Text(word)) => {
+                if let Some((_, axis, from_below)) = AXES.iter().find(|(name, ..)| *name == word) {
+                    self.kind = DefectKind::Open {
+                        axis: *axis,
+                        from_below: *from_below,
+                    };
+                }
             }
-            Amount::Units(v) if is_length && v < 0.0 => {
-                return Err("it must not be below 0".to_owned());
+            (_, given) => {
+                if let Some(pieces) = self.kind.pieces() {
+                    pieces.set(given);
+                }
             }
-            Amount::Units(v) if !is_length && v != 0.0 => {
-                return Err("it is a share: write it in percent, for example 5%".to_owned());
-            }
-            _ => {}
         }
-        self.amount = amount;
-        Ok(())
+    }
+
+    fn get(&self, field: usize) -> Option<Given> {
+        match (self.fields().get(field)?.key, self.kind) {
+            ("amount", _) => self.amount.get(),
+            ("seed", _) => self.seed.get(),
+            ("axis", DefectKind::Open { axis, from_below }) => {
+                let is_it = |(_, a, b): &&(&str, usize, bool)| *a == axis && *b == from_below;
+                let (name, ..) = AXES.iter().find(is_it)?;
+                Some(Given::Text((*name).to_owned()))
+            }
+            (_, mut kind) => kind.pieces()?.get(),
+        }
     }
 }
 
@@ -172,8 +198,8 @@ impl fmt::Display for Defect {
         }
         write!(f, ",seed={}", self.seed)?;
         let mut kind = self.kind;
-        match (kind.keys().get(2), kind.pieces()) {
-            (Some(key), Some(count)) => write!(f, ",{key}={count}"),
+        match (self.fields().get(2), kind.pieces()) {
+            (Some(field), Some(count)) => write!(f, ",{}={count}", field.key),
             _ => Ok(()),
         }
     }

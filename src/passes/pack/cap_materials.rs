@@ -48,7 +48,7 @@ impl CapMaterials {
         let has_materials = materials.clone().next().is_some();
         let mut textures: Vec<Arc<Texture>> =
             (materials.flat_map(|m| m.textures().cloned())).collect();
-        let coats = scene.style.coat.then(|| {
+        let coats = scene.style.surface.coat.then(|| {
             let known = before.and_then(|b| b.coats.as_ref());
             Coats::of(scene, places, textures.len() as u32, known)
         });

@@ -5,9 +5,10 @@ use std::str::FromStr;
 
 use crate::Error;
 use crate::error::did_you_mean;
+use crate::scene::describe::Described;
 
 /// Interpolator of heights that a strategy evaluates at points.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash, Described)]
 pub enum HeightFilter {
     /// The shader, from four texels in f32: the definition of a relief.
     #[default]
@@ -18,10 +19,7 @@ pub enum HeightFilter {
 
 impl fmt::Display for HeightFilter {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Exact => "exact",
-            Self::Hardware => "hardware",
-        })
+        f.write_str(self.name())
     }
 }
 
@@ -29,14 +27,13 @@ impl FromStr for HeightFilter {
     type Err = Error;
 
     fn from_str(text: &str) -> Result<Self, Error> {
-        match text {
-            "exact" => Ok(Self::Exact),
-            "hardware" => Ok(Self::Hardware),
-            _ => Err(Error::input(
+        let found = Self::ALL.iter().find(|(name, _)| *name == text);
+        found.map(|(_, filter)| *filter).ok_or_else(|| {
+            Error::input(
                 format!("height filter `{text}`"),
                 "there is no such filter",
-                did_you_mean(text, ["exact", "hardware"]),
-            )),
-        }
+                did_you_mean(text, Self::ALL.map(|(name, _)| name)),
+            )
+        })
     }
 }

@@ -8,8 +8,10 @@
 
 use glam::DVec2;
 
+use crate::scene::describe::Described;
+
 /// Address mode outside the map.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Described)]
 #[cfg_attr(
     feature = "serde",
     derive(serde::Deserialize, serde::Serialize),

@@ -15,51 +15,13 @@ use std::fmt;
 use glam::DVec3;
 
 use crate::error::{Error, Result};
+use crate::scene::units::amount::Amount;
 use crate::scene::units::decimals::to_decimals;
 use crate::scene::units::range::LARGEST;
 use crate::scene::{Bounds, ClipSurface, Up};
 
 const EXAMPLES: &str =
     "write for example `z=10`, `-x=50%`, `0,1,1@0,0,5` (normal @ point) or `0,1,1,5` (ax+by+cz=d)";
-
-/// A length or coordinate that may depend on the bounds.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Amount {
-    /// In world units.
-    Units(f64),
-    /// In percent of something the user of the amount names.
-    Percent(f64),
-}
-
-impl Amount {
-    /// Reads `12.5` or `12.5%`; returns an error text otherwise.
-    pub fn parse(text: &str) -> Result<Self, String> {
-        let text = text.trim();
-        let (digits, percent) = match text.strip_suffix('%') {
-            Some(digits) => (digits.trim_end(), true),
-            None => (text, false),
-        };
-        let value = digits
-            .parse::<f64>()
-            .map_err(|_| format!("`{text}` is not a number"))?;
-        if !value.is_finite() {
-            return Err(format!("`{text}` is not finite"));
-        }
-        Ok(if percent {
-            Self::Percent(value)
-        } else {
-            Self::Units(value)
-        })
-    }
-
-    /// The coordinate between two others; 0 % and 100 % are exactly they.
-    pub fn between(self, min: f64, max: f64) -> f64 {
-        match self {
-            Self::Units(v) => v,
-            Self::Percent(p) => min * (1.0 - p / 100.0) + max * (p / 100.0),
-        }
-    }
-}
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Plane {
@@ -256,15 +218,6 @@ impl fmt::Display for Plane {
                 write!(f, "{}@{x},{y},{z}", listed(*normal))
             }
             Self::Offset { normal, offset } => write!(f, "{},{offset}", listed(*normal)),
-        }
-    }
-}
-
-impl fmt::Display for Amount {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Units(v) => write!(f, "{v}"),
-            Self::Percent(p) => write!(f, "{p}%"),
         }
     }
 }

@@ -13,6 +13,7 @@ use std::sync::LazyLock;
 use glam::DVec3;
 
 use crate::error::Result;
+use crate::scene::describe::Described;
 use crate::scene::geometry::hull::ConvexHull;
 use crate::scene::{Amount, Bounds, Cutter, Mesh, View};
 
@@ -30,20 +31,28 @@ const NEAR_THE_EYE: f64 = 0.75;
 const MOST_STEPS: usize = 256;
 
 /// An opening that is placed by what it shows.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Described)]
 pub struct Breakaway {
-    /// Clearance around the shown parts: in world units, or percent of the scene's diagonal.
+    /// Clearance between the opening and what is inside.
+    ///
+    /// Percent are of the scene's diagonal.
+    #[value(range = 0.0.., unit = "units", example = "1%")]
     pub distance: Amount,
-    /// Angle between the walls and the rays of sight, in degrees: at 0 the walls are hardly seen.
+    /// Angle by which the opening is wider than the lines of sight.
+    ///
+    /// At 0 the walls are hardly seen.
+    #[value(range = 0.0..=60.0, unit = "degrees", example = 12)]
     pub bevel_deg: f64,
-    /// Number of openings.
+    /// One opening, or one per cluster of interior parts.
+    #[value(example = "one")]
     pub clusters: Clusters,
-    /// Eye that it opens to.
+    /// Follows the camera, or stays open to the first one.
+    #[value(example = "first")]
     pub view: BreakawayView,
 }
 
 /// Number of openings of a breakaway.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Described)]
 pub enum Clusters {
     /// One around all that is inside, as in the paper.
     One,
@@ -53,7 +62,7 @@ pub enum Clusters {
 }
 
 /// Eye that a breakaway opens to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Described)]
 pub enum BreakawayView {
     /// The eye of each frame, as in the paper.
     #[default]

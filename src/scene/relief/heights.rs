@@ -137,6 +137,7 @@ fn stretched(mut heights: Vec<f64>) -> Vec<f64> {
 mod tests {
     use super::*;
     use crate::scene::Wrap;
+    use crate::scene::describe::Described;
 
     fn all() -> Vec<Procedure> {
         Procedure::NAMES
@@ -223,9 +224,8 @@ mod tests {
     fn any_size_is_taken() {
         for size in [[1, 1], [1, 37], [37, 1], [3, 200], [255, 129]] {
             for mut procedure in all() {
-                if procedure.keys().contains(&"size") {
-                    let texels = size.map(f64::from);
-                    procedure.set("size", &texels).expect("a plain size");
+                if procedure.fields().iter().any(|f| f.key == "size") {
+                    procedure.size = size;
                     let map = procedure.map();
                     assert_eq!(map.size(), size, "{procedure:?}");
                     OffsetMap::new(map.size(), map.texels().to_vec()).expect("finite and complete");

@@ -20,7 +20,7 @@ pub use derived::MapScale;
 pub use layers::between_layers;
 pub use place::Placement;
 #[doc(hidden)]
-pub use place::{parse_wrap, place_map};
+pub use place::place_map;
 pub use procedures::{MAX_TEXELS, Procedure, ProcedureKind};
 
 use super::{OffsetMap, Wrap};

@@ -6,19 +6,27 @@
 
 use std::sync::Arc;
 
-use crate::error::{Error, Result, did_you_mean};
-use crate::scene::clip::plane_spec::Amount;
-use crate::scene::units::range;
+use crate::error::{Error, Result};
+use crate::scene::describe::Described;
+use crate::scene::units::amount::Amount;
+use crate::scene::units::range::{self, SMALLEST};
 use crate::scene::{Bounds, ClipSurface, OffsetMap, Wrap};
 
 /// Placement of a map on a section.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Described)]
 pub struct Placement {
-    /// Height from the lowest to the highest texel; percent are of the bounds' diagonal.
+    /// Height from the lowest to the highest point of the relief.
+    ///
+    /// Percent are of the bounds' diagonal.
+    #[value(unit = "units", example = "6%")]
     pub amplitude: Amount,
-    /// Length of one repeat of the map along `U`; `None` is a share of the diagonal that suits the relief.
+    /// Length of one repeat of the relief.
+    ///
+    /// Along `U`. `None` is a share of the diagonal that suits the relief.
+    #[value(range = SMALLEST.., unit = "units", example = "40%")]
     pub period: Option<Amount>,
-    /// Address mode of the map beyond one repeat.
+    /// Wrap mode of the relief.
+    #[value(example = "mirror")]
     pub wrap: Wrap,
 }
 
@@ -29,16 +37,6 @@ impl Default for Placement {
             period: None,
             wrap: Wrap::Repeat,
         }
-    }
-}
-
-/// The wrap mode of a name.
-pub fn parse_wrap(name: &str) -> Result<Wrap, String> {
-    match name {
-        "repeat" => Ok(Wrap::Repeat),
-        "mirror" => Ok(Wrap::Mirror),
-        "clamp" => Ok(Wrap::Clamp),
-        _ => Err(did_you_mean(name, ["repeat", "mirror", "clamp"])),
     }
 }
 

@@ -1,5 +1,7 @@
 //! Reliefs that need no file: their names, numbers and usual values. `heights.rs` computes them.
 
+use crate::scene::describe::{Described, Field, Given, Leaf, ValueType};
+
 /// Most texels of a map: 128 MiB of f32, the largest buffer every WebGPU adapter can bind.
 pub const MAX_TEXELS: u64 = 1 << 25;
 
@@ -91,71 +93,115 @@ impl Procedure {
         })
     }
 
-    /// Keys that [`Procedure::set`] accepts for this kind.
-    pub fn keys(&self) -> &'static [&'static str] {
+    /// Returns the reason if the map would be too large.
+    pub fn defect(&self) -> Option<String> {
+        let [w, h] = self.size;
+        (u64::from(w) * u64::from(h) > MAX_TEXELS)
+            .then(|| format!("{w} x {h} is more than {MAX_TEXELS} texels"))
+    }
+
+    /// Declarations of the numbers of all kinds.
+    pub const FIELDS: &'static [Field] = &[
+        SIZE, SEED, COUNT, CELLS, OCTAVES, GAIN, WIDTH, LEVELS, VALUE,
+    ];
+}
+
+const SIZE: Field = Field::leaf(
+    "size",
+    "size of a computed height map",
+    ValueType::OneOrMore(&ValueType::Whole(1.0, 65_536.0), 2),
+    "[256, 256]",
+)
+.unit("texels");
+const SEED: Field = Field::leaf("seed", "random seed (fractal, cracks)", u64::TYPE, "7");
+const COUNT: Field = Field::leaf(
+    "count",
+    "number of waves in each direction (waves)",
+    ValueType::OneOrMore(&ValueType::Whole(0.0, 4096.0), 2),
+    "[3, 3]",
+);
+const CELLS: Field = Field::leaf(
+    "cells",
+    "cells along the longer side (fractal, cracks)",
+    ValueType::Whole(1.0, 4096.0),
+    "4",
+);
+const OCTAVES: Field = Field::leaf(
+    "octaves",
+    "number of octaves (fractal)",
+    ValueType::Whole(1.0, 16.0),
+    "5",
+);
+const GAIN: Field = Field::leaf(
+    "gain",
+    "amplitude ratio from one octave to the next finer one (fractal)",
+    ValueType::Number(0.0, 1.0),
+    "0.5",
+);
+const WIDTH: Field = Field::leaf(
+    "width",
+    "half width of a groove (cracks)",
+    ValueType::Number(1e-3, 1.0),
+    "0.12",
+)
+.unit("cells");
+const LEVELS: Field = Field::leaf(
+    "levels",
+    "number of heights in each direction (steps)",
+    ValueType::Whole(2.0, 4096.0),
+    "5",
+);
+const VALUE: Field = Field::leaf(
+    "value",
+    "height (constant)",
+    ValueType::Number(0.0, 1.0),
+    "0.5",
+);
+
+/// The numbers of its kind.
+impl Described for Procedure {
+    fn fields(&self) -> &'static [Field] {
         match self.kind {
             ProcedureKind::Sawtooth => &[],
-            ProcedureKind::Waves { .. } => &["size", "count"],
-            ProcedureKind::Fractal { .. } => &["size", "seed", "cells", "octaves", "gain"],
-            ProcedureKind::Cracks { .. } => &["size", "seed", "cells", "width"],
-            ProcedureKind::Steps { .. } => &["size", "levels"],
-            ProcedureKind::Constant { .. } => &["size", "value"],
+            ProcedureKind::Waves { .. } => &[SIZE, COUNT],
+            ProcedureKind::Fractal { .. } => &[SIZE, SEED, CELLS, OCTAVES, GAIN],
+            ProcedureKind::Cracks { .. } => &[SIZE, SEED, CELLS, WIDTH],
+            ProcedureKind::Steps { .. } => &[SIZE, LEVELS],
+            ProcedureKind::Constant { .. } => &[SIZE, VALUE],
         }
     }
 
-    /// Sets a number by its key; `size` and `count` take one or two. What is wrong with them, if they cannot be taken.
-    pub fn set(&mut self, key: &str, values: &[f64]) -> Result<(), String> {
+    fn set(&mut self, field: usize, given: Given) {
         use ProcedureKind::{Constant, Cracks, Fractal, Steps, Waves};
+        let key = self.fields().get(field).map_or("", |f| f.key);
         match (key, &mut self.kind) {
-            ("size", _) => {
-                let size = two(values, 1.0, 65_536.0)?;
-                if u64::from(size[0]) * u64::from(size[1]) > MAX_TEXELS {
-                    let [w, h] = size;
-                    return Err(format!("{w} x {h} is more than {MAX_TEXELS} texels"));
-                }
-                self.size = size;
-            }
-            ("seed", _) => self.seed = whole(values, 0.0, 9e15)?,
-            ("count", Waves { count }) => *count = two(values, 0.0, 4096.0)?,
-            ("cells", Fractal { cells, .. } | Cracks { cells, .. }) => {
-                *cells = small(values, 1.0, 4096.0)?;
-            }
-            ("octaves", Fractal { octaves, .. }) => *octaves = small(values, 1.0, 16.0)?,
-            ("gain", Fractal { gain, .. }) => *gain = within(values, 0.0, 1.0)?,
-            ("width", Cracks { width, .. }) => *width = within(values, 0.001, 1.0)?,
-            ("levels", Steps { levels }) => *levels = small(values, 2.0, 4096.0)?,
-            ("value", Constant { value }) => *value = within(values, 0.0, 1.0)?,
-            _ => return Err(format!("it has no `{key}`")),
+            ("size", _) => self.size.set(given),
+            ("seed", _) => self.seed.set(given),
+            ("count", Waves { count }) => count.set(given),
+            ("cells", Fractal { cells, .. } | Cracks { cells, .. }) => cells.set(given),
+            ("octaves", Fractal { octaves, .. }) => octaves.set(given),
+            ("gain", Fractal { gain, .. }) => gain.set(given),
+            ("width", Cracks { width, .. }) => width.set(given),
+            ("levels", Steps { levels }) => levels.set(given),
+            ("value", Constant { value }) => value.set(given),
+            _ => {}
         }
-        Ok(())
     }
-}
 
-fn within(values: &[f64], least: f64, most: f64) -> Result<f64, String> {
-    match values {
-        [v] if (least..=most).contains(v) => Ok(*v),
-        _ => Err(format!("it must be a number from {least} to {most}")),
-    }
-}
-
-fn whole(values: &[f64], least: f64, most: f64) -> Result<u64, String> {
-    match values {
-        [v] if (least..=most).contains(v) && v.fract() == 0.0 => Ok(*v as u64),
-        _ => Err(format!("it must be a whole number from {least} to {most}")),
-    }
-}
-
-fn small(values: &[f64], least: f64, most: f64) -> Result<u32, String> {
-    whole(values, least, most).map(|v| u32::try_from(v).unwrap_or(u32::MAX))
-}
-
-fn two(values: &[f64], least: f64, most: f64) -> Result<[u32; 2], String> {
-    match values {
-        [both] => small(&[*both], least, most).map(|v| [v, v]),
-        [a, b] => Ok([small(&[*a], least, most)?, small(&[*b], least, most)?]),
-        _ => Err(format!(
-            "it must be one or two whole numbers from {least} to {most}"
-        )),
+    fn get(&self, field: usize) -> Option<Given> {
+        use ProcedureKind::{Constant, Cracks, Fractal, Steps, Waves};
+        match (self.fields().get(field)?.key, &self.kind) {
+            ("size", _) => self.size.get(),
+            ("seed", _) => self.seed.get(),
+            ("count", Waves { count }) => count.get(),
+            ("cells", Fractal { cells, .. } | Cracks { cells, .. }) => cells.get(),
+            ("octaves", Fractal { octaves, .. }) => octaves.get(),
+            ("gain", Fractal { gain, .. }) => gain.get(),
+            ("width", Cracks { width, .. }) => width.get(),
+            ("levels", Steps { levels }) => levels.get(),
+            ("value", Constant { value }) => value.get(),
+            _ => None,
+        }
     }
 }
 
@@ -164,24 +210,27 @@ mod tests {
     use super::*;
 
     #[test]
-    fn senseless_numbers_are_refused() {
+    fn maps_that_are_too_large_are_refused() {
         let mut fractal = Procedure::named("fractal").expect("fractal");
-        for (key, values) in [
-            ("size", vec![0.0]),
-            ("size", vec![65_536.0, 65_536.0]),
-            ("size", vec![1.0, 2.0, 3.0]),
-            ("size", vec![f64::NAN]),
-            ("seed", vec![-1.0]),
-            ("seed", vec![0.5]),
-            ("octaves", vec![40.0]),
-            ("gain", vec![f64::INFINITY]),
-            ("levels", vec![3.0]),
-        ] {
-            assert!(
-                fractal.set(key, &values).is_err(),
-                "{key} = {values:?} was taken"
-            );
+        for (size, fits) in [([4096, 4096], true), ([65_536, 65_536], false)] {
+            fractal.size = size;
+            assert_eq!(fractal.defect().is_none(), fits, "{size:?}");
         }
-        fractal.set("size", &[4096.0]).expect("a large square map");
+    }
+
+    #[test]
+    fn every_number_is_set_and_read_back() {
+        for name in Procedure::NAMES {
+            let mut procedure = Procedure::named(name).expect(name);
+            let before = procedure;
+            for (index, field) in procedure.fields().iter().enumerate() {
+                let given = procedure
+                    .get(index)
+                    .unwrap_or_else(|| panic!("{}", field.key));
+                procedure.set(index, given);
+                assert!(Procedure::FIELDS.contains(field), "{}", field.key);
+            }
+            assert_eq!(procedure, before, "{name}");
+        }
     }
 }

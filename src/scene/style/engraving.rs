@@ -1,14 +1,22 @@
 //! Engraving: tone as lines on surfaces.
 
+use super::lengths::MIL;
+use crate::scene::describe::Described;
+
 /// Parallel lines on surfaces, wider where it is darker: where the surface meets a family of parallel planes of the scene, so that they
 /// need no parametrisation and stay where they are while the camera moves. Between two scales every second line thins out.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Described)]
 pub struct Engraving {
-    /// About the distance from line to line, in thousandths of the picture's height.
+    /// Approximate distance between lines on surfaces (engraved).
+    #[value(range = 1.0..=1000.0, unit = MIL, example = 6.7)]
     pub spacing: f32,
-    /// Across the lines, in coordinates of the world. Of any length but 0.
+    /// Direction across the lines, in the world.
+    ///
+    /// Of any length but 0.
+    #[value(example = [1, 0.25, 0.1])]
     pub across: [f32; 3],
-    /// Across those of the second family, which dark tones have too.
+    /// Direction across the second set of lines, drawn in dark tones only.
+    #[value(example = [0.2, 1, 0.5])]
     pub across_dark: [f32; 3],
 }
 

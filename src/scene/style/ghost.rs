@@ -2,23 +2,31 @@
 
 use glam::Vec3;
 
+use super::lengths::{MIL, WIDEST};
+use crate::scene::describe::Described;
+
 /// The uncut solids where a cut has taken something of them away.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Described)]
 pub struct Ghost {
-    /// Elements that are drawn.
+    /// Drawing of removed geometry.
+    #[value(example = "lines")]
     pub kind: GhostKind,
-    /// Width of phantom lines, in thousandths of the picture's height.
+    /// Width of phantom lines.
+    #[value(range = 0.0..=WIDEST, unit = MIL, example = 1.2)]
     pub width: f32,
-    /// Opacity of lines, 0 to 1.
+    /// Opacity of phantom lines.
+    #[value(range = 0.0..=1.0, example = 0.85)]
     pub alpha: f32,
-    /// Opacity of glass, 0 to 1.
+    /// Opacity of glass.
+    #[value(range = 0.0..=1.0, example = 1)]
     pub glass: f32,
-    /// Colour of lines and glass; `None` is the ink.
+    /// Colour of phantom lines and glass, instead of the line colour.
+    #[value(example = "#5b6f88")]
     pub color: Option<Vec3>,
 }
 
 /// Elements that are drawn of the removed geometry.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, PartialOrd, Ord, Described)]
 pub enum GhostKind {
     /// Nothing.
     #[default]
@@ -29,16 +37,6 @@ pub enum GhostKind {
     Glass,
     /// Both.
     Both,
-}
-
-impl GhostKind {
-    /// All, by their names.
-    pub const ALL: [(&'static str, Self); 4] = [
-        ("none", Self::None),
-        ("lines", Self::Lines),
-        ("glass", Self::Glass),
-        ("both", Self::Both),
-    ];
 }
 
 impl Default for Ghost {

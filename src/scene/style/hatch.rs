@@ -2,34 +2,49 @@
 
 use glam::Vec3;
 
+use super::lengths::{MIL, WIDEST};
+use crate::scene::describe::Described;
+
 /// Parallel lines on caps, in units of the scene: they stay where they are while the camera moves. Parts that touch have unlike ones.
 /// Lengths are in thousandths of the picture's height, as the scene was first seen.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Described)]
 pub struct Hatch {
-    /// Width of a line; 0 draws none.
+    /// Width of hatch lines on caps; 0 for none.
+    #[value(range = 0.0..=WIDEST, unit = MIL, example = 1)]
     pub width: f32,
-    /// Opacity of a line, 0 to 1.
+    /// Opacity of hatch lines.
+    #[value(range = 0.0..=1.0, example = 0.6)]
     pub alpha: f32,
-    /// Colour of lines; `None` is the ink.
+    /// Colour of hatch lines, instead of the line colour.
+    #[value(example = "#9cc4ff")]
     pub color: Option<Vec3>,
-    /// Direction of the lines of the first class of parts, in degrees from the horizontal of the cap.
+    /// Line direction on the first of a group of touching parts.
+    #[value(unit = "degrees", example = 45)]
     pub angle_deg: f32,
-    /// Distance from line to line over the mean thickness of the part.
+    /// Line spacing as a multiple of the mean thickness of the part.
+    #[value(range = 0.0..=10.0, example = 0.2)]
     pub per_thickness: f32,
-    /// The least distance from line to line.
+    /// Smallest line spacing.
+    #[value(range = 0.1..=1000.0, unit = MIL, example = 5.2)]
     pub least: f32,
-    /// The greatest; what touches many others may have more.
+    /// Largest line spacing.
+    ///
+    /// Parts that touch many others may have more.
+    #[value(range = 0.1..=1000.0, unit = MIL, example = 9.5)]
     pub most: f32,
-    /// Parts that are thinner on the mean have their caps filled.
+    /// Parts with a smaller mean thickness are filled instead of hatched.
+    #[value(range = 0.0..=1000.0, unit = MIL, example = 2.9)]
     pub solid_below: f32,
-    /// Anchor of the lines.
+    /// Frame that lines are fixed to: the part that moves, or the cut.
+    #[value(example = "cut")]
     pub anchor: HatchAnchor,
-    /// Behaviour of line distances when the camera comes nearer.
+    /// Keeps lines when the camera comes closer, or doubles and halves their number.
+    #[value(example = "banded")]
     pub zoom: HatchZoom,
 }
 
 /// Anchor of the lines of a hatch.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, PartialOrd, Ord, Described)]
 pub enum HatchAnchor {
     /// The part, where that moves as a whole: lines turn about the normal of the cut and shift along it as the part does.
     #[default]
@@ -38,24 +53,14 @@ pub enum HatchAnchor {
     Cut,
 }
 
-impl HatchAnchor {
-    /// All, by their names.
-    pub const ALL: [(&'static str, Self); 2] = [("part", Self::Part), ("cut", Self::Cut)];
-}
-
 /// Behaviour of the distances between lines when the camera comes nearer.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, PartialOrd, Ord, Described)]
 pub enum HatchZoom {
     /// Distances are fixed in the scene.
     #[default]
     Fixed,
     /// Distances are doubled or halved to stay near the style's distance in the picture; in between every second line thins out.
     Banded,
-}
-
-impl HatchZoom {
-    /// All, by their names.
-    pub const ALL: [(&'static str, Self); 2] = [("fixed", Self::Fixed), ("banded", Self::Banded)];
 }
 
 impl Default for Hatch {

@@ -9,6 +9,7 @@
 mod engraving;
 mod ghost;
 mod hatch;
+mod lengths;
 mod occlusion;
 mod oklab;
 mod shadow;
@@ -19,41 +20,55 @@ pub use ghost::{Ghost, GhostKind};
 pub use hatch::{Hatch, HatchAnchor, HatchZoom};
 pub use occlusion::{Occlusion, OcclusionKind};
 pub use shadow::Shadow;
-pub use tint::Tint;
+pub use tint::{Hue, Tint};
 
 use glam::Vec3;
 
 use super::Material;
+use super::describe::{Described, Given, Leaf, ValueType};
+use lengths::{MIL, WIDEST};
 
 /// Look of a picture. Colours are sRGB in 0..=1.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Described)]
 pub struct Style {
-    /// Background.
+    /// Background colour of the style.
+    #[value(example = "#ffffff")]
     pub paper: Paper,
-    /// Colour of strokes and hatches.
+    /// Line colour.
+    ///
+    /// Of strokes and hatches.
+    #[value(example = "#20262e")]
     pub ink: Vec3,
-    /// Lighting model.
+    /// Shading model.
+    #[value(example = "calm")]
     pub shading: Shading,
-    /// Colours of surfaces.
-    pub surface: Tint,
-    /// True if the coats of meshes ([`Mesh::coat`](super::Mesh::coat)) replace `surface`.
-    pub coat: bool,
+    /// Look of surfaces.
+    #[value(table)]
+    pub surface: SurfaceLook,
     /// Look of caps.
+    #[value(table)]
     pub cap: CapLook,
     /// Gooch's lighting, used if `shading` selects it.
+    #[value(table)]
     pub gooch: Gooch,
-    /// Lines between what differs.
-    pub strokes: Strokes,
     /// Lines on caps.
+    #[value(table)]
     pub hatch: Hatch,
-    /// Lines on surfaces, used if `shading` selects them.
-    pub engraving: Engraving,
     /// Darkening of what lies deep.
+    #[value(table)]
     pub occlusion: Occlusion,
     /// Drawing of removed geometry.
+    #[value(table)]
     pub ghost: Ghost,
     /// Shadow of the model on the ground.
+    #[value(table)]
     pub shadow: Shadow,
+    /// Lines on surfaces, used if `shading` selects them.
+    #[value(table)]
+    pub engraving: Engraving,
+    /// Lines between what differs.
+    #[value(table)]
+    pub strokes: Strokes,
 }
 
 impl Default for Style {
@@ -62,8 +77,7 @@ impl Default for Style {
             paper: Paper::default(),
             ink: Vec3::ZERO,
             shading: Shading::default(),
-            surface: Tint::default(),
-            coat: true,
+            surface: SurfaceLook::default(),
             cap: CapLook::default(),
             gooch: Gooch::default(),
             strokes: Strokes::default(),
@@ -76,14 +90,43 @@ impl Default for Style {
     }
 }
 
-/// Differences of caps from surfaces.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct CapLook {
-    /// Their colours.
+/// Look of surfaces.
+#[derive(Clone, Copy, Debug, PartialEq, Described)]
+pub struct SurfaceLook {
+    /// Colours of surfaces.
+    #[value(flat)]
     pub tint: Tint,
-    /// Strength of light on caps by [`Shading::Calm`], 0 to 1: at 0 they have their colour whatever the light.
+    /// Draws vertex colours and textures from files instead of part colours.
+    ///
+    /// The coats of meshes: [`Mesh::coat`](super::Mesh::coat).
+    #[value(example = true)]
+    pub coat: bool,
+}
+
+impl Default for SurfaceLook {
+    fn default() -> Self {
+        Self {
+            tint: Tint::default(),
+            coat: true,
+        }
+    }
+}
+
+/// Differences of caps from surfaces.
+#[derive(Clone, Copy, Debug, PartialEq, Described)]
+pub struct CapLook {
+    /// Colours of caps.
+    #[value(flat)]
+    pub tint: Tint,
+    /// Share of the light that caps receive (calm).
+    ///
+    /// At 0 they have their colour whatever the light.
+    #[value(range = 0.0..=1.0, example = 1)]
     pub light: f32,
-    /// Share of cap shading that depends on the normal, 0 to 1; the rest is even, as of paper.
+    /// Share of cap shading that depends on the normal (calm).
+    ///
+    /// The rest is even, as of paper.
+    #[value(range = 0.0..=1.0, example = 0.6)]
     pub relief: f32,
 }
 
@@ -109,8 +152,32 @@ pub enum Paper {
     None,
 }
 
+impl Leaf for Paper {
+    const TYPE: ValueType = ValueType::Or(&ValueType::Color, &["gradient", "transparent", "none"]);
+
+    fn of(given: Given) -> Option<Self> {
+        match given {
+            Given::Color(color) => Some(Self::Color(color)),
+            Given::Text(word) => match word.as_str() {
+                "gradient" => Some(Self::Gradient),
+                "transparent" | "none" => Some(Self::None),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
+    fn get(&self) -> Option<Given> {
+        Some(match self {
+            Self::Gradient => Given::Text("gradient".to_owned()),
+            Self::Color(color) => Given::Color(*color),
+            Self::None => Given::Text("transparent".to_owned()),
+        })
+    }
+}
+
 /// Lighting model.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, PartialOrd, Ord, Described)]
 pub enum Shading {
     /// A key light over the left shoulder, a cool fill, highlights.
     #[default]
@@ -131,15 +198,19 @@ pub enum Shading {
 
 /// Light from cool to warm: cool is a blue and a share of the own colour, warm a yellow and a share of that (Gooch et al. 1998, b, y, alpha
 /// and beta).
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Described)]
 pub struct Gooch {
-    /// Blue of what the light does not reach.
+    /// Amount of blue in the cool tone (gooch).
+    #[value(range = 0.0..=1.0, example = 0.4)]
     pub blue: f32,
-    /// Yellow of what it does.
+    /// Amount of yellow in the warm tone (gooch).
+    #[value(range = 0.0..=1.0, example = 0.3)]
     pub yellow: f32,
-    /// Share of the own colour in cool.
+    /// Base-colour weight in the cool tone (Gooch alpha).
+    #[value(range = 0.0..=1.0, example = 0.25)]
     pub of_cool: f32,
-    /// Share of the own colour in warm.
+    /// Base-colour weight in the warm tone (Gooch beta).
+    #[value(range = 0.0..=1.0, example = 0.55)]
     pub of_warm: f32,
 }
 
@@ -155,38 +226,37 @@ impl Default for Gooch {
     }
 }
 
-impl Shading {
-    /// All, by their names.
-    pub const ALL: [(&'static str, Self); 7] = [
-        ("lit", Self::Lit),
-        ("calm", Self::Calm),
-        ("flat", Self::Flat),
-        ("gooch", Self::Gooch),
-        ("toon", Self::Toon),
-        ("clay", Self::Clay),
-        ("engraved", Self::Engraved),
-    ];
-}
-
 /// Widths of strokes by the class of border that they are on, in thousandths of the picture's height; 0 draws none. A border is between
 /// two samples of the picture, strongest class first.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Described)]
 pub struct Strokes {
-    /// Around the model.
+    /// Width of strokes around the model; 0 for none.
+    #[value(range = 0.0..=WIDEST, unit = MIL, example = 2.1)]
     pub outline: f32,
-    /// At the border of a cap, unless the model ends there.
+    /// Width of strokes around caps.
+    ///
+    /// Unless the model ends there.
+    #[value(range = 0.0..=WIDEST, unit = MIL, example = 2.1)]
     pub cut: f32,
-    /// Between two parts.
+    /// Width of strokes between parts.
+    #[value(range = 0.0..=WIDEST, unit = MIL, example = 1.5)]
     pub part: f32,
-    /// Between caps of one part by two clip-surfaces.
+    /// Width of strokes between caps of one part by two clip-surfaces.
+    #[value(range = 0.0..=WIDEST, unit = MIL, example = 1.3)]
     pub face: f32,
-    /// At the border of a surface that hides more of the same part.
+    /// Width of strokes where a part occludes itself.
+    #[value(range = 0.0..=WIDEST, unit = MIL, example = 1.3)]
     pub contour: f32,
-    /// At a fold of a surface.
+    /// Width of strokes along creases.
+    #[value(range = 0.0..=WIDEST, unit = MIL, example = 1)]
     pub crease: f32,
-    /// The least fold that is a crease, in degrees.
+    /// Smallest dihedral angle of a crease.
+    ///
+    /// A smaller one would take the rounding of normals for folds.
+    #[value(range = 1.0..=180.0, unit = "degrees", example = 30)]
     pub crease_deg: f32,
-    /// The least jump in depth that is a contour, in widths of a pixel.
+    /// Smallest depth step of a contour, in pixel widths.
+    #[value(range = 0.0..=1e6, unit = "px", example = 8)]
     pub depth_px: f32,
 }
 
@@ -237,7 +307,7 @@ impl Style {
 
     /// Colour of the surface of a part, sRGB in 0..=1.
     pub fn surface_color(&self, material: &Material) -> Vec3 {
-        self.surface.of(material.color, None)
+        self.surface.tint.of(material.color, None)
     }
 
     /// Colour of the caps of a part, sRGB in 0..=1.

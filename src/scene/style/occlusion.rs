@@ -1,30 +1,45 @@
 //! Occlusion: darkening of places that see little of the sky.
 
+use crate::scene::describe::Described;
+
 /// Darkening of what lies deep, from the layers of a picture.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Described)]
 pub struct Occlusion {
-    /// Method.
+    /// Ambient-occlusion method.
+    #[value(example = "horizon")]
     pub kind: OcclusionKind,
-    /// Greatest distance at which geometry hides the sky, in percent of the diagonal of the scene (`horizon`).
+    /// Largest distance of an occluder, in percent of the scene's diagonal (horizon).
+    #[value(range = 0.0..=100.0, unit = "percent", example = 5)]
     pub radius_percent: f32,
-    /// Number of planes through the line of sight that are searched for horizons.
+    /// Planes searched for horizons per pixel (horizon).
+    #[value(range = 1.0..=32.0, example = 3)]
     pub slices: u32,
-    /// Number of samples to each side of a slice.
+    /// Samples on each side of a plane (horizon).
+    #[value(range = 1.0..=64.0, example = 6)]
     pub steps: u32,
-    /// The standard deviation of the blur, in percent of the diagonal of the picture (`unsharp`).
+    /// Standard deviation of the blur, in percent of the picture's diagonal (unsharp).
+    #[value(range = 0.0..=10.0, unit = "percent", example = 2)]
     pub blur_percent: f32,
-    /// Darkening per excess depth of one scene diagonal over the surroundings (`unsharp`, lambda of Luft et al. 2006).
+    /// Darkening of deeper pixels (unsharp).
+    ///
+    /// Per excess depth of one scene diagonal over the surroundings: lambda of Luft et al. 2006.
+    #[value(range = 0.0..=100.0, example = 6)]
     pub strength: f32,
-    /// Weight on surfaces, 0 to 1.
+    /// Weight of occlusion on surfaces.
+    #[value(range = 0.0..=1.0, example = 0.7)]
     pub surface: f32,
-    /// Weight on caps, 0 to 1.
+    /// Weight of occlusion on caps.
+    #[value(range = 0.0..=1.0, example = 0.35)]
     pub cap: f32,
-    /// Weight on caps of the occlusion by their own relief, 0 to 1, whatever the kind.
+    /// Weight of a cap's occlusion by its own relief.
+    ///
+    /// Whatever the kind.
+    #[value(range = 0.0..=1.0, example = 0.5)]
     pub relief: f32,
 }
 
 /// Method that computes occlusion.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, PartialOrd, Ord, Described)]
 pub enum OcclusionKind {
     /// No occlusion.
     #[default]
@@ -34,15 +49,6 @@ pub enum OcclusionKind {
     /// The difference of depth and blurred depth (Luft, Colditz and Deussen 2006), as Trapp and Döllner 2013 have it (4.5): sets apart in
     /// depth and leaves narrow gaps as they are.
     Unsharp,
-}
-
-impl OcclusionKind {
-    /// All, by their names.
-    pub const ALL: [(&'static str, Self); 3] = [
-        ("none", Self::None),
-        ("horizon", Self::Horizon),
-        ("unsharp", Self::Unsharp),
-    ];
 }
 
 impl Default for Occlusion {

@@ -1,13 +1,19 @@
 //! Shadow: what stands on a ground darkens it.
 
+use crate::scene::describe::Described;
+
 /// The shadow on a level ground below all kept geometry, of light from straight above. Lights of a style shine from the camera; this one
 /// shows the ground contact. It is drawn only on request: by `render` and `animate`, and for a [`Model`](crate::Model) that was
 /// given one by [`Model::on_ground`](crate::Model::on_ground), which its updates forget.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Described)]
 pub struct Shadow {
-    /// Share of the light that is missing in full shadow, 0 to 1; 0 draws none.
+    /// Darkness of the ground shadow; 0 for none.
+    ///
+    /// Share of the light that is missing in full shadow.
+    #[value(range = 0.0..=1.0, example = 0.35)]
     pub strength: f32,
-    /// Greatest angle of the light from the vertical, in degrees: sets the softness of shadows of geometry far above the ground.
+    /// Angular radius of the light around the zenith; a larger one makes softer shadows.
+    #[value(range = 0.0..=70.0, unit = "degrees", example = 25)]
     pub spread_deg: f32,
 }
 

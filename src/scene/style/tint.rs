@@ -3,6 +3,7 @@
 use glam::Vec3;
 
 use super::oklab::{oklab_from_srgb, srgb_from_oklab};
+use crate::scene::describe::{Described, Field, Given, Leaf};
 
 /// Rule that changes the colour of a part.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
@@ -13,17 +14,79 @@ pub enum Tint {
     /// All parts have this colour, sRGB in 0..=1.
     Color(Vec3),
     /// The hue is kept, in OKLab (Ottosson 2020).
-    Hue {
-        /// Lightness of all, 0 to 1.
-        lightness: f32,
-        /// The greatest chroma; lower values are kept.
-        chroma: f32,
-        /// Added to both axes of hue: green to red, blue to yellow.
-        warmth: [f32; 2],
-    },
+    Hue(Hue),
+}
+
+/// Lightness and chroma of all parts, whose hues stay their own.
+#[derive(Clone, Copy, Debug, PartialEq, Described)]
+pub struct Hue {
+    /// OKLab lightness; hues stay those of the parts.
+    #[value(range = 0.0..=1.0, example = 0.8)]
+    pub lightness: f32,
+    /// Largest OKLab chroma.
+    ///
+    /// Lower values are kept.
+    #[value(range = 0.0..=0.4, example = 0.024)]
+    pub chroma: f32,
+    /// Offset added to OKLab a and b.
+    #[value(example = [0, 0])]
+    pub warmth: [f32; 2],
+}
+
+impl Default for Hue {
+    fn default() -> Self {
+        Self {
+            lightness: 0.8,
+            chroma: 0.03,
+            warmth: [0.0; 2],
+        }
+    }
+}
+
+/// The colour or the values of the hue: setting one replaces the other.
+impl Described for Tint {
+    fn fields(&self) -> &'static [Field] {
+        Self::FIELDS
+    }
+
+    fn set(&mut self, field: usize, given: Given) {
+        let Some(of_hue) = field.checked_sub(1) else {
+            if let Some(color) = Vec3::of(given) {
+                *self = Self::Color(color);
+            }
+            return;
+        };
+        let mut hue = match self {
+            Self::Hue(hue) => *hue,
+            _ => Hue::default(),
+        };
+        hue.set(of_hue, given);
+        *self = Self::Hue(hue);
+    }
+
+    fn get(&self, field: usize) -> Option<Given> {
+        match (field.checked_sub(1), self) {
+            (None, Self::Color(color)) => color.get(),
+            (Some(of_hue), Self::Hue(hue)) => hue.get(of_hue),
+            _ => None,
+        }
+    }
 }
 
 impl Tint {
+    /// Declarations of its values.
+    pub const FIELDS: &'static [Field] = &[
+        Field::leaf(
+            "color",
+            "one colour for all parts",
+            Vec3::TYPE,
+            "\"#d8d4cc\"",
+        ),
+        Hue::FIELDS[0],
+        Hue::FIELDS[1],
+        Hue::FIELDS[2],
+    ];
+
     /// The colour of a part in a colour of its own; what the part is given for this very place comes before all.
     pub(super) fn of(self, color: Vec3, given: Option<Vec3>) -> Vec3 {
         if let Some(given) = given {
@@ -32,11 +95,11 @@ impl Tint {
         match self {
             Self::Material => color,
             Self::Color(one) => one,
-            Self::Hue {
+            Self::Hue(Hue {
                 lightness,
                 chroma,
                 warmth: [a, b],
-            } => {
+            }) => {
                 let own = oklab_from_srgb(color);
                 let share = (chroma / own.y.hypot(own.z).max(1e-6)).min(1.0);
                 let lab = Vec3::new(lightness, own.y * share + a, own.z * share + b);
@@ -52,11 +115,11 @@ mod tests {
 
     #[test]
     fn hue_stays_and_lightness_is_set() {
-        let tint = Tint::Hue {
+        let tint = Tint::Hue(Hue {
             lightness: 0.8,
             chroma: 0.024,
             warmth: [0.0, 0.0],
-        };
+        });
         for color in [Vec3::X, Vec3::Y, Vec3::Z, Vec3::new(0.3, 0.2, 0.1)] {
             let [own, made] = [color, tint.of(color, None)].map(oklab_from_srgb);
             assert!((made.x - 0.8).abs() < 1e-4, "lightness of {color}");

@@ -5,6 +5,7 @@
 
 use glam::{DVec2, DVec3};
 
+use crate::scene::describe::Described;
 use crate::scene::geometry::fitting::{fit_parallel, fit_perspective};
 use crate::scene::{Bounds, Precision, Up, View};
 
@@ -52,7 +53,7 @@ pub enum Viewpoint {
 }
 
 /// Geometry that an orbit is fitted to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Described)]
 pub enum Fit {
     /// The box of the whole model, regardless of the cuts.
     #[default]

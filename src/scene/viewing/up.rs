@@ -2,25 +2,21 @@
 
 use glam::DVec3;
 
+use crate::scene::describe::Described;
+
 /// Up axis of the world.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Described)]
 pub enum Up {
     /// The habit of graphics.
     #[default]
+    #[value(name = "+Y")]
     PlusY,
     /// The habit of CAD and printing.
+    #[value(name = "+Z")]
     PlusZ,
 }
 
 impl Up {
-    /// Name in documents.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::PlusY => "+Y",
-            Self::PlusZ => "+Z",
-        }
-    }
-
     /// The other one.
     #[must_use]
     pub fn other(self) -> Self {

@@ -117,7 +117,7 @@ fn the_place_is_that_of_the_slip_or_of_what_a_key_moves() {
     for (table, from, to, at) in [
         (0, "octaves = 3", "octvaes = 3", "octvaes"),
         (0, "octaves = 3", "'ü' = 3", "'ü'"),
-        (0, "octaves = 3", "octaves = ['ü', 3]", "'ü', 3]"),
+        (0, "size = [16, 8]", "size = ['ü', 3]", "'ü', 3]"),
         (
             0,
             "surfaces = [",
@@ -261,7 +261,7 @@ fn reliefs_that_make_no_sense_are_refused() {
         ("fractal:seed=-1", "whole number"),
         ("fractal:size=8x", "size"),
         ("fractal:size=0", "from 1"),
-        ("fractal:size=1x2x3", "one or two"),
+        ("fractal:size=1x2x3", "2 of them"),
         ("fractal:octaves=99", "16"),
         ("fractal:seed=7,loud", "key=value"),
         ("fractal:amplitude=high", "not a number"),

@@ -4,7 +4,7 @@
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
 use cutaway::scene::{OffsetMap, Texture, TextureKind};
-use cutaway_io::document::paths::{PATHS, Path, ValueType};
+use cutaway_io::document::paths::{self, Path, ValueType};
 use cutaway_io::document::{Document, Node, Value};
 use cutaway_io::load::{Assets, Loaded};
 
@@ -66,6 +66,8 @@ fn besides(path: &str) -> Vec<(&'static str, &'static str)> {
             "across" => vec![("part.p.deform.0.axis", "y")],
             _ => vec![],
         },
+        "style.hatch.least" => vec![("style.hatch.most", "1000")],
+        "style.hatch.most" => vec![("style.hatch.least", "0.1")],
         "part.*.fps" | "part.*.first" | "part.*.loop" => vec![("part.p.mesh", "frame_%d.obj")],
         _ if of("relief.*") => match last {
             "seed" | "octaves" | "gain" | "cells" | "kind" | "size" => vec![],
@@ -141,13 +143,13 @@ fn of_scene(path: &str) -> String {
 /// The scene with a value, and with what that needs.
 fn with(path: &Path, value: &Value) -> Document {
     let mut document = Document::parse("scene.toml", SCENE).unwrap();
-    for (path, text) in besides(path.path) {
+    for (path, text) in besides(&path.path) {
         match text {
             "" => document.remove(path).unwrap(),
             text => document.set(path, Value::read(text)).unwrap(),
         }
     }
-    let at = of_scene(path.path);
+    let at = of_scene(&path.path);
     document
         .set(&at, value.clone())
         .unwrap_or_else(|e| panic!("{at}: {e}"));
@@ -178,7 +180,7 @@ fn assets() -> Assets {
 
 /// Names that examples have and this scene has not.
 fn fits(path: &Path, value: Value) -> Value {
-    match path.path {
+    match path.path.as_str() {
         "part.*.mesh" => "crank.obj".into(),
         "part.*.only" => Value::read("[\"cube\"]"),
         "part.*.except" => Value::read("[\"gear*\"]"),
@@ -190,18 +192,18 @@ fn fits(path: &Path, value: Value) -> Value {
 
 #[test]
 fn what_is_set_is_read_back_as_it_was() {
-    for path in PATHS {
+    for path in paths::all() {
         let value = Value::read(path.example);
         let document = with(path, &value);
         let saved = document.to_string();
         let again = Document::parse("scene.toml", &saved);
         let again = again.unwrap_or_else(|e| panic!("{}: {e}\n{saved}", path.path));
-        let at = of_scene(path.path);
+        let at = of_scene(&path.path);
         assert_eq!(again.get(&at).unwrap().value, value, "{at}: {saved}");
         assert_eq!(again, document, "{at}: {saved}");
         document
             .check(&Assets::default())
-            .unwrap_or_else(|e| match path.path {
+            .unwrap_or_else(|e| match path.path.as_str() {
                 // Files that are not there.
                 "part.*.mesh" | "part.*.fps" | "part.*.first" | "part.*.loop" => {}
                 _ if e.to_string().contains("there is no file") => {}
@@ -212,7 +214,7 @@ fn what_is_set_is_read_back_as_it_was() {
 
 #[test]
 fn every_choice_of_a_file_and_every_number_reaches_its_reader() {
-    for path in PATHS {
+    for path in paths::all() {
         // Files and clips that nobody has here.
         let is_elsewhere =
             ["images", "first", "clip", "fps", "loop"].map(|k| path.path.ends_with(k));
@@ -225,7 +227,7 @@ fn every_choice_of_a_file_and_every_number_reaches_its_reader() {
         }
         for value in values {
             let document = with(path, &value);
-            let at = of_scene(path.path);
+            let at = of_scene(&path.path);
             let message = match document.timeline(&mut assets()) {
                 Ok(_) => continue,
                 Err(e) => e.to_string(),
@@ -244,24 +246,32 @@ fn every_choice_of_a_file_and_every_number_reaches_its_reader() {
     }
 }
 
+/// Values that no key of a type takes; none of the types that take any text.
+fn wrong(takes: ValueType) -> &'static [&'static str] {
+    match takes {
+        ValueType::Or(one, _) => wrong(*one),
+        ValueType::Number(least, _) if least >= 0.0 => &["-1", "\"much\"", "[1, 2]"],
+        ValueType::Number(..) => &["\"much\"", "[1, 2]"],
+        ValueType::Whole(..) => &["0.5", "\"much\""],
+        ValueType::Numbers(..) | ValueType::Wholes(..) => {
+            &["[1, 2, 3, 4, 5]", "\"much\"", "[\"a\", \"b\", \"c\"]"]
+        }
+        ValueType::Amount(..) => &["\"much\"", "true"],
+        ValueType::Amounts => &["[1, 2]", "\"much\""],
+        ValueType::OneOrMore(..) => &["\"much\"", "[1, 2, 3, 4]"],
+        ValueType::Flag => &["1", "\"yes\""],
+        ValueType::Choice(_) | ValueType::Color => &["\"qqq\"", "1"],
+        ValueType::Texts => &["\"one\"", "1"],
+        ValueType::Name => &["0.5", "[1]"],
+        ValueType::File | ValueType::Text | ValueType::Table | ValueType::Other => &[],
+    }
+}
+
 #[test]
 fn what_is_out_of_range_or_of_another_kind_is_refused_by_its_path() {
-    for path in PATHS {
-        let at = of_scene(path.path);
-        let wrong: &[&str] = match path.takes {
-            ValueType::Number(least, _) if least >= 0.0 => &["-1", "\"much\"", "[1, 2]"],
-            ValueType::Number(..) => &["\"much\"", "[1, 2]"],
-            ValueType::Whole(..) => &["0.5", "\"much\""],
-            ValueType::Numbers(_) => &["[1, 2, 3, 4, 5]", "\"much\"", "[\"a\", \"b\", \"c\"]"],
-            ValueType::Amount => &["\"much\"", "true"],
-            ValueType::Amounts => &["[1, 2]", "\"much\""],
-            ValueType::OneOrMore(_) => &["\"much\"", "[1, 2, 3, 4]"],
-            ValueType::Flag => &["1", "\"yes\""],
-            ValueType::Choice(_) | ValueType::Color => &["\"qqq\"", "1"],
-            ValueType::Texts => &["\"one\"", "1"],
-            ValueType::File | ValueType::Text | ValueType::Other => continue,
-        };
-        for wrong in wrong {
+    for path in paths::all() {
+        let at = of_scene(&path.path);
+        for wrong in wrong(path.takes) {
             let document = with(path, &Value::read(wrong));
             let message = document
                 .timeline(&mut assets())
@@ -280,8 +290,8 @@ fn what_is_out_of_range_or_of_another_kind_is_refused_by_its_path() {
 
 #[test]
 fn what_can_move_moves_and_what_cannot_is_refused() {
-    for path in PATHS {
-        let at = of_scene(path.path);
+    for path in paths::all() {
+        let at = of_scene(&path.path);
         let example = fits(path, Value::read(path.example));
         let is_movable = |value: &Value| match value {
             Value::Number(_) | Value::Flag(_) => true,
@@ -310,4 +320,76 @@ fn what_can_move_moves_and_what_cannot_is_refused() {
             _ => {}
         }
     }
+}
+
+/// Numbers at the ends of a range and just beyond, where these ends are finite.
+fn ends(takes: ValueType) -> Vec<(Value, bool)> {
+    let (least, most) = match takes {
+        ValueType::Number(least, most)
+        | ValueType::Whole(least, most)
+        | ValueType::Numbers(_, least, most)
+        | ValueType::Wholes(_, least, most)
+        | ValueType::Amount(least, most) => (least, most),
+        ValueType::Or(one, _) => return ends(*one),
+        _ => return Vec::new(),
+    };
+    let is_whole = matches!(takes, ValueType::Whole(..) | ValueType::Wholes(..));
+    let count = match takes {
+        ValueType::Numbers(count, ..) | ValueType::Wholes(count, ..) => Some(count),
+        _ => None,
+    };
+    let value = |number: f64| {
+        let one = match is_whole {
+            true => Value::from(number as i64),
+            false => number.into(),
+        };
+        match count {
+            Some(count) => Value::List(vec![Node::new(one); count]),
+            None => one,
+        }
+    };
+    // Styles are in f32: a step beyond an end is one that does not round back to it.
+    let step = |end: f64| {
+        if is_whole {
+            1.0
+        } else {
+            (end.abs() * 1e-6).max(1e-6)
+        }
+    };
+    // What is above 0 is not tried at its end: lengths are held against the model too.
+    let below = match least {
+        least if least > 0.0 && least < 1e-9 => [(1e-6, true), (0.0, false)],
+        least => [(least, true), (least - step(least), false)],
+    };
+    let above = [(most, true), (most + step(most), false)];
+    let all = below.into_iter().chain(above);
+    let finite = all.filter(|(number, _)| number.is_finite() && number.abs() < 9e15);
+    finite.map(|(number, fits)| (value(number), fits)).collect()
+}
+
+#[test]
+fn published_ranges_are_those_that_are_checked() {
+    let mut probed = 0;
+    let mut wrong = Vec::new();
+    for path in paths::all() {
+        let at = of_scene(&path.path);
+        for (value, fits) in ends(path.takes) {
+            let document = with(path, &value);
+            let found = document.timeline(&mut assets());
+            let is_frames = ["fps", "loop", "first"].iter().any(|k| at.ends_with(k));
+            if is_frames {
+                continue;
+            }
+            probed += 1;
+            match (fits, &found) {
+                (true, Err(e)) => {
+                    wrong.push(format!("{at}, {}: {value:?} is refused: {e}", path.takes))
+                }
+                (false, Ok(_)) => wrong.push(format!("{at}, {}: {value:?} is taken", path.takes)),
+                _ => {}
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    assert!(probed > 150, "{probed} numbers");
 }

@@ -4,10 +4,11 @@ use std::path::Path;
 
 use command::Scratch;
 use cutaway::error::Result;
+use cutaway::scene::describe::OrWord;
 use cutaway::scene::relief::{Procedure, ProcedureKind};
 use cutaway::scene::style::Paper;
 use cutaway::scene::{Fill, Mesh, Part, Projection, Role, Up, Viewpoint, Wrap};
-use cutaway_io::document::{Settings, Timeline, section};
+use cutaway_io::document::{Settings, StrategyDesc, Timeline, section};
 use cutaway_io::load::{Assets, Loaded, read_offset_map};
 use glam::{DVec3, Vec3};
 
@@ -127,7 +128,12 @@ values = [[0, 0, -1], [0, 0, 1]]
     assert_eq!(scene.name, "scene", "name of the scene");
     let expected = Settings {
         size_px: Some([640, 480]),
-        strategy: Some("raycast+mask".to_owned()),
+        strategy: StrategyDesc {
+            name: Some("raycast+mask".to_owned()),
+            rasteriser: None,
+        },
+        background: Some(OrWord::Value(Paper::Color(Vec3::ONE))),
+        interference: Some(Vec3::Z),
         ..Settings::default()
     };
     assert_eq!(file.settings(), &expected);

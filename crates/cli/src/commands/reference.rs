@@ -1,6 +1,6 @@
 //! `man --markdown`: the reference of the book, from the tables that arguments and scene files are read by.
 //!
-//! One page for the commands, from the definitions of `clap`, and one for scene files, from [`PATHS`]. Written here because the generators
+//! One page for the commands, from the definitions of `clap`, and one for scene files, from [`paths`]. Written here because the generators
 //! there are (`clap-markdown` 0.1) lose the headings under which options stand.
 //!
 //! Takes milliseconds.
@@ -9,7 +9,7 @@ use std::fmt::Write as _;
 
 use clap::{Arg, Command};
 use cutaway::generate::shapes::SHAPES;
-use cutaway_io::document::paths::{PATHS, Path};
+use cutaway_io::document::paths::{self, Path};
 
 /// Heading of options that have none of their own.
 const OPTIONS: &str = "Options";
@@ -209,23 +209,22 @@ pub(crate) fn scene() -> String {
          Keys that are not listed are errors.\n",
     );
     for (group, about) in SECTIONS {
-        let paths: Vec<&Path> = PATHS.iter().filter(|p| group_of(p) == *group).collect();
+        let paths: Vec<&Path> = paths::all()
+            .iter()
+            .filter(|p| group_of(p) == *group)
+            .collect();
         let title = if group.is_empty() { "Top level" } else { group };
         let _ = write!(
             text,
             "\n## {title}\n\n{about}\n\n| path | takes | what it is | example |\n|---|---|---|---|\n"
         );
         for p in paths {
-            let unit = match p.unit {
-                "" => String::new(),
-                unit => format!(", {unit}"),
-            };
             let moves = if p.moves { "; *moves*" } else { "" };
             let _ = writeln!(
                 text,
-                "| `{}` | {}{unit}{moves} | {} | `{}` |",
+                "| `{}` | {}{moves} | {} | `{}` |",
                 p.path,
-                cell(&p.takes.to_string()),
+                cell(&p.takes.with_unit(p.unit)),
                 cell(p.help),
                 p.example.replace('|', "\\|"),
             );
@@ -235,7 +234,7 @@ pub(crate) fn scene() -> String {
 }
 
 /// The section that a path stands in.
-fn group_of(path: &Path) -> &'static str {
+fn group_of(path: &Path) -> &str {
     match path.path.split_once('.') {
         Some((first, _)) => first,
         None => "",
@@ -249,12 +248,12 @@ mod tests {
     #[test]
     fn every_path_has_a_section() {
         let has_one = |p: &Path| SECTIONS.iter().any(|(name, _)| *name == group_of(p));
-        for path in PATHS {
+        for path in paths::all() {
             assert!(has_one(path), "{} is in no section", path.path);
         }
         let planted = Path {
-            path: "nowhere.at_all",
-            ..PATHS[0]
+            path: "nowhere.at_all".to_owned(),
+            ..paths::all()[0].clone()
         };
         assert!(!has_one(&planted), "the control");
     }

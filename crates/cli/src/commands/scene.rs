@@ -2,7 +2,7 @@
 
 use clap::Args;
 use cutaway::{Error, Result};
-use cutaway_io::document::paths::{PATHS, Path};
+use cutaway_io::document::paths::{self, Path};
 use serde_json::json;
 
 use crate::verdict::Verdict;
@@ -34,8 +34,8 @@ pub(crate) fn run(args: &SceneCommandArgs) -> Result<Verdict> {
     let json = json
         .map(|v| Output::checked("--json", v, &[]))
         .transpose()?;
-    let is_asked = |p: &&Path| args.part.as_ref().is_none_or(|part| has(p.path, part));
-    let asked: Vec<&Path> = PATHS.iter().filter(is_asked).collect();
+    let is_asked = |p: &&Path| args.part.as_ref().is_none_or(|part| has(&p.path, part));
+    let asked: Vec<&Path> = paths::all().iter().filter(is_asked).collect();
     if let (true, Some(part)) = (asked.is_empty(), &args.part) {
         let help =
             "`cutaway scene` lists them all; names and numbers of parts and cuts are `*` there";
@@ -79,21 +79,16 @@ fn has(path: &str, part: &str) -> bool {
 
 /// The list, with the examples of `help scene`.
 pub(crate) fn long_help() -> String {
-    format!("{}\n{EXAMPLES}", listed(PATHS.iter()))
+    format!("{}\n{EXAMPLES}", listed(paths::all().iter()))
 }
 
 /// Two lines for each: what it takes, and what it is.
 fn listed<'a>(paths: impl Iterator<Item = &'a Path>) -> String {
     let mut text = String::new();
     for p in paths {
-        let unit = if p.unit.is_empty() {
-            String::new()
-        } else {
-            format!(", {}", p.unit)
-        };
         let moves = if p.moves { ", moves" } else { "" };
-        let (path, takes) = (p.path, p.takes);
-        text.push_str(&format!("{path}: {takes}{unit}{moves}\n"));
+        let (path, takes) = (&p.path, p.takes.with_unit(p.unit));
+        text.push_str(&format!("{path}: {takes}{moves}\n"));
         text.push_str(&format!("    {}; {}\n", p.help, p.example));
     }
     text

@@ -159,7 +159,7 @@ impl Subject {
 
     /// Requested renderer; these options apply unless it names others.
     pub(crate) fn renderer_request(&self) -> Result<RendererRequest> {
-        let name = self.timeline.settings().strategy.as_deref();
+        let name = self.timeline.settings().strategy.name.as_deref();
         RendererRequest::named(name, self.options()?)
     }
 

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use cutaway::error::Result;
 
 use super::node::{Node, Place, Value};
-use super::paths::{PATHS, ValueType};
+use super::paths::{self, ValueType};
 use super::{Document, read};
 use crate::load::frames::Pattern;
 use crate::load::{Files, companions, place_of};
@@ -62,7 +62,10 @@ struct Named<'a> {
 /// All files that are named.
 fn names(root: &Node) -> Vec<Named<'_>> {
     let mut names = Vec::new();
-    for path in PATHS.iter().filter(|path| path.takes == ValueType::File) {
+    for path in paths::all()
+        .iter()
+        .filter(|path| path.takes == ValueType::File)
+    {
         let keys: Vec<&str> = path.path.split('.').collect();
         named_below(root, &keys, None, &mut Vec::new(), &mut names);
     }

@@ -22,6 +22,7 @@
 mod add;
 mod address;
 mod build;
+mod describe;
 mod edit;
 mod files;
 mod node;
@@ -49,11 +50,12 @@ pub(crate) use address::{Lost, Step, astray, children, farther, walk};
 pub use build::{
     CutDraft, PartDraft, SurfaceDraft, cut, defect, parse_defect, part, plane, section,
 };
+pub use describe::{Interpolation, Settings, StrategyDesc};
 pub(crate) use node::Place;
-pub use node::{Node, Number, Origin, Value};
+pub use node::{Node, Number, Origin, Value, hex};
 pub(crate) use parse::parse;
 pub(crate) use paths::Keys;
-pub use read::{Interpolation, Key, RoleBy, Settings, named_style, style_names};
+pub use read::{Key, RoleBy, named_style, style_names};
 pub use timeline::Timeline;
 pub use upright::{GuessedUp, UpReason};
 

@@ -7,6 +7,10 @@ use std::fmt;
 use std::path::Path;
 use std::sync::Arc;
 
+use cutaway::scene::Amount;
+use cutaway::scene::describe::Given;
+use glam::Vec3;
+
 /// A value and where it is said. Nodes are equal that hold the same, wherever they are from.
 #[derive(Clone, Debug)]
 pub struct Node {
@@ -111,6 +115,39 @@ impl From<String> for Value {
     fn from(text: String) -> Self {
         Self::Text(text.into())
     }
+}
+
+/// As documents have a value of this type: colours as `#rrggbb`.
+impl From<Given> for Value {
+    fn from(given: Given) -> Self {
+        match given {
+            Given::Flag(flag) => flag.into(),
+            Given::Whole(whole) => whole.into(),
+            Given::Number(number) => number.into(),
+            Given::Numbers(numbers) => numbers.into(),
+            Given::Amount(amount) => amount.into(),
+            Given::Amounts(amounts) => amounts.into(),
+            Given::Color(color) => hex(color).into(),
+            Given::Text(text) => text.into(),
+            Given::Texts(texts) => texts.into(),
+        }
+    }
+}
+
+impl From<Amount> for Value {
+    fn from(amount: Amount) -> Self {
+        match amount {
+            Amount::Units(number) => number.into(),
+            Amount::Percent(_) => amount.to_string().into(),
+        }
+    }
+}
+
+/// A colour in sRGB as `#rrggbb`.
+pub fn hex(srgb: Vec3) -> String {
+    let byte = |channel: f32| (channel.clamp(0.0, 1.0) * 255.0).round() as u8;
+    let [r, g, b] = srgb.to_array().map(byte);
+    format!("#{r:02x}{g:02x}{b:02x}")
 }
 
 impl<T: Into<Self>> From<Vec<T>> for Value {

@@ -11,7 +11,8 @@
 //! Only the form of the words is looked at here; what the values mean is for the readers to say, which are those of files.
 
 use cutaway::error::{Error, Result, did_you_mean};
-use cutaway::generate::defects::DefectKind;
+use cutaway::generate::defects::{Defect, DefectKind};
+use cutaway::scene::describe::Described;
 use cutaway::scene::relief::Procedure;
 
 use super::node::Value;
@@ -54,7 +55,8 @@ pub(super) fn relief(text: &str) -> Result<ReliefWords> {
             return Err(fault("there is no such relief or file".into(), help));
         }
     };
-    let keys = procedure.as_ref().map_or(&[] as &[_], Procedure::keys);
+    let fields = procedure.as_ref().map_or(&[] as &[_], Procedure::fields);
+    let keys: Vec<&str> = fields.iter().map(|field| field.key).collect();
     let mut placement = Entries::new();
     for (key, value) in settings(words).map_err(|what| fault(what, RELIEF.into()))? {
         let table = match key {
@@ -90,9 +92,10 @@ pub(super) fn defect(text: &str) -> Result<Entries> {
         return Err(fault("there is no such defect".to_owned(), help));
     };
     let mut table = vec![("kind".to_owned(), name.into())];
+    let known: Vec<&str> = Defect::of(kind).fields().iter().map(|f| f.key).collect();
     for (key, value) in settings(words).map_err(|what| fault(what, DEFECT.into()))? {
-        if !kind.keys().contains(&key) {
-            let help = did_you_mean(key, kind.keys().iter().copied());
+        if !known.contains(&key) {
+            let help = did_you_mean(key, known.iter().copied());
             return Err(fault(format!("`{key}` is no key of {name}"), help));
         }
         table.push((key.to_owned(), one(value)));

@@ -62,7 +62,12 @@ impl SceneAtTime {
 /// The means that a document asks for.
 pub fn draw_options(settings: &Settings) -> Result<DrawOptions> {
     Ok(DrawOptions {
-        rasteriser: settings.rasteriser.as_deref().map(str::parse).transpose()?,
+        rasteriser: settings
+            .strategy
+            .rasteriser
+            .as_deref()
+            .map(str::parse)
+            .transpose()?,
         height_filter: settings.height_filter,
         ..DrawOptions::default()
     })

@@ -138,7 +138,7 @@ impl State {
             return Ok(());
         };
         let settings = shown.timeline.settings();
-        if let Some(name) = &settings.strategy {
+        if let Some(name) = &settings.strategy.name {
             self.slots[Side::A.index()] = name.parse()?;
         }
         self.time_s = settings.time_s;

@@ -4,14 +4,17 @@
 //! half of all sections would show only their backs. `view` is a direction by its name.
 
 use cutaway::error::Result;
+use cutaway::scene::describe::OrWord;
 use cutaway::scene::{
     Bounds, Camera, ClipSurface, Cut, Fit, Projection, STANDARD_VIEWS, Up, Viewpoint,
 };
-use glam::{DVec2, DVec3};
+use glam::DVec3;
 
+use super::described;
 use super::reader::{Entry, Table};
 use crate::document::Keys;
 use crate::document::Value;
+use crate::document::describe::{CameraDesc, ProjectionKind};
 
 static KEYS: Keys = Keys::below("camera");
 
@@ -23,12 +26,6 @@ pub(crate) struct Seen {
     pub(crate) free: [bool; 2],
     /// It looks straight at the first section, which is known when the cuts are.
     pub(super) faces_cut: bool,
-}
-
-/// Values of `view`, with azimuth and elevation; those of `cut` are not known yet.
-fn named_views() -> Vec<(&'static str, Option<[f64; 2]>)> {
-    let standard = STANDARD_VIEWS.map(|(name, angles)| (name, Some(angles)));
-    standard.into_iter().chain([("cut", None)]).collect()
 }
 
 impl Seen {
@@ -58,66 +55,42 @@ impl Seen {
 /// Reads a camera; without a focal point it looks at the middle of the bounds.
 pub(super) fn read(entry: &Entry<'_>, bounds: &Bounds, usual_fit: Fit) -> Result<Seen> {
     let table = entry.table(KEYS.all())?;
-    let mut camera = Camera {
-        fit: usual_fit,
-        ..Camera::default()
-    };
-    if let Some(fit) = table.get("fit") {
-        camera.fit = fit.choice(&[("kept", Fit::Kept), ("all", Fit::All)])?;
-    }
-    if let Some(up) = table.get("up") {
-        camera.up = up.choice(&[("+Y", Up::PlusY), ("+Z", Up::PlusZ)])?;
-    }
-    let has_view = table.get("view").is_some();
-    let free = ["azimuth_deg", "elevation_deg"].map(|key| !has_view && is_free(&table, key));
-    let view = table
-        .get("view")
-        .map(|v| v.choice(&named_views()))
-        .transpose()?;
-    camera.viewpoint = match view {
-        None => viewpoint(&table, (camera.viewpoint, camera.up), bounds.centre())?,
+    let desc: CameraDesc = described::read(&table)?;
+    let usual = Camera::default();
+    let has_view = desc.view.is_some();
+    let free = [&desc.azimuth_deg, &desc.elevation_deg];
+    let free = free.map(|angle| !has_view && matches!(angle, Some(OrWord::Word(_))));
+    let angles = match &desc.view {
         Some(view) => {
             says_nothing_else(&table)?;
-            match view {
-                Some([azimuth_deg, elevation_deg]) => Viewpoint::Orbit {
-                    azimuth_deg,
-                    elevation_deg,
-                },
-                None => camera.viewpoint,
-            }
+            STANDARD_VIEWS.iter().find(|(name, _)| name == view)
         }
+        None => None,
     };
-    camera.projection = projection(&table)?;
-    camera.near = table.get("near").map(|n| n.positive()).transpose()?;
-    if let Some(cap) = table.get("near_cap") {
-        camera.near_cap = cap.flag()?;
-    }
-    if let Some(zoom) = table.get("zoom") {
-        camera.zoom = zoom.number()?;
-        if !(1e-3..=1e3).contains(&camera.zoom) {
-            let help = "2 shows the model twice as large";
-            return Err(zoom.fault("it must be from 0.001 to 1000", help));
-        }
-    }
-    if let Some(pan) = table.get("pan") {
-        camera.pan = DVec2::from(pan.vector()?);
-        if camera.pan.abs().max_element() > FARTHEST_PAN {
-            let what = format!("it must be from -{FARTHEST_PAN} to {FARTHEST_PAN}");
-            return Err(pan.fault(
-                what,
-                "[0.1, 0] moves the model right by a tenth of the picture's height",
-            ));
-        }
-    }
+    let viewpoint = match (has_view, angles) {
+        (false, _) => viewpoint(&table, &desc, bounds.centre())?,
+        (true, Some(&(_, [azimuth_deg, elevation_deg]))) => Viewpoint::Orbit {
+            azimuth_deg,
+            elevation_deg,
+        },
+        (true, None) => usual.viewpoint,
+    };
+    let camera = Camera {
+        viewpoint,
+        projection: projection(&table, &desc)?,
+        up: desc.up,
+        near: desc.near,
+        fit: desc.fit.unwrap_or(usual_fit),
+        near_cap: desc.near_cap.unwrap_or(usual.near_cap),
+        zoom: desc.zoom.unwrap_or(usual.zoom),
+        pan: desc.pan,
+    };
     Ok(Seen {
         camera,
         free,
-        faces_cut: view == Some(None),
+        faces_cut: has_view && angles.is_none(),
     })
 }
-
-/// Most heights of the picture that it is moved.
-const FARTHEST_PAN: f64 = 10.0;
 
 /// Refuses other keys for the camera direction in addition to `view`; an automatic angle is allowed.
 fn says_nothing_else(table: &Table<'_>) -> Result<()> {
@@ -164,20 +137,7 @@ fn is_free(table: &Table<'_>, key: &str) -> bool {
     table.get(key).is_some_and(|e| e.node.value == auto)
 }
 
-/// An angle, unless it is to be found.
-fn angle(table: &Table<'_>, key: &str, usual: f64) -> Result<f64> {
-    match table.get(key) {
-        Some(_) if is_free(table, key) => Ok(usual),
-        Some(entry) if entry.is_text() => {
-            let what = "it must be a number of degrees, or \"auto\"";
-            Err(entry.fault(what, format!("write for example `{key} = 20`")))
-        }
-        Some(entry) => entry.number(),
-        None => Ok(usual),
-    }
-}
-
-fn viewpoint(table: &Table<'_>, (usual, up): (Viewpoint, Up), middle: DVec3) -> Result<Viewpoint> {
+fn viewpoint(table: &Table<'_>, desc: &CameraDesc, middle: DVec3) -> Result<Viewpoint> {
     let explicit = ["position", "focal_point", "view_up"]
         .iter()
         .find_map(|key| table.get(key));
@@ -185,13 +145,17 @@ fn viewpoint(table: &Table<'_>, (usual, up): (Viewpoint, Up), middle: DVec3) -> 
         let Viewpoint::Orbit {
             azimuth_deg,
             elevation_deg,
-        } = usual
+        } = Camera::default().viewpoint
         else {
-            return Ok(usual);
+            return Ok(Camera::default().viewpoint);
+        };
+        let angle = |given: &Option<OrWord<f64>>, usual| match given {
+            Some(OrWord::Value(angle)) => *angle,
+            _ => usual,
         };
         return Ok(Viewpoint::Orbit {
-            azimuth_deg: angle(table, "azimuth_deg", azimuth_deg)?,
-            elevation_deg: angle(table, "elevation_deg", elevation_deg)?,
+            azimuth_deg: angle(&desc.azimuth_deg, azimuth_deg),
+            elevation_deg: angle(&desc.elevation_deg, elevation_deg),
         });
     };
     for key in ["azimuth_deg", "elevation_deg"] {
@@ -201,11 +165,8 @@ fn viewpoint(table: &Table<'_>, (usual, up): (Viewpoint, Up), middle: DVec3) -> 
         }
     }
     let eye = table.need("position", "[0, 0, 5]")?;
-    let position = DVec3::from(eye.vector()?);
-    let focal_point = match table.get("focal_point") {
-        Some(entry) => DVec3::from(entry.vector()?),
-        None => middle,
-    };
+    let position = desc.position.unwrap_or_default();
+    let focal_point = desc.focal_point.unwrap_or(middle);
     if focal_point == position {
         let help = "move one of them: the camera looks from position to focal_point";
         return Err(match table.get("focal_point") {
@@ -213,57 +174,38 @@ fn viewpoint(table: &Table<'_>, (usual, up): (Viewpoint, Up), middle: DVec3) -> 
             None => eye.fault("it is the point that the camera looks at", help),
         });
     }
-    let view_up = match table.get("view_up") {
-        None => None,
-        Some(entry) => {
-            let view_up = DVec3::from(entry.vector()?);
-            let forward = (focal_point - position).normalize_or_zero();
-            if view_up.normalize_or_zero().cross(forward).length() < 1e-9 {
-                let what = "it points along the viewing direction, or nowhere";
-                let help = format!(
-                    "use a direction across it, for example {:?}",
-                    up.axis().to_array()
-                );
-                return Err(entry.fault(what, help));
-            }
-            Some(view_up)
-        }
-    };
+    let forward = (focal_point - position).normalize_or_zero();
+    if let (Some(view_up), Some(entry)) = (desc.view_up, table.get("view_up"))
+        && view_up.normalize_or_zero().cross(forward).length() < 1e-9
+    {
+        let what = "it points along the viewing direction, or nowhere";
+        let across = desc.up.axis().to_array();
+        let help = format!("use a direction across it, for example {across:?}");
+        return Err(entry.fault(what, help));
+    }
     Ok(Viewpoint::Explicit {
         position,
         focal_point,
-        view_up,
+        view_up: desc.view_up,
     })
 }
 
-fn projection(table: &Table<'_>) -> Result<Projection> {
-    let orthographic = match table.get("projection") {
-        Some(p) => p.choice(&[("perspective", false), ("orthographic", true)])?,
-        None => false,
-    };
-    let (used, stray, of) = if orthographic {
-        ("height", "fov_y_deg", "perspective")
-    } else {
-        ("fov_y_deg", "height", "orthographic")
+fn projection(table: &Table<'_>, desc: &CameraDesc) -> Result<Projection> {
+    let (used, stray, of) = match desc.projection {
+        ProjectionKind::Orthographic => ("height", "fov_y_deg", ProjectionKind::Perspective),
+        ProjectionKind::Perspective => ("fov_y_deg", "height", ProjectionKind::Orthographic),
     };
     if let Some(entry) = table.get(stray) {
+        let of = of.name();
         let what = format!("it belongs to a camera with projection = \"{of}\"");
-        return Err(entry.fault(
-            what,
-            format!("remove it, use `{used}`, or set that projection"),
-        ));
+        let help = format!("remove it, use `{used}`, or set that projection");
+        return Err(entry.fault(what, help));
     }
-    let used = table.get(used);
-    if orthographic {
-        let height = used.map(|h| h.positive()).transpose()?;
-        return Ok(Projection::Orthographic { height });
-    }
-    let Some(entry) = used else {
-        return Ok(Camera::default().projection);
-    };
-    let fov_y_deg = entry.positive()?;
-    if fov_y_deg > 170.0 {
-        return Err(entry.fault("it must be at most 170", "30 is usual, 60 is wide"));
-    }
-    Ok(Projection::Perspective { fov_y_deg })
+    Ok(match (desc.projection, desc.fov_y_deg) {
+        (ProjectionKind::Orthographic, _) => Projection::Orthographic {
+            height: desc.height,
+        },
+        (ProjectionKind::Perspective, Some(fov_y_deg)) => Projection::Perspective { fov_y_deg },
+        (ProjectionKind::Perspective, None) => Camera::default().projection,
+    })
 }

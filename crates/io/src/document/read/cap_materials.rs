@@ -12,11 +12,13 @@ use std::path::Path;
 use std::sync::Arc;
 
 use cutaway::error::Result;
-use cutaway::scene::{Amount, CapMaterial, SolidTexture, Texture, TextureKind};
+use cutaway::scene::{CapMaterial, SolidTexture, Texture, TextureKind};
 
+use super::described;
 use super::opening::{Opening, missing};
 use super::reader::{Entry, Table};
 use crate::document::Keys;
+use crate::document::describe::CapMaterialDesc;
 use crate::load::Assets;
 use crate::load::frames::Pattern;
 
@@ -44,27 +46,21 @@ pub(super) fn check(entry: &Entry<'_>, folder: &Path, assets: &Assets) -> Result
 
 /// Reads the keys that need no file.
 fn plain(table: &Table<'_>) -> Result<CapMaterial> {
+    let desc: CapMaterialDesc = described::read(table)?;
     let solid = match (table.get("solid"), table.get("images")) {
         (Some(_), Some(images)) => {
             return Err(images.fault("the cap has a solid too", "keep one of the two"));
         }
         (Some(solid), None) => {
-            let names = SolidTexture::NAMED.map(|(name, _)| name);
-            let numbered = std::array::from_fn::<_, 3, _>(|i| (names[i], i));
-            Some(SolidTexture::NAMED[solid.choice(&numbered)?].1.clone())
+            let word = solid.text()?;
+            let named = SolidTexture::NAMED.iter().find(|(name, _)| *name == word);
+            named.map(|(_, solid)| solid.clone())
         }
         (None, _) => None,
     };
-    let size = table.get("size").map(|entry| match entry.amount()? {
-        Amount::Units(size) | Amount::Percent(size) if size <= 0.0 => Err(entry.fault(
-            "it must be more than 0",
-            "10% of the scene is `size = \"10%\"`",
-        )),
-        size => Ok(size),
-    });
     Ok(CapMaterial {
         solid,
-        size: size.transpose()?,
+        size: desc.size,
         ..CapMaterial::default()
     })
 }

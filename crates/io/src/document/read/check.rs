@@ -10,7 +10,8 @@ use glam::DVec3;
 use super::clip::cuts;
 use super::opening::{missing, spec_of};
 use super::reader::{Entry, Table};
-use super::{camera, cap_materials, hatches, keys, parts, scene_assets, settings, style};
+use super::{camera, cap_materials, described, hatches, keys, parts, scene_assets, style};
+use crate::document::Settings;
 use crate::document::paths::keys_below;
 use crate::load::Assets;
 use crate::load::frames::Pattern;
@@ -18,7 +19,7 @@ use crate::load::frames::Pattern;
 /// Checks what can be checked before anything is opened.
 pub(in crate::document) fn check(root: &Table<'_>, folder: &Path, assets: &Assets) -> Result<()> {
     must_be_known(&root.entry, "")?;
-    settings::read(root)?;
+    described::read::<Settings>(root)?;
     style::check(root, folder, assets)?;
     keys::read(root)?;
     // Where it looks is known when what it looks at is.

@@ -3,7 +3,9 @@
 use cutaway::error::{Result, did_you_mean};
 use cutaway::generate::defects::{Defect, DefectKind, break_parts};
 use cutaway::scene::Part;
+use cutaway::scene::describe::Described;
 
+use super::described::{self, keys_of};
 use super::reader::{Entry, Table};
 
 /// Puts the defects of an entry `[[part]]` into its solids.
@@ -31,23 +33,15 @@ pub(super) fn read_one(entry: &Entry<'_>) -> Result<Defect> {
         let help = did_you_mean(name, DefectKind::NAMES);
         return Err(named.fault(format_args!("{name:?} is no defect"), help));
     };
-    let keys: Vec<&str> = ["kind"]
-        .into_iter()
-        .chain(kind.keys().iter().copied())
-        .collect();
-    let table = entry.table(&keys)?;
     let mut defect = Defect::of(kind);
-    for key in kind.keys() {
-        let Some(value) = table.get(key) else {
-            continue;
-        };
-        let set = match *key {
-            "amount" => defect.set_amount(value.amount()?),
-            "axis" => defect.set_axis(value.text()?),
-            _ => defect.set_number(key, value.whole::<u64>()?),
-        };
-        let help = "write for example `{ kind = \"holes\", amount = \"5%\", seed = 1 }`";
-        set.map_err(|what| value.fault(what, help))?;
+    let keys = [vec!["kind"], keys_of(defect.fields())].concat();
+    let table = entry.table(&keys)?;
+    described::amend(&mut defect, &table)?;
+    match (defect.defect(), table.get("amount")) {
+        (Some(what), Some(amount)) => {
+            let help = "write for example `{ kind = \"holes\", amount = \"5%\", seed = 1 }`";
+            Err(amount.fault(what, help))
+        }
+        _ => Ok(defect),
     }
-    Ok(defect)
 }

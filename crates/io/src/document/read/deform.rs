@@ -5,26 +5,13 @@
 //! the file says otherwise. Bounds are those of the rest mesh, and of all frames of a sequence: they stay what they are.
 
 use cutaway::error::Result;
+use cutaway::scene::describe::OrWord;
 use cutaway::scene::{Amount, Axis, Bounds, Deformer, next_axis, range};
 use glam::DVec3;
 
+use super::described;
 use super::reader::{Entry, Table};
-
-/// Kind of a deformer, chosen by name.
-#[derive(Clone, Copy)]
-enum Kind {
-    Twist,
-    Bend,
-    Wave,
-    Inflate,
-}
-
-const KINDS: [(&str, Kind); 4] = [
-    ("twist", Kind::Twist),
-    ("bend", Kind::Bend),
-    ("wave", Kind::Wave),
-    ("inflate", Kind::Inflate),
-];
+use crate::document::describe::{AXIS_NAMES, DeformDesc, DeformKind};
 
 const TURN: &[&str] = &["kind", "axis", "centre", "across", "turn_deg"];
 const WAVE: &[&str] = &[
@@ -49,7 +36,8 @@ pub(super) fn read(entry: &Entry<'_>, bounds: Bounds) -> Result<Vec<Deformer>> {
 
 fn read_one(entry: &Entry<'_>, bounds: Bounds) -> Result<Deformer> {
     let open = entry.open_table()?;
-    let kind = open.need("kind", "\"twist\"")?.choice(&KINDS)?;
+    let kinds = DeformKind::ALL;
+    let kind = open.need("kind", "\"twist\"")?.choice(&kinds)?;
     let length = |entry: &Entry<'_>| {
         let length = match entry.amount()? {
             Amount::Units(v) => v,
@@ -60,22 +48,23 @@ fn read_one(entry: &Entry<'_>, bounds: Bounds) -> Result<Deformer> {
             None => Ok(length),
         }
     };
-    if let Kind::Inflate = kind {
+    if let DeformKind::Inflate = kind {
         let by = entry.table(INFLATE)?.need("by", "\"2%\"")?;
         return Ok(Deformer::Inflate { by: length(&by)? });
     }
-    let table = entry.table(if matches!(kind, Kind::Wave) {
+    let table = entry.table(if matches!(kind, DeformKind::Wave) {
         WAVE
     } else {
         TURN
     })?;
-    let axis = axis(&table, bounds)?;
+    let desc: DeformDesc = described::read(&table)?;
+    let axis = axis(&table, &desc, bounds)?;
     let extent = bounds.size().dot(axis.along.abs());
     if !(extent > 0.0 && extent.is_finite()) {
         let what = "the part has no extent along the axis";
         return Err(entry.fault(what, "choose another axis"));
     }
-    if let Kind::Wave = kind {
+    if let DeformKind::Wave = kind {
         let amplitude = length(&table.need("amplitude", "\"2%\"")?)?;
         let period = match table.get("period") {
             Some(period) => {
@@ -89,12 +78,11 @@ fn read_one(entry: &Entry<'_>, bounds: Bounds) -> Result<Deformer> {
             }
             None => extent,
         };
-        let phase = table.get("phase_deg").map_or(Ok(0.0), |p| p.number())?;
         return Ok(Deformer::Wave {
             axis,
             amplitude,
             period,
-            phase: phase.to_radians(),
+            phase: desc.phase_deg.to_radians(),
         });
     }
     let turn = table.need("turn_deg", "90")?.number()?.to_radians();
@@ -104,7 +92,7 @@ fn read_one(entry: &Entry<'_>, bounds: Bounds) -> Result<Deformer> {
     }
     let turn_per_unit = turn / extent;
     Ok(match kind {
-        Kind::Bend => Deformer::Bend {
+        DeformKind::Bend => Deformer::Bend {
             axis,
             turn_per_unit,
         },
@@ -115,26 +103,23 @@ fn read_one(entry: &Entry<'_>, bounds: Bounds) -> Result<Deformer> {
     })
 }
 
-fn axis(table: &Table<'_>, bounds: Bounds) -> Result<Axis> {
-    let along = match table.get("axis") {
-        Some(entry) => direction(&entry)?,
+fn axis(table: &Table<'_>, desc: &DeformDesc, bounds: Bounds) -> Result<Axis> {
+    let along = match &desc.axis {
+        Some(axis) => direction(axis, table, "axis")?,
         None => {
             let size = bounds.size();
             let longest = (0..3).rev().max_by(|a, b| size[*a].total_cmp(&size[*b]));
             DVec3::AXES[longest.unwrap_or(0)]
         }
     };
-    let centre = match table.get("centre") {
-        Some(entry) => DVec3::from(entry.vector()?),
-        None => bounds.centre(),
-    };
-    let across = match table.get("across") {
-        Some(entry) => {
-            let across = direction(&entry)?;
+    let centre = desc.centre.unwrap_or(bounds.centre());
+    let across = match &desc.across {
+        Some(across) => {
+            let across = direction(across, table, "across")?;
             let across = across - along * across.dot(along);
             if across.length() < 1e-6 {
-                let help = "use a direction across it";
-                return Err(entry.fault("it points along the axis", help));
+                let entry = table.need("across", "\"x\"")?;
+                return Err(entry.fault("it points along the axis", "use a direction across it"));
             }
             across.normalize()
         }
@@ -147,26 +132,21 @@ fn axis(table: &Table<'_>, bounds: Bounds) -> Result<Axis> {
     })
 }
 
-/// Directions by their names.
-pub(super) const AXES: [(&str, DVec3); 6] = [
-    ("x", DVec3::X),
-    ("y", DVec3::Y),
-    ("z", DVec3::Z),
-    ("-x", DVec3::NEG_X),
-    ("-y", DVec3::NEG_Y),
-    ("-z", DVec3::NEG_Z),
-];
-
-/// `"x"`, `"-y"` or a vector of any length but 0.
-pub(super) fn direction(entry: &Entry<'_>) -> Result<DVec3> {
-    if entry.is_text() {
-        return entry.choice(&AXES);
-    }
-    let v = DVec3::from(entry.vector()?);
+/// A direction by its name, or by a vector of any length but 0, that stands at a key of a table.
+pub(super) fn direction(given: &OrWord<DVec3>, table: &Table<'_>, key: &str) -> Result<DVec3> {
+    let v = match given {
+        OrWord::Value(v) => *v,
+        OrWord::Word(name) => {
+            let [x, y, z] = DVec3::AXES;
+            let axes = [x, y, z, DVec3::NEG_X, DVec3::NEG_Y, DVec3::NEG_Z];
+            let number = AXIS_NAMES.iter().position(|known| known == name);
+            return Ok(axes[number.unwrap_or(0)]);
+        }
+    };
     let greatest = v.abs().max_element();
     if greatest > 0.0 {
-        Ok((v / greatest).normalize())
-    } else {
-        Err(entry.fault("it points nowhere", "write for example \"y\" or [0, 1, 0]"))
+        return Ok((v / greatest).normalize());
     }
+    let entry = table.need(key, "\"y\"")?;
+    Err(entry.fault("it points nowhere", "write for example \"y\" or [0, 1, 0]"))
 }

@@ -7,27 +7,17 @@
 
 use cutaway::error::{Result, did_you_mean};
 
+use super::described;
 use super::reader::{Entry, Table};
 use super::target::{self, Shape, Target};
 use crate::document::Keys;
-use crate::document::{Node, Number, Place, Value};
+use crate::document::describe::KeyDesc;
+use crate::document::{Interpolation, Node, Number, Place, Value};
 
 static KEYS: Keys = Keys::below("key.*");
 
 /// Tables whose numbers can move: the rest of a file is no part of the scene.
 const MOVABLE: [&str; 5] = ["camera", "part", "cut", "relief", "style"];
-
-/// Interpolation between two values of a key.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Interpolation {
-    /// A straight line.
-    #[default]
-    Linear,
-    /// The earlier value, up to the later time.
-    Step,
-    /// A cubic that sets out and arrives at rest.
-    Smooth,
-}
 
 /// A number of the scene, a vector of numbers or a flag, over time.
 #[derive(Clone, Debug, PartialEq)]
@@ -139,6 +129,7 @@ pub(super) fn read(root: &Table<'_>) -> Result<Vec<Keyed>> {
 
 fn read_one(entry: &Entry<'_>, root: &Table<'_>) -> Result<Keyed> {
     let table = entry.table(KEYS.all())?;
+    let desc: KeyDesc = described::read(&table)?;
     let target = table.need("target", "\"cut.front.surfaces.0.origin\"")?;
     let path = target.text()?;
     movable(&target, path)?;
@@ -189,14 +180,7 @@ fn read_one(entry: &Entry<'_>, root: &Table<'_>) -> Result<Keyed> {
         let what = format!("the values are {} each, but `{full}` is {shape}", shapes[0]);
         return Err(list.fault(what, "write both alike, here or there"));
     }
-    let interpolation = table.get("interpolation").map(|i| {
-        i.choice(&[
-            ("linear", Interpolation::Linear),
-            ("step", Interpolation::Step),
-            ("smooth", Interpolation::Smooth),
-        ])
-    });
-    let interpolation = match (interpolation.transpose()?, is_flag) {
+    let interpolation = match (desc.interpolation, is_flag) {
         (None | Some(Interpolation::Step), true) => Interpolation::Step,
         (Some(_), true) => {
             let what = format!("there is nothing between on and off, which `{full}` is");

@@ -148,6 +148,7 @@ mod check;
 mod clip;
 mod defects;
 mod deform;
+mod described;
 mod hatches;
 mod keys;
 mod known;
@@ -157,7 +158,6 @@ mod parts;
 pub mod reader;
 mod roles;
 mod scene_assets;
-mod settings;
 mod solids;
 mod style;
 mod table;
@@ -171,6 +171,7 @@ use cutaway::error::Result;
 use cutaway::generate::defects::Defect;
 use cutaway::scene::{Bounds, ClipSurface, Fit, Outwards, Part, Scene, Style, Up};
 
+use super::Settings;
 use super::node::Node;
 use super::paths::keys_below;
 use crate::load::Assets;
@@ -181,14 +182,13 @@ pub(super) use camera::Seen;
 pub(super) use check::check;
 pub(super) use clip::cutaways::cutouts;
 pub(super) use clip::reliefs::Resolved;
-pub use keys::{Interpolation, Key};
+pub use keys::Key;
 pub(super) use keys::{Keyed, Moment};
 pub(super) use known::sights_of;
 pub(super) use part_source::PartSource;
 pub(super) use parts::all as parts_with_roles;
 pub use roles::RoleBy;
 pub(super) use scene_assets::SceneAssets;
-pub use settings::Settings;
 pub(super) use style::is_file as is_style_file;
 pub use style::{named_style, style_names};
 
@@ -244,7 +244,7 @@ pub(super) fn open(root: &Table<'_>, folder: &Path, assets: &mut Assets) -> Resu
 
 /// Settings of a document in addition to the scene itself.
 pub(super) fn settings(root: &Table<'_>) -> Result<Settings> {
-    settings::read(root)
+    described::read(root)
 }
 
 /// Animation keys.
@@ -303,7 +303,7 @@ pub(super) fn scene(
     let mut scene = Scene {
         parts,
         stage,
-        interference: settings::interference(root)?,
+        interference: settings(root)?.interference,
         style: style(root, scene_assets)?,
         ..Scene::default()
     };

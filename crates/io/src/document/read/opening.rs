@@ -8,10 +8,12 @@ use cutaway::scene::Part;
 use cutaway::slice::close_holes_of;
 
 use super::defects;
+use super::described;
 use super::part_source::PartSource;
 use super::reader::{Entry, Table};
 use super::solids::{Solid, Splits, chosen};
 use crate::document::Origin;
+use crate::document::describe::PartDesc;
 use crate::load::frames::{Pattern, Sequence, USUAL_FPS};
 use crate::load::{Assets, doubt};
 
@@ -121,14 +123,10 @@ impl Opening<'_> {
     fn frames(&mut self, origin: &Entry<'_>, table: &Table<'_>) -> Result<PartSource> {
         let pattern = Pattern::parse(origin.text()?).map_err(|e| origin.place(e))?;
         let pattern = pattern.inside(self.folder);
-        let first = table.get("first").map(|f| f.whole::<u32>()).transpose()?;
-        let fps = match table.get("fps") {
-            Some(fps) => fps.positive()?,
-            None => USUAL_FPS,
-        };
-        let loops = table.get("loop").map_or(Ok(true), |l| l.flag())?;
-        let sequence = Sequence::open_from(&pattern, first, self.assets)
-            .and_then(|s| s.timed(fps, loops))
+        let desc: PartDesc = described::read(table)?;
+        let fps = desc.fps.unwrap_or(USUAL_FPS);
+        let sequence = Sequence::open_from(&pattern, desc.first, self.assets)
+            .and_then(|s| s.timed(fps, desc.loops.unwrap_or(true)))
             .map_err(|e| origin.place(e))?;
         self.notes.extend(sequence.notes().iter().cloned());
         self.files.extend(sequence.files().iter().cloned());

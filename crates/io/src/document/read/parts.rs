@@ -1,16 +1,18 @@
 //! `[[part]]`: meshes and built-in shapes, deformed, placed and coloured.
 
 use cutaway::error::Result;
-use cutaway::scene::{Bounds, Fill, Outwards, Part, Role, range};
-use glam::{DAffine3, DMat3, DVec3, Vec3};
+use cutaway::scene::describe::{Factors, OrWord};
+use cutaway::scene::{Bounds, Outwards, Part, range};
+use glam::{DAffine3, DMat3, DVec3};
 
 use super::deform;
+use super::described;
 use super::part_source::PartSource;
 use super::reader::{Entry, Table};
 use super::roles::{self, RoleBy};
 use super::scene_assets::SceneAssets;
-use super::settings::color;
 use crate::document::Keys;
+use crate::document::describe::{MaterialDesc, PartDesc, PlacementDesc};
 
 /// Keys of a part.
 pub(super) static KEYS: Keys = Keys::below("part.*");
@@ -53,30 +55,21 @@ fn read(
 ) -> Result<Vec<Part>> {
     let table = entry.table(KEYS.all())?;
     let solids = held.at(time_s);
-    let placed = placement(&table, held.rest)?;
-    let role = table.get("role").map(|r| r.choice(&Role::NAMED));
-    let role = role.transpose()?;
-    let priority = table
-        .get("priority")
-        .map(|p| p.whole::<i32>())
-        .transpose()?;
-    let fill = table
-        .get("fill")
-        .map(|f| f.choice(&[("even-odd", Fill::EvenOdd), ("nonzero", Fill::Nonzero)]))
-        .transpose()?;
-    let look = table.get("material").map(|m| look(&m)).transpose()?;
+    let desc: PartDesc = described::read(&table)?;
+    let placed = placement(&table, &desc.placement, held.rest)?;
     let mut parts: Vec<Part> = solids.iter().map(|s| s.part.clone()).collect();
     for (part, rest) in parts.iter_mut().zip(solids.iter().map(|s| &s.rest)) {
         part.name = held.name(&part.name).to_owned();
         part.place(placed);
-        part.role = role.unwrap_or(part.role);
-        part.priority = priority.or(part.priority);
-        part.fill = fill.unwrap_or(part.fill);
-        if let Some(look) = &look {
-            part.material.color = look.color.unwrap_or(part.material.color);
-            part.material.is_painted_over |= look.color.is_some();
-            part.material.cap_color = look.cap_color.or(part.material.cap_color);
-        }
+        part.role = desc.role.unwrap_or(part.role);
+        part.priority = desc.priority.or(part.priority);
+        part.fill = desc.fill.unwrap_or(part.fill);
+        let MaterialDesc {
+            color, cap_color, ..
+        } = desc.material;
+        part.material.color = color.unwrap_or(part.material.color);
+        part.material.is_painted_over |= color.is_some();
+        part.material.cap_color = cap_color.or(part.material.cap_color);
         let whole = if held.share_a_space { held.rest } else { *rest };
         if let Some(list) = table.get("deform") {
             part.pose.deformers = deform::read(&list, whole)?;
@@ -101,40 +94,28 @@ fn read(
 }
 
 /// Scaled first, then turned about x, y and z of the world in that order, both about the pivot, then moved.
-pub(super) fn placement(table: &Table<'_>, rest: Bounds) -> Result<DAffine3> {
-    let steps = ["translate", "rotate_deg", "scale", "pivot"].map(|key| table.get(key));
+pub(super) fn placement(table: &Table<'_>, desc: &PlacementDesc, rest: Bounds) -> Result<DAffine3> {
     if let Some(matrix) = table.get("matrix") {
-        if let Some(step) = steps.iter().flatten().next() {
+        let steps = ["translate", "rotate_deg", "scale", "pivot"];
+        if let Some(step) = steps.iter().find_map(|key| table.get(key)) {
             return Err(step.fault("the part has a matrix too", "keep one of the two"));
         }
         return affine(&matrix);
     }
-    let [translate, rotate, scale, pivot] = steps;
-    let mut placed = DMat3::IDENTITY;
-    if let Some(entry) = scale {
-        let factors = if entry.is_list() {
-            DVec3::from(entry.vector()?)
-        } else {
-            DVec3::splat(entry.number()?)
-        };
-        if factors.cmpeq(DVec3::ZERO).any() {
-            return Err(entry.fault("a scale of 0 flattens the solid", "use 1 for no change"));
-        }
-        placed = DMat3::from_diagonal(factors);
+    let factors = desc.scale.map_or(DVec3::ONE, |Factors(factors)| factors);
+    if factors.cmpeq(DVec3::ZERO).any() {
+        let entry = table.need("scale", "1")?;
+        return Err(entry.fault("a scale of 0 flattens the solid", "use 1 for no change"));
     }
-    if let Some(entry) = rotate {
-        let [x, y, z] = entry.vector()?.map(f64::to_radians);
-        let turn =
-            DMat3::from_rotation_z(z) * DMat3::from_rotation_y(y) * DMat3::from_rotation_x(x);
-        placed = turn * placed;
-    }
-    let moved = translate.map_or(Ok([0.0; 3]), |entry| entry.vector())?;
-    let pivot = match pivot {
+    let [x, y, z] = desc.rotate_deg.to_array().map(f64::to_radians);
+    let turn = DMat3::from_rotation_z(z) * DMat3::from_rotation_y(y) * DMat3::from_rotation_x(x);
+    let placed = turn * DMat3::from_diagonal(factors);
+    let pivot = match desc.pivot {
         None => DVec3::ZERO,
-        Some(entry) if entry.is_text() => entry.choice(&[("centre", rest.centre())])?,
-        Some(entry) => DVec3::from(entry.vector()?),
+        Some(OrWord::Word(_)) => rest.centre(),
+        Some(OrWord::Value(point)) => point,
     };
-    let moved = DVec3::from(moved) + (pivot - placed * pivot);
+    let moved = desc.translate + (pivot - placed * pivot);
     Ok(DAffine3::from_mat3_translation(placed, moved))
 }
 
@@ -157,17 +138,4 @@ fn affine(entry: &Entry<'_>) -> Result<DAffine3> {
     Ok(DAffine3::from_mat3_translation(matrix, column(3)))
 }
 
-struct Look {
-    color: Option<Vec3>,
-    cap_color: Option<Vec3>,
-}
-
 pub(super) static MATERIAL: Keys = Keys::below("part.*.material");
-
-fn look(entry: &Entry<'_>) -> Result<Look> {
-    let table = entry.table(MATERIAL.all())?;
-    Ok(Look {
-        color: table.get("color").map(|c| color(&c)).transpose()?,
-        cap_color: table.get("cap_color").map(|c| color(&c)).transpose()?,
-    })
-}

@@ -8,7 +8,7 @@ use std::path::Path;
 
 use cutaway::error::{Error, Result, did_you_mean};
 use cutaway::scene::Amount;
-use cutaway::scene::range::{LARGEST, SMALLEST};
+use cutaway::scene::range::LARGEST;
 
 use super::keys::Moment;
 use super::target::Shape;
@@ -94,7 +94,7 @@ impl<'a> Entry<'a> {
         }
     }
 
-    fn expected(&self, expected: &str, example: &str) -> Error {
+    pub(super) fn expected(&self, expected: &str, example: &str) -> Error {
         let what = format!("it must be {expected}, but is {}", self.found());
         self.fault(
             what,
@@ -102,7 +102,7 @@ impl<'a> Entry<'a> {
         )
     }
 
-    fn last_key(&self) -> &str {
+    pub(super) fn last_key(&self) -> &str {
         let mut keys = self.key.rsplit('.');
         keys.find(|k| k.parse::<usize>().is_err())
             .unwrap_or(&self.key)
@@ -118,17 +118,6 @@ impl<'a> Entry<'a> {
             let expected = format!("a finite number, {LARGEST:.0e} at most");
             self.expected(&expected, "1.5")
         })
-    }
-
-    /// A number above zero.
-    pub(crate) fn positive(&self) -> Result<f64> {
-        let value = self.number()?;
-        if value >= SMALLEST {
-            Ok(value)
-        } else {
-            let expected = format!("a number above 0, {SMALLEST:.0e} at least");
-            Err(self.expected(&expected, "1.5"))
-        }
     }
 
     /// A whole number that fits.
@@ -151,12 +140,13 @@ impl<'a> Entry<'a> {
     }
 
     /// Returns the remedy for an invalid number.
-    pub(crate) fn help_of_number(&self) -> &'static str {
+    pub(super) fn help_of_number(&self, example: &str) -> String {
         match &self.node.value {
             Value::Number(n) if self.source.moment.is_some() && n.value.fract() != 0.0 => {
                 "let the [[key]] have whole numbers, and `interpolation = \"step\"` between them"
+                    .to_owned()
             }
-            _ => "leave it out for its usual value",
+            _ => format!("write for example `{} = {example}`", self.last_key()),
         }
     }
 
@@ -204,18 +194,19 @@ impl<'a> Entry<'a> {
 
     /// A list of `N` finite numbers.
     pub(crate) fn vector<const N: usize>(&self) -> Result<[f64; N]> {
-        let elements = match &self.node.value {
-            Value::List(a) if a.len() == N => self.list()?,
+        let numbers = self.numbers_of(N)?;
+        Ok(std::array::from_fn(|i| numbers[i]))
+    }
+
+    /// A list of this count of finite numbers.
+    pub(super) fn numbers_of(&self, count: usize) -> Result<Vec<f64>> {
+        match &self.node.value {
+            Value::List(a) if a.len() == count => self.list()?.iter().map(Self::number).collect(),
             _ => {
-                let example = format!("[{}]", ["1"; N].join(", "));
-                return Err(self.expected(&format!("a list of {N} numbers"), &example));
+                let example = format!("[{}]", vec!["1"; count].join(", "));
+                Err(self.expected(&format!("a list of {count} numbers"), &example))
             }
-        };
-        let mut vector = [0.0; N];
-        for (slot, element) in vector.iter_mut().zip(&elements) {
-            *slot = element.number()?;
         }
-        Ok(vector)
     }
 
     /// A number, or a list of numbers.

@@ -18,8 +18,10 @@ use std::fmt;
 use cutaway::error::{Result, did_you_mean};
 use cutaway::scene::{Part, Role, Sight, glob_matches};
 
+use super::described;
 use super::reader::Table;
 use crate::document::Keys;
+use crate::document::describe::RolesDesc;
 
 static KEYS: Keys = Keys::below("roles");
 
@@ -82,22 +84,15 @@ pub(super) fn read(root: &Table<'_>) -> Result<Roles> {
         });
     }
     let table = entry.table(KEYS.all())?;
-    let mut roles = Roles {
-        auto: table.get("auto").map_or(Ok(false), |e| e.flag())?,
-        ..Roles::default()
-    };
-    for (key, role) in [
-        ("whole", Role::Whole),
-        ("interior", Role::Interior),
-        ("exterior", Role::Exterior),
-    ] {
-        if let Some(globs) = table.get(key) {
-            roles
-                .globs
-                .extend(globs.texts()?.into_iter().map(|glob| (glob, role)));
-        }
-    }
-    Ok(roles)
+    let desc: RolesDesc = described::read(&table)?;
+    let of = |globs: Vec<String>, role| globs.into_iter().map(move |glob| (glob, role));
+    let globs = of(desc.whole, Role::Whole)
+        .chain(of(desc.interior, Role::Interior))
+        .chain(of(desc.exterior, Role::Exterior));
+    Ok(Roles {
+        globs: globs.collect(),
+        auto: desc.auto,
+    })
 }
 
 /// Returns true if a glob matches a part, by its name or that of a material.

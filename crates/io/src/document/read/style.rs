@@ -5,28 +5,17 @@
 use std::path::Path;
 
 use cutaway::error::{Error, Result, did_you_mean};
-use cutaway::scene::style::{
-    Engraving, Ghost, GhostKind, Hatch, HatchAnchor, HatchZoom, Occlusion, OcclusionKind, Paper,
-    Shading, Style, Tint,
-};
+use cutaway::scene::describe::OrWord;
+use cutaway::scene::style::{Hue, Style};
 
+use super::described::{self, keys_of};
 use super::opening::{Opening, missing};
 use super::reader::{Entry, Table};
-use super::settings::color;
 use super::table::with_table;
-use crate::document::Keys;
+use crate::document::{Keys, Settings};
 use crate::load::Assets;
 
 static KEYS: Keys = Keys::below("style");
-static STROKES: Keys = Keys::below("style.strokes");
-static SURFACE: Keys = Keys::below("style.surface");
-static CAP: Keys = Keys::below("style.cap");
-static HATCH: Keys = Keys::below("style.hatch");
-static GOOCH: Keys = Keys::below("style.gooch");
-static OCCLUSION: Keys = Keys::below("style.occlusion");
-static GHOST: Keys = Keys::below("style.ghost");
-static SHADOW: Keys = Keys::below("style.shadow");
-static ENGRAVING: Keys = Keys::below("style.engraving");
 
 /// Built-in styles of the program, in addition to `lit`, which is the default of the library.
 const STYLES: [(&str, &str); 8] = [
@@ -139,245 +128,55 @@ pub(super) fn read(root: &Table<'_>, base: Style) -> Result<Style> {
     if let Some(entry) = root.get("style").filter(|entry| !entry.is_text()) {
         amend(&mut style, &entry.table(KEYS.all())?)?;
     }
-    if let Some(background) = root.get("background")
-        && !(background.is_text() && background.text()? == "paper")
-    {
-        style.paper = paper(&background)?;
+    if let Some(OrWord::Value(background)) = described::read::<Settings>(root)?.background {
+        style.paper = background;
     }
     Ok(style)
 }
 
-fn paper(entry: &Entry<'_>) -> Result<Paper> {
-    match entry.text()? {
-        "transparent" | "none" => Ok(Paper::None),
-        "gradient" => Ok(Paper::Gradient),
-        _ => color(entry).map(Paper::Color),
-    }
-}
-
 fn amend(style: &mut Style, table: &Table<'_>) -> Result<()> {
-    if let Some(entry) = table.get("paper") {
-        style.paper = paper(&entry)?;
+    let before = style.surface.tint;
+    described::amend(style, table)?;
+    let below = |key: &str| table.get(key).map(|e| e.open_table()).transpose();
+    let [surface, cap, hatch, engraving] = [
+        below("surface")?,
+        below("cap")?,
+        below("hatch")?,
+        below("engraving")?,
+    ];
+    let has_coat = surface.as_ref().is_some_and(|s| s.get("coat").is_some());
+    if style.surface.tint != before && !has_coat {
+        style.surface.coat = false;
     }
-    if let Some(entry) = table.get("ink") {
-        style.ink = color(&entry)?;
+    for tinted in surface.iter().chain(&cap) {
+        one_tint(tinted)?;
     }
-    if let Some(entry) = table.get("shading") {
-        style.shading = entry.choice(&Shading::ALL)?;
-    }
-    if let Some(entry) = table.get("surface") {
-        let table = entry.table(SURFACE.all())?;
-        let before = style.surface;
-        tint(&mut style.surface, &table)?;
-        let coat = table.get("coat").map(|coat| coat.flag()).transpose()?;
-        style.coat = coat.unwrap_or(style.coat && style.surface == before);
-    }
-    if let Some(entry) = table.get("cap") {
-        let table = entry.table(CAP.all())?;
-        tint(&mut style.cap.tint, &table)?;
-        set(&mut style.cap.light, &table, "light", 1.0)?;
-        set(&mut style.cap.relief, &table, "relief", 1.0)?;
-    }
-    if let Some(entry) = table.get("gooch") {
-        let table = entry.table(GOOCH.all())?;
-        let gooch = &mut style.gooch;
-        for (slot, key) in [
-            (&mut gooch.blue, "blue"),
-            (&mut gooch.yellow, "yellow"),
-            (&mut gooch.of_cool, "of_cool"),
-            (&mut gooch.of_warm, "of_warm"),
-        ] {
-            set(slot, &table, key, 1.0)?;
-        }
-    }
-    if let Some(entry) = table.get("hatch") {
-        hatch(&mut style.hatch, &entry.table(HATCH.all())?)?;
-    }
-    if let Some(entry) = table.get("occlusion") {
-        occlusion(&mut style.occlusion, &entry.table(OCCLUSION.all())?)?;
-    }
-    if let Some(entry) = table.get("ghost") {
-        ghost(&mut style.ghost, &entry.table(GHOST.all())?)?;
-    }
-    if let Some(entry) = table.get("shadow") {
-        let table = entry.table(SHADOW.all())?;
-        set(&mut style.shadow.strength, &table, "strength", 1.0)?;
-        set(&mut style.shadow.spread_deg, &table, "spread_deg", 70.0)?;
-    }
-    if let Some(entry) = table.get("engraving") {
-        engraving(&mut style.engraving, &entry.table(ENGRAVING.all())?)?;
-    }
-    if let Some(entry) = table.get("strokes") {
-        let table = entry.table(STROKES.all())?;
-        let strokes = &mut style.strokes;
-        for (slot, key, most) in [
-            (&mut strokes.outline, "outline", WIDEST),
-            (&mut strokes.cut, "cut", WIDEST),
-            (&mut strokes.part, "part", WIDEST),
-            (&mut strokes.face, "face", WIDEST),
-            (&mut strokes.contour, "contour", WIDEST),
-            (&mut strokes.crease, "crease", WIDEST),
-            (&mut strokes.crease_deg, "crease_deg", 180.0),
-            (&mut strokes.depth_px, "depth_px", 1e6),
-        ] {
-            set(slot, &table, key, most)?;
-        }
-        // Less would take the rounding of normals for folds.
-        strokes.crease_deg = strokes.crease_deg.max(1.0);
-    }
-    Ok(())
-}
-
-fn hatch(hatch: &mut Hatch, table: &Table<'_>) -> Result<()> {
-    if let Some(entry) = table.get("color") {
-        hatch.color = Some(color(&entry)?);
-    }
-    if let Some(entry) = table.get("anchor") {
-        hatch.anchor = entry.choice(&HatchAnchor::ALL)?;
-    }
-    if let Some(entry) = table.get("zoom") {
-        hatch.zoom = entry.choice(&HatchZoom::ALL)?;
-    }
-    if let Some(entry) = table.get("angle_deg") {
-        hatch.angle_deg = entry.number()? as f32;
-    }
-    for (slot, key, most) in [
-        (&mut hatch.width, "width", WIDEST),
-        (&mut hatch.alpha, "alpha", 1.0),
-        (&mut hatch.per_thickness, "per_thickness", 10.0),
-        (&mut hatch.least, "least", 1000.0),
-        (&mut hatch.most, "most", 1000.0),
-        (&mut hatch.solid_below, "solid_below", 1000.0),
-    ] {
-        set(slot, table, key, most)?;
-    }
-    if !(hatch.least >= 0.1 && hatch.most >= hatch.least) {
+    if let Some(hatch) = hatch.filter(|_| style.hatch.most < style.hatch.least) {
         let help = "write for example `least = 5.2, most = 9.5`";
-        let what = "its least distance must be 0.1 or more, and the greatest no less";
-        return Err(table.entry.fault(what, help));
+        let what = "its least distance is more than the greatest";
+        return Err(hatch.entry.fault(what, help));
     }
-    Ok(())
-}
-
-fn occlusion(occlusion: &mut Occlusion, table: &Table<'_>) -> Result<()> {
-    if let Some(entry) = table.get("kind") {
-        occlusion.kind = entry.choice(&OcclusionKind::ALL)?;
-    }
-    for (slot, key, most) in [
-        (&mut occlusion.slices, "slices", 32),
-        (&mut occlusion.steps, "steps", 64),
+    for (key, direction) in [
+        ("across", style.engraving.across),
+        ("across_dark", style.engraving.across_dark),
     ] {
-        if let Some(entry) = table.get(key) {
-            let count: u32 = entry.whole()?;
-            if !(1..=most).contains(&count) {
-                let help = format!("write for example `{key} = {slot}`");
-                return Err(entry.fault(format_args!("it must be from 1 to {most}"), help));
-            }
-            *slot = count;
-        }
-    }
-    for (slot, key, most) in [
-        (&mut occlusion.radius_percent, "radius_percent", 100.0),
-        (&mut occlusion.blur_percent, "blur_percent", 10.0),
-        (&mut occlusion.strength, "strength", 100.0),
-        (&mut occlusion.surface, "surface", 1.0),
-        (&mut occlusion.cap, "cap", 1.0),
-        (&mut occlusion.relief, "relief", 1.0),
-    ] {
-        set(slot, table, key, most)?;
-    }
-    Ok(())
-}
-
-fn ghost(ghost: &mut Ghost, table: &Table<'_>) -> Result<()> {
-    if let Some(entry) = table.get("kind") {
-        ghost.kind = entry.choice(&GhostKind::ALL)?;
-    }
-    if let Some(entry) = table.get("color") {
-        ghost.color = Some(color(&entry)?);
-    }
-    for (slot, key, most) in [
-        (&mut ghost.width, "width", WIDEST),
-        (&mut ghost.alpha, "alpha", 1.0),
-        (&mut ghost.glass, "glass", 1.0),
-    ] {
-        set(slot, table, key, most)?;
-    }
-    Ok(())
-}
-
-fn engraving(engraving: &mut Engraving, table: &Table<'_>) -> Result<()> {
-    set(&mut engraving.spacing, table, "spacing", 1000.0)?;
-    if let Some(entry) = table.get("spacing").filter(|_| engraving.spacing < 1.0) {
-        let help = "write for example `spacing = 6.7`";
-        return Err(entry.fault("lines would be finer than any picture", help));
-    }
-    for (slot, key) in [
-        (&mut engraving.across, "across"),
-        (&mut engraving.across_dark, "across_dark"),
-    ] {
-        if let Some(entry) = table.get(key) {
-            *slot = entry.vector::<3>()?.map(|x| x as f32);
-            if slot.iter().all(|x| *x == 0.0) {
-                return Err(entry.fault(
-                    "it has no direction",
-                    format!("write for example `{key} = [1, 0, 0]`"),
-                ));
-            }
+        let entry = engraving.as_ref().and_then(|e| e.get(key));
+        if let Some(entry) = entry.filter(|_| direction == [0.0; 3]) {
+            let help = format!("write for example `{key} = [1, 0, 0]`");
+            return Err(entry.fault("it has no direction", help));
         }
     }
     Ok(())
 }
 
-/// The greatest width of a stroke, in thousandths of the height.
-const WIDEST: f32 = 20.0;
-
-/// Sets a number between 0 and a greatest one, if the table has it.
-fn set(slot: &mut f32, table: &Table<'_>, key: &str, most: f32) -> Result<()> {
-    let Some(entry) = table.get(key) else {
-        return Ok(());
-    };
-    let value = entry.number()? as f32;
-    if !(0.0..=most).contains(&value) {
-        let help = format!("write for example `{key} = {slot}`");
-        return Err(entry.fault(format_args!("it must be from 0 to {most}"), help));
+/// Refuses a colour beside the values of a hue.
+fn one_tint(table: &Table<'_>) -> Result<()> {
+    let of_hue = keys_of(Hue::FIELDS);
+    match of_hue.iter().find_map(|key| table.get(key)) {
+        Some(hue) if table.get("color").is_some() => {
+            let help = "keep the colour, or lightness, chroma and warmth";
+            Err(hue.fault("there is one colour for all parts", help))
+        }
+        _ => Ok(()),
     }
-    *slot = value;
-    Ok(())
-}
-
-/// One colour, or hues of which the lightness and the chroma are set: what comes last in the order of bases counts.
-fn tint(tint: &mut Tint, table: &Table<'_>) -> Result<()> {
-    let has_hue = ["lightness", "chroma", "warmth"]
-        .iter()
-        .find_map(|key| table.get(key));
-    if let (Some(_), Some(hue)) = (table.get("color"), &has_hue) {
-        let help = "keep the colour, or lightness, chroma and warmth";
-        return Err(hue.fault("there is one colour for all parts", help));
-    }
-    if let Some(entry) = table.get("color") {
-        *tint = Tint::Color(color(&entry)?);
-    }
-    if has_hue.is_none() {
-        return Ok(());
-    }
-    let (mut lightness, mut chroma, mut warmth) = match *tint {
-        Tint::Hue {
-            lightness,
-            chroma,
-            warmth,
-        } => (lightness, chroma, warmth),
-        Tint::Material | Tint::Color(_) => (0.8, 0.03, [0.0; 2]),
-    };
-    set(&mut lightness, table, "lightness", 1.0)?;
-    set(&mut chroma, table, "chroma", 0.4)?;
-    if let Some(entry) = table.get("warmth") {
-        warmth = entry.vector::<2>()?.map(|w| w as f32);
-    }
-    *tint = Tint::Hue {
-        lightness,
-        chroma,
-        warmth,
-    };
-    Ok(())
 }

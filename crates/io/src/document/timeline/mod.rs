@@ -23,8 +23,8 @@ use cutaway::error::{Error, Result, did_you_mean};
 use cutaway::scene::{Bounds, Clip, Fit, Outline, Outwards, Part, Scene, Style, View, Viewpoint};
 
 use super::read::reader::Table;
-use super::read::{self, Key, Keyed, Moment, PartSource, Resolved, SceneAssets, Seen, Settings};
-use super::{Document, Node};
+use super::read::{self, Key, Keyed, Moment, PartSource, Resolved, SceneAssets, Seen};
+use super::{Document, Node, Settings};
 use crate::load::Assets;
 use crate::load::frames::Sequence;
 

@@ -158,7 +158,7 @@ fn role(node: &Node<'_>, notes: &mut Vec<String>) -> Option<Role> {
     let word = value.get("role")?.as_str()?;
     let role = Role::named(word);
     if role.is_none() {
-        let known = Role::NAMED.map(|(name, _)| name).join(", ");
+        let known = Role::ALL.map(|(name, _)| name).join(", ");
         notes.push(format!("its role {word:?} is none of {known}"));
     }
     role

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use cutaway::Result;
 use cutaway_io::document::Document;
-use cutaway_io::document::paths::PATHS;
+use cutaway_io::document::paths;
 use cutaway_io::document::reader::{Entry, Table};
 
 use super::Asked;
@@ -284,7 +284,7 @@ fn axis(name: &str, entry: &Entry<'_>, draft: &Draft) -> Result<Axis> {
         let values = values.collect::<Result<_>>()?;
         return Axis::of(name, Vec::new(), values).map_err(|f| entry.place(f));
     }
-    let is_path = PATHS.iter().any(|known| known.path == name);
+    let is_path = paths::all().iter().any(|known| known.path == name);
     if !name.contains('.') && !is_path && draft.variable.scene.root().get(name).is_none() {
         let help = format!(
             "write {braces} in a strategy, or let the name be the path of a value, as `cut.front.surfaces.0.amplitude`"

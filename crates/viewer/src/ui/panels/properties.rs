@@ -1,6 +1,7 @@
 //! The right panel: the numbers of what is selected.
 
-use cutaway_io::document::Value;
+use cutaway::scene::relief::Procedure;
+use cutaway_io::document::{Value, hex, paths};
 use eframe::egui::{ComboBox, Grid, ScrollArea, Slider, Ui};
 
 use super::style;
@@ -8,26 +9,7 @@ use super::value::{control, text_edited};
 use crate::action::{Action, Selection};
 use crate::editing::cuts::{self, CutKind, PlaneMove};
 use crate::editing::parts;
-use crate::editing::styles;
 use crate::state::State;
-
-/// Kinds of reliefs, and the keys that each has of its own with what holds without them.
-const RELIEFS: [(&str, &[(&str, f64)]); 6] = [
-    ("sawtooth", &[]),
-    ("waves", &[]),
-    (
-        "fractal",
-        &[
-            ("seed", 1.0),
-            ("cells", 4.0),
-            ("octaves", 5.0),
-            ("gain", 0.5),
-        ],
-    ),
-    ("cracks", &[("seed", 1.0), ("cells", 4.0), ("width", 0.12)]),
-    ("steps", &[("levels", 5.0)]),
-    ("constant", &[("value", 0.5)]),
-];
 
 /// Shows the panel.
 pub(in crate::ui) fn show(ui: &mut Ui, state: &State, actions: &mut Vec<Action>) {
@@ -99,8 +81,8 @@ fn part(ui: &mut Ui, state: &State, index: usize, actions: &mut Vec<Action>) {
                 control(ui, state, (&path, &pattern), (label, usual), actions);
             };
             if let Some([color, cap]) = colors {
-                of("material.color", "Colour", styles::color(color));
-                of("material.cap_color", "Colour of caps", styles::color(cap));
+                of("material.color", "Colour", hex(color).into());
+                of("material.cap_color", "Colour of caps", hex(cap).into());
             }
             of("material.hatch", "Hatch", "general".into());
             of("priority", "Priority", 0_i64.into());
@@ -224,7 +206,7 @@ fn relief(ui: &mut Ui, state: &State, index: usize, actions: &mut Vec<Action>) {
                 let gone = keys.map(|key| (format!("{surface}.{key}"), None));
                 actions.push(Action::Change(gone.into()));
             }
-            for (word, _) in RELIEFS {
+            for word in Procedure::NAMES {
                 if ui.selectable_label(shown == word, word).clicked() && shown != word {
                     put_relief(state, index, name.as_deref(), word, actions);
                 }
@@ -248,16 +230,12 @@ fn relief(ui: &mut Ui, state: &State, index: usize, actions: &mut Vec<Action>) {
                 );
                 control(ui, state, (&path, &pattern), (label, usual), actions);
             }
-            let own = RELIEFS.iter().find(|(word, _)| **word == kind);
-            for (key, usual) in own.map_or(&[] as &[_], |(_, keys)| keys) {
-                let (path, pattern) = (format!("relief.{name}.{key}"), format!("relief.*.{key}"));
-                control(
-                    ui,
-                    state,
-                    (&path, &pattern),
-                    (key, (*usual).into()),
-                    actions,
-                );
+            let own = Procedure::named(&kind).map(|p| paths::values(&p, "relief"));
+            for (held, usual) in own.into_iter().flatten() {
+                let key = held.trim_start_matches("relief.");
+                let path = format!("relief.{name}.{key}");
+                let pattern = format!("relief.*.{key}");
+                control(ui, state, (&path, &pattern), (key, usual), actions);
             }
         });
 }

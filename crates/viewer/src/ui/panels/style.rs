@@ -1,6 +1,6 @@
 //! The style of the scene: its name, and its numbers, each with a button that resets it.
 
-use cutaway_io::document::paths::PATHS;
+use cutaway_io::document::paths;
 use cutaway_io::document::{Node, Value, named_style, style_names};
 use eframe::egui::{Button, CollapsingHeader, ComboBox, Grid, Ui};
 
@@ -42,7 +42,11 @@ pub(in crate::ui) fn show(ui: &mut Ui, state: &State, actions: &mut Vec<Action>)
 /// All that the style has, in the order of the table of paths: groups below headings.
 fn numbers(ui: &mut Ui, state: &State, shown: &Shown, actions: &mut Vec<Action>) {
     let values = styles::values(&shown.scene.style);
-    let of_styles = || PATHS.iter().filter_map(|p| p.path.strip_prefix("style."));
+    let of_styles = || {
+        paths::all()
+            .iter()
+            .filter_map(|p| p.path.strip_prefix("style."))
+    };
     let mut groups: Vec<&str> = of_styles()
         .filter_map(|p| Some(p.split_once('.')?.0))
         .collect();

@@ -1,8 +1,10 @@
 //! Controls for values of a document, made from the table of paths: what a value takes decides which control it gets, and the table's words
 //! are its help.
 
+use std::ops::RangeInclusive;
+
 use cutaway::scene::{Amount, parse_color};
-use cutaway_io::document::paths::{PATHS, Path, ValueType};
+use cutaway_io::document::paths::{self, Path, ValueType};
 use cutaway_io::document::{Node, Value};
 use eframe::egui::{Checkbox, ComboBox, DragValue, TextEdit, Ui};
 
@@ -30,7 +32,7 @@ pub(in crate::ui) fn cells(
     (label, usual): (&str, Value),
     actions: &mut Vec<Action>,
 ) {
-    let Some(entry) = PATHS.iter().find(|entry| entry.path == pattern) else {
+    let Some(entry) = paths::all().iter().find(|entry| entry.path == pattern) else {
         return;
     };
     let held = state.posed().get(path).ok().map(|node| node.value.clone());
@@ -46,7 +48,11 @@ pub(in crate::ui) fn cells(
 
 /// The control of a value alone: what it is changed to, if it is.
 fn edited(ui: &mut Ui, entry: &Path, value: &Value, name: &str) -> Option<Value> {
-    match (entry.takes, value) {
+    let takes = match entry.takes {
+        ValueType::Or(one, _) => *one,
+        takes => takes,
+    };
+    match (takes, value) {
         (ValueType::Flag, value) => {
             let mut is_on = *value == true.into();
             let response = ui.add(Checkbox::without_text(&mut is_on));
@@ -72,7 +78,7 @@ fn edited(ui: &mut Ui, entry: &Path, value: &Value, name: &str) -> Option<Value>
             let response = response.accessible_name(name).on_hover_text(entry.help);
             response.changed().then(|| held.into())
         }
-        (ValueType::Amount, value) => amount(ui, entry, value, name),
+        (ValueType::Amount(least, most), value) => amount(ui, entry, (value, least..=most), name),
         (ValueType::Color, Value::Text(text)) => match parse_color(text) {
             Some(color) => {
                 let mut rgb = color.to_array().map(|c| (c * 255.0).round() as u8);
@@ -112,7 +118,12 @@ fn choice(ui: &mut Ui, words: &[&str], value: &Value, name: &str) -> Option<Valu
 }
 
 /// A number, or a percentage, which stays one.
-fn amount(ui: &mut Ui, entry: &Path, value: &Value, name: &str) -> Option<Value> {
+fn amount(
+    ui: &mut Ui,
+    entry: &Path,
+    (value, range): (&Value, RangeInclusive<f64>),
+    name: &str,
+) -> Option<Value> {
     let held = match value {
         Value::Number(number) => Amount::Units(number.value),
         Value::Text(text) => Amount::parse(text).ok()?,
@@ -123,6 +134,7 @@ fn amount(ui: &mut Ui, entry: &Path, value: &Value, name: &str) -> Option<Value>
         Amount::Percent(p) => (p, "%"),
     };
     let drag = DragValue::new(&mut number)
+        .range(range)
         .speed(0.1)
         .suffix(suffix)
         .max_decimals(4);

@@ -8,10 +8,10 @@
 use std::sync::Arc;
 
 use cutaway::error::{Result, did_you_mean};
-use cutaway::scene::relief::{Placement, parse_wrap, place_map};
+use cutaway::scene::relief::place_map;
 use cutaway::scene::{
     Amount, Bounds, ClipSurface, Cut, CutoutFrame, Offset, OffsetMap, Part, PlaneSpec, Role, Up,
-    Wrap, glob_matches, range,
+    glob_matches, range,
 };
 use glam::DVec3;
 
@@ -20,6 +20,8 @@ use super::cutters;
 use super::regions::{self, Union};
 use super::reliefs::Maps;
 use crate::document::Keys;
+use crate::document::describe::{CutDesc, ReliefUse, SurfaceDesc};
+use crate::document::read::described;
 use crate::document::read::reader::{Entry, Table};
 
 /// Keys of a cut.
@@ -65,11 +67,8 @@ pub(in crate::document::read) fn read(
     notes: &mut Vec<String>,
 ) -> Result<Vec<Cut>> {
     let table = entry.table(KEYS.all())?;
-    let name = match table.get("name") {
-        Some(name) => name.text()?.to_owned(),
-        None => format!("{index}"),
-    };
-    let volume = cutters::read(&table, cutter, &context.bounds)?;
+    let desc: CutDesc = described::read(&table)?;
+    let volume = cutters::read((&table, &desc), cutter, &context.bounds)?;
     let breakaway = (table.get("breakaway")).map(|e| cutaways::breakaway(&e));
     let breakaway = breakaway.transpose()?;
     if let (Some(_), Some(entry)) = (&volume, table.get("breakaway")) {
@@ -81,6 +80,7 @@ pub(in crate::document::read) fn read(
     }
     let has_volume = volume.is_some() || breakaway.is_some();
     let region = region(&table, has_volume, frame, context)?;
+    let name = desc.name.unwrap_or_else(|| index.to_string());
     let mut cut = Cut::new(name, Vec::new());
     cut.volume = volume;
     cut.breakaway = breakaway;
@@ -102,8 +102,7 @@ pub(in crate::document::read) fn read(
         }
         cut.offsets = offsets_of(&offsets, &cut, context, notes)?;
     }
-    let enabled = table.get("enabled").map_or(Ok(true), |e| e.flag())?;
-    cut.enabled = enabled && !region.is_empty;
+    cut.enabled = desc.enabled.unwrap_or(true) && !region.is_empty;
     let of_surfaces = |surfaces: Vec<ClipSurface>| Cut {
         surfaces,
         ..cut.clone()
@@ -208,7 +207,6 @@ fn offsets_of(
 
 /// Globs; one without a wildcard has to be the name of a part, for it can be nothing but a slip otherwise.
 fn globs_of(entry: &Entry<'_>, context: &Context<'_>) -> Result<Vec<String>> {
-    entry.texts()?;
     let globs = entry.list()?.into_iter().map(|glob| {
         must_name_a_part(&glob, glob.text()?, context)?;
         glob.text().map(str::to_owned)
@@ -230,30 +228,41 @@ pub(in crate::document::read) fn surface(
     context: &Context<'_>,
 ) -> Result<ClipSurface> {
     let open = entry.open_table()?;
-    let surface = if open.get("section").is_some() {
-        let table = entry.table(SECTION)?;
-        let section = table.need("section", "\"z=50%\"")?;
-        let spec = PlaneSpec::parse(section.text()?);
-        let surface = spec.and_then(|s| s.surface(&context.bounds, context.up));
-        let plane = spun(surface.map_err(|e| section.place(e))?, &table)?;
-        on_plane(plane, &table, context)?
+    let table = if open.get("section").is_some() {
+        entry.table(SECTION)?
     } else if open.get("normal").is_some() {
-        let table = entry.table(NORMAL)?;
-        let normal = table.need("normal", "[0, 0, 1]")?;
-        let point = match table.get("origin") {
-            Some(origin) => DVec3::from(origin.vector()?),
-            None => context.bounds.centre(),
-        };
-        let spec = PlaneSpec::through(point, DVec3::from(normal.vector()?));
-        let surface = spec.and_then(|s| s.surface(&context.bounds, context.up));
-        let plane = spun(surface.map_err(|e| normal.place(e))?, &table)?;
-        on_plane(plane, &table, context)?
+        entry.table(NORMAL)?
     } else {
-        in_full(&entry.table(FULL)?, context)?
+        entry.table(FULL)?
+    };
+    let desc: SurfaceDesc = described::read(&table)?;
+    let spec = match (&desc.section, desc.normal) {
+        (Some(section), _) => Some(("section", PlaneSpec::parse(section))),
+        (None, Some(normal)) => {
+            let point = desc.origin.unwrap_or(context.bounds.centre());
+            Some(("normal", PlaneSpec::through(point, normal)))
+        }
+        (None, None) => None,
+    };
+    let surface = match spec {
+        Some((key, spec)) => {
+            let plane = spec.and_then(|s| s.surface(&context.bounds, context.up));
+            let given = table.need(key, "\"z=50%\"")?;
+            let plane = plane.map_err(|e| given.place(e))?;
+            let plane = match desc.spin_deg {
+                0.0 => plane,
+                spin_deg => plane.spun(spin_deg.to_radians()),
+            };
+            on_plane(plane, (&table, &desc.ruffle), context)?
+        }
+        None => in_full(&table, &desc, context)?,
     };
     sound(&surface, &context.bounds, entry)?;
-    let flip = open.get("flip").map_or(Ok(false), |f| f.flag())?;
-    Ok(if flip { surface.flipped() } else { surface })
+    Ok(if desc.flip {
+        surface.flipped()
+    } else {
+        surface
+    })
 }
 
 /// Refuses what is no clip-surface.
@@ -270,33 +279,23 @@ pub(in crate::document::read) fn sound(
 }
 
 /// The paper's form: nothing is computed, nothing moved.
-fn in_full(table: &Table<'_>, context: &Context<'_>) -> Result<ClipSurface> {
-    let or = |key: &str, usual: DVec3| match table.get(key) {
-        Some(entry) => entry.vector().map(DVec3::from),
-        None => Ok(usual),
-    };
+fn in_full(table: &Table<'_>, desc: &SurfaceDesc, context: &Context<'_>) -> Result<ClipSurface> {
+    table.need("u", "[1, 0, 0]")?;
+    table.need("v", "[0, 1, 0]")?;
     Ok(ClipSurface {
-        origin: or("origin", DVec3::ZERO)?,
-        u: DVec3::from(table.need("u", "[1, 0, 0]")?.vector()?),
-        v: DVec3::from(table.need("v", "[0, 1, 0]")?.vector()?),
-        scale: or("scale", DVec3::ONE)?,
+        origin: desc.origin.unwrap_or(DVec3::ZERO),
+        u: desc.u.unwrap_or(DVec3::X),
+        v: desc.v.unwrap_or(DVec3::Y),
+        scale: desc.scale.unwrap_or(DVec3::ONE),
         relief: map_of(table, context)?,
-        wrap: wrap_of(table)?,
+        wrap: desc.ruffle.placement.wrap,
     })
-}
-
-/// A plane turned in itself as its table says.
-fn spun(plane: ClipSurface, table: &Table<'_>) -> Result<ClipSurface> {
-    let Some(entry) = table.get("spin_deg") else {
-        return Ok(plane);
-    };
-    Ok(plane.spun(entry.number()?.to_radians()))
 }
 
 /// A plane with the relief of its table, if it has one.
 pub(in crate::document::read) fn on_plane(
     plane: ClipSurface,
-    table: &Table<'_>,
+    (table, desc): (&Table<'_>, &ReliefUse),
     context: &Context<'_>,
 ) -> Result<ClipSurface> {
     let Some(map) = map_of(table, context)? else {
@@ -308,16 +307,7 @@ pub(in crate::document::read) fn on_plane(
         }
         return Ok(plane);
     };
-    let amount = |key: &str| table.get(key).map(|e| e.amount()).transpose();
-    let placement = Placement {
-        amplitude: amount("amplitude")?.unwrap_or(Placement::default().amplitude),
-        period: amount("period")?,
-        wrap: wrap_of(table)?,
-    };
-    let placed = match placement.defect() {
-        Some(what) => Err(what),
-        None => place_map(plane, map, &placement, &context.bounds),
-    };
+    let placed = place_map(plane, map, &desc.placement, &context.bounds);
     placed.map_err(|what| {
         let help = "give `amplitude` and `period` in scene units, or as \"6%\" of the diagonal";
         let relief = table.get("relief");
@@ -341,12 +331,4 @@ fn map_of(table: &Table<'_>, context: &Context<'_>) -> Result<Option<Arc<OffsetM
         did_you_mean(name, context.maps.keys().map(String::as_str))
     };
     Err(entry.fault(format_args!("there is no relief `{name}`"), help))
-}
-
-fn wrap_of(table: &Table<'_>) -> Result<Wrap> {
-    let Some(entry) = table.get("wrap") else {
-        return Ok(Wrap::default());
-    };
-    let name = entry.text()?;
-    parse_wrap(name).map_err(|help| entry.fault(format_args!("{name:?} is no wrap mode"), help))
 }

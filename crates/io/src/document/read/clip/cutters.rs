@@ -6,19 +6,11 @@
 use cutaway::error::Result;
 use cutaway::scene::{Bounds, Cutter, too_far};
 
+use crate::document::describe::{CutDesc, PlacementDesc};
+use crate::document::read::described::keys_of;
 use crate::document::read::opening::Opening;
 use crate::document::read::parts;
 use crate::document::read::reader::{Entry, Table};
-
-/// Keys of a cut that set the place of its cutter, and the side that is kept.
-pub(in crate::document::read) const PLACES: &[&str] = &[
-    "translate",
-    "rotate_deg",
-    "scale",
-    "pivot",
-    "matrix",
-    "flip",
-];
 
 /// A cutter from its file.
 #[derive(Clone, Debug)]
@@ -58,12 +50,13 @@ fn open_one(entry: &Entry<'_>, opening: &mut Opening<'_>) -> Result<CutterSource
 
 /// The cutter of a cut where it is at the time of the text, if it has one; `model` are the bounds of what it cuts.
 pub(in crate::document::read) fn read(
-    table: &Table<'_>,
+    (table, desc): (&Table<'_>, &CutDesc),
     held: Option<&CutterSource>,
     model: &Bounds,
 ) -> Result<Option<Cutter>> {
     let Some(held) = held else {
-        if let Some(entry) = PLACES.iter().find_map(|key| table.get(key)) {
+        let of_volume = keys_of(PlacementDesc::FIELDS).into_iter().chain(["flip"]);
+        if let Some(entry) = of_volume.filter_map(|key| table.get(key)).next() {
             let help = "add `volume = \"FILE\"`, or place and flip the surfaces themselves";
             return Err(entry.fault("only a cutter has it", help));
         }
@@ -72,13 +65,12 @@ pub(in crate::document::read) fn read(
     let placed = held
         .cutter
         .clone()
-        .placed(parts::placement(table, held.rest)?);
+        .placed(parts::placement(table, &desc.placement, held.rest)?);
     let corners = held.rest.corners();
     let corners = corners.map(|c| placed.world_from_cutter.transform_point3(c));
     if let Some(what) = too_far(&Bounds::from_points(corners), model) {
         let what = format!("`{}` {what} once it is placed", placed.name());
         return Err((table.entry).fault(what, "use a smaller scale or translation"));
     }
-    let flip = table.get("flip").map_or(Ok(false), |f| f.flag())?;
-    Ok(Some(if flip { placed.flipped() } else { placed }))
+    Ok(Some(if desc.flip { placed.flipped() } else { placed }))
 }

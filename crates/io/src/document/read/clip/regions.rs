@@ -14,18 +14,21 @@
 //! faces of a box are called `-x` to `+z`, those of a wedge `from`, `to`, `min` and `max`.
 
 use cutaway::error::Result;
+use cutaway::scene::describe::OrWord;
 use cutaway::scene::{Amount, Block, Bounds, ClipSurface, Face, Wedge, in_common, next_axis};
 use glam::DVec3;
 
 use super::cuts::{Context, on_plane, sound};
+use crate::document::Keys;
+use crate::document::describe::{BoxDesc, ReliefUse, WedgeDesc};
 use crate::document::read::deform::direction;
+use crate::document::read::described;
 use crate::document::read::reader::{Entry, Table};
 
-pub(in crate::document::read) const RELIEF: &[&str] =
-    &["relief", "amplitude", "period", "wrap", "faces"];
-const CORNERS: &[&str] = &["min", "max"];
-const CENTRED: &[&str] = &["centre", "size"];
-const WEDGE: &[&str] = &["axis", "origin", "from_deg", "to_deg", "min", "max"];
+const CENTRED: [&str; 2] = ["centre", "size"];
+const CORNERS: [&str; 2] = ["min", "max"];
+static BOX: Keys = Keys::below("cut.*.box");
+static WEDGE: Keys = Keys::below("cut.*.wedge");
 
 /// A union of intersections of removed sides.
 pub(in crate::document::read) struct Union {
@@ -62,20 +65,24 @@ impl Union {
 
 /// Reads a box.
 pub(in crate::document::read) fn block(entry: &Entry<'_>, context: &Context<'_>) -> Result<Union> {
-    let open = entry.open_table()?;
     let bounds = &context.bounds;
-    let is_centred = CENTRED.iter().any(|key| open.get(key).is_some());
-    let table = entry.table(&[if is_centred { CENTRED } else { CORNERS }, RELIEF].concat())?;
+    let table = entry.table(BOX.all())?;
+    let desc: BoxDesc = described::read(&table)?;
+    let is_centred = CENTRED.iter().any(|key| table.get(key).is_some());
     let block = if is_centred {
-        centred(&table, bounds)?
+        if let Some(corner) = CORNERS.iter().find_map(|key| table.get(key)) {
+            let help = "keep `min` and `max`, or `centre` and `size`";
+            return Err(corner.fault("the box has a centre or a size too", help));
+        }
+        centred(&table, &desc, bounds)?
     } else {
-        let corner = |key: &str| match table.get(key) {
-            Some(entry) => point(&entry, bounds).map(|p| p.to_array().map(Some)),
-            None => Ok([None; 3]),
+        let corner = |amounts: Option<[Amount; 3]>| match amounts {
+            Some(amounts) => point(amounts, bounds).to_array().map(Some),
+            None => [None; 3],
         };
         Block {
-            min: corner("min")?,
-            max: corner("max")?,
+            min: corner(desc.min),
+            max: corner(desc.max),
         }
     };
     if let Some(axis) = block.inverted_axis() {
@@ -91,21 +98,19 @@ pub(in crate::document::read) fn block(entry: &Entry<'_>, context: &Context<'_>)
     let present: Vec<_> = faces.iter().map(|f| f.name).collect();
     Ok(Union {
         is_empty: block.is_empty(),
-        alternatives: vec![ruffled(faces, &listed(&present, &table)?, &table, context)?],
+        alternatives: vec![ruffled(
+            faces,
+            &listed(&present, &table)?,
+            (&table, &desc.ruffle),
+            context,
+        )?],
     })
 }
 
-fn centred(table: &Table<'_>, bounds: &Bounds) -> Result<Block> {
-    let centre = match table.get("centre") {
-        Some(entry) => point(&entry, bounds)?,
-        None => bounds.centre(),
-    };
-    let entry = table.need("size", "[1, 1, 1]")?;
-    let amounts = if entry.is_list() {
-        entry.amounts()?
-    } else {
-        [entry.amount()?; 3]
-    };
+fn centred(table: &Table<'_>, desc: &BoxDesc, bounds: &Bounds) -> Result<Block> {
+    let centre = desc.centre.map_or(bounds.centre(), |c| point(c, bounds));
+    table.need("size", "[1, 1, 1]")?;
+    let amounts = desc.size.unwrap_or([Amount::Units(0.0); 3]);
     let whole = bounds.size();
     let size = DVec3::from(std::array::from_fn(|i| match amounts[i] {
         Amount::Units(v) => v,
@@ -119,38 +124,39 @@ fn centred(table: &Table<'_>, bounds: &Bounds) -> Result<Block> {
 
 /// Reads a wedge.
 pub(in crate::document::read) fn wedge(entry: &Entry<'_>, context: &Context<'_>) -> Result<Union> {
-    let table = entry.table(&[WEDGE, RELIEF].concat())?;
+    let table = entry.table(WEDGE.all())?;
+    let desc: WedgeDesc = described::read(&table)?;
     let bounds = &context.bounds;
-    let along = direction(&table.need("axis", "\"z\"")?)?;
-    let angle = |key: &str, example: &str| table.need(key, example)?.number();
-    let [from_deg, to_deg] = [angle("from_deg", "0")?, angle("to_deg", "90")?];
+    table.need("axis", "\"z\"")?;
+    let axis = desc.axis.unwrap_or(OrWord::Value(DVec3::Z));
+    let along = direction(&axis, &table, "axis")?;
+    let angle = |key: &str, example: &str, angle: Option<f64>| match angle {
+        Some(angle) => Ok(angle),
+        None => table.need(key, example).map(|_| 0.0),
+    };
+    let from_deg = angle("from_deg", "0", desc.from_deg)?;
+    let to_deg = angle("to_deg", "90", desc.to_deg)?;
     if !(0.0..=360.0).contains(&(to_deg - from_deg)) {
         let what = format!("it turns by {} degrees", to_deg - from_deg);
         let help = "let `to_deg` be from 0 to 360 more than `from_deg`";
         return Err(entry.fault(what, help));
     }
-    let origin = match table.get("origin") {
-        Some(entry) => point(&entry, bounds)?,
-        None => bounds.centre(),
-    };
+    let origin = desc.origin.map_or(bounds.centre(), |p| point(p, bounds));
     let extent = bounds.corners().map(|c| c.dot(along));
     let [least, most] = extent
         .iter()
         .fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], c| {
             [a.min(*c), b.max(*c)]
         });
-    let end = |key: &str| -> Result<Option<f64>> {
-        let amount = table.get(key).map(|e| e.amount()).transpose()?;
-        Ok(amount.map(|a| a.between(least, most)))
-    };
+    let end = |amount: Option<Amount>| amount.map(|a| a.between(least, most));
     let wedge = Wedge {
         origin,
         along,
         zero: next_axis(along),
         from_deg,
         to_deg,
-        min: end("min")?,
-        max: end("max")?,
+        min: end(desc.min),
+        max: end(desc.max),
     };
     if matches!((wedge.min, wedge.max), (Some(a), Some(b)) if a > b) {
         let help = "let `min` be at most `max`: both are coordinates along the axis";
@@ -163,7 +169,8 @@ pub(in crate::document::read) fn wedge(entry: &Entry<'_>, context: &Context<'_>)
     let listed = listed(&present, &table)?;
     let ragged = listed.iter().any(|name| ["from", "to"].contains(name));
     let alternatives = wedge.alternatives(ragged, context.up).into_iter();
-    let ruffled = alternatives.map(|faces| ruffled(faces, &listed, &table, context));
+    let ruffled =
+        alternatives.map(|faces| ruffled(faces, &listed, (&table, &desc.ruffle), context));
     Ok(Union {
         alternatives: ruffled.collect::<Result<_>>()?,
         is_empty: wedge.is_empty(),
@@ -171,11 +178,10 @@ pub(in crate::document::read) fn wedge(entry: &Entry<'_>, context: &Context<'_>)
 }
 
 /// A point by its coordinates, or by percentages of the bounds.
-fn point(entry: &Entry<'_>, bounds: &Bounds) -> Result<DVec3> {
-    let amounts: [Amount; 3] = entry.amounts()?;
-    Ok(DVec3::from(std::array::from_fn(|i| {
+fn point(amounts: [Amount; 3], bounds: &Bounds) -> DVec3 {
+    DVec3::from(std::array::from_fn(|i| {
         amounts[i].between(bounds.min[i], bounds.max[i])
-    })))
+    }))
 }
 
 /// The faces that are to have the relief of the table; `present` are those that there are.
@@ -203,12 +209,12 @@ pub(in crate::document::read) fn listed(
 pub(in crate::document::read) fn ruffled(
     faces: Vec<Face>,
     listed: &[&'static str],
-    table: &Table<'_>,
+    (table, desc): (&Table<'_>, &ReliefUse),
     context: &Context<'_>,
 ) -> Result<Vec<ClipSurface>> {
     let surfaces = faces.into_iter().map(|face| {
         let surface = if listed.contains(&face.name) {
-            on_plane(face.plane, table, context)?
+            on_plane(face.plane, (table, desc), context)?
         } else {
             face.plane
         };

@@ -19,9 +19,12 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use cutaway::error::{Result, did_you_mean};
+use cutaway::scene::OffsetMap;
+use cutaway::scene::describe::Described;
 use cutaway::scene::relief::{BlendOp, Image, MAX_TEXELS, Procedure, Relief, resolve};
-use cutaway::scene::{OffsetMap, Wrap};
 
+use crate::document::describe::ReliefDesc;
+use crate::document::read::described::{self, keys_of};
 use crate::document::read::reader::{Entry, Table};
 use crate::load::Assets;
 use crate::load::frames::Pattern;
@@ -30,9 +33,6 @@ const IMAGE_KEYS: &[&str] = &["kind", "image"];
 const BLEND_KEYS: &[&str] = &["kind", "blend", "op", "share"];
 const PROFILE_KEYS: &[&str] = &["kind", "heights"];
 const LAYERS_KEYS: &[&str] = &["kind", "of", "images", "first", "at", "wrap"];
-
-/// Kinds that are not computed.
-const OTHER_KINDS: [&str; 4] = ["image", "blend", "profile", "layers"];
 
 /// Offset maps by name.
 pub(in crate::document::read) type Maps = BTreeMap<String, Arc<OffsetMap>>;
@@ -170,8 +170,8 @@ fn describe(entry: &Entry<'_>, images: &[Image]) -> Result<Relief> {
         ("profile", _) => profile(&entry.table(PROFILE_KEYS)?),
         ("layers", _) => layers(&entry.table(LAYERS_KEYS)?, images),
         (_, None) => {
-            let known = Procedure::NAMES.into_iter().chain(OTHER_KINDS);
-            let help = did_you_mean(kind, known);
+            let known = described::choices(ReliefDesc::FIELDS, "kind");
+            let help = did_you_mean(kind, known.iter().copied());
             let kind_entry = open.get("kind").unwrap_or_else(|| entry.clone());
             Err(kind_entry.fault(format_args!("{kind:?} is no kind of relief"), help))
         }
@@ -179,21 +179,19 @@ fn describe(entry: &Entry<'_>, images: &[Image]) -> Result<Relief> {
 }
 
 fn computed(entry: &Entry<'_>, mut procedure: Procedure) -> Result<Relief> {
-    let known: Vec<&str> = procedure.keys().iter().copied().chain(["kind"]).collect();
-    for (key, value) in entry.table(&known)?.all() {
-        if key != "kind" {
-            let numbers = value.numbers()?;
-            procedure
-                .set(key, &numbers)
-                .map_err(|what| value.fault(what, value.help_of_number()))?;
-        }
+    let keys = [vec!["kind"], keys_of(procedure.fields())].concat();
+    let table = entry.table(&keys)?;
+    described::amend(&mut procedure, &table)?;
+    if let (Some(what), Some(size)) = (procedure.defect(), table.get("size")) {
+        return Err(size.fault(what, "write for example `size = [256, 256]`"));
     }
     Ok(Relief::Procedure(procedure))
 }
 
 fn blended(table: &Table<'_>) -> Result<Relief> {
+    let desc: ReliefDesc = described::read(table)?;
     let blend = table.need("blend", "[\"a\", \"b\"]")?;
-    let of = blend.texts()?;
+    let of = desc.blend;
     if of.len() < 2 {
         let help = "name at least two: `blend = [\"a\", \"b\"]`";
         return Err(blend.fault("a blend is of two reliefs or more", help));
@@ -208,10 +206,7 @@ fn blended(table: &Table<'_>) -> Result<Relief> {
         let BlendOp::Mix { share } = &mut operation else {
             return Err(entry.fault("only op = \"mix\" has a share", "remove it"));
         };
-        *share = entry.number()?;
-        if !(0.0..=1.0).contains(share) {
-            return Err(entry.fault("it must be from 0 to 1", "0.5 takes half of each"));
-        }
+        *share = desc.share.unwrap_or(*share);
     }
     Ok(Relief::Blend { of, op: operation })
 }
@@ -232,6 +227,7 @@ fn profile(table: &Table<'_>) -> Result<Relief> {
 }
 
 fn layers(table: &Table<'_>, images: &[Image]) -> Result<Relief> {
+    let desc: ReliefDesc = described::read(table)?;
     let of = match (table.get("of"), table.get("images")) {
         (Some(_), Some(images)) => {
             return Err(images.fault("the layers are named by `of` too", "keep one of the two"));
@@ -241,7 +237,7 @@ fn layers(table: &Table<'_>, images: &[Image]) -> Result<Relief> {
                 let what = "it says where images begin, but there are none";
                 return Err(first.fault(what, "remove it"));
             }
-            let names = of.texts()?;
+            let names = desc.of;
             if names.is_empty() {
                 return Err(of.fault("it names no layer", "name reliefs: `of = [\"a\", \"b\"]`"));
             }
@@ -254,18 +250,10 @@ fn layers(table: &Table<'_>, images: &[Image]) -> Result<Relief> {
             return Err(table.entry.fault("it has no layers", help));
         }
     };
-    let wrap = match table.get("wrap") {
-        Some(entry) => entry.choice(&[
-            ("repeat", Wrap::Repeat),
-            ("mirror", Wrap::Mirror),
-            ("clamp", Wrap::Clamp),
-        ])?,
-        None => Wrap::default(),
-    };
     Ok(Relief::Layers {
         of,
-        at: table.get("at").map_or(Ok(0.0), |at| at.number())?,
-        wrap,
+        at: desc.at,
+        wrap: desc.wrap,
     })
 }
 

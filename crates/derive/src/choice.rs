@@ -1,0 +1,82 @@
+//! Enums: words, one for each variant.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+use syn::{DataEnum, Error, Fields, Ident, LitStr, Result, Variant, Visibility};
+
+/// The list of words, and the enum as the value of a key.
+pub(crate) fn described(name: &Ident, vis: &Visibility, data: &DataEnum) -> Result<TokenStream> {
+    let with_data = data
+        .variants
+        .iter()
+        .find(|v| !matches!(v.fields, Fields::Unit));
+    if let Some(variant) = with_data {
+        return Err(Error::new_spanned(variant, "a word has no data"));
+    }
+    let variants: Vec<&Ident> = data.variants.iter().map(|v| &v.ident).collect();
+    let words = data.variants.iter().map(word_of);
+    let words = words.collect::<Result<Vec<String>>>()?;
+    let count = variants.len();
+    Ok(quote! {
+        impl #name {
+            /// All, by their names.
+            #vis const ALL: [(&'static str, Self); #count] = [#((#words, Self::#variants)),*];
+
+            /// Name in documents and options.
+            #vis const fn name(self) -> &'static str {
+                match self {
+                    #(Self::#variants => #words,)*
+                }
+            }
+        }
+        impl ::cutaway::scene::describe::Leaf for #name {
+            const TYPE: ::cutaway::scene::describe::ValueType =
+                ::cutaway::scene::describe::ValueType::Choice(&[#(#words),*]);
+            fn of(given: ::cutaway::scene::describe::Given) -> Option<Self> {
+                let ::cutaway::scene::describe::Given::Text(word) = given else {
+                    return None;
+                };
+                Self::ALL.iter().find(|(name, _)| *name == word).map(|(_, one)| *one)
+            }
+            fn get(&self) -> Option<::cutaway::scene::describe::Given> {
+                Some(::cutaway::scene::describe::Given::Text(self.name().to_owned()))
+            }
+        }
+    })
+}
+
+/// The word of a variant.
+fn word_of(variant: &Variant) -> Result<String> {
+    let mut given = None;
+    for attribute in variant.attrs.iter().filter(|a| a.path().is_ident("value")) {
+        attribute.parse_nested_meta(|meta| {
+            given = Some(meta.value()?.parse::<LitStr>()?.value());
+            Ok(())
+        })?;
+    }
+    Ok(given.unwrap_or_else(|| word(&variant.ident.to_string())))
+}
+
+/// `EvenOdd` as `even-odd`.
+fn word(variant: &str) -> String {
+    let mut word = String::new();
+    for c in variant.chars() {
+        if c.is_uppercase() && !word.is_empty() {
+            word.push('-');
+        }
+        word.extend(c.to_lowercase());
+    }
+    word
+}
+
+#[cfg(test)]
+mod tests {
+    use super::word;
+
+    #[test]
+    fn variants_become_words() {
+        for (variant, expected) in [("None", "none"), ("EvenOdd", "even-odd"), ("A", "a")] {
+            assert_eq!(word(variant), expected);
+        }
+    }
+}

@@ -1,0 +1,220 @@
+//! Structs: one value for each field.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+use syn::{
+    Attribute, DataStruct, Error, Expr, ExprLit, ExprRange, Field, Ident, Lit, LitStr, Meta,
+    Result, Visibility,
+};
+
+/// Where the values of a field lie.
+#[derive(PartialEq)]
+enum Place {
+    /// The field is one value.
+    Leaf,
+    /// Below its key.
+    Table,
+    /// Beside those of the struct.
+    Flat,
+}
+
+/// A field, and what its attribute says.
+struct Declared<'a> {
+    field: &'a Field,
+    key: String,
+    place: Place,
+    range: Option<ExprRange>,
+    unit: Option<Expr>,
+    example: Option<Expr>,
+    choice: Option<Expr>,
+    takes: Option<Expr>,
+    words: Option<Expr>,
+    fixed: bool,
+}
+
+/// The list of declarations, and access to the values by their index in it.
+pub(crate) fn described(name: &Ident, vis: &Visibility, data: &DataStruct) -> Result<TokenStream> {
+    let mut all = Vec::new();
+    for field in &data.fields {
+        all.extend(declared(field)?);
+    }
+    let entries = all.iter().map(entry).collect::<Result<Vec<_>>>()?;
+    let names: Vec<&Ident> = all.iter().filter_map(|d| d.field.ident.as_ref()).collect();
+    if names.len() != all.len() {
+        return Err(Error::new_spanned(name, "a value is a field with a name"));
+    }
+    let of = |is_leaf: bool| {
+        let of = all.iter().zip(&names).enumerate();
+        let of = of.filter(move |(_, (d, _))| (d.place == Place::Leaf) == is_leaf);
+        of.map(|(index, (_, name))| (index, *name))
+            .unzip::<_, _, Vec<_>, Vec<_>>()
+    };
+    let (leaf_at, leaf) = of(true);
+    let (below_at, below) = of(false);
+    Ok(quote! {
+        impl #name {
+            /// Declarations of its values.
+            #vis const FIELDS: &'static [::cutaway::scene::describe::Field] = &[#(#entries),*];
+        }
+        impl ::cutaway::scene::describe::Described for #name {
+            fn fields(&self) -> &'static [::cutaway::scene::describe::Field] {
+                Self::FIELDS
+            }
+            fn set(&mut self, field: usize, given: ::cutaway::scene::describe::Given) {
+                match field {
+                    #(#leaf_at => ::cutaway::scene::describe::Leaf::set(&mut self.#leaf, given),)*
+                    _ => {}
+                }
+            }
+            fn get(&self, field: usize) -> Option<::cutaway::scene::describe::Given> {
+                match field {
+                    #(#leaf_at => ::cutaway::scene::describe::Leaf::get(&self.#leaf),)*
+                    _ => None,
+                }
+            }
+            fn below(&self, field: usize) -> Option<&dyn ::cutaway::scene::describe::Described> {
+                match field {
+                    #(#below_at => Some(&self.#below),)*
+                    _ => None,
+                }
+            }
+            fn below_mut(
+                &mut self,
+                field: usize,
+            ) -> Option<&mut dyn ::cutaway::scene::describe::Described> {
+                match field {
+                    #(#below_at => Some(&mut self.#below),)*
+                    _ => None,
+                }
+            }
+        }
+    })
+}
+
+fn declared(field: &Field) -> Result<Option<Declared<'_>>> {
+    let mut of = Declared {
+        field,
+        key: field
+            .ident
+            .as_ref()
+            .map(Ident::to_string)
+            .unwrap_or_default(),
+        place: Place::Leaf,
+        range: None,
+        unit: None,
+        example: None,
+        choice: None,
+        takes: None,
+        words: None,
+        fixed: false,
+    };
+    let mut is_hidden = false;
+    for attribute in field.attrs.iter().filter(|a| a.path().is_ident("value")) {
+        attribute.parse_nested_meta(|meta| {
+            let Some(word) = meta.path.get_ident() else {
+                return Err(meta.error("no word of a declaration"));
+            };
+            match word.to_string().as_str() {
+                "range" => of.range = Some(meta.value()?.parse()?),
+                "unit" => of.unit = Some(meta.value()?.parse()?),
+                "example" => of.example = Some(meta.value()?.parse()?),
+                "choice" => of.choice = Some(meta.value()?.parse()?),
+                "takes" => of.takes = Some(meta.value()?.parse()?),
+                "words" => of.words = Some(meta.value()?.parse()?),
+                "key" => of.key = meta.value()?.parse::<LitStr>()?.value(),
+                "fixed" => of.fixed = true,
+                "table" => of.place = Place::Table,
+                "flat" => of.place = Place::Flat,
+                "hidden" => is_hidden = true,
+                _ => return Err(meta.error("no word of a declaration")),
+            }
+            Ok(())
+        })?;
+    }
+    Ok((!is_hidden).then_some(of))
+}
+
+/// The declaration as the expression of a `Field`.
+fn entry(of: &Declared<'_>) -> Result<TokenStream> {
+    let ty = &of.field.ty;
+    let key = match of.place {
+        Place::Flat => "",
+        _ => &of.key,
+    };
+    let help = help(&of.field.attrs);
+    if of.place != Place::Leaf {
+        return Ok(quote! {
+            ::cutaway::scene::describe::Field::table(#key, #help, <#ty>::FIELDS)
+        });
+    }
+    let Some(example) = &of.example else {
+        return Err(Error::new_spanned(of.field, "a value has an example"));
+    };
+    let example = toml(example);
+    if help.is_empty() {
+        return Err(Error::new_spanned(
+            of.field,
+            "a doc comment is the help of a value",
+        ));
+    }
+    let mut takes = quote! { <#ty as ::cutaway::scene::describe::Leaf>::TYPE };
+    if let Some(range) = &of.range {
+        let least = range.start.as_ref().map(|e| quote! { #e });
+        let least = least.unwrap_or(quote! { f64::NEG_INFINITY });
+        let most = range.end.as_ref().map(|e| quote! { #e });
+        let most = most.unwrap_or(quote! { f64::INFINITY });
+        takes = quote! { #takes.within(#least, #most) };
+    }
+    if let Some(other) = &of.takes {
+        takes = quote! { #other };
+    }
+    if let Some(choice) = &of.choice {
+        takes = quote! { ::cutaway::scene::describe::ValueType::Choice(&#choice) };
+    }
+    if let Some(words) = &of.words {
+        takes = quote! { ::cutaway::scene::describe::ValueType::Or(const { &#takes }, &#words) };
+    }
+    let unit = of.unit.as_ref().map(|unit| quote! { .unit(#unit) });
+    let fixed = of.fixed.then(|| quote! { .fixed() });
+    Ok(quote! {
+        ::cutaway::scene::describe::Field::leaf(#key, #help, #takes, #example)
+            .read_as::<#ty>()#unit #fixed
+    })
+}
+
+/// An expression as TOML writes it: `[0, -1]`, `"auto"`.
+fn toml(expression: &Expr) -> String {
+    let text = quote! { #expression }.to_string();
+    text.replace(" ,", ",")
+        .replace("- ", "-")
+        .replace("[ ", "[")
+        .replace(" ]", "]")
+}
+
+/// The first paragraph of a doc comment as a help: in lower case, without the full stop.
+fn help(attributes: &[Attribute]) -> String {
+    let lines = attributes.iter().filter_map(|a| match &a.meta {
+        Meta::NameValue(pair) if pair.path.is_ident("doc") => match &pair.value {
+            Expr::Lit(ExprLit {
+                lit: Lit::Str(text),
+                ..
+            }) => Some(text.value().trim().to_owned()),
+            _ => None,
+        },
+        _ => None,
+    });
+    let first: Vec<String> = lines.take_while(|line| !line.is_empty()).collect();
+    let text = first.join(" ");
+    let text = match text.strip_suffix('.') {
+        Some(sentence) if !sentence.ends_with('.') => sentence,
+        _ => &text,
+    };
+    let mut chars = text.chars();
+    let (first, second) = (chars.next(), chars.clone().next());
+    match (first, second) {
+        // Abbreviations stay as they are.
+        (Some(_), Some(second)) if second.is_uppercase() => text.to_owned(),
+        (Some(first), _) => first.to_lowercase().chain(chars).collect(),
+        (None, _) => String::new(),
+    }
+}

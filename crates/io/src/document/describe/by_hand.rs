@@ -1,0 +1,20 @@
+//! Values of several forms, which their readers take from the table themselves.
+
+use cutaway::scene::describe::{Given, Leaf, ValueType};
+
+/// The place of such a value in a description.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct ByHand;
+
+impl Leaf for ByHand {
+    const TYPE: ValueType = ValueType::Other;
+    const IS_READ_BY_HAND: bool = true;
+
+    fn of(_: Given) -> Option<Self> {
+        None
+    }
+
+    fn get(&self) -> Option<Given> {
+        None
+    }
+}

@@ -1,0 +1,34 @@
+//! `[[key]]`.
+
+use cutaway::scene::describe::Described;
+
+use super::ByHand;
+
+/// Interpolation between two values of a key.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Described)]
+pub enum Interpolation {
+    /// A straight line.
+    #[default]
+    Linear,
+    /// The earlier value, up to the later time.
+    Step,
+    /// A cubic that sets out and arrives at rest.
+    Smooth,
+}
+
+/// A key as a file has it.
+#[derive(Clone, Debug, Default, PartialEq, Described)]
+pub(crate) struct KeyDesc {
+    /// Path of the animated value.
+    #[value(example = "camera.azimuth_deg")]
+    pub(crate) target: Option<String>,
+    /// Times, ascending.
+    #[value(unit = "s", fixed, example = [0, 2])]
+    pub(crate) times_s: ByHand,
+    /// Value at each time.
+    #[value(fixed, example = [0, 360])]
+    pub(crate) values: ByHand,
+    /// Interpolation between times.
+    #[value(example = "smooth")]
+    pub(crate) interpolation: Option<Interpolation>,
+}

@@ -1,0 +1,103 @@
+//! `[[part]]`.
+
+use std::path::PathBuf;
+
+use cutaway::scene::describe::{Described, ValueType};
+use cutaway::scene::range::SMALLEST;
+use cutaway::scene::{Amount, Fill, Role};
+use glam::Vec3;
+
+use super::{ByHand, PlacementDesc};
+
+/// A part as a file has it, without its lists of defects and deformers.
+#[derive(Clone, Debug, Default, PartialEq, Described)]
+pub(crate) struct PartDesc {
+    /// Name in paths and globs.
+    #[value(example = "crank")]
+    pub(crate) name: Option<String>,
+    /// Includes the part in the scene.
+    #[value(example = true)]
+    pub(crate) enabled: Option<bool>,
+    /// Mesh file, or numbered frames: "walk_%04d.ply".
+    #[value(example = "crank.obj")]
+    pub(crate) mesh: Option<PathBuf>,
+    /// Built-in shape; or a table of its name and parameters.
+    #[value(takes = ValueType::Text, example = "crank?throws=3")]
+    pub(crate) shape: ByHand,
+    /// Makes each connected body a part: NAME/1, NAME/2, ...
+    #[value(fixed, example = true)]
+    pub(crate) split: bool,
+    /// Closes planar and small holes of the mesh.
+    #[value(fixed, example = true)]
+    pub(crate) close_holes: bool,
+    /// Globs of the solids to take from the file; of bodies, with `split`.
+    #[value(example = ["gear*"])]
+    pub(crate) only: Vec<String>,
+    /// Globs of the solids or bodies to leave out.
+    #[value(example = ["bolt*"])]
+    pub(crate) except: Vec<String>,
+    /// Frames per second.
+    #[value(range = SMALLEST.., unit = "1/s", fixed, example = 24)]
+    pub(crate) fps: Option<f64>,
+    /// Number of the first frame.
+    #[value(fixed, example = 1)]
+    pub(crate) first: Option<u32>,
+    /// Repeats the frames.
+    #[value(key = "loop", fixed, example = false)]
+    pub(crate) loops: Option<bool>,
+    /// Place of the mesh.
+    #[value(flat)]
+    pub(crate) placement: PlacementDesc,
+    /// Interior parts are never cut; whole parts neither, but are hidden where they are removed entirely.
+    #[value(example = "interior")]
+    pub(crate) role: Option<Role>,
+    /// The part with the higher priority is shown where solids overlap.
+    #[value(example = 1)]
+    pub(crate) priority: Option<i32>,
+    /// Fill rule of the mesh.
+    #[value(example = "nonzero")]
+    pub(crate) fill: Option<Fill>,
+    /// Colours, hatch and textures.
+    #[value(table)]
+    pub(crate) material: MaterialDesc,
+}
+
+/// The material of a part.
+#[derive(Clone, Debug, Default, PartialEq, Described)]
+pub(crate) struct MaterialDesc {
+    /// Colour of the surface.
+    #[value(example = "#8a94a6")]
+    pub(crate) color: Option<Vec3>,
+    /// Colour of caps.
+    #[value(example = "#d9773f")]
+    pub(crate) cap_color: Option<Vec3>,
+    /// Hatch of caps: general, none, solid, a material, or a pattern of a file, mine.pat#NAME.
+    #[value(example = "steel")]
+    pub(crate) hatch: Option<String>,
+    /// Textures of caps.
+    #[value(table)]
+    pub(crate) cap: CapMaterialDesc,
+}
+
+/// Textures of caps.
+#[derive(Clone, Debug, Default, PartialEq, Described)]
+pub(crate) struct CapMaterialDesc {
+    /// Colour texture of caps, in the (u, v) of the clip-surface.
+    #[value(example = "rust.png")]
+    pub(crate) diffuse: Option<PathBuf>,
+    /// Normal map of caps, added to the relief.
+    #[value(example = "grain.png")]
+    pub(crate) normal: Option<PathBuf>,
+    /// Light map of caps.
+    #[value(example = "soft.png")]
+    pub(crate) light: Option<PathBuf>,
+    /// Solid texture.
+    #[value(choice = ["wood", "marble", "granite"], example = "marble")]
+    pub(crate) solid: Option<String>,
+    /// Numbered slices that fill the part's box, instead of `solid`.
+    #[value(example = "slices/%03d.png")]
+    pub(crate) images: Option<PathBuf>,
+    /// Length of one repeat; default: images are placed as the relief is.
+    #[value(range = SMALLEST.., unit = "units", fixed, example = "10%")]
+    pub(crate) size: Option<Amount>,
+}

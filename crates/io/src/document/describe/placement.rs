@@ -1,0 +1,26 @@
+//! Keys that place a mesh: of a part, and of a cut's volume.
+
+use cutaway::scene::describe::{Described, Factors, OrWord};
+use glam::DVec3;
+
+use super::ByHand;
+
+/// Scale, rotation and translation, in this order, or a matrix.
+#[derive(Clone, Debug, Default, PartialEq, Described)]
+pub(crate) struct PlacementDesc {
+    /// Translation, applied last.
+    #[value(unit = "units", example = [0, 0, 1])]
+    pub(crate) translate: DVec3,
+    /// Rotation about x, then y, then z.
+    #[value(unit = "degrees", example = [0, 90, 0])]
+    pub(crate) rotate_deg: DVec3,
+    /// Scale, applied first.
+    #[value(example = 0.5)]
+    pub(crate) scale: Option<Factors>,
+    /// Fixed point of scale and rotation; default: the origin.
+    #[value(words = ["centre"], unit = "units", example = [0, 0, 0])]
+    pub(crate) pivot: Option<OrWord<DVec3>>,
+    /// 4 rows of 4 numbers, instead of the keys above.
+    #[value(example = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 2], [0, 0, 0, 1]])]
+    pub(crate) matrix: ByHand,
+}

@@ -1,0 +1,103 @@
+//! `box`, `wedge` and `cutout` of a cut.
+
+use cutaway::scene::Amount;
+use cutaway::scene::describe::{Described, Leaf, OrWord, ValueType};
+use glam::{DVec2, DVec3};
+
+use super::ReliefUse;
+
+/// Directions by their names.
+pub(crate) const AXIS_NAMES: [&str; 6] = ["x", "y", "z", "-x", "-y", "-z"];
+
+/// A box as a file has it.
+#[derive(Clone, Debug, Default, PartialEq, Described)]
+pub(crate) struct BoxDesc {
+    /// Lower corner; default: open on that side.
+    #[value(unit = "units", example = ["50%", 0, 0])]
+    pub(crate) min: Option<[Amount; 3]>,
+    /// Upper corner.
+    #[value(unit = "units", example = ["100%", 1, 1])]
+    pub(crate) max: Option<[Amount; 3]>,
+    /// Centre, instead of corners.
+    #[value(unit = "units", example = [0, 0, 0])]
+    pub(crate) centre: Option<[Amount; 3]>,
+    /// Side lengths.
+    #[value(takes = ValueType::OneOrMore(&Amount::TYPE, 3), unit = "units", example = 0.5)]
+    pub(crate) size: Option<[Amount; 3]>,
+    /// Its relief.
+    #[value(flat)]
+    pub(crate) ruffle: ReliefUse,
+    /// Faces with the relief: -x to +z.
+    #[value(example = ["+z"])]
+    pub(crate) faces: Vec<String>,
+}
+
+/// A wedge as a file has it.
+#[derive(Clone, Debug, Default, PartialEq, Described)]
+pub(crate) struct WedgeDesc {
+    /// Axis of the wedge.
+    #[value(words = AXIS_NAMES, example = [0, 0, 1])]
+    pub(crate) axis: Option<OrWord<DVec3>>,
+    /// Point on the axis; default: the middle of the model.
+    #[value(unit = "units", example = ["50%", "50%", 0])]
+    pub(crate) origin: Option<[Amount; 3]>,
+    /// Start angle, counter-clockwise from the next axis.
+    #[value(unit = "degrees", example = 0)]
+    pub(crate) from_deg: Option<f64>,
+    /// End angle, at most 360 more.
+    #[value(unit = "degrees", example = 90)]
+    pub(crate) to_deg: Option<f64>,
+    /// Smallest coordinate along the axis.
+    #[value(unit = "units", example = "10%")]
+    pub(crate) min: Option<Amount>,
+    /// Largest coordinate along the axis.
+    #[value(unit = "units", example = "90%")]
+    pub(crate) max: Option<Amount>,
+    /// Its relief.
+    #[value(flat)]
+    pub(crate) ruffle: ReliefUse,
+    /// Faces with the relief: from, to, min, max.
+    #[value(example = ["from"])]
+    pub(crate) faces: Vec<String>,
+}
+
+/// A cutout as a file has it.
+#[derive(Clone, Debug, PartialEq, Described)]
+pub(crate) struct CutoutDesc {
+    /// Axis of the wedge: found from all faces, the main one of their inertia, that of symmetry, or a direction.
+    #[value(words = ["auto", "main", "symmetry", "x", "y", "z", "-x", "-y", "-z"], fixed, example = "auto")]
+    pub(crate) axis: Option<OrWord<DVec3>>,
+    /// Angle between the two faces.
+    #[value(range = 0.0..=359.0, unit = "degrees", example = 110)]
+    pub(crate) angle_deg: f64,
+    /// Rotation away from the first camera, or with `fixed` from the second axis.
+    #[value(unit = "degrees", example = 0)]
+    pub(crate) turn_deg: f64,
+    /// Keeps the cutout in place when the camera moves.
+    #[value(example = true)]
+    pub(crate) fixed: bool,
+    /// Translation along the second and the third axis.
+    #[value(unit = "units", example = [0, 0])]
+    pub(crate) offset: DVec2,
+    /// Its relief.
+    #[value(flat)]
+    pub(crate) ruffle: ReliefUse,
+    /// Faces with the relief: from, to.
+    #[value(example = ["from"])]
+    pub(crate) faces: Vec<String>,
+}
+
+impl Default for CutoutDesc {
+    fn default() -> Self {
+        Self {
+            axis: None,
+            // Diepstraten, Weiskopf and Ertl 2003.
+            angle_deg: 110.0,
+            turn_deg: 0.0,
+            fixed: false,
+            offset: DVec2::ZERO,
+            ruffle: ReliefUse::default(),
+            faces: Vec::new(),
+        }
+    }
+}

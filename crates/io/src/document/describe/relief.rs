@@ -1,0 +1,64 @@
+//! `[relief.NAME]`.
+
+use std::path::PathBuf;
+
+use cutaway::scene::Wrap;
+use cutaway::scene::describe::Described;
+use cutaway::scene::relief::{BlendOp, Procedure};
+
+use super::ByHand;
+
+/// Kinds that are not computed.
+const OTHER_KINDS: [&str; 4] = ["image", "blend", "profile", "layers"];
+
+/// Words of `kind`.
+const KINDS: [&str; Procedure::NAMES.len() + OTHER_KINDS.len()] = {
+    let mut kinds = [""; Procedure::NAMES.len() + OTHER_KINDS.len()];
+    let mut i = 0;
+    while i < kinds.len() {
+        kinds[i] = match i < Procedure::NAMES.len() {
+            true => Procedure::NAMES[i],
+            false => OTHER_KINDS[i - Procedure::NAMES.len()],
+        };
+        i += 1;
+    }
+    kinds
+};
+
+/// A relief as a file has it, without the numbers of computed ones, which [`Procedure`] declares.
+#[derive(Clone, Debug, Default, PartialEq, Described)]
+pub(crate) struct ReliefDesc {
+    /// Source of the heights.
+    #[value(choice = KINDS, example = "fractal")]
+    pub(crate) kind: Option<String>,
+    /// Image of heights.
+    #[value(example = "rock.png")]
+    pub(crate) image: Option<PathBuf>,
+    /// Names of the reliefs to combine, in order.
+    #[value(example = ["a", "b"])]
+    pub(crate) blend: Vec<String>,
+    /// Operator that combines them (blend).
+    #[value(choice = BlendOp::NAMES, example = "add")]
+    pub(crate) op: Option<String>,
+    /// Weight of each relief against those before it (blend, mix).
+    #[value(range = 0.0..=1.0, example = 0.5)]
+    pub(crate) share: Option<f64>,
+    /// Heights at equal steps along U (profile).
+    #[value(example = [0, 0.2, 1])]
+    pub(crate) heights: ByHand,
+    /// Names of the reliefs used as layers (layers).
+    #[value(example = ["a", "b"])]
+    pub(crate) of: Vec<String>,
+    /// Numbered images used as layers (layers).
+    #[value(example = "frames/%03d.png")]
+    pub(crate) images: Option<PathBuf>,
+    /// Number of the first image (layers).
+    #[value(fixed, example = 1)]
+    pub(crate) first: Option<u32>,
+    /// Position between layers; layer 0 is at 0 (layers).
+    #[value(example = 0.5)]
+    pub(crate) at: f64,
+    /// Wrap mode beyond the last layer (layers).
+    #[value(example = "repeat")]
+    pub(crate) wrap: Wrap,
+}

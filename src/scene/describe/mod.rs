@@ -1,0 +1,123 @@
+//! Descriptions: what users set by keys, each value declared once, at the field that holds it.
+//!
+//! ```
+//! use cutaway::scene::describe::{Described, Given};
+//! use cutaway::scene::style::Shadow;
+//! let mut shadow = Shadow::default();
+//! let strength = Shadow::FIELDS.iter().position(|f| f.key == "strength").ok_or("no such value")?;
+//! shadow.set(strength, Given::Number(0.5));
+//! assert_eq!(shadow.strength, 0.5);
+//! assert_eq!(Shadow::FIELDS[strength].takes.to_string(), "number from 0 to 1");
+//! # Ok::<(), &str>(())
+//! ```
+//!
+//! `#[derive(Described)]` makes the list of [`Field`]s of a struct, with access to the values by their place in it. Readers of scene files,
+//! the list of paths, help, ranges and the panels of a window are made from that list; so a range that is published is the one that is
+//! checked.
+//!
+//! Cost: a `match` for each access. Cannot: check what concerns several values; the reader of a table does.
+
+mod leaf;
+mod value_type;
+
+pub use cutaway_derive::Described;
+pub use leaf::{Factors, Given, Leaf, OrWord};
+pub use value_type::ValueType;
+
+/// Declaration of a value.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Field {
+    /// Key in its table; empty where the values of `below` are beside those of the table.
+    pub key: &'static str,
+    /// Description in one line.
+    pub help: &'static str,
+    /// Type and range.
+    pub takes: ValueType,
+    /// Unit of its numbers; empty where they have none.
+    pub unit: &'static str,
+    /// A value that it takes, as TOML.
+    pub example: &'static str,
+    /// True if an animation can move it.
+    pub moves: bool,
+    /// True if it has forms that no type describes.
+    pub is_read_by_hand: bool,
+    /// Declarations of the values below it, where it is a table.
+    pub below: &'static [Self],
+}
+
+impl Field {
+    /// A value. Numbers and flags move.
+    pub const fn leaf(
+        key: &'static str,
+        help: &'static str,
+        takes: ValueType,
+        example: &'static str,
+    ) -> Self {
+        Self {
+            key,
+            help,
+            takes,
+            unit: "",
+            example,
+            moves: takes.is_numeric(),
+            is_read_by_hand: false,
+            below: &[],
+        }
+    }
+
+    /// A table of values.
+    pub const fn table(key: &'static str, help: &'static str, below: &'static [Self]) -> Self {
+        Self {
+            below,
+            ..Self::leaf(key, help, ValueType::Table, "")
+        }
+    }
+
+    /// The same, with a unit.
+    #[must_use]
+    pub const fn unit(self, unit: &'static str) -> Self {
+        Self { unit, ..self }
+    }
+
+    /// The same, as far as `T` is read by hand.
+    #[must_use]
+    pub const fn read_as<T: Leaf>(self) -> Self {
+        Self {
+            is_read_by_hand: T::IS_READ_BY_HAND,
+            ..self
+        }
+    }
+
+    /// The same, which no animation moves.
+    #[must_use]
+    pub const fn fixed(self) -> Self {
+        Self {
+            moves: false,
+            ..self
+        }
+    }
+}
+
+/// Values by their place in the list of declarations.
+pub trait Described {
+    /// The declarations.
+    fn fields(&self) -> &'static [Field];
+
+    /// Sets a value to one of its type, which is ignored if it is of another.
+    fn set(&mut self, field: usize, given: Given);
+
+    /// The value; `None` if it is not set, or a table.
+    fn get(&self, field: usize) -> Option<Given>;
+
+    /// The values below a field that is a table.
+    fn below(&self, field: usize) -> Option<&dyn Described> {
+        let _ = field;
+        None
+    }
+
+    /// The same, to be set.
+    fn below_mut(&mut self, field: usize) -> Option<&mut dyn Described> {
+        let _ = field;
+        None
+    }
+}

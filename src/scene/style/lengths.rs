@@ -1,0 +1,7 @@
+//! Lengths of a style: their unit and their largest value.
+
+/// Unit of lengths.
+pub(super) const MIL: &str = "1/1000 of the height";
+
+/// Greatest width of a line, in that unit.
+pub(super) const WIDEST: f64 = 20.0;
