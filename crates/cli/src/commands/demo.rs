@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use cutaway::{Error, Result};
+use cutaway_io::document::Value;
 use cutaway_io::load::Assets;
 use cutaway_lab::experiment::{Record, Renderer, Run, SceneAtTime, draw_options, picture};
 use cutaway_lab::report::{Recorded, text};
@@ -15,6 +16,7 @@ use super::measure::{self, MeasureArgs};
 use super::report::{self, ReportArgs};
 use crate::console::{Console, ConsoleArgs};
 use crate::input::args::{AdapterArgs, DrawOptionArgs};
+use crate::input::declared::declared;
 use crate::input::look::Defaults;
 use crate::verdict::Verdict;
 use crate::writing::output::{checked_folder, write_file, write_stdout};
@@ -44,9 +46,9 @@ pub(crate) struct DemoArgs {
         long,
         value_name = "W,H",
         default_value = "1000,520",
-        value_parser = crate::input::args::parse_resolution
+        value_parser = declared("resolution")
     )]
-    resolution: [u32; 2],
+    resolution: Value,
     /// Measured rounds, after one to warm up
     #[arg(
         long,
@@ -67,10 +69,10 @@ impl DemoArgs {
     /// The text of the experiment, with what the options set.
     fn experiment(&self) -> String {
         let set = self.options.values().map(|(path, _, value)| {
-            value.map_or_else(String::new, |value| format!("\"{path}\" = \"{value}\"\n"))
+            value.map_or_else(String::new, |value| format!("\"{path}\" = {value}\n"))
         });
-        let (size, set) = (self.resolution, set.concat());
-        format!("{EXPERIMENT}\n[run.set]\nresolution = {size:?}\n{set}")
+        let (size, set) = (&self.resolution, set.concat());
+        format!("{EXPERIMENT}\n[run.set]\nresolution = {size}\n{set}")
     }
 }
 

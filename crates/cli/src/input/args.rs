@@ -3,13 +3,13 @@
 use clap::Args;
 use cutaway::Result;
 use cutaway::gpu::{Gpu, GpuOptions};
+use cutaway::scene::Fill;
 use cutaway::scene::range::LARGEST;
-use cutaway::scene::{Fill, HeightFilter, color_help, parse_color};
 use cutaway::session::Session;
-use cutaway::strategies::Rasteriser;
 use cutaway_io::document::{Document, Node, Origin, Value};
 
 use super::camera::CameraArgs;
+use super::declared::declared;
 use super::defects::DefectArgs;
 use super::edits::EditArgs;
 use super::holes::HoleArgs;
@@ -19,9 +19,6 @@ use super::split::SplitArgs;
 use super::stdin::StdinArgs;
 use super::subject::{Subject, document};
 use crate::console::Console;
-
-/// Most pixels along a side of a picture.
-const LARGEST_SIDE: u32 = 16_384;
 
 /// Model, cuts and camera of a picture.
 #[derive(Args)]
@@ -52,13 +49,13 @@ pub(crate) struct SceneArgs {
         num_args = 0..=1,
         require_equals = true,
         default_missing_value = "#ff00aa",
-        value_parser = parse_color_word,
+        value_parser = declared("interference"),
         help_heading = "Output"
     )]
-    interference: Option<String>,
+    interference: Option<Value>,
     /// Width and height of the picture in pixels [default: that of the scene, or 1024,768]
-    #[arg(long, value_name = "W,H", value_parser = parse_resolution, allow_hyphen_values = true, help_heading = "Output")]
-    resolution: Option<[u32; 2]>,
+    #[arg(long, value_name = "W,H", value_parser = declared("resolution"), allow_hyphen_values = true, help_heading = "Output")]
+    resolution: Option<Value>,
     #[command(flatten)]
     pub(crate) edits: EditArgs,
 }
@@ -73,15 +70,12 @@ impl SceneArgs {
         fill_by(&mut document, self.fill)?;
         self.camera.amend(&mut document)?;
         self.sections.amend(&mut document)?;
-        let size = (self.resolution).map(|size| size.map(i64::from).to_vec().into());
-        say(&mut document, "resolution", "--resolution", size)?;
-        let interference = self.interference.as_deref().map(Value::from);
-        say(
-            &mut document,
-            "interference",
-            "--interference",
-            interference,
-        )?;
+        for (path, option, value) in [
+            ("resolution", "--resolution", &self.resolution),
+            ("interference", "--interference", &self.interference),
+        ] {
+            say(&mut document, path, option, value.clone())?;
+        }
         Ok(document)
     }
 
@@ -163,31 +157,35 @@ impl AdapterArgs {
 pub(crate) struct DrawOptionArgs {
     /// Rasteriser of the mesh: hardware, or compute (mask, abuffer and kbuffer, and raycast with ldi) [default: that of the scene, or
     /// hardware; with the strategy auto whichever takes less time on the adapter]
-    #[arg(long, value_name = "WHO", value_parser = parse_rasteriser, help_heading = "Device")]
-    rasteriser: Option<Rasteriser>,
+    #[arg(long, value_name = "WHO", value_parser = declared("strategy.rasteriser"), help_heading = "Device")]
+    rasteriser: Option<Value>,
     /// Interpolation of the heights of reliefs: exact, from four texels, or hardware, the sampler of the GPU (grid alone, for
     /// the error that it makes) [default: that of the scene, or exact]
-    #[arg(long, value_name = "WHO", value_parser = parse_height_filter, help_heading = "Device")]
-    height_filter: Option<HeightFilter>,
+    #[arg(long, value_name = "WHO", value_parser = declared("height_filter"), help_heading = "Device")]
+    height_filter: Option<Value>,
 }
 
 impl DrawOptionArgs {
     /// Path in a document, option and value of each setting.
-    pub(crate) fn values(&self) -> [(&'static str, &'static str, Option<String>); 2] {
-        let rasteriser = self.rasteriser.map(|r| r.to_string());
-        let filter = self.height_filter.map(|f| f.to_string());
+    pub(crate) fn values(&self) -> [(&'static str, &'static str, Option<Value>); 2] {
         [
-            ("strategy.rasteriser", "--rasteriser", rasteriser),
-            ("height_filter", "--height-filter", filter),
+            (
+                "strategy.rasteriser",
+                "--rasteriser",
+                self.rasteriser.clone(),
+            ),
+            (
+                "height_filter",
+                "--height-filter",
+                self.height_filter.clone(),
+            ),
         ]
     }
 
     /// Puts them into a document.
     pub(crate) fn amend(&self, document: &mut Document) -> Result<()> {
         let mut values = self.values().into_iter();
-        values.try_for_each(|(path, option, value)| {
-            say(document, path, option, value.map(Value::from))
-        })
+        values.try_for_each(|(path, option, value)| say(document, path, option, value))
     }
 }
 
@@ -197,64 +195,10 @@ pub(crate) fn parse_fill(text: &str) -> Result<Fill, String> {
     })
 }
 
-/// Reads a colour, which a document is to hold as it is written.
-pub(crate) fn parse_color_word(text: &str) -> Result<String, String> {
-    match parse_color(text) {
-        Some(_) => Ok(text.to_owned()),
-        None => Err(format!("it is no colour\n  help: {}", color_help(text))),
-    }
-}
-
-fn parse_rasteriser(text: &str) -> Result<Rasteriser, String> {
-    text.parse().map_err(|_: cutaway::Error| {
-        "there is no such rasteriser\n  help: say hardware or compute".to_owned()
-    })
-}
-
-fn parse_height_filter(text: &str) -> Result<HeightFilter, String> {
-    text.parse().map_err(|_: cutaway::Error| {
-        "there is no such filter\n  help: say exact or hardware".to_owned()
-    })
-}
-
-/// Reads `W,H`.
-pub(crate) fn parse_resolution(text: &str) -> Result<[u32; 2], String> {
-    let fault = || {
-        format!(
-            "it must be two whole numbers from 1 to {LARGEST_SIDE}\n  help: write for example --resolution 1024,768"
-        )
-    };
-    let (width, height) = text.split_once([',', 'x']).ok_or_else(fault)?;
-    let side = |t: &str| {
-        t.trim()
-            .parse()
-            .ok()
-            .filter(|n| (1..=LARGEST_SIDE).contains(n))
-    };
-    match (side(width), side(height)) {
-        (Some(width), Some(height)) => Ok([width, height]),
-        _ => Err(fault()),
-    }
-}
-
 pub(crate) fn parse_finite(text: &str) -> Result<f64, String> {
     let number = text.trim().parse::<f64>().ok();
     let number = number.filter(|n| n.abs() <= LARGEST);
     number.ok_or_else(|| {
         format!("it must be a finite number, {LARGEST:.0e} at most, for example 1.5")
     })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn sizes_are_read_or_refused_with_an_example() {
-        assert_eq!(parse_resolution("640,480"), Ok([640, 480]));
-        assert_eq!(parse_resolution("640x480"), Ok([640, 480]));
-        for text in ["640", "0,480", "640,-1", "640,480,2", "99999,1", "a,b", ""] {
-            assert!(parse_resolution(text).is_err(), "{text}");
-        }
-    }
 }

@@ -1,10 +1,11 @@
 //! Options of pictures: renderer, resolution and background.
 
-use super::args::{parse_color_word, say};
+use super::args::say;
+use super::declared::declared;
 use crate::renderer_request::RendererRequest;
 use clap::Args;
 use cutaway::Result;
-use cutaway::scene::{Fit, Style, color_help, parse_color};
+use cutaway::scene::{Fit, Style};
 use cutaway::strategies::{AUTO, DrawOptions, table};
 use cutaway_io::document::{Document, Timeline, Value, named_style, style_names};
 
@@ -49,32 +50,32 @@ pub(crate) struct LookArgs {
     #[arg(
         long,
         value_name = "N",
-        value_parser = clap::value_parser!(u32).range(1..=4),
+        value_parser = declared("supersample"),
         help_heading = "Output"
     )]
-    supersample: Option<u32>,
+    supersample: Option<Value>,
     #[arg(long, value_name = "NAME|FILE", help = style_help(), help_heading = "Output")]
     style: Option<String>,
     /// One colour for the surfaces of all parts, #rrggbb or a name of CSS, as the style lights it [default: those of the parts]
-    #[arg(long, value_name = "COLOUR", value_parser = parse_color_word, help_heading = "Output")]
-    color: Option<String>,
+    #[arg(long, value_name = "COLOUR", value_parser = declared("style.surface.color"), help_heading = "Output")]
+    color: Option<Value>,
     /// One colour for all caps [default: that of the style]
-    #[arg(long, value_name = "COLOUR", value_parser = parse_color_word, help_heading = "Output")]
-    cap_color: Option<String>,
+    #[arg(long, value_name = "COLOUR", value_parser = declared("style.cap.color"), help_heading = "Output")]
+    cap_color: Option<Value>,
     /// Background behind the model: paper, from the style, gradient, none, or a colour [default: that of the scene, or paper]
-    #[arg(long, value_name = "WHAT", value_parser = parse_background, help_heading = "Output")]
-    background: Option<String>,
+    #[arg(long, value_name = "WHAT", value_parser = declared("background"), help_heading = "Output")]
+    background: Option<Value>,
     /// Show what cuts remove: as phantom lines, glass or both
     #[arg(
         long,
         value_name = "KIND",
-        value_parser = ["lines", "glass", "both", "none"],
+        value_parser = declared("style.ghost.kind"),
         num_args = 0..=1,
         require_equals = true,
         default_missing_value = "lines",
         help_heading = "Output"
     )]
-    ghost: Option<String>,
+    ghost: Option<Value>,
     /// Let the model stand on a ground that it darkens, by so much from 0 to 1
     #[arg(
         long,
@@ -82,9 +83,10 @@ pub(crate) struct LookArgs {
         num_args = 0..=1,
         require_equals = true,
         default_missing_value = "0.35",
+        value_parser = declared("style.shadow.strength"),
         help_heading = "Output"
     )]
-    shadow: Option<f64>,
+    shadow: Option<Value>,
     /// Leave what shows no model transparent: --background none
     #[arg(long, help_heading = "Output", conflicts_with = "background")]
     pub(crate) no_background: bool,
@@ -95,20 +97,6 @@ fn style_help() -> String {
         "How the picture looks: {}, or a file of a style (.toml) [default: that of the scene, or {USUAL_STYLE}]",
         style_names().collect::<Vec<_>>().join(", ")
     )
-}
-
-fn parse_background(text: &str) -> Result<String, String> {
-    match text {
-        "none" => Ok("transparent".to_owned()),
-        "paper" | "gradient" | "transparent" => Ok(text.to_owned()),
-        _ if parse_color(text).is_some() => Ok(text.to_owned()),
-        _ => {
-            let colour = color_help(text);
-            Err(format!(
-                "it is no background\n  help: write paper, gradient, none or a colour: {colour}"
-            ))
-        }
-    }
 }
 
 fn strategy_help() -> String {
@@ -125,37 +113,32 @@ impl LookArgs {
         RendererRequest::named(self.strategy.as_deref(), DrawOptions::default())?;
         let strategy = self.strategy.as_deref().map(Value::from);
         say(document, "strategy.name", "--strategy", strategy)?;
-        let fineness = self.supersample.map(|n| i64::from(n).into());
-        say(document, "supersample", "--supersample", fineness)?;
+        say(
+            document,
+            "supersample",
+            "--supersample",
+            self.supersample.clone(),
+        )?;
         if let Some(style) = &self.style {
             document.set_style(style, "--style")?;
         }
-        for (path, option, color) in [
+        for (path, option, value) in [
             ("style.surface.color", "--color", &self.color),
             ("style.cap.color", "--cap-color", &self.cap_color),
+            ("style.ghost.kind", "--ghost", &self.ghost),
+            ("style.shadow.strength", "--shadow", &self.shadow),
         ] {
-            if let Some(color) = color {
+            if value.is_some() {
                 change_style(document)?;
-                forget_hue(document, path)?;
-                say(document, path, option, Some(color.as_str().into()))?;
+                if path.ends_with("color") {
+                    forget_hue(document, path)?;
+                }
+                say(document, path, option, value.clone())?;
             }
         }
-        if let Some(kind) = self.ghost.as_deref() {
-            change_style(document)?;
-            say(document, "style.ghost.kind", "--ghost", Some(kind.into()))?;
-        }
-        if let Some(strength) = self.shadow {
-            change_style(document)?;
-            say(
-                document,
-                "style.shadow.strength",
-                "--shadow",
-                Some(strength.into()),
-            )?;
-        }
-        let (option, background) = match (self.no_background, &self.background) {
-            (true, _) => ("--no-background", Some("transparent".into())),
-            (false, asked) => ("--background", asked.as_deref().map(Value::from)),
+        let (option, background) = match self.no_background {
+            true => ("--no-background", Some("transparent".into())),
+            false => ("--background", self.background.clone()),
         };
         say(document, "background", option, background)
     }

@@ -2,6 +2,7 @@
 
 pub(crate) mod args;
 pub(crate) mod camera;
+pub(crate) mod declared;
 pub(crate) mod defects;
 pub(crate) mod edits;
 pub(crate) mod holes;

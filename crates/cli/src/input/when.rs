@@ -5,13 +5,14 @@ use cutaway::Result;
 use cutaway_io::document::{Document, Value};
 
 use super::args::{parse_finite, say};
+use super::declared::declared;
 
 /// The moment that is shown.
 #[derive(Args, Default)]
 pub(crate) struct TimeArgs {
     /// The scene as it stands at this time [default: at rest, as in the file]
-    #[arg(long = "time", value_name = "SECONDS", value_parser = parse_time, allow_hyphen_values = true, help_heading = "Time")]
-    time_s: Option<f64>,
+    #[arg(long = "time", value_name = "SECONDS", value_parser = declared("time_s"), allow_hyphen_values = true, help_heading = "Time")]
+    time_s: Option<Value>,
     #[command(flatten)]
     clip: ClipArgs,
 }
@@ -35,7 +36,7 @@ impl ClipArgs {
 impl TimeArgs {
     /// Puts the moment that is meant into a document.
     pub(crate) fn amend(&self, document: &mut Document) -> Result<()> {
-        say(document, "time_s", "--time", self.time_s.map(Value::from))?;
+        say(document, "time_s", "--time", self.time_s.clone())?;
         self.clip.amend(document)
     }
 }

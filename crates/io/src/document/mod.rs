@@ -55,7 +55,7 @@ pub(crate) use node::Place;
 pub use node::{Node, Number, Origin, Value, hex};
 pub(crate) use parse::parse;
 pub(crate) use paths::Keys;
-pub use read::{Key, RoleBy, named_style, style_names};
+pub use read::{Key, RoleBy, named_style, parse_value, style_names};
 pub use timeline::Timeline;
 pub use upright::{GuessedUp, UpReason};
 

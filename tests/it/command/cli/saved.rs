@@ -240,7 +240,7 @@ fn a_scene_keeps_its_comments_and_takes_options_on_top() {
         ("cut.front.surfaces.0.section", "\"-z=50%\""),
         ("cut.x=50%.surfaces.0.relief", "\"fractal\""),
         ("relief.fractal.seed", "3"),
-        ("camera.azimuth_deg", "5.0"),
+        ("camera.azimuth_deg", "5"),
         ("camera.elevation_deg", "\"auto\""),
     ] {
         let found = &document.get(path).unwrap().value;

@@ -4,8 +4,8 @@ use cutaway::error::Result;
 use cutaway::scene::describe::{Described, Field, Given, ValueType};
 use cutaway::scene::{Amount, color_help, parse_color};
 
-use super::reader::{Entry, Table};
-use crate::document::{Number, Value};
+use super::reader::{Entry, Source, Table};
+use crate::document::{Node, Number, Value, paths};
 
 /// Keys of a table.
 pub(super) fn keys_of(fields: &'static [Field]) -> Vec<&'static str> {
@@ -50,6 +50,37 @@ pub(super) fn amend(described: &mut dyn Described, table: &Table<'_>) -> Result<
         }
     }
     Ok(())
+}
+
+/// The value that words of a command line are for a path: lists are written with commas, sizes with an `x` as well.
+///
+/// # Errors
+///
+/// Words that the type does not take.
+pub fn parse_value(path: &paths::Path, text: &str) -> Result<Value> {
+    let text = text.trim();
+    let number = |text: &str| match Value::read(text.trim()) {
+        number @ Value::Number(_) => number,
+        _ => text.into(),
+    };
+    let value = match path.takes {
+        ValueType::Number(..) | ValueType::Whole(..) => number(text),
+        ValueType::Numbers(..) => text.split(',').map(number).collect::<Vec<_>>().into(),
+        ValueType::Wholes(..) => text
+            .split([',', 'x'])
+            .map(number)
+            .collect::<Vec<_>>()
+            .into(),
+        ValueType::Or(one, words) if one.is_numeric() && !words.contains(&text) => number(text),
+        _ => text.into(),
+    };
+    let node = Node::new(value);
+    let source = Source {
+        path: std::path::Path::new(""),
+        moment: None,
+    };
+    Entry::root(source, &node).given(&path.takes, path.example)?;
+    Ok(node.value)
 }
 
 /// Several numbers or amounts as one value.

@@ -182,6 +182,7 @@ pub(super) use camera::Seen;
 pub(super) use check::check;
 pub(super) use clip::cutaways::cutouts;
 pub(super) use clip::reliefs::Resolved;
+pub use described::parse_value;
 pub use keys::Key;
 pub(super) use keys::{Keyed, Moment};
 pub(super) use known::sights_of;
