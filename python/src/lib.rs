@@ -32,5 +32,6 @@ fn _native(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<scene::Scene>()?;
     module.add_function(wrap_pyfunction!(device::adapter, module)?)?;
     module.add_function(wrap_pyfunction!(render::png, module)?)?;
+    module.add_function(wrap_pyfunction!(values::values, module)?)?;
     Ok(())
 }

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use cutaway_io::document::paths::{self, Path};
 use cutaway_io::document::{Node, Value};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -74,6 +75,24 @@ fn refused(object: &Bound<'_, PyAny>, what: &str) -> PyErr {
     PyValueError::new_err(format!(
         "value of type {kind}: {what}\n  help: give a bool, int, float or str, or lists and dicts of them"
     ))
+}
+
+/// Declarations of all values of a scene: `path`, `takes`, `unit`, `help`, `example`, `moves`, and `range`, the least and the greatest
+/// number, of those that have some.
+#[pyfunction]
+pub(crate) fn values(py: Python<'_>) -> PyResult<Vec<Bound<'_, PyDict>>> {
+    let one = |path: &Path| {
+        let about = PyDict::new(py);
+        about.set_item("path", &path.path)?;
+        about.set_item("takes", path.takes.to_string())?;
+        about.set_item("unit", path.unit)?;
+        about.set_item("help", path.help)?;
+        about.set_item("example", path.example)?;
+        about.set_item("moves", path.moves)?;
+        about.set_item("range", path.takes.range())?;
+        Ok(about)
+    };
+    paths::all().iter().map(one).collect()
 }
 
 /// A value as a Python object.

@@ -31,6 +31,35 @@ def test_a_relief_is_changed_by_its_path(scene):
     assert scene.get("cut.ragged.surfaces.0.amplitude") == 0.1
 
 
+def ends_of_ranges():
+    """Numbers at the ends of the ranges of a style and of a camera, and just beyond: path, number, and whether it is taken."""
+    for about in cutaway.values():
+        path, one = about["path"], about["range"]
+        if one is None or not path.startswith(("style.", "camera.")) or "numbers" in about["takes"]:
+            continue
+        if path in ("camera.height", "style.hatch.least", "style.hatch.most"):  # Other values limit them too.
+            continue
+        step = 1 if about["takes"].startswith("whole") else 1e-3
+        for end, beyond in zip(one, (-step, step)):
+            if 1e-9 < abs(end) < 1e9 or end == 0:
+                number = int(end) if step == 1 else end
+                yield path, number, True
+                yield path, number + beyond, False
+
+
+def test_published_ranges_are_those_that_are_checked(scene):
+    probed = 0
+    for path, number, is_taken in ends_of_ranges():
+        probed += 1
+        if is_taken:
+            scene.set(path, number)
+            scene.remove(path)
+        else:
+            with pytest.raises(ValueError, match="help:"):
+                scene.set(path, number)
+    assert probed > 80
+
+
 def a_list_in_itself():
     endless = []
     endless.append(endless)

@@ -13,7 +13,7 @@ Errors: ``ValueError`` for what makes no sense, with a ``help:`` line; ``FileNot
 ``RuntimeError`` where there is nothing to draw on. Doubts about a result are warnings of the class :class:`CutawayWarning`.
 """
 
-from ._native import __version__, adapter
+from ._native import __version__, adapter, values
 from ._results import CutawayWarning, Half, Layers, Picture, Polygon, Section, Solid
 from ._scene import Scene
 from ._viewer import show
@@ -30,4 +30,5 @@ __all__ = [
     "__version__",
     "adapter",
     "show",
+    "values",
 ]

@@ -14,6 +14,9 @@ def adapter() -> dict[str, Any]:
     Raises ``RuntimeError`` where there is nothing to draw on, with the package that has a driver.
     """
 
+def values() -> list[dict[str, Any]]:
+    """Values of a scene by ``path``: ``takes``, ``unit``, ``help``, ``example``, ``moves``, and ``range``, the least and the greatest number."""
+
 def png(rgba: npt.NDArray[np.uint8]) -> bytes: ...
 
 class _Picture(TypedDict):

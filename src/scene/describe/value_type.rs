@@ -57,6 +57,19 @@ impl ValueType {
         }
     }
 
+    /// The least and the greatest number, of types that have some; infinite where there is none.
+    pub const fn range(self) -> Option<(f64, f64)> {
+        match self {
+            Self::Number(least, most)
+            | Self::Whole(least, most)
+            | Self::Numbers(_, least, most)
+            | Self::Wholes(_, least, most)
+            | Self::Amount(least, most) => Some((least, most)),
+            Self::Or(one, _) | Self::OneOrMore(one, _) => one.range(),
+            _ => None,
+        }
+    }
+
     /// Returns true if it consists of numbers, or is true or false: what an animation can move.
     pub const fn is_numeric(self) -> bool {
         match self {

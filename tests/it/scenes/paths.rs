@@ -8,6 +8,8 @@ use cutaway_io::document::paths::{self, Path, ValueType};
 use cutaway_io::document::{Document, Node, Value};
 use cutaway_io::load::{Assets, Loaded};
 
+use crate::common::command;
+
 /// A scene with an entry of everything that has entries.
 const SCENE: &str = r#"
 [[part]]
@@ -324,15 +326,12 @@ fn what_can_move_moves_and_what_cannot_is_refused() {
 
 /// Numbers at the ends of a range and just beyond, where these ends are finite.
 fn ends(takes: ValueType) -> Vec<(Value, bool)> {
-    let (least, most) = match takes {
-        ValueType::Number(least, most)
-        | ValueType::Whole(least, most)
-        | ValueType::Numbers(_, least, most)
-        | ValueType::Wholes(_, least, most)
-        | ValueType::Amount(least, most) => (least, most),
-        ValueType::Or(one, _) => return ends(*one),
-        _ => return Vec::new(),
+    let Some((least, most)) = takes.range() else {
+        return Vec::new();
     };
+    if let ValueType::Or(one, _) | ValueType::OneOrMore(one, _) = takes {
+        return ends(*one);
+    }
     let is_whole = matches!(takes, ValueType::Whole(..) | ValueType::Wholes(..));
     let count = match takes {
         ValueType::Numbers(count, ..) | ValueType::Wholes(count, ..) => Some(count),
@@ -392,4 +391,27 @@ fn published_ranges_are_those_that_are_checked() {
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
     assert!(probed > 150, "{probed} numbers");
+}
+
+#[test]
+fn the_command_checks_the_published_ranges() {
+    let folder = command::Scratch::new("ranges");
+    let mut probed = 0;
+    for path in paths::all()
+        .iter()
+        .filter(|p| p.path.starts_with("style."))
+        .step_by(6)
+    {
+        for (value, fits) in ends(path.takes) {
+            let line = format!("inspect shape:cube --set {}={value}", path.path);
+            let ran = folder.run(&line);
+            probed += 1;
+            if fits {
+                ran.exits(0);
+            } else {
+                ran.exits(2);
+            }
+        }
+    }
+    assert!(probed > 10, "{probed} numbers");
 }
