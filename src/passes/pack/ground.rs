@@ -132,12 +132,10 @@ fn level(prepared: &Prepared) -> f64 {
     let lowest = |points: &mut dyn Iterator<Item = DVec3>| {
         points.map(|p| p.dot(up)).fold(f64::INFINITY, f64::min)
     };
-    let lowest = match kept {
+    match kept {
         Some(mut points) => lowest(&mut points),
         None => lowest(&mut prepared.bounds.corners().into_iter()),
-    };
-    let gap = f64::from(prepared.style.shadow.gap_percent) / 100.0;
-    lowest - gap * prepared.bounds.size().length()
+    }
 }
 
 /// Distance from its foot that the shadow of a point at a height reaches.

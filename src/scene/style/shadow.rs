@@ -15,9 +15,6 @@ pub struct Shadow {
     /// Angular radius of the light around the zenith; a larger one makes softer shadows.
     #[value(range = 0.0..=70.0, unit = "degrees", example = 25)]
     pub spread_deg: f32,
-    /// Gap between the model and the ground, in percent of the scene's diagonal.
-    #[value(range = 0.0..=100.0, unit = "percent", example = 2)]
-    pub gap_percent: f32,
 }
 
 impl Default for Shadow {
@@ -25,7 +22,6 @@ impl Default for Shadow {
         Self {
             strength: 0.0,
             spread_deg: 25.0,
-            gap_percent: 0.0,
         }
     }
 }

@@ -91,17 +91,3 @@ fn where_there_is_no_background_the_shadow_covers_alone() {
     let covered = grounded.iter().filter(|[_, a]| *a > 4).count();
     assert!(covered > 60, "{covered} pixels of shadow");
 }
-
-#[test]
-fn a_gap_lowers_the_ground() {
-    let folder = crate::common::command::Scratch::new("gap");
-    let drawn = |gap: &str, code: i32| {
-        let line = format!(
-            "render shape:cube --shadow --style lit --set style.shadow.gap_percent={gap} -o {gap}.png"
-        );
-        folder.run(&line).exits(code);
-        std::fs::read(folder.path(&format!("{gap}.png"))).ok()
-    };
-    assert_ne!(drawn("0", 0), drawn("10", 0), "the ground is lower");
-    assert_eq!(drawn("101", 2), None, "beyond its range");
-}
