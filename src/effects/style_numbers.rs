@@ -51,7 +51,8 @@ fn numbers(style: &Style, view: &View) -> pack::Style {
         },
         gooch: [gooch.blue, gooch.yellow, gooch.of_cool, gooch.of_warm],
         stroke_halves: [[a, b, c, d], rest],
-        crease_cos: strokes.crease_deg.to_radians().cos(),
+        // Less would take the rounding of normals for folds.
+        crease_cos: strokes.crease_deg.max(1.0).to_radians().cos(),
         depth_px: strokes.depth_px,
         cap_light: style.cap.light,
         cap_relief: style.cap.relief,

@@ -50,6 +50,9 @@ fn word_of(variant: &Variant) -> Result<String> {
     let mut given = None;
     for attribute in variant.attrs.iter().filter(|a| a.path().is_ident("value")) {
         attribute.parse_nested_meta(|meta| {
+            if !meta.path.is_ident("name") {
+                return Err(meta.error("a word has a name alone"));
+            }
             given = Some(meta.value()?.parse::<LitStr>()?.value());
             Ok(())
         })?;

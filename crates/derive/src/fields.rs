@@ -1,10 +1,11 @@
 //! Structs: one value for each field.
 
 use proc_macro2::TokenStream;
-use quote::quote;
+use quote::{ToTokens, quote};
+use syn::ext::IdentExt;
 use syn::{
-    Attribute, DataStruct, Error, Expr, ExprLit, ExprRange, Field, Ident, Lit, LitStr, Meta,
-    Result, Visibility,
+    Attribute, DataStruct, Error, Expr, ExprLit, ExprRange, ExprUnary, Field, Ident, Lit, LitStr,
+    Meta, RangeLimits, Result, UnOp, Visibility,
 };
 
 /// Where the values of a field lie.
@@ -60,10 +61,10 @@ pub(crate) fn described(name: &Ident, vis: &Visibility, data: &DataStruct) -> Re
             fn fields(&self) -> &'static [::cutaway::scene::describe::Field] {
                 Self::FIELDS
             }
-            fn set(&mut self, field: usize, given: ::cutaway::scene::describe::Given) {
+            fn set(&mut self, field: usize, given: ::cutaway::scene::describe::Given) -> bool {
                 match field {
                     #(#leaf_at => ::cutaway::scene::describe::Leaf::set(&mut self.#leaf, given),)*
-                    _ => {}
+                    _ => false,
                 }
             }
             fn get(&self, field: usize) -> Option<::cutaway::scene::describe::Given> {
@@ -97,7 +98,7 @@ fn declared(field: &Field) -> Result<Option<Declared<'_>>> {
         key: field
             .ident
             .as_ref()
-            .map(Ident::to_string)
+            .map(|name| name.unraw().to_string())
             .unwrap_or_default(),
         place: Place::Leaf,
         range: None,
@@ -150,7 +151,7 @@ fn entry(of: &Declared<'_>) -> Result<TokenStream> {
     let Some(example) = &of.example else {
         return Err(Error::new_spanned(of.field, "a value has an example"));
     };
-    let example = toml(example);
+    let example = toml(example)?;
     if help.is_empty() {
         return Err(Error::new_spanned(
             of.field,
@@ -158,7 +159,16 @@ fn entry(of: &Declared<'_>) -> Result<TokenStream> {
         ));
     }
     let mut takes = quote! { <#ty as ::cutaway::scene::describe::Leaf>::TYPE };
+    if let (Some(range), true) = (&of.range, of.takes.is_some() || of.choice.is_some()) {
+        return Err(Error::new_spanned(range, "the type says the range"));
+    }
     if let Some(range) = &of.range {
+        if let (RangeLimits::HalfOpen(_), Some(end)) = (&range.limits, &range.end) {
+            return Err(Error::new_spanned(
+                end,
+                "write ..= before the greatest number",
+            ));
+        }
         let least = range.start.as_ref().map(|e| quote! { #e });
         let least = least.unwrap_or(quote! { f64::NEG_INFINITY });
         let most = range.end.as_ref().map(|e| quote! { #e });
@@ -183,12 +193,23 @@ fn entry(of: &Declared<'_>) -> Result<TokenStream> {
 }
 
 /// An expression as TOML writes it: `[0, -1]`, `"auto"`.
-fn toml(expression: &Expr) -> String {
-    let text = quote! { #expression }.to_string();
-    text.replace(" ,", ",")
-        .replace("- ", "-")
-        .replace("[ ", "[")
-        .replace(" ]", "]")
+fn toml(expression: &Expr) -> Result<String> {
+    Ok(match expression {
+        Expr::Lit(literal) => literal.to_token_stream().to_string(),
+        Expr::Unary(ExprUnary {
+            op: UnOp::Neg(_),
+            expr,
+            ..
+        }) => format!("-{}", toml(expr)?),
+        Expr::Array(array) => {
+            let all = array.elems.iter().map(toml).collect::<Result<Vec<_>>>()?;
+            format!("[{}]", all.join(", "))
+        }
+        other => {
+            let what = "an example is a number, a text, true, false or a list of them";
+            return Err(Error::new_spanned(other, what));
+        }
+    })
 }
 
 /// The first paragraph of a doc comment as a help: in lower case, without the full stop.
@@ -203,6 +224,7 @@ fn help(attributes: &[Attribute]) -> String {
         },
         _ => None,
     });
+    let lines = lines.skip_while(String::is_empty);
     let first: Vec<String> = lines.take_while(|line| !line.is_empty()).collect();
     let text = first.join(" ");
     let text = match text.strip_suffix('.') {
@@ -216,5 +238,80 @@ fn help(attributes: &[Attribute]) -> String {
         (Some(_), Some(second)) if second.is_uppercase() => text.to_owned(),
         (Some(first), _) => first.to_lowercase().chain(chars).collect(),
         (None, _) => String::new(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use syn::{ItemStruct, parse_quote};
+
+    #[test]
+    fn examples_are_written_as_toml() {
+        for (expression, expected) in [
+            (parse_quote!(0.5), "0.5"),
+            (parse_quote!([0, -1, 2.5]), "[0, -1, 2.5]"),
+            (parse_quote!("a , b - c"), "\"a , b - c\""),
+            (parse_quote!([[1, 0], ["50%", 0]]), "[[1, 0], [\"50%\", 0]]"),
+            (parse_quote!(true), "true"),
+        ] {
+            assert_eq!(toml(&expression).expect("an example"), expected);
+        }
+        assert!(toml(&parse_quote!(f(1))).is_err());
+    }
+
+    #[test]
+    fn the_first_paragraph_is_the_help() {
+        let of: ItemStruct = parse_quote! {
+            /// OKLab lightness of
+            /// parts.
+            ///
+            /// More.
+            struct A;
+        };
+        assert_eq!(help(&of.attrs), "OKLab lightness of parts");
+        let of: ItemStruct = parse_quote! {
+            /// Makes parts: NAME/1, ...
+            struct A;
+        };
+        assert_eq!(help(&of.attrs), "makes parts: NAME/1, ...");
+    }
+
+    #[test]
+    fn declarations_that_make_no_sense_are_refused() {
+        let refused = |of: ItemStruct| {
+            let data = DataStruct {
+                struct_token: of.struct_token,
+                fields: of.fields,
+                semi_token: None,
+            };
+            described(&of.ident, &of.vis, &data).is_err()
+        };
+        assert!(
+            refused(parse_quote! { struct A { #[value(example = 1)] a: f32 } }),
+            "no help"
+        );
+        assert!(
+            refused(parse_quote! { struct A { #[doc = "A."] a: f32 } }),
+            "no example"
+        );
+        assert!(
+            refused(
+                parse_quote! { struct A { #[doc = "A."] #[value(range = 0.0..1.0, example = 1)] a: f32 } }
+            ),
+            "a range without its end"
+        );
+        assert!(
+            refused(
+                parse_quote! { struct A { #[doc = "A."] #[value(rang = 0.0..=1.0, example = 1)] a: f32 } }
+            ),
+            "a slip"
+        );
+        assert!(
+            !refused(
+                parse_quote! { struct A { #[doc = "A."] #[value(range = 0.0..=1.0, example = 1)] a: f32 } }
+            ),
+            "the control"
+        );
     }
 }

@@ -38,6 +38,10 @@ use syn::{Data, DeriveInput, parse_macro_input};
 pub fn described(input: TokenStream) -> TokenStream {
     let input = parse_macro_input!(input as DeriveInput);
     let made = match &input.data {
+        _ if !input.generics.params.is_empty() => Err(syn::Error::new_spanned(
+            &input.generics,
+            "a description has no parameters",
+        )),
         Data::Struct(data) => fields::described(&input.ident, &input.vis, data),
         Data::Enum(data) => choice::described(&input.ident, &input.vis, data),
         Data::Union(_) => Err(syn::Error::new_spanned(&input, "a union has no values")),

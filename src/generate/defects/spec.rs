@@ -150,23 +150,21 @@ impl Described for Defect {
         }
     }
 
-    fn set(&mut self, field: usize, given: Given) {
+    fn set(&mut self, field: usize, given: Given) -> bool {
         match (self.fields().get(field).map_or("", |f| f.key), given) {
             ("amount", given) => self.amount.set(given),
             ("seed", given) => self.seed.set(given),
             ("axis", Given::Text(word)) => {
-                if let Some((_, axis, from_below)) = AXES.iter().find(|(name, ..)| *name == word) {
+                let known = AXES.iter().find(|(name, ..)| *name == word);
+                if let Some((_, axis, from_below)) = known {
                     self.kind = DefectKind::Open {
                         axis: *axis,
                         from_below: *from_below,
                     };
                 }
+                known.is_some()
             }
-            (_, given) => {
-                if let Some(pieces) = self.kind.pieces() {
-                    pieces.set(given);
-                }
-            }
+            (_, given) => self.kind.pieces().is_some_and(|pieces| pieces.set(given)),
         }
     }
 
@@ -201,6 +199,25 @@ impl fmt::Display for Defect {
         match (self.fields().get(2), kind.pieces()) {
             (Some(field), Some(count)) => write!(f, ",{}={count}", field.key),
             _ => Ok(()),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_value_is_set_and_read_back() {
+        for name in DefectKind::NAMES {
+            let mut defect = Defect::of(DefectKind::named(name).expect(name));
+            let before = defect;
+            for (index, field) in defect.fields().iter().enumerate() {
+                let given = defect.get(index);
+                let given = given.unwrap_or_else(|| panic!("{name}: {}", field.key));
+                assert!(defect.set(index, given), "{name}: {}", field.key);
+            }
+            assert_eq!(defect, before, "{name}");
         }
     }
 }

@@ -44,10 +44,14 @@ pub trait Leaf: Sized {
     /// The value, if there is one.
     fn get(&self) -> Option<Given>;
 
-    /// Takes a value of the type, and ignores others.
-    fn set(&mut self, given: Given) {
-        if let Some(value) = Self::of(given) {
-            *self = value;
+    /// Takes a value of the type; returns false for others, which change nothing.
+    fn set(&mut self, given: Given) -> bool {
+        match Self::of(given) {
+            Some(value) => {
+                *self = value;
+                true
+            }
+            None => false,
         }
     }
 }
@@ -92,7 +96,7 @@ leaf! {
     f64, ValueType::Number(-ANY, ANY), Number, Some, |v: &Self| *v;
     f32, ValueType::Number(-ANY, ANY), Number, |v| Some(v as Self), |v: &Self| written(*v);
     u32, ValueType::Whole(0.0, u32::MAX as f64), Whole, |v| Self::try_from(v).ok(), |v: &Self| i64::from(*v);
-    u64, ValueType::Whole(0.0, 9e15), Whole, |v| Self::try_from(v).ok(), |v: &Self| i64::try_from(*v).unwrap_or(i64::MAX);
+    u64, ValueType::Whole(0.0, i64::MAX as f64), Whole, |v| Self::try_from(v).ok(), |v: &Self| i64::try_from(*v).unwrap_or(i64::MAX);
     i32, ValueType::Whole(i32::MIN as f64, i32::MAX as f64), Whole, |v| Self::try_from(v).ok(), |v: &Self| i64::from(*v);
     Vec3, ValueType::Color, Color, Some, |v: &Self| *v;
     Amount, ValueType::Amount(-ANY, ANY), Amount, Some, |v: &Self| *v;
@@ -146,6 +150,7 @@ impl Leaf for [u32; 2] {
 }
 
 /// Factors of the three directions, which one number for all may stand for.
+#[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Factors(pub DVec3);
 
@@ -162,6 +167,7 @@ impl Leaf for Factors {
 }
 
 /// A value, or one of some words, which its declaration lists.
+#[doc(hidden)]
 #[derive(Clone, Debug, PartialEq)]
 pub enum OrWord<T> {
     /// A value.

@@ -5,8 +5,9 @@
 //! use cutaway::scene::style::Shadow;
 //! let mut shadow = Shadow::default();
 //! let strength = Shadow::FIELDS.iter().position(|f| f.key == "strength").ok_or("no such value")?;
-//! shadow.set(strength, Given::Number(0.5));
+//! assert!(shadow.set(strength, Given::Number(0.5)));
 //! assert_eq!(shadow.strength, 0.5);
+//! assert!(!shadow.set(strength, Given::Flag(true)));
 //! assert_eq!(Shadow::FIELDS[strength].takes.to_string(), "number from 0 to 1");
 //! # Ok::<(), &str>(())
 //! ```
@@ -15,7 +16,8 @@
 //! the list of paths, help, ranges and the panels of a window are made from that list; so a range that is published is the one that is
 //! checked.
 //!
-//! Cost: a `match` for each access. Cannot: check what concerns several values; the reader of a table does.
+//! Cost: a `match` for each access. Cannot: check ranges and what concerns several values, which readers of files do; be derived in a
+//! crate that renames this one.
 
 mod leaf;
 mod value_type;
@@ -40,6 +42,7 @@ pub struct Field {
     /// True if an animation can move it.
     pub moves: bool,
     /// True if it has forms that no type describes.
+    #[doc(hidden)]
     pub is_read_by_hand: bool,
     /// Declarations of the values below it, where it is a table.
     pub below: &'static [Self],
@@ -80,6 +83,7 @@ impl Field {
     }
 
     /// The same, as far as `T` is read by hand.
+    #[doc(hidden)]
     #[must_use]
     pub const fn read_as<T: Leaf>(self) -> Self {
         Self {
@@ -103,8 +107,8 @@ pub trait Described {
     /// The declarations.
     fn fields(&self) -> &'static [Field];
 
-    /// Sets a value to one of its type, which is ignored if it is of another.
-    fn set(&mut self, field: usize, given: Given);
+    /// Sets a value to one of its type; returns false for another type, which changes nothing. Ranges are for the caller to check.
+    fn set(&mut self, field: usize, given: Given) -> bool;
 
     /// The value; `None` if it is not set, or a table.
     fn get(&self, field: usize) -> Option<Given>;

@@ -44,7 +44,11 @@ pub enum ValueType {
 }
 
 impl ValueType {
-    /// The same, whose numbers are from `least` to `most`.
+    /// The same, whose numbers are from `least` to `most`. Of a type without a range it does not compile where the result is a constant.
+    ///
+    /// # Panics
+    ///
+    /// A type without a range.
     #[must_use]
     pub const fn within(self, least: f64, most: f64) -> Self {
         match self {
@@ -53,7 +57,7 @@ impl ValueType {
             Self::Numbers(count, ..) => Self::Numbers(count, least, most),
             Self::Wholes(count, ..) => Self::Wholes(count, least, most),
             Self::Amount(..) => Self::Amount(least, most),
-            other => other,
+            _ => panic!("the type has no range"),
         }
     }
 
@@ -98,15 +102,28 @@ impl ValueType {
         }
     }
 
-    /// Noun with its article: "a number from 0 to 1".
+    /// Noun with its article, and with the exact range: "a number from 0 to 1".
     pub fn noun(&self) -> String {
         match self {
-            Self::Numbers(..) | Self::Wholes(..) => self.to_string(),
+            Self::Numbers(..) | Self::Wholes(..) => format!("a list of {self}"),
             Self::Number(least, _) | Self::Amount(least, _) if is_open(*least) => {
                 format!("a {self}, at least {SMALLEST:.0e}")
             }
+            Self::Whole(least, most) => format!("a whole number from {least} to {most}"),
+            Self::Or(one, words) => {
+                let words: Vec<String> = words.iter().map(|word| format!("{word:?}")).collect();
+                format!("{}, or {}", one.noun(), words.join(", "))
+            }
+            Self::Number(..) if !self.has_end() => "a finite number".to_owned(),
             _ => format!("a {self}"),
         }
+    }
+
+    fn has_end(&self) -> bool {
+        let end = self
+            .range()
+            .map(|(least, most)| least.is_finite() || most.is_finite());
+        end.unwrap_or(false)
     }
 }
 

@@ -40,18 +40,6 @@ impl Default for Placement {
     }
 }
 
-impl Placement {
-    /// Returns the reason if the numbers are not a valid placement.
-    pub fn defect(&self) -> Option<String> {
-        match self.period {
-            Some(Amount::Units(v) | Amount::Percent(v)) if v <= 0.0 => {
-                Some(format!("the period must be above 0, but is {v}"))
-            }
-            _ => None,
-        }
-    }
-}
-
 /// The period in percent of the diagonal where none is given: one clamped map over all of the model, about ten teeth of
 /// a saw-tooth, whose map is 2 x 2, and little more than one repeat of the others.
 fn usual_period(map: &OffsetMap, wrap: Wrap) -> f64 {

@@ -113,7 +113,12 @@ const SIZE: Field = Field::leaf(
     "[256, 256]",
 )
 .unit("texels");
-const SEED: Field = Field::leaf("seed", "random seed (fractal, cracks)", u64::TYPE, "7");
+const SEED: Field = Field::leaf(
+    "seed",
+    "random seed (fractal, cracks)",
+    u64::TYPE.within(0.0, 9e15),
+    "7",
+);
 const COUNT: Field = Field::leaf(
     "count",
     "number of waves in each direction (waves)",
@@ -171,7 +176,7 @@ impl Described for Procedure {
         }
     }
 
-    fn set(&mut self, field: usize, given: Given) {
+    fn set(&mut self, field: usize, given: Given) -> bool {
         use ProcedureKind::{Constant, Cracks, Fractal, Steps, Waves};
         let key = self.fields().get(field).map_or("", |f| f.key);
         match (key, &mut self.kind) {
@@ -184,7 +189,7 @@ impl Described for Procedure {
             ("width", Cracks { width, .. }) => width.set(given),
             ("levels", Steps { levels }) => levels.set(given),
             ("value", Constant { value }) => value.set(given),
-            _ => {}
+            _ => false,
         }
     }
 

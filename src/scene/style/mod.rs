@@ -250,10 +250,8 @@ pub struct Strokes {
     /// Width of strokes along creases.
     #[value(range = 0.0..=WIDEST, unit = MIL, example = 1)]
     pub crease: f32,
-    /// Smallest dihedral angle of a crease.
-    ///
-    /// A smaller one would take the rounding of normals for folds.
-    #[value(range = 1.0..=180.0, unit = "degrees", example = 30)]
+    /// Smallest dihedral angle of a crease; less than 1 counts as 1.
+    #[value(range = 0.0..=180.0, unit = "degrees", example = 30)]
     pub crease_deg: f32,
     /// Smallest depth step of a contour, in pixel widths.
     #[value(range = 0.0..=1e6, unit = "px", example = 8)]

@@ -49,19 +49,25 @@ impl Described for Tint {
         Self::FIELDS
     }
 
-    fn set(&mut self, field: usize, given: Given) {
+    fn set(&mut self, field: usize, given: Given) -> bool {
         let Some(of_hue) = field.checked_sub(1) else {
-            if let Some(color) = Vec3::of(given) {
-                *self = Self::Color(color);
-            }
-            return;
+            return match Vec3::of(given) {
+                Some(color) => {
+                    *self = Self::Color(color);
+                    true
+                }
+                None => false,
+            };
         };
         let mut hue = match self {
             Self::Hue(hue) => *hue,
             _ => Hue::default(),
         };
-        hue.set(of_hue, given);
-        *self = Self::Hue(hue);
+        let is_set = hue.set(of_hue, given);
+        if is_set {
+            *self = Self::Hue(hue);
+        }
+        is_set
     }
 
     fn get(&self, field: usize) -> Option<Given> {
@@ -132,6 +138,23 @@ mod tests {
         }
         let grey = oklab_from_srgb(tint.of(Vec3::splat(0.5), None));
         assert!(grey.y.hypot(grey.z) < 1e-4, "grey stays grey");
+    }
+
+    #[test]
+    fn values_are_set_and_read_back() {
+        let mut tint = Tint::Material;
+        assert!(!tint.set(1, Given::Flag(true)), "no lightness");
+        assert_eq!(tint, Tint::Material);
+        for (field, given) in [
+            (0, Given::Color(Vec3::X)),
+            (1, Given::Number(0.5)),
+            (2, Given::Number(0.1)),
+            (3, Given::Numbers(vec![0.1, 0.2])),
+        ] {
+            assert!(tint.set(field, given.clone()), "{field}");
+            assert_eq!(tint.get(field), Some(given), "{field}");
+        }
+        assert_eq!(tint.get(0), None, "a hue replaces the colour");
     }
 
     #[test]

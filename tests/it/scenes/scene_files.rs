@@ -8,7 +8,7 @@ use cutaway::scene::describe::OrWord;
 use cutaway::scene::relief::{Procedure, ProcedureKind};
 use cutaway::scene::style::Paper;
 use cutaway::scene::{Fill, Mesh, Part, Projection, Role, Up, Viewpoint, Wrap};
-use cutaway_io::document::{Settings, StrategyDesc, Timeline, section};
+use cutaway_io::document::{Settings, StrategySettings, Timeline, section};
 use cutaway_io::load::{Assets, Loaded, read_offset_map};
 use glam::{DVec3, Vec3};
 
@@ -128,7 +128,7 @@ values = [[0, 0, -1], [0, 0, 1]]
     assert_eq!(scene.name, "scene", "name of the scene");
     let expected = Settings {
         size_px: Some([640, 480]),
-        strategy: StrategyDesc {
+        strategy: StrategySettings {
             name: Some("raycast+mask".to_owned()),
             rasteriser: None,
         },

@@ -16,8 +16,12 @@ pub(crate) fn declared(path: &'static str) -> ValueParser {
     }
     let parse = move |text: &str| -> Result<Value, String> {
         parse_value(path, text).map_err(|e| match e {
-            Error::Input { what, help, .. } if path.takes.is_numeric() => {
-                let _ = help;
+            Error::Input { what, .. } if path.takes.is_numeric() => {
+                // Elements of a list have their numbers for a key.
+                let what = match what.split_once("`: ") {
+                    Some((_, what)) => what.to_owned(),
+                    None => what,
+                };
                 let example = path.example.replace(['[', ']', ' ', '"'], "");
                 format!("{what}\n  help: write for example {example}")
             }
@@ -46,6 +50,9 @@ mod tests {
             ("resolution", "640x480", "[640, 480]"),
             ("resolution", "640, 480", "[640, 480]"),
             ("time_s", "1.5", "1.5"),
+            ("time_s", ".5", "0.5"),
+            ("camera.position", ".5,-1,03", "[0.5, -1, 3]"),
+            ("resolution", "064,48", "[64, 48]"),
             ("time_s", "0", "0"),
             ("camera.azimuth_deg", "auto", "auto"),
             ("background", "none", "none"),
@@ -59,7 +66,8 @@ mod tests {
                 &["1,2", "1,2,3,4", "1,2,nan", "1,2,inf", ""][..],
             ),
             ("camera.pan", &["1", "1,2,3", "a,b", ""]),
-            ("camera.zoom", &["0", "x"]),
+            ("camera.zoom", &["0", "x", "1 # one", "0x10", "1_0"]),
+            ("camera.azimuth_deg", &["cut", "30deg", ""]),
             (
                 "resolution",
                 &["640", "0,480", "640,-1", "640,480,2", "99999,1", "a,b", ""],

@@ -50,7 +50,7 @@ pub(crate) use address::{Lost, Step, astray, children, farther, walk};
 pub use build::{
     CutDraft, PartDraft, SurfaceDraft, cut, defect, parse_defect, part, plane, section,
 };
-pub use describe::{Interpolation, Settings, StrategyDesc};
+pub use describe::{Interpolation, Settings, StrategySettings};
 pub(crate) use node::Place;
 pub use node::{Node, Number, Origin, Value, hex};
 pub(crate) use parse::parse;

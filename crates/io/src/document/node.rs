@@ -167,10 +167,19 @@ impl<const N: usize> From<[(&str, Self); N]> for Value {
 /// Position of a value: the child index at each level, from the root.
 pub(crate) type Place = Vec<usize>;
 
+/// Whole numbers up to this are exact in f64.
+const MOST_WHOLE: f64 = (1_u64 << 53) as f64;
+
 impl Number {
+    /// The number as a whole one, if it is one: 5 and 5.0 alike.
+    pub(crate) fn as_whole(&self) -> Option<i64> {
+        let is_whole = self.value.fract() == 0.0 && self.value.abs() <= MOST_WHOLE;
+        self.whole.or(is_whole.then_some(self.value as i64))
+    }
+
     /// A number that is written as it was: whole where it can be and `like` is.
     pub(crate) fn like(value: f64, like: &Self) -> Self {
-        let is_whole = value.fract().abs() <= 0.0 && value.abs() < 1e15;
+        let is_whole = value.fract().abs() <= 0.0 && value.abs() < MOST_WHOLE;
         let whole = (like.whole.is_some() && is_whole).then_some(value as i64);
         Self { value, whole }
     }

@@ -183,7 +183,7 @@ fn settings(words: &str) -> Result<Vec<(&str, &str)>, String> {
 }
 
 /// A number, or else text.
-fn one(text: &str) -> Value {
+pub(super) fn one(text: &str) -> Value {
     let text = text.trim();
     match (text.parse::<i64>(), text.parse::<f64>()) {
         (Ok(whole), _) => whole.into(),

@@ -30,5 +30,5 @@ pub(super) use placement::PlacementDesc;
 pub(super) use regions::{AXIS_NAMES, BoxDesc, CutoutDesc, WedgeDesc};
 pub(super) use relief::ReliefDesc;
 pub(super) use roles::RolesDesc;
-pub use settings::{Settings, StrategyDesc};
+pub use settings::{Settings, StrategySettings};
 pub(super) use surface::{ReliefUse, SurfaceDesc};

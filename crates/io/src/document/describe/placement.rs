@@ -20,7 +20,7 @@ pub(crate) struct PlacementDesc {
     /// Fixed point of scale and rotation; default: the origin.
     #[value(words = ["centre"], unit = "units", example = [0, 0, 0])]
     pub(crate) pivot: Option<OrWord<DVec3>>,
-    /// 4 rows of 4 numbers, instead of the keys above.
+    /// 4 rows of 4 numbers, instead of translation, rotation, scale and pivot.
     #[value(example = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 2], [0, 0, 0, 1]])]
     pub(crate) matrix: ByHand,
 }

@@ -67,7 +67,7 @@ pub(crate) struct CutoutDesc {
     /// Axis of the wedge: found from all faces, the main one of their inertia, that of symmetry, or a direction.
     #[value(words = ["auto", "main", "symmetry", "x", "y", "z", "-x", "-y", "-z"], fixed, example = "auto")]
     pub(crate) axis: Option<OrWord<DVec3>>,
-    /// Angle between the two faces.
+    /// Angle between the two faces; a full turn would remove everything.
     #[value(range = 0.0..=359.0, unit = "degrees", example = 110)]
     pub(crate) angle_deg: f64,
     /// Rotation away from the first camera, or with `fixed` from the second axis.

@@ -31,12 +31,12 @@ pub struct Settings {
     pub clip: Option<String>,
     /// Drawing method.
     #[value(table)]
-    pub strategy: StrategyDesc,
+    pub strategy: StrategySettings,
 }
 
 /// The drawing method of a document, whose names are checked by those who draw.
 #[derive(Clone, Debug, Default, PartialEq, Described)]
-pub struct StrategyDesc {
+pub struct StrategySettings {
     /// Capping strategy; `cutaway render --help` lists them.
     #[value(example = "auto")]
     pub name: Option<String>,

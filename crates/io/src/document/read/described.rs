@@ -1,11 +1,12 @@
 //! Tables whose values are declared by a struct: each is read by its type, within its range.
 
-use cutaway::error::Result;
+use cutaway::error::{Error, Result, did_you_mean};
 use cutaway::scene::describe::{Described, Field, Given, ValueType};
 use cutaway::scene::{Amount, color_help, parse_color};
 
 use super::reader::{Entry, Source, Table};
-use crate::document::{Node, Number, Value, paths};
+use crate::document::spec::one as word;
+use crate::document::{Node, Value, paths};
 
 /// Keys of a table.
 pub(super) fn keys_of(fields: &'static [Field]) -> Vec<&'static str> {
@@ -42,8 +43,11 @@ pub(super) fn amend(described: &mut dyn Described, table: &Table<'_>) -> Result<
                 }
             }
             (key, None) if !field.is_read_by_hand => {
-                if let Some(entry) = table.get(key) {
-                    described.set(index, entry.given(&field.takes, field.example)?);
+                if let Some(entry) = table.get(key)
+                    && !described.set(index, entry.given(&field.takes, field.example)?)
+                {
+                    let help = "please report it: its declaration and its type differ";
+                    return Err(entry.fault("internal error: the value was not taken", help));
                 }
             }
             (_, None) => {}
@@ -52,17 +56,15 @@ pub(super) fn amend(described: &mut dyn Described, table: &Table<'_>) -> Result<
     Ok(())
 }
 
-/// The value that words of a command line are for a path: lists are written with commas, sizes with an `x` as well.
+/// The value that words of a command line are for a path with numbers, a text or a colour: lists are written with commas, sizes with
+/// an `x` as well.
 ///
 /// # Errors
 ///
 /// Words that the type does not take.
 pub fn parse_value(path: &paths::Path, text: &str) -> Result<Value> {
     let text = text.trim();
-    let number = |text: &str| match Value::read(text.trim()) {
-        number @ Value::Number(_) => number,
-        _ => text.into(),
-    };
+    let number = word;
     let value = match path.takes {
         ValueType::Number(..) | ValueType::Whole(..) => number(text),
         ValueType::Numbers(..) => text.split(',').map(number).collect::<Vec<_>>().into(),
@@ -81,6 +83,15 @@ pub fn parse_value(path: &paths::Path, text: &str) -> Result<Value> {
     };
     Entry::root(source, &node).given(&path.takes, path.example)?;
     Ok(node.value)
+}
+
+/// The numbers or amounts of a list; one stands for all.
+fn repeated(given: Given, count: usize) -> Given {
+    match given {
+        Given::Numbers(one) if one.len() == 1 => Given::Numbers(vec![one[0]; count]),
+        Given::Amounts(one) if one.len() == 1 => Given::Amounts(vec![one[0]; count]),
+        all => all,
+    }
 }
 
 /// Several numbers or amounts as one value.
@@ -104,80 +115,115 @@ fn joined(each: Vec<Given>) -> Given {
 impl Entry<'_> {
     /// The value as one of a type; `example` is one for errors.
     pub(super) fn given(&self, takes: &ValueType, example: &str) -> Result<Given> {
-        let within = |numbers: &[f64], least: f64, most: f64| {
-            if numbers.iter().all(|n| (least..=most).contains(n)) {
-                return Ok(());
-            }
-            let help = format!("write for example `{} = {example}`", self.last_key());
-            Err(self.fault(format_args!("it must be {}", takes.noun()), help))
+        let other = || self.expected(&takes.noun(), example);
+        let within = |number: f64, least: f64, most: f64| match (least..=most).contains(&number) {
+            true => Ok(()),
+            false => Err(other()),
         };
+        let is_number = matches!(self.node.value, Value::Number(_));
         Ok(match *takes {
-            ValueType::Number(least, most) => {
+            ValueType::Number(least, most) if is_number => {
                 let number = self.number()?;
-                within(&[number], least, most)?;
+                within(number, least, most)?;
                 Given::Number(number)
             }
             ValueType::Whole(least, most) => {
-                let Value::Number(Number {
-                    whole: Some(whole), ..
-                }) = self.node.value
-                else {
-                    let what = format!("it must be {}", takes.noun());
-                    return Err(self.fault(what, self.help_of_number(example)));
+                let whole = match self.node.value {
+                    Value::Number(number) => number.as_whole(),
+                    _ => None,
                 };
-                within(&[whole as f64], least, most)?;
+                let whole = whole.ok_or_else(|| self.expected_whole(&takes.noun(), example))?;
+                within(whole as f64, least, most)?;
                 Given::Whole(whole)
             }
             ValueType::Numbers(count, least, most) => {
-                let numbers = self.numbers_of(count)?;
-                within(&numbers, least, most)?;
-                Given::Numbers(numbers)
+                self.each(&ValueType::Number(least, most), count, takes, example)?
             }
             ValueType::Wholes(count, least, most) => {
-                let numbers = self.numbers_of(count)?;
-                let is_whole = numbers.iter().all(|n| n.fract() == 0.0);
-                let numbers = if is_whole { numbers } else { vec![f64::NAN] };
-                within(&numbers, least, most)?;
-                Given::Numbers(numbers)
+                self.each(&ValueType::Whole(least, most), count, takes, example)?
             }
             ValueType::Amount(least, most) => {
                 let amount = self.amount()?;
                 let (Amount::Units(number) | Amount::Percent(number)) = amount;
-                within(&[number], least, most)?;
+                within(number, least, most)?;
                 Given::Amount(amount)
             }
             ValueType::Amounts => Given::Amounts(self.amounts::<3>()?.to_vec()),
+            ValueType::OneOrMore(one, count) if self.is_list() => {
+                let is_one = self.node.items().len() == 1;
+                let given = self.each(one, if is_one { 1 } else { count }, takes, example)?;
+                repeated(given, count)
+            }
             ValueType::OneOrMore(one, count) => {
-                let each = match &self.node.value {
-                    Value::List(list) if list.len() == count => self.list()?,
-                    Value::List(_) => {
-                        return Err(self.expected(&takes.noun(), example));
-                    }
-                    _ => vec![self.clone(); count],
-                };
-                let each = each.iter().map(|e| e.given(one, example));
-                joined(each.collect::<Result<_>>()?)
+                repeated(joined(vec![self.given(one, example)?]), count)
             }
             ValueType::Flag => Given::Flag(self.flag()?),
             ValueType::Choice(words) => Given::Text(self.word(words)?.to_owned()),
             ValueType::Color => Given::Color(self.color()?),
             ValueType::Or(one, words) => match &self.node.value {
                 Value::Text(word) if words.contains(&&**word) => Given::Text(word.to_string()),
-                Value::Text(_) if one.is_numeric() => {
-                    return self.word(words).map(|word| Given::Text(word.to_owned()));
+                Value::Text(word)
+                    if matches!(one, ValueType::Number(..) | ValueType::Numbers(..)) =>
+                {
+                    let near = did_you_mean(word, words.iter().copied());
+                    let is_near = near.starts_with("did you mean");
+                    let what = format!("it must be {}, but is {}", takes.noun(), self.found());
+                    return Err(if is_near {
+                        self.fault(what, near)
+                    } else {
+                        other()
+                    });
                 }
+                Value::Text(word) => self.given(one, example).map_err(|e| match e {
+                    // The words of the innermost type are named by its own error.
+                    e if matches!(one, ValueType::Or(..)) => e,
+                    _ => {
+                        let help = format!(
+                            "write {}, or a colour: {}",
+                            words.join(", "),
+                            color_help(word)
+                        );
+                        self.fault(format_args!("{word:?} is no colour"), help)
+                    }
+                })?,
                 _ => self.given(one, example)?,
             },
-            ValueType::Name if matches!(self.node.value, Value::Number(_)) => {
-                Given::Text(self.whole::<u32>()?.to_string())
-            }
+            ValueType::Name if is_number => Given::Text(self.whole::<u32>()?.to_string()),
             ValueType::Texts => Given::Texts(self.texts()?),
+            ValueType::Number(..) => return Err(other()),
             ValueType::Text
             | ValueType::Name
             | ValueType::File
             | ValueType::Table
             | ValueType::Other => Given::Text(self.text()?.to_owned()),
         })
+    }
+
+    /// The elements of a list, each of a type.
+    fn each(
+        &self,
+        one: &ValueType,
+        count: usize,
+        takes: &ValueType,
+        example: &str,
+    ) -> Result<Given> {
+        if !self.is_list() || self.node.items().len() != count {
+            return Err(self.expected(&takes.noun(), example));
+        }
+        let each = self.list()?.into_iter().map(|e| e.given(one, example));
+        Ok(joined(each.collect::<Result<_>>()?))
+    }
+
+    /// An error about a number that is not whole, which a key may have led to.
+    fn expected_whole(&self, noun: &str, example: &str) -> Error {
+        match &self.node.value {
+            Value::Number(number) if self.is_moved() && number.value.fract() != 0.0 => {
+                let what = format!("it must be {noun}, but is the number {number}");
+                let help = "let the [[key]] have whole numbers, and `interpolation = \"step\"` between them";
+                self.fault(what, help)
+            }
+            _ => self.expected(noun, example),
+        }
     }
 
     /// One of some words.

@@ -83,7 +83,7 @@ impl<'a> Entry<'a> {
         }
     }
 
-    fn found(&self) -> String {
+    pub(super) fn found(&self) -> String {
         match &self.node.value {
             Value::Text(s) => format!("the text {s:?}"),
             Value::Number(n) => format!("the number {n}"),
@@ -96,10 +96,11 @@ impl<'a> Entry<'a> {
 
     pub(super) fn expected(&self, expected: &str, example: &str) -> Error {
         let what = format!("it must be {expected}, but is {}", self.found());
-        self.fault(
-            what,
-            format!("write for example `{} = {example}`", self.last_key()),
-        )
+        let help = match self.last_key() {
+            "" => format!("write for example {example}"),
+            key => format!("write for example `{key} = {example}`"),
+        };
+        self.fault(what, help)
     }
 
     pub(super) fn last_key(&self) -> &str {
@@ -139,15 +140,9 @@ impl<'a> Entry<'a> {
         }
     }
 
-    /// Returns the remedy for an invalid number.
-    pub(super) fn help_of_number(&self, example: &str) -> String {
-        match &self.node.value {
-            Value::Number(n) if self.source.moment.is_some() && n.value.fract() != 0.0 => {
-                "let the [[key]] have whole numbers, and `interpolation = \"step\"` between them"
-                    .to_owned()
-            }
-            _ => format!("write for example `{} = {example}`", self.last_key()),
-        }
+    /// Returns true if keys have moved something.
+    pub(super) fn is_moved(&self) -> bool {
+        self.source.moment.is_some()
     }
 
     /// Text.
@@ -184,9 +179,9 @@ impl<'a> Entry<'a> {
         let Value::List(list) = &self.node.value else {
             return Err(self.expected("a list", "[ ... ]"));
         };
-        let element = |(i, node)| Self {
+        let element = |(i, node): (usize, &'a Node)| Self {
             source: self.source,
-            key: format!("{}.{i}", self.key),
+            key: self.below(&i.to_string()),
             node,
         };
         Ok(list.iter().enumerate().map(element).collect())

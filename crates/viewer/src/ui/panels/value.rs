@@ -48,10 +48,10 @@ pub(in crate::ui) fn cells(
 
 /// The control of a value alone: what it is changed to, if it is.
 fn edited(ui: &mut Ui, entry: &Path, value: &Value, name: &str) -> Option<Value> {
-    let takes = match entry.takes {
-        ValueType::Or(one, _) => *one,
-        takes => takes,
-    };
+    let mut takes = entry.takes;
+    while let ValueType::Or(one, _) = takes {
+        takes = *one;
+    }
     match (takes, value) {
         (ValueType::Flag, value) => {
             let mut is_on = *value == true.into();
@@ -63,7 +63,9 @@ fn edited(ui: &mut Ui, entry: &Path, value: &Value, name: &str) -> Option<Value>
         (ValueType::Number(least, most), Value::Number(number)) => {
             let mut held = number.value;
             let speed = speed(held, least, most);
-            let drag = DragValue::new(&mut held).range(least..=most).speed(speed);
+            let drag = DragValue::new(&mut held)
+                .range(shown(least)..=most)
+                .speed(speed);
             let response = ui.add(drag.suffix(suffix(entry)).max_decimals(4));
             let response = response.accessible_name(name).on_hover_text(entry.help);
             response.changed().then(|| held.into())
@@ -78,7 +80,9 @@ fn edited(ui: &mut Ui, entry: &Path, value: &Value, name: &str) -> Option<Value>
             let response = response.accessible_name(name).on_hover_text(entry.help);
             response.changed().then(|| held.into())
         }
-        (ValueType::Amount(least, most), value) => amount(ui, entry, (value, least..=most), name),
+        (ValueType::Amount(least, most), value) => {
+            amount(ui, entry, (value, shown(least)..=most), name)
+        }
         (ValueType::Color, Value::Text(text)) => match parse_color(text) {
             Some(color) => {
                 let mut rgb = color.to_array().map(|c| (c * 255.0).round() as u8);
@@ -164,6 +168,11 @@ pub(in crate::ui) fn text_edited(ui: &mut Ui, text: &str, name: &str) -> Option<
         false => data.remove::<String>(id),
     });
     None
+}
+
+/// Least number of a drag: what must be above 0 stays writable.
+fn shown(least: f64) -> f64 {
+    if least > 0.0 { least.max(1e-6) } else { least }
 }
 
 /// Change of a number per point of a drag.
