@@ -26,6 +26,6 @@ pub(crate) fn ribbed_torus(around: u32, along: u32) -> Mesh {
         positions: cells().map(|(i, j)| at(i, j)).collect(),
         triangles: triangles.collect(),
         corner_normals: None,
-        coat: None,
+        vertex_paint: None,
     }
 }

@@ -1,11 +1,11 @@
-// Dresses caps in their materials (Trapp and Doellner 2013, sections 4.1 and 4.2) and surfaces in their coats, by the open module `coat`. One
+// Dresses caps in their materials (Trapp and Doellner 2013, sections 4.1 and 4.2) and surfaces in their vertex paints, by the open module `vertex_paint`. One
 // invocation owns a pixel at a time.
 //
 // What a pixel is made of is left in the picture, which is painted later: sRGB colour, and alpha 1 where it is in the place of the
 // colour of the part. Layers are copied with the normals that the material bends, for light alone.
 
 #import cutaway::cap_plane::{CapPlane, footing_on, moved_along, nearest_axis, plane_of_view}
-#import cutaway::coat::coat_at
+#import cutaway::vertex_paint::vertex_paint_at
 #import cutaway::color::{linear_from_srgb, srgb_from_linear}
 #import cutaway::cuts::{parts, place_of_part}
 #import cutaway::frame::{centre_of, frame, pixel_index, ray_through}
@@ -161,7 +161,7 @@ fn draw_pixel(xy: vec2<u32>) {
         cap = drawn_cap(xy, word, cap.normal, bitcast<f32>(layers[first + 2u]));
     }
     let of_cap = pack4x8unorm(vec4<f32>(srgb_from_linear(cap.color.rgb), cap.color.a));
-    picture[pixel] = select(coat_at(xy, word), of_cap, kind_of(word) == CAP);
+    picture[pixel] = select(vertex_paint_at(xy, word), of_cap, kind_of(word) == CAP);
     lit_layers[first] = word;
     lit_layers[first + 1u] = cap.normal;
     lit_layers[first + 2u] = layers[first + 2u];

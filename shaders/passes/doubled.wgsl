@@ -4,7 +4,7 @@
 #import cutaway::cuts::parts
 #import cutaway::exits::is_passed
 #import cutaway::mesh::Vertex
-#import cutaway::settled::{of_doubled, settled}
+#import cutaway::preclassified::{of_doubled, preclassified}
 #import cutaway::surface::{Corner, SurfaceAt, corner_of, surface_words}
 
 override behind: u32 = 0u;
@@ -20,6 +20,6 @@ fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> SurfaceAt {
     if passes_exits && is_passed(front) {
         discard;
     }
-    let part = parts[settled.groups[corner.instance].place].part;
+    let part = parts[preclassified.groups[corner.instance].place].part;
     return SurfaceAt(surface_words(corner, behind, part, front), of_doubled(corner.position.z, vec2<u32>(corner.position.xy), corner.instance, front));
 }

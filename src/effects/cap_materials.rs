@@ -3,8 +3,8 @@
 //! One pass over the pixels before light falls on them; 12 bytes a pixel, and the images with a third more. Cannot: follow a part that bends,
 //! or lay images on the faces of a cutter otherwise than along the axes of the scene.
 
-use super::coat::coat;
 use super::pixels::{Pixels, per_pixel};
+use super::vertex_paint::vertex_paint;
 use crate::passes::SceneBuffers;
 use crate::plan::{Binding, Clock, Contents, Plan, Resource, ResourceId, Role, pack};
 use crate::scene::PreparedSurface;
@@ -19,7 +19,7 @@ pub(super) fn cap_materials(
     let scene = pixels.scene;
     let cap_materials = scene.input.model.cap_materials.as_ref()?;
     let is_cut = scene.input.active_cuts.lanes > 0;
-    if cap_materials.coats.is_none() && !(is_cut && cap_materials.has_materials()) {
+    if cap_materials.vertex_paints.is_none() && !(is_cut && cap_materials.has_materials()) {
         return None;
     }
     let [textures, texels] = cap_materials.textures();
@@ -29,8 +29,9 @@ pub(super) fn cap_materials(
         Binding::read("textures", plan.add_resource(textures)),
         Binding::read("texels", plan.add_resource(texels)),
     ];
-    let coats = cap_materials.coats.as_ref();
-    let coats = coats.map(|coats| coat(plan, scene, coats, (layers, &textures)));
+    let vertex_paints = cap_materials.vertex_paints.as_ref();
+    let vertex_paints = vertex_paints
+        .map(|vertex_paints| vertex_paint(plan, scene, vertex_paints, (layers, &textures)));
     let lit = per_pixel(plan, scene, "lit_layers", 12);
     let mut table = |name: &'static str, role, contents| {
         let table = Resource::upload(name, role, contents, Clock::Cut);
@@ -48,14 +49,16 @@ pub(super) fn cap_materials(
         table("cap_material_planes", Role::Uniform, planes),
     ];
     bindings.extend(textures);
-    let shader = Shader::from("effects/cap_materials.wgsl").with(match coats {
-        Some(_) => "lib/coat/drawn.wgsl",
-        None => "lib/coat/none.wgsl",
+    let shader = Shader::from("effects/cap_materials.wgsl").with(match vertex_paints {
+        Some(_) => "lib/vertex_paint/drawn.wgsl",
+        None => "lib/vertex_paint/none.wgsl",
     });
-    bindings.extend(coats.map(|coats| Binding::read("coat_colors", coats)));
+    bindings.extend(
+        vertex_paints.map(|vertex_paints| Binding::read("vertex_paint_colors", vertex_paints)),
+    );
     let about = (
-        "dress",
-        "materials and coats give caps and surfaces their colours",
+        "cap materials",
+        "materials and vertex paints give caps and surfaces their colours",
     );
     pixels.add_pass(plan, about, shader, bindings);
     Some(lit)

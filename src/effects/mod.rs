@@ -10,7 +10,6 @@ mod backdrop;
 mod borders;
 mod cap_materials;
 mod channels;
-mod coat;
 mod effect_tile_search;
 mod effect_tiles;
 mod ghost;
@@ -22,6 +21,7 @@ mod illustrate;
 mod pixels;
 mod shade;
 mod style_numbers;
+mod vertex_paint;
 
 pub(crate) use channels::{HATCH, STROKE};
 pub(crate) use pixels::VISIBILITY;
@@ -44,7 +44,7 @@ pub(crate) fn halo_rows(model: &Model, view: &View) -> u32 {
     let style = &model.prepared.style;
     let strokes = halo::halo_rows(style, view.band[1]);
     let of_style = strokes.max(ambient::occlusion::halo_rows(&style.occlusion, view));
-    // Surfaces may take their coats from the next pixel.
+    // Surfaces may take their vertex paints from the next pixel.
     of_style.max(u32::from(model.cap_materials.is_some()))
 }
 
@@ -76,8 +76,9 @@ fn over_layers<'a>(
 ) -> Result<(SceneBuffers<'a>, ResourceId), Refusal> {
     let style = &input.model.prepared.style;
     let cap_materials = input.model.cap_materials.as_ref();
-    let has_coats = cap_materials.is_some_and(|cap_materials| cap_materials.coats.is_some());
-    let scene = match style.ghost.is_drawn() || has_coats {
+    let has_vertex_paints =
+        cap_materials.is_some_and(|cap_materials| cap_materials.vertex_paints.is_some());
+    let scene = match style.ghost.is_drawn() || has_vertex_paints {
         true => SceneBuffers::upload(plan, input, Lanes::none())?,
         // Nothing looks at a vertex.
         false => SceneBuffers::unposed(plan, input, Lanes::none()),

@@ -55,7 +55,7 @@ impl Plan {
         let changed: Vec<bool> = (self.passes.iter())
             .map(|pass| !old.has(self, pass))
             .collect();
-        for (index, is_due) in flow.settle(changed).into_iter().enumerate() {
+        for (index, is_due) in flow.classify(changed).into_iter().enumerate() {
             if is_due {
                 due.passes.insert(self.passes[index].name.clone());
                 due.clocks.insert(self.passes[index].clock);
@@ -257,7 +257,7 @@ impl<'a> Flow<'a> {
     }
 
     /// Goes round until nothing more becomes due.
-    fn settle(&self, mut due: Vec<bool>) -> Vec<bool> {
+    fn classify(&self, mut due: Vec<bool>) -> Vec<bool> {
         for (resource, writers) in self.writers.iter().enumerate() {
             for (writer, _) in writers.iter().filter(|_| self.remade[resource]) {
                 due[*writer] = true;

@@ -12,8 +12,8 @@ mod layout;
 mod normal;
 
 pub use cap_materials::{
-    COAT_WORDS, CapMaterial, CapMaterialPlanes, CoatRow, FILLED_STACK, MOST_CAP_PLANES, NO_TEXTURE,
-    Texture,
+    CapMaterial, CapMaterialPlanes, FILLED_STACK, MOST_CAP_PLANES, NO_TEXTURE, Texture,
+    VERTEX_PAINT_WORDS, VertexPaintRow,
 };
 pub use composite::Composite;
 pub use cutter::CutterFace;
@@ -189,17 +189,17 @@ shared! {
         again: u32,
         /// Number of the first of these vertices.
         first_vertex: u32,
-        /// Row of the first group of settled triangles in the table of parts.
+        /// Row of the first group of preclassified triangles in the table of parts.
         first_group: u32,
     }
 }
 
 shared! {
-    /// Triangles of a part that lie alike: `shaders/lib/along_ray/settled.wgsl`.
-    SettledGroup {
+    /// Triangles of a part that lie alike: `shaders/lib/along_ray/preclassified.wgsl`.
+    PreclassifiedGroup {
         /// Place of the part in the part table.
         place: u32,
-        /// Bits of the clip-surfaces that they are settled by.
+        /// Bits of the clip-surfaces that they are preclassified by.
         surfaces: u32,
         /// Subset of `surfaces` on whose removed side they lie.
         removed: u32,
@@ -243,8 +243,8 @@ shared! {
 
 /// Most parts that the compute rasteriser draws: a uniform table of fixed length.
 pub const MOST_DRAWN_PARTS: usize = 1024;
-/// Most groups of settled triangles: a uniform table of fixed length.
-pub const MOST_SETTLED_GROUPS: usize = 1024;
+/// Most groups of preclassified triangles: a uniform table of fixed length.
+pub const MOST_PRECLASSIFIED_GROUPS: usize = 1024;
 /// Most clip-surfaces in a scene: one bit each.
 pub const MAX_SURFACES: usize = 32;
 /// Most cuts in a scene: one bit each.

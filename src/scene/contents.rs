@@ -51,7 +51,7 @@ impl Scene {
         posed.stage = Some(self.bounds());
         for part in &mut posed.parts {
             if let Cow::Owned(mut mesh) = part.posed_mesh() {
-                mesh.coat.clone_from(&part.mesh.coat);
+                mesh.vertex_paint.clone_from(&part.mesh.vertex_paint);
                 part.mesh = Arc::new(mesh);
             }
             part.motion = None;

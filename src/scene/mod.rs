@@ -46,7 +46,7 @@ pub use coincidence::coincide::lies_in;
 pub(crate) use coincidence::contacts::{classes, contacts};
 pub(crate) use coincidence::faces_in_plane::{Candidates, FacesInPlane, plane_tolerance};
 pub use coincidence::flat_surface::{FlatSurface, Side};
-pub use coincidence::settled::Settled;
+pub use coincidence::preclassified::PreclassifiedTriangle;
 #[doc(hidden)]
 pub use coincidence::shared_planes::SharedPlanes;
 pub use contents::Scene;
@@ -62,13 +62,13 @@ pub use geometry::bounds::Bounds;
 #[doc(hidden)]
 pub use geometry::fitting::{distance_around, half_height_around};
 pub use materials::cap_material::{CapMaterial, SolidTexture};
-pub use materials::coat::{Coat, CoatedTriangle};
 pub use materials::color::parse_color;
 #[doc(hidden)]
 pub use materials::color::{color_help, linear_from_srgb, map_channels, srgb_from_linear};
 pub use materials::hatch_pattern::{CapHatch, Dash, HatchPattern, LineFamily, MOST_STROKES};
 pub use materials::material::Material;
 pub use materials::texture::{MOST_TEXELS_ALONG, Texture, TextureKind};
+pub use materials::vertex_paint::{TexturedTriangle, VertexPaint};
 #[doc(hidden)]
 pub use meshes::base::standing_up;
 pub(crate) use meshes::doubled::doubled_faces;

@@ -284,7 +284,7 @@ mod tests {
             positions,
             triangles: vec![[0, 1, 2]],
             corner_normals: None,
-            coat: None,
+            vertex_paint: None,
         };
         Scene {
             parts: vec![Part::new("t", mesh)],

@@ -1,7 +1,7 @@
 //! Frames for a host: passes in the host's encoder, the picture in the host's attachments, and nothing waited for.
 //!
 //! A scene that stands still in a view that does takes one triangle: its passes have run. What bounded buffers needed is copied behind
-//! the passes and mapped when the host has submitted them; [`Slot::settle`] takes in what has come, and the next frame has the room.
+//! the passes and mapped when the host has submitted them; [`Slot::classify`] takes in what has come, and the next frame has the room.
 //! Uploads go by the queue, before whatever is submitted next.
 //!
 //! Cannot: encode two frames of one method into the same submission, or compose one twice with other targets, for both would be drawn
@@ -192,7 +192,7 @@ impl Slot {
     }
 
     /// Takes in the reports that have come: what overflowed.
-    pub(super) fn settle(&mut self) -> Vec<Overflow> {
+    pub(super) fn classify(&mut self) -> Vec<Overflow> {
         let mut overflows = Vec::new();
         let capacities = self.capacities.get_or_insert(Capacities::UNKNOWN);
         let mut has_grown = false;

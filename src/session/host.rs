@@ -130,7 +130,7 @@ impl Session {
             let Drawing::By(method) = drawing else {
                 continue;
             };
-            overflows.extend(slot.settle().into_iter().map(|o| (*method, o)));
+            overflows.extend(slot.classify().into_iter().map(|o| (*method, o)));
         }
         Ok(overflows)
     }

@@ -10,7 +10,7 @@
 use glam::DVec2;
 use spade::Triangulation;
 
-use super::fill::{settled, windings};
+use super::fill::{preclassified, windings};
 use super::outline::{Drawn, Outline};
 
 /// A surface in a plane. Numbers of points count through the given ones, then through `added`.
@@ -31,7 +31,7 @@ pub(super) struct Cover {
 /// Covers what loops wind around. Points must be finite.
 pub(super) fn cover(points: &[DVec2], loops: &[Vec<u32>]) -> Cover {
     let mut outline = Outline::of(points, loops);
-    let drawn = settled(&mut outline);
+    let drawn = preclassified(&mut outline);
     let mut cover = Cover {
         stand_ins: outline.stand_ins(),
         ..Cover::default()

@@ -35,7 +35,7 @@ pub(super) struct Filled {
 /// Fills the faces around which loops wind a number of times that `holds`. Points must be finite.
 pub(super) fn fill(points: &[DVec2], loops: &[Vec<u32>], holds: impl Fn(i32) -> bool) -> Filled {
     let mut outline = Outline::of(points, loops);
-    match settled(&mut outline) {
+    match preclassified(&mut outline) {
         Some(drawn) => outline.filled(&drawn.mesh, holds),
         None => Filled {
             left_out: outline.left_out.into_iter().collect(),
@@ -45,7 +45,7 @@ pub(super) fn fill(points: &[DVec2], loops: &[Vec<u32>], holds: impl Fn(i32) -> 
 }
 
 /// Draws an outline, cut until no edges cross and without those that still do. None if nothing is left.
-pub(super) fn settled(outline: &mut Outline) -> Option<Drawn> {
+pub(super) fn preclassified(outline: &mut Outline) -> Option<Drawn> {
     let (mut round, mut parts_drawn) = (0, 0);
     while !outline.parts.is_empty() {
         let Some(drawn) = outline.draw() else {

@@ -113,7 +113,7 @@ impl SlicePlane {
     }
 
     /// A point that is on the plane but for rounding: on one across an axis without.
-    pub(super) fn settled(&self, mut point: DVec3) -> DVec3 {
+    pub(super) fn preclassified(&self, mut point: DVec3) -> DVec3 {
         if let Some((axis, at)) = self.place_on_axis() {
             point[axis] = at;
         }

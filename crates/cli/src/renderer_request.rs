@@ -27,7 +27,7 @@ pub(super) struct RendererChoice {
 }
 
 impl RendererRequest {
-    /// The drawer that a name stands for, by these means where it says no others; `auto` and no name are settled later.
+    /// The drawer that a name stands for, by these means where it says no others; `auto` and no name are preclassified later.
     ///
     /// # Errors
     ///
@@ -41,7 +41,7 @@ impl RendererRequest {
 
     /// Resolves an automatic choice for a scene in a view on a device, and reports it with `--verbose`. Without a device, the choice is
     /// that for a device with fixed functions.
-    pub(super) fn settle(
+    pub(super) fn classify(
         self,
         gpu: Option<&Gpu>,
         (model, view): (&Model, &View),

@@ -282,9 +282,9 @@ impl State {
     }
 
     /// Prepares the scene as an exported picture does, when nothing has moved for a while.
-    pub fn settle(&mut self) {
-        let settled = self.shown.as_mut().map_or(Ok(()), Shown::settle);
-        if let Err(error) = settled {
+    pub fn classify(&mut self) {
+        let preclassified = self.shown.as_mut().map_or(Ok(()), Shown::classify);
+        if let Err(error) = preclassified {
             self.tell(error);
         }
     }

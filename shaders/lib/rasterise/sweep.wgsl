@@ -14,7 +14,7 @@ struct Sweep {
     again: u32,
     // Vertices of the screen begin with this one of all.
     first_vertex: u32,
-    // Rows from this one on are groups of settled triangles.
+    // Rows from this one on are groups of preclassified triangles.
     first_group: u32,
 }
 
@@ -35,7 +35,7 @@ struct DrawnPart {
 }
 
 struct DrawnParts {
-    // In order of their first triangles; groups of settled triangles follow the parts; those after the last begin beyond every triangle.
+    // In order of their first triangles; groups of preclassified triangles follow the parts; those after the last begin beyond every triangle.
     parts: array<DrawnPart, 1024>,
 }
 

@@ -7,12 +7,12 @@
 
 #import cutaway::nearest_wide::keep
 #import cutaway::counting::count_and_store
-#import cutaway::settling::settle
+#import cutaway::classifying::classify
 #import cutaway::sweep::Sample
 
 // No later sweep is to see the triangle.
 fn take(found: Sample) -> bool {
-    let sample = settle(found);
+    let sample = classify(found);
     if count_and_store(sample) {
         keep(sample);
     }

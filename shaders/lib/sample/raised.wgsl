@@ -8,12 +8,12 @@
 #import cutaway::nearest::{claim, nearest_bits, raise}
 #import cutaway::counting::{is_kept, count_and_store}
 #import cutaway::frame::pixel_index
-#import cutaway::settling::settle
+#import cutaway::classifying::classify
 #import cutaway::sweep::{Sample, sweep}
 
 // Whether a later sweep is to see the triangle: not if each of its samples is removed or was behind another already.
 fn take(found: Sample) -> bool {
-    let sample = settle(found);
+    let sample = classify(found);
     if sweep.again == 0u {
         return count_and_store(sample) && raise(sample);
     }

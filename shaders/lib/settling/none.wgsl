@@ -1,9 +1,9 @@
-// No triangle of the frame is settled: every sample keeps its depth.
+// No triangle of the frame is preclassified: every sample keeps its depth.
 
-#define_import_path cutaway::settling
+#define_import_path cutaway::classifying
 
 #import cutaway::sweep::Sample
 
-fn settle(sample: Sample) -> Sample {
+fn classify(sample: Sample) -> Sample {
     return sample;
 }

@@ -8,7 +8,7 @@
 struct Vertex {
     @location(0) position: vec3<f32>,
     @location(1) normal: u32,
-    // Of a draw of parts the place in their table, of one of settled triangles the number of the group.
+    // Of a draw of parts the place in their table, of one of preclassified triangles the number of the group.
     @builtin(instance_index) instance: u32,
 }
 

@@ -94,7 +94,7 @@ impl Edit {
         let mesh = Mesh {
             corner_normals: self.has_normals.then(normals),
             // What is broken on purpose is shown as it is, without paint.
-            coat: None,
+            vertex_paint: None,
             triangles: self.faces.iter().map(|f| f.corners).collect(),
             positions: self.positions,
         };

@@ -175,7 +175,7 @@ impl Skin {
             positions: self.corners.into_iter().map(position).collect(),
             triangles: self.triangles,
             corner_normals: None,
-            coat: None,
+            vertex_paint: None,
         }
     }
 }

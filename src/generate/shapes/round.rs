@@ -171,6 +171,6 @@ pub(super) fn icosphere(radius: f64, subdivisions: usize) -> Mesh {
         positions: directions.into_iter().map(|d| d * radius).collect(),
         triangles,
         corner_normals: None,
-        coat: None,
+        vertex_paint: None,
     }
 }

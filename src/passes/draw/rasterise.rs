@@ -103,7 +103,7 @@ fn take_to_screen(
         frame: scene.frame.clone(),
         clock: Clock::Frame,
         ranks: &input.active_cuts.order,
-        settles: true,
+        classifies: true,
         share,
         fresh: Fresh {
             files: vec!["lib/fresh/tiles.wgsl", kind],

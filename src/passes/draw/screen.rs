@@ -44,8 +44,8 @@ pub(crate) struct ScreenOf<'a> {
     pub clock: Clock,
     /// Ranks of the parts, in the order of the part table.
     pub ranks: &'a [usize],
-    /// True if groups of settled triangles have rows of their own.
-    pub settles: bool,
+    /// True if groups of preclassified triangles have rows of their own.
+    pub classifies: bool,
     /// Distribution of samples over invocations.
     pub share: Share,
     /// Data that is reset with it.
@@ -129,8 +129,8 @@ impl Screen {
         of: ScreenOf<'_>,
     ) -> Result<Self, Refusal> {
         let input = scene.input;
-        let settled = scene.settled.as_ref().filter(|_| of.settles);
-        let groups = settled.map_or(0, |_| input.settled_groups().len());
+        let preclassified = scene.preclassified.as_ref().filter(|_| of.classifies);
+        let groups = preclassified.map_or(0, |_| input.preclassified_groups().len());
         let rows = of.ranks.len() + groups;
         if rows > MOST_DRAWN_PARTS {
             return Err(Refusal::amount(format!(
@@ -144,8 +144,12 @@ impl Screen {
                 (first.min(range.start), end.max(range.end))
             });
         let first_vertex = first_vertex.min(end_vertex);
-        let (table, triangle_count) =
-            input.drawn_parts(of.ranks, &scene.lanes, settled.is_some(), first_vertex);
+        let (table, triangle_count) = input.drawn_parts(
+            of.ranks,
+            &scene.lanes,
+            preclassified.is_some(),
+            first_vertex,
+        );
         let vertex_count = end_vertex - first_vertex;
         let sweep = Sweep {
             triangle_count,
@@ -179,7 +183,7 @@ impl Screen {
             frame: of.frame,
             drawn_parts: table_of("drawn_parts", "drawn_parts", Contents::from_values(&table)),
             indices,
-            settled: settled.cloned(),
+            preclassified: preclassified.cloned(),
             vertices: screen_vertices,
             queue,
             pieces,
@@ -214,21 +218,21 @@ impl Screen {
 }
 
 impl Input<'_> {
-    /// The table of drawn parts, those of settled triangles at its end, and how many triangles they have.
+    /// The table of drawn parts, those of preclassified triangles at its end, and how many triangles they have.
     fn drawn_parts(
         &self,
         ranks: &[usize],
         lanes: &Lanes,
-        settles: bool,
+        classifies: bool,
         first_vertex: u32,
     ) -> (Vec<DrawnPart>, u32) {
-        let groups = match settles {
-            true => self.settled_groups(),
+        let groups = match classifies {
+            true => self.preclassified_groups(),
             false => &[],
         };
         let of_rank = |rank: &usize| {
             let mut indices = self.model.ranges[*rank].indices.clone();
-            if settles {
+            if classifies {
                 indices.end = self.end_of_rest(*rank);
             }
             (*rank, indices)

@@ -1,7 +1,7 @@
 //! Distribution of the samples of triangles over invocations.
 //!
 //! **Bounded work.** Drivers end loops: llvmpipe after 65,535 rounds of all loops of an invocation together, cards by a watchdog. A covered
-//! sample takes as many rounds as its crossings, its lane and its settled faces say; how many samples an invocation may cover follows from
+//! sample takes as many rounds as its crossings, its lane and its preclassified faces say; how many samples an invocation may cover follows from
 //! that ([`Share`]), and nothing else grows with mesh or picture. What is larger is queued, by whichever pass goes over the triangles first;
 //! a prefix sum over the queue counts the pieces, and one workgroup is dispatched for each (`shaders/lib/rasterise/pieces.wgsl`).
 //!
@@ -36,12 +36,12 @@ impl Share {
         store: &Store,
         crossings: &CrossingSource,
     ) -> Self {
-        // A settled face is moved to its side of each crossing, then of those with cutters.
-        let settled = match scene.settled {
+        // A preclassified face is moved to its side of each crossing, then of those with cutters.
+        let preclassified = match scene.preclassified {
             Some(_) => 2 * crossings.capacity,
             None => 0,
         };
-        Self::of_rounds(store.rounds + crossings.rounds() + settled)
+        Self::of_rounds(store.rounds + crossings.rounds() + preclassified)
     }
 
     /// The largest share of samples for a given number of loop rounds per sample.

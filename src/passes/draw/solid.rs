@@ -68,24 +68,24 @@ fn draw_solids(
         indices,
         draws: input.draws_of_rest(ranks),
     };
-    let settled = scene.settled.as_ref().map(|settled| {
+    let preclassified = scene.preclassified.as_ref().map(|preclassified| {
         let mut pass = DrawPass {
-            name: "solid settled".to_owned(),
+            name: "solid preclassified".to_owned(),
             reason: "the same for faces in a clip-surface or just beside it, on the side on which they are known to lie"
                 .to_owned(),
-            shader: Shader::from("passes/settled.wgsl")
+            shader: Shader::from("passes/preclassified.wgsl")
                 .with(store.file)
                 .with_all(&crossings.files()),
             draws: input.draws_of_groups(ranks),
             ..solid.clone()
         };
-        pass.bindings.push(settled.clone());
+        pass.bindings.push(preclassified.clone());
         pass
     });
     let mut surfaces = Surfaces::new(plan, scene);
     surfaces.draw(plan, solid);
-    if let Some(settled) = settled.filter(|s| !s.draws.is_empty()) {
-        surfaces.draw(plan, settled);
+    if let Some(preclassified) = preclassified.filter(|s| !s.draws.is_empty()) {
+        surfaces.draw(plan, preclassified);
     }
     surfaces.draw_plain_parts(plan, scene, true);
     surfaces

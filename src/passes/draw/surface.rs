@@ -157,11 +157,11 @@ impl Surfaces {
             indices,
             draws: input.draws_of_rest(ranks),
         };
-        let doubled = scene.settled.as_ref().map(|settled| DrawPass {
+        let doubled = scene.preclassified.as_ref().map(|preclassified| DrawPass {
             name: "surface doubled".to_owned(),
             reason: "of faces that lie on each other the one that faces the eye, in planes that parts share the first in rank".to_owned(),
             shader: "passes/doubled.wgsl".into(),
-            bindings: vec![scene.frame.clone(), scene.parts.clone(), settled.clone()],
+            bindings: vec![scene.frame.clone(), scene.parts.clone(), preclassified.clone()],
             draws: input.draws_of_groups(ranks),
             ..plain.clone()
         });

@@ -66,13 +66,14 @@ impl<'a> Sweep<'a> {
                 .with(touch)
                 .with(screen.rows());
             if let Some(crossings) = self.crossings {
-                shader = shader
-                    .with_all(&crossings.files())
-                    .with(if screen.settled.is_some() {
-                        "lib/settling/groups.wgsl"
-                    } else {
-                        "lib/settling/none.wgsl"
-                    });
+                shader =
+                    shader
+                        .with_all(&crossings.files())
+                        .with(if screen.preclassified.is_some() {
+                            "lib/classifying/groups.wgsl"
+                        } else {
+                            "lib/classifying/none.wgsl"
+                        });
             }
             match self.store {
                 Some(store) => shader.with(store.file),
@@ -94,7 +95,7 @@ impl<'a> Sweep<'a> {
         if let Some(crossings) = self.crossings {
             bindings.push(scene.cut_table.clone());
             bindings.extend(crossings.bindings.iter().cloned());
-            bindings.extend(screen.settled.clone());
+            bindings.extend(screen.preclassified.clone());
         }
         let mut small = bindings.clone();
         small.push(screen.queue(match self.again {

@@ -50,7 +50,7 @@ pub struct ActiveCuts {
     pub cut_box: Bounds,
 }
 
-/// Touching within rounding counts as across: the list of crossings settles it.
+/// Touching within rounding counts as across: the list of crossings classifies it.
 const TOUCHING: f64 = 1e-5;
 
 /// Side of a clip-surface that a box lies on.

@@ -31,12 +31,12 @@ pub(crate) struct SceneBuffers<'a> {
     pub parts: Binding,
     /// Vertices of all parts.
     pub vertices: ResourceId,
-    /// Indices of all parts in a frame, with settled triangles at the end of each.
+    /// Indices of all parts in a frame, with preclassified triangles at the end of each.
     pub indices: ResourceId,
     /// Indices of all parts as they are, whatever cuts them.
     pub solid_indices: ResourceId,
-    /// The groups of settled triangles, where there are some.
-    pub settled: Option<Binding>,
+    /// The groups of preclassified triangles, where there are some.
+    pub preclassified: Option<Binding>,
     /// The heights of all reliefs.
     pub heights: Binding,
     /// Point samples of a height map, optionally through the hardware sampler.
@@ -90,12 +90,12 @@ impl<'a> SceneBuffers<'a> {
         let cut_table = upload("cut_table", Role::Uniform, Clock::Cut, cut_table(input));
         let ray_table = upload("ray_table", Role::Uniform, Clock::Frame, ray_table(input));
         let parts = upload("parts", Role::Storage, Clock::Cut, parts(input, &lanes));
-        let settled = (input.settled.as_ref()).map(|_| {
+        let preclassified = (input.preclassified.as_ref()).map(|_| {
             upload(
-                "settled",
+                "preclassified",
                 Role::Uniform,
-                input.settled_clock(),
-                input.settled_table(),
+                input.preclassified_clock(),
+                input.preclassified_table(),
             )
         });
         let heights = upload("heights", Role::Storage, Clock::Cut, model.heights.clone());
@@ -118,7 +118,7 @@ impl<'a> SceneBuffers<'a> {
             vertices: vertices.resource,
             indices: sorted.unwrap_or(indices.resource),
             solid_indices: indices.resource,
-            settled,
+            preclassified,
             heights,
             filtered_heights,
             depth,

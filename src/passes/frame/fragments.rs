@@ -171,7 +171,7 @@ pub(crate) fn leave_fragments(
                 frame: scene.frame.clone(),
                 clock: Clock::Frame,
                 ranks: scene.input.active_cuts.cut_parts(),
-                settles: false,
+                classifies: false,
                 share: Share::of_store(store),
                 fresh: Fresh::nothing(),
             };

@@ -1,10 +1,10 @@
 //! Input from which a frame is recorded. It does not change while a plan is made; the resources of passes are handles kept separately.
 
 use super::active_cuts::ActiveCuts;
+use super::preclassified::GroupOfPart;
 use super::rasteriser::Rasteriser;
 use super::refusal::Refusal;
 use super::relief_walk::ReliefWalk;
-use super::settled::GroupOfPart;
 use crate::passes::pack::model::Model;
 use crate::plan::pack::most_box_margin;
 use crate::plan::{Capacities, Draw};
@@ -30,8 +30,8 @@ pub(crate) struct Input<'a> {
     pub keeps_list: bool,
     /// Interpolation of heights at points.
     pub height_filter: HeightFilter,
-    /// The groups of settled triangles; none where the frame settles nothing.
-    pub settled: Option<Vec<GroupOfPart<'a>>>,
+    /// The groups of preclassified triangles; none where the frame classifies nothing.
+    pub preclassified: Option<Vec<GroupOfPart<'a>>>,
 }
 
 impl<'a> Input<'a> {
@@ -51,9 +51,9 @@ impl<'a> Input<'a> {
             relief_walk: None,
             keeps_list: false,
             height_filter: HeightFilter::Exact,
-            settled: None,
+            preclassified: None,
         };
-        input.settled = input.find_settled();
+        input.preclassified = input.find_preclassified();
         Ok(input)
     }
 

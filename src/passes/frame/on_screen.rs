@@ -12,8 +12,8 @@ pub(crate) struct Screen {
     pub(crate) frame: Binding,
     pub(crate) drawn_parts: Binding,
     pub(crate) indices: Binding,
-    /// The groups of settled triangles, where they have rows of their own.
-    pub(crate) settled: Option<Binding>,
+    /// The groups of preclassified triangles, where they have rows of their own.
+    pub(crate) preclassified: Option<Binding>,
     /// Parameters of the first sweep.
     pub(crate) sweep: Binding,
     /// Parameters of later sweeps.

@@ -1,4 +1,4 @@
-//! Materials of caps and coats of surfaces, packed for upload: the textures of all one after the other, and a row for each
+//! Materials of caps and vertex paints of surfaces, packed for upload: the textures of all one after the other, and a row for each
 //! part.
 //!
 //! Textures that stay the same objects are packed once. A part that is bent is dressed as it stood: its solid texture goes where the part is
@@ -8,8 +8,8 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DMat3, DVec3};
 
-use super::coat::{self, Coats};
 use super::packed::{Packed, Room};
+use super::vertex_paint::{self, VertexPaints};
 use crate::plan::pack::{self, FILLED_STACK, NO_TEXTURE};
 use crate::plan::{Contents, Piece};
 use crate::scene::{Amount, Bounds, Part, Scene, SceneSpace, SolidTexture, Texture, TextureKind};
@@ -17,7 +17,7 @@ use crate::scene::{Amount, Bounds, Part, Scene, SceneSpace, SolidTexture, Textur
 /// Size of repeating textures without a given size, in percent of the diagonal of the scene.
 const USUAL_SIZE: Amount = Amount::Percent(10.0);
 
-/// The materials and coats of a scene.
+/// The materials and vertex paints of a scene.
 #[derive(Clone, Debug)]
 pub(crate) struct CapMaterials {
     textures: Vec<Arc<Texture>>,
@@ -29,8 +29,8 @@ pub(crate) struct CapMaterials {
     has_materials: bool,
     /// Repeats in a scene unit where nothing is said.
     default_per_unit: f32,
-    /// Coats of surfaces.
-    pub(crate) coats: Option<Coats>,
+    /// Vertex paints of surfaces.
+    pub(crate) vertex_paints: Option<VertexPaints>,
 }
 
 impl CapMaterials {
@@ -48,17 +48,17 @@ impl CapMaterials {
         let has_materials = materials.clone().next().is_some();
         let mut textures: Vec<Arc<Texture>> =
             (materials.flat_map(|m| m.textures().cloned())).collect();
-        let coats = scene.style.surface.coat.then(|| {
-            let known = before.and_then(|b| b.coats.as_ref());
-            Coats::of(scene, places, textures.len() as u32, known)
+        let vertex_paints = scene.style.surface.vertex_paint.then(|| {
+            let known = before.and_then(|b| b.vertex_paints.as_ref());
+            VertexPaints::of(scene, places, textures.len() as u32, known)
         });
-        let coats = coats.flatten();
-        if !has_materials && coats.is_none() {
+        let vertex_paints = vertex_paints.flatten();
+        if !has_materials && vertex_paints.is_none() {
             return None;
         }
-        if coats.is_some() {
-            let shown = scene.parts.iter().filter_map(coat::shown);
-            textures.extend(shown.flat_map(|coat| coat.images.iter().cloned()));
+        if vertex_paints.is_some() {
+            let shown = scene.parts.iter().filter_map(vertex_paint::shown);
+            textures.extend(shown.flat_map(|vertex_paint| vertex_paint.images.iter().cloned()));
         }
         let is_same = |before: &&Arc<Self>| {
             let pairs = before.textures.iter().zip(&textures);
@@ -84,7 +84,7 @@ impl CapMaterials {
         Some(Arc::new(Self {
             materials: rows.collect(),
             has_materials,
-            coats,
+            vertex_paints,
             default_per_unit: (1.0 / (length(USUAL_SIZE) * space.scale)) as f32,
             textures,
             table,

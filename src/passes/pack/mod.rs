@@ -1,19 +1,19 @@
 //! A scene packed for upload: what follows from it alone, whatever the view and the strategy.
 
 pub(crate) mod cap_materials;
-pub(crate) mod coat;
+pub(crate) mod classifiers;
 pub(crate) mod cutters;
 pub(crate) mod ground;
 pub(crate) mod heights;
 pub(crate) mod kept;
 pub(crate) mod model;
 pub(crate) mod packed;
-pub(crate) mod packed_coat;
 pub(crate) mod packed_pose;
+pub(crate) mod packed_vertex_paint;
+pub(crate) mod preclassified;
 pub(crate) mod relief_sky;
 pub(crate) mod rest_part;
 pub(crate) mod rest_pose;
-pub(crate) mod settled;
-pub(crate) mod settlers;
 pub(crate) mod sliced;
 pub(crate) mod vertex;
+pub(crate) mod vertex_paint;

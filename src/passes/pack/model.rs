@@ -15,9 +15,9 @@ use super::heights::{Heights, PackedMap};
 use super::kept::KeptContents;
 use super::packed::{self, Packed, Room};
 use super::packed_pose::{Moving, PackedPose};
+use super::preclassified::PreclassifiedTriangles;
 use super::relief_sky::ReliefSky;
 use super::rest_pose::{Moved, RestPose};
-use super::settled::SettledParts;
 use super::sliced::Sliced;
 use super::vertex::MeshRange;
 use crate::plan::Contents;
@@ -50,14 +50,14 @@ pub struct Model {
     packed: Arc<Vec<Packed>>,
     rooms: Vec<Room>,
     /// Triangles whose sides of clip-surfaces are known; none where there is none.
-    pub(crate) settled: Option<SettledParts>,
+    pub(crate) preclassified: Option<PreclassifiedTriangles>,
     /// The indices of grids, which belong to no scene but are requested in every frame.
     pub grid_indices: Arc<KeptContents>,
     /// Rest-pose inputs of its hatches.
     pub(crate) at_rest: Arc<RestPose>,
     /// Sky hidden by reliefs.
     pub(crate) relief_sky: Arc<ReliefSky>,
-    /// Materials of caps and coats of surfaces, where these are more than a colour.
+    /// Materials of caps and vertex paints of surfaces, where these are more than a colour.
     pub(crate) cap_materials: Option<Arc<CapMaterials>>,
     /// The shadow on the ground, where there is one.
     pub(crate) ground: Option<Arc<GroundShadow>>,
@@ -157,8 +157,8 @@ impl Model {
         let known = before.and_then(|b| b.cap_materials.as_ref());
         let cap_materials = CapMaterials::of(scene, &space, (&world, (&packed, &rooms)), known);
         let cutters = Cutters::of(&prepared.surfaces, before.map(|b| &b.cutters));
-        let known = before.and_then(|b| b.settled.as_ref());
-        let settled = SettledParts::of(&prepared, &packed, &rooms, known);
+        let known = before.and_then(|b| b.preclassified.as_ref());
+        let preclassified = PreclassifiedTriangles::of(&prepared, &packed, &rooms, known);
         let at_rest = RestPose::of(scene, &prepared, before.map(|b| &b.at_rest));
         Self {
             cutters,
@@ -171,7 +171,7 @@ impl Model {
             maps,
             packed: Arc::new(packed),
             rooms,
-            settled,
+            preclassified,
             grid_indices: before.map_or_else(Arc::default, |b| b.grid_indices.clone()),
             relief_sky,
             cap_materials,
@@ -207,7 +207,7 @@ impl Model {
             part.is_removed = false;
         }
         uncut.first_texel.clear();
-        uncut.settled = None;
+        uncut.preclassified = None;
         uncut.identity = Arc::default();
         uncut
     }

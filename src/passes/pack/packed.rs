@@ -9,9 +9,9 @@ use std::sync::Arc;
 
 use glam::DAffine3;
 
-use super::packed_coat::PackedCoat;
+use super::classifiers::{Classifiers, Sorted};
+use super::packed_vertex_paint::PackedVertexPaint;
 use super::rest_part::RestPart;
-use super::settlers::{Settlers, Sorted};
 use super::sliced::Sliced;
 use super::vertex::{Vertex, packed_triangles};
 use crate::plan::pack::pack_normal;
@@ -36,8 +36,8 @@ pub(crate) struct Packed {
     pub(crate) vertex_count: u32,
     /// Rest data of a part that moves.
     pub(crate) rest: Option<Arc<RestPart>>,
-    /// Its coat, if its mesh has one.
-    pub(crate) coat: Option<Arc<PackedCoat>>,
+    /// Its vertex paint, if its mesh has one.
+    pub(crate) vertex_paint: Option<Arc<PackedVertexPaint>>,
     /// Triangles that lie on another one.
     doubled: Arc<Vec<u32>>,
     /// Reusable slicing data.
@@ -91,9 +91,13 @@ impl Packed {
                 placed.positions[shading.positions_of_vertex[v as usize] as usize]
             }),
             rest: None,
-            coat: part.mesh.coat.as_ref().map(|coat| {
+            vertex_paint: part.mesh.vertex_paint.as_ref().map(|vertex_paint| {
                 let mirrored = part.world_from_part.matrix3.determinant() < 0.0;
-                Arc::new(PackedCoat::of(coat, &shading.triangles, mirrored))
+                Arc::new(PackedVertexPaint::of(
+                    vertex_paint,
+                    &shading.triangles,
+                    mirrored,
+                ))
             }),
             doubled: Arc::new(doubled_faces(&part.mesh)),
             ..Self::unpacked(part, space, placed)
@@ -131,7 +135,7 @@ impl Packed {
             vertices: None,
             vertex_count: rest.vertex_count,
             indices: rest.indices.clone(),
-            coat: rest.coat.clone(),
+            vertex_paint: rest.vertex_paint.clone(),
             rest: Some(rest),
             doubled: match known {
                 Some(known) => known.doubled.clone(),
@@ -156,15 +160,15 @@ impl Packed {
             indices: Arc::new([]),
             vertex_count: 0,
             rest: None,
-            coat: None,
+            vertex_paint: None,
             doubled: Arc::default(),
             sliced: Arc::default(),
             is_other: false,
         }
     }
 
-    /// The indices with triangles that are settled at the end; nothing where none is.
-    pub(crate) fn sorted(&self, part: &PreparedPart, by: &Settlers) -> Option<Arc<Sorted>> {
+    /// The indices with triangles that are preclassified at the end; nothing where none is.
+    pub(crate) fn sorted(&self, part: &PreparedPart, by: &Classifiers) -> Option<Arc<Sorted>> {
         match (by.is_empty(), self.doubled.as_slice()) {
             (true, []) => None,
             _ => self.sliced.sorted(part, by, (&self.indices, &self.doubled)),

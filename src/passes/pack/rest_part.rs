@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DMat3, DVec3};
 
-use super::packed_coat::PackedCoat;
+use super::packed_vertex_paint::PackedVertexPaint;
 use super::vertex::{Vertex, packed_triangles};
 use crate::plan::Contents;
 use crate::plan::pack::pack_normal;
@@ -33,8 +33,8 @@ pub(crate) struct RestPart {
     pub(crate) position_of_vertex: Contents,
     /// Corners of the triangles.
     pub(crate) indices: Arc<[u8]>,
-    /// Its coat, if its mesh has one.
-    pub(crate) coat: Option<Arc<PackedCoat>>,
+    /// Its vertex paint, if its mesh has one.
+    pub(crate) vertex_paint: Option<Arc<PackedVertexPaint>>,
     /// The triangles as they are cut, by position.
     pub(crate) triangles: Arc<Vec<[u32; 3]>>,
     /// True if they are turned over for a placement that mirrors.
@@ -84,8 +84,9 @@ impl RestPart {
             indices: packed_triangles(turned.iter().copied(), |v| {
                 placed.positions[shading.positions_of_vertex[v as usize] as usize]
             }),
-            coat: (part.mesh.coat.as_ref())
-                .map(|coat| Arc::new(PackedCoat::of(coat, &turned, mirrored))),
+            vertex_paint: (part.mesh.vertex_paint.as_ref()).map(|vertex_paint| {
+                Arc::new(PackedVertexPaint::of(vertex_paint, &turned, mirrored))
+            }),
             triangles: placed.triangles.clone(),
             mirrored,
             bounds: part.mesh.bounds(),

@@ -1,5 +1,5 @@
 //! Reusable slicing data of a part: its slicer, made when it is first sliced, the latest sections, and which of its triangles the
-//! latest flat clip-surfaces settle.
+//! latest flat clip-surfaces classify.
 //!
 //! A part keeps both for as long as it keeps its mesh, its pose and its place ([`Model::updated`](super::model::Model::updated)), whatever
 //! becomes of cuts and cameras. So a camera that moves slices nothing, and a plane that moves slices by what the slicer knows.
@@ -12,7 +12,7 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use glam::{DVec2, DVec3, Vec3};
 use rayon::prelude::*;
 
-use super::settlers::{Settlers, Sorted};
+use super::classifiers::{Classifiers, Sorted};
 use super::vertex::Vertex;
 use crate::plan::Piece;
 use crate::plan::pack::MAX_SURFACES;
@@ -65,7 +65,7 @@ pub(crate) struct Sliced {
 
 /// Inputs and result of the last sorting of triangles.
 struct SortedBy {
-    by: Settlers,
+    by: Classifiers,
     sorted: Option<Arc<Sorted>>,
 }
 
@@ -124,11 +124,11 @@ impl Sliced {
         });
     }
 
-    /// The indices of the part with triangles that are settled at the end; nothing where none is.
+    /// The indices of the part with triangles that are preclassified at the end; nothing where none is.
     pub(crate) fn sorted(
         &self,
         part: &PreparedPart,
-        by: &Settlers,
+        by: &Classifiers,
         indices: (&[u8], &[u32]),
     ) -> Option<Arc<Sorted>> {
         let mut last = self.sorted.lock().unwrap_or_else(PoisonError::into_inner);

@@ -10,8 +10,8 @@ pub const NO_TEXTURE: u32 = u32::MAX;
 /// A solid that is a stack of images which fills the box of its part.
 pub const FILLED_STACK: u32 = 5;
 
-/// Words of a triangle of a coat: three vertices, three colours, six coordinates, an image.
-pub const COAT_WORDS: usize = 13;
+/// Words of a triangle of a vertex paint: three vertices, three colours, six coordinates, an image.
+pub const VERTEX_PAINT_WORDS: usize = 13;
 
 /// Clip-surfaces that layers can number.
 pub const MOST_CAP_PLANES: usize = 256;
@@ -29,8 +29,8 @@ shared! {
 }
 
 shared! {
-    /// The coat of a part: `shaders/effects/coat.wgsl`.
-    CoatRow {
+    /// The vertex paint of a part: `shaders/effects/vertex_paint.wgsl`.
+    VertexPaintRow {
         /// Number of the part in the scene.
         part: u32,
         /// Its first vertex in the buffer of all parts.

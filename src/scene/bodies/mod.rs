@@ -154,7 +154,7 @@ mod tests {
                 .map(|[a, b, c]| if faces_in { [a, c, b] } else { [a, b, c] })
                 .collect(),
             corner_normals: None,
-            coat: None,
+            vertex_paint: None,
         }
     }
 
@@ -194,7 +194,7 @@ mod tests {
             triangles: triangles.map(|t| t.map(|i| numbers[i as usize])).collect(),
             positions,
             corner_normals: None,
-            coat: None,
+            vertex_paint: None,
         }
     }
 
@@ -357,7 +357,7 @@ mod tests {
                 .collect(),
             triangles: vec![[0, 1, 2], [0, 1, 3], [1, 0, 4]],
             corner_normals: None,
-            coat: None,
+            vertex_paint: None,
         };
         assert_eq!(Bodies::of(&sheets).count(), 1);
         assert_eq!(Bodies::of(&Mesh::default()).count(), 0);

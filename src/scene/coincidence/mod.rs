@@ -4,5 +4,5 @@ pub(super) mod coincide;
 pub(super) mod contacts;
 pub(super) mod faces_in_plane;
 pub(super) mod flat_surface;
-pub(super) mod settled;
+pub(super) mod preclassified;
 pub(super) mod shared_planes;

@@ -18,10 +18,10 @@ use glam::{DVec2, DVec3, Vec3};
 
 use crate::scene::{Bounds, PreparedPart, View, longest_edge};
 
-/// Greatest number of parts of planes that are settled; with the sides of cuts they fit into the groups of a frame.
+/// Greatest number of parts of planes that are preclassified; with the sides of cuts they fit into the groups of a frame.
 const MOST_MEMBERS: usize = 256;
 
-/// Greatest number of parts that are tested for overlap in pairs: each takes a group of a frame, and leaves half of them to settled faces.
+/// Greatest number of parts that are tested for overlap in pairs: each takes a group of a frame, and leaves half of them to preclassified faces.
 const MOST_PARTS: usize = 512;
 
 /// Greatest number of planes per cell of normals and offsets, those with the largest triangles: bounds the search on curved

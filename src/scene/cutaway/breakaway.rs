@@ -175,7 +175,7 @@ impl Breakaway {
             positions: corners,
             triangles,
             corner_normals: None,
-            coat: None,
+            vertex_paint: None,
         };
         let mut cutter = Cutter::new("breakaway", mesh)?;
         cutter.is_smooth = true;

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use crate::scene::bodies::bound_of;
 use crate::scene::motion::Bound;
-use crate::scene::{CoatedTriangle, Mesh, Motion, Part};
+use crate::scene::{Mesh, Motion, Part, TexturedTriangle};
 
 /// A part with added triangles.
 #[derive(Debug)]
@@ -81,18 +81,19 @@ impl Mesh {
                 [(b - a).cross(c - a).normalize_or_zero().as_vec3(); 3]
             }));
         }
-        if let Some(coat) = &mut mesh.coat {
+        if let Some(vertex_paint) = &mut mesh.vertex_paint {
             let corners = triangles.iter().flatten();
             let mut colors: BTreeMap<u32, [u8; 4]> = corners.map(|i| (*i, [255; 4])).collect();
-            for (t, coated) in self.triangles.iter().zip(&coat.triangles) {
-                for (corner, color) in t.iter().zip(coated.colors) {
+            for (t, textured) in self.triangles.iter().zip(&vertex_paint.triangles) {
+                for (corner, color) in t.iter().zip(textured.colors) {
                     colors.entry(*corner).and_modify(|known| *known = color);
                 }
             }
-            coat.triangles
-                .extend(triangles.iter().map(|t| CoatedTriangle {
+            vertex_paint
+                .triangles
+                .extend(triangles.iter().map(|t| TexturedTriangle {
                     colors: t.map(|i| colors[&i]),
-                    ..CoatedTriangle::default()
+                    ..TexturedTriangle::default()
                 }));
         }
         mesh

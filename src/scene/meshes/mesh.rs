@@ -6,7 +6,7 @@
 
 use glam::{DVec3, Vec3};
 
-use crate::scene::{Bounds, Coat};
+use crate::scene::{Bounds, VertexPaint};
 
 /// An indexed triangle mesh in part space.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -18,7 +18,7 @@ pub struct Mesh {
     /// Normals for shading at the corners of `triangles`, where the file has them.
     pub corner_normals: Option<Vec<[Vec3; 3]>>,
     /// Colours that vary over the surface, for each of `triangles`.
-    pub coat: Option<Coat>,
+    pub vertex_paint: Option<VertexPaint>,
 }
 
 /// Reason for which a mesh is refused.
@@ -99,7 +99,10 @@ impl Mesh {
                 .collect(),
             triangles: corners.map(|t| t.map(number)).collect(),
             corner_normals: self.corner_normals.as_ref().map(of_triangles),
-            coat: self.coat.as_ref().map(|coat| coat.picked(triangles)),
+            vertex_paint: self
+                .vertex_paint
+                .as_ref()
+                .map(|vertex_paint| vertex_paint.picked(triangles)),
         };
         (picked, vertices)
     }

@@ -252,7 +252,7 @@ mod tests {
             positions: positions.iter().copied().map(DVec3::from).collect(),
             triangles: triangles.to_vec(),
             corner_normals: None,
-            coat: None,
+            vertex_paint: None,
         };
         let scene = Scene {
             parts: vec![Part::new("p", mesh)],

@@ -252,7 +252,7 @@ mod tests {
             positions,
             triangles,
             corner_normals: None,
-            coat: None,
+            vertex_paint: None,
         }
     }
 
@@ -278,7 +278,7 @@ mod tests {
                 })
                 .collect(),
             corner_normals: None,
-            coat: None,
+            vertex_paint: None,
         }
     }
 
@@ -293,7 +293,7 @@ mod tests {
                 .chain(b.triangles.iter().map(|t| t.map(|i| i + n)))
                 .collect(),
             corner_normals: None,
-            coat: None,
+            vertex_paint: None,
         }
     }
 

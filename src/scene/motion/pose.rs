@@ -41,8 +41,8 @@ pub(in crate::scene) fn posed(mesh: &Mesh, motion: &Motion, pose: &Pose) -> Mesh
         positions,
         triangles: mesh.triangles.clone(),
         corner_normals,
-        // The coat of the mesh at rest is drawn.
-        coat: None,
+        // The vertex paint of the mesh at rest is drawn.
+        vertex_paint: None,
     };
     if !pose.deformers.is_empty() {
         let outward: Vec<DVec3> = (blends.iter().enumerate())

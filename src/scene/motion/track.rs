@@ -29,7 +29,7 @@ pub trait Value: Clone {
     }
 
     /// The value as it may be used; what cannot be used gives way to `otherwise`.
-    fn settled(self, otherwise: &Self) -> Self {
+    fn preclassified(self, otherwise: &Self) -> Self {
         let _ = otherwise;
         self
     }
@@ -84,10 +84,10 @@ impl Value for DQuat {
             return *a;
         }
         let part = |share: f64| (share * angle).sin() / whole;
-        (*a * part(1.0 - share) + b * part(share)).settled(a)
+        (*a * part(1.0 - share) + b * part(share)).preclassified(a)
     }
 
-    fn settled(self, otherwise: &Self) -> Self {
+    fn preclassified(self, otherwise: &Self) -> Self {
         match self.fault() {
             None => self.normalize(),
             Some(_) => *otherwise,
@@ -145,8 +145,8 @@ impl<V: Value> Track<V> {
                 return Err(format!("key {key} {fault}"));
             }
             if way != Way::Cubic {
-                let settled = value.clone().settled(value);
-                *value = settled;
+                let preclassified = value.clone().preclassified(value);
+                *value = preclassified;
             }
         }
         Ok(Self {
@@ -179,7 +179,7 @@ impl<V: Value> Track<V> {
         let key = next.saturating_sub(1);
         let value = self.value(key);
         if next == 0 || next == self.times_s.len() {
-            return value.clone().settled(value);
+            return value.clone().preclassified(value);
         }
         let step_s = self.times_s[next] - self.times_s[key];
         let share = (time_s - self.times_s[key]) / step_s;
@@ -195,7 +195,7 @@ impl<V: Value> Track<V> {
                     (3.0 * two - 2.0 * three, self.value(next)),
                     ((three - two) * step_s, into),
                 ])
-                .settled(value)
+                .preclassified(value)
             }
         }
     }

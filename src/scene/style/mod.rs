@@ -98,16 +98,16 @@ pub struct SurfaceLook {
     pub tint: Tint,
     /// Draws vertex colours and textures from files instead of part colours.
     ///
-    /// The coats of meshes: [`Mesh::coat`](super::Mesh::coat).
-    #[value(example = true)]
-    pub coat: bool,
+    /// The vertex paints of meshes: [`Mesh::vertex_paint`](super::Mesh::vertex_paint).
+    #[value(key = "coat", example = true)]
+    pub vertex_paint: bool,
 }
 
 impl Default for SurfaceLook {
     fn default() -> Self {
         Self {
             tint: Tint::default(),
-            coat: true,
+            vertex_paint: true,
         }
     }
 }

@@ -148,7 +148,7 @@ impl Complex<'_> {
             .collect();
         self.merge(&moved);
         for at in added {
-            let vertex = self.add(plane.settled(plane.point(at)), mark);
+            let vertex = self.add(plane.preclassified(plane.point(at)), mark);
             vertex_of.push(vertex);
         }
         self.pass(paths, &vertex_of);

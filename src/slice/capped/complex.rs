@@ -256,7 +256,7 @@ impl<'a> Complex<'a> {
             b + (a - b) * share(height_b, height_a)
         };
         let marks = self.marks[ends[0] as usize] & self.marks[ends[1] as usize] | mark;
-        self.add(plane.settled(at.clamp(a.min(b), a.max(b))), marks)
+        self.add(plane.preclassified(at.clamp(a.min(b), a.max(b))), marks)
     }
 
     /// A new vertex.

@@ -62,7 +62,7 @@ impl Complex<'_> {
                 is_goal[into] = true;
                 self.marks[into] |= self.marks[new];
                 for plane in self.planes.iter().filter(|p| self.marks[new] & p.mark != 0) {
-                    self.positions[into] = plane.plane.settled(self.positions[into]);
+                    self.positions[into] = plane.plane.preclassified(self.positions[into]);
                 }
             }
         }

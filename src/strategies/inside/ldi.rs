@@ -177,7 +177,7 @@ fn screen(
     let frame_name = format!("{name} frame");
     let frame = Resource::upload(frame_name, Role::Uniform, frame, Clock::Frame);
     let of = ScreenOf {
-        settles: false,
+        classifies: false,
         share: Share::of_store(store),
         name: &name,
         view: &view,

@@ -30,7 +30,7 @@ fn method(name: &str) -> Method {
 }
 
 /// Encodes and submits until no buffer asks for more: how many passes each frame took, and what overflowed.
-fn settled(
+fn preclassified(
     host: &Host,
     session: &mut Session,
     model: &Model,
@@ -78,7 +78,7 @@ fn a_host_sees_the_pixels_of_render() {
             own.picture(method).expect("a picture")
         };
         let mut session = host.session();
-        let (passes, _) = settled(&host, &mut session, &model, method);
+        let (passes, _) = preclassified(&host, &mut session, &model, method);
         let (color, _) = host.read();
         assert!(color == expected, "{name}: other pixels");
         seen.push(color);
@@ -95,13 +95,14 @@ fn what_overflows_is_reported_later_and_has_room_then() {
     let (scene, host) = (crank(), Host::new(SIZE_PX, PLAIN));
     let model = Model::new(&scene);
     let mut session = host.session();
-    let (passes, overflows) = settled(&host, &mut session, &model, method("grid:32+vds:64"));
+    let (passes, overflows) = preclassified(&host, &mut session, &model, method("grid:32+vds:64"));
     let layers = |o: &&String| o.contains("layers of the sprite");
     assert!(overflows.iter().any(|o| layers(&o)), "{overflows:?}");
     assert!(passes[1] > passes[0], "more layers are peeled: {passes:?}");
     // What cannot grow stays as it is, and is reported once: no frame after it is encoded anew.
     let mut session = host.session();
-    let (passes, overflows) = settled(&host, &mut session, &model, method("raycast+kbuffer:1"));
+    let (passes, overflows) =
+        preclassified(&host, &mut session, &model, method("raycast+kbuffer:1"));
     assert!(
         overflows.iter().any(|o| o.contains("the K")),
         "{overflows:?}"
@@ -112,7 +113,7 @@ fn what_overflows_is_reported_later_and_has_room_then() {
 /// A session that draws a frame in several bands.
 pub(super) fn in_bands(host: &Host, model: &Model, method: Method) -> Session {
     let mut whole = host.session();
-    settled(host, &mut whole, model, method);
+    preclassified(host, &mut whole, model, method);
     let plan = whole.plan(method).expect("a plan");
     let largest = plan.resources.iter().map(|r| r.shape.bytes()).max();
     let limits = Limits {
@@ -133,7 +134,7 @@ fn a_picked_pixel_is_that_of_the_layers() {
         let mut encoder = host.encoder();
         let none = session.pick(&mut encoder, method, [0, 0]);
         assert!(none.is_err(), "there is no frame yet");
-        settled(&host, &mut session, &model, method);
+        preclassified(&host, &mut session, &model, method);
         let layers = session.layers(method).expect("layers");
         let mut kinds = [0; 3];
         for index in (0..layers.pixels.len()).step_by(611) {
@@ -168,7 +169,7 @@ fn bands_are_composed_to_one_picture() {
     let mut encoder = host.encoder();
     host.clear(&mut encoder, [0.0; 3], 0.0);
     host.submit(encoder);
-    settled(&host, &mut held, &model, method);
+    preclassified(&host, &mut held, &model, method);
     assert!(held.bands(method).expect("a frame") > 1, "in one piece");
     let (color, _) = host.read();
     assert!(color == expected, "another picture in bands");
@@ -180,11 +181,11 @@ fn what_moves_is_drawn_anew_and_what_is_refused_leaves_no_trace() {
     let model = Model::new(&scene);
     let mut session = host.session();
     let exact = method("raycast+mask");
-    settled(&host, &mut session, &model, exact);
+    preclassified(&host, &mut session, &model, exact);
     let (before, _) = host.read();
     scene.cuts[0].surfaces[0].origin.z += 0.1;
     let moved = model.updated(&scene);
-    let (passes, _) = settled(&host, &mut session, &moved, exact);
+    let (passes, _) = preclassified(&host, &mut session, &moved, exact);
     assert!(passes[0] > 0, "{passes:?}");
     let (after, _) = host.read();
     assert!(before != after, "nothing moved");
@@ -209,12 +210,12 @@ fn clocks_are_those_of_the_passes_that_ran() {
     let mut session = host.session();
     let paper = method("grid:16+vds:64");
     assert!(session.clocks(paper).is_err(), "there is no frame");
-    settled(&host, &mut session, &model, paper);
+    preclassified(&host, &mut session, &model, paper);
     let first = session.clocks(paper).expect("a frame");
     assert!(first.contains(Clock::Solid), "sprites are made: {first:?}");
     assert!(first.contains(Clock::Frame), "{first:?}");
     scene.camera.zoom *= 1.1;
-    settled(&host, &mut session, &model.updated(&scene), paper);
+    preclassified(&host, &mut session, &model.updated(&scene), paper);
     let moved = session.clocks(paper).expect("a frame");
     assert_eq!(moved, ClockSet::FRAME, "only the eye has moved");
 }
@@ -227,7 +228,7 @@ fn linear_targets_get_linear_light() {
     );
     let model = Model::new(&scene);
     let method = method("raycast+mask");
-    settled(&host, &mut host.session(), &model, method);
+    preclassified(&host, &mut host.session(), &model, method);
     let view = model.prepared.view(SIZE_PX);
     let mut own = session();
     let _ = own.draw(&model, &view, method).expect("a frame");
@@ -301,7 +302,7 @@ fn the_handler_of_the_host_is_not_called() {
         }));
     let mut session = host.session();
     let model = Model::new(&crank());
-    settled(&host, &mut session, &model, method("raycast+mask"));
+    preclassified(&host, &mut session, &model, method("raycast+mask"));
     // A target that does not fit its pipeline is our error, not the host's.
     let view = model.prepared.view([SIZE_PX[0] * 2, SIZE_PX[1]]);
     let views = host.views();

@@ -54,7 +54,7 @@ fn cylinder(sides: u32) -> Mesh {
         positions: ring(-0.5).chain(ring(0.5)).chain(middles).collect(),
         triangles: triangles.collect(),
         corner_normals: None,
-        coat: None,
+        vertex_paint: None,
     }
 }
 

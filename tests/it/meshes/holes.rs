@@ -32,7 +32,7 @@ fn mesh(positions: Vec<DVec3>, triangles: Vec<[u32; 3]>) -> Mesh {
         positions,
         triangles,
         corner_normals: None,
-        coat: None,
+        vertex_paint: None,
     }
 }
 

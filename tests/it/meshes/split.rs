@@ -45,7 +45,7 @@ fn cube(centre: DVec3, size: f64, faces_in: bool) -> Mesh {
             .map(|[a, b, c]| if faces_in { [a, c, b] } else { [a, b, c] })
             .collect(),
         corner_normals: None,
-        coat: None,
+        vertex_paint: None,
     }
 }
 

@@ -126,7 +126,7 @@ fn colours_are_of_materials_groups_and_corners() {
     let plain = |attributes: &str| {
         let loaded = of(attributes, [""; 4]);
         assert!(
-            loaded.parts[0].mesh.coat.is_none(),
+            loaded.parts[0].mesh.vertex_paint.is_none(),
             "one colour needs no coat"
         );
         (loaded.parts[0].material.color, loaded)
@@ -173,9 +173,9 @@ fn colours_are_of_materials_groups_and_corners() {
         ],
     );
     assert_eq!(loaded.parts[0].material.color, Vec3::X);
-    let coat = loaded.parts[0].mesh.coat.as_ref().unwrap();
+    let vertex_paint = loaded.parts[0].mesh.vertex_paint.as_ref().unwrap();
     let [red, green, blue] = [[255, 0, 0, 255], [0, 255, 0, 255], [0, 0, 255, 255]];
-    let colors: Vec<_> = coat.triangles.iter().map(|t| t.colors).collect();
+    let colors: Vec<_> = vertex_paint.triangles.iter().map(|t| t.colors).collect();
     assert_eq!(
         colors,
         [[red; 3], [green; 3], [green, blue, blue], [red; 3]]
@@ -216,14 +216,18 @@ fn images_are_shown_where_all_corners_have_a_place_in_one() {
         " pid=\"30\" p1=\"0\" p2=\"7\" p3=\"0\"",
         "",
     ]);
-    let coat = loaded.parts[0].mesh.coat.as_ref().expect("an image");
-    assert_eq!(coat.images.len(), 1);
-    assert_eq!(coat.images[0].size(), [3, 2]);
-    let shown: Vec<Option<u32>> = coat.triangles.iter().map(|t| t.image).collect();
+    let vertex_paint = loaded.parts[0]
+        .mesh
+        .vertex_paint
+        .as_ref()
+        .expect("an image");
+    assert_eq!(vertex_paint.images.len(), 1);
+    assert_eq!(vertex_paint.images[0].size(), [3, 2]);
+    let shown: Vec<Option<u32>> = vertex_paint.triangles.iter().map(|t| t.image).collect();
     assert_eq!(shown, [Some(0), None, None, None]);
-    let uv = coat.triangles[0].uv.map(|at| at.to_array());
+    let uv = vertex_paint.triangles[0].uv.map(|at| at.to_array());
     assert_eq!(uv, [[0.0, 1.0], [0.25, 0.0], [0.0, 1.0]]);
-    assert_eq!(coat.triangles[0].colors, [[255; 4]; 3]);
+    assert_eq!(vertex_paint.triangles[0].colors, [[255; 4]; 3]);
     let of_broken = loaded.notes.iter().filter(|n| n.contains("broken.png"));
     assert_eq!(of_broken.count(), 1, "{:?}", loaded.notes);
     let not_there = "2 triangles have a texture that is not there or cannot be read";
@@ -231,10 +235,14 @@ fn images_are_shown_where_all_corners_have_a_place_in_one() {
 
     // Of a colour and an image the image is shown, where it could be read.
     let loaded = read([" pid=\"34\" p1=\"0\"", " pid=\"35\" p1=\"0\"", "", ""]);
-    let coat = loaded.parts[0].mesh.coat.as_ref().expect("an image");
-    let shown: Vec<Option<u32>> = coat.triangles.iter().map(|t| t.image).collect();
+    let vertex_paint = loaded.parts[0]
+        .mesh
+        .vertex_paint
+        .as_ref()
+        .expect("an image");
+    let shown: Vec<Option<u32>> = vertex_paint.triangles.iter().map(|t| t.image).collect();
     assert_eq!(shown, [Some(0), None, None, None]);
-    assert_eq!(coat.triangles[1].colors, [[0, 255, 0, 255]; 3]);
+    assert_eq!(vertex_paint.triangles[1].colors, [[0, 255, 0, 255]; 3]);
 }
 
 #[test]
@@ -364,14 +372,14 @@ fn what_is_written_is_read_as_it_was() {
             .max_element();
         assert!(off < 1.0 / 250.0, "{name} has another colour");
         assert_eq!(part.materials, [name.clone(), format!("{name} cap")]);
-        let coat = part.mesh.coat.as_ref().unwrap();
+        let vertex_paint = part.mesh.vertex_paint.as_ref().unwrap();
         let bytes = |color: Vec3| (color * 255.0).round().as_u8vec3().extend(255).to_array();
         let (face, cap) = (
             bytes(whole[index].material.color),
             bytes(whole[index].material.cap_color()),
         );
         for (of, count) in [(face, 100), (cap, 10)] {
-            let found = coat
+            let found = vertex_paint
                 .triangles
                 .iter()
                 .filter(|t| t.colors == [of; 3])

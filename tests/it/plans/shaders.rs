@@ -12,9 +12,9 @@ use cutaway::passes::{
 };
 use cutaway::plan::pack::{
     self, Cascade, ClipSurface, Composite, CutTable, Deformer, Domain, DrawnPart, FragmentPool,
-    Frame, Layout, MAX_CUTS, MAX_SURFACES, MOST_DEFORMERS, MOST_DRAWN_PARTS, MOST_SETTLED_GROUPS,
-    NO_RELIEF, Part, PartHatch, Pose, Pyramid, Quad, RayRow, RaySurface, Refinement, SettledGroup,
-    SheetPool, Sprite, Sweep,
+    Frame, Layout, MAX_CUTS, MAX_SURFACES, MOST_DEFORMERS, MOST_DRAWN_PARTS,
+    MOST_PRECLASSIFIED_GROUPS, NO_RELIEF, Part, PartHatch, Pose, PreclassifiedGroup, Pyramid, Quad,
+    RayRow, RaySurface, Refinement, SheetPool, Sprite, Sweep,
 };
 use cutaway::plan::{Capacities, Work};
 use cutaway::scene::{Camera, ClipSurface as SceneSurface, Cut, Scene, Style, Wrap};
@@ -244,7 +244,7 @@ fn shared_structs_are_laid_out_alike() {
         Quad,
         Sweep,
         DrawnPart,
-        SettledGroup,
+        PreclassifiedGroup,
         FragmentPool,
         SheetPool,
         Cascade,
@@ -258,7 +258,7 @@ fn shared_structs_are_laid_out_alike() {
         pack::CapPlane,
         pack::CapMaterial,
         pack::CutterFace,
-        pack::CoatRow,
+        pack::VertexPaintRow,
         pack::CapMaterialPlanes,
         pack::Texture,
         pack::Ground,
@@ -433,7 +433,7 @@ fn constants_have_one_value_on_both_sides() {
         ("NO_RELIEF", NO_RELIEF),
         ("NO_TEXTURE", pack::NO_TEXTURE),
         ("FILLED_STACK", pack::FILLED_STACK),
-        ("COAT_WORDS", pack::COAT_WORDS as u32),
+        ("VERTEX_PAINT_WORDS", pack::VERTEX_PAINT_WORDS as u32),
         ("MAX_SURFACES", MAX_SURFACES as u32),
         ("WORDS_PER_PIXEL", words_per_pixel),
         (
@@ -560,7 +560,11 @@ fn constants_have_one_value_on_both_sides() {
         ("CutTable", "surfaces_of_cut", MAX_CUTS as u32 / 4),
         ("RayTable", "surfaces", MAX_SURFACES as u32),
         ("DrawnParts", "parts", MOST_DRAWN_PARTS as u32),
-        ("SettledGroups", "groups", MOST_SETTLED_GROUPS as u32),
+        (
+            "PreclassifiedGroups",
+            "groups",
+            MOST_PRECLASSIFIED_GROUPS as u32,
+        ),
         ("Deformers", "rows", MOST_DEFORMERS as u32),
         ("Domains", "surfaces", MAX_SURFACES as u32),
         ("Refinements", "surfaces", MAX_SURFACES as u32),

@@ -19,7 +19,7 @@ fn solid(name: &str) -> Part {
         positions: vec![DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z * 1e2],
         triangles: vec![[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]],
         corner_normals: None,
-        coat: None,
+        vertex_paint: None,
     };
     Part::new(name, mesh)
 }

@@ -2,7 +2,6 @@
 //! nowhere else.
 
 mod borders;
-mod coats;
 mod files;
 mod ghost;
 mod ground;
@@ -12,6 +11,7 @@ mod occlusion;
 mod plans;
 mod strokes;
 mod tiles;
+mod vertex_paint;
 
 use crate::common;
 

@@ -123,9 +123,12 @@ pub(crate) fn run(args: &ExportArgs) -> Result<Verdict> {
     let subject = Subject::open(document, None, Defaults::default(), &args.edits, &console)?;
     subject.must_be_cut_by(&args.sections)?;
     let scene = &subject.scene;
-    let coats = scene.parts.iter().filter_map(|p| p.mesh.coat.as_ref());
+    let vertex_paints = scene
+        .parts
+        .iter()
+        .filter_map(|p| p.mesh.vertex_paint.as_ref());
     let mut images = Vec::new();
-    for image in coats.flat_map(|coat| &coat.images) {
+    for image in vertex_paints.flat_map(|vertex_paint| &vertex_paint.images) {
         Texture::number_among(&mut images, image);
     }
     subject.save_beside(outputs.with_images(images.len()), &args.edits)?;

@@ -90,7 +90,7 @@ pub(crate) fn run(args: &PlanArgs) -> Result<Verdict> {
         RendererRequest::Auto(_) => Gpu::open(&GpuOptions::default()).ok(),
         RendererRequest::Named(_) => None,
     };
-    let chosen = renderer_request.settle(gpu.as_ref(), (&model, &view), &console);
+    let chosen = renderer_request.classify(gpu.as_ref(), (&model, &view), &console);
     let method = passes_of(chosen.renderer)?;
     let plan = strategies::plan(&model, &view, method, &Capacities::UNKNOWN)
         .map_err(|refusal| refused(method.into(), &refusal))?;

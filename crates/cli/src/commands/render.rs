@@ -103,7 +103,7 @@ pub(crate) fn run(args: &RenderArgs) -> Result<Verdict> {
     let shown = subject.shown()?;
     let view = subject.view(&shown.model.prepared);
 
-    let chosen = renderer_request.settle(Some(session.gpu()), (&shown.model, &view), &console);
+    let chosen = renderer_request.classify(Some(session.gpu()), (&shown.model, &view), &console);
     let renderer = chosen.renderer;
     console.step(renderer.to_string());
     let facts = PlainFrame::of(&mut session, &shown, &view, renderer, &outputs)?;

@@ -28,7 +28,7 @@ pub(crate) struct StdinArgs {
 
 impl StdinArgs {
     /// Reads the model from standard input if one of the inputs stands for it, and gives that input the name that it then has.
-    pub(crate) fn settle(self, inputs: &[String]) -> Result<Vec<String>> {
+    pub(crate) fn classify(self, inputs: &[String]) -> Result<Vec<String>> {
         let count = inputs.iter().filter(|input| *input == WORD).count();
         match (count, self.input_format) {
             (0, None) => return Ok(inputs.to_vec()),

@@ -194,7 +194,7 @@ pub(crate) fn document(
     stdin: StdinArgs,
     played_fps: Option<f64>,
 ) -> Result<Document> {
-    let inputs = stdin.settle(inputs)?;
+    let inputs = stdin.classify(inputs)?;
     if let [one] = inputs.as_slice()
         && is_scene(one)
     {

@@ -11,7 +11,7 @@ use cutaway::error::{Error, Result};
 use cutaway::scene::Edges;
 use cutaway::scene::topology::Sets;
 use cutaway::scene::weld::{has_three, thousands, weld};
-use cutaway::scene::{Coat, Mesh, MeshDefect, Motion, range};
+use cutaway::scene::{Mesh, MeshDefect, Motion, VertexPaint, range};
 use glam::Vec3;
 
 use super::welded;
@@ -103,8 +103,8 @@ impl Draft {
         if let Some(normals) = &mut self.mesh.corner_normals {
             retain(normals, &kept);
         }
-        if let Some(coat) = &mut self.mesh.coat {
-            retain(&mut coat.triangles, &kept);
+        if let Some(vertex_paint) = &mut self.mesh.vertex_paint {
+            retain(&mut vertex_paint.triangles, &kept);
         }
     }
 
@@ -179,9 +179,9 @@ impl Draft {
                 (mesh, self.motion.of_positions(&vertices))
             };
             // One colour is that of the part; but exporters write white to every vertex, which says nothing.
-            let one = mesh.coat.as_ref().and_then(Coat::one_color);
+            let one = mesh.vertex_paint.as_ref().and_then(VertexPaint::one_color);
             if one.is_some() {
-                mesh.coat = None;
+                mesh.vertex_paint = None;
             }
             let one = one.filter(|[r, g, b, _]| [*r, *g, *b] != [255; 3]);
             let one = one.map(|[r, g, b, _]| Vec3::new(r.into(), g.into(), b.into()) / 255.0);

@@ -22,7 +22,7 @@ pub mod input_file;
 mod lines;
 mod mtl;
 mod obj;
-mod obj_coat;
+mod obj_vertex_paint;
 mod painted;
 mod pat;
 mod place;

@@ -3,7 +3,7 @@
 //! Written here because topology needs what the ready-made readers drop: positions stay shared by their index in the file
 //! across objects, groups and materials, and every complaint knows its line. Polygons become fans from their first corner:
 //! a concave one may overlap itself, its outline and thus the parity of every ray stay the same. Positions are all that a face needs:
-//! colours and texture coordinates are taken where they are right ([`obj_coat`](super::obj_coat)), and a normal index that names no normal
+//! colours and texture coordinates are taken where they are right ([`obj_vertex_paint`](super::obj_coat)), and a normal index that names no normal
 //! is dropped with a note. So is a line whose first word is unknown.
 //!
 //! Cost: one pass over the text. A file cut off between two lines looks like a whole one, unless a face names a
@@ -16,7 +16,7 @@ use cutaway::error::{Error, Result};
 use glam::{DVec3, Vec3};
 
 use super::lines::lines;
-use super::obj_coat::ObjCoat;
+use super::obj_vertex_paint::ObjVertexPaint;
 use super::painted::Paint;
 use super::{Draft, Files, Group, mtl, without_mark};
 
@@ -77,7 +77,7 @@ struct Reader<'a> {
     corner_normals: Vec<[Vec3; 3]>,
     /// Index into `normals` per corner, resolved at the end because a face may precede its normals.
     normal_of_corner: Vec<Option<[u32; 3]>>,
-    coat: ObjCoat,
+    vertex_paint: ObjVertexPaint,
     label: Label,
     labels: HashMap<Label, u32>,
     group: Option<u32>,
@@ -105,7 +105,7 @@ pub(super) fn read(
         normals: Vec::new(),
         corner_normals: Vec::new(),
         normal_of_corner: Vec::new(),
-        coat: ObjCoat::default(),
+        vertex_paint: ObjVertexPaint::default(),
         label: Label::default(),
         labels: HashMap::new(),
         group: None,
@@ -137,10 +137,11 @@ impl Reader<'_> {
         match word {
             "v" => {
                 let p = self.three(number, rest, "a vertex")?;
-                self.coat.color(self.draft.mesh.positions.len(), rest);
+                self.vertex_paint
+                    .color(self.draft.mesh.positions.len(), rest);
                 self.draft.mesh.positions.push(DVec3::from(p));
             }
-            "vt" => self.coat.place(rest),
+            "vt" => self.vertex_paint.place(rest),
             "vn" => {
                 let n = DVec3::from(self.three(number, rest, "a normal")?);
                 self.normals.push(n.normalize_or_zero().as_vec3());
@@ -197,7 +198,7 @@ impl Reader<'_> {
             let t = [polygon[0], polygon[k - 1], polygon[k]];
             self.draft.mesh.triangles.push(t.map(|c| c.position));
             self.draft.group_of_triangle.push(group);
-            self.coat.corners(t.map(|c| c.place));
+            self.vertex_paint.corners(t.map(|c| c.place));
             self.normal_of_corner.push(match t.map(|c| c.normal) {
                 [Some(a), Some(b), Some(c)] => Some([a, b, c]),
                 _ => None,
@@ -215,7 +216,7 @@ impl Reader<'_> {
         if fields.next().is_some() {
             return Err(self.error(line, format!("`{word}` has more than two slashes")));
         }
-        let place = place.and_then(|index| from_zero(index, self.coat.places.len()));
+        let place = place.and_then(|index| from_zero(index, self.vertex_paint.places.len()));
         Ok(Corner {
             position: self.position(line, position)?,
             place: place.and_then(|place| u32::try_from(place).ok()),
@@ -354,9 +355,9 @@ impl Reader<'_> {
             group.is_transparent = paint.is_transparent;
         }
         let mesh = &mut self.draft.mesh;
-        mesh.coat = self
-            .coat
-            .finish(&mesh.triangles, &self.draft.group_of_triangle, &paints);
+        mesh.vertex_paint =
+            self.vertex_paint
+                .finish(&mesh.triangles, &self.draft.group_of_triangle, &paints);
         Ok(self.draft)
     }
 }

@@ -1,9 +1,10 @@
-//! Coats from what files say of corners and materials: the same for OBJ and glTF.
+//! Vertex paints from what files say of corners and materials: the same for OBJ and glTF.
 
 use std::sync::Arc;
 
 use cutaway::scene::{
-    Coat, CoatedTriangle, Material, Texture, linear_from_srgb, map_channels, srgb_from_linear,
+    Material, Texture, TexturedTriangle, VertexPaint, linear_from_srgb, map_channels,
+    srgb_from_linear,
 };
 use glam::{Vec2, Vec3};
 
@@ -28,8 +29,8 @@ pub(super) struct PaintedTriangle {
     pub(super) colors: Option<[Vec3; 3]>,
 }
 
-/// The coat of a mesh; none where each group has one colour and there is but one.
-pub(super) fn coat(paints: &[Paint], triangles: &[PaintedTriangle]) -> Option<Coat> {
+/// The vertex paint of a mesh; none where each group has one colour and there is but one.
+pub(super) fn vertex_paint(paints: &[Paint], triangles: &[PaintedTriangle]) -> Option<VertexPaint> {
     let has_images = paints.iter().any(|paint| paint.image.is_some());
     let has_colors = triangles.iter().any(|t| t.colors.is_some());
     let is_colored = paints.windows(2).any(|pair| pair[0].color != pair[1].color);
@@ -43,7 +44,7 @@ pub(super) fn coat(paints: &[Paint], triangles: &[PaintedTriangle]) -> Option<Co
             Some(Texture::number_among(&mut images, image) as u32)
         })
         .collect();
-    let coated = triangles.iter().map(|t| {
+    let textured = triangles.iter().map(|t| {
         let paint = &paints[t.group as usize];
         let image = numbers[t.group as usize].filter(|_| t.uv.is_some());
         let plain = match image.is_some() || t.colors.is_some() {
@@ -58,14 +59,14 @@ pub(super) fn coat(paints: &[Paint], triangles: &[PaintedTriangle]) -> Option<Co
                 .to_array();
             [r as u8, g as u8, b as u8, 255]
         });
-        CoatedTriangle {
+        TexturedTriangle {
             colors,
             uv: t.uv.unwrap_or_default(),
             image,
         }
     });
-    Some(Coat {
-        triangles: coated.collect(),
+    Some(VertexPaint {
+        triangles: textured.collect(),
         images,
     })
 }

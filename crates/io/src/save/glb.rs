@@ -7,7 +7,7 @@
 
 use std::collections::BTreeMap;
 
-use cutaway::scene::{Coat, Mesh, linear_from_srgb};
+use cutaway::scene::{Mesh, VertexPaint, linear_from_srgb};
 use glam::{DVec3, Vec3};
 use serde_json::{Value, json};
 
@@ -101,7 +101,7 @@ struct Group {
     /// The number of their image among all.
     image: Option<usize>,
     /// True if corners have colours or texture coordinates.
-    is_coated: bool,
+    is_textured: bool,
 }
 
 /// Faces of a solid, which is one of several, by their images, then caps.
@@ -113,13 +113,13 @@ fn groups(solid: &Solid<'_>, index: usize, images: &Images) -> Vec<Group> {
     };
     let count = solid.mesh.triangles.len();
     let mut groups = Vec::new();
-    match &solid.coat {
+    match &solid.vertex_paint {
         None => groups.push(Group {
             name: solid.name.to_owned(),
             triangles: (0..solid.faces).collect(),
             color: linear(solid.color),
             image: None,
-            is_coated: false,
+            is_textured: false,
         }),
         Some(_) => {
             let faces = images.faces(index, solid).into_iter();
@@ -128,7 +128,7 @@ fn groups(solid: &Solid<'_>, index: usize, images: &Images) -> Vec<Group> {
                 triangles,
                 color: [1.0; 3],
                 image,
-                is_coated: true,
+                is_textured: true,
             }));
         }
     }
@@ -137,13 +137,13 @@ fn groups(solid: &Solid<'_>, index: usize, images: &Images) -> Vec<Group> {
         triangles: (solid.faces..count).collect(),
         color: linear(solid.cap_color),
         image: None,
-        is_coated: false,
+        is_textured: false,
     });
     groups
 }
 
-/// A corner of a coated triangle: its vertex, its colour, and the bits of its place in an image.
-type CoatedCorner = (u32, [u8; 4], [u32; 2]);
+/// A corner of a painted triangle: its vertex, its colour, and the bits of its place in an image.
+type TexturedCorner = (u32, [u8; 4], [u32; 2]);
 
 impl Draft {
     fn add(&mut self, solid: &Solid<'_>, groups: Vec<Group>) {
@@ -161,14 +161,15 @@ impl Draft {
             if group.triangles.is_empty() {
                 continue;
             }
-            let (attributes, indices) = match solid.coat.as_ref().filter(|_| group.is_coated) {
-                Some(coat) => self.coated(&group, coat, all, &positions),
-                None => {
-                    let at = *shared.get_or_insert_with(|| self.positions(&positions));
-                    let corners = group.triangles.iter().flat_map(|t| all[*t]);
-                    (json!({ "POSITION": at }), corners.collect())
-                }
-            };
+            let (attributes, indices) =
+                match solid.vertex_paint.as_ref().filter(|_| group.is_textured) {
+                    Some(vertex_paint) => self.textured(&group, vertex_paint, all, &positions),
+                    None => {
+                        let at = *shared.get_or_insert_with(|| self.positions(&positions));
+                        let corners = group.triangles.iter().flat_map(|t| all[*t]);
+                        (json!({ "POSITION": at }), corners.collect())
+                    }
+                };
             let view = self.view(&indices, |i| i.to_le_bytes(), ELEMENT_ARRAY_BUFFER);
             let count = indices.len();
             let indices = self.accessor(json!({
@@ -191,19 +192,19 @@ impl Draft {
             .push(json!({ "name": solid.name, "primitives": primitives }));
     }
 
-    /// The attributes of coated triangles, and their corners: a vertex for all that is unlike in one place.
-    fn coated(
+    /// The attributes of painted triangles, and their corners: a vertex for all that is unlike in one place.
+    fn textured(
         &mut self,
         group: &Group,
-        coat: &Coat,
+        vertex_paint: &VertexPaint,
         triangles: &[[u32; 3]],
         positions: &[Vec3],
     ) -> (Value, Vec<u32>) {
-        let mut numbers: BTreeMap<CoatedCorner, u32> = BTreeMap::new();
-        let mut corners: Vec<CoatedCorner> = Vec::new();
+        let mut numbers: BTreeMap<TexturedCorner, u32> = BTreeMap::new();
+        let mut corners: Vec<TexturedCorner> = Vec::new();
         let mut indices = Vec::with_capacity(3 * group.triangles.len());
         for t in &group.triangles {
-            let of = &coat.triangles[*t];
+            let of = &vertex_paint.triangles[*t];
             for (i, vertex) in triangles[*t].into_iter().enumerate() {
                 let uv = match group.image {
                     Some(_) => bits(of.uv[i]),

@@ -1,11 +1,11 @@
 //! The images that the faces of some solids show, each once, as PNGs.
 //!
-//! Cost: a pass over the coated triangles, and the packing of each image at its full size.
+//! Cost: a pass over the painted triangles, and the packing of each image at its full size.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use cutaway::scene::{CoatedTriangle, Texture};
+use cutaway::scene::{Texture, TexturedTriangle};
 use glam::Vec2;
 use image::codecs::png::PngEncoder;
 use image::{ExtendedColorType, ImageEncoder};
@@ -15,7 +15,7 @@ use super::solid::{Solid, Unwritable};
 /// Images by their numbers, in the order in which faces show them first.
 pub(super) struct Images {
     all: Vec<Arc<Texture>>,
-    /// For each solid and each image of its coat its number; none where no face shows it.
+    /// For each solid and each image of its vertex paint its number; none where no face shows it.
     numbers: Vec<Vec<Option<usize>>>,
 }
 
@@ -23,14 +23,15 @@ impl Images {
     pub(super) fn of(solids: &[Solid<'_>]) -> Self {
         let mut all = Vec::new();
         let numbers = solids.iter().map(|solid| {
-            let Some(coat) = &solid.coat else {
+            let Some(vertex_paint) = &solid.vertex_paint else {
                 return Vec::new();
             };
-            let mut numbers = vec![None; coat.images.len()];
-            for image in coat.triangles.iter().filter_map(|t| t.image) {
+            let mut numbers = vec![None; vertex_paint.images.len()];
+            for image in vertex_paint.triangles.iter().filter_map(|t| t.image) {
                 let image = image as usize;
-                numbers[image]
-                    .get_or_insert_with(|| Texture::number_among(&mut all, &coat.images[image]));
+                numbers[image].get_or_insert_with(|| {
+                    Texture::number_among(&mut all, &vertex_paint.images[image])
+                });
             }
             numbers
         });
@@ -43,7 +44,7 @@ impl Images {
     }
 
     /// The number of the image of a face of a solid, where it has one.
-    pub(super) fn number(&self, solid: usize, face: &CoatedTriangle) -> Option<usize> {
+    pub(super) fn number(&self, solid: usize, face: &TexturedTriangle) -> Option<usize> {
         self.numbers[solid][face.image? as usize]
     }
 

@@ -30,7 +30,7 @@ mod stl;
 mod threemf;
 mod zip;
 
-use cutaway::scene::{CoatedTriangle, LengthUnit, Mesh};
+use cutaway::scene::{LengthUnit, Mesh, TexturedTriangle};
 use glam::DVec3;
 
 pub use solid::{Encoded, Solid, Unwritable};
@@ -125,14 +125,15 @@ pub fn rounding(format: Format, solids: &[Solid<'_>]) -> Option<f64> {
 
 /// Names the colours and images of solids that a format cannot hold; `None` if it holds all.
 pub fn leaves_out(format: Format, solids: &[Solid<'_>]) -> Option<&'static str> {
-    let mut coats = solids.iter().filter_map(|s| s.coat.as_ref());
-    let are_both = |face: &CoatedTriangle| face.image.is_some() && face.has_colors();
+    let mut vertex_paints = solids.iter().filter_map(|s| s.vertex_paint.as_ref());
+    let are_both = |face: &TexturedTriangle| face.image.is_some() && face.has_colors();
     match format {
         Format::Glb | Format::Ply | Format::Obj => None,
-        Format::Stl => (coats.next().is_some()).then_some("colours of vertices and images"),
+        Format::Stl => (vertex_paints.next().is_some()).then_some("colours of vertices and images"),
         // Where both are, images count.
-        Format::ThreeMf => (coats.any(|coat| coat.triangles.iter().any(are_both)))
-            .then_some("colours of vertices under the images"),
+        Format::ThreeMf => (vertex_paints
+            .any(|vertex_paint| vertex_paint.triangles.iter().any(are_both)))
+        .then_some("colours of vertices under the images"),
     }
 }
 

@@ -6,33 +6,33 @@
 use std::collections::BTreeMap;
 
 use cutaway::scene::{
-    Coat, CoatedTriangle, Part, linear_from_srgb, map_channels, srgb_from_linear,
+    Part, TexturedTriangle, VertexPaint, linear_from_srgb, map_channels, srgb_from_linear,
 };
 use cutaway::slice::Half;
 use glam::{DVec3, Vec3};
 
 use super::solid::Solid;
 
-/// The coat of the faces of a half; none of a part that has none or is painted over.
-pub(super) fn coat_of(part: &Part, half: &Half) -> Option<Coat> {
-    let coat = part.mesh.coat.as_ref();
-    let coat = coat.filter(|_| !part.material.is_painted_over)?;
+/// The vertex paint of the faces of a half; none of a part that has none or is painted over.
+pub(super) fn vertex_paint_of(part: &Part, half: &Half) -> Option<VertexPaint> {
+    let vertex_paint = part.mesh.vertex_paint.as_ref();
+    let vertex_paint = vertex_paint.filter(|_| !part.material.is_painted_over)?;
     let posed = part.posed_mesh();
     let at = |i: u32| (part.world_from_part).transform_point3(posed.positions[i as usize]);
     let faces = half.sources.iter().zip(&half.mesh.triangles);
     let triangles = faces.map(|(source, face)| {
         let source = *source as usize;
         let corners = part.mesh.triangles[source].map(at);
-        let whole = &coat.triangles[source];
+        let whole = &vertex_paint.triangles[source];
         let shares = face.map(|i| shares(corners, half.mesh.positions[i as usize]));
-        CoatedTriangle {
+        TexturedTriangle {
             colors: shares.map(|shares| mixed(whole.colors, shares)),
             uv: shares.map(|[a, b, c]| whole.uv[0] * a + whole.uv[1] * b + whole.uv[2] * c),
             image: whole.image,
         }
     });
-    Some(Coat {
-        images: coat.images.clone(),
+    Some(VertexPaint {
+        images: vertex_paint.images.clone(),
         triangles: triangles.collect(),
     })
 }
@@ -90,9 +90,9 @@ pub(super) fn by_vertex(solid: &Solid<'_>) -> (Vec<ColoredVertex>, Vec<[u32; 3]>
     let mut vertices = Vec::new();
     let mut numbers: BTreeMap<ColoredVertex, u32> = BTreeMap::new();
     let triangles = (solid.mesh.triangles.iter().enumerate()).map(|(t, corners)| {
-        let colors = match solid.coat.as_ref() {
+        let colors = match solid.vertex_paint.as_ref() {
             _ if t >= solid.faces => cap,
-            Some(coat) => coat.triangles[t].colors,
+            Some(vertex_paint) => vertex_paint.triangles[t].colors,
             None => own,
         };
         [0, 1, 2].map(|i| {

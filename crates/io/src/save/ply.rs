@@ -151,7 +151,7 @@ mod tests {
             (&read.positions, &read.triangles),
             (&mesh.positions, &mesh.triangles)
         );
-        assert!(read.coat.is_none(), "it has no colours");
+        assert!(read.vertex_paint.is_none(), "it has no colours");
         mesh.positions[0].x = mesh.positions[0].x.next_up();
         assert_ne!(read.positions, mesh.positions, "one bit is seen");
     }

@@ -1,6 +1,6 @@
 //! Input and output of the writers: solids and their colours, and encoded files.
 
-use cutaway::scene::{Coat, CoatedTriangle, Mesh, Part};
+use cutaway::scene::{Mesh, Part, TexturedTriangle, VertexPaint};
 use cutaway::slice::Half;
 use glam::Vec3;
 
@@ -14,7 +14,7 @@ pub struct Solid<'a> {
     /// Colour of its faces, sRGB in 0..=1.
     pub color: Vec3,
     /// Colours and images of its faces in addition, if it has some.
-    pub coat: Option<Coat>,
+    pub vertex_paint: Option<VertexPaint>,
     /// Colour of its caps.
     pub cap_color: Vec3,
     /// Faces, then caps.
@@ -29,7 +29,7 @@ impl<'a> Solid<'a> {
         Self {
             name: &part.name,
             color: part.material.color,
-            coat: painted::coat_of(part, half),
+            vertex_paint: painted::vertex_paint_of(part, half),
             cap_color: part.material.cap_color(),
             mesh: &half.mesh,
             faces: half.surface_triangles(),
@@ -37,14 +37,17 @@ impl<'a> Solid<'a> {
     }
 
     /// The colours and images of a face; none of a cap, nor where the solid has none.
-    pub(super) fn face(&self, triangle: usize) -> Option<&CoatedTriangle> {
-        self.coat.as_ref()?.triangles.get(triangle)
+    pub(super) fn face(&self, triangle: usize) -> Option<&TexturedTriangle> {
+        self.vertex_paint.as_ref()?.triangles.get(triangle)
     }
 
     /// Returns true if corners have colours of their own, which multiply the images.
     pub(super) fn has_colors(&self) -> bool {
-        let mut faces = self.coat.iter().flat_map(|coat| &coat.triangles);
-        faces.any(CoatedTriangle::has_colors)
+        let mut faces = self
+            .vertex_paint
+            .iter()
+            .flat_map(|vertex_paint| &vertex_paint.triangles);
+        faces.any(TexturedTriangle::has_colors)
     }
 }
 

@@ -6,7 +6,7 @@
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
-use cutaway::scene::{CoatedTriangle, LengthUnit};
+use cutaway::scene::{LengthUnit, TexturedTriangle};
 
 use super::images::{Images, bits, upwards};
 use super::solid::{Solid, Unwritable, bytes_of};
@@ -45,8 +45,8 @@ struct Colors(Vec<[u8; 4]>);
 
 impl Colors {
     fn of(solids: &[Solid<'_>]) -> Self {
-        let coats = solids.iter().filter_map(|s| s.coat.as_ref());
-        let faces = coats.flat_map(|c| &c.triangles);
+        let vertex_paints = solids.iter().filter_map(|s| s.vertex_paint.as_ref());
+        let faces = vertex_paints.flat_map(|c| &c.triangles);
         let mut all: Vec<[u8; 4]> = (faces.filter(|t| t.image.is_none()))
             .flat_map(|t| t.colors)
             .collect();
@@ -82,7 +82,11 @@ impl Textures {
         let images = Images::of(solids);
         let mut places = vec![BTreeSet::new(); images.count()];
         for (index, solid) in solids.iter().enumerate() {
-            for face in solid.coat.iter().flat_map(|coat| &coat.triangles) {
+            for face in solid
+                .vertex_paint
+                .iter()
+                .flat_map(|vertex_paint| &vertex_paint.triangles)
+            {
                 if let Some(image) = images.number(index, face) {
                     places[image].extend(face.uv.map(bits));
                 }
@@ -103,7 +107,7 @@ impl Textures {
     }
 
     /// The places of a face of a solid: the number of its group, and one for each corner.
-    fn property(&self, solid: usize, face: &CoatedTriangle) -> Option<(usize, [usize; 3])> {
+    fn property(&self, solid: usize, face: &TexturedTriangle) -> Option<(usize, [usize; 3])> {
         let image = self.images.number(solid, face)?;
         let places = &self.places[image];
         let number = |at| places.partition_point(|known| *known < bits(at));

@@ -9,8 +9,8 @@
 //! the part is not clearly removed and nothing hides it. An outline at which the part opens also counts where the part is removed, and
 //! behind a cap that depends on it.
 //!
-//! What is known of whole triangles is decided: on which side of a flat clip-surface one close to it lies (see [`super::settle`]), and
-//! of two parts that share a triangle, or a plane ([`super::settle`]), the first in rank has it.
+//! What is known of whole triangles is decided: on which side of a flat clip-surface one close to it lies (see [`super::classify`]), and
+//! of two parts that share a triangle, or a plane ([`super::classify`]), the first in rank has it.
 
 use cutaway::scene::{Prepared, View};
 
@@ -79,8 +79,8 @@ pub(super) struct Case<'a> {
     pub(super) cutters: &'a Cutters,
     /// The answer.
     pub(super) sight: Option<Sight>,
-    /// Crossings, and the clip-surfaces that their triangles are settled by, before or behind.
-    pub(super) settled: &'a [(u32, u16, i8)],
+    /// Crossings, and the clip-surfaces that their triangles are preclassified by, before or behind.
+    pub(super) preclassified: &'a [(u32, u16, i8)],
     /// Crossings, and the numbers of the planes that their triangles share with those of other parts.
     pub(super) shared: &'a [(u32, u16)],
 }

@@ -6,12 +6,12 @@
 //! here too.
 //!
 //! A face of a part in a face of the cutter is before it where the ray leaves the part by it, behind it where it enters
-//! ([`super::settle`]). Unlike a plane, the cutter's face ends: where a sample is too close to an edge of either triangle
+//! ([`super::classify`]). Unlike a plane, the cutter's face ends: where a sample is too close to an edge of either triangle
 //! ([`share_the_sample`]) to be sure to hit both, rather than one and the next triangle of the other, the order is as open as any.
 //!
 //! An outline of a cutter is what a graze of a relief is: a pair of crossings that a sample moved by a hair may have or
 //! not. It leaves a sample undecided where that could change what is seen: where some part that the cut applies to may be
-//! inside there, and neither another cut nor another surface of the same cut settles its fate ([`bites`]).
+//! inside there, and neither another cut nor another surface of the same cut classifies its fate ([`bites`]).
 
 use cutaway::scene::Prepared;
 use glam::DVec2;

@@ -71,7 +71,7 @@ impl<'a> Lines<'a> {
         };
         let range = [from, depths[1] + self.pad(depths[1])];
         layer.unreliable |= self.meet_clips(ray, range, of_cutters, bench);
-        self.settle(at, ray, bench);
+        self.classify(at, ray, bench);
         bench.merge_events();
         bench.state.set(&bench.start);
         let sight = walk(

@@ -18,6 +18,7 @@
 
 mod ambiguity;
 mod blocks;
+mod classify;
 mod clip;
 mod cutter;
 mod facet;
@@ -29,7 +30,6 @@ mod raster;
 mod ray_scratch;
 mod relief;
 mod screen;
-mod settle;
 mod shading;
 mod table;
 mod trace;
@@ -43,13 +43,13 @@ use glam::DVec2;
 use rayon::prelude::*;
 
 use self::ambiguity::{Case, Openness};
+use self::classify::PreclassifiedFaces;
 use self::clip::{Clip, Ray};
 use self::cutter::Cutters;
 use self::follow::Followed;
 use self::outline::{Brush, Outline};
 use self::raster::{BAND_ROWS, Bands, Crossing, Projected};
 use self::ray_scratch::RayScratch;
-use self::settle::SettledFaces;
 
 pub use trace::{Crossed, RayCrossing, Trace, trace};
 pub use truth::Truth;
@@ -143,7 +143,7 @@ struct Lines<'a> {
     /// Clips by number; those of cutters are unused.
     clips: Vec<Clip>,
     /// By rank.
-    settled: Vec<SettledFaces>,
+    preclassified: Vec<PreclassifiedFaces>,
     /// By number, planes that parts share, as the depth buffer of the view has them; none of those seen edge-on.
     shared_in_view: Vec<Option<[f64; 3]>>,
     triangles: Bands,
@@ -196,8 +196,8 @@ impl<'a> Lines<'a> {
                 .enumerate()
                 .map(|(i, s)| Clip::of(i as u16, s, radius))
                 .collect(),
-            settled: (prepared.parts.par_iter().enumerate())
-                .map(|part| SettledFaces::of(prepared, part))
+            preclassified: (prepared.parts.par_iter().enumerate())
+                .map(|part| PreclassifiedFaces::of(prepared, part))
                 .collect(),
             shared_in_view: (prepared.shared.planes().iter())
                 .map(|p| p.in_view(view))
@@ -270,7 +270,7 @@ impl<'a> Lines<'a> {
                     cutter_brushes,
                     cutters: &self.cutters,
                     sight,
-                    settled: &bench.settled,
+                    preclassified: &bench.preclassified,
                     shared: &bench.shared,
                 };
                 case.openness(&mut bench.scratch)

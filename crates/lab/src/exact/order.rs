@@ -1,13 +1,13 @@
 //! Events of one ray that are so close that their order is open, and what another order would show.
 //!
-//! Pairs are swapped one by one, and a crossing is moved past a clip-surface alone where others lie between the two: those may be settled
-//! against the surface ([`super::settle`]). Costs up to two walks along the ray for each close pair. Three events in an order that no such
+//! Pairs are swapped one by one, and a crossing is moved past a clip-surface alone where others lie between the two: those may be preclassified
+//! against the surface ([`super::classify`]). Costs up to two walks along the ray for each close pair. Three events in an order that no such
 //! step leads to are not looked for.
 
 use glam::DVec3;
 
 use super::ambiguity::{Case, Openness, Scratch, rounding};
-use super::settle::share_plane;
+use super::classify::share_plane;
 use super::walk::{Cause, Event};
 
 impl Case<'_> {
@@ -72,7 +72,7 @@ impl Case<'_> {
         }
     }
 
-    /// Openness caused by moving a crossing past a clip-surface that stays where it is: crossings between the two may be settled against
+    /// Openness caused by moving a crossing past a clip-surface that stays where it is: crossings between the two may be preclassified against
     /// it, so that it cannot move past those.
     fn passed(&self, scratch: &mut Scratch, [i, j]: [usize; 2], margin: f64) -> Openness {
         let [near, far] = [i, j].map(|k| &self.events[k]);
@@ -101,10 +101,11 @@ impl Case<'_> {
         scratch.events[event].depth = depth;
     }
 
-    /// Returns true if swapping two events can change anything, and is not settled by exact coincidence.
+    /// Returns true if swapping two events can change anything, and is not preclassified by exact coincidence.
     fn order_matters(&self, a: &Event, b: &Event) -> bool {
-        let is_settled = |mesh: &Event, surface: u16| {
-            (self.settled.iter()).any(|(source, by, _)| (*source, *by) == (mesh.source, surface))
+        let is_preclassified = |mesh: &Event, surface: u16| {
+            (self.preclassified.iter())
+                .any(|(source, by, _)| (*source, *by) == (mesh.source, surface))
         };
         match (a.cause, b.cause) {
             // Of one part it matters which side of the mesh is seen.
@@ -115,8 +116,8 @@ impl Case<'_> {
                     && !self.is_between(a, b)
             }
             // A part that the surface does not cut may be in front of the cap of another, or behind it.
-            (Cause::Mesh { .. }, Cause::Clip { surface, .. }) => !is_settled(a, surface),
-            (Cause::Clip { surface, .. }, Cause::Mesh { .. }) => !is_settled(b, surface),
+            (Cause::Mesh { .. }, Cause::Clip { surface, .. }) => !is_preclassified(a, surface),
+            (Cause::Clip { surface, .. }, Cause::Mesh { .. }) => !is_preclassified(b, surface),
             (Cause::Clip { surface: s, .. }, Cause::Clip { surface: t, .. }) => {
                 // Two surfaces that are one plane happen at once, whatever the rounding.
                 let [g, h] = [a, b].map(|e| self.roots[e.source as usize].gradient);
@@ -132,7 +133,7 @@ impl Case<'_> {
     fn is_between(&self, a: &Event, b: &Event) -> bool {
         let of = |event: &Event| {
             let source = event.source;
-            (self.settled.iter()).filter(move |(crossing, _, _)| *crossing == source)
+            (self.preclassified.iter()).filter(move |(crossing, _, _)| *crossing == source)
         };
         of(a).any(|(_, by, place)| of(b).any(|(_, other, there)| by == other && place != there))
     }

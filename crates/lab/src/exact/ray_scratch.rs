@@ -20,8 +20,8 @@ pub(super) struct RayScratch {
     pub(super) ranks: Vec<u16>,
     /// Per surface: its roots are listed.
     pub(super) met: Vec<bool>,
-    /// Crossings and the clip-surfaces that settle their triangles, each with its [`Crossing::place`]: no rounding changes their order.
-    pub(super) settled: Vec<(u32, u16, i8)>,
+    /// Crossings and the clip-surfaces that classify their triangles, each with its [`Crossing::place`]: no rounding changes their order.
+    pub(super) preclassified: Vec<(u32, u16, i8)>,
     /// Crossings, and the numbers of the planes that their triangles share with those of other parts.
     pub(super) shared: Vec<(u32, u16)>,
     pub(super) start: State,
@@ -41,7 +41,7 @@ impl RayScratch {
             events: Vec::new(),
             ranks: Vec::new(),
             met: vec![false; prepared.surfaces.len()],
-            settled: Vec::new(),
+            preclassified: Vec::new(),
             shared: Vec::new(),
             start: State::of(prepared),
             state: State::of(prepared),
@@ -116,7 +116,7 @@ impl RayScratch {
         self.roots.clear();
         self.grazes.clear();
         self.events.clear();
-        self.settled.clear();
+        self.preclassified.clear();
         self.shared.clear();
         self.met.fill(false);
         self.start.removed.fill(false);

@@ -6,7 +6,7 @@
 //! it; the visible point is the first, beyond the near plane, at which some part goes from not showing to showing.
 //!
 //! Ties. A solid is taken without its boundary: a mesh event whose triangle lies in a clip-surface is before the clip event where the
-//! ray leaves the solid by it, and behind it where the ray enters ([`super::settle`]); so a cut leaves nothing without thickness. Any
+//! ray leaves the solid by it, and behind it where the ray enters ([`super::classify`]); so a cut leaves nothing without thickness. Any
 //! other mesh event that happens to be at the very depth of a clip event counts as on its kept side. Clip events at one depth happen
 //! at once: two cuts that share a plane leave no sheet between them. Parts at one depth happen by rank, and of one part entering comes
 //! first, so that of faces that coincide the one that faces the eye is seen.

@@ -1,6 +1,6 @@
 //! Strategies measured on one frame: error against the exact reference, time in turns.
 //!
-//! First every strategy draws its frame until its buffers are settled, and its layers are compared with exact, which is evaluated once
+//! First every strategy draws its frame until its buffers are preclassified, and its layers are compared with exact, which is evaluated once
 //! ([`errors`]). Then time is taken ([`times`]): an uncounted warm-up round, then rounds in each of which every strategy and the plain
 //! drawing of the uncut scene run once, on all clocks. The order rotates by one from round to round, so that a disturbance of the machine
 //! affects all alike.

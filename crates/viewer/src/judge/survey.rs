@@ -1,6 +1,6 @@
 //! Error and time of every method on one picture, method by method.
 //!
-//! A method draws the picture until its buffers are settled, is compared with the reference, runs once more unmeasured, and then a few
+//! A method draws the picture until its buffers are preclassified, is compared with the reference, runs once more unmeasured, and then a few
 //! times for its time: the median of what the passes of the frame clock take. What it holds on the device is given back before the next.
 //!
 //! Cannot: time a frame in turns with the others, as `cutaway compare` does; what else the machine does in between is in the times.

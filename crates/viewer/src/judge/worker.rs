@@ -340,7 +340,7 @@ fn open<'a>(
             let opened = Shown::open(document, assets, time_s, last)?;
             let none = || Error::input("the scene", "it has no parts", "add one");
             let mut opened = opened.ok_or_else(none)?;
-            opened.settle()?;
+            opened.classify()?;
             opened
         }
     };

@@ -133,7 +133,7 @@ impl Screen {
     /// # Errors
     ///
     /// A device that is lost.
-    pub fn settle(&mut self) -> Result<(Option<(u32, f64)>, bool)> {
+    pub fn classify(&mut self) -> Result<(Option<(u32, f64)>, bool)> {
         let overflows = self.session.poll()?;
         let must_redraw = overflows.iter().any(|(_, overflow)| overflow.is_mended);
         let done = self.under_way.as_ref().and_then(|frame| {

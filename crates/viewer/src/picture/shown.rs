@@ -86,7 +86,7 @@ impl Shown {
     /// # Errors
     ///
     /// Those of [`Timeline::at`].
-    pub fn settle(&mut self) -> Result<()> {
+    pub fn classify(&mut self) -> Result<()> {
         let at = match self.timeline.moves() {
             true => {
                 let first = Scene {

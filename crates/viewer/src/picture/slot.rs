@@ -51,7 +51,7 @@ pub enum Painter {
 
 impl Painter {
     /// The renderer, for a scene in a view on a device.
-    pub fn settle(self, gpu: &Gpu, model: &Model, view: &View) -> Renderer {
+    pub fn classify(self, gpu: &Gpu, model: &Model, view: &View) -> Renderer {
         match self {
             Self::Named(renderer) => renderer,
             Self::Auto => choose(model, view, DrawOptions::default(), Some(gpu.traits()))

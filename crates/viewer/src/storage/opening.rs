@@ -69,7 +69,7 @@ impl Opening {
     }
 
     /// Takes over what is done, and begins what waits; `wake` is called when there is something to be taken over. Whether the state is
-    /// another one, which is settled.
+    /// another one, which is preclassified.
     pub fn go_on(&mut self, state: &mut State, wake: impl FnOnce() + Send + 'static) -> bool {
         let is_another = self.take_over(state);
         if self.under_way.is_none()
@@ -79,7 +79,7 @@ impl Opening {
             let (mut copy, own) = (Box::new(state.copy()), action.clone());
             beside(move || {
                 copy.apply(own);
-                copy.settle();
+                copy.classify();
                 // If it was cancelled, there is no receiver.
                 let _ = tell.send(copy);
                 wake();

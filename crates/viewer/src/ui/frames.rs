@@ -20,7 +20,7 @@ const MOST_SAMPLES: u32 = 3;
 #[derive(Clone, Copy, PartialEq)]
 pub(super) struct Last {
     revision: u64,
-    is_settled: bool,
+    is_preclassified: bool,
     size_px: [u32; 2],
     pub(super) renderers: [Option<Renderer>; 2],
     detail: Detail,
@@ -32,7 +32,7 @@ impl Viewer {
         let Some(last) = self.last else {
             return self.state.shown().is_some();
         };
-        let is_of_now = (last.revision, last.is_settled) == (self.state.revision(), true);
+        let is_of_now = (last.revision, last.is_preclassified) == (self.state.revision(), true);
         let is_whole = is_of_now && last.detail.divisor() == 1;
         let is_under_way = self.screen.is_busy() && last.detail.sample().is_none();
         self.state.shown().is_some() && (!is_whole || is_under_way)
@@ -70,7 +70,7 @@ impl Viewer {
     }
 
     fn try_draw(&mut self, ctx: &Context) -> Result<()> {
-        let (done, must_redraw) = self.screen.settle()?;
+        let (done, must_redraw) = self.screen.classify()?;
         if let Some((divisor, took_ms)) = done {
             self.pace.learn(divisor, took_ms);
         }
@@ -84,29 +84,29 @@ impl Viewer {
         }
         let rested = now - self.changed.1;
         let is_moving = self.last.is_some() && rested < REST.as_secs_f64();
-        if !is_moving && self.settled != Some(revision) {
+        if !is_moving && self.preclassified != Some(revision) {
             let watch = Stopwatch::start();
-            self.state.settle();
+            self.state.classify();
             self.cost.scene_ms += watch.ms();
-            self.settled = Some(revision);
+            self.preclassified = Some(revision);
         }
         let Some(shown) = self.state.shown() else {
             return Ok(());
         };
-        let is_settled = self.settled == Some(revision);
+        let is_preclassified = self.preclassified == Some(revision);
         let divisor = self.pace.divisor(is_moving);
         let view = shown.view(self.size_px);
         let mut renderers = [None; 2];
         for side in self.state.layout().sides() {
             let painter = self.state.painter(*side);
-            let settled = painter.settle(self.screen.gpu(), &shown.at.model, &view);
-            renderers[side.index()] = Some(settled);
+            let preclassified = painter.classify(self.screen.gpu(), &shown.at.model, &view);
+            renderers[side.index()] = Some(preclassified);
         }
-        let about = (self.size_px, renderers, is_settled);
+        let about = (self.size_px, renderers, is_preclassified);
         self.judged.ask(ctx, &self.state, &self.screen, about);
         let next = Last {
             revision,
-            is_settled,
+            is_preclassified,
             size_px: self.size_px,
             renderers,
             detail: Detail::WHOLE,
@@ -131,7 +131,7 @@ impl Viewer {
         }
         if self.screen.is_busy() || detail.is_some() {
             ctx.request_repaint_after(Duration::from_millis(5));
-        } else if !is_settled {
+        } else if !is_preclassified {
             ctx.request_repaint_after(REST);
         }
         Ok(())

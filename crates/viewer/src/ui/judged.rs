@@ -26,7 +26,7 @@ struct Errors {
 #[derive(Clone, Copy, PartialEq)]
 struct About {
     revision: u64,
-    is_settled: bool,
+    is_preclassified: bool,
     size_px: [u32; 2],
     renderers: [Option<Renderer>; 2],
     wants_errors: bool,
@@ -51,17 +51,17 @@ impl Judged {
         ctx: &Context,
         state: &State,
         screen: &Screen,
-        (size_px, renderers, is_settled): ([u32; 2], [Option<Renderer>; 2], bool),
+        (size_px, renderers, is_preclassified): ([u32; 2], [Option<Renderer>; 2], bool),
     ) {
         let wants_errors = state.shows_errors();
         let is_on_cpu = |r: &Renderer| r.method().is_none();
         let paints = renderers.iter().flatten().any(is_on_cpu);
         let is_needed = wants_errors || paints;
         // Hatches make a difference to pictures, and none to errors.
-        let is_settled = paints && is_settled;
+        let is_preclassified = paints && is_preclassified;
         let about = About {
             revision: state.revision(),
-            is_settled,
+            is_preclassified,
             size_px,
             renderers,
             wants_errors,

@@ -68,7 +68,7 @@ pub struct Viewer {
     /// The revision last seen, and the time since when, on egui's clock in seconds.
     changed: (u64, f64),
     /// The revision that is prepared as a picture would be.
-    settled: Option<u64>,
+    preclassified: Option<u64>,
     held: Held,
     flickers: bool,
     plays: bool,
@@ -120,7 +120,7 @@ impl Viewer {
             pace: Pace::default(),
             last: None,
             changed: (0, 0.0),
-            settled: None,
+            preclassified: None,
             held: Held::default(),
             flickers: false,
             plays: false,

@@ -15,7 +15,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use glam::DVec2;
 
-use super::common::{Scratch, TORUS, act, settle, state, viewer};
+use super::common::{Scratch, TORUS, act, classify, state, viewer};
 
 /// Closes the window, and gives what it says to that.
 fn close(harness: &mut Harness<'_, Viewer>) -> Vec<ViewportCommand> {
@@ -33,7 +33,7 @@ fn close(harness: &mut Harness<'_, Viewer>) -> Vec<ViewportCommand> {
         .or_default();
     root.events.clear();
     let said = said(harness);
-    settle(harness);
+    classify(harness);
     said
 }
 
@@ -50,7 +50,7 @@ fn click(harness: &mut Harness<'_, Viewer>, label: &str) -> Vec<ViewportCommand>
         harness.step();
         all.extend(said(harness));
     }
-    settle(harness);
+    classify(harness);
     all
 }
 
@@ -125,7 +125,7 @@ fn recent_files_are_opened_and_dropped_when_they_are_gone() {
     let document = Document::read(&first).unwrap();
     let mut harness = viewer(State::open(document, Assets::default()).unwrap());
     harness.state_mut().remember_in(Recent::read(&list));
-    settle(&mut harness);
+    classify(&mut harness);
     act(&mut harness, Action::Take(vec![second.clone()]));
     let written = || fs::read_to_string(&list).unwrap();
     let lines = |paths: &[&std::path::PathBuf]| -> String {
@@ -142,7 +142,7 @@ fn recent_files_are_opened_and_dropped_when_they_are_gone() {
     assert_eq!(harness.state().state().document().path(), first);
     assert_eq!(written(), lines(&[&first, &second]));
     harness.key_press(eframe::egui::Key::Escape);
-    settle(&mut harness);
+    classify(&mut harness);
     fs::remove_file(&second).unwrap();
     choose(&mut harness, &second);
     assert_eq!(

@@ -105,7 +105,7 @@ fn at_rest_edges_become_as_smooth_as_the_commands() {
     act(&mut harness, Action::Add(NewCut::Plane(2)));
     let raw = common::pixels(&harness, Side::A);
     harness.state_mut().smooth(true);
-    common::settle(&mut harness);
+    common::classify(&mut harness);
     let seen = common::pixels(&harness, Side::A);
     let (state, size_px) = (harness.state().state(), harness.state().size_px());
     let made = run(&state.command(size_px).unwrap(), &Scratch::new());

@@ -66,12 +66,12 @@ pub(crate) fn shown(mut viewer: Viewer) -> Harness<'static, Viewer> {
     let show = |ui: &mut eframe::egui::Ui, viewer: &mut Viewer| viewer.show(ui);
     let builder = Harness::builder().with_size(Vec2::new(1100.0, 640.0));
     let mut harness = builder.build_ui_state(show, viewer);
-    settle(&mut harness);
+    classify(&mut harness);
     harness
 }
 
 /// Goes on until nothing is still to come, and looks whether all controls are labelled.
-pub(crate) fn settle(harness: &mut Harness<'_, Viewer>) {
+pub(crate) fn classify(harness: &mut Harness<'_, Viewer>) {
     let mut waits = 0;
     for _ in 0..3 {
         harness.step();
@@ -94,7 +94,7 @@ pub(crate) fn pixels(harness: &Harness<'_, Viewer>, side: Side) -> RgbaImage {
 /// Carries out an action and waits for what it shows.
 pub(crate) fn act(harness: &mut Harness<'_, Viewer>, action: Action) {
     harness.state_mut().apply(action);
-    settle(harness);
+    classify(harness);
 }
 
 /// Rectangle of the picture, in points.
@@ -125,5 +125,5 @@ pub(crate) fn drag(harness: &mut Harness<'_, Viewer>, from: Pos2, by: Vec2) {
     harness.hover_at(from + by);
     harness.step();
     harness.drop_at(from + by);
-    settle(harness);
+    classify(harness);
 }

@@ -16,7 +16,7 @@ use eframe::egui::{Key, Pos2, Vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 
-use super::common::{act, settle, state, viewer};
+use super::common::{act, classify, state, viewer};
 
 /// A shape that a relief cuts in halves.
 fn ragged(shape: &str) -> State {
@@ -35,7 +35,7 @@ fn choose(harness: &mut Harness<'_, Viewer>, side: Side, name: &str) {
 
 fn click(harness: &mut Harness<'_, Viewer>, label: &str) {
     harness.get_by_label(label).click();
-    settle(harness);
+    classify(harness);
 }
 
 /// Clicks on a pixel of the picture.
@@ -46,7 +46,7 @@ fn click_at(harness: &mut Harness<'_, Viewer>, [x, y]: [u32; 2]) {
     harness.step();
     harness.drag_at(at);
     harness.drop_at(at);
-    settle(harness);
+    classify(harness);
 }
 
 #[test]
@@ -109,7 +109,7 @@ fn a_click_on_a_wrong_pixel_lists_what_its_ray_crosses() {
     harness.get_by_label(&format!("A: {name}"));
 
     harness.key_press(Key::Escape);
-    settle(&mut harness);
+    classify(&mut harness);
     assert!(
         harness.query_by_label("Magnifier").is_none(),
         "it is closed"
@@ -121,7 +121,7 @@ fn a_click_on_a_wrong_pixel_lists_what_its_ray_crosses() {
     harness
         .get_by_role_and_label(Role::Button, "Close window")
         .click();
-    settle(&mut harness);
+    classify(&mut harness);
     assert!(
         harness.query_by_label("Magnifier").is_none(),
         "it is closed"
@@ -176,7 +176,7 @@ fn all_methods_that_draw_the_scene_are_points_of_a_chart() {
     let before = harness.state().state().painter(Side::B);
     let mark = harness.get_by_label_contains("grid:256+vds:1024: ");
     mark.click_accesskit();
-    settle(&mut harness);
+    classify(&mut harness);
     let after = harness.state().state().painter(Side::B);
     assert_ne!(before, after);
     assert_eq!(after, "grid:256+vds:1024".parse::<Painter>().unwrap());
@@ -202,7 +202,7 @@ fn measuring_ends_when_it_is_cancelled() {
     harness
         .get_by_role_and_label(Role::Button, "Cancel measuring")
         .click();
-    settle(&mut harness);
+    classify(&mut harness);
     let done = harness.state().surveyed().len();
     assert!(done < methods().len() / 2, "{done} were measured");
     assert!(harness.query_by_label("Cancel measuring").is_none());
@@ -254,7 +254,7 @@ fn costs_are_known_of_the_slots_that_are_seen_while_they_are_shown() {
     harness
         .get_by_role_and_label(Role::Button, "Close window")
         .click();
-    settle(&mut harness);
+    classify(&mut harness);
     assert!(
         harness
             .query_by_label_contains("the last frame ran")

@@ -11,7 +11,7 @@ use cutaway_viewer::ui::Viewer;
 use egui_kittest::kittest::Queryable;
 use glam::DVec2;
 
-use super::common::{TORUS, act, host, pixels, settle, shown, state, viewer};
+use super::common::{TORUS, act, classify, host, pixels, shown, state, viewer};
 
 #[test]
 fn a_scene_that_was_changed_goes_on_with_another_device() {
@@ -62,7 +62,7 @@ fn a_loss_is_noticed_within_a_frame() {
     let host = host();
     let loss = DeviceLoss::watch(&host.device, || {});
     let mut harness = shown(Viewer::on(&host, state(TORUS)).unwrap());
-    settle(&mut harness);
+    classify(&mut harness);
     assert_eq!(loss.reason(), None, "it draws");
     host.device.destroy();
     harness.step();

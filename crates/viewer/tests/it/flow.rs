@@ -11,22 +11,22 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use image::RgbaImage;
 
-use super::common::{self, Scratch, TORUS, act, settle, state, viewer};
+use super::common::{self, Scratch, TORUS, act, classify, state, viewer};
 
 fn click(harness: &mut Harness<'_, Viewer>, role: Role, label: &str) {
     harness.get_by_role_and_label(role, label).click();
-    settle(harness);
+    classify(harness);
 }
 
 fn choose(harness: &mut Harness<'_, Viewer>, combo: &str, choice: &str) {
     harness.get_by_role_and_label(Role::ComboBox, combo).click();
-    settle(harness);
+    classify(harness);
     // As a screen reader does it: a pointer would have to scroll.
     harness.get_by_label(choice).click_accesskit();
-    settle(harness);
+    classify(harness);
     // Which leaves the list open.
     harness.key_press(eframe::egui::Key::Escape);
-    settle(harness);
+    classify(harness);
 }
 
 fn picture(harness: &Harness<'_, Viewer>, side: Side) -> RgbaImage {
@@ -56,7 +56,7 @@ fn a_model_is_cut_tilted_made_ragged_compared_saved_and_taken_back() {
 
     let slider = harness.get_by_role_and_label(Role::Slider, "Position %");
     slider.set_value_accesskit(70.0);
-    settle(&mut harness);
+    classify(&mut harness);
     let moved = section(&harness);
     assert!(moved.ends_with("70%") || moved.ends_with("30%"), "{moved}");
     click(&mut harness, Role::Button, "Face me");
@@ -89,11 +89,11 @@ fn a_model_is_cut_tilted_made_ragged_compared_saved_and_taken_back() {
     click(&mut harness, Role::Button, "Save scene ...");
     let field = harness.get_by_role_and_label(Role::TextInput, "File name");
     field.focus();
-    settle(&mut harness);
+    classify(&mut harness);
     harness.key_press_modifiers(eframe::egui::Modifiers::COMMAND, eframe::egui::Key::A);
     let field = harness.get_by_role_and_label(Role::TextInput, "File name");
     field.type_text(path.to_str().unwrap());
-    settle(&mut harness);
+    classify(&mut harness);
     click(&mut harness, Role::Button, "Save");
     let saved = Document::read(&path).unwrap();
     let reopened = viewer(State::open(saved, Assets::default()).unwrap());
@@ -109,7 +109,7 @@ fn steps_are_taken_back_and_done_again_and_a_drag_is_one() {
     for percent in [52.0, 55.0, 60.0] {
         let slider = harness.get_by_role_and_label(Role::Slider, "Position %");
         slider.set_value_accesskit(percent);
-        settle(&mut harness);
+        classify(&mut harness);
     }
     let moved = section(&harness);
     assert_ne!(first, moved, "the slider moves the plane");
@@ -206,8 +206,8 @@ fn time_passes_until_it_is_stopped() {
         "it goes on: {times:?}"
     );
     harness.get_by_role_and_label(Role::Button, "Pause").click();
-    settle(&mut harness);
+    classify(&mut harness);
     let stopped = harness.state().state().time_s();
-    settle(&mut harness);
+    classify(&mut harness);
     assert_eq!(harness.state().state().time_s(), stopped);
 }

@@ -9,7 +9,7 @@ use eframe::egui::{Modifiers, Vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 
-use super::common::{act, drag, gizmo, picture, settle, state, viewer};
+use super::common::{act, classify, drag, gizmo, picture, state, viewer};
 
 const TORUS: &str = super::common::TORUS;
 
@@ -49,7 +49,7 @@ fn arcs_tilt_a_plane_in_one_step() {
         let degrees = normal(&harness).dot(upright).acos().to_degrees();
         assert!((3.0..60.0).contains(&degrees), "arc {index}: {degrees}");
         harness.get_by_label("Undo").click();
-        settle(&mut harness);
+        classify(&mut harness);
         let after = harness.state().state().document();
         assert_eq!(
             after.root().get("cut"),

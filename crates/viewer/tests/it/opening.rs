@@ -22,7 +22,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use glam::DVec2;
 
-use super::common::{Scratch, TORUS, pixels, settle, viewer};
+use super::common::{Scratch, TORUS, classify, pixels, viewer};
 
 const MESH: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
 
@@ -109,11 +109,11 @@ fn a_model_is_shown_when_it_has_been_opened() {
         harness.query_by_label_contains("opened ").is_some()
     });
     assert!(harness.query_by_label("Cancel opening").is_none());
-    settle(&mut harness);
+    classify(&mut harness);
     assert_eq!(parts(&harness), 2);
     assert_ne!(pixels(&harness, Side::A), before);
     harness.state_mut().apply(Action::Undo);
-    settle(&mut harness);
+    classify(&mut harness);
     assert_eq!(parts(&harness), 1, "it is a step");
 }
 
@@ -131,13 +131,13 @@ fn what_is_done_meanwhile_is_seen_at_once_and_stays() {
     let camera = harness.state().state().shown().unwrap().scene.camera;
     assert_eq!(parts(&harness), 1, "it is drawn before the model is there");
     disk.let_go();
-    settle(&mut harness);
+    classify(&mut harness);
     let state = harness.state().state();
     assert_eq!((parts(&harness), state.cuts().len()), (2, 2));
     let after = state.shown().unwrap().scene.camera;
     assert_eq!(after.viewpoint, camera.viewpoint, "the eye stays");
     harness.state_mut().apply(Action::Undo);
-    settle(&mut harness);
+    classify(&mut harness);
     assert_eq!(parts(&harness), 1, "the last step was the model");
     assert_eq!(harness.state().state().cuts().len(), 2);
 }
@@ -157,9 +157,9 @@ fn what_is_cancelled_leaves_the_scene_and_what_waits_comes_next() {
     }
     assert!(harness.query_by_label("opening corner.obj").is_none());
     disk.let_go();
-    settle(&mut harness);
+    classify(&mut harness);
     std::thread::sleep(Duration::from_millis(50));
-    settle(&mut harness);
+    classify(&mut harness);
     assert_eq!(*harness.state().state().document(), before);
     harness.state_mut().apply(other.clone());
     harness.state_mut().apply(Action::Reload);
@@ -182,11 +182,11 @@ fn what_cannot_be_opened_is_told_and_the_scene_stays() {
         }
         let before = harness.state().state().document().clone();
         disk.let_go();
-        settle(&mut harness);
+        classify(&mut harness);
         assert_eq!(*harness.state().state().document(), before);
         harness.get_by_label_contains("bad.obj");
         harness.get_by_label("x").click();
-        settle(&mut harness);
+        classify(&mut harness);
         assert!(
             harness.query_by_label_contains("bad.obj").is_none(),
             "told once"
@@ -208,7 +208,7 @@ fn a_scene_is_opened_whatever_is_done_meanwhile() {
             harness.state_mut().apply(Action::Add(NewCut::Box));
         }
         disk.let_go();
-        settle(&mut harness);
+        classify(&mut harness);
         let state = harness.state().state();
         assert_eq!(state.document().to_string(), text);
         assert_eq!(state.can_undo_redo(), [false; 2], "another scene");

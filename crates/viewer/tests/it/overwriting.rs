@@ -14,7 +14,7 @@ use eframe::egui::{Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 
-use super::common::{Scratch, act, settle, viewer};
+use super::common::{Scratch, act, classify, viewer};
 
 const MESH: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
 const OTHER: &str = "[[part]]\nshape = \"cube\"\n";
@@ -36,17 +36,17 @@ fn name(harness: &mut Harness<'_, Viewer>, entry: &str, path: &Path) -> String {
     let field = harness.get_by_role_and_label(Role::TextInput, "File name");
     let before = field.value().unwrap_or_default();
     field.focus();
-    settle(harness);
+    classify(harness);
     harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
     let field = harness.get_by_role_and_label(Role::TextInput, "File name");
     field.type_text(path.to_str().unwrap());
-    settle(harness);
+    classify(harness);
     before
 }
 
 fn click(harness: &mut Harness<'_, Viewer>, label: &str) {
     harness.get_by_role_and_label(Role::Button, label).click();
-    settle(harness);
+    classify(harness);
 }
 
 fn asks(harness: &Harness<'_, Viewer>) -> bool {

@@ -11,7 +11,7 @@ use eframe::egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 
-use super::common::{act, pixels, settle, viewer};
+use super::common::{act, classify, pixels, viewer};
 
 const TWO: &str = "[[part]]\nname = \"block\"\nshape = \"cube\"\n\n[[part]]\nname = \"ball\"\nshape = \"sphere?subdivisions=2\"\ntranslate = [2, 0, 0]\n\n[[cut]]\nsurfaces = [{ section = \"z=60%\" }]\n";
 
@@ -37,7 +37,7 @@ fn a_part_is_hidden_in_the_picture_and_in_the_command_and_shown_again() {
         harness
             .get_by_role_and_label(Role::CheckBox, &format!("Show {name}"))
             .click();
-        settle(harness);
+        classify(harness);
     };
     eye(&mut harness, "ball");
     assert_eq!(names(&harness), ["block"]);
@@ -60,7 +60,7 @@ fn a_part_is_spared_from_the_list_whatever_it_is_made_of() {
     assert!(names(&harness).len() > 1, "a shape of several solids");
     act(&mut harness, Action::Select(Selection::Cut(0)));
     harness.get_by_label("Spare drive from this cut").click();
-    settle(&mut harness);
+    classify(&mut harness);
     let except = |harness: &Harness<'_, Viewer>| {
         let scene = &harness.state().state().shown().unwrap().scene;
         let mut names = scene.cuts[0].except.clone();
@@ -71,7 +71,7 @@ fn a_part_is_spared_from_the_list_whatever_it_is_made_of() {
     all.sort();
     assert_eq!(except(&harness), all);
     harness.get_by_label("Spare drive from this cut").click();
-    settle(&mut harness);
+    classify(&mut harness);
     assert!(except(&harness).is_empty(), "and none again");
 }
 
@@ -84,11 +84,11 @@ fn numbers_of_a_style_are_changed_and_taken_back() {
     let own = harness.state().state().shown().unwrap().scene.style;
     for group in ["Numbers of the style", "strokes"] {
         harness.get_by_label(group).click_accesskit();
-        settle(&mut harness);
+        classify(&mut harness);
     }
     let number = harness.get_by_label("cut of style.strokes.cut");
     number.set_value_accesskit(7.5);
-    settle(&mut harness);
+    classify(&mut harness);
     let style =
         |harness: &Harness<'_, Viewer>| harness.state().state().shown().unwrap().scene.style;
     assert_eq!(style(&harness).strokes.cut, 7.5);
@@ -107,7 +107,7 @@ fn numbers_of_a_style_are_changed_and_taken_back() {
     harness
         .get_by_label("Take style.strokes.cut back")
         .click_accesskit();
-    settle(&mut harness);
+    classify(&mut harness);
     assert_eq!(style(&harness), own);
     let after = harness.state().state().document();
     assert_eq!(after.root().get("style"), before.root().get("style"));
@@ -136,7 +136,7 @@ fn a_part_with_holes_has_a_badge_and_its_open_edges_are_drawn() {
     harness
         .get_by_role_and_label(Role::CheckBox, "Open edges")
         .click();
-    settle(&mut harness);
+    classify(&mut harness);
     let scene = &harness.state().state().shown().unwrap().scene;
     let open: usize = scene.parts.iter().map(|p| p.mesh.open_edges().len()).sum();
     assert!(open > 0, "holes have edges");

@@ -10,12 +10,12 @@ use eframe::egui::{Event, Modifiers, PointerButton, Pos2, Vec2, accesskit::Role}
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 
-use super::common::{Scratch, TORUS, act, drag, gizmo, picture, settle, state, viewer};
+use super::common::{Scratch, TORUS, act, classify, drag, gizmo, picture, state, viewer};
 
 fn hover(harness: &mut Harness<'_, Viewer>, at: Pos2) {
     harness.hover_at(at);
-    settle(harness);
-    settle(harness);
+    classify(harness);
+    classify(harness);
 }
 
 #[test]
@@ -79,7 +79,7 @@ fn a_click_counts_where_the_pointer_has_left_by_the_time_it_is_seen() {
         harness.step();
         let events = &mut harness.input_mut().events;
         events.extend([button(false), Event::PointerGone]);
-        settle(&mut harness);
+        classify(&mut harness);
         if click > 0 {
             let told = harness.get_by_label_contains("distance between the last two clicks");
             let told = told.accesskit_node().value();
@@ -97,7 +97,7 @@ fn a_key_puts_the_plane_through_the_face_under_the_pointer() {
     let picked = harness.state().picked().cloned().unwrap();
     assert_eq!(picked.kind, Kind::Surface);
     harness.key_press(eframe::egui::Key::F);
-    settle(&mut harness);
+    classify(&mut harness);
     let document = harness.state().state().document().clone();
     let bounds = harness.state().state().bounds();
     let (normal, origin) = plane(&document, 0, &bounds).unwrap();
@@ -158,23 +158,23 @@ fn a_picture_is_exported_while_the_window_goes_on() {
     for (name, starts_with) in [("out.svg", "<svg"), ("out.xyz", "")] {
         let path = scratch.path(name);
         harness.get_by_role_and_label(Role::Button, "File").click();
-        settle(&mut harness);
+        classify(&mut harness);
         harness
             .get_by_role_and_label(Role::Button, "Export ...")
             .click();
-        settle(&mut harness);
+        classify(&mut harness);
         let field = harness.get_by_role_and_label(Role::TextInput, "File name");
         field.focus();
-        settle(&mut harness);
+        classify(&mut harness);
         let modifiers = Modifiers::COMMAND;
         harness.key_press_modifiers(modifiers, eframe::egui::Key::A);
         let field = harness.get_by_role_and_label(Role::TextInput, "File name");
         field.type_text(path.to_str().unwrap());
-        settle(&mut harness);
+        classify(&mut harness);
         harness
             .get_by_role_and_label(Role::Button, "Export")
             .click();
-        settle(&mut harness);
+        classify(&mut harness);
         match starts_with {
             // Nothing is written, and it is said why.
             "" => harness.get_by_label_contains("help:").rect(),

@@ -399,11 +399,11 @@ fn documents_stay_files_and_steps_are_taken_back_and_done_again() {
 
 /// Picture of the first slot of a window at rest.
 fn drawn(session: &mut Session, state: &mut State) -> RgbaImage {
-    state.settle();
+    state.classify();
     let shown = state.shown().unwrap();
     let view = shown.view(SIZE_PX);
     let painter = state.painter(Side::A);
-    let Renderer::Method(method) = painter.settle(session.gpu(), &shown.at.model, &view) else {
+    let Renderer::Method(method) = painter.classify(session.gpu(), &shown.at.model, &view) else {
         panic!("{painter} is no method");
     };
     let drawn = session.draw(&shown.at.model, &view, method).unwrap();

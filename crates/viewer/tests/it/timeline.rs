@@ -13,7 +13,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use glam::DVec2;
 
-use super::common::{TORUS, act, drag, settle, state, viewer};
+use super::common::{TORUS, act, classify, drag, state, viewer};
 
 const MOVING: &str = "[[part]]\nname = \"box\"\nshape = \"cube\"\ntranslate = [0, 0, 0]\n\n[[key]]\ntarget = \"part.box.translate\"\ntimes_s = [0, 1, 4]\nvalues = [[0, 0, 0], [1, 0, 0], [2, 0, 0]]\n";
 
@@ -28,7 +28,7 @@ fn times(state: &State, row: usize) -> Vec<f64> {
 
 fn click(harness: &mut Harness<'_, Viewer>, label: &str) {
     harness.get_by_role_and_label(Role::Button, label).click();
-    settle(harness);
+    classify(harness);
 }
 
 #[test]
@@ -84,7 +84,7 @@ fn keys_are_gone_to_dragged_and_deleted_by_hand() {
     let mut harness = viewer(moving());
     let key = |time: &str| format!("Key of part.box.translate at {time} s");
     harness.get_by_label(&key("1")).click();
-    settle(&mut harness);
+    classify(&mut harness);
     assert_eq!(harness.state().state().time_s(), Some(1.0));
 
     let at = harness.get_by_label(&key("1")).rect().center();
@@ -103,13 +103,13 @@ fn keys_are_gone_to_dragged_and_deleted_by_hand() {
     harness
         .get_by_label(&key("1"))
         .click_button(PointerButton::Secondary);
-    settle(&mut harness);
+    classify(&mut harness);
     assert_eq!(times(harness.state().state(), 0), [0.0, 4.0]);
     harness.get_by_label(&key("4")).click();
-    settle(&mut harness);
+    classify(&mut harness);
     let number = harness.get_by_label("Time of the key");
     number.set_value_accesskit(6.5);
-    settle(&mut harness);
+    classify(&mut harness);
     assert_eq!(times(harness.state().state(), 0), [0.0, 6.5]);
     click(&mut harness, "Delete key");
     assert_eq!(times(harness.state().state(), 0), [0.0]);

@@ -76,15 +76,15 @@ fn draw_part(plan: &mut Plan, scene: &SceneBuffers<'_>, surfaces: &mut Surfaces,
         indices,
         draws: input.draws_of_rest(&[rank]),
     };
-    let settled = scene.settled.as_ref().map(|settled| {
+    let preclassified = scene.preclassified.as_ref().map(|preclassified| {
         let mut pass = DrawPass {
-            name: format!("solid {place} settled"),
+            name: format!("solid {place} preclassified"),
             reason: format!("faces of `{name}` in the plane or just beside it, on the side on which they are known to lie"),
-            shader: "strategies/inside/stencil/solid_settled.wgsl".into(),
+            shader: "strategies/inside/stencil/solid_preclassified.wgsl".into(),
             draws: input.draws_of_groups(&[rank]),
             ..solid.clone()
         };
-        pass.bindings.push(settled.clone());
+        pass.bindings.push(preclassified.clone());
         pass
     });
     let counts = Stencil {
@@ -92,12 +92,12 @@ fn draw_part(plan: &mut Plan, scene: &SceneBuffers<'_>, surfaces: &mut Surfaces,
         step: StencilStep::WindAll,
     };
     surfaces.draw_with(plan, solid, Some(counts));
-    if let Some(settled) = settled.filter(|s| !s.draws.is_empty()) {
+    if let Some(preclassified) = preclassified.filter(|s| !s.draws.is_empty()) {
         let counts = Stencil {
             clear: false,
             ..counts
         };
-        surfaces.draw_with(plan, settled, Some(counts));
+        surfaces.draw_with(plan, preclassified, Some(counts));
     }
 
     let cap = DrawPass {

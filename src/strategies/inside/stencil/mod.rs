@@ -185,9 +185,9 @@ impl Marks<'_> {
                     draws: input.draws_of_rest(&[mark.rank]),
                 },
             );
-            let settled = self.settled(&pass, mark.rank);
+            let preclassified = self.preclassified(&pass, mark.rank);
             plan.add_pass(pass);
-            if let Some(pass) = settled {
+            if let Some(pass) = preclassified {
                 plan.add_pass(pass);
             }
         }
@@ -209,25 +209,25 @@ impl Marks<'_> {
         self.batches += 1;
     }
 
-    /// The same as a pass for the settled triangles of its part, if there are any.
-    fn settled(&self, pass: &Pass, rank: usize) -> Option<Pass> {
+    /// The same as a pass for the preclassified triangles of its part, if there are any.
+    fn preclassified(&self, pass: &Pass, rank: usize) -> Option<Pass> {
         let groups = self.scene.input.draws_of_groups(&[rank]);
-        let table = (self.scene.settled.as_ref()).filter(|_| !groups.is_empty())?;
-        let mut settled = pass.clone();
-        settled.name = format!("{} settled", pass.name);
-        settled.reason = "the same for faces in a clip-surface or just beside it".to_owned();
-        settled.shader =
-            Shader::from("strategies/inside/stencil/mark_settled.wgsl").with_all(&LISTED);
-        settled.bindings.push(table.clone());
-        settled.bindings.extend(self.crossings.bindings());
-        settled.bindings.push(self.scene.cut_table.clone());
-        if let Work::Draw { depth, draws, .. } = &mut settled.work {
+        let table = (self.scene.preclassified.as_ref()).filter(|_| !groups.is_empty())?;
+        let mut preclassified = pass.clone();
+        preclassified.name = format!("{} preclassified", pass.name);
+        preclassified.reason = "the same for faces in a clip-surface or just beside it".to_owned();
+        preclassified.shader =
+            Shader::from("strategies/inside/stencil/mark_preclassified.wgsl").with_all(&LISTED);
+        preclassified.bindings.push(table.clone());
+        preclassified.bindings.extend(self.crossings.bindings());
+        preclassified.bindings.push(self.scene.cut_table.clone());
+        if let Work::Draw { depth, draws, .. } = &mut preclassified.work {
             *draws = groups;
             if let Some(stencil) = &mut depth.stencil {
                 stencil.clear = false;
             }
         }
-        Some(settled)
+        Some(preclassified)
     }
 
     /// The pass that lays the depth of a crossing down.

@@ -33,8 +33,9 @@ fn srgb_from_linear(v: f32) -> f32 {
 
 /// The faces of a mesh that are not in the plane x = 0.5, each with the colours of its corners.
 fn faces(mesh: &Mesh) -> impl Iterator<Item = ([glam::DVec3; 3], [[u8; 4]; 3])> {
-    let coat = mesh.coat.as_ref().expect("colours");
-    let all = (0..mesh.triangles.len()).map(|t| (mesh.corners(t), coat.triangles[t].colors));
+    let vertex_paint = mesh.vertex_paint.as_ref().expect("colours");
+    let all =
+        (0..mesh.triangles.len()).map(|t| (mesh.corners(t), vertex_paint.triangles[t].colors));
     all.filter(|(corners, _)| corners.iter().any(|p| p.x != 0.5))
 }
 
@@ -75,10 +76,10 @@ fn colours_of_vertices_survive_in_all_formats_that_hold_them() {
         }
         assert!(count >= 10, "{extension}: {count} faces");
         // A cap has the one colour of caps, and no corner that of the faces beside it.
-        let coat = mesh.coat.as_ref().expect("colours");
+        let vertex_paint = mesh.vertex_paint.as_ref().expect("colours");
         let caps: Vec<[[u8; 4]; 3]> = (0..mesh.triangles.len())
             .filter(|t| mesh.corners(*t).iter().all(|p| p.x == 0.5))
-            .map(|t| coat.triangles[t].colors)
+            .map(|t| vertex_paint.triangles[t].colors)
             .collect();
         assert!(
             caps.len() >= 2 && caps.iter().all(|c| *c == [caps[0][0]; 3]),
@@ -140,18 +141,18 @@ fn images_survive_in_all_formats_but_stl() {
         assert!(!ran.stderr.contains("without"), "{name}: {}", ran.stderr);
         let read = read(&folder, &name);
         let mesh = &read.parts[0].mesh;
-        let coat = mesh.coat.as_ref().expect("an image");
-        assert_eq!(coat.images.len(), 1, "{name}");
-        assert_eq!(coat.images[0].size(), [2, 2], "{name}");
+        let vertex_paint = mesh.vertex_paint.as_ref().expect("an image");
+        assert_eq!(vertex_paint.images.len(), 1, "{name}");
+        assert_eq!(vertex_paint.images[0].size(), [2, 2], "{name}");
         assert!(Topology::from_parts(&read.parts).closed, "{name}");
         let below = (0..mesh.triangles.len())
-            .filter_map(|t| is_painted_below(mesh.corners(t), coat.triangles[t].uv));
+            .filter_map(|t| is_painted_below(mesh.corners(t), vertex_paint.triangles[t].uv));
         let below: Vec<bool> = below.collect();
         assert!(below.len() >= 2 && below.iter().all(|is| *is), "{name}");
         // Caps show none.
         let caps =
             (0..mesh.triangles.len()).filter(|t| mesh.corners(*t).iter().all(|p| p.x == 0.25));
-        let caps: Vec<Option<u32>> = caps.map(|t| coat.triangles[t].image).collect();
+        let caps: Vec<Option<u32>> = caps.map(|t| vertex_paint.triangles[t].image).collect();
         assert!(
             caps.len() >= 2 && caps.iter().all(Option::is_none),
             "{name}: {caps:?}"
@@ -213,7 +214,7 @@ fn files_beside_have_names_that_are_one_word() {
         );
         let mesh = &read(&folder, &format!("{name}.obj")).parts[0].mesh;
         assert_eq!(
-            mesh.coat.as_ref().expect("an image").images.len(),
+            mesh.vertex_paint.as_ref().expect("an image").images.len(),
             1,
             "{name}"
         );

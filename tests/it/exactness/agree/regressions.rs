@@ -324,10 +324,10 @@ fn regression_0013_walls_of_a_cutter_past_the_eye_are_as_far_as_they_are() {
     assert!(off_px < most, "{off_px} px");
 }
 
-/// A body stands on another whose top is settled to be removed, and reaches through the plane by less than depths are told apart: exact
+/// A body stands on another whose top is preclassified to be removed, and reaches through the plane by less than depths are told apart: exact
 /// was sure of the cap there, for the clip-surface cannot move past the top. Planar caps lost a pixel of a gear by it.
 #[test]
-fn regression_0014_a_crossing_moves_past_a_clip_surface_that_another_is_settled_by() {
+fn regression_0014_a_crossing_moves_past_a_clip_surface_that_another_is_preclassified_by() {
     let (top, slope) = (-5e-8, 1e-3);
     let lower = meshes::block(DVec3::splat(-1.0), DVec3::new(1.0, 1.0, top));
     let mut upper = meshes::block(DVec3::new(-0.5, -0.5, 0.0), DVec3::new(0.5, 0.5, 1.0));

@@ -35,7 +35,7 @@ pub(crate) fn cuboid(min: DVec3, max: DVec3) -> Mesh {
             .flat_map(|[a, b, c, d]| [[*a, *b, *c], [*a, *c, *d]])
             .collect(),
         corner_normals: None,
-        coat: None,
+        vertex_paint: None,
     }
 }
 
@@ -89,7 +89,7 @@ pub(crate) fn ball(radius: f64, rings: u32, segments: u32) -> Mesh {
         positions,
         triangles,
         corner_normals: None,
-        coat: None,
+        vertex_paint: None,
     }
 }
 

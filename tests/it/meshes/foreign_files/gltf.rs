@@ -328,10 +328,17 @@ fn a_solid_in_two_nodes_is_one_part() {
     must_be_cubes(&loaded, 8, "twice as large");
     assert_eq!(loaded.parts.len(), 1);
     must_say(&loaded, "2 nodes", "they are joined");
-    let coat = loaded.parts[0].mesh.coat.as_ref().expect("two colours");
-    assert_eq!(coat.triangles.len(), 12);
+    let vertex_paint = loaded.parts[0]
+        .mesh
+        .vertex_paint
+        .as_ref()
+        .expect("two colours");
+    assert_eq!(vertex_paint.triangles.len(), 12);
     assert_eq!(
-        [coat.triangles[0].colors[0], coat.triangles[11].colors[0]],
+        [
+            vertex_paint.triangles[0].colors[0],
+            vertex_paint.triangles[11].colors[0]
+        ],
         [[255, 0, 0, 255], [0, 0, 255, 255]]
     );
     // The control: what closes nothing is left alone.

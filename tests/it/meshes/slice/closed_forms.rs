@@ -77,7 +77,7 @@ fn torus(n: u32, m: u32) -> Mesh {
         positions: cells().map(at).collect(),
         triangles: quads.collect(),
         corner_normals: None,
-        coat: None,
+        vertex_paint: None,
     }
 }
 

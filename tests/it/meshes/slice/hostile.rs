@@ -70,7 +70,7 @@ fn soup(n: &mut Numbers, on_lattice: bool) -> Mesh {
             .map(|t| [3 * t, 3 * t + 1, 3 * t + 2])
             .collect(),
         corner_normals: None,
-        coat: None,
+        vertex_paint: None,
     }
 }
 
@@ -117,7 +117,7 @@ fn nonsense(n: &mut Numbers) -> Mesh {
         positions: positions.collect(),
         triangles: (0..n.below(30)).map(|_| corners(n)).collect(),
         corner_normals: None,
-        coat: None,
+        vertex_paint: None,
     }
 }
 

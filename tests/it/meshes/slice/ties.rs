@@ -128,7 +128,7 @@ fn torn(mesh: &Mesh) -> Mesh {
             .map(|t| [3 * t, 3 * t + 1, 3 * t + 2])
             .collect(),
         corner_normals: None,
-        coat: None,
+        vertex_paint: None,
     }
 }
 

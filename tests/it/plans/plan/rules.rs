@@ -161,7 +161,7 @@ fn more_parts_than_a_layer_can_name_are_refused() {
         positions: vec![DVec3::ZERO, DVec3::X, DVec3::Y],
         triangles: vec![[0, 1, 2]],
         corner_normals: None,
-        coat: None,
+        vertex_paint: None,
     };
     let mut scene = Scene {
         parts: vec![Part::new("corner", corner); 1 << 16],

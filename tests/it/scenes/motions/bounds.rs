@@ -93,7 +93,7 @@ fn by_chance(dice: &mut Dice) -> Part {
         positions,
         triangles: vec![[0, 1, 2]],
         corner_normals: None,
-        coat: None,
+        vertex_paint: None,
     };
     let mut motion = Motion::default();
     for _ in 0..dice.below(4) {

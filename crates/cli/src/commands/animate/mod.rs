@@ -164,7 +164,7 @@ pub(crate) fn run(args: &AnimateArgs) -> Result<Verdict> {
     console.expect_frames(own.len() as u32);
     let shown = subject.shown()?;
     let view = subject.view(&shown.model.prepared);
-    let chosen = renderer_request.settle(Some(session.gpu()), (&shown.model, &view), &console);
+    let chosen = renderer_request.classify(Some(session.gpu()), (&shown.model, &view), &console);
     let renderer = chosen.renderer;
     let mut film = Film {
         args,

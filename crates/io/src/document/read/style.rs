@@ -144,9 +144,9 @@ fn amend(style: &mut Style, table: &Table<'_>) -> Result<()> {
         below("hatch")?,
         below("engraving")?,
     ];
-    let has_coat = surface.as_ref().is_some_and(|s| s.get("coat").is_some());
-    if style.surface.tint != before && !has_coat {
-        style.surface.coat = false;
+    let has_vertex_paint = surface.as_ref().is_some_and(|s| s.get("coat").is_some());
+    if style.surface.tint != before && !has_vertex_paint {
+        style.surface.vertex_paint = false;
     }
     for tinted in surface.iter().chain(&cap) {
         one_tint(tinted)?;

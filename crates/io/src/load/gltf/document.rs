@@ -34,7 +34,7 @@ pub(super) fn open(
     let broken = |e: gltf::Error| wrong(format!("glTF: {e}"));
     let (mut root, blob) = root(bytes, notes).map_err(broken)?;
     check_attributes(&root).map_err(wrong)?;
-    extensions::settle_required(path, &mut root, notes)?;
+    extensions::classify_required(path, &mut root, notes)?;
     notes.extend(extensions::unread(&root));
     for image in &mut root.images {
         // The crate requires the fields that such an image lacks. An empty data URI satisfies it, and reading the image reports the fault.

@@ -58,7 +58,11 @@ fn has_any(name: &str, pieces: &[&str]) -> bool {
 }
 
 /// Refuses extensions without which the file says it cannot be read, and which are not; no others are required then.
-pub(super) fn settle_required(path: &Path, root: &mut Root, notes: &mut Vec<String>) -> Result<()> {
+pub(super) fn classify_required(
+    path: &Path,
+    root: &mut Root,
+    notes: &mut Vec<String>,
+) -> Result<()> {
     for name in std::mem::take(&mut root.extensions_required) {
         if READ.contains(&name.as_str()) {
             continue;

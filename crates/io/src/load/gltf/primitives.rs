@@ -5,7 +5,7 @@ use gltf::material::AlphaMode;
 use gltf::mesh::Mode;
 use gltf::{Primitive, Semantic};
 
-use super::super::painted::coat;
+use super::super::painted::vertex_paint;
 use super::super::{Draft, Group};
 use super::accessor::{INDICES, check};
 use super::follow::Followers;
@@ -96,7 +96,7 @@ pub(super) fn draft(
         );
     }
     draft.mesh.corner_normals = normals;
-    draft.mesh.coat = coat(&paints, &painted);
+    draft.mesh.vertex_paint = vertex_paint(&paints, &painted);
     draft.motion = followers.finish(draft.mesh.positions.len(), notes);
     if left_out > 0 {
         notes.push(format!("left out {left_out} primitives of points or lines"));

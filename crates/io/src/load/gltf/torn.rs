@@ -9,7 +9,7 @@ use std::sync::Arc;
 use cutaway::scene::Edges;
 use cutaway::scene::topology::Sets;
 use cutaway::scene::weld::weld;
-use cutaway::scene::{Coat, CoatedTriangle, Material, Mesh, Texture};
+use cutaway::scene::{Material, Mesh, Texture, TexturedTriangle, VertexPaint};
 use glam::{DAffine3, Vec3};
 
 use super::super::Placed;
@@ -89,7 +89,7 @@ fn whole(pieces: &[&Placed]) -> Option<Placed> {
         return None;
     }
     mesh.corner_normals = normals(pieces);
-    mesh.coat = coat(pieces);
+    mesh.vertex_paint = vertex_paint(pieces);
     Some(Placed {
         name: pieces.iter().find_map(|piece| piece.name.clone()),
         color: first.color,
@@ -117,31 +117,32 @@ fn normals(pieces: &[&Placed]) -> Option<Vec<[Vec3; 3]>> {
     Some(all)
 }
 
-/// The coats of all, where one has a coat or their colours differ.
-fn coat(pieces: &[&Placed]) -> Option<Coat> {
-    let is_plain = |piece: &&Placed| piece.mesh.coat.is_none() && piece.color == pieces[0].color;
+/// The vertex paints of all, where one has a vertex paint or their colours differ.
+fn vertex_paint(pieces: &[&Placed]) -> Option<VertexPaint> {
+    let is_plain =
+        |piece: &&Placed| piece.mesh.vertex_paint.is_none() && piece.color == pieces[0].color;
     if pieces.iter().all(is_plain) {
         return None;
     }
-    let mut whole = Coat::default();
+    let mut whole = VertexPaint::default();
     for piece in pieces {
-        let Some(coat) = &piece.mesh.coat else {
+        let Some(vertex_paint) = &piece.mesh.vertex_paint else {
             let color = piece.color.unwrap_or(Material::default().color) * 255.0;
             let [r, g, b] = color.round().to_array().map(|c| c as u8);
-            let plain = CoatedTriangle {
+            let plain = TexturedTriangle {
                 colors: [[r, g, b, 255]; 3],
-                ..CoatedTriangle::default()
+                ..TexturedTriangle::default()
             };
             let count = piece.mesh.triangles.len();
             whole.triangles.extend(std::iter::repeat_n(plain, count));
             continue;
         };
-        let numbers: Vec<u32> = (coat.images.iter())
+        let numbers: Vec<u32> = (vertex_paint.images.iter())
             .map(|image| Texture::number_among(&mut whole.images, image) as u32)
             .collect();
         whole
             .triangles
-            .extend(coat.triangles.iter().map(|t| CoatedTriangle {
+            .extend(vertex_paint.triangles.iter().map(|t| TexturedTriangle {
                 image: t.image.map(|i| numbers[i as usize]),
                 ..*t
             }));

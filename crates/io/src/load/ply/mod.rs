@@ -13,7 +13,7 @@ use std::path::Path;
 
 use cutaway::error::{Error, Result};
 use cutaway::scene::weld::has_three;
-use cutaway::scene::{Coat, CoatedTriangle, Mesh};
+use cutaway::scene::{Mesh, TexturedTriangle, VertexPaint};
 use glam::{DVec3, Vec3};
 use ply_rs_bw::parser::{Parser, Reader};
 use ply_rs_bw::ply::{
@@ -337,19 +337,19 @@ fn mesh_of(path: &Path, read: &Elements) -> Result<Mesh> {
         let normal = |i: u32| vertices[i as usize].normal.normalize_or_zero();
         triangles.iter().map(|t| t.map(normal)).collect()
     });
-    let coat = (read.has_colors && in_range).then(|| {
+    let vertex_paint = (read.has_colors && in_range).then(|| {
         let color = |i: u32| vertices[i as usize].color;
-        let coated = triangles.iter().map(|t: &[u32; 3]| CoatedTriangle {
+        let textured = triangles.iter().map(|t: &[u32; 3]| TexturedTriangle {
             colors: t.map(color),
-            ..CoatedTriangle::default()
+            ..TexturedTriangle::default()
         });
-        Coat {
+        VertexPaint {
             images: Vec::new(),
-            triangles: coated.collect(),
+            triangles: textured.collect(),
         }
     });
     Ok(Mesh {
-        coat,
+        vertex_paint,
         positions: vertices.iter().map(|v| v.at).collect(),
         triangles,
         corner_normals,

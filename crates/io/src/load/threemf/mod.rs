@@ -353,7 +353,7 @@ fn solid(
     }
     let look = model.properties.look(&geometry, object.default);
     notes.extend(look.notes);
-    geometry.mesh.coat = look.coat;
+    geometry.mesh.vertex_paint = look.vertex_paint;
     let draft = Draft {
         mesh: geometry.mesh,
         groups: vec![Group {

@@ -11,12 +11,12 @@ use std::sync::Arc;
 
 use cutaway::error::Result;
 use cutaway::scene::weld::thousands;
-use cutaway::scene::{Coat, Texture};
+use cutaway::scene::{Texture, VertexPaint};
 use glam::{Vec2, Vec3};
 
 use super::mesh::{Assigned, Geometry, NONE};
 use super::xml::{Element, Space, Xml, shortened};
-use crate::load::painted::{Paint, PaintedTriangle, coat};
+use crate::load::painted::{Paint, PaintedTriangle, vertex_paint};
 
 /// Red, green, blue and opacity.
 type Rgba = [u8; 4];
@@ -64,7 +64,7 @@ enum Found<'a> {
 /// Appearance of an object, from its properties.
 #[derive(Debug, Default)]
 pub(super) struct Look {
-    pub(super) coat: Option<Coat>,
+    pub(super) vertex_paint: Option<VertexPaint>,
     /// The colour of most triangles that have one colour.
     pub(super) color: Option<Vec3>,
     pub(super) materials: Vec<String>,
@@ -273,7 +273,7 @@ impl Properties {
             opaque += usize::from(triangle.colors.is_none());
             painted.push(triangle);
         }
-        look.coat = coat(&paints, &painted);
+        look.vertex_paint = vertex_paint(&paints, &painted);
         let by_count = count_of.iter().rev().max_by_key(|(_, count)| **count);
         look.color = by_count.map(|(color, _)| vec3(*color));
         look.is_transparent = opaque == 0 && !painted.is_empty();

@@ -126,7 +126,7 @@ impl Windings {
             reach[1] + lines.pad(reach[1]),
         ];
         lines.meet_clips(&ray, range, of_cutters, bench);
-        lines.settle(at, &ray, bench);
+        lines.classify(at, &ray, bench);
         bench.merge_events();
         // The removed state, as the range begins; numbers are evaluated where they are needed.
         bench.start.winding.fill(0);

@@ -12,7 +12,7 @@ impl Viewer {
         let wake = ctx.clone();
         let is_another = (self.opening).go_on(&mut self.state, move || wake.request_repaint());
         if is_another {
-            self.settled = Some(self.state.revision());
+            self.preclassified = Some(self.state.revision());
         }
     }
 

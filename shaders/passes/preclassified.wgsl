@@ -1,4 +1,4 @@
-// As the pass over the mesh (`solid`), for groups of triangles that are settled: what rasterising found of their depth is set right
+// As the pass over the mesh (`solid`), for groups of triangles that are preclassified: what rasterising found of their depth is set right
 // before anything is decided by it, and stands in the depth buffer. The instance is the number of the group.
 
 #import cutaway::crossings::crossings_before
@@ -8,8 +8,8 @@
 #import cutaway::lanes::{Fragment, Lane}
 #import cutaway::layers::UNCOUNTED
 #import cutaway::mesh::Vertex
-#import cutaway::settled::settled
-#import cutaway::settled_depth::settled_z
+#import cutaway::preclassified::preclassified
+#import cutaway::preclassified_depth::preclassified_z
 #import cutaway::store::store
 #import cutaway::surface::{Corner, SurfaceAt, corner_of, surface_words}
 
@@ -24,9 +24,9 @@ fn vertex(v: Vertex) -> Corner {
 fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> SurfaceAt {
     let at = vec2<u32>(corner.position.xy);
     let pixel = pixel_index(at);
-    let z = settled_z(corner.position.z, at, corner.instance, front);
+    let z = preclassified_z(corner.position.z, at, corner.instance, front);
     let before = crossings_before(z, at);
-    let place = settled.groups[corner.instance].place;
+    let place = preclassified.groups[corner.instance].place;
     let part = parts[place];
     let lane = Lane(part.lane_word, part.lane_shift, lane_bits);
     store(Fragment(pixel, lane, place, z, before.behind, front));

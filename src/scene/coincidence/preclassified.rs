@@ -1,7 +1,7 @@
 //! On which side of a flat clip-surface the triangles close to it lie: decided once per triangle, by signs, never by depth.
 //!
 //! A cut along a face of a part is the commonest of all in CAD, and there the depth of a fragment and that of the clip-surface are the
-//! same number but for rounding. So depths are not compared. A triangle within [`CLOSE`] of the surface is *settled* where its vertices
+//! same number but for rounding. So depths are not compared. A triangle within [`CLOSE`] of the surface is *preclassified* where its vertices
 //! leave no doubt:
 //!
 //! - all on one side, or on the surface: it lies on that side; so do triangles that share a vertex with one so close, as the walls
@@ -12,9 +12,9 @@
 //!
 //! Signs are those of the exact real numbers that the f64s define.
 //!
-//! Cost: one product per vertex and surface; where three vertices are close a look at every triangle, and where something is settled another.
+//! Cost: one product per vertex and surface; where three vertices are close a look at every triangle, and where something is preclassified another.
 //!
-//! Cannot: settle triangles that the surface crosses, reliefs that are not flat, or parts in a pose that bends them, whose vertices
+//! Cannot: classify triangles that the surface crosses, reliefs that are not flat, or parts in a pose that bends them, whose vertices
 //! the device makes. A mesh of which single faces are turned the wrong way has those faces on the wrong side.
 
 use std::collections::BTreeMap;
@@ -25,16 +25,16 @@ use rayon::prelude::*;
 use super::faces_in_plane::Candidates;
 use crate::scene::{Bounds, FlatSurface, Prepared, PreparedPart, PreparedSurface, Side};
 
-/// Distance from a surface within which triangles are settled, in scene units: about the error in depth along a surface due to the
+/// Distance from a surface within which triangles are preclassified, in scene units: about the error in depth along a surface due to the
 /// 1/256 px of a rasteriser's vertices in a picture of 60 px, and more than any rounding.
 const CLOSE: f64 = 1.0 / 16384.0;
 
-/// The greatest sine of the angle between a settled triangle that does not lie in the surface and the surface.
+/// The greatest sine of the angle between a preclassified triangle that does not lie in the surface and the surface.
 const STEEPEST: f64 = 0.02;
 
 /// A triangle whose side of a clip-surface is known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Settled {
+pub struct PreclassifiedTriangle {
     /// Index in the part's triangles.
     pub triangle: u32,
     /// Index in [`Prepared::surfaces`](crate::scene::Prepared::surfaces).
@@ -45,7 +45,7 @@ pub struct Settled {
 
 /// A triangle whose side of one clip-surface is known.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct SettledTriangle {
+pub(crate) struct ClassifiedTriangle {
     /// Its number.
     pub(crate) triangle: u32,
     /// Side on which it lies.
@@ -55,20 +55,20 @@ pub(crate) struct SettledTriangle {
 }
 
 impl FlatSurface {
-    /// Returns true if geometry in a box may be close enough to settle; vertices of faces in the surface may be off by up to `tolerance`.
+    /// Returns true if geometry in a box may be close enough to classify; vertices of faces in the surface may be off by up to `tolerance`.
     pub fn comes_near(&self, bounds: &Bounds, tolerance: f64) -> bool {
         let heights = bounds.corners().map(|c| self.height(c));
         let close = CLOSE.max(tolerance);
         heights.iter().any(|h| *h <= close) && heights.iter().any(|h| *h >= -close)
     }
 
-    /// The triangles of a mesh that are settled, in order; vertices of faces in the surface may be as far off as `tolerance`.
-    pub(crate) fn settled(
+    /// The triangles of a mesh that are preclassified, in order; vertices of faces in the surface may be as far off as `tolerance`.
+    pub(crate) fn preclassified(
         &self,
         positions: &[Vec3],
         triangles: &[[u32; 3]],
         tolerance: f64,
-    ) -> Vec<SettledTriangle> {
+    ) -> Vec<ClassifiedTriangle> {
         let reach = CLOSE.max(tolerance);
         let close: Vec<bool> = (positions.par_iter().with_min_len(1 << 14))
             .map(|p| self.rough_height(p.as_dvec3()).abs() <= reach)
@@ -129,7 +129,7 @@ impl FlatSurface {
             .into_par_iter()
             .with_min_len(1 << 13)
             .filter_map(|t| {
-                Some(SettledTriangle {
+                Some(ClassifiedTriangle {
                     triangle: t,
                     side: side(t)?,
                     is_in: in_plane.side(t).is_some(),
@@ -190,8 +190,8 @@ impl PreparedSurface {
 }
 
 impl Prepared {
-    /// The triangles of one of the parts that are settled by the flat clip-surfaces of its cuts, in order.
-    pub fn settled(&self, part: &PreparedPart) -> Vec<Settled> {
+    /// The triangles of one of the parts that are preclassified by the flat clip-surfaces of its cuts, in order.
+    pub fn preclassified(&self, part: &PreparedPart) -> Vec<PreclassifiedTriangle> {
         if part.is_posed {
             return Vec::new();
         }
@@ -202,8 +202,8 @@ impl Prepared {
             else {
                 continue;
             };
-            let of_one = flat.settled(&part.positions, &part.triangles, part.plane_tolerance);
-            all.extend(of_one.into_iter().map(|one| Settled {
+            let of_one = flat.preclassified(&part.positions, &part.triangles, part.plane_tolerance);
+            all.extend(of_one.into_iter().map(|one| PreclassifiedTriangle {
                 triangle: one.triangle,
                 surface: *surface as u16,
                 side: one.side,

@@ -1,21 +1,21 @@
-//! Coats of parts, packed for upload: a row for each part that has one, and 13 words for each of its triangles.
+//! Vertex paints of parts, packed for upload: a row for each part that has one, and 13 words for each of its triangles.
 //!
-//! The corners of a triangle are named by their vertices in the buffer that all parts share, so that a coat goes wherever the pose pass takes
-//! them. Coats that stay the same objects are packed once.
+//! The corners of a triangle are named by their vertices in the buffer that all parts share, so that a vertex paint goes wherever the pose pass takes
+//! them. Vertex paints that stay the same objects are packed once.
 
 use super::packed::{Packed, Room};
-use crate::plan::pack::{COAT_WORDS, CoatRow};
+use crate::plan::pack::{VERTEX_PAINT_WORDS, VertexPaintRow};
 use crate::plan::{Contents, Piece};
-use crate::scene::{Coat, Part, Scene};
+use crate::scene::{Part, Scene, VertexPaint};
 
-/// Words of all coats together: what one binding of any device holds, 2.5 million triangles. Parts beyond are shown in one colour.
+/// Words of all vertex paints together: what one binding of any device holds, 2.5 million triangles. Parts beyond are shown in one colour.
 const MOST_WORDS: u64 = 32 << 20;
 
-/// The coats of a scene.
+/// The vertex paints of a scene.
 #[derive(Clone, Debug)]
-pub(crate) struct Coats {
+pub(crate) struct VertexPaints {
     /// A row for each part that has one.
-    pub(crate) rows: Vec<CoatRow>,
+    pub(crate) rows: Vec<VertexPaintRow>,
     /// Triangle count of each coat.
     pub(crate) triangles: Vec<u32>,
     pub(crate) words: Contents,
@@ -23,14 +23,14 @@ pub(crate) struct Coats {
     pub(crate) indices: Contents,
 }
 
-/// Returns the coat of a part's mesh if the part shows it.
-pub(crate) fn shown(part: &Part) -> Option<&Coat> {
-    let coat = part.mesh.coat.as_ref();
-    coat.filter(|_| !part.material.is_painted_over)
+/// Returns the vertex paint of a part's mesh if the part shows it.
+pub(crate) fn shown(part: &Part) -> Option<&VertexPaint> {
+    let vertex_paint = part.mesh.vertex_paint.as_ref();
+    vertex_paint.filter(|_| !part.material.is_painted_over)
 }
 
-impl Coats {
-    /// Coats of the parts that show one; none if no part does. Their textures begin at `first_image`, in the order of parts. Numbers
+impl VertexPaints {
+    /// Vertex paints of the parts that show one; none if no part does. Their textures begin at `first_image`, in the order of parts. Numbers
     /// that count up are those of before where there are as many.
     pub(crate) fn of(
         scene: &Scene,
@@ -38,23 +38,24 @@ impl Coats {
         first_image: u32,
         before: Option<&Self>,
     ) -> Option<Self> {
-        let mut next = CoatRow {
+        let mut next = VertexPaintRow {
             first_image,
             ..bytemuck::Zeroable::zeroed()
         };
         let (mut rows, mut triangles, mut pieces) = (Vec::new(), Vec::new(), Vec::new());
         for (part, (of, packed)) in (0..).zip(scene.parts.iter().zip(packed)) {
-            let (Some(coat), Some(words)) = (shown(of), &packed.coat) else {
+            let (Some(vertex_paint), Some(words)) = (shown(of), &packed.vertex_paint) else {
                 continue;
             };
             // Their textures have numbers all the same.
             let first_image = next.first_image;
-            next.first_image += coat.images.len() as u32;
-            let end = u64::from(next.first_word) + u64::from(words.triangles) * COAT_WORDS as u64;
+            next.first_image += vertex_paint.images.len() as u32;
+            let end =
+                u64::from(next.first_word) + u64::from(words.triangles) * VERTEX_PAINT_WORDS as u64;
             if end > MOST_WORDS || words.triangles == 0 {
                 continue;
             }
-            rows.push(CoatRow {
+            rows.push(VertexPaintRow {
                 part,
                 first_vertex: rooms[part as usize].first_vertex,
                 first_image,
@@ -65,7 +66,7 @@ impl Coats {
                 offset: u64::from(next.first_word) * 4,
                 bytes: words.words.clone(),
             });
-            next.first_word += words.triangles * COAT_WORDS as u32;
+            next.first_word += words.triangles * VERTEX_PAINT_WORDS as u32;
         }
         let most = triangles.iter().max()? * 3;
         let is_long = |before: &&Self| before.indices.len() >= u64::from(most) * 4;

@@ -1,7 +1,7 @@
-// As `mark`, for groups of triangles that are settled: the depth that is tested is the one that they are moved to.
+// As `mark`, for groups of triangles that are preclassified: the depth that is tested is the one that they are moved to.
 
 #import cutaway::mesh::{Vertex, drawn_position}
-#import cutaway::settled_depth::settled_z
+#import cutaway::preclassified_depth::preclassified_z
 
 struct Corner {
     @builtin(position) @invariant position: vec4<f32>,
@@ -17,5 +17,5 @@ fn vertex(v: Vertex) -> Corner {
 @fragment
 fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> @builtin(frag_depth) f32 {
     let at = vec2<u32>(corner.position.xy);
-    return settled_z(corner.position.z, at, corner.group, front);
+    return preclassified_z(corner.position.z, at, corner.group, front);
 }

@@ -1,4 +1,4 @@
-//! Surfaces that can settle triangles of a part, and its triangles sorted by the surfaces that settle them.
+//! Surfaces that can classify triangles of a part, and its triangles sorted by the surfaces that classify them.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -9,16 +9,16 @@ use glam::Vec3;
 use crate::plan::Piece;
 use crate::scene::{FlatSurface, PreparedVolume, Side};
 
-/// Surface that can settle triangles.
+/// Surface that can classify triangles.
 #[derive(Clone, Debug)]
-pub(crate) enum Settling {
+pub(crate) enum ClassifiedBy {
     /// A clip-surface without relief.
     Flat(FlatSurface),
     /// A cutter.
     Volume(Arc<PreparedVolume>),
 }
 
-impl PartialEq for Settling {
+impl PartialEq for ClassifiedBy {
     fn eq(&self, other: &Self) -> bool {
         match (self, other) {
             (Self::Flat(a), Self::Flat(b)) => a == b,
@@ -29,18 +29,18 @@ impl PartialEq for Settling {
 }
 
 /// A clip-surface with its number.
-pub(crate) type Numbered = (u16, Settling);
+pub(crate) type Numbered = (u16, ClassifiedBy);
 
-/// Surfaces and shared planes that can settle triangles of a part.
+/// Surfaces and shared planes that can classify triangles of a part.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Settlers {
+pub(crate) struct Classifiers {
     /// Clip-surfaces that pass close by.
     pub(crate) surfaces: Vec<Numbered>,
     /// Triangles in planes that parts share, each with the number of its plane.
     pub(crate) shared: Arc<[(u32, u16)]>,
 }
 
-impl Settlers {
+impl Classifiers {
     /// Returns true if there are none.
     pub(crate) fn is_empty(&self) -> bool {
         self.surfaces.is_empty() && self.shared.is_empty()
@@ -50,7 +50,7 @@ impl Settlers {
 /// So many steps of a component of a normal tell planes apart.
 pub(crate) const NORMAL_STEPS: f32 = 4096.0;
 
-/// Position of triangles relative to the surfaces that settle them.
+/// Position of triangles relative to the surfaces that classify them.
 #[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Lie {
     /// Sides by number of the clip-surface.
@@ -74,7 +74,7 @@ pub(crate) struct Group {
     pub(crate) indices: Range<u32>,
 }
 
-/// The indices of a part with its settled triangles at the end.
+/// The indices of a part with its preclassified triangles at the end.
 #[derive(Debug)]
 pub(crate) struct Sorted {
     /// With ranges among the part's own indices, in order.
@@ -83,10 +83,10 @@ pub(crate) struct Sorted {
 }
 
 impl Sorted {
-    /// Sorts the triangles of a part; nothing where none is settled. `indices` are the triangles as they are drawn, in the same order;
+    /// Sorts the triangles of a part; nothing where none is preclassified. `indices` are the triangles as they are drawn, in the same order;
     /// `doubled` are those that lie on another one.
     pub(crate) fn of(
-        by: &Settlers,
+        by: &Classifiers,
         (positions, triangles): (&[Vec3], &[[u32; 3]]),
         plane_tolerance: f64,
         (indices, doubled): (&[u8], &[u32]),
@@ -94,16 +94,16 @@ impl Sorted {
         let mut lies: BTreeMap<u32, Lie> = BTreeMap::new();
         for (number, surface) in &by.surfaces {
             match surface {
-                Settling::Flat(flat) => {
-                    for settled in flat.settled(positions, triangles, plane_tolerance) {
-                        let lie = lies.entry(settled.triangle).or_default();
-                        lie.sides.push((*number, settled.side));
-                        if settled.is_in {
+                ClassifiedBy::Flat(flat) => {
+                    for preclassified in flat.preclassified(positions, triangles, plane_tolerance) {
+                        let lie = lies.entry(preclassified.triangle).or_default();
+                        lie.sides.push((*number, preclassified.side));
+                        if preclassified.is_in {
                             lie.flush.push(*number);
                         }
                     }
                 }
-                Settling::Volume(volume) => {
+                ClassifiedBy::Volume(volume) => {
                     for triangle in volume.shared_faces(positions, triangles) {
                         let lie = lies.entry(triangle).or_default();
                         lie.in_cutters.push(*number);

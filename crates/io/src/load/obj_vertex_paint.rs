@@ -1,16 +1,16 @@
 //! Colours of an OBJ: `vt`, the texture indices of faces, and vertex colours after the coordinates of `v`, as scanners write them.
 
-use cutaway::scene::Coat;
+use cutaway::scene::VertexPaint;
 use glam::{Vec2, Vec3};
 
-use super::painted::{Paint, PaintedTriangle, coat};
+use super::painted::{Paint, PaintedTriangle, vertex_paint};
 
 /// In the place of an index: there is none.
 const NONE: u32 = u32::MAX;
 
 /// Read so far.
 #[derive(Debug, Default)]
-pub(super) struct ObjCoat {
+pub(super) struct ObjVertexPaint {
     /// Places in images, (0, 0) the upper left.
     pub(super) places: Vec<Vec2>,
     /// Index into `places` for each corner, resolved at the end because a face may precede them.
@@ -21,7 +21,7 @@ pub(super) struct ObjCoat {
     greatest: f32,
 }
 
-impl ObjCoat {
+impl ObjVertexPaint {
     /// A `vt`. What is no number is 0: it only paints.
     pub(super) fn place(&mut self, rest: &str) {
         let mut numbers = rest.split_ascii_whitespace().map(|word| word.parse().ok());
@@ -50,13 +50,13 @@ impl ObjCoat {
             .push(places.map(|place| place.unwrap_or(NONE)));
     }
 
-    /// The coat of triangles of these groups.
+    /// The vertex paint of triangles of these groups.
     pub(super) fn finish(
         &self,
         triangles: &[[u32; 3]],
         group_of_triangle: &[u32],
         paints: &[Paint],
-    ) -> Option<Coat> {
+    ) -> Option<VertexPaint> {
         let most = if self.greatest > 1.0 { 255.0 } else { 1.0 };
         let painted = (triangles.iter().zip(group_of_triangle)).zip(&self.place_of_corner);
         let painted = painted.map(|((triangle, group), corners)| {
@@ -71,7 +71,7 @@ impl ObjCoat {
                 colors: all(triangle.map(color)),
             }
         });
-        coat(paints, &painted.collect::<Vec<_>>())
+        vertex_paint(paints, &painted.collect::<Vec<_>>())
     }
 }
 

@@ -3,7 +3,7 @@
 #import cutaway::cuts::parts
 #import cutaway::lone_plane::{is_kept, lone_plane_at}
 #import cutaway::mesh::Vertex
-#import cutaway::settled::{of_doubled, settled, settled_at}
+#import cutaway::preclassified::{of_doubled, preclassified, preclassified_at}
 #import cutaway::surface::{Corner, SurfaceAt, corner_of, surface_words}
 
 @vertex
@@ -13,14 +13,14 @@ fn vertex(v: Vertex) -> Corner {
 
 @fragment
 fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> SurfaceAt {
-    let group = settled.groups[corner.instance];
+    let group = preclassified.groups[corner.instance];
     let plane = lone_plane_at(corner.position.xy);
     var z = of_doubled(corner.position.z, vec2<u32>(corner.position.xy), corner.instance, front);
     var is_removed = !is_kept(plane, z);
     if group.surfaces != 0u {
         is_removed = group.removed != 0u;
         if plane.z > 0.0 {
-            z = settled_at(z, plane.z, is_removed == plane.begins_removed, group.flush != 0u);
+            z = preclassified_at(z, plane.z, is_removed == plane.begins_removed, group.flush != 0u);
         }
     }
     if is_removed {

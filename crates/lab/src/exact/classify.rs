@@ -1,6 +1,6 @@
 //! Crossings whose order against a clip-surface is known of their whole triangle, and not left to rounding.
 //!
-//! A triangle close to a flat clip-surface lies on one side of the surface ([`Settled`]). A crossing that rounding has put on the other
+//! A triangle close to a flat clip-surface lies on one side of the surface ([`PreclassifiedTriangle`]). A crossing that rounding has put on the other
 //! side of the surface's root gets the depth of that root bit for bit, and its place before it or behind. So a face in a clip-surface is
 //! kept or removed as a whole, in every view. A sample near the rim of such faces may, moved a little, meet a triangle of another side:
 //! there the order is as open as any.
@@ -14,7 +14,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use cutaway::scene::{Prepared, PreparedPart, Settled, Side, lies_in};
+use cutaway::scene::{PreclassifiedTriangle, Prepared, PreparedPart, Side, lies_in};
 use glam::DVec2;
 
 use super::clip::{Ray, Root};
@@ -23,22 +23,22 @@ use super::ray_scratch::RayScratch;
 use super::walk::Event;
 use super::{Lines, ambiguity, cutter};
 
-/// Settled triangles of a part.
-pub(super) struct SettledFaces {
+/// PreclassifiedTriangle triangles of a part.
+pub(super) struct PreclassifiedFaces {
     /// Triangles in planes that parts share, each with the number of its plane.
     shared: Arc<[(u32, u16)]>,
     /// Per entry of `shared`: true for each edge, by its first corner, at the rim of the faces in the plane.
     shared_rims: Vec<[bool; 3]>,
     /// By triangle.
-    all: Vec<Settled>,
+    all: Vec<PreclassifiedTriangle>,
     /// Per entry of `all`: true for each edge, by its first corner, at its rim: the next triangle is on another side, or may be.
     rims: Vec<[bool; 3]>,
 }
 
-impl SettledFaces {
-    /// Makes the settled faces of a part.
+impl PreclassifiedFaces {
+    /// Makes the preclassified faces of a part.
     pub(super) fn of(prepared: &Prepared, (rank, part): (usize, &PreparedPart)) -> Self {
-        let all = prepared.settled(part);
+        let all = prepared.preclassified(part);
         let shared = prepared.shared.faces(rank);
         let alike = all.iter().map(|s| (s.triangle, (s.surface, s.side)));
         Self {
@@ -55,8 +55,8 @@ impl SettledFaces {
         Some((self.shared[at].1, self.shared_rims[at]))
     }
 
-    /// Settled sides of a triangle, each with its rim edges.
-    fn by(&self, triangle: u32) -> impl Iterator<Item = (&Settled, [bool; 3])> {
+    /// PreclassifiedTriangle sides of a triangle, each with its rim edges.
+    fn by(&self, triangle: u32) -> impl Iterator<Item = (&PreclassifiedTriangle, [bool; 3])> {
         let first = self.all.partition_point(|s| s.triangle < triangle);
         let after = self.all[first..].partition_point(|s| s.triangle == triangle);
         let range = first..first + after;
@@ -102,7 +102,7 @@ impl Lines<'_> {
     fn share(&self, at: DVec2, index: u32, bench: &mut RayScratch) {
         let crossing = &mut bench.crossings[index as usize];
         let rank = usize::from(crossing.rank);
-        let Some((plane, rim)) = self.settled[rank].plane_of(crossing.triangle) else {
+        let Some((plane, rim)) = self.preclassified[rank].plane_of(crossing.triangle) else {
             return;
         };
         let Some([right, down, corner]) = self.shared_in_view[usize::from(plane)] else {
@@ -117,22 +117,24 @@ impl Lines<'_> {
     }
 
     /// Puts crossings on the side of each clip-surface that their triangles are known to lie on.
-    pub(super) fn settle(&self, at: DVec2, ray: &Ray, bench: &mut RayScratch) {
+    pub(super) fn classify(&self, at: DVec2, ray: &Ray, bench: &mut RayScratch) {
         for index in 0..bench.crossings.len() {
             self.share(at, index as u32, bench);
         }
         for (index, crossing) in bench.crossings.iter_mut().enumerate() {
             let rank = usize::from(crossing.rank);
-            for (settled, rim) in self.settled[rank].by(crossing.triangle) {
+            for (preclassified, rim) in self.preclassified[rank].by(crossing.triangle) {
                 let corners = self.parts[rank].corners(crossing.triangle);
                 let is_by_the_rim = (0..3)
                     .any(|e| rim[e] && cutter::is_by_edge(self.view.doubt_px(), at, corners, e));
                 let mut roots = bench.roots.iter();
-                if let Some(root) = roots.find(|r| r.surface == settled.surface) {
-                    let is_behind = (settled.side == Side::Kept) == root.to_kept;
+                if let Some(root) = roots.find(|r| r.surface == preclassified.surface) {
+                    let is_behind = (preclassified.side == Side::Kept) == root.to_kept;
                     if !is_by_the_rim {
                         let place = if is_behind { 1 } else { -1 };
-                        bench.settled.push((index as u32, settled.surface, place));
+                        bench
+                            .preclassified
+                            .push((index as u32, preclassified.surface, place));
                     }
                     if (crossing.depth > root.depth) != is_behind || crossing.depth == root.depth {
                         crossing.depth = root.depth;
@@ -146,7 +148,9 @@ impl Lines<'_> {
                     crossing.place = crossing.step();
                     if self.goes_on(at, root, crossing) {
                         let place = crossing.place;
-                        bench.settled.push((index as u32, root.surface, place));
+                        bench
+                            .preclassified
+                            .push((index as u32, root.surface, place));
                     }
                 }
             }

@@ -1,32 +1,35 @@
-//! The settled triangles of a frame: groups of the parts that are drawn, their table, and the draws of them and of the rest
-//! ([`SettledParts`](crate::passes::pack::settled::SettledParts)).
+//! The preclassified triangles of a frame: groups of the parts that are drawn, their table, and the draws of them and of the rest
+//! ([`PreclassifiedTriangles`](crate::passes::pack::preclassified::PreclassifiedTriangles)).
 
 use bytemuck::Zeroable;
 
 use super::input::Input;
-use crate::passes::pack::settlers::{Group, NORMAL_STEPS};
-use crate::plan::pack::{MOST_SETTLED_GROUPS, SettledGroup};
+use crate::passes::pack::classifiers::{Group, NORMAL_STEPS};
+use crate::plan::pack::{MOST_PRECLASSIFIED_GROUPS, PreclassifiedGroup};
 use crate::plan::{Clock, Contents, Draw};
 use crate::scene::Side;
 
-/// A group of settled triangles, with the rank of its part.
+/// A group of preclassified triangles, with the rank of its part.
 pub(crate) type GroupOfPart<'a> = (usize, &'a Group);
 
 impl<'a> Input<'a> {
     /// The groups of the parts that are drawn, in table order: of as many parts as there are numbers for. None where no clip-surface that
-    /// matters settles a triangle of these parts, none lie on each other, and none share a plane.
-    pub(crate) fn find_settled(&self) -> Option<Vec<GroupOfPart<'a>>> {
+    /// matters classifies a triangle of these parts, none lie on each other, and none share a plane.
+    pub(crate) fn find_preclassified(&self) -> Option<Vec<GroupOfPart<'a>>> {
         let (model, order) = (self.model, &self.active_cuts.order);
-        let of_parts = &model.settled.as_ref()?.groups;
-        let settles = |group: &Group| {
+        let of_parts = &model.preclassified.as_ref()?.groups;
+        let classifies = |group: &Group| {
             let [surfaces, _, cutters, _] = self.bits_of(group);
             group.lie.is_doubled || group.lie.plane.is_some() || surfaces | cutters != 0
         };
-        if !order.iter().any(|rank| of_parts[*rank].iter().any(settles)) {
+        if !order
+            .iter()
+            .any(|rank| of_parts[*rank].iter().any(classifies))
+        {
             return None;
         }
         // Of a part all groups or none; with the parts themselves no more than the compute rasteriser has rows for.
-        let most = MOST_SETTLED_GROUPS.saturating_sub(order.len());
+        let most = MOST_PRECLASSIFIED_GROUPS.saturating_sub(order.len());
         let mut all = Vec::new();
         for rank in order {
             let groups = &of_parts[*rank];
@@ -37,12 +40,12 @@ impl<'a> Input<'a> {
         Some(all)
     }
 
-    /// The groups that the frame settles.
-    pub(crate) fn settled_groups(&self) -> &[GroupOfPart<'a>] {
-        self.settled.as_deref().unwrap_or_default()
+    /// The groups that the frame classifies.
+    pub(crate) fn preclassified_groups(&self) -> &[GroupOfPart<'a>] {
+        self.preclassified.as_deref().unwrap_or_default()
     }
 
-    /// Bits of the clip-surfaces that settle a group, of those it lies on the removed side of, of cutters that it shares faces with, and
+    /// Bits of the clip-surfaces that classify a group, of those it lies on the removed side of, of cutters that it shares faces with, and
     /// of clip-surfaces that it lies in.
     fn bits_of(&self, group: &Group) -> [u32; 4] {
         let mut bits = [0; 4];
@@ -67,12 +70,12 @@ impl<'a> Input<'a> {
     }
 
     /// The table of groups.
-    pub(crate) fn settled_table(&self) -> Contents {
-        let mut table = vec![SettledGroup::zeroed(); MOST_SETTLED_GROUPS];
-        for (row, (rank, group)) in table.iter_mut().zip(self.settled_groups()) {
+    pub(crate) fn preclassified_table(&self) -> Contents {
+        let mut table = vec![PreclassifiedGroup::zeroed(); MOST_PRECLASSIFIED_GROUPS];
+        for (row, (rank, group)) in table.iter_mut().zip(self.preclassified_groups()) {
             let [surfaces, removed, cutters, flush] = self.bits_of(group);
             let [x, y, z] = group.lie.normal.map(|n| n as f32 / NORMAL_STEPS);
-            *row = SettledGroup {
+            *row = PreclassifiedGroup {
                 place: self.active_cuts.place_of(*rank) as u32,
                 surfaces,
                 removed,
@@ -87,7 +90,7 @@ impl<'a> Input<'a> {
         Contents::from_values(&table)
     }
 
-    /// The plane that a group shares with other parts, in the form of [`SettledGroup::plane`].
+    /// The plane that a group shares with other parts, in the form of [`PreclassifiedGroup::plane`].
     fn plane_of(&self, rank: usize, group: &Group) -> [f32; 4] {
         let shared = self.model.prepared.shared.planes();
         let plane = group.lie.plane.map(|number| &shared[usize::from(number)]);
@@ -99,19 +102,19 @@ impl<'a> Input<'a> {
     }
 
     /// Update rate of the table of groups: depths of shared planes belong to a view.
-    pub(crate) fn settled_clock(&self) -> Clock {
-        let mut groups = self.settled_groups().iter();
+    pub(crate) fn preclassified_clock(&self) -> Clock {
+        let mut groups = self.preclassified_groups().iter();
         match groups.any(|(_, group)| group.lie.plane.is_some()) {
             true => Clock::Frame,
             false => Clock::Cut,
         }
     }
 
-    /// The indices of all parts with settled triangles at the end of each, where some are settled in the frame.
+    /// The indices of all parts with preclassified triangles at the end of each, where some are preclassified in the frame.
     pub(crate) fn sorted_indices(&self) -> Option<&Contents> {
-        let settled = self.model.settled.as_ref();
-        settled
-            .filter(|_| self.settled.is_some())
+        let preclassified = self.model.preclassified.as_ref();
+        preclassified
+            .filter(|_| self.preclassified.is_some())
             .map(|s| &s.indices)
     }
 
@@ -121,7 +124,7 @@ impl<'a> Input<'a> {
         for (draw, rank) in draws.iter_mut().zip(ranks) {
             draw.indices.end = self.end_of_rest(*rank);
         }
-        if self.settled.is_some() {
+        if self.preclassified.is_some() {
             draws.retain(|d| !d.indices.is_empty());
         }
         draws
@@ -129,7 +132,7 @@ impl<'a> Input<'a> {
 
     /// The end of the indices of a part less its groups, by rank.
     pub(crate) fn end_of_rest(&self, rank: usize) -> u32 {
-        let mut groups = self.settled_groups().iter();
+        let mut groups = self.preclassified_groups().iter();
         let first = groups.find(|(r, _)| *r == rank);
         first.map_or(self.model.ranges[rank].indices.end, |(_, g)| {
             g.indices.start
@@ -138,7 +141,7 @@ impl<'a> Input<'a> {
 
     /// The draws of the groups of some parts, by rank; the instance is the number of the group.
     pub(crate) fn draws_of_groups(&self, ranks: &[usize]) -> Vec<Draw> {
-        let numbered = self.settled_groups().iter().enumerate();
+        let numbered = self.preclassified_groups().iter().enumerate();
         numbered
             .filter(|(_, (rank, _))| ranks.contains(rank))
             .map(|(number, (rank, group))| Draw {

@@ -2,7 +2,7 @@
 
 use super::*;
 use cutaway::scene::style::Shading;
-use cutaway::scene::{Coat, CoatedTriangle, Mesh, Projection, Viewpoint};
+use cutaway::scene::{Mesh, Projection, TexturedTriangle, VertexPaint, Viewpoint};
 use cutaway_io::load::{Memory, load_mesh_file_from};
 use glam::{Vec2, Vec3};
 use serde_json::{Value, json};
@@ -18,11 +18,11 @@ fn cube_in_colours() -> Mesh {
         let [r, g, b] = (share * 255.0).round().to_array().map(|c| c as u8);
         [r, g, b, 255]
     };
-    let triangles = mesh.triangles.iter().map(|t| CoatedTriangle {
+    let triangles = mesh.triangles.iter().map(|t| TexturedTriangle {
         colors: t.map(color),
-        ..CoatedTriangle::default()
+        ..TexturedTriangle::default()
     });
-    mesh.coat = Some(Coat {
+    mesh.vertex_paint = Some(VertexPaint {
         images: Vec::new(),
         triangles: triangles.collect(),
     });
@@ -46,7 +46,7 @@ fn flat() -> Style {
 }
 
 #[test]
-fn every_strategy_shows_the_coat_at_its_surfaces() {
+fn every_strategy_shows_the_vertex_paint_at_its_surfaces() {
     let mut session = session();
     let scene = scene_of(cube_in_colours(), flat());
     let bounds = scene.bounds();
@@ -100,7 +100,7 @@ fn every_strategy_shows_the_coat_at_its_surfaces() {
 }
 
 #[test]
-fn a_coat_goes_where_the_part_goes() {
+fn a_vertex_paint_goes_where_the_part_goes() {
     let mut session = session();
     let still = scene_of(cube_in_colours(), flat());
     let mut turned = still.clone();
@@ -130,14 +130,16 @@ fn a_coat_goes_where_the_part_goes() {
 }
 
 #[test]
-fn who_paints_over_or_has_a_style_of_his_own_sees_no_coat() {
+fn who_paints_over_or_has_a_style_of_his_own_sees_no_vertex_paint() {
     let passes = |scene: &Scene| {
         let model = Model::new(scene);
         let view = model.prepared.view(SIZE_PX);
         let capacities = cutaway::plan::Capacities::UNKNOWN;
         let plan = cutaway::strategies::plan(&model, &view, Strategy::RAYCAST_MASK, &capacities);
         let plan = plan.unwrap_or_else(|refusal| panic!("{}", refusal.reason));
-        plan.passes.iter().any(|pass| pass.name == "draw coats")
+        plan.passes
+            .iter()
+            .any(|pass| pass.name == "draw vertex paints")
     };
     for (name, is_shown) in [
         ("lit", true),
@@ -189,10 +191,10 @@ fn images_of_an_obj_stand_upright() {
         loaded.files
     );
     let mesh = Mesh::clone(&loaded.parts[0].mesh);
-    let coat = mesh.coat.as_ref().expect("a coat");
-    assert_eq!(coat.images.len(), 1);
+    let vertex_paint = mesh.vertex_paint.as_ref().expect("a coat");
+    assert_eq!(vertex_paint.images.len(), 1);
     assert_eq!(
-        coat.triangles[2].colors[0],
+        vertex_paint.triangles[2].colors[0],
         [0, 0, 255, 255],
         "the roof is blue"
     );
@@ -240,7 +242,7 @@ fn images_of_an_obj_stand_upright() {
 }
 
 #[test]
-fn vertex_colours_of_a_ply_are_a_coat_unless_they_are_all_alike() {
+fn vertex_colours_of_a_ply_are_a_vertex_paint_unless_they_are_all_alike() {
     let ply = |last: &str| {
         format!(
             "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nproperty uchar red\n\
@@ -248,15 +250,19 @@ fn vertex_colours_of_a_ply_are_a_coat_unless_they_are_all_alike() {
              0 0 0 255 255 255\n1 0 0 255 255 255\n0 1 0 255 255 255\n0 0 1 {last}\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n"
         )
     };
-    let coat = |last: &str| {
+    let vertex_paint = |last: &str| {
         let mut files = Memory::default();
         files.insert("it.ply", ply(last).into_bytes());
         let loaded = load_mesh_file_from(Path::new("it.ply"), &files).expect("a mesh");
-        Arc::clone(&loaded.parts[0].mesh).coat.clone()
+        Arc::clone(&loaded.parts[0].mesh).vertex_paint.clone()
     };
-    assert_eq!(coat("255 255 255"), None, "white all over says nothing");
-    let coat = coat("10 20 30").expect("a coat");
-    assert_eq!(coat.triangles[1].colors[2][..3], [10, 20, 30]);
+    assert_eq!(
+        vertex_paint("255 255 255"),
+        None,
+        "white all over says nothing"
+    );
+    let vertex_paint = vertex_paint("10 20 30").expect("a coat");
+    assert_eq!(vertex_paint.triangles[1].colors[2][..3], [10, 20, 30]);
 }
 
 /// A textured tetrahedron as glTF: bytes of its texture coordinates and how they are told, its texture and its image.
@@ -346,8 +352,8 @@ fn texture_coordinates_of_a_gltf_are_moved_and_scaled() {
         let mut files = textured_gltf(&uv, told, &texture, &json!({ "uri": "four.png" }));
         files.insert("four.png", four_png());
         let loaded = load_mesh_file_from(Path::new("it.gltf"), &files).expect("a mesh");
-        let coat = loaded.parts[0].mesh.coat.clone().expect("a coat");
-        (coat.triangles[0].uv, loaded.notes)
+        let vertex_paint = loaded.parts[0].mesh.vertex_paint.clone().expect("a coat");
+        (vertex_paint.triangles[0].uv, loaded.notes)
     };
     let twelve_bits = json!({ "scale": [1.0 / 4095.0, 0.5 / 4095.0], "offset": [0.25, 0.0] });
     let (uv, notes) = read(false, twelve_bits);

@@ -1,4 +1,4 @@
-//! Coat: what colours a surface has besides that of its part, as files paint it: colours of vertices, and images laid on by texture
+//! Vertex paint: what colours a surface has besides that of its part, as files paint it: colours of vertices, and images laid on by texture
 //! coordinates.
 
 use std::sync::Arc;
@@ -9,16 +9,16 @@ use crate::scene::Texture;
 
 /// The colours of a surface, triangle by triangle.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Coat {
+pub struct VertexPaint {
     /// Images that triangles name.
     pub images: Vec<Arc<Texture>>,
     /// For each triangle of the mesh.
-    pub triangles: Vec<CoatedTriangle>,
+    pub triangles: Vec<TexturedTriangle>,
 }
 
 /// The colours of a triangle: those of its corners, times the image.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct CoatedTriangle {
+pub struct TexturedTriangle {
     /// Colours of the corners, sRGB.
     pub colors: [[u8; 4]; 3],
     /// Texture coordinates of the corners, in repeats; (0, 0) is the image's upper left.
@@ -27,7 +27,7 @@ pub struct CoatedTriangle {
     pub image: Option<u32>,
 }
 
-impl CoatedTriangle {
+impl TexturedTriangle {
     /// Returns true if it has colours of its own: there is no image, or it is tinted.
     #[doc(hidden)]
     pub fn has_colors(&self) -> bool {
@@ -35,7 +35,7 @@ impl CoatedTriangle {
     }
 }
 
-impl Coat {
+impl VertexPaint {
     /// Some of its triangles.
     #[must_use]
     pub(crate) fn picked(&self, triangles: &[u32]) -> Self {
@@ -47,11 +47,11 @@ impl Coat {
         }
     }
 
-    /// The colour (sRGB) if the coat has no image and a single colour.
+    /// The colour (sRGB) if the vertex paint has no image and a single colour.
     #[doc(hidden)]
     pub fn one_color(&self) -> Option<[u8; 4]> {
         let first = self.triangles.first()?.colors[0];
-        let is_it = |t: &CoatedTriangle| t.image.is_none() && t.colors == [first; 3];
+        let is_it = |t: &TexturedTriangle| t.image.is_none() && t.colors == [first; 3];
         self.triangles.iter().all(is_it).then_some(first)
     }
 }

@@ -1,41 +1,41 @@
-//! Settled triangles as uploads: those of a part that lie alike go together, at the end of its indices; and those that lie on each
+//! PreclassifiedTriangle triangles as uploads: those of a part that lie alike go together, at the end of its indices; and those that lie on each
 //! other likewise, of which the one that faces the eye is to be seen, and those in a plane that parts share
 //! ([`SharedPlanes`](crate::scene::SharedPlanes)), of which the first part in rank is.
 //!
 //! On which side of a clip-surface a triangle lies that is in it, or just next to it, is known
-//! ([`Settled`](crate::scene::Settled)). Its fragments are identified by the draw that they belong to: a group of triangles has a draw of
+//! ([`PreclassifiedTriangle`](crate::scene::PreclassifiedTriangle)). Its fragments are identified by the draw that they belong to: a group of triangles has a draw of
 //! its own, or a row in the table of the compute rasteriser, and every other triangle of the scene is drawn as ever. Where no triangle
-//! is settled there is no group, no pass and no binding.
+//! is preclassified there is no group, no pass and no binding.
 //!
-//! Per cut: a look at every vertex of the parts that a flat clip-surface passes through, and where something is settled the indices of
+//! Per cut: a look at every vertex of the parts that a flat clip-surface passes through, and where something is preclassified the indices of
 //! the part once more. Parts that the device places without bending them are placed here as well for that.
 //!
-//! Cannot: distinguish more than [`MOST_SETTLED_GROUPS`](crate::plan::pack::MOST_SETTLED_GROUPS) parts and groups (others keep their
+//! Cannot: distinguish more than [`MOST_PRECLASSIFIED_GROUPS`](crate::plan::pack::MOST_PRECLASSIFIED_GROUPS) parts and groups (others keep their
 //! depths). A face of a part next to a face of a thin cutter, in one plane with it, may be taken for a face in it.
 
+use super::classifiers::{ClassifiedBy, Classifiers, Group, Numbered};
 use super::packed::{Packed, Room};
-use super::settlers::{Group, Numbered, Settlers, Settling};
 use crate::plan::{Contents, INDEX_BYTES, Piece};
 use crate::scene::{Prepared, PreparedPart};
 
-/// The settled triangles of a scene.
+/// The preclassified triangles of a scene.
 #[derive(Clone, Debug)]
-pub(crate) struct SettledParts {
+pub(crate) struct PreclassifiedTriangles {
     /// Groups by rank, with ranges of `indices`.
     pub(crate) groups: Vec<Vec<Group>>,
     /// Indices of all parts.
     pub(crate) indices: Contents,
 }
 
-impl SettledParts {
-    /// Those of a scene, with what is still right of them; nothing where none is settled.
+impl PreclassifiedTriangles {
+    /// Those of a scene, with what is still right of them; nothing where none is preclassified.
     pub(crate) fn of(
         prepared: &Prepared,
         packed: &[Packed],
         rooms: &[Room],
         before: Option<&Self>,
     ) -> Option<Self> {
-        let by = |(rank, part): (usize, &PreparedPart)| Settlers {
+        let by = |(rank, part): (usize, &PreparedPart)| Classifiers {
             surfaces: surfaces_near(prepared, part),
             shared: prepared.shared.faces(rank),
         };
@@ -76,24 +76,24 @@ impl SettledParts {
     }
 }
 
-/// The clip-surfaces that pass a part so closely that they may settle some of its triangles.
+/// The clip-surfaces that pass a part so closely that they may classify some of its triangles.
 fn surfaces_near(prepared: &Prepared, part: &PreparedPart) -> Vec<Numbered> {
     if part.is_posed {
         return Vec::new();
     }
     let numbers = part.cuts.iter().flat_map(|c| &prepared.cuts[*c].surfaces);
-    let settling = |number: &usize| {
+    let classifying = |number: &usize| {
         let surface = &prepared.surfaces[*number];
         match &surface.volume {
-            Some(volume) => Some(Settling::Volume(volume.clone())),
+            Some(volume) => Some(ClassifiedBy::Volume(volume.clone())),
             None => {
                 let flat = surface.flat();
                 let flat = flat.filter(|f| f.comes_near(&part.bounds, part.plane_tolerance));
-                flat.map(Settling::Flat)
+                flat.map(ClassifiedBy::Flat)
             }
         }
     };
     numbers
-        .filter_map(|n| Some((*n as u16, settling(n)?)))
+        .filter_map(|n| Some((*n as u16, classifying(n)?)))
         .collect()
 }

@@ -1,15 +1,15 @@
-// Depth of fragments whose triangles are settled, in a frame with a list of crossings.
+// Depth of fragments whose triangles are preclassified, in a frame with a list of crossings.
 //
 // The depth of a face in a clip-surface, or close to it, is that of the surface but for rounding. So no depth orders its fragments
 // against the crossing: they are moved in front of the crossing or behind, if necessary. All other decisions about them use the
 // depth they have then: every decision of a pixel still compares the same numbers.
 
-#define_import_path cutaway::settled_depth
+#define_import_path cutaway::preclassified_depth
 
 #import cutaway::crossing_words::{normal_of, surface_of_word}
 #import cutaway::crossings::{head_of, listed, surface_at, word_at, z_at}
 #import cutaway::frame::{buffer_from_depth, centre_of, depth_from_buffer, frame, ray_through}
-#import cutaway::settled::{beside, of_doubled, settled, settled_at}
+#import cutaway::preclassified::{beside, of_doubled, preclassified, preclassified_at}
 
 // How far a crossing with a face that a fragment lies in may be found from it, as a share of its depth-buffer value,
 const NEAR_FACE: f32 = 0.000244140625;
@@ -36,8 +36,8 @@ fn reach_of_face(z: f32, at: vec2<u32>, normal: vec3<f32>) -> f32 {
 // A fragment that lies in faces of some cutters: behind the crossing with the face where the ray enters the solid by it, before it where it
 // leaves. The crossing is the nearest one with such a cutter and in the same plane: a cutter's face ends where the next one begins.
 fn in_cutters(z: f32, at: vec2<u32>, group: u32, front: bool) -> f32 {
-    let cutters = settled.groups[group].cutters;
-    let normal = settled.groups[group].normal.xyz;
+    let cutters = preclassified.groups[group].cutters;
+    let normal = preclassified.groups[group].normal.xyz;
     let count = listed(head_of(at).x);
     var crossing = 0.0;
     var nearest = reach_of_face(z, at, normal);
@@ -56,11 +56,11 @@ fn in_cutters(z: f32, at: vec2<u32>, group: u32, front: bool) -> f32 {
 }
 
 // Depth-buffer value of a fragment of a group, which rasterising found at `z`.
-fn settled_z(found: f32, at: vec2<u32>, group: u32, front: bool) -> f32 {
+fn preclassified_z(found: f32, at: vec2<u32>, group: u32, front: bool) -> f32 {
     let z = of_doubled(found, at, group, front);
-    let surfaces = settled.groups[group].surfaces;
-    let removed = settled.groups[group].removed;
-    let flush = settled.groups[group].flush;
+    let surfaces = preclassified.groups[group].surfaces;
+    let removed = preclassified.groups[group].removed;
+    let flush = preclassified.groups[group].flush;
     let head = head_of(at);
     let count = listed(head.x);
     var sides = head.y;
@@ -70,11 +70,11 @@ fn settled_z(found: f32, at: vec2<u32>, group: u32, front: bool) -> f32 {
         if (surfaces & surface) != 0u {
             let crossing = z_at(i, at);
             let is_before = (sides & surface) == (removed & surface);
-            moved = settled_at(moved, crossing, is_before, (flush & surface) != 0u);
+            moved = preclassified_at(moved, crossing, is_before, (flush & surface) != 0u);
         }
         sides ^= surface;
     }
-    if settled.groups[group].cutters != 0u {
+    if preclassified.groups[group].cutters != 0u {
         return in_cutters(moved, at, group, front);
     }
     return moved;

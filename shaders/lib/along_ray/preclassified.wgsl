@@ -1,11 +1,11 @@
 // Triangles of which it is known on which side of clip-surfaces they lie, or that lie on each other, in groups that lie alike. Bound as @group(0) @binding(12).
 
-#define_import_path cutaway::settled
+#define_import_path cutaway::preclassified
 
-struct SettledGroup {
+struct PreclassifiedGroup {
     // Place of the part in the part table.
     place: u32,
-    // Bits of the clip-surfaces that the triangles are settled by.
+    // Bits of the clip-surfaces that the triangles are preclassified by.
     surfaces: u32,
     // Of those, the ones of which they lie on the removed side.
     removed: u32,
@@ -23,11 +23,11 @@ struct SettledGroup {
     plane: vec4<f32>,
 }
 
-struct SettledGroups {
-    groups: array<SettledGroup, 1024>,
+struct PreclassifiedGroups {
+    groups: array<PreclassifiedGroup, 1024>,
 }
 
-@group(0) @binding(12) var<uniform> settled: SettledGroups;
+@group(0) @binding(12) var<uniform> preclassified: PreclassifiedGroups;
 
 // Of triangles in a plane that parts share all have the depth of the plane, and the first part in rank is nearer than the next by the
 // least there is.
@@ -41,8 +41,8 @@ fn of_shared(found: f32, at: vec2<u32>, plane: vec4<f32>) -> f32 {
 
 // Of triangles that lie on each other the one that faces the eye is seen: it is nearer by the least there is.
 fn of_doubled(found: f32, at: vec2<u32>, group: u32, front: bool) -> f32 {
-    let z = of_shared(found, at, settled.groups[group].plane);
-    return select(z, bitcast<f32>(bitcast<u32>(z) + 1u), settled.groups[group].doubled != 0u && front);
+    let z = of_shared(found, at, preclassified.groups[group].plane);
+    return select(z, bitcast<f32>(bitcast<u32>(z) + 1u), preclassified.groups[group].doubled != 0u && front);
 }
 
 // Depth-buffer value of a fragment at `z` that is known to lie before a crossing, or behind it: that of the crossing, or the value next to
@@ -54,6 +54,6 @@ fn beside(z: f32, crossing: f32, is_before: bool) -> f32 {
 
 // The same where the triangle may lie in the surface that the crossing is with: then it is as far as the crossing, to the bit, and a needle
 // as right as any.
-fn settled_at(z: f32, crossing: f32, is_before: bool, is_flush: bool) -> f32 {
+fn preclassified_at(z: f32, crossing: f32, is_before: bool, is_flush: bool) -> f32 {
     return beside(select(z, crossing, is_flush), crossing, is_before);
 }

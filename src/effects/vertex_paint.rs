@@ -1,0 +1,67 @@
+//! Vertex paints: vertex colours and images that files paint surfaces with, drawn where the layers show these surfaces.
+//!
+//! One draw of the parts that have a vertex paint, with a depth of its own; 12 bytes a pixel. Whatever the strategy and the cuts, the colours are those of the
+//! surface at the depth that is shown. Cannot: tell apart surfaces of one part that lie closer than a thousandth of their
+//! distance, nor paint caps.
+
+use crate::passes::DrawPass;
+use crate::passes::{SceneBuffers, Surfaces, VertexPaints};
+use crate::plan::{Binding, Clock, Contents, Draw, Plan, Resource, ResourceId, Role, Vertices};
+
+/// The texture of colours: in the first word RGBA8 as sRGB, 0 where there is none.
+pub(super) fn vertex_paint(
+    plan: &mut Plan,
+    scene: &SceneBuffers<'_>,
+    vertex_paints: &VertexPaints,
+    (layers, textures): (ResourceId, &[Binding; 2]),
+) -> ResourceId {
+    let mut upload = |name: &'static str, role, contents| {
+        plan.add_resource(Resource::upload(name, role, contents, Clock::Solid))
+    };
+    let rows = upload(
+        "vertex_paint_rows",
+        Role::Storage,
+        Contents::from_values(&vertex_paints.rows),
+    );
+    let words = upload(
+        "vertex_paint_words",
+        Role::Storage,
+        vertex_paints.words.clone(),
+    );
+    let indices = upload(
+        "vertex_paint indices",
+        Role::Index,
+        vertex_paints.indices.clone(),
+    );
+    let [vertices, _] = scene.mesh_in_storage(Clock::Solid);
+    let mut bindings = vec![
+        scene.frame.clone(),
+        Binding::read("layers", layers),
+        Binding::read("vertex_paint_rows", rows),
+        Binding::read("vertex_paint_words", words),
+        vertices,
+    ];
+    bindings.extend(textures.iter().cloned());
+    let draws = (0..)
+        .zip(&vertex_paints.triangles)
+        .map(|(row, triangles)| Draw {
+            indices: 0..triangles * 3,
+            base_vertex: 0,
+            vertex_count: triangles * 3,
+            instance: row,
+            arguments: None,
+        });
+    let mut drawn = Surfaces::named(plan, scene, ["vertex_paint_colors", "vertex_paint_depth"]);
+    let pass = DrawPass {
+        name: "draw vertex paints".to_owned(),
+        reason: "files paint surfaces".to_owned(),
+        shader: "effects/vertex_paint.wgsl".into(),
+        bindings,
+        constants: Vec::new(),
+        vertices: Vertices::None,
+        indices,
+        draws: draws.collect(),
+    };
+    drawn.draw(plan, pass);
+    drawn.words
+}
