@@ -3,7 +3,7 @@
 use std::sync::atomic::Ordering;
 
 use cutaway::Error;
-use cutaway_lab::experiment::{Question, Renderer, check_memory, draw_options, errors, times};
+use cutaway_lab::experiment::{FrameQuestion, Renderer, check_memory, draw_options, errors, times};
 use pyo3::prelude::*;
 
 use crate::device::with_session;
@@ -60,7 +60,7 @@ fn judged(
 ) -> Result<String> {
     let settings = opened.timeline.settings();
     check_memory(settings.size_px(), renderers.len())?;
-    let question = Question {
+    let question = FrameQuestion {
         name: opened.scene.name.clone(),
         shown: &opened.at,
         view: view(opened)?,

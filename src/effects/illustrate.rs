@@ -2,7 +2,7 @@
 //!
 //! Cannot: shade what layers do not have, such as what is behind glass.
 
-use super::Picture;
+use super::FrameOutput;
 use super::ambient::occlusion::occlusion;
 use super::backdrop::backdrop;
 use super::borders::Strokes;
@@ -19,7 +19,11 @@ use crate::scene::style::{Paper, Shading};
 use crate::shader::Shader;
 
 /// Makes the picture.
-pub(super) fn illustrate(plan: &mut Plan, scene: &SceneBuffers<'_>, layers: ResourceId) -> Picture {
+pub(super) fn illustrate(
+    plan: &mut Plan,
+    scene: &SceneBuffers<'_>,
+    layers: ResourceId,
+) -> FrameOutput {
     let style = scene.input.model.prepared.style;
     let numbers = style_numbers(plan, scene);
     let picture = picture(plan, scene.input);
@@ -91,7 +95,7 @@ pub(super) fn illustrate(plan: &mut Plan, scene: &SceneBuffers<'_>, layers: Reso
     pixels.add_pass(plan, about, shader, bindings);
     ground(plan, scene, (layers, picture));
     ghost::ghost(plan, scene, &numbers, (layers, picture));
-    Picture { layers, picture }
+    FrameOutput { layers, picture }
 }
 
 /// The file that fills `cutaway::shading`.

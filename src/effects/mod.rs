@@ -32,7 +32,7 @@ use crate::scene::View;
 
 /// Output of a frame.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Picture {
+pub(crate) struct FrameOutput {
     /// Three words per pixel.
     pub layers: ResourceId,
     /// One RGBA8 word per pixel.
@@ -49,10 +49,10 @@ pub(crate) fn halo_rows(model: &Model, view: &View) -> u32 {
 }
 
 /// Makes the picture.
-pub(crate) fn finish(plan: &mut Plan, scene: &SceneBuffers<'_>, layered: Layered) -> Picture {
+pub(crate) fn finish(plan: &mut Plan, scene: &SceneBuffers<'_>, layered: Layered) -> FrameOutput {
     let Layered { layers, picture } = layered;
     match picture {
-        Some(picture) => Picture { layers, picture },
+        Some(picture) => FrameOutput { layers, picture },
         None if scene.input.is_plain() => shade::shade(plan, scene, layers),
         None => illustrate::illustrate(plan, scene, layers),
     }

@@ -1,13 +1,13 @@
 //! The plain end: lit shading, one pass over the layers. What measurements take.
 
-use super::Picture;
+use super::FrameOutput;
 use super::pixels::over_picture;
 use crate::passes::{SceneBuffers, overlap, picture};
 use crate::plan::{Binding, Plan, ResourceId};
 use crate::shader::Shader;
 
 /// Turns layers into a picture.
-pub(super) fn shade(plan: &mut Plan, scene: &SceneBuffers<'_>, layers: ResourceId) -> Picture {
+pub(super) fn shade(plan: &mut Plan, scene: &SceneBuffers<'_>, layers: ResourceId) -> FrameOutput {
     let picture = picture(plan, scene.input);
     let mut bindings = vec![
         scene.frame.clone(),
@@ -19,5 +19,5 @@ pub(super) fn shade(plan: &mut Plan, scene: &SceneBuffers<'_>, layers: ResourceI
     let about = ("shade", "lit shading turns layers into a picture");
     let shader = Shader::from("passes/shade.wgsl").with(overlap);
     over_picture(plan, scene, about, shader, bindings);
-    Picture { layers, picture }
+    FrameOutput { layers, picture }
 }

@@ -11,7 +11,7 @@ use crate::Result;
 use crate::plan::{DepthCompare, Pass, Plan, Vertices, Work};
 
 /// A pass ready to be encoded.
-pub(super) struct Step {
+pub(super) struct ReadyPass {
     name: String,
     pipeline: std::sync::Arc<Pipeline>,
     groups: Vec<wgpu::BindGroup>,
@@ -59,7 +59,7 @@ struct Depth {
     clear_stencil: Option<bool>,
 }
 
-impl Step {
+impl ReadyPass {
     pub(super) fn new(
         gpu: &Gpu,
         plan: &Plan,

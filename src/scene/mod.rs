@@ -40,7 +40,7 @@ pub use clip::offset_map::{OffsetMap, Wrap};
 pub use clip::plane_spec::PlaneSpec;
 #[doc(hidden)]
 pub use clip::regions::in_common;
-pub use clip::regions::{Block, Face, Wedge, next_axis};
+pub use clip::regions::{Block, RegionFace, Wedge, next_axis};
 #[doc(hidden)]
 pub use coincidence::coincide::lies_in;
 pub(crate) use coincidence::contacts::{classes, contacts};

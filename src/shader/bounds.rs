@@ -19,12 +19,12 @@ const DEEPEST: u32 = 32;
 
 /// A function, and the module that it calls others of.
 #[derive(Clone, Copy)]
-pub(super) struct Place<'a> {
+pub(super) struct FunctionPlace<'a> {
     pub module: &'a Module,
     pub function: &'a Function,
 }
 
-impl Place<'_> {
+impl FunctionPlace<'_> {
     /// Returns true if constants bound an integer expression from above, for any buffer contents.
     pub(super) fn is_limited(self, expression: Handle<Expression>) -> bool {
         self.limited(expression, 0)
@@ -124,7 +124,7 @@ impl Place<'_> {
         let function = &self.module.functions[function];
         let mut values = Vec::new();
         returned(&function.body, &mut values);
-        let within = Place { function, ..self };
+        let within = FunctionPlace { function, ..self };
         values.into_iter().map(move |value| (within, value))
     }
 
@@ -152,7 +152,7 @@ impl Place<'_> {
             let mut given = Vec::new();
             arguments_in(&function.body, own, index, &mut given);
             is_called |= !given.is_empty();
-            let caller = Place { function, ..self };
+            let caller = FunctionPlace { function, ..self };
             if !given.iter().all(|e| caller.limited(*e, depth + 1)) {
                 return false;
             }

@@ -7,7 +7,7 @@
 use naga::valid::{FunctionInfo, ModuleInfo};
 use naga::{BinaryOperator, Expression, Function, Handle, Module, Scalar, ScalarKind, ShaderStage};
 
-use super::bounds::Place;
+use super::bounds::FunctionPlace;
 use super::compose::validate;
 use super::join::undecorated;
 use super::loops::{End, ends_of_loops};
@@ -75,7 +75,10 @@ fn in_function(
     name: &str,
     found: &mut Vec<Finding>,
 ) {
-    for (number, end) in ends_of_loops(Place { module, function }).iter().enumerate() {
+    for (number, end) in ends_of_loops(FunctionPlace { module, function })
+        .iter()
+        .enumerate()
+    {
         let (rule, what) = match end {
             End::ByConstant => continue,
             End::Unproven => (

@@ -7,7 +7,7 @@
 
 use std::collections::BTreeSet;
 
-use super::bounds::Place;
+use super::bounds::FunctionPlace;
 use naga::{
     BinaryOperator, Block, Expression, Function, Handle, Literal, LocalVariable, Statement,
 };
@@ -24,13 +24,13 @@ pub(super) enum End {
 }
 
 /// End of each loop of a function, in order.
-pub(super) fn ends_of_loops(place: Place<'_>) -> Vec<End> {
+pub(super) fn ends_of_loops(place: FunctionPlace<'_>) -> Vec<End> {
     let mut all = Vec::new();
     ends_in(place, &place.function.body, &mut all);
     all
 }
 
-fn ends_in(place: Place<'_>, block: &Block, all: &mut Vec<End>) {
+fn ends_in(place: FunctionPlace<'_>, block: &Block, all: &mut Vec<End>) {
     for statement in block.iter() {
         if let Statement::Loop {
             body, continuing, ..
@@ -56,7 +56,7 @@ pub(super) fn children(statement: &Statement) -> Vec<&Block> {
     }
 }
 
-fn end_of(place: Place<'_>, body: &Block, continuing: &Block) -> End {
+fn end_of(place: FunctionPlace<'_>, body: &Block, continuing: &Block) -> End {
     let function = place.function;
     let mut stores = Vec::new();
     for block in [body, continuing] {
@@ -66,7 +66,7 @@ fn end_of(place: Place<'_>, body: &Block, continuing: &Block) -> End {
     for block in [body, continuing] {
         evaluated_in(block, &mut evaluated);
     }
-    let steps: Vec<(Handle<LocalVariable>, Step)> = continuing
+    let steps: Vec<(Handle<LocalVariable>, LoopStep)> = continuing
         .iter()
         .filter_map(|s| step_of(function, s))
         .filter(|(counter, _)| stores.iter().filter(|s| *s == counter).count() == 1)
@@ -81,8 +81,8 @@ fn end_of(place: Place<'_>, body: &Block, continuing: &Block) -> End {
                 continue;
             }
             let by_constant = match step {
-                Step::Up => place.is_limited(bound) && place.begins_high(*counter, continuing),
-                Step::Down => place.begins_low(*counter, continuing),
+                LoopStep::Up => place.is_limited(bound) && place.begins_high(*counter, continuing),
+                LoopStep::Down => place.begins_low(*counter, continuing),
             };
             end = end.max(if by_constant {
                 End::ByConstant
@@ -95,7 +95,7 @@ fn end_of(place: Place<'_>, body: &Block, continuing: &Block) -> End {
 }
 
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Step {
+enum LoopStep {
     Up,
     Down,
 }
@@ -144,7 +144,10 @@ pub(super) fn loaded(
 }
 
 /// `counter = counter + constant` or `- constant`.
-fn step_of(function: &Function, statement: &Statement) -> Option<(Handle<LocalVariable>, Step)> {
+fn step_of(
+    function: &Function,
+    statement: &Statement,
+) -> Option<(Handle<LocalVariable>, LoopStep)> {
     let Statement::Store { pointer, value } = statement else {
         return None;
     };
@@ -160,8 +163,8 @@ fn step_of(function: &Function, statement: &Statement) -> Option<(Handle<LocalVa
         _ => 0,
     };
     let direction = match op {
-        BinaryOperator::Add => Step::Up,
-        BinaryOperator::Subtract => Step::Down,
+        BinaryOperator::Add => LoopStep::Up,
+        BinaryOperator::Subtract => LoopStep::Down,
         _ => return None,
     };
     (step > 0 && loaded(function, left) == Some(counter)).then_some((counter, direction))
@@ -244,7 +247,7 @@ fn bound_of(
     condition: Handle<Expression>,
     holds: bool,
     counter: Handle<LocalVariable>,
-    step: Step,
+    step: LoopStep,
 ) -> Option<Handle<Expression>> {
     let Expression::Binary { op, left, right } = function.expressions[condition] else {
         return None;
@@ -262,8 +265,8 @@ fn bound_of(
         return None;
     };
     let ends = match step {
-        Step::Up => is_less == holds,
-        Step::Down => is_less != holds,
+        LoopStep::Up => is_less == holds,
+        LoopStep::Down => is_less != holds,
     };
     ends.then_some(bound)
 }

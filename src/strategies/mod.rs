@@ -22,7 +22,7 @@ pub use row::{
 };
 pub(crate) use row::{Caps, InsideTestKind};
 
-use crate::effects::{Picture, finish};
+use crate::effects::{FrameOutput, finish};
 use crate::passes::{
     CrossingSource, Input, Inside, Lanes, Model, SceneBuffers, Store, Surfaces, gather, over_mesh,
     resolve,
@@ -125,7 +125,7 @@ pub(crate) fn record_uncut_by(
 }
 
 /// The passes of the compute rasteriser where no cut opens a part.
-fn sweep_uncut(plan: &mut Plan, input: &Input<'_>) -> Result<Picture, Refusal> {
+fn sweep_uncut(plan: &mut Plan, input: &Input<'_>) -> Result<FrameOutput, Refusal> {
     let scene = SceneBuffers::upload(plan, input, Lanes::none())?;
     let crossings = CrossingSource::none();
     let nearest = over_mesh(plan, &scene, &Store::nothing(Vec::new()), &crossings)?;
@@ -134,7 +134,7 @@ fn sweep_uncut(plan: &mut Plan, input: &Input<'_>) -> Result<Picture, Refusal> {
 }
 
 /// The passes where no cut opens a part.
-fn record_uncut(plan: &mut Plan, input: &Input<'_>) -> Result<Picture, Refusal> {
+fn record_uncut(plan: &mut Plan, input: &Input<'_>) -> Result<FrameOutput, Refusal> {
     let scene = SceneBuffers::upload(plan, input, Lanes::none())?;
     let mut surfaces = Surfaces::new(plan, &scene);
     surfaces.draw_plain_parts(plan, &scene, false);
@@ -147,7 +147,7 @@ fn record_cut(
     plan: &mut Plan,
     input: &Input<'_>,
     strategy: Strategy,
-) -> Result<(Picture, Vec<CpuWork>), Refusal> {
+) -> Result<(FrameOutput, Vec<CpuWork>), Refusal> {
     let Strategy { surface, inside } = strategy;
     let Some(inside) = inside else {
         return match surface.row().caps {

@@ -9,7 +9,7 @@ use std::hash::{Hash, Hasher};
 use std::ops::Range;
 
 use super::surface::tessellation::Tessellation;
-use crate::effects::Picture;
+use crate::effects::FrameOutput;
 use crate::passes::{Crossings, Input, Refusal, SceneBuffers, Store, Unsupported, Volume};
 use crate::plan::{CpuWork, Plan};
 
@@ -157,7 +157,8 @@ pub(super) type Tessellate =
     fn(&mut Plan, &SceneBuffers<'_>, u32, bool) -> Result<Tessellation, Refusal>;
 
 /// Records the frame; with the work of the CPU that it took, as in [`Recorded`](crate::plan::Recorded).
-pub(super) type RecordAlone = fn(&mut Plan, &Input<'_>) -> Result<(Picture, Vec<CpuWork>), Refusal>;
+pub(super) type RecordAlone =
+    fn(&mut Plan, &Input<'_>) -> Result<(FrameOutput, Vec<CpuWork>), Refusal>;
 
 /// An inside test.
 #[derive(Debug)]
@@ -178,7 +179,8 @@ pub(crate) enum InsideTestKind {
 }
 
 /// Records the frame of a cap surface that lists crossings. The number is the parameter, in steps.
-pub(super) type RecordRays = fn(&mut Plan, &Input<'_>, CapSurface, u32) -> Result<Picture, Refusal>;
+pub(super) type RecordRays =
+    fn(&mut Plan, &Input<'_>, CapSurface, u32) -> Result<FrameOutput, Refusal>;
 
 /// Records images of all cut parts, each with the places of the parts that it answers for. The number is the parameter, in steps.
 pub(super) type RecordImages =

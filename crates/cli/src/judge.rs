@@ -3,7 +3,7 @@
 use cutaway::Result;
 use cutaway::session::Session;
 use cutaway_lab::experiment::{
-    Judgement, Question, Renderer, SceneAtTime, error_steps, errors, times, timing_steps,
+    FrameQuestion, Judgement, Renderer, SceneAtTime, error_steps, errors, times, timing_steps,
 };
 
 use super::console::Console;
@@ -23,7 +23,7 @@ pub(super) fn judge(
     rounds: usize,
     console: &Console,
 ) -> Result<Judgement> {
-    let question = Question {
+    let question = FrameQuestion {
         name: subject.scene.name.clone(),
         shown,
         view: subject.view(&shown.model.prepared),

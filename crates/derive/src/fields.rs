@@ -10,7 +10,7 @@ use syn::{
 
 /// Where the values of a field lie.
 #[derive(PartialEq)]
-enum Place {
+enum ValuePlace {
     /// The field is one value.
     Leaf,
     /// Below its key.
@@ -23,7 +23,7 @@ enum Place {
 struct Declared<'a> {
     field: &'a Field,
     key: String,
-    place: Place,
+    place: ValuePlace,
     range: Option<ExprRange>,
     unit: Option<Expr>,
     example: Option<Expr>,
@@ -46,7 +46,7 @@ pub(crate) fn described(name: &Ident, vis: &Visibility, data: &DataStruct) -> Re
     }
     let of = |is_leaf: bool| {
         let of = all.iter().zip(&names).enumerate();
-        let of = of.filter(move |(_, (d, _))| (d.place == Place::Leaf) == is_leaf);
+        let of = of.filter(move |(_, (d, _))| (d.place == ValuePlace::Leaf) == is_leaf);
         of.map(|(index, (_, name))| (index, *name))
             .unzip::<_, _, Vec<_>, Vec<_>>()
     };
@@ -100,7 +100,7 @@ fn declared(field: &Field) -> Result<Option<Declared<'_>>> {
             .as_ref()
             .map(|name| name.unraw().to_string())
             .unwrap_or_default(),
-        place: Place::Leaf,
+        place: ValuePlace::Leaf,
         range: None,
         unit: None,
         example: None,
@@ -124,8 +124,8 @@ fn declared(field: &Field) -> Result<Option<Declared<'_>>> {
                 "words" => of.words = Some(meta.value()?.parse()?),
                 "key" => of.key = meta.value()?.parse::<LitStr>()?.value(),
                 "fixed" => of.fixed = true,
-                "table" => of.place = Place::Table,
-                "flat" => of.place = Place::Flat,
+                "table" => of.place = ValuePlace::Table,
+                "flat" => of.place = ValuePlace::Flat,
                 "hidden" => is_hidden = true,
                 _ => return Err(meta.error("no word of a declaration")),
             }
@@ -139,11 +139,11 @@ fn declared(field: &Field) -> Result<Option<Declared<'_>>> {
 fn entry(of: &Declared<'_>) -> Result<TokenStream> {
     let ty = &of.field.ty;
     let key = match of.place {
-        Place::Flat => "",
+        ValuePlace::Flat => "",
         _ => &of.key,
     };
     let help = help(&of.field.attrs);
-    if of.place != Place::Leaf {
+    if of.place != ValuePlace::Leaf {
         return Ok(quote! {
             ::cutaway::scene::describe::Field::table(#key, #help, <#ty>::FIELDS)
         });

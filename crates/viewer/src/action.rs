@@ -8,7 +8,7 @@ use glam::DVec3;
 use crate::editing::cuts::{NewCut, PlaneMove};
 use crate::editing::regions::RegionMove;
 use crate::picture::camera::CameraMove;
-use crate::picture::slot::{Layout, Painter, Side};
+use crate::picture::slot::{Layout, Painter, SlotSide};
 
 /// Subject of the panels.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -71,7 +71,7 @@ pub enum Action {
     /// Moves the eye.
     MoveCamera(CameraMove),
     /// Chooses the painter of a slot.
-    Choose(Side, Painter),
+    Choose(SlotSide, Painter),
     /// Exchanges the slots.
     Swap,
     /// Sets the layout of the slots.

@@ -20,14 +20,14 @@ use cutaway_io::Document;
 use cutaway_io::load::Assets;
 
 use crate::action::{Action, Selection};
-use crate::editing::command::{self, Picture};
+use crate::editing::command::{self, ExportSettings};
 use crate::editing::cuts::{self, CutEntry, PlaneMove};
 use crate::editing::history::History;
 use crate::editing::{parts, removal, styles, timeline};
 use crate::notice::Notice;
 use crate::picture::camera;
 use crate::picture::shown::Shown;
-use crate::picture::slot::{Layout, Painter, Side};
+use crate::picture::slot::{Layout, Painter, SlotSide};
 use crate::storage::files::Store;
 use ahead::Ahead;
 
@@ -171,7 +171,7 @@ impl State {
     }
 
     /// Painter of a slot.
-    pub fn painter(&self, side: Side) -> Painter {
+    pub fn painter(&self, side: SlotSide) -> Painter {
         self.slots[side.index()]
     }
 
@@ -258,7 +258,7 @@ impl State {
         if let Some(time_s) = self.time_s {
             document.set("time_s", time_s)?;
         }
-        let painter = self.painter(Side::A);
+        let painter = self.painter(SlotSide::A);
         match painter {
             Painter::Auto => document.remove("strategy.name")?,
             named => document.set("strategy.name", named.to_string())?,
@@ -273,8 +273,8 @@ impl State {
     /// As of [`command::words`].
     pub fn command(&self, size_px: [u32; 2]) -> Result<String> {
         let document = self.as_seen()?;
-        let picture = Picture {
-            painter: self.painter(Side::A),
+        let picture = ExportSettings {
+            painter: self.painter(SlotSide::A),
             size_px,
         };
         let words = command::words(&document, &self.saved, picture)?;

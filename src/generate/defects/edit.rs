@@ -6,13 +6,13 @@ use crate::scene::{Bounds, Mesh};
 
 /// A face with its shading normals.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Face {
+pub(super) struct ShadedFace {
     pub(super) corners: [u32; 3],
     /// Normals for shading there, where the mesh has them.
     normals: Option<[Vec3; 3]>,
 }
 
-impl Face {
+impl ShadedFace {
     /// The face with reversed orientation.
     pub(super) fn turned(self) -> Self {
         let [a, b, c] = self.corners;
@@ -43,7 +43,7 @@ impl Face {
 /// A mesh while it is edited.
 pub(super) struct Edit {
     /// The faces; none if all are gone.
-    pub(super) faces: Vec<Face>,
+    pub(super) faces: Vec<ShadedFace>,
     positions: Vec<DVec3>,
     /// Per vertex, the vertex of the mesh it comes from.
     origins: Vec<u32>,
@@ -59,7 +59,7 @@ impl Edit {
         let faces = mesh.triangles.iter().enumerate();
         Self {
             faces: faces
-                .map(|(t, corners)| Face {
+                .map(|(t, corners)| ShadedFace {
                     corners: *corners,
                     normals: normals(t),
                 })
@@ -77,7 +77,7 @@ impl Edit {
     }
 
     /// Positions of the corners of a face.
-    pub(super) fn points(&self, face: &Face) -> [DVec3; 3] {
+    pub(super) fn points(&self, face: &ShadedFace) -> [DVec3; 3] {
         face.corners.map(|v| self.at(v))
     }
 

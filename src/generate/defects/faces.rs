@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::edit::{Edit, Face};
+use super::edit::{Edit, ShadedFace};
 use super::select::{chosen, edges_of, mixed, share_of, shuffled};
 use super::{middle, of_faces};
 
@@ -15,7 +15,7 @@ pub(super) fn holes(edit: &mut Edit, share: f64, patch: u32, seed: u64) -> Strin
 /// Removes what lies beyond a plane across an axis: a share of the box. A face goes if its middle does.
 pub(super) fn open(edit: &mut Edit, share: f64, axis: usize, from_below: bool) -> String {
     let (lo, hi) = (edit.bounds.min[axis], edit.bounds.max[axis]);
-    let is_beyond = |face: &Face| {
+    let is_beyond = |face: &ShadedFace| {
         let at = middle(edit.points(face).into_iter())[axis];
         if from_below {
             at < lo + (hi - lo) * share
@@ -50,7 +50,7 @@ pub(super) fn flip(edit: &mut Edit, share: f64, patch: u32, seed: u64) -> String
 pub(super) fn duplicate(edit: &mut Edit, share: f64, patch: u32, seed: u64) -> String {
     let is_chosen = chosen(&edit.faces, share, patch, seed);
     let twice = edit.faces.iter().zip(&is_chosen).filter(|(_, c)| **c);
-    let twice: Vec<Face> = twice.map(|(face, _)| *face).collect();
+    let twice: Vec<ShadedFace> = twice.map(|(face, _)| *face).collect();
     let all = edit.faces.len();
     edit.faces.extend_from_slice(&twice);
     format!("{} are there twice", of_faces(twice.len(), all))

@@ -3,7 +3,7 @@
 
 use std::collections::VecDeque;
 
-use super::edit::Face;
+use super::edit::ShadedFace;
 
 /// A well-mixed word from a seed and a number (the finaliser of SplitMix64).
 pub(super) fn mixed(seed: u64, number: u64) -> u64 {
@@ -42,7 +42,7 @@ pub(super) struct Neighbours {
 
 impl Neighbours {
     /// The neighbours of all faces.
-    pub(super) fn of(faces: &[Face]) -> Self {
+    pub(super) fn of(faces: &[ShadedFace]) -> Self {
         let numbered = (0..).zip(faces);
         let mut edges: Vec<_> = numbered
             .flat_map(|(number, face)| edges_of(face).map(|edge| (edge, number)))
@@ -52,7 +52,7 @@ impl Neighbours {
     }
 
     /// Faces that share an edge with a face, and the face itself.
-    fn around(&self, face: &Face) -> impl Iterator<Item = u32> {
+    fn around(&self, face: &ShadedFace) -> impl Iterator<Item = u32> {
         edges_of(face).into_iter().flat_map(|edge| {
             let first = self.edges.partition_point(|(e, _)| *e < edge);
             let uses = self.edges[first..].iter();
@@ -62,14 +62,14 @@ impl Neighbours {
 }
 
 /// The edges of a face, the smaller vertex first.
-pub(super) fn edges_of(face: &Face) -> [[u32; 2]; 3] {
+pub(super) fn edges_of(face: &ShadedFace) -> [[u32; 2]; 3] {
     let [a, b, c] = face.corners;
     [[a, b], [b, c], [c, a]].map(|[p, q]| [p.min(q), p.max(q)])
 }
 
 /// A share of the faces: patches of `patch` faces connected by edges, centred on the first faces of the shuffled order.
 /// Of one seed and patch, a greater share holds a smaller one.
-pub(super) fn chosen(faces: &[Face], share: f64, patch: u32, seed: u64) -> Vec<bool> {
+pub(super) fn chosen(faces: &[ShadedFace], share: f64, patch: u32, seed: u64) -> Vec<bool> {
     let mut is_chosen = vec![false; faces.len()];
     let mut left = share_of(faces.len(), share);
     let neighbours = (patch > 1).then(|| Neighbours::of(faces));
@@ -100,7 +100,7 @@ pub(super) fn chosen(faces: &[Face], share: f64, patch: u32, seed: u64) -> Vec<b
 
 /// The chart of each face: they grow from seeds alike until they meet. A piece of the surface that no seed lies in is a chart of its
 /// own.
-pub(super) fn charts(faces: &[Face], count: u32, seed: u64) -> Vec<u32> {
+pub(super) fn charts(faces: &[ShadedFace], count: u32, seed: u64) -> Vec<u32> {
     const NONE: u32 = u32::MAX;
     let neighbours = Neighbours::of(faces);
     let mut chart = vec![NONE; faces.len()];

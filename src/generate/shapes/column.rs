@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 use glam::{DVec2, DVec3};
 
 use super::Part;
-use super::milled::{Facing, Milled, Side};
+use super::milled::{Facing, Milled, WallSide};
 use super::outline::circle;
 use super::spec::{Parameter, ShapeInfo};
 
@@ -59,7 +59,7 @@ fn column(flutes: usize, detail: usize, height: f64) -> Milled {
         let rings = profile
             .iter()
             .map(|[y, r]| (from + y, circle(DVec2::ZERO, *r, corners)));
-        solid.walls(Side::Outer, rings.collect::<Vec<_>>())
+        solid.walls(WallSide::Outer, rings.collect::<Vec<_>>())
     };
     // Ledges are faces between rings of one height.
     let plinth = round(&mut solid, 0.0, &BASE[..2]);
@@ -70,7 +70,7 @@ fn column(flutes: usize, detail: usize, height: f64) -> Milled {
         let radius = 1.0 - NARROWING * share * share;
         (foot + height * share, fluted(radius, flutes, detail))
     });
-    let shaft = solid.walls(Side::Outer, shaft.collect::<Vec<_>>());
+    let shaft = solid.walls(WallSide::Outer, shaft.collect::<Vec<_>>());
     let top = foot + height;
     let capital = round(&mut solid, top, &CAPITAL);
     let under = top + CAPITAL[2][0];
@@ -83,7 +83,7 @@ fn column(flutes: usize, detail: usize, height: f64) -> Milled {
     ]
     .to_vec();
     let slab = solid.walls(
-        Side::Outer,
+        WallSide::Outer,
         [under, under + SLAB].map(|y| (y, square.clone())),
     );
     // Flat rings need no inner points.

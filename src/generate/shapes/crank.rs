@@ -12,7 +12,7 @@ use std::f64::consts::TAU;
 use glam::{DVec2, DVec3};
 
 use super::lathe::{Fineness, turned};
-use super::milled::{Facing, Milled, Side};
+use super::milled::{Facing, Milled, WallSide};
 use super::outline::inset;
 use super::spec::{Parameter, ShapeInfo};
 use super::web::{Web, throw_angles};
@@ -138,14 +138,14 @@ fn crank(throws: usize, detail: usize) -> Crank {
         let profile = fine.journal([inner_back, inner_front], PIN);
         let pin = turned(
             &mut solid,
-            Side::Outer,
+            WallSide::Outer,
             up * THROW,
             fine.corners(PIN),
             profile,
         );
         let profile = fine.profile(&[[outer_back, PIN_BORE], [outer_front, PIN_BORE]]);
         let corners = fine.corners(PIN_BORE);
-        let bore = turned(&mut solid, Side::Bore, up * THROW, corners, profile);
+        let bore = turned(&mut solid, WallSide::Bore, up * THROW, corners, profile);
         let (before, after) = (&bearings[k], &bearings[k + 1]);
         solid.face(Facing::Back, &[near.0, before.journal.1, bore.0], spacing);
         solid.face(Facing::Front, &[near.1, pin.0, before.bore.1], spacing);
@@ -177,7 +177,13 @@ fn bearing(solid: &mut Milled, fine: Fineness, k: usize, throws: usize) -> Beari
     } else {
         fine.journal([start, end], MAIN)
     };
-    let journal = turned(solid, Side::Outer, DVec2::ZERO, fine.corners(MAIN), profile);
+    let journal = turned(
+        solid,
+        WallSide::Outer,
+        DVec2::ZERO,
+        fine.corners(MAIN),
+        profile,
+    );
 
     let bore_start = if k == 0 { 0.0 } else { start - WEB_LENGTH };
     let bore = if k == throws {
@@ -193,7 +199,7 @@ fn bearing(solid: &mut Milled, fine: Fineness, k: usize, throws: usize) -> Beari
         fine.profile(&[[bore_start, MAIN_BORE], [end + WEB_LENGTH, MAIN_BORE]])
     };
     let corners = fine.corners(MAIN_BORE);
-    let bore = turned(solid, Side::Bore, DVec2::ZERO, corners, bore);
+    let bore = turned(solid, WallSide::Bore, DVec2::ZERO, corners, bore);
     Bearing { journal, bore }
 }
 
@@ -209,7 +215,7 @@ fn cheek(
     let mut rings = vec![(from, narrow.clone())];
     rings.extend(flat.into_iter().map(|[x, _]| (x, outline.to_vec())));
     rings.push((to, narrow));
-    solid.walls(Side::Outer, rings)
+    solid.walls(WallSide::Outer, rings)
 }
 
 /// The flange after the last main journal; gives the end of the crank.
@@ -223,7 +229,7 @@ fn flange(solid: &mut Milled, fine: Fineness, start: f64, last: &Bearing) -> f64
     ]);
     let rim = turned(
         solid,
-        Side::Outer,
+        WallSide::Outer,
         DVec2::ZERO,
         fine.corners(FLANGE),
         profile,
@@ -233,7 +239,7 @@ fn flange(solid: &mut Milled, fine: Fineness, start: f64, last: &Bearing) -> f64
     for k in 0..BOLTS {
         let centre = DVec2::from_angle(TAU * (k as f64 + 0.5) / BOLTS as f64) * BOLT_CIRCLE;
         let profile = fine.profile(&[[start, BOLT], [end, BOLT]]);
-        let hole = turned(solid, Side::Bore, centre, fine.corners(BOLT), profile);
+        let hole = turned(solid, WallSide::Bore, centre, fine.corners(BOLT), profile);
         back.push(hole.0);
         front.push(hole.1);
     }

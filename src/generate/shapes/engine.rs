@@ -10,7 +10,7 @@ use glam::{DVec2, DVec3, Vec3};
 
 use super::crank::{self, pin_middle};
 use super::lathe::{Fineness, turned};
-use super::milled::{Facing, Milled, Side};
+use super::milled::{Facing, Milled, WallSide};
 use super::outline::{arc, circle, subdivided};
 use super::spec::{Parameter, ShapeInfo};
 use super::{Mesh, Part};
@@ -206,14 +206,14 @@ impl Engine {
         let outline = rounded(middle, DVec2::new(HALF_WIDTH, half + 0.36), 0.06, step);
         let heights = self.fine.profile(&[[BLOCK[0], 0.0], [BLOCK[1], 0.0]]);
         let rings = heights.iter().map(|[y, _]| (*y, outline.clone()));
-        let rim = solid.walls(Side::Outer, rings);
+        let rim = solid.walls(WallSide::Outer, rings);
         let (mut bottom, mut top) = (vec![rim.0], vec![rim.1]);
         let corners = self.fine.corners(BORE);
         for pin in &self.pins {
             let profile = self.fine.profile(&[[BLOCK[0], BORE], [BLOCK[1], BORE]]);
             let bore = turned(
                 &mut solid,
-                Side::Bore,
+                WallSide::Bore,
                 DVec2::new(0.0, pin.x),
                 corners,
                 profile,
@@ -222,11 +222,11 @@ impl Engine {
             top.push(bore.1);
         }
         let jacket = rounded(middle, DVec2::new(JACKET_HALF, half + 0.28), 0.26, step);
-        let around = solid.walls(Side::Bore, JACKET.map(|y| (y, jacket.clone())));
+        let around = solid.walls(WallSide::Bore, JACKET.map(|y| (y, jacket.clone())));
         let (mut floor, mut ceiling) = (vec![around.0], vec![around.1]);
         for pin in &self.pins {
             let liner = circle(DVec2::new(0.0, pin.x), LINER, corners);
-            let liner = solid.walls(Side::Outer, JACKET.map(|y| (y, liner.clone())));
+            let liner = solid.walls(WallSide::Outer, JACKET.map(|y| (y, liner.clone())));
             floor.push(liner.0);
             ceiling.push(liner.1);
         }
@@ -248,10 +248,13 @@ impl Engine {
         };
         let top = BLOCK[1] + HEAD;
         let plate = solid.walls(
-            Side::Outer,
+            WallSide::Outer,
             [BLOCK[1] + GASKET, top].map(|y| (y, outline(0.0))),
         );
-        let cover = solid.walls(Side::Outer, [top, top + 0.12].map(|y| (y, outline(0.16))));
+        let cover = solid.walls(
+            WallSide::Outer,
+            [top, top + 0.12].map(|y| (y, outline(0.16))),
+        );
         let spacing = 4.0 * self.step();
         solid.face(Facing::Back, &[plate.0], spacing);
         solid.face(Facing::Front, &[plate.1, cover.0], spacing);
@@ -276,14 +279,17 @@ impl Engine {
             .fine
             .profile(&[[CASE_BOTTOM, 0.0], [BLOCK[0] - GASKET, 0.0]]);
         let outside = solid.walls(
-            Side::Outer,
+            WallSide::Outer,
             heights.iter().map(|[y, _]| (*y, outer.clone())),
         );
         let inner = outline(HALF_WIDTH - WALL, 0.36 - WALL, 0.03);
         let heights = self
             .fine
             .profile(&[[CASE_BOTTOM + WALL, 0.0], [BLOCK[0] - GASKET, 0.0]]);
-        let inside = solid.walls(Side::Bore, heights.iter().map(|[y, _]| (*y, inner.clone())));
+        let inside = solid.walls(
+            WallSide::Bore,
+            heights.iter().map(|[y, _]| (*y, inner.clone())),
+        );
         let spacing = 4.0 * self.step();
         solid.face(Facing::Back, &[outside.0], spacing);
         solid.face(Facing::Front, &[inside.0], spacing);
@@ -315,7 +321,7 @@ impl Engine {
             [top + GASKET, BOLT_HEAD],
             [top + 0.05, BOLT_HEAD],
         ]);
-        let rim = turned(&mut solid, Side::Outer, at, corners, profile);
+        let rim = turned(&mut solid, WallSide::Outer, at, corners, profile);
         solid.face(Facing::Back, &[rim.0], 4.0 * self.step());
         solid.face(Facing::Front, &[rim.1], 4.0 * self.step());
         solid.mesh(upright)

@@ -7,7 +7,7 @@ use std::f64::consts::{PI, TAU};
 
 use glam::{DVec2, DVec3};
 
-use super::milled::{Facing, Milled, Side};
+use super::milled::{Facing, Milled, WallSide};
 use super::outline::{arc, circle, subdivided};
 use super::spec::{Parameter, ShapeInfo, Values};
 use super::{Mesh, parts_of};
@@ -70,8 +70,11 @@ fn gear(v: &Values, teeth: f64, phase: f64, x: f64) -> Result<Mesh> {
     let layers = 6_u32;
     let stations = (0..=layers).map(|k| (f64::from(k) / f64::from(layers) - 0.5) * thickness);
     let mut solid = Milled::default();
-    let rim = solid.walls(Side::Outer, stations.clone().map(|s| (s, outline.clone())));
-    let hole = solid.walls(Side::Bore, stations.map(|s| (s, bore.clone())));
+    let rim = solid.walls(
+        WallSide::Outer,
+        stations.clone().map(|s| (s, outline.clone())),
+    );
+    let hole = solid.walls(WallSide::Bore, stations.map(|s| (s, bore.clone())));
     solid.face(Facing::Back, &[rim.0, hole.0], spacing);
     solid.face(Facing::Front, &[rim.1, hole.1], spacing);
     solid.mesh(|z, p| DVec3::new(p.x + x, p.y, z))

@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3, Vec3};
 
-use super::milled::{Facing, Milled, Side};
+use super::milled::{Facing, Milled, WallSide};
 use super::spec::{Parameter, ShapeInfo};
 use super::{Mesh, Part};
 use crate::Result;
@@ -107,14 +107,14 @@ fn upright(station: f64, p: DVec2) -> DVec3 {
 fn walls(wall: f64) -> Result<Mesh> {
     let mut solid = Milled::default();
     let outer = rectangle(-HALF, HALF);
-    let rim = solid.walls(Side::Outer, [0.0, WALLS].map(|y| (y, outer.clone())));
+    let rim = solid.walls(WallSide::Outer, [0.0, WALLS].map(|y| (y, outer.clone())));
     let mut top = vec![rim.1];
     let (inner, half) = (HALF - wall, wall / 2.0);
     for (z, x) in [(-1.0, -1.0), (-1.0, 1.0), (1.0, -1.0), (1.0, 1.0)] {
         let near = DVec2::new(z, x) * half;
         let far = DVec2::new(z, x) * inner;
         let room = rectangle(near.min(far), near.max(far));
-        let room = solid.walls(Side::Bore, [FLOOR, WALLS].map(|y| (y, room.clone())));
+        let room = solid.walls(WallSide::Bore, [FLOOR, WALLS].map(|y| (y, room.clone())));
         solid.face(Facing::Front, &[room.0], NO_POINTS);
         top.push(room.1);
     }
@@ -134,7 +134,7 @@ fn roof() -> Result<Mesh> {
         DVec2::new(WALLS, out),
     ];
     let ends = [-HALF.y - EAVES, HALF.y + EAVES];
-    let rim = solid.walls(Side::Outer, ends.map(|x| (x, gable.clone())));
+    let rim = solid.walls(WallSide::Outer, ends.map(|x| (x, gable.clone())));
     solid.face(Facing::Back, &[rim.0], NO_POINTS);
     solid.face(Facing::Front, &[rim.1], NO_POINTS);
     solid.mesh(|x, p| DVec3::new(x, p.x, p.y))
@@ -143,7 +143,10 @@ fn roof() -> Result<Mesh> {
 fn block(low: DVec3, high: DVec3) -> Result<Mesh> {
     let mut solid = Milled::default();
     let outline = rectangle(DVec2::new(low.z, low.x), DVec2::new(high.z, high.x));
-    let rim = solid.walls(Side::Outer, [low.y, high.y].map(|y| (y, outline.clone())));
+    let rim = solid.walls(
+        WallSide::Outer,
+        [low.y, high.y].map(|y| (y, outline.clone())),
+    );
     solid.face(Facing::Back, &[rim.0], NO_POINTS);
     solid.face(Facing::Front, &[rim.1], NO_POINTS);
     solid.mesh(upright)

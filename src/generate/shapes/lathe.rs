@@ -6,7 +6,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use glam::DVec2;
 
-use super::milled::{Milled, Side};
+use super::milled::{Milled, WallSide};
 use super::outline::circle;
 
 /// Length of a wall's quads along the axis over their width: along the axis walls are straight, and detail is worth less.
@@ -86,7 +86,7 @@ impl Fineness {
 /// Rings of revolution around an axis through `centre`.
 pub(super) fn turned(
     solid: &mut Milled,
-    side: Side,
+    side: WallSide,
     centre: DVec2,
     corners: usize,
     profile: Vec<[f64; 2]>,

@@ -22,7 +22,7 @@ pub(super) struct Ring {
 
 /// Solid side of a wall.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Side {
+pub(super) enum WallSide {
     /// The wall bounds the solid from outside.
     Outer,
     /// The wall is that of a bore.
@@ -39,7 +39,7 @@ pub(super) enum Facing {
 }
 
 #[derive(Clone, Debug)]
-struct Face {
+struct MilledFace {
     facing: Facing,
     rings: Vec<usize>,
     spacing: f64,
@@ -49,15 +49,15 @@ struct Face {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Milled {
     pub(super) rings: Vec<Ring>,
-    pub(super) walls: Vec<(usize, usize, Side)>,
-    faces: Vec<Face>,
+    pub(super) walls: Vec<(usize, usize, WallSide)>,
+    faces: Vec<MilledFace>,
 }
 
 impl Milled {
     /// Adds a chain of rings in the order of the axis, with walls between them; gives the first and the last one.
     pub(super) fn walls(
         &mut self,
-        side: Side,
+        side: WallSide,
         rings: impl IntoIterator<Item = (f64, Vec<DVec2>)>,
     ) -> (usize, usize) {
         let first = self.rings.len();
@@ -71,7 +71,7 @@ impl Milled {
 
     /// Adds the planar face between rings of one station: what an odd number of them contain.
     pub(super) fn face(&mut self, facing: Facing, rings: &[usize], spacing: f64) {
-        self.faces.push(Face {
+        self.faces.push(MilledFace {
             facing,
             rings: rings.to_vec(),
             spacing,
@@ -93,8 +93,8 @@ impl Milled {
             for j in 0..n {
                 let k = (j + 1) % n;
                 mesh.triangles.extend(match side {
-                    Side::Outer => [[a + j, a + k, b + k], [a + j, b + k, b + j]],
-                    Side::Bore => [[a + j, b + k, a + k], [a + j, b + j, b + k]],
+                    WallSide::Outer => [[a + j, a + k, b + k], [a + j, b + k, b + j]],
+                    WallSide::Bore => [[a + j, b + k, a + k], [a + j, b + j, b + k]],
                 });
             }
         }
@@ -144,8 +144,8 @@ impl Milled {
                 let slab = (b.station - a.station) / 6.0
                     * (area(&a.points) + 4.0 * area(&middle) + area(&b.points));
                 match side {
-                    Side::Outer => slab,
-                    Side::Bore => -slab,
+                    WallSide::Outer => slab,
+                    WallSide::Bore => -slab,
                 }
             })
             .sum()

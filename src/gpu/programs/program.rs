@@ -9,7 +9,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use crate::gpu::Gpu;
 use crate::gpu::composite::{Composed, Compositor};
 use crate::gpu::device::is_shared;
-use crate::gpu::draw::Step;
+use crate::gpu::draw::ReadyPass;
 use crate::gpu::layer_words::{LAYER_BYTES, layers_from_words};
 use crate::gpu::pick::{Arriving, Pick};
 use crate::gpu::report::Report;
@@ -33,7 +33,7 @@ pub(crate) struct Encoded {
 pub struct Program {
     recorded: Recorded,
     resources: BTreeMap<String, (Shape, GpuResource)>,
-    steps: Vec<Step>,
+    steps: Vec<ReadyPass>,
     stopwatch: Option<Stopwatch>,
     generation: u64,
     /// Work that has not run since its inputs changed, also after a failed run.
@@ -94,7 +94,7 @@ impl Program {
             self.recorded = Recorded::default();
             self.steps.clear();
             self.generation += 1;
-            let step = |pass| Step::new(gpu, &plan, pass, &self.resources);
+            let step = |pass| ReadyPass::new(gpu, &plan, pass, &self.resources);
             let steps = plan.passes.iter().map(step).collect::<Result<Vec<_>>>()?;
             let is_timed = gpu.has_timestamps();
             let stopwatch = || Stopwatch::new(&gpu.device, plan.passes.len());
@@ -213,7 +213,7 @@ impl Program {
     fn steps_that(
         &self,
         runs: impl Fn(&Pass) -> bool,
-    ) -> impl Iterator<Item = (usize, &Pass, &Step)> {
+    ) -> impl Iterator<Item = (usize, &Pass, &ReadyPass)> {
         let all = self
             .recorded
             .plan

@@ -55,7 +55,7 @@ const TOUCHING: f64 = 1e-5;
 
 /// Side of a clip-surface that a box lies on.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Side {
+enum BoxSide {
     Kept,
     Removed,
     Across,
@@ -247,21 +247,21 @@ fn beyond_words(number: usize, surface: &PreparedSurface, cut_box: &Bounds) -> O
 fn removes_all(prepared: &Prepared, cut: usize, part: &PreparedPart) -> Option<bool> {
     // Faces in a surface may be so far off it.
     let touching = TOUCHING.max(part.plane_tolerance);
-    let sides: Vec<Side> = (prepared.cuts[cut].surfaces.iter())
+    let sides: Vec<BoxSide> = (prepared.cuts[cut].surfaces.iter())
         .map(|s| side_of(&prepared.surfaces[*s], &part.bounds, touching))
         .collect();
-    (!sides.contains(&Side::Kept)).then(|| sides.iter().all(|s| *s == Side::Removed))
+    (!sides.contains(&BoxSide::Kept)).then(|| sides.iter().all(|s| *s == BoxSide::Removed))
 }
 
-fn side_of(surface: &PreparedSurface, bounds: &Bounds, touching: f64) -> Side {
+fn side_of(surface: &PreparedSurface, bounds: &Bounds, touching: f64) -> BoxSide {
     if let Some(volume) = &surface.volume {
         // A box that misses the cutter's box is outside the cutter; any other box is undecided.
         let apart = (volume.bounds.min - bounds.max).max_element() > touching
             || (bounds.min - volume.bounds.max).max_element() > touching;
         return match (apart, volume.keeps_inside) {
-            (false, _) => Side::Across,
-            (true, false) => Side::Kept,
-            (true, true) => Side::Removed,
+            (false, _) => BoxSide::Across,
+            (true, false) => BoxSide::Kept,
+            (true, true) => BoxSide::Removed,
         };
     }
     let heights = bounds
@@ -271,10 +271,10 @@ fn side_of(surface: &PreparedSurface, bounds: &Bounds, touching: f64) -> Side {
     let low = heights.iter().copied().fold(f64::INFINITY, f64::min) + lowest;
     let high = heights.iter().copied().fold(f64::NEG_INFINITY, f64::max) + highest;
     if low > touching {
-        Side::Kept
+        BoxSide::Kept
     } else if high < -touching {
-        Side::Removed
+        BoxSide::Removed
     } else {
-        Side::Across
+        BoxSide::Across
     }
 }

@@ -32,7 +32,7 @@ pub(super) struct Insides<'a> {
 
 /// Position of a point relative to a closed shell that it is not outside.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Place {
+enum ShellPosition {
     Within,
     On,
 }
@@ -73,7 +73,7 @@ impl<'a> Insides<'a> {
         if !inner.is_closed {
             return None;
         }
-        let mut left: Option<Vec<(u32, Place)>> = None;
+        let mut left: Option<Vec<(u32, ShellPosition)>> = None;
         for triangle in self.asked[shell as usize] {
             let [vertex, ..] = self.mesh.triangles[triangle as usize];
             let mut places = self.places(self.mesh.positions[vertex as usize], shell);
@@ -87,8 +87,8 @@ impl<'a> Insides<'a> {
                 }
                 Some(left) => left.retain_mut(|(outer, place)| {
                     let now = places.iter().find(|(other, _)| other == outer);
-                    if let Some((_, Place::Within)) = now {
-                        *place = Place::Within;
+                    if let Some((_, ShellPosition::Within)) = now {
+                        *place = ShellPosition::Within;
                     }
                     now.is_some()
                 }),
@@ -98,14 +98,14 @@ impl<'a> Insides<'a> {
             }
         }
         let within = left.into_iter().flatten();
-        let within = within.filter(|(_, place)| *place == Place::Within);
+        let within = within.filter(|(_, place)| *place == ShellPosition::Within);
         within
             .map(|(outer, _)| outer)
             .min_by(|a, b| all[*a as usize].by_size(&all[*b as usize]).then(a.cmp(b)))
     }
 
     /// The closed shells but one that a point is in or on.
-    fn places(&self, point: DVec3, but: u32) -> Vec<(u32, Place)> {
+    fn places(&self, point: DVec3, but: u32) -> Vec<(u32, ShellPosition)> {
         let beside = |b: &Bounds| {
             let (y, z) = (point.y, point.z);
             b.min.y > y || b.max.y < y || b.min.z > z || b.max.z < z || b.max.x < point.x
@@ -132,13 +132,13 @@ impl<'a> Insides<'a> {
         let place = |found: &[Found]| {
             let shell = found[0].shell;
             if found.iter().any(|f| f.step == 0) {
-                return Some((shell, Place::On));
+                return Some((shell, ShellPosition::On));
             }
             let is_in = match self.shells.shells[shell as usize].is_consistent {
                 true => found.iter().map(|f| f.step).sum::<i32>() != 0,
                 false => found.len() % 2 == 1,
             };
-            is_in.then_some((shell, Place::Within))
+            is_in.then_some((shell, ShellPosition::Within))
         };
         of_shells.filter_map(place).collect()
     }

@@ -20,7 +20,7 @@ pub fn in_common(a: &[Vec<ClipSurface>], b: &[Vec<ClipSurface>]) -> Vec<Vec<Clip
 
 /// A face of a region.
 #[derive(Clone, Debug)]
-pub struct Face {
+pub struct RegionFace {
     /// `-x` to `+z` of a box; `from`, `to`, `min` or `max` of a wedge.
     pub name: &'static str,
     /// Its plane, which keeps the outside.
@@ -48,14 +48,14 @@ impl Block {
     }
 
     /// Its faces, upright for an up axis. Their planes begin as near to `middle` as they can.
-    pub fn faces(&self, middle: DVec3, up: Up) -> Vec<Face> {
+    pub fn faces(&self, middle: DVec3, up: Up) -> Vec<RegionFace> {
         let faces = (0..6).filter_map(|i| {
             let (axis, upper) = (i / 2, i % 2 == 1);
             let at = if upper { self.max } else { self.min }[axis]?;
             let mut origin = middle;
             origin[axis] = at;
             let outward = DVec3::AXES[axis] * if upper { 1.0 } else { -1.0 };
-            Some(Face {
+            Some(RegionFace {
                 name: ["-x", "+x", "-y", "+y", "-z", "+z"][i],
                 plane: ClipSurface::upright(origin, outward, up),
             })
@@ -93,7 +93,7 @@ impl Wedge {
     /// Its faces, of which all together make the region; for more than half a turn those of two regions that make it up. A full
     /// turn has only the faces along the axis. Of half a turn `from` and `to` have one plane, which is there once unless
     /// the two are `ragged`: their reliefs may differ. They are upright for an up axis.
-    pub fn alternatives(&self, ragged: bool, up: Up) -> Vec<Vec<Face>> {
+    pub fn alternatives(&self, ragged: bool, up: Up) -> Vec<Vec<RegionFace>> {
         let turn_deg = self.to_deg - self.from_deg;
         let across = self.along.cross(self.zero);
         // Removed is what lies on from `from` and back from `to`: the kept side is the other one.
@@ -101,7 +101,7 @@ impl Wedge {
             let [cosine, sine] = cosine_and_sine(degrees);
             across * cosine - self.zero * sine
         };
-        let face = |name, outward| Face {
+        let face = |name, outward| RegionFace {
             name,
             plane: ClipSurface::upright(self.origin, outward, up),
         };
@@ -116,7 +116,7 @@ impl Wedge {
         } else {
             vec![vec![from, to]]
         };
-        let end = |name, at: f64, sign: f64| Face {
+        let end = |name, at: f64, sign: f64| RegionFace {
             name,
             plane: ClipSurface::upright(
                 self.origin + self.along * (at - self.origin.dot(self.along)),
@@ -158,8 +158,9 @@ mod tests {
     use super::*;
 
     /// Returns true if a union of intersections removes a point.
-    fn removes(alternatives: &[Vec<Face>], point: DVec3) -> bool {
-        let inside = |faces: &Vec<Face>| faces.iter().all(|f| f.plane.kept_height(point) < 0.0);
+    fn removes(alternatives: &[Vec<RegionFace>], point: DVec3) -> bool {
+        let inside =
+            |faces: &Vec<RegionFace>| faces.iter().all(|f| f.plane.kept_height(point) < 0.0);
         alternatives.iter().any(inside)
     }
 

@@ -106,7 +106,7 @@ impl SharedPlanes {
             faces: vec![Arc::from([]); parts.len()],
         };
         let near = near_others(parts);
-        let mut all: Vec<Face> = near
+        let mut all: Vec<CandidateFace> = near
             .iter()
             .flat_map(|(rank, room)| faces_within(&parts[*rank], *rank, room))
             .collect();
@@ -120,7 +120,7 @@ impl SharedPlanes {
             }
             members += levels.len();
             let number = found.planes.len() as u16;
-            let Face { normal, offset, .. } = all[first];
+            let CandidateFace { normal, offset, .. } = all[first];
             let plane = SharedPlane {
                 normal,
                 offset,
@@ -162,7 +162,7 @@ impl SharedPlanes {
 }
 
 /// A triangle that may lie in the plane of one of another part.
-struct Face {
+struct CandidateFace {
     rank: usize,
     triangle: u32,
     points: [DVec3; 3],
@@ -172,7 +172,7 @@ struct Face {
     tolerance: f64,
 }
 
-impl Face {
+impl CandidateFace {
     /// Returns true if this one lies in the plane of another.
     fn lies_in(&self, plane: &Self) -> bool {
         let tolerance = self.tolerance.max(plane.tolerance);
@@ -248,7 +248,7 @@ fn faces_within<'a>(
     part: &'a PreparedPart,
     rank: usize,
     room: &'a Bounds,
-) -> impl Iterator<Item = Face> + 'a {
+) -> impl Iterator<Item = CandidateFace> + 'a {
     let tolerance = part.plane_tolerance;
     (0..)
         .zip(part.triangles.iter())
@@ -260,7 +260,7 @@ fn faces_within<'a>(
             let cross = (b - a).cross(c - a);
             let area = cross.length();
             let normal = cross / area;
-            (is_within && area > SLIVER * tolerance * longest_edge(points)).then(|| Face {
+            (is_within && area > SLIVER * tolerance * longest_edge(points)).then(|| CandidateFace {
                 rank,
                 triangle,
                 points,
@@ -273,7 +273,7 @@ fn faces_within<'a>(
 }
 
 /// Faces that lie in one plane, by the number of the first, which makes it; `all` are in order of area.
-fn planes_of(all: &[Face]) -> Vec<(usize, Vec<usize>)> {
+fn planes_of(all: &[CandidateFace]) -> Vec<(usize, Vec<usize>)> {
     let mut planes: Vec<(usize, Vec<usize>)> = Vec::new();
     let mut cells: HashMap<[i32; 4], Vec<usize>> = HashMap::new();
     for (number, face) in all.iter().enumerate() {
@@ -307,7 +307,7 @@ fn planes_of(all: &[Face]) -> Vec<(usize, Vec<usize>)> {
 }
 
 /// The parts whose faces of one plane meet those of others, by falling rank, each with its level: one above those that it hides.
-fn overlapping<'a>(faces: impl Iterator<Item = &'a Face>) -> Vec<(u16, u16)> {
+fn overlapping<'a>(faces: impl Iterator<Item = &'a CandidateFace>) -> Vec<(u16, u16)> {
     let mut boxes: HashMap<usize, (Bounds, f64)> = HashMap::new();
     for face in faces {
         let of_rank = (boxes.entry(face.rank)).or_insert((Bounds::EMPTY, face.tolerance));

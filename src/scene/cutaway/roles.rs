@@ -29,14 +29,14 @@ pub struct Sight {
 }
 
 /// The triangles of a part in world space, and their area.
-struct Shape {
+struct PartTriangles {
     corners: Vec<[DVec3; 3]>,
     area: f64,
 }
 
 /// Visibility of each part.
 pub fn sights(parts: &[Part]) -> Vec<Sight> {
-    let shapes: Vec<Shape> = parts.par_iter().map(Shape::of).collect();
+    let shapes: Vec<PartTriangles> = parts.par_iter().map(PartTriangles::of).collect();
     let mut left: Vec<usize> = (0..parts.len()).collect();
     let nothing = Sight {
         seen: 0.0,
@@ -67,7 +67,7 @@ pub fn sights(parts: &[Part]) -> Vec<Sight> {
     sights
 }
 
-impl Shape {
+impl PartTriangles {
     fn of(part: &Part) -> Self {
         let mesh = part.posed_mesh();
         let place = |i: &u32| {
@@ -95,7 +95,7 @@ struct Seen {
 }
 
 /// Visibility of some of the shapes in the absence of all others.
-fn seen_of(shapes: &[Shape], of: &[usize]) -> Vec<Seen> {
+fn seen_of(shapes: &[PartTriangles], of: &[usize]) -> Vec<Seen> {
     let corners = of.iter().flat_map(|i| &shapes[*i].corners).flatten();
     let bounds = Bounds::from_points(corners.copied());
     let sides: Vec<DVec3> = (0..27)
@@ -127,7 +127,12 @@ fn seen_of(shapes: &[Shape], of: &[usize]) -> Vec<Seen> {
 }
 
 /// Number of visible pixels of each shape in a picture through parallel rays.
-fn counts_from(shapes: &[Shape], of: &[usize], bounds: &Bounds, forward: DVec3) -> Vec<u64> {
+fn counts_from(
+    shapes: &[PartTriangles],
+    of: &[usize],
+    bounds: &Bounds,
+    forward: DVec3,
+) -> Vec<u64> {
     let (right, up) = forward.any_orthonormal_pair();
     let centre = bounds.centre();
     let per_unit = SIDE_PX as f64 / (2.0 * bounds.radius()).max(f64::MIN_POSITIVE);

@@ -2,13 +2,13 @@
 //!
 //! Cost: a comparison of the boxes of all bodies; an operation for each body whose box meets that of another, where the rule is even-odd.
 
-use super::solid::{Solid, Undivided};
+use super::solid::{ManifoldSolid, Undivided};
 use super::turned;
 use crate::scene::meshes::topology::Sets;
 use crate::scene::{Bodies, Bounds, Fill, Mesh};
 
 /// The solid, and the numbers that its faces are found by later, which are called after the triangles of the mesh.
-pub(super) fn filled(mesh: &Mesh, fill: Fill) -> Result<(Solid, Vec<u32>), Undivided> {
+pub(super) fn filled(mesh: &Mesh, fill: Fill) -> Result<(ManifoldSolid, Vec<u32>), Undivided> {
     let bodies = match fill {
         Fill::EvenOdd => overlapping(mesh),
         Fill::Nonzero => Vec::new(),
@@ -23,9 +23,9 @@ pub(super) fn filled(mesh: &Mesh, fill: Fill) -> Result<(Solid, Vec<u32>), Undiv
         numbers.push(number);
         Ok(solid)
     };
-    let mut all: Option<Solid> = None;
+    let mut all: Option<ManifoldSolid> = None;
     for set in &bodies {
-        let mut odd: Option<Solid> = None;
+        let mut odd: Option<ManifoldSolid> = None;
         for triangles in set {
             let solid = solid_of(triangles)?;
             odd = Some(match odd {
@@ -45,10 +45,10 @@ pub(super) fn filled(mesh: &Mesh, fill: Fill) -> Result<(Solid, Vec<u32>), Undiv
 }
 
 /// A solid that faces out.
-fn outward(mesh: &Mesh, face: impl Fn(usize) -> u32) -> Result<(Solid, u32), Undivided> {
+fn outward(mesh: &Mesh, face: impl Fn(usize) -> u32) -> Result<(ManifoldSolid, u32), Undivided> {
     match mesh.volume() < 0.0 {
-        true => Solid::new(&turned(mesh), face),
-        false => Solid::new(mesh, face),
+        true => ManifoldSolid::new(&turned(mesh), face),
+        false => ManifoldSolid::new(mesh, face),
     }
 }
 

@@ -20,7 +20,7 @@ use self::filled::filled;
 use self::sheet::{Sheet, below};
 pub(super) use self::solid::Undivided;
 pub use self::solid::is_at_work;
-use self::solid::{Origin, Solid};
+use self::solid::{ManifoldSolid, Origin};
 use super::SlicePlane;
 use super::capped::{Cap, Half, Halves, halves, of_used};
 use super::in_world::in_world;
@@ -65,7 +65,7 @@ pub(super) fn divided(
     let block = around(&mesh.bounds());
     let mut caps = Vec::new();
     let mut off = 0.0_f64;
-    let mut all: Option<Solid> = None;
+    let mut all: Option<ManifoldSolid> = None;
     for (index, region) in regions.iter().enumerate() {
         let Some(solid) = region.solid(index, &block, cells, &mut caps, &mut off)? else {
             continue;
@@ -79,7 +79,7 @@ pub(super) fn divided(
         Some(all) => (part.without(&all)?, part.and(&all)?),
         None => (part.clone(), part.without(&part)?),
     };
-    let half = |solid: &Solid| half(solid, &numbers, &caps);
+    let half = |solid: &ManifoldSolid| half(solid, &numbers, &caps);
     Ok(Divided {
         halves: Halves {
             kept: half(&kept)?,
@@ -99,7 +99,7 @@ impl Region<'_> {
         cells: u32,
         caps: &mut Vec<CapOf>,
         off: &mut f64,
-    ) -> Result<Option<Solid>, Undivided> {
+    ) -> Result<Option<ManifoldSolid>, Undivided> {
         let mut add = |mesh, surface| {
             caps.push(CapOf {
                 mesh,
@@ -120,13 +120,13 @@ impl Region<'_> {
             Some(cap) => planes[cap.plane].0 as u32,
             None => BLOCK,
         };
-        let (mut solid, number) = Solid::new(&within.mesh, name)?;
+        let (mut solid, number) = ManifoldSolid::new(&within.mesh, name)?;
         add(number, None);
         for (i, surface) in self.surfaces.iter().enumerate() {
             if flat(surface).is_none() {
                 let Sheet { mesh, off: own } = below(surface, block, cells);
                 *off = off.max(own);
-                let (sheet, number) = Solid::new(&mesh, |t| t as u32)?;
+                let (sheet, number) = ManifoldSolid::new(&mesh, |t| t as u32)?;
                 add(number, Some(i));
                 solid = solid.and(&sheet)?;
             }
@@ -144,7 +144,7 @@ impl Region<'_> {
                 },
                 other => other,
             };
-            let (volume, number) = Solid::new(&outward, |t| t as u32).map_err(of_cutter)?;
+            let (volume, number) = ManifoldSolid::new(&outward, |t| t as u32).map_err(of_cutter)?;
             add(number, Some(self.surfaces.len()));
             solid = match cutter.keeps_inside {
                 true => solid.without(&volume)?,
@@ -156,7 +156,7 @@ impl Region<'_> {
 }
 
 /// The faces of a solid that are of the part, then its caps by region and clip-surface.
-fn half(solid: &Solid, part: &[u32], caps: &[CapOf]) -> Result<Half, Undivided> {
+fn half(solid: &ManifoldSolid, part: &[u32], caps: &[CapOf]) -> Result<Half, Undivided> {
     let (mesh, origins) = solid.mesh();
     if Edges::of(&mesh.triangles).count().open > 0 {
         return Err(Undivided::Failed {

@@ -20,9 +20,9 @@ pub(super) struct Origin {
 
 /// A closed mesh that operations are done with.
 #[derive(Clone)]
-pub(super) struct Solid(Manifold);
+pub(super) struct ManifoldSolid(Manifold);
 
-impl Solid {
+impl ManifoldSolid {
     /// A solid, and the number that its faces are found by later. Neighbours in one plane whose faces have different names stay apart.
     ///
     /// # Errors

@@ -18,7 +18,7 @@ use glam::{DVec2, DVec3};
 use super::super::SectionDefect;
 use super::super::cover::{Cover, cover};
 use super::super::loops::{self, Curves, join};
-use super::complex::{CAP, Complex, Face, MarkedPlane, Splits, State};
+use super::complex::{CAP, Complex, ComplexFace, MarkedPlane, Splits, State};
 use crate::scene::meshes::weld::has_three;
 
 /// A use of an edge in a plane by a candidate.
@@ -162,7 +162,7 @@ impl Complex<'_> {
                 true => winding.unsigned_abs(),
                 false => winding.unsigned_abs() % 2,
             };
-            let face = Face {
+            let face = ComplexFace {
                 corners,
                 source: CAP | number as u32,
                 state: State::Candidate,

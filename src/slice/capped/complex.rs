@@ -46,7 +46,7 @@ pub(super) enum State {
 
 /// A triangle of the mesh or a part of one, or of a cap.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Face {
+pub(super) struct ComplexFace {
     pub(super) corners: [u32; 3],
     /// Number of the triangle of the mesh; of a cap [`CAP`] and the number of its plane.
     pub(super) source: u32,
@@ -58,7 +58,7 @@ pub(super) struct Face {
 /// Marks the source of a cap.
 pub(super) const CAP: u32 = 1 << 31;
 
-impl Face {
+impl ComplexFace {
     /// The plane that it caps.
     pub(super) fn plane(&self) -> Option<usize> {
         (self.source & CAP != 0).then_some((self.source & !CAP) as usize)
@@ -83,7 +83,7 @@ pub(super) struct Complex<'a> {
     pub(super) positions: Vec<DVec3>,
     /// The planes that each vertex was made on.
     pub(super) marks: Vec<u64>,
-    pub(super) faces: Vec<Face>,
+    pub(super) faces: Vec<ComplexFace>,
     pub(super) defects: Vec<SectionDefect>,
     /// A point near the mesh.
     pub(super) middle: DVec3,
@@ -103,15 +103,15 @@ impl<'a> Complex<'a> {
             .filter(|(i, _)| is_usable(*i))
             .collect();
         let corners: Vec<[u32; 3]> = usable.iter().map(|(_, t)| *t).collect();
-        let faces: Vec<Face> = (usable.iter().zip(groups(mesh, &corners)))
-            .map(|((i, t), group)| Face {
+        let faces: Vec<ComplexFace> = (usable.iter().zip(groups(mesh, &corners)))
+            .map(|((i, t), group)| ComplexFace {
                 corners: *t,
                 source: *i as u32,
                 state: State::Kept,
                 group,
             })
             .collect();
-        let corners = |f: &Face| f.corners.map(|i| mesh.positions[i as usize]);
+        let corners = |f: &ComplexFace| f.corners.map(|i| mesh.positions[i as usize]);
         let bounds = (faces.par_iter().with_min_len(1 << 14))
             .map(|f| Bounds::from_points(corners(f)))
             .reduce(|| Bounds::EMPTY, Bounds::union);
@@ -182,7 +182,7 @@ impl<'a> Complex<'a> {
                 _ => 0,
             })
             .collect();
-        let is_crossed = |f: &Face| {
+        let is_crossed = |f: &ComplexFace| {
             let of = f.corners.map(|i| sides[i as usize]);
             f.state == State::Candidate && of.contains(&1) && of.contains(&-1)
         };
@@ -282,7 +282,8 @@ impl<'a> Complex<'a> {
                 None => Vec::new(),
             }
         };
-        let has_end = |f: &Face| f.corners.iter().filter(|i| is_end[**i as usize]).count() > 1;
+        let has_end =
+            |f: &ComplexFace| f.corners.iter().filter(|i| is_end[**i as usize]).count() > 1;
         let near: Vec<usize> = (self.faces.par_iter().enumerate().with_min_len(1 << 12))
             .filter(|(_, f)| has_end(f))
             .map(|(i, _)| i)
@@ -299,7 +300,7 @@ impl<'a> Complex<'a> {
                 &mut parts,
             );
             // What a vertex of its own sides lies on has parts without area between two vertices: they bound nothing.
-            let mut parts = (parts.iter().filter(|t| has_three(t))).map(|corners| Face {
+            let mut parts = (parts.iter().filter(|t| has_three(t))).map(|corners| ComplexFace {
                 corners: *corners,
                 ..face
             });

@@ -34,7 +34,7 @@ use glam::DVec3;
 pub use self::scene::planes_of;
 pub use self::scene::{CappedPart, RELIEF_CELLS, capped, capped_with};
 
-use self::complex::{Complex, Face, State};
+use self::complex::{Complex, ComplexFace, State};
 use self::in_scene::InScene;
 use super::plane::is_within;
 use super::{SectionDefect, SlicePlane};
@@ -149,7 +149,7 @@ fn halves_in(mesh: &Mesh, regions: &[Vec<SlicePlane>], decided: Option<&InScene>
             _ => kept.push(*face),
         }
         if face.plane().is_some() {
-            removed.push(Face {
+            removed.push(ComplexFace {
                 corners: [a, c, b],
                 ..*face
             });
@@ -179,7 +179,7 @@ fn is_usable(mesh: &Mesh, triangle: &[u32; 3]) -> bool {
 }
 
 /// The mesh of some faces, with the vertices that they have in their order.
-fn half(positions: &[DVec3], mut faces: Vec<Face>, first_planes: &[usize]) -> Half {
+fn half(positions: &[DVec3], mut faces: Vec<ComplexFace>, first_planes: &[usize]) -> Half {
     // Caps behind faces, by planes; stable, so that faces stay in the order of the mesh but for what was divided.
     faces.sort_by_key(|f| f.source);
     let mut caps = Vec::new();

@@ -8,12 +8,12 @@
 
 use std::collections::BTreeMap;
 
-use super::complex::{Complex, Face, divided};
+use super::complex::{Complex, ComplexFace, divided};
 use crate::scene::meshes::weld::has_three;
 
 /// A triangle of the mesh that can be put together: the vertices on its sides, and one of its faces.
 struct Whole {
-    face: Face,
+    face: ComplexFace,
     corners: [u32; 3],
     sides: [Vec<u32>; 3],
 }
@@ -22,11 +22,11 @@ impl Complex<'_> {
     /// Puts together what need not be divided.
     pub(super) fn restore(&mut self) {
         let mut parts_of = vec![0_u32; self.mesh.triangles.len()];
-        let of_mesh = |f: &&Face| f.plane().is_none();
+        let of_mesh = |f: &&ComplexFace| f.plane().is_none();
         for face in self.faces.iter().filter(of_mesh) {
             parts_of[face.source as usize] += 1;
         }
-        let mut parts: Vec<Face> = (self.faces.iter().filter(of_mesh))
+        let mut parts: Vec<ComplexFace> = (self.faces.iter().filter(of_mesh))
             .filter(|f| parts_of[f.source as usize] > 1)
             .copied()
             .collect();
@@ -72,7 +72,7 @@ impl Complex<'_> {
             let faces = triangles
                 .iter()
                 .filter(|t| has_three(t))
-                .map(|corners| Face {
+                .map(|corners| ComplexFace {
                     corners: *corners,
                     ..face
                 });
@@ -82,8 +82,8 @@ impl Complex<'_> {
 }
 
 /// The vertices on the sides of a triangle, from each corner to the next, where what its parts bound is one loop through the corners.
-fn sides(parts: &[Face], corners: [u32; 3]) -> Option<[Vec<u32>; 3]> {
-    let edges = |f: &Face| {
+fn sides(parts: &[ComplexFace], corners: [u32; 3]) -> Option<[Vec<u32>; 3]> {
+    let edges = |f: &ComplexFace| {
         let [a, b, c] = f.corners;
         [[a, b], [b, c], [c, a]]
     };
@@ -120,8 +120,8 @@ mod tests {
     use super::super::complex::State;
     use super::*;
 
-    fn parts(triangles: &[[u32; 3]]) -> Vec<Face> {
-        let part = |corners: &[u32; 3]| Face {
+    fn parts(triangles: &[[u32; 3]]) -> Vec<ComplexFace> {
+        let part = |corners: &[u32; 3]| ComplexFace {
             corners: *corners,
             source: 0,
             state: State::Kept,

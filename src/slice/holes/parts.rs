@@ -84,7 +84,7 @@ fn note(part: &Part, closing: &Closing) -> Option<String> {
         if all == 1 { "hole" } else { "holes" },
         thousands(closing.triangles.len())
     );
-    let place = |hole: &&Hole| Place::of(part, hole);
+    let place = |hole: &&Hole| HolePlace::of(part, hole);
     let closed = closing.holes.iter().filter(|h| h.defect.is_none());
     text.push_str(&list(": ", closed.map(|h| place(&h)).collect()));
     for why in [
@@ -94,7 +94,7 @@ fn note(part: &Part, closing: &Closing) -> Option<String> {
         HoleDefect::Taken,
     ] {
         let left = closing.holes.iter().filter(|h| h.defect == Some(why));
-        let left: Vec<Place> = left.map(|h| place(&h)).collect();
+        let left: Vec<HolePlace> = left.map(|h| place(&h)).collect();
         if !left.is_empty() {
             text.push_str(&list(&format!("; left open, {why}: "), left));
         }
@@ -110,13 +110,13 @@ fn note(part: &Part, closing: &Closing) -> Option<String> {
 }
 
 /// Position of a hole in the world, and its size.
-struct Place {
+struct HolePlace {
     edges: usize,
     around: f64,
     middle: DVec3,
 }
 
-impl Place {
+impl HolePlace {
     fn of(part: &Part, hole: &Hole) -> Self {
         let at = |i: &u32| {
             let p = part.mesh.positions[*i as usize];
@@ -132,7 +132,7 @@ impl Place {
 }
 
 /// The longest holes, and the number of the others.
-fn list(before: &str, mut places: Vec<Place>) -> String {
+fn list(before: &str, mut places: Vec<HolePlace>) -> String {
     if places.is_empty() {
         return String::new();
     }

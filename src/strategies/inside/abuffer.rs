@@ -13,7 +13,7 @@
 //! Cannot: know before a frame how many fragments there will be. A frame that needs more than the last is drawn twice; where
 //! they are more than a storage binding holds, in bands of rows.
 
-use crate::effects::{Picture, finish};
+use crate::effects::{FrameOutput, finish};
 use crate::passes::{
     FragmentLists, Input, Inside, LISTED, Lanes, Refusal, SceneBuffers, leave_fragments, need,
     over_mesh, resolve,
@@ -52,7 +52,7 @@ fn record(
     input: &Input<'_>,
     surface: CapSurface,
     _: u32,
-) -> Result<Picture, Refusal> {
+) -> Result<FrameOutput, Refusal> {
     let capacity = surface::capacity(input);
     let scene = SceneBuffers::upload(plan, input, Lanes::of_bits(input, capacity))?;
     let several = input.active_cuts.lanes > 1;

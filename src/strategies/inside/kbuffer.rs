@@ -11,7 +11,7 @@
 //! Cannot: tell what lies behind the K-th. There it marks the pixel, and the frame reports how many it would have needed; K is
 //! the user's number and does not grow by itself.
 
-use crate::effects::{Picture, finish};
+use crate::effects::{FrameOutput, finish};
 use crate::passes::{
     Input, Inside, LISTED, Lanes, NEED_OF_FRAGMENTS, Refusal, SceneBuffers, Store, need, over_mesh,
     resolve,
@@ -54,7 +54,7 @@ fn record(
     input: &Input<'_>,
     surface: CapSurface,
     depths: u32,
-) -> Result<Picture, Refusal> {
+) -> Result<FrameOutput, Refusal> {
     let capacity = surface::capacity(input);
     let scene = SceneBuffers::upload(plan, input, Lanes::of_bits(input, capacity))?;
     let lanes = input.active_cuts.lanes;

@@ -26,7 +26,7 @@
 //! do not agree on what is out make as well. Where the near plane meets a part's box an odd
 //! total may as well say that the ray starts inside, so there it marks nothing.
 
-use crate::effects::{Picture, finish};
+use crate::effects::{FrameOutput, finish};
 use crate::passes::{
     CrossingSource, Input, Inside, Lanes, Refusal, SceneBuffers, Store, over_mesh, resolve,
 };
@@ -59,7 +59,7 @@ fn record(
     input: &Input<'_>,
     surface: CapSurface,
     _: u32,
-) -> Result<Picture, Refusal> {
+) -> Result<FrameOutput, Refusal> {
     let capacity = surface::capacity(input);
     let nonzero = input.has_nonzero();
     let (lanes, file, rounds) = match nonzero {

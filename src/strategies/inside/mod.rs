@@ -14,7 +14,7 @@ use std::ops::Range;
 
 use super::row::CapSurface;
 use super::surface;
-use crate::effects::{Picture, finish};
+use crate::effects::{FrameOutput, finish};
 use crate::passes::{
     Crossings, Input, Inside, Lanes, NearestKept, Refusal, SceneBuffers, Store, Volume, over_mesh,
     resolve,
@@ -44,7 +44,7 @@ pub(super) fn probed(
     input: &Input<'_>,
     surface: CapSurface,
     images: impl FnOnce(&mut Plan, &SceneBuffers<'_>) -> Result<Vec<(Range<usize>, Volume)>, Refusal>,
-) -> Result<Picture, Refusal> {
+) -> Result<FrameOutput, Refusal> {
     let capacity = surface::capacity(input);
     let scene = SceneBuffers::upload(plan, input, Lanes::of_bits(input, capacity))?;
     let images = images(plan, &scene)?;

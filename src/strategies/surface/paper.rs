@@ -11,7 +11,7 @@
 use std::ops::Range;
 
 use super::tessellation::{Tessellation, instance};
-use crate::effects::{Picture, finish};
+use crate::effects::{FrameOutput, finish};
 use crate::passes::{
     DrawPass, Input, Lanes, Refusal, SceneBuffers, Surfaces, Volume, counted, gather,
 };
@@ -25,7 +25,7 @@ pub(crate) fn record(
     input: &Input<'_>,
     tessellate: impl FnOnce(&mut Plan, &SceneBuffers<'_>) -> Result<Tessellation, Refusal>,
     images: impl FnOnce(&mut Plan, &SceneBuffers<'_>) -> Result<Vec<(Range<usize>, Volume)>, Refusal>,
-) -> Result<Picture, Refusal> {
+) -> Result<FrameOutput, Refusal> {
     let scene = SceneBuffers::upload(plan, input, Lanes::none())?;
     let ranks = input.active_cuts.cut_parts();
     let images: Vec<(&[usize], Volume)> = (images(plan, &scene)?.into_iter())

@@ -23,7 +23,7 @@
 //! thus all pixels that parity would draw otherwise, and many that are right: also those where something nearer hides the plane. An
 //! open mesh whose sections close is drawn unmarked, for they are known; what its holes let through to is what there is.
 
-use crate::effects::{Picture, finish};
+use crate::effects::{FrameOutput, finish};
 use crate::passes::{
     Crossings, Input, Inside, LISTED, Lanes, NearestKept, Refusal, SceneBuffers, Sections, Store,
     Unsupported, counted, over_mesh, resolve,
@@ -57,7 +57,7 @@ pub(crate) static ROW: CapSurfaceRow = CapSurfaceRow {
 };
 
 /// Records the frame of `planar`.
-fn record(plan: &mut Plan, input: &Input<'_>) -> Result<(Picture, Vec<CpuWork>), Refusal> {
+fn record(plan: &mut Plan, input: &Input<'_>) -> Result<(FrameOutput, Vec<CpuWork>), Refusal> {
     near_plane_is_free(input)?;
     let capacity = surface::capacity(input);
     let scene = SceneBuffers::upload(plan, input, Lanes::of_bits(input, capacity))?;

@@ -25,7 +25,9 @@ fn plane(origin: DVec3, normal: DVec3) -> SlicePlane {
     SlicePlane::from(&ClipSurface::plane(origin, normal))
 }
 
-fn planes_of<'a>(faces: impl IntoIterator<Item = &'a cutaway::scene::Face>) -> Vec<SlicePlane> {
+fn planes_of<'a>(
+    faces: impl IntoIterator<Item = &'a cutaway::scene::RegionFace>,
+) -> Vec<SlicePlane> {
     let planes = faces.into_iter().map(|f| SlicePlane::from(&f.plane));
     planes.collect()
 }

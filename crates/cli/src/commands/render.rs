@@ -133,7 +133,7 @@ pub(crate) fn run(args: &RenderArgs) -> Result<Verdict> {
     results.add(&outputs.picture, picture::png(&drawn)?)?;
     if let (Some(output), Some(layers)) = (&outputs.layers, &facts.layers) {
         let drawn = session.style_channels(&shown.model, &view, layers)?;
-        let about = layers_file::About {
+        let about = layers_file::LayersSource {
             scene: &subject.scene,
             prepared: &shown.model.prepared,
             view: &view,

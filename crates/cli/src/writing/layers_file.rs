@@ -26,7 +26,7 @@ use exr::prelude::{
 use glam::DVec3;
 
 /// Source of the layers.
-pub(crate) struct About<'a> {
+pub(crate) struct LayersSource<'a> {
     pub(crate) scene: &'a Scene,
     /// The same in scene space.
     pub(crate) prepared: &'a Prepared,
@@ -38,7 +38,7 @@ pub(crate) struct About<'a> {
     pub(crate) drawn: &'a StyleChannels,
 }
 
-impl About<'_> {
+impl LayersSource<'_> {
     /// Attributes by name.
     fn attributes(&self) -> Vec<(&'static str, AttributeValue)> {
         let text = |t: &str| AttributeValue::Text(Text::new_or_none(t).unwrap_or_default());
@@ -96,7 +96,7 @@ impl About<'_> {
 }
 
 /// The bytes of an EXR file.
-pub(crate) fn exr(layers: &Layers, about: &About<'_>) -> Result<Vec<u8>> {
+pub(crate) fn exr(layers: &Layers, about: &LayersSource<'_>) -> Result<Vec<u8>> {
     let scale = about.prepared.scale;
     let channel = |name: &str, value: &dyn Fn(&Pixel) -> f32| {
         let samples: Vec<f32> = layers.pixels.iter().map(value).collect();
@@ -188,7 +188,7 @@ mod tests {
             cap_uv: vec![[1.0, -2.0]; 6],
             ..StyleChannels::default()
         };
-        let about = About {
+        let about = LayersSource {
             scene: &scene,
             prepared: &prepared,
             view: &prepared.view([3, 2]),

@@ -14,7 +14,7 @@ pub(crate) type Lost = (String, String);
 
 /// Result of following a path.
 #[derive(Clone)]
-pub(crate) struct Step<'a> {
+pub(crate) struct PathStep<'a> {
     /// The value that it leads to.
     pub(crate) node: &'a Node,
     pub(crate) place: Place,
@@ -25,8 +25,8 @@ pub(crate) struct Step<'a> {
 }
 
 /// Follows a path as far as it goes.
-pub(crate) fn walk<'a>(root: &'a Node, path: &str) -> Step<'a> {
-    go_on(Step {
+pub(crate) fn walk<'a>(root: &'a Node, path: &str) -> PathStep<'a> {
+    go_on(PathStep {
         node: root,
         place: Place::new(),
         path: String::new(),
@@ -35,7 +35,7 @@ pub(crate) fn walk<'a>(root: &'a Node, path: &str) -> Step<'a> {
 }
 
 /// Goes on from a step as far as its path leads.
-fn go_on(from: Step<'_>) -> Step<'_> {
+fn go_on(from: PathStep<'_>) -> PathStep<'_> {
     let mut farthest = from.clone();
     for (index, (names, child)) in children(from.node).into_iter().enumerate() {
         for name in &names {
@@ -53,7 +53,7 @@ fn go_on(from: Step<'_>) -> Step<'_> {
             };
             let mut place = from.place.clone();
             place.push(index);
-            let step = go_on(Step {
+            let step = go_on(PathStep {
                 node: child,
                 place,
                 path,
@@ -97,7 +97,7 @@ pub(crate) fn farther(node: &Node) -> String {
 }
 
 /// A path that leads nowhere.
-pub(crate) fn astray(step: &Step<'_>) -> Lost {
+pub(crate) fn astray(step: &PathStep<'_>) -> Lost {
     let below = children(step.node);
     let names = || below.iter().map(|(names, _)| &*names[0]);
     let (next, _) = step.rest.split_once('.').unwrap_or((&step.rest, ""));

@@ -6,7 +6,7 @@ use cutaway::error::{Error, Result};
 use toml_edit::DocumentMut;
 
 use super::node::{Node, Origin, Place, Value};
-use super::{Document, Step, astray, farther, lost, text, walk};
+use super::{Document, PathStep, astray, farther, lost, text, walk};
 
 impl Document {
     /// Sets the value at a path. A key that a table does not have yet is added, with the tables that lead to it.
@@ -210,7 +210,7 @@ impl Document {
     }
 
     /// The end of a path at which a value can be set.
-    fn to_be_set(&self, path: &str) -> Result<Step<'_>> {
+    fn to_be_set(&self, path: &str) -> Result<PathStep<'_>> {
         if path.split('.').any(str::is_empty) {
             let help = "write keys with points between them, as in `camera.azimuth_deg`";
             return Err(lost(path, ("it names no value".into(), help.into())));

@@ -46,7 +46,7 @@ use crate::load::{Assets, Disk, Files, input_file};
 #[doc(hidden)]
 pub use read::reader;
 
-pub(crate) use address::{Lost, Step, astray, children, farther, walk};
+pub(crate) use address::{Lost, PathStep, astray, children, farther, walk};
 pub use build::{
     CutDraft, PartDraft, SurfaceDraft, cut, defect, parse_defect, part, plane, section,
 };

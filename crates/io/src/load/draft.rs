@@ -45,7 +45,7 @@ pub(super) struct Group {
 
 /// A mesh that is worth being a part.
 #[derive(Debug)]
-pub(super) struct Solid {
+pub(super) struct DraftSolid {
     pub(super) name: Option<String>,
     pub(super) color: Option<Vec3>,
     /// Names of the materials of its groups.
@@ -62,7 +62,7 @@ impl Draft {
         mut self,
         path: &Path,
         notes: &mut Vec<String>,
-    ) -> Result<Vec<Solid>> {
+    ) -> Result<Vec<DraftSolid>> {
         refuse_defects(path, &self.mesh)?;
         let unused = self.mesh.positions.len() - self.drop_unused();
         if unused > 0 {
@@ -133,7 +133,7 @@ impl Draft {
         self.mesh.positions.len()
     }
 
-    fn split(self, notes: &mut Vec<String>) -> Vec<Solid> {
+    fn split(self, notes: &mut Vec<String>) -> Vec<DraftSolid> {
         let groups = self.groups.len();
         let solid_of_group = if groups > 1 {
             self.solid_of_group()
@@ -190,7 +190,7 @@ impl Draft {
                 .collect();
             materials.dedup();
             let mut filled = members().filter(|g| size[*g] > 0).peekable();
-            solids.push(Solid {
+            solids.push(DraftSolid {
                 materials,
                 is_transparent: filled.peek().is_some()
                     && filled.all(|g| self.groups[g].is_transparent),
@@ -318,7 +318,7 @@ mod tests {
         draft
     }
 
-    fn solids(draft: Draft) -> (Vec<Solid>, Vec<String>) {
+    fn solids(draft: Draft) -> (Vec<DraftSolid>, Vec<String>) {
         let mut notes = Vec::new();
         let solids = draft.into_solids(Path::new("x.obj"), &mut notes).unwrap();
         (solids, notes)

@@ -39,7 +39,7 @@ use cutaway::scene::{Edges, LengthUnit, Part, Up, range};
 
 #[doc(hidden)]
 pub use content::mesh_format;
-use draft::{Draft, Group, Solid};
+use draft::{Draft, DraftSolid, Group};
 #[doc(hidden)]
 pub use files::MOST_BYTES;
 use lines::without_mark;
@@ -243,7 +243,7 @@ mod tests {
     #[test]
     fn names_are_unique() {
         let solid = |name: Option<&str>| {
-            Placed::of(Solid {
+            Placed::of(DraftSolid {
                 name: name.map(str::to_owned),
                 color: None,
                 materials: Vec::new(),

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use cutaway::scene::{Driver, Material, Mesh, Part, Role};
 use glam::{DAffine3, Vec3};
 
-use super::Solid;
+use super::DraftSolid;
 
 /// A solid where the file puts it.
 pub(super) struct Placed {
@@ -22,7 +22,7 @@ pub(super) struct Placed {
 }
 
 impl Placed {
-    pub(super) fn of(solid: Solid) -> Self {
+    pub(super) fn of(solid: DraftSolid) -> Self {
         Self {
             name: solid.name,
             color: solid.color,

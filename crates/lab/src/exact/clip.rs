@@ -29,7 +29,7 @@ impl Ray {
 
 /// A triangle of a cutter.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Face {
+pub(super) struct CutterTriangle {
     /// Its number.
     pub(super) triangle: u32,
     /// Range of the depths of its corners.
@@ -50,7 +50,7 @@ pub(super) struct Root {
     /// Coefficient of the square of the depth in `F` along the ray; 0 for a plane.
     pub(super) bend: f64,
     /// The triangle that the crossing is in, for a cutter.
-    pub(super) face: Option<Face>,
+    pub(super) face: Option<CutterTriangle>,
 }
 
 impl Root {

@@ -16,7 +16,7 @@
 use cutaway::scene::Prepared;
 use glam::DVec2;
 
-use super::clip::{Face, Ray, Root};
+use super::clip::{CutterTriangle, Ray, Root};
 use super::outline::Brush;
 use super::raster::{Crossing, Projected};
 use super::screen::Corner;
@@ -99,7 +99,7 @@ pub(super) fn meet(
                 to_kept,
                 gradient: if along == to_kept { up } else { -up },
                 bend: 0.0,
-                face: Some(Face {
+                face: Some(CutterTriangle {
                     triangle: crossing.triangle,
                     extent: facet.extent(),
                 }),

@@ -2,7 +2,7 @@
 
 use glam::{DVec3, Vec3};
 
-use super::clip::{Face, Root};
+use super::clip::{CutterTriangle, Root};
 use super::raster::{Crossing, Projected};
 
 /// Normal of a cap: down the kept height, out of the kept solid.
@@ -11,7 +11,12 @@ pub(super) fn cap_normal(root: &Root) -> Vec3 {
 }
 
 /// Normal of a cap on a cutter: as that of a mesh, on the side that a ray comes from which leaves the removed region.
-pub(super) fn cutter_normal(mesh: &Projected<'_>, root: &Root, face: Face, point: DVec3) -> Vec3 {
+pub(super) fn cutter_normal(
+    mesh: &Projected<'_>,
+    root: &Root,
+    face: CutterTriangle,
+    point: DVec3,
+) -> Vec3 {
     let outward = mesh.facet(face.triangle).normal;
     let normal = normal_at(mesh, face.triangle, point);
     let is_turned = outward.dot(root.gradient) > 0.0;

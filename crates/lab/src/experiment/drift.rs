@@ -17,7 +17,7 @@ use glam::{DQuat, DVec2};
 
 use super::figures::OF_DRIFT;
 use super::picture_flicker::{PictureFlicker, luminance, sampled};
-use super::{Question, Renderer};
+use super::{FrameQuestion, Renderer};
 use crate::exact::{Exact, Truth};
 
 /// Drift of a camera.
@@ -122,7 +122,7 @@ type Drawn = (Arc<Exact>, Layers);
 /// as `goes_on` returns false.
 pub fn flicker(
     session: &mut Session,
-    question: &Question<'_>,
+    question: &FrameQuestion<'_>,
     renderers: &[Renderer],
     drift: Drift,
     step: &mut dyn FnMut(String),

@@ -28,7 +28,7 @@ use crate::compare::{Comparison, compare, heatmap};
 use crate::exact::{Exact, Truth};
 
 /// Frame to measure, and the source of its exact reference.
-pub struct Question<'a> {
+pub struct FrameQuestion<'a> {
     /// Name of the scene.
     pub name: String,
     /// The scene.
@@ -43,7 +43,7 @@ pub struct Question<'a> {
     pub options: DrawOptions,
 }
 
-impl<'a> Question<'a> {
+impl<'a> FrameQuestion<'a> {
     /// The scene that holds the truth, in the space of the one that is shown: else their pixels could not be compared.
     fn whole(&self) -> Result<&'a Prepared> {
         let (own, whole) = (self.shown, self.truth.unwrap_or(self.shown));
@@ -114,7 +114,7 @@ pub fn timing_steps(rounds: usize) -> usize {
 /// Draws a frame by every renderer and compares it with exact.
 pub fn errors(
     session: &mut Session,
-    question: &Question<'_>,
+    question: &FrameQuestion<'_>,
     renderers: &[Renderer],
     step: &mut dyn FnMut(String),
 ) -> Result<Judgement> {
@@ -165,7 +165,7 @@ pub fn errors(
 /// Takes the time of all that was drawn, in turns. Ends early, with nothing taken and `false`, as soon as `goes_on` says no.
 pub fn times(
     session: &mut Session,
-    question: &Question<'_>,
+    question: &FrameQuestion<'_>,
     judgement: &mut Judgement,
     rounds: usize,
     step: &mut dyn FnMut(String),
@@ -212,7 +212,7 @@ pub fn times(
 
 fn draw_by(
     session: &mut Session,
-    question: &Question<'_>,
+    question: &FrameQuestion<'_>,
     renderer: &Renderer,
     truth: &Truth<&Prepared>,
 ) -> Result<(Frame, StrategyMeasurement)> {
@@ -280,7 +280,7 @@ enum Runner {
 
 impl Runner {
     /// Runs all clocks.
-    fn run(&self, session: &mut Session, question: &Question<'_>) -> Result<RunTimes> {
+    fn run(&self, session: &mut Session, question: &FrameQuestion<'_>) -> Result<RunTimes> {
         match self {
             Self::Uncut(rasteriser) => session.repeat_uncut(*rasteriser, ClockSet::ALL),
             Self::Of(Renderer::Method(method)) => session.repeat(method, ClockSet::ALL),
@@ -290,7 +290,7 @@ impl Runner {
 }
 
 /// The times of a frame on the CPU.
-fn times_of(evaluator: Evaluator, question: &Question<'_>) -> Result<RunTimes> {
+fn times_of(evaluator: Evaluator, question: &FrameQuestion<'_>) -> Result<RunTimes> {
     let evaluated = evaluator.evaluate(question.shown.truth()?, &question.view);
     // Not to be left out for having no use.
     std::hint::black_box(&evaluated.layers);
@@ -312,7 +312,7 @@ fn times_of(evaluator: Evaluator, question: &Question<'_>) -> Result<RunTimes> {
 /// Times of each runner, by round; none if it was ended early.
 fn in_turns(
     session: &mut Session,
-    question: &Question<'_>,
+    question: &FrameQuestion<'_>,
     runners: &[Runner],
     rounds: usize,
     step: &mut dyn FnMut(String),
@@ -339,7 +339,7 @@ fn in_turns(
 /// Draws the scene with nothing cut, so that it can run in turns with the renderers.
 fn draw_uncut(
     session: &mut Session,
-    question: &Question<'_>,
+    question: &FrameQuestion<'_>,
     rasteriser: Rasteriser,
 ) -> Result<()> {
     let drawn = session.draw_uncut(&question.shown.model, &question.view, rasteriser)?;

@@ -27,7 +27,7 @@ mod warnings;
 
 pub use definition::{Definition, Moves};
 pub use identity::Identity;
-pub use judge::{Frame, Judgement, Question, error_steps, errors, times, timing_steps};
+pub use judge::{Frame, FrameQuestion, Judgement, error_steps, errors, times, timing_steps};
 pub use measurement::{
     Ending, MOST_UNDECIDED, Measurement, PassTime, PerClock, Price, Reference, StrategyMeasurement,
     Timing,
@@ -35,8 +35,8 @@ pub use measurement::{
 pub use memory::check_memory;
 pub use parameter::{Parameter, Parameters};
 pub use record::{
-    Bound, CaseRecord, CaseRecords, Expectation, FamilyMember, Invocation, Machine, Picture,
-    Reached, Record, Run, Warning,
+    Bound, CaseRecord, CaseRecords, Expectation, FamilyMember, Invocation, Machine, Reached,
+    Record, RecordedPicture, Run, Warning,
 };
 pub use renderer::{Evaluation, Evaluator, Renderer};
 pub use run::Watcher;

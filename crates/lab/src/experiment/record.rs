@@ -47,7 +47,7 @@ pub struct Record {
     /// Warnings about the figures.
     pub warnings: Vec<Warning>,
     /// Pictures in the folder of the record.
-    pub pictures: Vec<Picture>,
+    pub pictures: Vec<RecordedPicture>,
     /// The command that measured it; none in records that are older than this.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[serde(rename = "sitting")]
@@ -279,7 +279,7 @@ pub enum Warning {
 
 /// A picture in the folder of a record.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Picture {
+pub struct RecordedPicture {
     /// Name of the strategy that drew it, or `exact`.
     pub drawer: String,
     /// File of what was drawn, in the folder of the record.
@@ -288,7 +288,7 @@ pub struct Picture {
     pub heatmap: Option<String>,
 }
 
-impl Picture {
+impl RecordedPicture {
     /// Its files.
     pub fn files(&self) -> impl Iterator<Item = &str> {
         std::iter::once(self.file.as_str()).chain(self.heatmap.as_deref())
@@ -370,7 +370,7 @@ mod tests {
 
     #[test]
     fn pictures_are_beside_their_record_or_nowhere() {
-        let picture = |file: &str, heatmap: Option<&str>| Picture {
+        let picture = |file: &str, heatmap: Option<&str>| RecordedPicture {
             drawer: "exact".to_owned(),
             file: file.to_owned(),
             heatmap: heatmap.map(str::to_owned),

@@ -18,10 +18,11 @@ use image::RgbaImage;
 use super::definition::SceneRun;
 use super::drift::flicker;
 use super::expect::{Findings, reached};
-use super::judge::{Judgement, Question, error_steps, errors, times, timing_steps};
+use super::judge::{FrameQuestion, Judgement, error_steps, errors, times, timing_steps};
 use super::sweep::Point;
 use super::{
-    Invocation, Machine, Picture, Reached, Record, Renderer, SceneAtTime, Warning, draw_options,
+    Invocation, Machine, Reached, Record, RecordedPicture, Renderer, SceneAtTime, Warning,
+    draw_options,
 };
 
 /// Whoever watches a run.
@@ -125,7 +126,7 @@ fn measure_with(
     let truth = point.truth.as_ref().map(&mut open).transpose()?;
     let truth = truth.map(|(_, truth)| truth);
     must_be_framed_alike(&shown, truth.as_ref())?;
-    let question = Question {
+    let question = FrameQuestion {
         name: point.scene.name(),
         view: shown.model.prepared.view(timeline.settings().size_px()),
         shown: &shown,
@@ -231,10 +232,10 @@ fn must_be_framed_alike(shown: &SceneAtTime, truth: Option<&SceneAtTime>) -> Res
 /// Pictures of exact and of all that drew, with their names.
 fn pictures(
     session: &mut Session,
-    question: &Question<'_>,
+    question: &FrameQuestion<'_>,
     judgement: &Judgement,
     stem: &str,
-) -> Result<(Vec<Picture>, Images)> {
+) -> Result<(Vec<RecordedPicture>, Images)> {
     let [width, height] = question.view.size_px;
     let image = |rgba| RgbaImage::from_raw(width, height, rgba).unwrap_or_default();
     let exact = session.shade(
@@ -244,7 +245,7 @@ fn pictures(
     )?;
     let file = format!("{stem}.exact.png");
     let mut images = vec![(file.clone(), image(exact))];
-    let mut pictures = vec![Picture {
+    let mut pictures = vec![RecordedPicture {
         drawer: "exact".to_owned(),
         file,
         heatmap: None,
@@ -261,7 +262,7 @@ fn pictures(
         );
         images.push((file.clone(), image(judgement.picture(session, frame)?)));
         images.push((map.clone(), heatmap));
-        pictures.push(Picture {
+        pictures.push(RecordedPicture {
             drawer: renderer,
             file,
             heatmap: Some(map),

@@ -63,12 +63,12 @@ pub struct Case {
     /// Its scene.
     pub document: Document,
     /// Changes of its pictures.
-    pub pictures: Vec<Picture>,
+    pub pictures: Vec<CasePicture>,
 }
 
 /// Changes of a picture to the scene of its case.
 #[derive(Clone, Debug, Default)]
-pub struct Picture {
+pub struct CasePicture {
     /// Name of the picture.
     pub name: String,
     /// True if the middle of the picture is the centre of a pixel.
@@ -77,7 +77,7 @@ pub struct Picture {
     pub sets: Vec<(String, Node)>,
 }
 
-impl Picture {
+impl CasePicture {
     /// The picture that has what another one has as well.
     pub(super) fn with(&self, other: &Self) -> Self {
         let names = [&self.name, &other.name].map(String::as_str);
@@ -125,7 +125,7 @@ impl Case {
     /// A scene that makes no sense, with its file and line.
     pub fn scenes(&self, size_px: u32) -> Result<Vec<Scene>> {
         let mut assets = Assets::from_files(Arc::new(Embedded));
-        let scene = |picture: &Picture| {
+        let scene = |picture: &CasePicture| {
             let document = self.document.with_changes(&picture.sets)?;
             let mut scene = document.resolve(0.0, &mut assets)?;
             scene.name.clone_from(&picture.name);

@@ -39,7 +39,7 @@ use cutaway_io::document::{Document, Node};
 use cutaway_io::load::Files;
 use include_dir::{Dir, include_dir};
 
-use super::case::{Case, Form, Keeps, Picture};
+use super::case::{Case, CasePicture, Form, Keeps};
 use super::expected::Expected;
 use super::tolerances::FACTOR;
 
@@ -201,15 +201,15 @@ fn keeps(table: &Table<'_>) -> Result<Keeps> {
 }
 
 /// One for each combination of values, the later axis by name varying fastest.
-fn pictures(table: &Table<'_>) -> Result<Vec<Picture>> {
-    let mut all = vec![Picture::default()];
+fn pictures(table: &Table<'_>) -> Result<Vec<CasePicture>> {
+    let mut all = vec![CasePicture::default()];
     let Some(entry) = table.get("pictures") else {
         return Ok(all);
     };
     for (name, axis) in entry.open_table()?.all() {
         let values = axis.list()?;
         let value = |e: &Entry<'_>| picture(name, e);
-        let values: Vec<Picture> = values.iter().map(value).collect::<Result<_>>()?;
+        let values: Vec<CasePicture> = values.iter().map(value).collect::<Result<_>>()?;
         all = (all.iter())
             .flat_map(|one| values.iter().map(|value| one.with(value)))
             .collect();
@@ -218,9 +218,9 @@ fn pictures(table: &Table<'_>) -> Result<Vec<Picture>> {
 }
 
 /// A value of an axis: a table of what it sets, or what is set at the path that the axis is called by.
-fn picture(axis: &str, entry: &Entry<'_>) -> Result<Picture> {
+fn picture(axis: &str, entry: &Entry<'_>) -> Result<CasePicture> {
     if !entry.is_table() {
-        return Ok(Picture {
+        return Ok(CasePicture {
             name: (entry.text().map(str::to_owned))
                 .or_else(|_| entry.number().map(|n| n.to_string()))?,
             half_pixel: false,
@@ -228,7 +228,7 @@ fn picture(axis: &str, entry: &Entry<'_>) -> Result<Picture> {
         });
     }
     let table = entry.open_table()?;
-    let mut picture = Picture {
+    let mut picture = CasePicture {
         name: table.need("is", "\"turned\"")?.text()?.to_owned(),
         half_pixel: table.get("half_pixel").map_or(Ok(false), |e| e.flag())?,
         sets: Vec::new(),

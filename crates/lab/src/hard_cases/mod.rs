@@ -26,7 +26,7 @@ pub mod random;
 pub mod scenes;
 pub mod tolerances;
 
-pub use case::{Case, Form, Keeps, Picture};
+pub use case::{Case, CasePicture, Form, Keeps};
 pub use cases::cases;
 pub use expected::{Expected, Tally};
 pub use files::read;

@@ -11,7 +11,7 @@ use crate::picture::slot::Painter;
 
 /// Settings of the exported picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Picture {
+pub struct ExportSettings {
     /// The painter.
     pub painter: Painter,
     /// Width and height in pixels.
@@ -23,7 +23,11 @@ pub struct Picture {
 /// # Errors
 ///
 /// A document that lacks what its file says: that no option takes away.
-pub fn words(document: &Document, origin: &Document, picture: Picture) -> Result<Vec<String>> {
+pub fn words(
+    document: &Document,
+    origin: &Document,
+    picture: ExportSettings,
+) -> Result<Vec<String>> {
     let mut words = vec!["cutaway".to_owned(), "render".to_owned()];
     let is_file = !origin.path().as_os_str().is_empty();
     let base = match is_file {

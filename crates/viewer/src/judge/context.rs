@@ -132,7 +132,7 @@ pub(super) fn picture([width, height]: [u32; 2], rgba: Vec<u8>) -> RgbaImage {
 mod tests {
     use super::*;
     use crate::picture::camera::CameraMove;
-    use crate::picture::slot::{Layout, Painter, Side};
+    use crate::picture::slot::{Layout, Painter, SlotSide};
     use crate::{Action, State};
     use cutaway_io::Document;
     use cutaway_io::document::part;
@@ -160,7 +160,7 @@ mod tests {
         };
         assert_eq!(evaluations(&state), 3, "one for each resolution");
         let of_slots = [
-            Action::Choose(Side::B, Painter::Named(Renderer::EXACT)),
+            Action::Choose(SlotSide::B, Painter::Named(Renderer::EXACT)),
             Action::Swap,
             Action::Arrange(Layout::Wipe),
         ];

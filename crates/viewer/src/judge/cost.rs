@@ -12,14 +12,14 @@ use cutaway_lab::experiment::{PerClock, Renderer};
 
 use super::Subject;
 use super::context::JudgeContext;
-use crate::picture::slot::Side;
+use crate::picture::slot::SlotSide;
 
 /// Runs of a frame for its times.
 const RUNS: usize = 3;
 
 /// A question.
 #[derive(Clone, Debug)]
-pub struct Question {
+pub struct CostQuestion {
     /// Its number, which answers name.
     pub id: u64,
     /// The picture.
@@ -28,11 +28,11 @@ pub struct Question {
     pub renderers: [Option<Renderer>; 2],
 }
 
-impl Question {
+impl CostQuestion {
     /// The slots that are seen.
-    pub(super) fn slots(&self) -> impl Iterator<Item = (Side, Renderer)> + '_ {
-        let of = |side: Side| Some((side, self.renderers[side.index()]?));
-        Side::BOTH.into_iter().filter_map(of)
+    pub(super) fn slots(&self) -> impl Iterator<Item = (SlotSide, Renderer)> + '_ {
+        let of = |side: SlotSide| Some((side, self.renderers[side.index()]?));
+        SlotSide::BOTH.into_iter().filter_map(of)
     }
 }
 
@@ -77,7 +77,7 @@ impl Cost {
 /// Answers a question for a slot.
 pub(super) async fn answer(
     context: &mut JudgeContext,
-    question: &Question,
+    question: &CostQuestion,
     by: Renderer,
 ) -> Result<Cost> {
     let subject = &question.subject;

@@ -5,8 +5,8 @@ use cutaway_lab::compare::{compare, heatmap_overlay};
 use cutaway_lab::experiment::{Evaluator, Renderer};
 
 use super::context::JudgeContext;
-use super::{Answer, AnswerSink, Content, Question, Subject};
-use crate::picture::slot::Side;
+use super::{Answer, AnswerSink, Content, ErrorQuestion, Subject};
+use crate::picture::slot::SlotSide;
 
 /// By how much coarser the answers are that come one after the other.
 pub(super) const DIVISORS: [u32; 3] = [4, 2, 1];
@@ -14,7 +14,7 @@ pub(super) const DIVISORS: [u32; 3] = [4, 2, 1];
 /// Answers a question step by step, until it is outdated; whether it came to its end.
 pub(super) async fn answer(
     context: &mut JudgeContext,
-    question: &Question,
+    question: &ErrorQuestion,
     sink: &impl AnswerSink,
 ) -> bool {
     let id = question.id;
@@ -23,7 +23,7 @@ pub(super) async fn answer(
             size_px: (question.subject.size_px).map(|s| (s / divisor).max(1)),
             ..question.subject.clone()
         };
-        for side in Side::BOTH {
+        for side in SlotSide::BOTH {
             let Some(renderer) = question.renderers[side.index()] else {
                 continue;
             };
@@ -117,7 +117,7 @@ mod tests {
         document.add_part(part("shape:cube")).expect("a part");
         let state = State::open(document, Assets::default()).expect("a scene");
         let method = Strategy::all()[0].into();
-        let question = Question {
+        let question = ErrorQuestion {
             id: 1,
             subject: Subject::of(&state, [64, 48]).expect("a picture"),
             renderers: [Some(Renderer::Method(method)), None],

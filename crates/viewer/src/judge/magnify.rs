@@ -14,14 +14,14 @@ use image::RgbaImage;
 
 use super::Subject;
 use super::context::{JudgeContext, picture};
-use crate::picture::slot::Side;
+use crate::picture::slot::SlotSide;
 
 /// Width and height of a neighbourhood, in pixels; its middle is the queried pixel.
 pub const SIDE_PX: u32 = 15;
 
 /// A question.
 #[derive(Clone, Debug)]
-pub struct Question {
+pub struct MagnifyQuestion {
     /// Its number, which the answer names.
     pub id: u64,
     /// The picture.
@@ -49,7 +49,7 @@ pub struct Magnified {
 #[derive(Clone, Debug)]
 pub struct Neighbourhood {
     /// The slot; none for the reference.
-    pub side: Option<Side>,
+    pub side: Option<SlotSide>,
     /// Name of the renderer.
     pub name: String,
     /// [`SIDE_PX`] pixels along each side, transparent beyond the border of the picture; or why there are none.
@@ -75,12 +75,15 @@ pub struct DepthRow {
 }
 
 /// Answers a question.
-pub(super) async fn answer(context: &mut JudgeContext, question: &Question) -> Result<Magnified> {
+pub(super) async fn answer(
+    context: &mut JudgeContext,
+    question: &MagnifyQuestion,
+) -> Result<Magnified> {
     let (subject, [x, y]) = (&question.subject, question.at_px);
     let (truth, view) = (subject.at.truth()?, subject.view());
     let exact = context.exact(subject)?;
     let mut neighbourhoods = Vec::new();
-    for side in Side::BOTH {
+    for side in SlotSide::BOTH {
         let Some(renderer) = question.renderers[side.index()] else {
             continue;
         };

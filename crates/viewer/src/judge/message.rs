@@ -12,7 +12,7 @@ use wasm_bindgen::{JsCast, JsValue};
 
 use super::magnify::{DepthRow, Magnified, Neighbourhood, SIDE_PX};
 use super::{Answer, Content, Finding, Subject, failed};
-use crate::picture::slot::Side;
+use crate::picture::slot::SlotSide;
 
 /// A question.
 #[derive(Clone, Serialize, Deserialize)]
@@ -21,19 +21,19 @@ pub(super) struct QuestionMessage {
     pub(super) revision: u64,
     pub(super) size_px: [u32; 2],
     renderers: [Option<String>; 2],
-    pub(super) about: About,
+    pub(super) about: QuestionKind,
 }
 
 /// Subject of a question.
 #[derive(Clone, Copy, Serialize, Deserialize)]
-pub(super) enum About {
+pub(super) enum QuestionKind {
     /// The slots, and whether their errors are wanted.
     Slots { wants_errors: bool },
     /// A pixel.
     Pixel([u32; 2]),
 }
 
-impl About {
+impl QuestionKind {
     /// Index of the kind of question, in the order in which they are answered: the newest of each kind is answered.
     pub(super) fn kind(self) -> usize {
         match self {
@@ -48,7 +48,7 @@ impl QuestionMessage {
         id: u64,
         subject: &Subject,
         renderers: [Option<Renderer>; 2],
-        about: About,
+        about: QuestionKind,
     ) -> Self {
         Self {
             id,
@@ -67,8 +67,8 @@ impl QuestionMessage {
     /// Replies of the worker where it has no answer.
     pub(super) fn unanswered(&self, why: &str) -> Vec<Reply> {
         match self.about {
-            About::Slots { .. } => failed(self.id, why).map(Reply::Answer).into(),
-            About::Pixel(_) => {
+            QuestionKind::Slots { .. } => failed(self.id, why).map(Reply::Answer).into(),
+            QuestionKind::Pixel(_) => {
                 vec![Reply::Finding(Finding::Magnified(
                     self.id,
                     Err(why.to_owned()),
@@ -126,8 +126,8 @@ struct NeighbourhoodMessage {
 /// Bytes of the picture of a neighbourhood.
 const NEIGHBOURHOOD_BYTES: usize = (SIDE_PX * SIDE_PX * 4) as usize;
 
-fn side(is_b: bool) -> Side {
-    if is_b { Side::B } else { Side::A }
+fn side(is_b: bool) -> SlotSide {
+    if is_b { SlotSide::B } else { SlotSide::A }
 }
 
 impl Reply {
@@ -143,7 +143,7 @@ impl Reply {
                 let (content, bytes) = content_message(what);
                 let message = ReplyMessage::Slot {
                     id,
-                    is_b: side == Side::B,
+                    is_b: side == SlotSide::B,
                     divisor,
                     content,
                 };
@@ -224,7 +224,7 @@ fn magnified_message(magnified: Magnified, bytes: &mut Vec<u8>) -> MagnifiedMess
             Err(why) => Some(why),
         };
         NeighbourhoodMessage {
-            is_b: shown.side.map(|side| side == Side::B),
+            is_b: shown.side.map(|side| side == SlotSide::B),
             name: shown.name,
             says: shown.says,
             refused,

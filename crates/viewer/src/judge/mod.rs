@@ -35,7 +35,7 @@ use cutaway_lab::compare::Comparison;
 use cutaway_lab::experiment::{Renderer, SceneAtTime};
 use image::RgbaImage;
 
-use crate::picture::slot::Side;
+use crate::picture::slot::SlotSide;
 use crate::state::State;
 use cost::Cost;
 use magnify::Magnified;
@@ -88,7 +88,7 @@ impl Subject {
 
 /// A question about the errors of the slots.
 #[derive(Clone, Debug)]
-pub struct Question {
+pub struct ErrorQuestion {
     /// Its number, which answers name.
     pub id: u64,
     /// The picture that is looked at.
@@ -105,7 +105,7 @@ pub struct Answer {
     /// The number of the question.
     pub id: u64,
     /// The slot that it is about.
-    pub side: Side,
+    pub side: SlotSide,
     /// By how much coarser than the picture it is.
     pub divisor: u32,
     /// Content of the answer.
@@ -130,7 +130,7 @@ pub enum Content {
 
 /// Answers for both slots that report a failure, with the reason.
 fn failed(id: u64, why: &str) -> [Answer; 2] {
-    Side::BOTH.map(|side| Answer {
+    SlotSide::BOTH.map(|side| Answer {
         id,
         side,
         divisor: 1,
@@ -144,7 +144,7 @@ pub enum Finding {
     /// The neighbourhood of a pixel, by the number of the question.
     Magnified(u64, Result<Magnified, String>),
     /// The cost of a frame of a slot, by the number of the question.
-    Cost(u64, Side, Result<Cost, String>),
+    Cost(u64, SlotSide, Result<Cost, String>),
     /// A step of a survey, by the number of the question.
     Surveyed(u64, Surveyed),
 }

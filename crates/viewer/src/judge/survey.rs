@@ -29,7 +29,7 @@ const LONG_ENOUGH_MS: f64 = 1000.0;
 
 /// A question.
 #[derive(Clone, Debug)]
-pub struct Question {
+pub struct SurveyQuestion {
     /// Its number, which answers name.
     pub id: u64,
     /// The picture.
@@ -73,7 +73,7 @@ pub struct Point {
 
 /// A survey under way.
 pub(super) struct Survey {
-    question: Question,
+    question: SurveyQuestion,
     methods: Vec<Method>,
     done: usize,
     exact: Option<Arc<Exact>>,
@@ -81,7 +81,7 @@ pub(super) struct Survey {
 
 impl Survey {
     /// One that is to be done.
-    pub(super) fn new(question: Question) -> Self {
+    pub(super) fn new(question: SurveyQuestion) -> Self {
         Self {
             question,
             methods: methods(),

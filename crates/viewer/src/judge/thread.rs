@@ -12,7 +12,7 @@ use pollster::block_on;
 
 use super::context::JudgeContext;
 use super::survey::{self, Found, Survey};
-use super::{Answer, AnswerSink, Finding, Question, cost, errors, failed, magnify};
+use super::{Answer, AnswerSink, ErrorQuestion, Finding, cost, errors, failed, magnify};
 use crate::beside::beside;
 use crate::state::State;
 
@@ -26,10 +26,10 @@ struct Mailbox {
 /// Questions that are not begun, by kind.
 #[derive(Default)]
 struct Pending {
-    errors: Option<Question>,
-    pixel: Option<magnify::Question>,
-    cost: Option<cost::Question>,
-    survey: Option<survey::Question>,
+    errors: Option<ErrorQuestion>,
+    pixel: Option<magnify::MagnifyQuestion>,
+    cost: Option<cost::CostQuestion>,
+    survey: Option<survey::SurveyQuestion>,
     /// The number of the survey that is to go on.
     surveyed: Option<u64>,
     /// The thread is to end.
@@ -38,10 +38,10 @@ struct Pending {
 
 /// The next task.
 enum Task {
-    Errors(Question),
-    Pixel(magnify::Question),
-    Cost(cost::Question),
-    BeginSurvey(survey::Question),
+    Errors(ErrorQuestion),
+    Pixel(magnify::MagnifyQuestion),
+    Cost(cost::CostQuestion),
+    BeginSurvey(survey::SurveyQuestion),
     GoOnWithSurvey,
 }
 
@@ -68,22 +68,22 @@ impl Judge {
     }
 
     /// Requests errors; earlier questions about errors are no longer answered.
-    pub fn ask(&self, _: &State, question: Question) {
+    pub fn ask(&self, _: &State, question: ErrorQuestion) {
         self.put(|pending| pending.errors = Some(question));
     }
 
     /// Asks for the neighbourhood of a pixel.
-    pub fn magnify(&self, _: &State, question: magnify::Question) {
+    pub fn magnify(&self, _: &State, question: magnify::MagnifyQuestion) {
         self.put(|pending| pending.pixel = Some(question));
     }
 
     /// Asks for the cost of a frame.
-    pub fn cost(&self, question: cost::Question) {
+    pub fn cost(&self, question: cost::CostQuestion) {
         self.put(|pending| pending.cost = Some(question));
     }
 
     /// Begins a survey in the place of the last.
-    pub fn survey(&self, question: survey::Question) {
+    pub fn survey(&self, question: survey::SurveyQuestion) {
         self.put(|pending| {
             pending.surveyed = Some(question.id);
             pending.survey = Some(question);
@@ -294,7 +294,7 @@ mod tests {
         let ask_pixel = |id, at_px| {
             judge.magnify(
                 &state,
-                magnify::Question {
+                magnify::MagnifyQuestion {
                     id,
                     subject: subject.clone(),
                     renderers: [None; 2],
@@ -313,7 +313,7 @@ mod tests {
         assert!(ask_pixel(2, [32, 24]).is_ok(), "the next one");
 
         let ask_errors = |id| {
-            let question = Question {
+            let question = ErrorQuestion {
                 id,
                 subject: subject.clone(),
                 renderers: [Some(Renderer::EXACT), None],

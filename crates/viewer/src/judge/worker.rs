@@ -21,8 +21,8 @@ use wasm_bindgen_futures::{JsFuture, spawn_local};
 use web_sys::{DedicatedWorkerGlobalScope, Event, MessageEvent, Worker, WorkerOptions, WorkerType};
 
 use super::context::JudgeContext;
-use super::message::{About, QuestionMessage, Reply};
-use super::{Answer, AnswerSink, Finding, Question, Subject, cost, errors, magnify, survey};
+use super::message::{QuestionKind, QuestionMessage, Reply};
+use super::{Answer, AnswerSink, ErrorQuestion, Finding, Subject, cost, errors, magnify, survey};
 use crate::picture::shown::Shown;
 use crate::state::State;
 use crate::web::files::PageFiles;
@@ -105,7 +105,7 @@ impl Judge {
     }
 
     /// Sends a question about the visible picture; earlier ones are no longer answered.
-    pub fn ask(&self, state: &State, question: Question) {
+    pub fn ask(&self, state: &State, question: ErrorQuestion) {
         let wants_errors = question.wants_errors;
         self.send(
             state,
@@ -113,20 +113,20 @@ impl Judge {
                 question.id,
                 &question.subject,
                 question.renderers,
-                About::Slots { wants_errors },
+                QuestionKind::Slots { wants_errors },
             ),
         );
     }
 
     /// Sends a question about a pixel; the one before is no longer answered.
-    pub fn magnify(&self, state: &State, question: magnify::Question) {
+    pub fn magnify(&self, state: &State, question: magnify::MagnifyQuestion) {
         self.send(
             state,
             QuestionMessage::new(
                 question.id,
                 &question.subject,
                 question.renderers,
-                About::Pixel(question.at_px),
+                QuestionKind::Pixel(question.at_px),
             ),
         );
     }
@@ -176,10 +176,10 @@ impl Judge {
     }
 
     /// Not offered on a page, whose clocks are coarse.
-    pub fn cost(&self, _: cost::Question) {}
+    pub fn cost(&self, _: cost::CostQuestion) {}
 
     /// Not offered on a page, whose clocks are coarse.
-    pub fn survey(&self, _: survey::Question) {}
+    pub fn survey(&self, _: survey::SurveyQuestion) {}
 
     /// Not offered on a page.
     pub fn cancel_survey(&self) {}
@@ -292,8 +292,8 @@ async fn work(mailbox: Rc<Mailbox>, mut state: WorkerState) {
             size_px: asked.size_px,
         };
         match asked.about {
-            About::Slots { wants_errors } => {
-                let question = Question {
+            QuestionKind::Slots { wants_errors } => {
+                let question = ErrorQuestion {
                     id,
                     subject,
                     renderers,
@@ -307,8 +307,8 @@ async fn work(mailbox: Rc<Mailbox>, mut state: WorkerState) {
                     pending[kind] = Some(received);
                 }
             }
-            About::Pixel(at_px) => {
-                let question = magnify::Question {
+            QuestionKind::Pixel(at_px) => {
+                let question = magnify::MagnifyQuestion {
                     id,
                     subject,
                     renderers,

@@ -31,9 +31,9 @@ use crate::judge::Subject;
 use crate::picture::pace::Detail;
 use crate::picture::readback;
 use crate::picture::shown::Shown;
-use crate::picture::slot::Side;
+use crate::picture::slot::SlotSide;
 use difference::Difference;
-use picture::Picture;
+use picture::ShownTexture;
 pub use samples::Sample;
 use samples::Samples;
 
@@ -48,7 +48,7 @@ struct UnderWay {
 pub struct Screen {
     session: Session,
     host: RenderState,
-    pictures: BTreeMap<Side, Picture>,
+    pictures: BTreeMap<SlotSide, ShownTexture>,
     /// Renderer of each picture.
     painted_by: [Option<Renderer>; 2],
     difference: Difference,
@@ -108,17 +108,17 @@ impl Screen {
     }
 
     /// The clocks on which the last whole frame of a slot ran, where a method draws it.
-    pub fn clocks(&self, side: Side) -> Option<ClockSet> {
+    pub fn clocks(&self, side: SlotSide) -> Option<ClockSet> {
         self.clocks[side.index()]
     }
 
     /// Why a slot shows nothing.
-    pub fn refusal(&self, side: Side) -> Option<&str> {
+    pub fn refusal(&self, side: SlotSide) -> Option<&str> {
         self.refusals[side.index()].as_deref()
     }
 
     /// The picture of a slot.
-    pub fn picture(&self, side: Side) -> Option<TextureId> {
+    pub fn picture(&self, side: SlotSide) -> Option<TextureId> {
         self.pictures.get(&side).map(|p| p.id)
     }
 
@@ -181,8 +181,8 @@ impl Screen {
         let mut encoder =
             (self.host.device).create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         self.passes = 0;
-        let mut drawn: Option<(Method, Side)> = None;
-        for side in Side::BOTH {
+        let mut drawn: Option<(Method, SlotSide)> = None;
+        for side in SlotSide::BOTH {
             let renderer = renderers[side.index()];
             let is_new = self.painted_by[side.index()] != renderer;
             let Some(Renderer::Method(method)) = renderer else {
@@ -255,7 +255,7 @@ impl Screen {
     /// A device that fails.
     pub fn put(
         &mut self,
-        side: Side,
+        side: SlotSide,
         by: Renderer,
         subject: &Subject,
         layers: &Layers,
@@ -313,29 +313,29 @@ impl Screen {
     /// # Errors
     ///
     /// A device that is lost.
-    pub fn read(&self, side: Side) -> Option<impl Future<Output = Result<RgbaImage>> + use<>> {
+    pub fn read(&self, side: SlotSide) -> Option<impl Future<Output = Result<RgbaImage>> + use<>> {
         let picture = self.pictures.get(&side)?;
         Some(readback::read(self.gpu(), &picture.texture))
     }
 
     /// Says that a slot shows nothing, and why.
-    pub fn refuse(&mut self, side: Side, why: String) {
+    pub fn refuse(&mut self, side: SlotSide, why: String) {
         self.refusals[side.index()] = Some(why);
     }
 
     /// Makes the picture of a slot as large as it is to be.
-    fn make_room(&mut self, side: Side, size_px: [u32; 2]) {
-        let fits = |picture: &Picture| picture.size_px() == size_px;
+    fn make_room(&mut self, side: SlotSide, size_px: [u32; 2]) {
+        let fits = |picture: &ShownTexture| picture.size_px() == size_px;
         if self.pictures.get(&side).is_some_and(fits) {
             return;
         }
-        let made = Picture::new(&self.host, size_px);
+        let made = ShownTexture::new(&self.host, size_px);
         if let Some(old) = self.pictures.insert(side, made) {
             old.free(&self.host);
         }
     }
 
-    fn copy(&self, encoder: &mut wgpu::CommandEncoder, from: Side, to: Side) {
+    fn copy(&self, encoder: &mut wgpu::CommandEncoder, from: SlotSide, to: SlotSide) {
         if let (Some(from), Some(to)) = (self.pictures.get(&from), self.pictures.get(&to)) {
             encoder.copy_texture_to_texture(
                 from.texture.as_image_copy(),
@@ -346,7 +346,7 @@ impl Screen {
     }
 
     fn subtract(&mut self, encoder: &mut wgpu::CommandEncoder, size_px: [u32; 2]) {
-        let pictures = Side::BOTH.map(|side| self.pictures.get(&side));
+        let pictures = SlotSide::BOTH.map(|side| self.pictures.get(&side));
         (self.difference).encode(&self.host, encoder, pictures, size_px);
     }
 

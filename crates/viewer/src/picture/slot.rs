@@ -11,14 +11,14 @@ use cutaway_lab::experiment::Renderer;
 
 /// One of the two slots.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Side {
+pub enum SlotSide {
     /// The one that is seen alone.
     A,
     /// The other.
     B,
 }
 
-impl Side {
+impl SlotSide {
     /// Both.
     pub const BOTH: [Self; 2] = [Self::A, Self::B];
 
@@ -31,7 +31,7 @@ impl Side {
     }
 }
 
-impl fmt::Display for Side {
+impl fmt::Display for SlotSide {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::A => "A",
@@ -119,10 +119,10 @@ impl Layout {
     }
 
     /// Slots to draw.
-    pub fn sides(self) -> &'static [Side] {
+    pub fn sides(self) -> &'static [SlotSide] {
         match self {
-            Self::Single => &[Side::A],
-            _ => &Side::BOTH,
+            Self::Single => &[SlotSide::A],
+            _ => &SlotSide::BOTH,
         }
     }
 }

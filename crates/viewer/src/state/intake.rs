@@ -9,7 +9,7 @@ use cutaway_io::document::{Node, Value, part};
 use super::State;
 use crate::action::Selection;
 use crate::notice::Notice;
-use crate::picture::slot::Side;
+use crate::picture::slot::SlotSide;
 use crate::storage::files;
 
 /// The files that a document is made of at its top: itself, or the meshes of one that has no file.
@@ -139,7 +139,7 @@ impl State {
         };
         let settings = shown.timeline.settings();
         if let Some(name) = &settings.strategy.name {
-            self.slots[Side::A.index()] = name.parse()?;
+            self.slots[SlotSide::A.index()] = name.parse()?;
         }
         self.time_s = settings.time_s;
         Ok(())

@@ -8,7 +8,7 @@ use eframe::egui::Context;
 
 use super::Viewer;
 use crate::picture::pace::{Detail, REST};
-use crate::picture::slot::{Layout, Side};
+use crate::picture::slot::{Layout, SlotSide};
 
 /// Samples along each side of a pixel where a document specifies none; exported pictures use the same default.
 const USUAL_SAMPLES: u32 = 2;
@@ -50,12 +50,12 @@ impl Viewer {
     fn samples_per_side(&self) -> u32 {
         let asked = (self.state.shown()).and_then(|s| s.timeline.settings().supersample);
         let drawn = self.last.map_or([None; 2], |last| last.renderers);
-        let is_refused = |side: Side| self.screen.refusal(side).is_some();
+        let is_refused = |side: SlotSide| self.screen.refusal(side).is_some();
         let seen = || drawn.iter().flatten();
         // What is compared has one sample a pixel everywhere: the reference has, and a difference is of pixels, not of means.
         let is_compared = self.state.layout() == Layout::Difference
             || seen().any(|renderer| renderer.method().is_none());
-        let is_idle = seen().next().is_none() || Side::BOTH.into_iter().all(is_refused);
+        let is_idle = seen().next().is_none() || SlotSide::BOTH.into_iter().all(is_refused);
         match self.is_smooth && !is_compared && !is_idle {
             true => asked.unwrap_or(USUAL_SAMPLES).min(MOST_SAMPLES),
             false => 1,

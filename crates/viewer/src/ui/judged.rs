@@ -6,9 +6,9 @@ use eframe::egui::{ColorImage, Context, TextureHandle};
 use image::RgbaImage;
 
 use super::latest::Latest;
-use crate::judge::{Answer, Content, Finding, Judge, Question, Subject};
+use crate::judge::{Answer, Content, ErrorQuestion, Finding, Judge, Subject};
 use crate::picture::screen::{PLAIN, Screen};
-use crate::picture::slot::Side;
+use crate::picture::slot::SlotSide;
 use crate::state::State;
 
 /// Known errors of a slot.
@@ -24,7 +24,7 @@ struct Errors {
 
 /// Subject of a question.
 #[derive(Clone, Copy, PartialEq)]
-struct About {
+struct JudgedSubject {
     revision: u64,
     is_preclassified: bool,
     size_px: [u32; 2],
@@ -36,7 +36,7 @@ struct About {
 #[derive(Default)]
 pub(super) struct Judged {
     judge: Option<Judge>,
-    latest: Latest<About>,
+    latest: Latest<JudgedSubject>,
     /// The picture that the last question was about.
     subject: Option<Subject>,
     errors: [Errors; 2],
@@ -59,7 +59,7 @@ impl Judged {
         let is_needed = wants_errors || paints;
         // Hatches make a difference to pictures, and none to errors.
         let is_preclassified = paints && is_preclassified;
-        let about = About {
+        let about = JudgedSubject {
             revision: state.revision(),
             is_preclassified,
             size_px,
@@ -71,7 +71,7 @@ impl Judged {
             return;
         };
         self.subject = Some(subject.clone());
-        let question = Question {
+        let question = ErrorQuestion {
             id,
             subject,
             renderers,
@@ -143,12 +143,12 @@ impl Judged {
     }
 
     /// Renderer of a slot in the picture of the last question.
-    fn renderer(&self, side: Side) -> Option<Renderer> {
+    fn renderer(&self, side: SlotSide) -> Option<Renderer> {
         self.latest.about()?.renderers[side.index()]
     }
 
     /// The marks of what is wrong in a slot, and whether it is of what is seen now.
-    pub(super) fn marks(&self, side: Side) -> Option<(&TextureHandle, bool)> {
+    pub(super) fn marks(&self, side: SlotSide) -> Option<(&TextureHandle, bool)> {
         let errors = &self.errors[side.index()];
         errors
             .marks
@@ -158,7 +158,7 @@ impl Judged {
 
     /// Returns true while an answer is pending.
     pub(super) fn is_busy(&self) -> bool {
-        let Some(About {
+        let Some(JudgedSubject {
             renderers,
             wants_errors,
             ..
@@ -167,7 +167,7 @@ impl Judged {
             return false;
         };
         let whole = (self.latest.id(), 1);
-        let is_open = |side: Side| {
+        let is_open = |side: SlotSide| {
             let errors = &self.errors[side.index()];
             let has_failed = errors.failed.is_some() && errors.id == self.latest.id();
             let Some(renderer) = renderers[side.index()].filter(|_| !has_failed) else {
@@ -179,18 +179,18 @@ impl Judged {
                 || (errors.id, errors.divisor) == whole;
             !(is_painted && is_judged)
         };
-        Side::BOTH.into_iter().any(is_open)
+        SlotSide::BOTH.into_iter().any(is_open)
     }
 
     /// The counts of a slot, at which resolution.
-    pub(super) fn counts(&self, side: Side) -> Option<(&Comparison, u32)> {
+    pub(super) fn counts(&self, side: SlotSide) -> Option<(&Comparison, u32)> {
         let errors = &self.errors[side.index()];
         let is_known = errors.marks.is_some() && errors.id == self.latest.id();
         is_known.then_some((&errors.comparison, errors.divisor))
     }
 
     /// One-line status of a slot.
-    pub(super) fn sentence(&self, side: Side, state: &State, screen: &Screen) -> String {
+    pub(super) fn sentence(&self, side: SlotSide, state: &State, screen: &Screen) -> String {
         let painter = state.painter(side);
         let errors = &self.errors[side.index()];
         if let Some(why) = screen.refusal(side) {

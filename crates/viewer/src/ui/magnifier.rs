@@ -12,7 +12,7 @@ use super::Viewer;
 use super::latest::Latest;
 use super::viewport::Pointed;
 use crate::judge::Subject;
-use crate::judge::magnify::{DepthRow, Magnified, Neighbourhood, Question, SIDE_PX};
+use crate::judge::magnify::{DepthRow, Magnified, MagnifyQuestion, Neighbourhood, SIDE_PX};
 use crate::picture::screen::PLAIN;
 
 /// Width of a magnified pixel, in points.
@@ -26,7 +26,7 @@ const OPENS_AT: Vec2 = Vec2::new(-780.0, 40.0);
 
 /// Subject of a question.
 #[derive(Clone, Copy, PartialEq)]
-struct About {
+struct MagnifiedSubject {
     revision: u64,
     size_px: [u32; 2],
     renderers: [Option<Renderer>; 2],
@@ -45,7 +45,7 @@ struct Answered {
 #[derive(Default)]
 pub(super) struct Magnifier {
     at_px: Option<[u32; 2]>,
-    latest: Latest<About>,
+    latest: Latest<MagnifiedSubject>,
     answered: Option<Answered>,
 }
 
@@ -113,7 +113,7 @@ impl Viewer {
         let Some(last) = self.last.filter(|_| !self.is_drawing()) else {
             return;
         };
-        let about = About {
+        let about = MagnifiedSubject {
             revision: self.state.revision(),
             size_px: self.size_px,
             renderers: last.renderers,
@@ -122,7 +122,7 @@ impl Viewer {
         let Some(id) = self.magnifier.latest.ask(about) else {
             return;
         };
-        let question = Question {
+        let question = MagnifyQuestion {
             id,
             subject,
             renderers: last.renderers,

@@ -33,7 +33,7 @@ use crate::notice::Notice;
 use crate::picture::pace::Pace;
 use crate::picture::pick::Picked;
 use crate::picture::screen::Screen;
-use crate::picture::slot::Side;
+use crate::picture::slot::SlotSide;
 use crate::profile::{FrameCost, Profile};
 use crate::state::State;
 use crate::storage::opening::Opening;
@@ -186,7 +186,7 @@ impl Viewer {
     }
 
     /// The errors of a slot against the reference, and by how much coarser than the picture they were taken, once they are known.
-    pub fn errors(&self, side: Side) -> Option<(&Comparison, u32)> {
+    pub fn errors(&self, side: SlotSide) -> Option<(&Comparison, u32)> {
         self.judged.counts(side)
     }
 
@@ -206,7 +206,7 @@ impl Viewer {
     }
 
     /// Cost of a frame of a slot, where that is shown, once it is known.
-    pub fn cost(&self, side: Side) -> Option<&Cost> {
+    pub fn cost(&self, side: SlotSide) -> Option<&Cost> {
         self.costs.cost(side)
     }
 

@@ -17,7 +17,7 @@ use super::Viewer;
 use crate::action::Action;
 use crate::editing::link;
 use crate::notice::Notice;
-use crate::picture::slot::Side;
+use crate::picture::slot::SlotSide;
 use crate::state::State;
 use crate::storage::files::{self, Kind};
 use crate::web::files::{PageFiles, download};
@@ -175,7 +175,7 @@ impl Viewer {
             self.toasts.add(ctx, Error::file(path, what, help).into());
             return;
         }
-        if let Some(image) = self.screen.read(Side::A) {
+        if let Some(image) = self.screen.read(SlotSide::A) {
             let path = path.to_owned();
             let told = async move { Come::Told(download_png(&path, image.await)) };
             self.outside.await_it(ctx, told);

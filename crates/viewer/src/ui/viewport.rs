@@ -14,7 +14,7 @@ use crate::inspect::Inspector;
 use crate::picture::camera::CameraMove;
 use crate::picture::gizmo::{Gizmo, Hold};
 use crate::picture::screen::Screen;
-use crate::picture::slot::{Layout, Side};
+use crate::picture::slot::{Layout, SlotSide};
 use crate::picture::world_view::WorldView;
 use crate::state::State;
 
@@ -42,7 +42,7 @@ pub(super) enum Held {
 /// Position of the pointer in the picture of a slot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Pointed {
-    pub(super) side: Side,
+    pub(super) side: SlotSide,
     pub(super) at_px: [u32; 2],
     pub(super) is_click: bool,
 }
@@ -71,7 +71,7 @@ pub(super) fn show(
     let response = response.accessible_name("Picture");
     let painter = ui.painter_at(rect);
     let layout = state.layout();
-    let picture = |side: Side| {
+    let picture = |side: SlotSide| {
         screen
             .picture(side)
             .filter(|_| screen.refusal(side).is_none())
@@ -87,12 +87,12 @@ pub(super) fn show(
         Layout::Single => slot(
             &painter,
             (rect, rect),
-            (Side::A, picture(Side::A)),
+            (SlotSide::A, picture(SlotSide::A)),
             state,
             (screen, judged),
         ),
         Layout::Flicker => {
-            let side = if flickers { Side::B } else { Side::A };
+            let side = if flickers { SlotSide::B } else { SlotSide::A };
             slot(
                 &painter,
                 (rect, rect),
@@ -107,14 +107,14 @@ pub(super) fn show(
             slot(
                 &painter,
                 (rect, left),
-                (Side::A, picture(Side::A)),
+                (SlotSide::A, picture(SlotSide::A)),
                 state,
                 (screen, judged),
             );
             slot(
                 &painter,
                 (rect, right),
-                (Side::B, picture(Side::B)),
+                (SlotSide::B, picture(SlotSide::B)),
                 state,
                 (screen, judged),
             );
@@ -126,14 +126,14 @@ pub(super) fn show(
             slot(
                 &painter,
                 (left, left),
-                (Side::A, picture(Side::A)),
+                (SlotSide::A, picture(SlotSide::A)),
                 state,
                 (screen, judged),
             );
             slot(
                 &painter,
                 (right, right),
-                (Side::B, picture(Side::B)),
+                (SlotSide::B, picture(SlotSide::B)),
                 state,
                 (screen, judged),
             );
@@ -186,10 +186,10 @@ pub(super) fn show(
         false => response.hover_pos().filter(|_| !response.dragged()),
     }?;
     let side = match layout {
-        Layout::Wipe if at.x >= line(rect, state.wipe()) => Side::B,
-        Layout::SideBySide if own.min.x > rect.min.x => Side::B,
-        Layout::Flicker if flickers => Side::B,
-        _ => Side::A,
+        Layout::Wipe if at.x >= line(rect, state.wipe()) => SlotSide::B,
+        Layout::SideBySide if own.min.x > rect.min.x => SlotSide::B,
+        Layout::Flicker if flickers => SlotSide::B,
+        _ => SlotSide::A,
     };
     let px = ui.ctx().pixels_per_point();
     let size_px = size_px(rect, layout, px);
@@ -212,7 +212,7 @@ fn line(rect: Rect, at: f32) -> f32 {
 fn slot(
     painter: &Painter,
     (whole, part): (Rect, Rect),
-    (side, picture): (Side, Option<TextureId>),
+    (side, picture): (SlotSide, Option<TextureId>),
     state: &State,
     (screen, judged): (&Screen, &Judged),
 ) {

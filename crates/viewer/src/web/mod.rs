@@ -26,7 +26,7 @@ use web_sys::{BeforeUnloadEvent, HtmlCanvasElement};
 use crate::action::Action;
 use crate::editing::link;
 use crate::picture::device::{DeviceLoss, on_our_device};
-use crate::picture::slot::{Painter, Side};
+use crate::picture::slot::{Painter, SlotSide};
 use crate::state::State;
 use crate::ui::Viewer;
 use files::PageFiles;
@@ -233,8 +233,8 @@ impl Cutaway {
     }
 }
 
-fn side(is_b: bool) -> Side {
-    if is_b { Side::B } else { Side::A }
+fn side(is_b: bool) -> SlotSide {
+    if is_b { SlotSide::B } else { SlotSide::A }
 }
 
 fn text(error: cutaway::Error) -> JsValue {

@@ -5,7 +5,7 @@ use std::process::Command;
 use cutaway_viewer::Action;
 use cutaway_viewer::camera::CameraMove;
 use cutaway_viewer::cuts::{NewCut, PlaneMove};
-use cutaway_viewer::slot::Side;
+use cutaway_viewer::slot::SlotSide;
 use glam::DVec2;
 
 use super::common::{self, Scratch, TORUS, act, state, viewer};
@@ -76,11 +76,11 @@ fn it_makes_the_picture_that_is_seen() {
         ),
     ] {
         let mut harness = viewer(state(TORUS));
-        let before = common::pixels(&harness, Side::A);
+        let before = common::pixels(&harness, SlotSide::A);
         for action in actions {
             act(&mut harness, action);
         }
-        let seen = common::pixels(&harness, Side::A);
+        let seen = common::pixels(&harness, SlotSide::A);
         assert_ne!(before, seen, "{what} changes the picture");
         let command = harness
             .state()
@@ -103,10 +103,10 @@ fn it_makes_the_picture_that_is_seen() {
 fn at_rest_edges_become_as_smooth_as_the_commands() {
     let mut harness = viewer(state(TORUS));
     act(&mut harness, Action::Add(NewCut::Plane(2)));
-    let raw = common::pixels(&harness, Side::A);
+    let raw = common::pixels(&harness, SlotSide::A);
     harness.state_mut().smooth(true);
     common::classify(&mut harness);
-    let seen = common::pixels(&harness, Side::A);
+    let seen = common::pixels(&harness, SlotSide::A);
     let (state, size_px) = (harness.state().state(), harness.state().size_px());
     let made = run(&state.command(size_px).unwrap(), &Scratch::new());
     // Powers are rounded otherwise on the device.
@@ -120,7 +120,7 @@ fn at_rest_edges_become_as_smooth_as_the_commands() {
     // What moves again is drawn with one sample, and smoothed when it rests.
     act(&mut harness, Action::MovePlane(PlaneMove::Along(-0.1)));
     assert!(
-        common::pixels(&harness, Side::A) != seen,
+        common::pixels(&harness, SlotSide::A) != seen,
         "it has not moved"
     );
 }

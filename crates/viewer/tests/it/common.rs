@@ -9,7 +9,7 @@ use cutaway_io::load::Assets;
 use cutaway_viewer::action::Selection;
 use cutaway_viewer::device::on_our_device;
 use cutaway_viewer::gizmo::Gizmo;
-use cutaway_viewer::slot::Side;
+use cutaway_viewer::slot::SlotSide;
 use cutaway_viewer::ui::Viewer;
 use cutaway_viewer::world_view::WorldView;
 use cutaway_viewer::{Action, State};
@@ -87,7 +87,7 @@ pub(crate) fn classify(harness: &mut Harness<'_, Viewer>) {
 }
 
 /// The pixels of a slot.
-pub(crate) fn pixels(harness: &Harness<'_, Viewer>, side: Side) -> RgbaImage {
+pub(crate) fn pixels(harness: &Harness<'_, Viewer>, side: SlotSide) -> RgbaImage {
     pollster::block_on(harness.state().screen().read(side).unwrap()).unwrap()
 }
 

@@ -8,7 +8,7 @@ use cutaway_io::load::Assets;
 use cutaway_lab::exact::evaluate;
 use cutaway_lab::experiment::Renderer;
 use cutaway_viewer::judge::survey::{Found, Point, methods};
-use cutaway_viewer::slot::{Layout, Painter, Side};
+use cutaway_viewer::slot::{Layout, Painter, SlotSide};
 use cutaway_viewer::ui::Viewer;
 use cutaway_viewer::{Action, State};
 use eframe::egui::accesskit::Role;
@@ -29,7 +29,7 @@ fn ragged(shape: &str) -> State {
 
 const TORUS: &str = "shape = \"torus?segments=48&sides=24\"";
 
-fn choose(harness: &mut Harness<'_, Viewer>, side: Side, name: &str) {
+fn choose(harness: &mut Harness<'_, Viewer>, side: SlotSide, name: &str) {
     act(harness, Action::Choose(side, name.parse().unwrap()));
 }
 
@@ -53,7 +53,7 @@ fn click_at(harness: &mut Harness<'_, Viewer>, [x, y]: [u32; 2]) {
 fn a_click_on_a_wrong_pixel_lists_what_its_ray_crosses() {
     let name = "grid:16+vds:64";
     let mut harness = viewer(ragged("shape = \"crank\""));
-    choose(&mut harness, Side::A, name);
+    choose(&mut harness, SlotSide::A, name);
     act(&mut harness, Action::ShowErrors(true));
     let size_px = harness.state().size_px();
     let shown = harness.state().state().shown().unwrap();
@@ -96,7 +96,7 @@ fn a_click_on_a_wrong_pixel_lists_what_its_ray_crosses() {
     let [own, reference] = &magnified.neighbourhoods[..] else {
         panic!("slot A and exact: {:?}", magnified.neighbourhoods);
     };
-    assert_eq!((own.side, own.name.as_str()), (Some(Side::A), name));
+    assert_eq!((own.side, own.name.as_str()), (Some(SlotSide::A), name));
     assert!(
         reference.says.contains("body: cap by cut front"),
         "{reference:?}"
@@ -140,7 +140,7 @@ fn the_magnifier_follows_the_scene_and_is_not_there_without_errors() {
     );
     act(&mut harness, Action::ShowErrors(true));
     act(&mut harness, Action::Arrange(Layout::Wipe));
-    choose(&mut harness, Side::B, "exact");
+    choose(&mut harness, SlotSide::B, "exact");
     click_at(&mut harness, in_ring);
     let first = harness.state().magnified().unwrap().clone();
     assert!(!first.depths.is_empty(), "the ring is there");
@@ -173,11 +173,11 @@ fn all_methods_that_draw_the_scene_are_points_of_a_chart() {
     }
     assert!(point(&harness, "planar").is_none(), "it draws no reliefs");
     harness.get_by_label_contains("planar refuses: ");
-    let before = harness.state().state().painter(Side::B);
+    let before = harness.state().state().painter(SlotSide::B);
     let mark = harness.get_by_label_contains("grid:256+vds:1024: ");
     mark.click_accesskit();
     classify(&mut harness);
-    let after = harness.state().state().painter(Side::B);
+    let after = harness.state().state().painter(SlotSide::B);
     assert_ne!(before, after);
     assert_eq!(after, "grid:256+vds:1024".parse::<Painter>().unwrap());
     assert!(
@@ -209,17 +209,20 @@ fn measuring_ends_when_it_is_cancelled() {
     harness.get_by_label_contains("Ended after");
     // The judge is free for others.
     act(&mut harness, Action::ShowErrors(true));
-    assert!(harness.state().errors(Side::A).is_some(), "it answers");
+    assert!(harness.state().errors(SlotSide::A).is_some(), "it answers");
     assert_eq!(harness.state().surveyed().len(), done, "it has ended");
 }
 
 #[test]
 fn costs_are_known_of_the_slots_that_are_seen_while_they_are_shown() {
     let mut harness = viewer(state("shape:cube"));
-    assert!(harness.state().cost(Side::A).is_none(), "nobody asked");
+    assert!(harness.state().cost(SlotSide::A).is_none(), "nobody asked");
     click(&mut harness, "Cost");
-    let uncut = harness.state().cost(Side::A).unwrap().clone();
-    assert!(harness.state().cost(Side::B).is_none(), "it is not seen");
+    let uncut = harness.state().cost(SlotSide::A).unwrap().clone();
+    assert!(
+        harness.state().cost(SlotSide::B).is_none(),
+        "it is not seen"
+    );
     assert!(uncut.bytes.frame > 0 && uncut.scene_bytes > 0, "{uncut:?}");
     assert!(uncut.time_ms(Clock::Frame) > 0.0, "{uncut:?}");
     harness.get_by_label_contains("the last frame ran on: ");
@@ -227,10 +230,10 @@ fn costs_are_known_of_the_slots_that_are_seen_while_they_are_shown() {
 
     let mut harness = viewer(ragged(TORUS));
     act(&mut harness, Action::Arrange(Layout::SideBySide));
-    choose(&mut harness, Side::A, "raycast+mask");
-    choose(&mut harness, Side::B, "grid:16+vds:64");
+    choose(&mut harness, SlotSide::A, "raycast+mask");
+    choose(&mut harness, SlotSide::B, "grid:16+vds:64");
     click(&mut harness, "Cost");
-    let [a, b] = Side::BOTH.map(|side| harness.state().cost(side).unwrap().clone());
+    let [a, b] = SlotSide::BOTH.map(|side| harness.state().cost(side).unwrap().clone());
     assert!(
         a.passes.len() > uncut.passes.len(),
         "a cut takes more passes"
@@ -248,9 +251,9 @@ fn costs_are_known_of_the_slots_that_are_seen_while_they_are_shown() {
     let path = "camera.zoom".to_owned();
     let value = 1.5.into();
     act(&mut harness, Action::Set { path, value });
-    let clocks = harness.state().screen().clocks(Side::B).unwrap();
+    let clocks = harness.state().screen().clocks(SlotSide::B).unwrap();
     assert!(clocks.contains(Clock::Frame), "a frame was drawn");
-    assert!(harness.state().cost(Side::B).is_some(), "asked anew");
+    assert!(harness.state().cost(SlotSide::B).is_some(), "asked anew");
     harness
         .get_by_role_and_label(Role::Button, "Close window")
         .click();

@@ -6,7 +6,7 @@ use cutaway_viewer::camera::CameraMove;
 use cutaway_viewer::cuts::{NewCut, PlaneMove};
 use cutaway_viewer::device::DeviceLoss;
 use cutaway_viewer::screen::Screen;
-use cutaway_viewer::slot::{Layout, Side};
+use cutaway_viewer::slot::{Layout, SlotSide};
 use cutaway_viewer::ui::Viewer;
 use egui_kittest::kittest::Queryable;
 use glam::DVec2;
@@ -30,7 +30,7 @@ fn a_scene_that_was_changed_goes_on_with_another_device() {
         added.to_string(),
         "the plane is elsewhere"
     );
-    let before = pixels(&harness, Side::B);
+    let before = pixels(&harness, SlotSide::B);
 
     harness.state().screen().gpu().device().destroy();
     for _ in 0..3 {
@@ -44,15 +44,15 @@ fn a_scene_that_was_changed_goes_on_with_another_device() {
     assert_eq!(state.selection(), Selection::Cut(0));
     assert_eq!(state.layout(), Layout::SideBySide);
     assert!(state.has_unsaved_changes(), "no file has it");
-    let after = pixels(&harness, Side::B);
+    let after = pixels(&harness, SlotSide::B);
     assert!(after == before, "the picture is another one");
     act(&mut harness, Action::Undo);
     let undone = harness.state().state().document();
     assert_eq!(undone.get("cut").unwrap(), added.get("cut").unwrap());
-    assert!(pixels(&harness, Side::B) != before, "and it is drawn");
+    assert!(pixels(&harness, SlotSide::B) != before, "and it is drawn");
     act(&mut harness, Action::ShowErrors(true));
     assert!(
-        harness.state().errors(Side::B).is_some(),
+        harness.state().errors(SlotSide::B).is_some(),
         "and compared again"
     );
 }

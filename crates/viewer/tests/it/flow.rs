@@ -3,7 +3,7 @@
 use cutaway_io::Document;
 use cutaway_io::load::Assets;
 use cutaway_viewer::cuts::NewCut;
-use cutaway_viewer::slot::Side;
+use cutaway_viewer::slot::SlotSide;
 use cutaway_viewer::ui::Viewer;
 use cutaway_viewer::{Action, State};
 use eframe::egui::accesskit::Role;
@@ -29,7 +29,7 @@ fn choose(harness: &mut Harness<'_, Viewer>, combo: &str, choice: &str) {
     classify(harness);
 }
 
-fn picture(harness: &Harness<'_, Viewer>, side: Side) -> RgbaImage {
+fn picture(harness: &Harness<'_, Viewer>, side: SlotSide) -> RgbaImage {
     common::pixels(harness, side)
 }
 
@@ -48,9 +48,9 @@ fn section(harness: &Harness<'_, Viewer>) -> String {
 #[test]
 fn a_model_is_cut_tilted_made_ragged_compared_saved_and_taken_back() {
     let mut harness = viewer(state(TORUS));
-    let uncut = picture(&harness, Side::A);
+    let uncut = picture(&harness, SlotSide::A);
     click(&mut harness, Role::Button, "Plane");
-    let cut = picture(&harness, Side::A);
+    let cut = picture(&harness, SlotSide::A);
     assert!(apart(&uncut, &cut) > 2_000, "a half is gone");
     assert!(section(&harness).ends_with("=50%"), "{}", section(&harness));
 
@@ -61,11 +61,11 @@ fn a_model_is_cut_tilted_made_ragged_compared_saved_and_taken_back() {
     assert!(moved.ends_with("70%") || moved.ends_with("30%"), "{moved}");
     click(&mut harness, Role::Button, "Face me");
     assert!(section(&harness).contains('@'), "{}", section(&harness));
-    let tilted = picture(&harness, Side::A);
+    let tilted = picture(&harness, SlotSide::A);
     assert!(apart(&cut, &tilted) > 500, "another cap");
 
     choose(&mut harness, "Relief", "fractal");
-    let ragged = picture(&harness, Side::A);
+    let ragged = picture(&harness, SlotSide::A);
     assert!(apart(&tilted, &ragged) > 500, "a ragged cap");
     let document = harness.state().state().document().clone();
     assert!(document.get("relief.fractal.kind").is_ok(), "{document}");
@@ -74,7 +74,7 @@ fn a_model_is_cut_tilted_made_ragged_compared_saved_and_taken_back() {
     click(&mut harness, Role::Button, "Wipe");
     choose(&mut harness, "Slot B", "grid:256+vds:1024");
     click(&mut harness, Role::CheckBox, "Errors");
-    let [a, b] = Side::BOTH.map(|side| {
+    let [a, b] = SlotSide::BOTH.map(|side| {
         let (counts, divisor) = harness.state().errors(side).unwrap();
         assert_eq!(divisor, 1, "{side}: at the resolution of the window");
         (counts.decided_wrong_px, counts.wrong_px())
@@ -97,7 +97,7 @@ fn a_model_is_cut_tilted_made_ragged_compared_saved_and_taken_back() {
     click(&mut harness, Role::Button, "Save");
     let saved = Document::read(&path).unwrap();
     let reopened = viewer(State::open(saved, Assets::default()).unwrap());
-    let again = picture(&reopened, Side::A);
+    let again = picture(&reopened, SlotSide::A);
     assert_eq!(apart(&ragged, &again), 0, "the same picture from the file");
 }
 
@@ -128,7 +128,7 @@ fn slots_show_the_reference_and_the_difference() {
     click(&mut harness, Role::Button, "Plane");
     choose(&mut harness, "Slot B", "exact");
     click(&mut harness, Role::Button, "Side by side");
-    let [a, b] = Side::BOTH.map(|side| picture(&harness, side));
+    let [a, b] = SlotSide::BOTH.map(|side| picture(&harness, side));
     assert_eq!(a.dimensions(), b.dimensions(), "halves of the window");
     let share = apart(&a, &b) as f64 / f64::from(a.width() * a.height());
     assert!(share < 0.01, "{share} of the pixels differ");

@@ -14,7 +14,7 @@ use cutaway_io::load::{Assets, Disk, Files};
 use cutaway_viewer::camera::CameraMove;
 use cutaway_viewer::cuts::NewCut;
 use cutaway_viewer::files::Store;
-use cutaway_viewer::slot::Side;
+use cutaway_viewer::slot::SlotSide;
 use cutaway_viewer::ui::Viewer;
 use cutaway_viewer::{Action, State};
 use eframe::egui::accesskit::Role;
@@ -96,7 +96,7 @@ fn wait(harness: &mut Harness<'_, Viewer>, holds: impl Fn(&Harness<'_, Viewer>) 
 fn a_model_is_shown_when_it_has_been_opened() {
     let scratch = Scratch::new();
     let (mut harness, disk, [mesh, _]) = slow(&scratch);
-    let before = pixels(&harness, Side::A);
+    let before = pixels(&harness, SlotSide::A);
     harness.state_mut().apply(Action::Take(vec![mesh]));
     harness.step();
     harness.step();
@@ -111,7 +111,7 @@ fn a_model_is_shown_when_it_has_been_opened() {
     assert!(harness.query_by_label("Cancel opening").is_none());
     classify(&mut harness);
     assert_eq!(parts(&harness), 2);
-    assert_ne!(pixels(&harness, Side::A), before);
+    assert_ne!(pixels(&harness, SlotSide::A), before);
     harness.state_mut().apply(Action::Undo);
     classify(&mut harness);
     assert_eq!(parts(&harness), 1, "it is a step");
@@ -121,13 +121,15 @@ fn a_model_is_shown_when_it_has_been_opened() {
 fn what_is_done_meanwhile_is_seen_at_once_and_stays() {
     let scratch = Scratch::new();
     let (mut harness, disk, [mesh, _]) = slow(&scratch);
-    let before = pixels(&harness, Side::A);
+    let before = pixels(&harness, SlotSide::A);
     harness.state_mut().apply(Action::Take(vec![mesh]));
     harness.step();
     let orbit = CameraMove::Orbit(DVec2::new(40.0, 10.0));
     harness.state_mut().apply(Action::MoveCamera(orbit));
     harness.state_mut().apply(Action::Add(NewCut::Plane(1)));
-    wait(&mut harness, |harness| pixels(harness, Side::A) != before);
+    wait(&mut harness, |harness| {
+        pixels(harness, SlotSide::A) != before
+    });
     let camera = harness.state().state().shown().unwrap().scene.camera;
     assert_eq!(parts(&harness), 1, "it is drawn before the model is there");
     disk.let_go();

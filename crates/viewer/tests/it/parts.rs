@@ -5,7 +5,7 @@ use cutaway_io::load::Assets;
 use cutaway_viewer::Action;
 use cutaway_viewer::State;
 use cutaway_viewer::action::Selection;
-use cutaway_viewer::slot::Side;
+use cutaway_viewer::slot::SlotSide;
 use cutaway_viewer::ui::Viewer;
 use eframe::egui::accesskit::Role;
 use egui_kittest::Harness;
@@ -28,7 +28,7 @@ fn names(harness: &Harness<'_, Viewer>) -> Vec<String> {
 #[test]
 fn a_part_is_hidden_in_the_picture_and_in_the_command_and_shown_again() {
     let mut harness = viewer(open(TWO));
-    let picture = |harness: &Harness<'_, Viewer>| pixels(harness, Side::A);
+    let picture = |harness: &Harness<'_, Viewer>| pixels(harness, SlotSide::A);
     let before = (
         harness.state().state().document().clone(),
         picture(&harness),

@@ -16,7 +16,7 @@ use cutaway_viewer::action::Selection;
 use cutaway_viewer::camera::CameraMove;
 use cutaway_viewer::cuts::{NewCut, PlaneMove};
 use cutaway_viewer::regions::RegionMove;
-use cutaway_viewer::slot::{Layout, Side};
+use cutaway_viewer::slot::{Layout, SlotSide};
 use cutaway_viewer::{Action, State, link};
 use glam::{DVec2, DVec3};
 use image::RgbaImage;
@@ -294,7 +294,7 @@ fn action(random: &mut Random, kinds: Kinds) -> Action {
             _ => {
                 let painter = ["auto", "raycast+mask@compute", "grid:256+vds:1024"];
                 Action::Choose(
-                    random.pick(&Side::BOTH),
+                    random.pick(&SlotSide::BOTH),
                     random.pick(&painter).parse().unwrap(),
                 )
             }
@@ -402,7 +402,7 @@ fn drawn(session: &mut Session, state: &mut State) -> RgbaImage {
     state.classify();
     let shown = state.shown().unwrap();
     let view = shown.view(SIZE_PX);
-    let painter = state.painter(Side::A);
+    let painter = state.painter(SlotSide::A);
     let Renderer::Method(method) = painter.classify(session.gpu(), &shown.at.model, &view) else {
         panic!("{painter} is no method");
     };

@@ -5,7 +5,7 @@ use std::fs;
 use cutaway_viewer::Action;
 use cutaway_viewer::action::Selection;
 use cutaway_viewer::cuts::{NewCut, PlaneMove};
-use cutaway_viewer::slot::Side;
+use cutaway_viewer::slot::SlotSide;
 use egui_kittest::kittest::Queryable;
 
 use super::common::{Scratch, TORUS, act, state, viewer};
@@ -70,19 +70,19 @@ fn a_method_that_refuses_says_so_in_its_slot() {
     act(&mut harness, Action::Add(NewCut::Box));
     act(
         &mut harness,
-        Action::Choose(Side::A, "stencil".parse().unwrap()),
+        Action::Choose(SlotSide::A, "stencil".parse().unwrap()),
     );
     assert!(
-        harness.state().screen().refusal(Side::A).is_some(),
+        harness.state().screen().refusal(SlotSide::A).is_some(),
         "stencil knows one plane"
     );
     harness.get_by_label_contains("A: stencil refuses:");
     act(
         &mut harness,
-        Action::Choose(Side::A, "auto".parse().unwrap()),
+        Action::Choose(SlotSide::A, "auto".parse().unwrap()),
     );
     assert!(
-        harness.state().screen().refusal(Side::A).is_none(),
+        harness.state().screen().refusal(SlotSide::A).is_none(),
         "auto draws it"
     );
 }

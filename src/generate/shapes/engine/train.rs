@@ -4,7 +4,7 @@ use glam::{DVec2, DVec3};
 
 use super::super::Mesh;
 use super::super::lathe::turned;
-use super::super::milled::{Facing, Milled, Side};
+use super::super::milled::{Facing, Milled, WallSide};
 use super::super::outline::{arc, circle, subdivided};
 use super::{CROWN, Engine, PISTON, PISTON_INSIDE, PISTON_PIN, ROD, SKIRT, along, upright};
 use crate::Result;
@@ -29,11 +29,11 @@ impl Engine {
             .collect();
         let mut solid = Milled::default();
         let thick = [pin.x - 0.055, pin.x + 0.055];
-        let rim = solid.walls(Side::Outer, thick.map(|x| (x, outline.clone())));
+        let rim = solid.walls(WallSide::Outer, thick.map(|x| (x, outline.clone())));
         let (mut back, mut front) = (vec![rim.0], vec![rim.1]);
         for (at, radius) in [(big_at, 0.1205), (small_at, PISTON_PIN + 0.0005)] {
             let hole = circle(at, radius, self.fine.corners(radius));
-            let hole = solid.walls(Side::Bore, thick.map(|x| (x, hole.clone())));
+            let hole = solid.walls(WallSide::Bore, thick.map(|x| (x, hole.clone())));
             back.push(hole.0);
             front.push(hole.1);
         }
@@ -58,7 +58,7 @@ impl Engine {
         let mut solid = Milled::default();
         let outside = turned(
             &mut solid,
-            Side::Outer,
+            WallSide::Outer,
             centre,
             corners,
             self.fine.profile(&profile),
@@ -66,7 +66,7 @@ impl Engine {
         let inside = [[bottom, PISTON_INSIDE], [top - 0.1, PISTON_INSIDE]];
         let inside = turned(
             &mut solid,
-            Side::Bore,
+            WallSide::Bore,
             centre,
             corners,
             self.fine.profile(&inside),
@@ -96,7 +96,7 @@ impl Engine {
         let profile = self.fine.profile(&[[from, radius], [to, radius]]);
         let rim = turned(
             &mut solid,
-            Side::Outer,
+            WallSide::Outer,
             at,
             self.fine.corners(radius),
             profile,

@@ -5,7 +5,7 @@ use glam::DVec3;
 use crate::scene::{Bounds, ClipSurface, Part, Scene};
 
 /// One removed side, by heights over it: negative where it removes.
-pub(super) enum Side {
+pub(super) enum RemovedSide {
     /// A plane, or a plane with a relief.
     Surface {
         surface: ClipSurface,
@@ -20,12 +20,12 @@ pub(super) enum Side {
 /// The removed sides of all cuts of a part.
 pub(super) struct Regions {
     /// Sides, those of one cut one after the other.
-    pub(super) sides: Vec<Side>,
+    pub(super) sides: Vec<RemovedSide>,
     /// Per cut: the first of its sides and the one after its last.
     pub(super) cuts: Vec<[usize; 2]>,
 }
 
-impl Side {
+impl RemovedSide {
     fn of(surface: &ClipSurface) -> Self {
         let slab = surface.relief.as_ref().map_or([0.0; 2], |map| {
             let [low, high] = map.range().map(|h| f64::from(h) * surface.scale.z);
@@ -123,11 +123,14 @@ impl Regions {
             }
             let first = regions.sides.len();
             let keeps = cut.offset_for(part);
-            let surfaces = cut.surfaces.iter().map(|s| Side::of(&s.keeping(keeps)));
+            let surfaces = cut
+                .surfaces
+                .iter()
+                .map(|s| RemovedSide::of(&s.keeping(keeps)));
             let cutter = cut
                 .volume
                 .as_ref()
-                .map(|v| Side::Outside(v.bounds_in_world()));
+                .map(|v| RemovedSide::Outside(v.bounds_in_world()));
             regions.sides.extend(surfaces.chain(cutter));
             regions.cuts.push([first, regions.sides.len()]);
         }

@@ -3,7 +3,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::region::{Regions, Side};
+use super::region::{Regions, RemovedSide};
 use crate::scene::Bounds;
 
 /// Points along each side of the grid at which a relief is looked up.
@@ -11,7 +11,7 @@ const RISEN_GRID: u32 = 96;
 
 /// Points of the cap along a relief, within the hull of its rim.
 pub(super) fn risen(regions: &Regions, side: usize, rim: &[DVec3], least: f64) -> Vec<DVec3> {
-    let Side::Surface {
+    let RemovedSide::Surface {
         surface, normal, ..
     } = &regions.sides[side]
     else {
@@ -57,7 +57,9 @@ pub(super) fn corners_of_boxes(regions: &Regions, placed: &[DVec3], least: f64) 
     let around = Bounds::from_points(placed.iter().copied());
     let mut corners = Vec::new();
     for (side, own) in regions.sides.iter().enumerate() {
-        let Side::Outside(own) = own else { continue };
+        let RemovedSide::Outside(own) = own else {
+            continue;
+        };
         let common = Bounds {
             min: own.min.max(around.min),
             max: own.max.min(around.max),

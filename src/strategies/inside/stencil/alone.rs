@@ -13,7 +13,7 @@
 //! which it draws streaks unmarked; count beyond 255 shells. It refuses where the near plane, which goes on beyond the picture, meets the box of a part that is cut, though nothing
 //! of that be seen.
 
-use crate::effects::{Picture, finish};
+use crate::effects::{FrameOutput, finish};
 use crate::passes::{DrawPass, Input, Lanes, Refusal, SceneBuffers, Surfaces, Unsupported, gather};
 use crate::plan::{CpuWork, Draw, Plan, Stencil, StencilStep, Vertices};
 use crate::scene::Fill;
@@ -43,7 +43,7 @@ pub(crate) static ROW: CapSurfaceRow = CapSurfaceRow {
 };
 
 /// Records the frame of `stencil`.
-fn record(plan: &mut Plan, input: &Input<'_>) -> Result<(Picture, Vec<CpuWork>), Refusal> {
+fn record(plan: &mut Plan, input: &Input<'_>) -> Result<(FrameOutput, Vec<CpuWork>), Refusal> {
     near_plane_is_free(input)?;
     let scene = SceneBuffers::upload(plan, input, Lanes::none())?;
     let mut surfaces = Surfaces::with_stencil(plan, &scene);

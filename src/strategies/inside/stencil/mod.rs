@@ -18,7 +18,7 @@
 
 pub(crate) mod alone;
 
-use crate::effects::{Picture, finish};
+use crate::effects::{FrameOutput, finish};
 use crate::passes::{Crossings, Input, Inside, LISTED, Lanes, Refusal, SceneBuffers, resolve};
 use crate::plan::{
     Binding, Capacities, Clock, DepthCompare, DepthTarget, Draw, Format, Pass, Plan, Resource,
@@ -65,7 +65,7 @@ fn record(
     input: &Input<'_>,
     surface: CapSurface,
     _: u32,
-) -> Result<Picture, Refusal> {
+) -> Result<FrameOutput, Refusal> {
     let parts = input.active_cuts.lanes;
     // Lists of one word refuse the frame where they are too many passes, longer ones are held shorter.
     let most = (MOST_PASSES / (parts + 2)) as u32;

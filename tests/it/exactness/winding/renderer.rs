@@ -4,7 +4,7 @@ use cutaway::generate::defects::break_parts;
 use cutaway::scene::Scene;
 use cutaway::strategies::DrawOptions;
 use cutaway_io::document::parse_defect;
-use cutaway_lab::experiment::{Question, Renderer, SceneAtTime, errors, times};
+use cutaway_lab::experiment::{FrameQuestion, Renderer, SceneAtTime, errors, times};
 
 use crate::common::{scenes, session};
 use crate::exactness::winding::command::Scratch;
@@ -43,7 +43,7 @@ fn winding_is_listed_as_any_other() {
 /// Wrong pixels of renderers, marked and unmarked, by the truth of another scene.
 fn judged(scene: &Scene, truth: Option<&Scene>, renderers: &[&str]) -> Vec<[usize; 2]> {
     let (shown, truth) = (SceneAtTime::new(scene), truth.map(SceneAtTime::new));
-    let question = Question {
+    let question = FrameQuestion {
         name: "sphere".to_owned(),
         shown: &shown,
         view: shown.model.prepared.view([128, 96]),
@@ -89,7 +89,7 @@ fn a_truth_in_another_frame_is_refused() {
     let whole = scenes::sectioned("sphere?subdivisions=2", &["-z=50%"]);
     let larger = scenes::sectioned("sphere?subdivisions=2&radius=3", &["-z=50%"]);
     let (shown, truth) = (SceneAtTime::new(&whole), SceneAtTime::new(&larger));
-    let question = Question {
+    let question = FrameQuestion {
         name: "small".to_owned(),
         shown: &shown,
         view: shown.model.prepared.view([32, 24]),

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use cutaway_lab::experiment::{Picture, Warning};
+use cutaway_lab::experiment::{RecordedPicture, Warning};
 use cutaway_lab::report::PictureOptions;
 
 use super::command::Scratch;
@@ -104,7 +104,7 @@ fn one_switch_shows_all_errors_of_a_frame() {
     let plain = report_of(&folder, &records).html;
     assert!(!plain.contains("class=\"switch\""), "nothing to switch to");
     records[0].pictures = ["exact", "raycast+mask", "grid:256+vds:1024"]
-        .map(|drawer| Picture {
+        .map(|drawer| RecordedPicture {
             drawer: drawer.to_owned(),
             file: "exact.png".to_owned(),
             heatmap: (drawer != "exact").then(|| "exact.png".to_owned()),

@@ -10,8 +10,8 @@ use cutaway_io::document::{Document, cut, part, section};
 use cutaway_lab::Comparison;
 use cutaway_lab::experiment::{
     CaseRecord, CaseRecords, Ending, Expectation, FamilyMember, Machine, Measurement, Parameter,
-    PassTime, PerClock, Picture, Reached, Record, Reference, Run, Samples, StrategyMeasurement,
-    Timing, Warning,
+    PassTime, PerClock, Reached, Record, RecordedPicture, Reference, Run, Samples,
+    StrategyMeasurement, Timing, Warning,
 };
 use serde_json::json;
 
@@ -117,7 +117,7 @@ pub(crate) fn record(size: &str, strategies: Vec<StrategyMeasurement>) -> Record
             adapter: "one".to_owned(),
         }],
         invocation: None,
-        pictures: vec![Picture {
+        pictures: vec![RecordedPicture {
             drawer: "exact".to_owned(),
             file: "exact.png".to_owned(),
             heatmap: None,

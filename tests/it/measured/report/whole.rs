@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use cutaway_lab::experiment::{Invocation, Picture, Warning};
+use cutaway_lab::experiment::{Invocation, RecordedPicture, Warning};
 use cutaway_lab::report::PictureOptions;
 
 use super::command::Scratch;
@@ -198,7 +198,7 @@ fn a_slider_opens_on_pictures_that_differ() {
     let mut records = records();
     let drawers = ["exact", "raycast+mask", "grid:256+vds:1024", "grid:64+mask"];
     records[0].pictures = drawers
-        .map(|drawer| Picture {
+        .map(|drawer| RecordedPicture {
             drawer: drawer.to_owned(),
             file: "exact.png".to_owned(),
             heatmap: None,

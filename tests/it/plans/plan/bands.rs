@@ -7,7 +7,7 @@ use cutaway::scene::{Camera, Viewpoint};
 use cutaway::session::{Drawn, Outcome, Session};
 use cutaway::strategies::{DrawOptions, Method, Rasteriser, Unsupported};
 use cutaway_io::document::named_style;
-use cutaway_lab::experiment::{Question, Renderer, SceneAtTime, errors, times};
+use cutaway_lab::experiment::{FrameQuestion, Renderer, SceneAtTime, errors, times};
 
 use super::*;
 
@@ -217,7 +217,7 @@ fn a_comparison_and_given_layers_are_drawn_in_bands_too() {
         "another picture"
     );
 
-    let question = Question {
+    let question = FrameQuestion {
         name: "bands".to_owned(),
         shown: &shown,
         view,

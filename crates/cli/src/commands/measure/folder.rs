@@ -6,7 +6,7 @@ use cutaway::gpu::AdapterReport;
 use cutaway::{Error, Result};
 use cutaway_lab::experiment::picture;
 use cutaway_lab::experiment::run::Measured;
-use cutaway_lab::experiment::{CaseRecords, Definition, Picture, Record, Run, Synopsis};
+use cutaway_lab::experiment::{CaseRecords, Definition, Record, RecordedPicture, Run, Synopsis};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
@@ -132,7 +132,8 @@ impl Folder {
     pub(super) fn record(&self, experiment: &str, stem: &str, identity: &str) -> Option<Record> {
         let folder = self.of(experiment);
         let record: Record = read(&folder.join(format!("{stem}.json")))?;
-        let is_there = |p: &Picture| p.is_beside() && p.files().all(|f| folder.join(f).is_file());
+        let is_there =
+            |p: &RecordedPicture| p.is_beside() && p.files().all(|f| folder.join(f).is_file());
         let is_whole = record.pictures.iter().all(is_there);
         (record.format == Record::FORMAT && record.identity == identity && is_whole)
             .then_some(record)
@@ -187,7 +188,9 @@ impl Folder {
                 (None, None) => continue,
             };
             let beside = pictures.iter().filter(|p| p.is_beside());
-            let files = beside.flat_map(Picture::files).map(|f| folder.join(f));
+            let files = beside
+                .flat_map(RecordedPicture::files)
+                .map(|f| folder.join(f));
             others.push(files.chain([path.clone()]).collect());
         }
         others

@@ -8,7 +8,7 @@ use cutaway::scene::numbers::round;
 use cutaway::scene::{Part, Scene};
 use cutaway::slice::{HalfPlane, SlicePlane, Trim};
 use cutaway::{Error, Result};
-use cutaway_io::save::section::Face;
+use cutaway_io::save::section::SectionFace;
 use glam::{DVec2, DVec3};
 
 /// Planes count as parallel, and as one, if they differ by less, as a share of the sizes involved.
@@ -21,13 +21,13 @@ pub(super) struct Plane {
     /// Number of the clip-surface.
     pub(super) number: usize,
     /// Face of the cut.
-    pub(super) face: Face,
+    pub(super) face: SectionFace,
     /// Position for parts without an offset.
     pub(super) plane: SlicePlane,
 }
 
 /// Position of one plane relative to another.
-enum Side {
+enum RelativeSide {
     /// Wholly on the kept side.
     Kept,
     /// Wholly on the removed side.
@@ -57,10 +57,10 @@ impl Plane {
         let own = planes.iter().filter(|p| p.cut == self.cut);
         for other in own.filter(|p| p.number != self.number) {
             match side(other) {
-                Side::Removed => {}
-                Side::Crossed(half) => trim.within.push(half),
-                Side::Same { is_opposite: false } if other.number > self.number => {}
-                Side::Kept | Side::Same { .. } => return None,
+                RelativeSide::Removed => {}
+                RelativeSide::Crossed(half) => trim.within.push(half),
+                RelativeSide::Same { is_opposite: false } if other.number > self.number => {}
+                RelativeSide::Kept | RelativeSide::Same { .. } => return None,
             }
         }
         let others = (0..scene.cuts.len()).filter(|c| *c != self.cut);
@@ -68,10 +68,10 @@ impl Plane {
             let of_cut = planes.iter().filter(|p| p.cut == cut);
             let region: Option<Vec<Option<HalfPlane>>> = of_cut
                 .map(|other| match side(other) {
-                    Side::Removed | Side::Same { is_opposite: true } => Some(None),
-                    Side::Same { is_opposite: false } if cut < self.cut => Some(None),
-                    Side::Crossed(half) => Some(Some(half)),
-                    Side::Kept | Side::Same { .. } => None,
+                    RelativeSide::Removed | RelativeSide::Same { is_opposite: true } => Some(None),
+                    RelativeSide::Same { is_opposite: false } if cut < self.cut => Some(None),
+                    RelativeSide::Crossed(half) => Some(Some(half)),
+                    RelativeSide::Kept | RelativeSide::Same { .. } => None,
                 })
                 .collect();
             let Some(region) = region else {
@@ -88,7 +88,7 @@ impl Plane {
 }
 
 /// On which side of another plane one is, near where something of some size is.
-fn side(plane: &SlicePlane, other: &SlicePlane, size: f64) -> Side {
+fn side(plane: &SlicePlane, other: &SlicePlane, size: f64) -> RelativeSide {
     let outward = other.frame.normal;
     let normal = DVec2::new(
         outward.dot(plane.frame.u_hat),
@@ -96,17 +96,17 @@ fn side(plane: &SlicePlane, other: &SlicePlane, size: f64) -> Side {
     );
     let offset = other.height(plane.zero);
     if normal.length() > PARALLEL {
-        return Side::Crossed(HalfPlane { normal, offset });
+        return RelativeSide::Crossed(HalfPlane { normal, offset });
     }
     let far = |p: DVec3| p.abs().max_element();
     let reach = size + far(plane.zero) + far(other.origin);
     if offset.abs() <= PARALLEL * reach {
         let is_opposite = outward.dot(plane.frame.normal) < 0.0;
-        Side::Same { is_opposite }
+        RelativeSide::Same { is_opposite }
     } else if offset < 0.0 {
-        Side::Removed
+        RelativeSide::Removed
     } else {
-        Side::Kept
+        RelativeSide::Kept
     }
 }
 
@@ -158,13 +158,13 @@ pub(super) fn planes(scene: &Scene) -> Result<Vec<Plane>> {
 }
 
 /// Face of its cut that a plane is. Cuts of one name are one region, as those of a wedge of more than half a turn.
-fn face(scene: &Scene, cut: usize, within: usize, plane: &SlicePlane) -> Face {
+fn face(scene: &Scene, cut: usize, within: usize, plane: &SlicePlane) -> SectionFace {
     let name = &scene.cuts[cut].name;
     let kin = |cuts: &[cutaway::scene::Cut]| -> usize {
         let kin = cuts.iter().filter(|c| c.enabled && c.name == *name);
         kin.map(|c| c.surfaces.len()).sum()
     };
-    Face {
+    SectionFace {
         number: kin(&scene.cuts[..cut]) + within + 1,
         of: kin(&scene.cuts),
         plane: spec(plane),

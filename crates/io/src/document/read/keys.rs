@@ -9,7 +9,7 @@ use cutaway::error::{Result, did_you_mean};
 
 use super::described;
 use super::reader::{Entry, Table};
-use super::target::{self, Shape, Target};
+use super::target::{self, Nesting, Target};
 use crate::document::Keys;
 use crate::document::describe::KeyDesc;
 use crate::document::{Interpolation, Node, Number, Place, Value};
@@ -159,7 +159,7 @@ fn read_one(entry: &Entry<'_>, root: &Table<'_>) -> Result<Keyed> {
         return Err(list.fault("the values differ in length, or have none", help));
     }
     let example = match values[0].as_slice() {
-        [one] if shapes[0] == Shape::Flag => format!("{}", *one != 0.0),
+        [one] if shapes[0] == Nesting::Flag => format!("{}", *one != 0.0),
         [one] => format!("{one}"),
         several => format!("{several:?}"),
     };
@@ -169,9 +169,9 @@ fn read_one(entry: &Entry<'_>, root: &Table<'_>) -> Result<Keyed> {
         shape,
     } = target::find(root.entry.node, path, &example)
         .map_err(|(what, help)| target.fault(what, help))?;
-    let is_flag = shape == Shape::Flag;
+    let is_flag = shape == Nesting::Flag;
     let switches = |v: &Vec<f64>| matches!(v.as_slice(), [v] if [0.0, 1.0].contains(v));
-    let is_list = matches!(shapes[0], Shape::List(_));
+    let is_list = matches!(shapes[0], Nesting::List(_));
     if is_flag && (is_list || !values.iter().all(switches)) {
         let what = format!("`{full}` is on or off");
         return Err(list.fault(what, "let every value be true or false"));

@@ -11,7 +11,7 @@ use super::defects;
 use super::described;
 use super::part_source::PartSource;
 use super::reader::{Entry, Table};
-use super::solids::{Solid, Splits, chosen};
+use super::solids::{SourceSolid, Splits, chosen};
 use crate::document::Origin;
 use crate::document::describe::PartDesc;
 use crate::load::frames::{Pattern, Sequence, USUAL_FPS};
@@ -62,7 +62,7 @@ impl Opening<'_> {
         }
         let alone = parts.len() == 1;
         let below = |_, part: &Part| (!alone).then(|| part.name.clone());
-        let mut solids = Solid::all(&parts, below);
+        let mut solids = SourceSolid::all(&parts, below);
         if let Some(mut splits) = Splits::asked_for(table, &solids)? {
             self.notes.push(splits.note(&match is_mesh {
                 true => path.display().to_string(),
@@ -78,9 +78,9 @@ impl Opening<'_> {
     fn taken(
         &mut self,
         table: &Table<'_>,
-        solids: Vec<Solid>,
+        solids: Vec<SourceSolid>,
         is_first: bool,
-    ) -> Result<Vec<Solid>> {
+    ) -> Result<Vec<SourceSolid>> {
         let mut solids = chosen(table, solids)?;
         let parts = solids.iter_mut().map(|s| &mut s.part);
         defects::apply(table, parts, &mut self.notes)?;
@@ -133,8 +133,10 @@ impl Opening<'_> {
         // Solids of a frame are called after the frames and their number.
         let several = sequence.frames().any(|parts| parts.len() > 1);
         let below = |index: usize, _: &Part| several.then(|| index.to_string());
-        let frames = sequence.frames().map(|parts| Solid::all(parts, below));
-        let mut frames: Vec<Vec<Solid>> = frames.collect();
+        let frames = sequence
+            .frames()
+            .map(|parts| SourceSolid::all(parts, below));
+        let mut frames: Vec<Vec<SourceSolid>> = frames.collect();
         if let Some(mut splits) = Splits::asked_for(table, &frames[0])? {
             let numbered = || frames.iter().map(Vec::as_slice).zip(sequence.files());
             for (frame, file) in numbered().skip(1) {

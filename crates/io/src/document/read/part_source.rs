@@ -8,14 +8,14 @@ use std::collections::{BTreeMap, BTreeSet};
 use cutaway::scene::{Bounds, Material, Part};
 use glam::DAffine3;
 
-use super::solids::Solid;
+use super::solids::SourceSolid;
 use crate::load::frames::Sequence;
 
 /// Source of one entry `[[part]]`.
 #[derive(Clone, Debug)]
 pub(crate) struct PartSource {
     /// One, or one for each frame.
-    frames: Vec<Vec<Solid>>,
+    frames: Vec<Vec<SourceSolid>>,
     sequence: Option<Sequence>,
     /// Part name for each name that a solid has in its file, at any time.
     names: BTreeMap<String, String>,
@@ -28,8 +28,8 @@ pub(crate) struct PartSource {
 }
 
 impl PartSource {
-    pub(super) fn of(mut frames: Vec<Vec<Solid>>, sequence: Option<Sequence>) -> Self {
-        frames.iter_mut().flatten().for_each(Solid::measure);
+    pub(super) fn of(mut frames: Vec<Vec<SourceSolid>>, sequence: Option<Sequence>) -> Self {
+        frames.iter_mut().flatten().for_each(SourceSolid::measure);
         let mut forms: Vec<Form> = Vec::new();
         for frame in &frames {
             let new = frame.iter().skip(forms.len());
@@ -37,7 +37,7 @@ impl PartSource {
         }
         let solids = || frames.iter().flatten();
         let share_a_space = solids().all(|s| s.part.world_from_part == DAffine3::IDENTITY);
-        let bounds = |s: &Solid| match share_a_space {
+        let bounds = |s: &SourceSolid| match share_a_space {
             true => s.rest,
             false => s.part.bounds_in_world(),
         };
@@ -53,13 +53,13 @@ impl PartSource {
     }
 
     /// The solids at a time.
-    pub(super) fn at(&self, time_s: f64) -> &[Solid] {
+    pub(super) fn at(&self, time_s: f64) -> &[SourceSolid] {
         let frame = self.sequence.as_ref().map_or(0, |s| s.frame_at(time_s));
         &self.frames[frame]
     }
 
     /// The solids of all frames.
-    pub(super) fn solids_mut(&mut self) -> impl Iterator<Item = &mut Solid> {
+    pub(super) fn solids_mut(&mut self) -> impl Iterator<Item = &mut SourceSolid> {
         self.frames.iter_mut().flatten()
     }
 
@@ -87,10 +87,10 @@ impl PartSource {
     /// Names the parts after the entry, if it has a name, or else after their solids, unlike those that are taken.
     pub(super) fn call(&mut self, of_entry: Option<&str>, taken: &mut BTreeSet<String>) {
         let mut known = BTreeSet::new();
-        let solids: Vec<&Solid> = (self.frames.iter().flatten())
+        let solids: Vec<&SourceSolid> = (self.frames.iter().flatten())
             .filter(|solid| known.insert(solid.part.name.as_str()))
             .collect();
-        let wanted = |solid: &Solid| match (of_entry, &solid.below) {
+        let wanted = |solid: &SourceSolid| match (of_entry, &solid.below) {
             (None, _) => solid.part.name.clone(),
             (Some(name), Some(below)) if solids.len() > 1 => format!("{name}/{below}"),
             (Some(name), _) => name.to_owned(),

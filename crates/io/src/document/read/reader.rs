@@ -11,7 +11,7 @@ use cutaway::scene::Amount;
 use cutaway::scene::range::LARGEST;
 
 use super::keys::Moment;
-use super::target::Shape;
+use super::target::Nesting;
 use crate::document::{Node, Origin, Value};
 
 pub use super::table::{Table, with_table};
@@ -213,12 +213,12 @@ impl<'a> Entry<'a> {
     }
 
     /// A number, or lists of numbers in lists: the numbers in their order, and how they are nested. A flag is 0 or 1.
-    pub(super) fn nested(&self) -> Result<(Vec<f64>, Shape)> {
+    pub(super) fn nested(&self) -> Result<(Vec<f64>, Nesting)> {
         if let Value::Flag(flag) = &self.node.value {
-            return Ok((vec![f64::from(u8::from(*flag))], Shape::Flag));
+            return Ok((vec![f64::from(u8::from(*flag))], Nesting::Flag));
         }
         if !self.is_list() {
-            return Ok((vec![self.number()?], Shape::Number));
+            return Ok((vec![self.number()?], Nesting::Number));
         }
         let elements: Vec<_> = self
             .list()?
@@ -226,7 +226,7 @@ impl<'a> Entry<'a> {
             .map(Self::nested)
             .collect::<Result<_>>()?;
         let (numbers, shapes): (Vec<_>, Vec<_>) = elements.into_iter().unzip();
-        Ok((numbers.concat(), Shape::List(shapes)))
+        Ok((numbers.concat(), Nesting::List(shapes)))
     }
 
     /// A length, or text with a percentage.

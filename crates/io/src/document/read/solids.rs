@@ -17,7 +17,7 @@ const MOST_BODIES: usize = 1 << 16;
 
 /// A solid from its file, or a body of one.
 #[derive(Clone, Debug)]
-pub(super) struct Solid {
+pub(super) struct SourceSolid {
     pub(super) part: Part,
     /// Bounds in part space.
     pub(super) rest: Bounds,
@@ -27,7 +27,7 @@ pub(super) struct Solid {
     pub(super) is_plain: bool,
 }
 
-impl Solid {
+impl SourceSolid {
     /// Some parts, each with what it is called below the name of the entry.
     pub(super) fn all(parts: &[Part], below: impl Fn(usize, &Part) -> Option<String>) -> Vec<Self> {
         let solid = |(index, part): (usize, &Part)| Self {
@@ -55,7 +55,7 @@ pub(super) struct Splits {
 
 impl Splits {
     /// Finds the bodies of solids, where the entry asks for them.
-    pub(super) fn asked_for(table: &Table<'_>, solids: &[Solid]) -> Result<Option<Self>> {
+    pub(super) fn asked_for(table: &Table<'_>, solids: &[SourceSolid]) -> Result<Option<Self>> {
         let Some(entry) = table.get("split") else {
             return Ok(None);
         };
@@ -64,7 +64,7 @@ impl Splits {
         }
         let mut bodies: Vec<Bodies> = Vec::with_capacity(solids.len());
         for (index, solid) in solids.iter().enumerate() {
-            let same = |other: &Solid| Arc::ptr_eq(&other.part.mesh, &solid.part.mesh);
+            let same = |other: &SourceSolid| Arc::ptr_eq(&other.part.mesh, &solid.part.mesh);
             bodies.push(match solids[..index].iter().position(same) {
                 Some(known) => bodies[known].clone(),
                 None => Bodies::of(&solid.part.mesh),
@@ -110,7 +110,7 @@ impl Splits {
     }
 
     /// Takes solids apart, which have the triangles of those whose bodies are known.
-    pub(super) fn applied(&mut self, solids: Vec<Solid>) -> Vec<Solid> {
+    pub(super) fn applied(&mut self, solids: Vec<SourceSolid>) -> Vec<SourceSolid> {
         let mut taken: Vec<String> = solids.iter().map(|s| s.part.name.clone()).collect();
         taken.sort_unstable();
         let mut all = Vec::with_capacity(self.count());
@@ -136,7 +136,7 @@ impl Splits {
                     Some(below) => body_name(below, number),
                     None => number.to_string(),
                 };
-                all.push(Solid {
+                all.push(SourceSolid {
                     part,
                     below: Some(below),
                     ..solid
@@ -149,8 +149,8 @@ impl Splits {
     /// Refuses a frame that does not have the triangles of the first one.
     pub(super) fn must_fit(
         &self,
-        (first, first_file): (&[Solid], &Path),
-        (frame, file): (&[Solid], &Path),
+        (first, first_file): (&[SourceSolid], &Path),
+        (frame, file): (&[SourceSolid], &Path),
     ) -> Result<()> {
         let fits = first.len() == frame.len()
             && (first.iter().zip(frame))
@@ -168,7 +168,7 @@ impl Splits {
 }
 
 /// The solids that `only` and `except` leave.
-pub(super) fn chosen(table: &Table<'_>, solids: Vec<Solid>) -> Result<Vec<Solid>> {
+pub(super) fn chosen(table: &Table<'_>, solids: Vec<SourceSolid>) -> Result<Vec<SourceSolid>> {
     let names: Vec<String> = solids.iter().map(|s| s.part.name.clone()).collect();
     let mut left = solids;
     for (key, keep) in [("only", true), ("except", false)] {

@@ -2,18 +2,20 @@
 
 use std::fmt;
 
-use crate::document::{Lost, Node, Origin, Place, Step, Value, astray, children, farther, walk};
+use crate::document::{
+    Lost, Node, Origin, PathStep, Place, Value, astray, children, farther, walk,
+};
 
 /// Nesting of numbers in lists.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum Shape {
+pub(super) enum Nesting {
     Number,
     /// True or false.
     Flag,
     List(Vec<Self>),
 }
 
-impl fmt::Display for Shape {
+impl fmt::Display for Nesting {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Number => write!(f, "a number"),
@@ -34,7 +36,7 @@ pub(super) struct Target {
     /// In the order of the text.
     pub(super) places: Vec<Place>,
     /// Their nesting.
-    pub(super) shape: Shape,
+    pub(super) shape: Nesting,
 }
 
 /// Finds the numbers at a path; `example` is a value for them.
@@ -54,12 +56,16 @@ pub(super) fn find(root: &Node, path: &str, example: &str) -> Result<Target, Los
     }
 }
 
-fn numbers(value: &Value, place: &Place, places: &mut Vec<Place>) -> Option<Shape> {
+fn numbers(value: &Value, place: &Place, places: &mut Vec<Place>) -> Option<Nesting> {
     match value {
         Value::Number(_) | Value::Flag(_) => {
             places.push(place.clone());
             let is_flag = matches!(value, Value::Flag(_));
-            Some(if is_flag { Shape::Flag } else { Shape::Number })
+            Some(if is_flag {
+                Nesting::Flag
+            } else {
+                Nesting::Number
+            })
         }
         Value::List(list) => {
             let shape = |(index, child): (usize, &Node)| {
@@ -67,14 +73,14 @@ fn numbers(value: &Value, place: &Place, places: &mut Vec<Place>) -> Option<Shap
                 numbers(&child.value, &below, places)
             };
             let shapes: Option<_> = list.iter().enumerate().map(shape).collect();
-            shapes.map(Shape::List)
+            shapes.map(Nesting::List)
         }
         _ => None,
     }
 }
 
 /// The path leads to something else than numbers.
-fn no_number(step: &Step<'_>) -> Lost {
+fn no_number(step: &PathStep<'_>) -> Lost {
     let last = step.path.rsplit('.').next().unwrap_or_default();
     match &step.node.value {
         Value::Text(text) => {
@@ -104,7 +110,7 @@ fn no_number(step: &Step<'_>) -> Lost {
 }
 
 /// The path leads nowhere: often to a number that the scene has without the file saying so.
-fn missing(step: &Step<'_>, example: &str) -> Lost {
+fn missing(step: &PathStep<'_>, example: &str) -> Lost {
     let is_field = matches!(step.node.value, Value::Table(_)) && !step.rest.contains('.');
     let (path, next) = (&step.path, &step.rest);
     if !is_field || ["", "relief"].contains(&path.as_str()) {

@@ -41,7 +41,7 @@ use cutaway::scene::weld::thousands;
 use gltf::Node;
 
 use super::grouped::grouped;
-use super::{Files, Placed, Solid};
+use super::{DraftSolid, Files, Placed};
 
 use document::Opened;
 pub(super) use document::named_files;
@@ -86,7 +86,7 @@ pub(super) fn read(
     };
     let mut placed = Vec::new();
     let mut said_of_nodes = Vec::new();
-    let mut shared: BTreeMap<(usize, Option<usize>), Vec<Shape>> = BTreeMap::new();
+    let mut shared: BTreeMap<(usize, Option<usize>), Vec<GltfSolid>> = BTreeMap::new();
     for (place, node) in nodes.nodes.iter().enumerate() {
         let Some(mesh) = node.mesh().filter(|_| !nodes.shown_at(place).is_empty()) else {
             continue;
@@ -105,7 +105,7 @@ pub(super) fn read(
                     true => Vec::new(),
                     false => draft.into_solids(path, &mut said)?,
                 };
-                let shape = |solid| Shape::of(solid, skin, &rig);
+                let shape = |solid| GltfSolid::of(solid, skin, &rig);
                 new.insert(solids.into_iter().map(shape).collect())
             }
         };
@@ -209,7 +209,7 @@ fn weights(node: &Node<'_>, notes: &mut Vec<String>) -> Vec<f64> {
 }
 
 /// A solid of a mesh, wherever it is shown.
-struct Shape {
+struct GltfSolid {
     color: Option<glam::Vec3>,
     materials: Vec<String>,
     is_transparent: bool,
@@ -217,8 +217,8 @@ struct Shape {
     hold: RigAttachment,
 }
 
-impl Shape {
-    fn of(mut solid: Solid, skin: Option<usize>, rig: &Rig) -> Self {
+impl GltfSolid {
+    fn of(mut solid: DraftSolid, skin: Option<usize>, rig: &Rig) -> Self {
         let motion = &mut solid.motion;
         let still = |t: &Vec<glam::DVec3>| t.iter().all(|d| d.abs().max_element() <= 0.0);
         if motion.targets.iter().all(still) {

@@ -46,7 +46,7 @@ struct Vertex {
 }
 
 #[derive(Debug, Default)]
-struct Face {
+struct PlyFace {
     corners: Corners,
 }
 
@@ -118,7 +118,7 @@ impl PropertyAccess for Vertex {
     }
 }
 
-impl PropertyAccess for Face {
+impl PropertyAccess for PlyFace {
     fn new() -> Self {
         Self::default()
     }
@@ -154,8 +154,8 @@ impl PropertyAccess for Ignored {
 #[derive(Default)]
 struct Elements {
     vertices: Vec<Vertex>,
-    faces: Vec<Face>,
-    strips: Vec<Face>,
+    faces: Vec<PlyFace>,
+    strips: Vec<PlyFace>,
     has_normals: bool,
     has_colors: bool,
 }

@@ -32,7 +32,7 @@ use super::Placed;
 use super::draft::{Draft, Group};
 use super::grouped::grouped;
 
-use model::{Model, Object, Reference, Shape};
+use model::{Model, Object, ObjectGeometry, Reference};
 use package::Package;
 use slicer::{Use, Uses};
 use xml::shortened;
@@ -93,7 +93,7 @@ pub(super) fn read(
 
 /// A mesh that is shown somewhere.
 #[derive(Clone)]
-struct Solid {
+struct ShownSolid {
     mesh: Arc<Mesh>,
     color: Option<Vec3>,
     materials: Vec<String>,
@@ -108,7 +108,7 @@ struct Reader<'a> {
     first: String,
     models: BTreeMap<String, Model>,
     /// Solids built from objects so far; `None` for objects without triangles.
-    solids: BTreeMap<Key, Option<Solid>>,
+    solids: BTreeMap<Key, Option<ShownSolid>>,
     /// Objects that were come to, with those that were come to before.
     objects: usize,
     placed: Vec<Placed>,
@@ -208,7 +208,7 @@ impl Reader<'_> {
             return Ok(());
         }
         match &mut object.shape {
-            Shape::Components(components) => {
+            ObjectGeometry::Components(components) => {
                 // Put back when they were followed: what leads back here meanwhile is refused before it asks for them.
                 let components = std::mem::take(components);
                 let around = [way.around, std::slice::from_ref(&key)].concat();
@@ -233,12 +233,12 @@ impl Reader<'_> {
                 }
                 let model = self.models.get_mut(&key.0);
                 if let Some(object) = model.and_then(|model| model.objects.get_mut(&id)) {
-                    object.shape = Shape::Components(components);
+                    object.shape = ObjectGeometry::Components(components);
                 }
                 Ok(())
             }
-            Shape::Mesh(_) => self.place(key, way, world_from_object),
-            Shape::Other(other) => {
+            ObjectGeometry::Mesh(_) => self.place(key, way, world_from_object),
+            ObjectGeometry::Other(other) => {
                 let other = other.as_ref().map(|name| format!(", but <{name}>"));
                 let what = format!(
                     "object {id} has neither a mesh nor components{}",
@@ -330,13 +330,14 @@ fn solid(
     id: u32,
     (label, uses): (&str, &[(RangeInclusive<usize>, Use)]),
     notes: &mut Vec<String>,
-) -> Result<Option<Solid>> {
+) -> Result<Option<ShownSolid>> {
     let Some(object) = model.objects.get_mut(&id) else {
         return Ok(None);
     };
-    let Shape::Mesh(read) =
-        std::mem::replace(&mut object.shape, Shape::Mesh(Ok(Default::default())))
-    else {
+    let ObjectGeometry::Mesh(read) = std::mem::replace(
+        &mut object.shape,
+        ObjectGeometry::Mesh(Ok(Default::default())),
+    ) else {
         return Ok(None);
     };
     let mut geometry = read?;
@@ -366,7 +367,7 @@ fn solid(
     let path = model.path.join(label);
     // One group is one solid.
     let solid = draft.into_solids(&path, notes)?.pop();
-    Ok(solid.map(|solid| Solid {
+    Ok(solid.map(|solid| ShownSolid {
         mesh: Arc::new(solid.mesh),
         color: solid.color,
         materials: look.materials,

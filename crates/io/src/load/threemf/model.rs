@@ -41,12 +41,12 @@ pub(super) struct Object {
     pub(super) default: Option<(u32, u32)>,
     /// Use of the object in a slicer, if it is not a solid.
     pub(super) used_as: Option<Use>,
-    pub(super) shape: Shape,
+    pub(super) shape: ObjectGeometry,
 }
 
 /// Geometry of an object.
 #[derive(Debug)]
-pub(super) enum Shape {
+pub(super) enum ObjectGeometry {
     Mesh(Result<Geometry>),
     Components(Vec<Reference>),
     /// The name of what there is in the place of both.
@@ -196,7 +196,7 @@ fn object(xml: &mut Xml<'_>, element: &Element<'_>) -> Result<(u32, Object)> {
         kind: said(kind).unwrap_or_else(|| "model".to_owned()),
         default: group.map(|group| (group, index)),
         used_as: None,
-        shape: Shape::Other(None),
+        shape: ObjectGeometry::Other(None),
     };
     while let Some(child) = xml.child()? {
         if slicer::is_settings(&child) {
@@ -210,11 +210,11 @@ fn object(xml: &mut Xml<'_>, element: &Element<'_>) -> Result<(u32, Object)> {
             if read.is_err() {
                 xml.leave(depth)?;
             }
-            object.shape = Shape::Mesh(read);
+            object.shape = ObjectGeometry::Mesh(read);
         } else if child.is(Space::Core, "components") {
-            object.shape = Shape::Components(references(xml, "component")?);
+            object.shape = ObjectGeometry::Components(references(xml, "component")?);
         } else {
-            if let Shape::Other(other) = &mut object.shape {
+            if let ObjectGeometry::Other(other) = &mut object.shape {
                 other.get_or_insert_with(|| child.name());
             }
             xml.skip()?;

@@ -63,12 +63,12 @@ impl Space {
 
 /// Position of an element in the file.
 #[derive(Clone, Copy, Debug)]
-struct Place<'a> {
+struct SourcePosition<'a> {
     path: &'a Path,
     line: usize,
 }
 
-impl Place<'_> {
+impl SourcePosition<'_> {
     fn error(&self, what: impl Into<String>, help: &str) -> Error {
         Error::file_line(self.path, self.line, what, help)
     }
@@ -79,7 +79,7 @@ impl Place<'_> {
 pub(super) struct Element<'a> {
     space: Space,
     start: BytesStart<'a>,
-    place: Place<'a>,
+    place: SourcePosition<'a>,
 }
 
 impl Element<'_> {
@@ -238,7 +238,7 @@ impl<'a> Xml<'a> {
         }
     }
 
-    fn place(&mut self, at: u64) -> Place<'a> {
+    fn place(&mut self, at: u64) -> SourcePosition<'a> {
         let at = usize::try_from(at)
             .unwrap_or(usize::MAX)
             .min(self.text.len());
@@ -249,7 +249,7 @@ impl<'a> Xml<'a> {
             .unwrap_or_default();
         self.line += passed.iter().filter(|byte| **byte == b'\n').count();
         self.counted = self.counted.max(at);
-        Place {
+        SourcePosition {
             path: self.path,
             line: self.line,
         }

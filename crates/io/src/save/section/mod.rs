@@ -31,7 +31,7 @@ pub struct PlaneReport {
     /// Name of the cut.
     pub cut: String,
     /// Face of the cut.
-    pub face: Face,
+    pub face: SectionFace,
     /// Number of the clip-surface in the scene.
     pub clip_surface: usize,
     /// The plane, with its right and up directions.
@@ -48,7 +48,7 @@ pub struct PlaneReport {
 
 /// One of the planes of a cut.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Face {
+pub struct SectionFace {
     /// Counted from 1, in the order of the scene.
     pub number: usize,
     /// Number of planes of the cut, with those of other cuts of its name.
@@ -148,7 +148,7 @@ impl PlaneReport {
     /// The sections of parts by a plane, in the order that they are drawn in.
     pub fn new(
         cut: &str,
-        face: Face,
+        face: SectionFace,
         clip_surface: usize,
         plane: Drawn,
         parts: Vec<PartReport>,
@@ -168,7 +168,7 @@ impl PlaneReport {
 
     /// The name of the cut, and which of its faces this is where it has several.
     pub fn name(&self) -> String {
-        let Face { number, of, plane } = &self.face;
+        let SectionFace { number, of, plane } = &self.face;
         if *of == 1 {
             self.cut.clone()
         } else {

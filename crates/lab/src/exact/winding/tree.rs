@@ -28,7 +28,7 @@ struct Node {
 }
 
 /// Pending step in the construction of a tree.
-enum Step {
+enum BuildStep {
     /// A node of these faces, and what is below it.
     Make(Range<usize>),
     /// All below the node is made.
@@ -50,22 +50,22 @@ impl Tree {
             nodes: Vec::with_capacity(2 * triangles.len() / LEAF_FACES + 1),
         };
         // The next is on top.
-        let mut todo = vec![Step::Make(0..tree.faces.len())];
+        let mut todo = vec![BuildStep::Make(0..tree.faces.len())];
         while let Some(step) = todo.pop() {
             match step {
-                Step::Close(node) => tree.nodes[node].next = tree.nodes.len() as u32,
-                Step::Make(range) if range.is_empty() => {}
-                Step::Make(range) => {
+                BuildStep::Close(node) => tree.nodes[node].next = tree.nodes.len() as u32,
+                BuildStep::Make(range) if range.is_empty() => {}
+                BuildStep::Make(range) => {
                     let faces = &mut tree.faces[range.clone()];
                     let mut node = Node::around(faces);
                     (node.first, node.end) = (range.start as u32, range.end as u32);
                     let number = tree.nodes.len();
                     tree.nodes.push(node);
-                    todo.push(Step::Close(number));
+                    todo.push(BuildStep::Close(number));
                     if range.len() > LEAF_FACES {
                         let half = split(faces);
-                        todo.push(Step::Make(range.start + half..range.end));
-                        todo.push(Step::Make(range.start..range.start + half));
+                        todo.push(BuildStep::Make(range.start + half..range.end));
+                        todo.push(BuildStep::Make(range.start..range.start + half));
                     }
                 }
             }

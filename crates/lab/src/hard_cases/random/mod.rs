@@ -10,7 +10,7 @@ mod recipe;
 
 use std::ops::Range;
 
-pub use recipe::{Bumps, Recipe, Solid, Surface};
+pub use recipe::{Bumps, RandomSolid, Recipe, Surface};
 
 use cutaway::Result;
 use cutaway::session::{Outcome, Session};

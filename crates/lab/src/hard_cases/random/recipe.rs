@@ -24,7 +24,7 @@ const LONG: f64 = 0.25;
 
 /// A solid.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Solid {
+pub enum RandomSolid {
     /// Cells of a lattice of quarters.
     Cells(Vec<[i32; 3]>),
     /// A ball with lumps.
@@ -80,7 +80,7 @@ pub struct Bumps {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Recipe {
     /// Parts, each moved.
-    pub solids: Vec<(Solid, [f64; 3])>,
+    pub solids: Vec<(RandomSolid, [f64; 3])>,
     /// The first part is never cut.
     pub spared: bool,
     /// The last part wins where parts share a point, whatever its size.
@@ -139,7 +139,7 @@ impl Recipe {
         if n.once_in(6) {
             let count = 1 + n.below(40) as usize;
             let sides = 3 + n.below(22) as u32;
-            recipe.solids[0].0 = Solid::Prisms { count, sides };
+            recipe.solids[0].0 = RandomSolid::Prisms { count, sides };
         }
         if n.once_in(3) {
             recipe.turned = point(n, std::f64::consts::PI);
@@ -152,7 +152,7 @@ impl Recipe {
         }
         if n.once_in(16) {
             let teeth = 20 + n.below(600) as u32;
-            recipe.solids[0].0 = Solid::Toothed { teeth };
+            recipe.solids[0].0 = RandomSolid::Toothed { teeth };
             recipe.first_row = Some(n.below(u64::from(PRINT_PX[1] - ROWS)) as u32);
         }
         recipe
@@ -175,17 +175,17 @@ impl Recipe {
         let turn = DQuat::from_euler(EulerRot::ZYX, z, y, x);
         let parts = self.solids.iter().enumerate().map(|(i, (solid, at))| {
             let mesh = match solid {
-                Solid::Cells(cells) => meshes::cells(cells, 0.25),
-                Solid::Lumpy {
+                RandomSolid::Cells(cells) => meshes::cells(cells, 0.25),
+                RandomSolid::Lumpy {
                     subdivisions,
                     lumps,
                     phase,
                 } => meshes::lumpy(*subdivisions, *lumps, *phase),
-                Solid::Prisms { count, sides } => meshes::moved(
+                RandomSolid::Prisms { count, sides } => meshes::moved(
                     &meshes::prisms(*count, *sides),
                     DAffine3::from_scale(DVec3::splat(LONG)),
                 ),
-                Solid::Toothed { teeth } => meshes::moved(
+                RandomSolid::Toothed { teeth } => meshes::moved(
                     &meshes::toothed(*teeth),
                     DAffine3::from_scale(DVec3::splat(LONG)),
                 ),
@@ -253,29 +253,29 @@ impl Recipe {
             }
             with(&|r| r.solids[i].1 = [0.0; 3]);
             match &self.solids[i].0 {
-                Solid::Cells(cells) if cells.len() > 1 => {
+                RandomSolid::Cells(cells) if cells.len() > 1 => {
                     for c in 0..cells.len() {
                         let mut fewer = cells.clone();
                         fewer.remove(c);
-                        with(&|r| r.solids[i].0 = Solid::Cells(fewer.clone()));
+                        with(&|r| r.solids[i].0 = RandomSolid::Cells(fewer.clone()));
                     }
                 }
-                Solid::Lumpy {
+                RandomSolid::Lumpy {
                     subdivisions: 1.., ..
                 } => with(&|r| {
-                    if let Solid::Lumpy { subdivisions, .. } = &mut r.solids[i].0 {
+                    if let RandomSolid::Lumpy { subdivisions, .. } = &mut r.solids[i].0 {
                         *subdivisions -= 1;
                     }
                 }),
-                Solid::Prisms { count, sides } => {
+                RandomSolid::Prisms { count, sides } => {
                     let (count, sides) = (*count, *sides);
                     for (count, sides) in [(count.div_ceil(2), sides), (count, sides.max(4) - 1)] {
-                        with(&|r| r.solids[i].0 = Solid::Prisms { count, sides });
+                        with(&|r| r.solids[i].0 = RandomSolid::Prisms { count, sides });
                     }
                 }
-                Solid::Toothed { teeth } if *teeth > 3 => {
+                RandomSolid::Toothed { teeth } if *teeth > 3 => {
                     let teeth = teeth / 2;
-                    with(&|r| r.solids[i].0 = Solid::Toothed { teeth });
+                    with(&|r| r.solids[i].0 = RandomSolid::Toothed { teeth });
                 }
                 _ => {}
             }
@@ -333,16 +333,16 @@ fn point(n: &mut Numbers, reach: f64) -> [f64; 3] {
     [(); 3].map(|()| n.between(-reach, reach))
 }
 
-fn solid(n: &mut Numbers) -> Solid {
+fn solid(n: &mut Numbers) -> RandomSolid {
     if n.once_in(2) {
         let mut cells: Vec<[i32; 3]> = (0..2 + n.below(9))
             .map(|_| [(); 3].map(|()| n.below(4) as i32 - 2))
             .collect();
         cells.sort_unstable();
         cells.dedup();
-        Solid::Cells(cells)
+        RandomSolid::Cells(cells)
     } else {
-        Solid::Lumpy {
+        RandomSolid::Lumpy {
             subdivisions: 1 + n.below(3) as u32,
             lumps: n.between(0.0, 0.4),
             phase: n.between(0.0, 6.0),

@@ -11,7 +11,7 @@ use cutaway_io::load::place_of;
 use super::figures::{counted, times};
 use super::point::{Point, Points};
 use crate::compare::{LegendEntry, legend};
-use crate::experiment::Picture;
+use crate::experiment::RecordedPicture;
 use crate::report::document::{Block, Cell, Gallery, Image, Shot, Source, Swatch, Tone};
 use crate::report::look::look;
 
@@ -225,7 +225,7 @@ fn opens_at(wrong_px: &[Option<usize>]) -> [usize; 2] {
 fn wanted(point: &Point<'_>) -> Vec<Wanted> {
     let folder = point.folder.pictures(point.experiment);
     let strategies = &point.record.measurement.strategies;
-    let of = |picture: &Picture| {
+    let of = |picture: &RecordedPicture| {
         let found = strategies.iter().find(|s| s.name == picture.drawer);
         let wrong_px = found.and_then(|s| s.comparison).map(|c| c.decided_wrong_px);
         let ratio = found.and_then(|s| s.frame_over_draw_only);

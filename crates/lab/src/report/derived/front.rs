@@ -38,7 +38,7 @@ const LEAST_DECADES: f64 = 1.0 / 3.0;
 
 /// From one offer of a front to the next.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Step {
+pub(crate) struct FrontStep {
     /// Index of the cheaper offer.
     pub from: usize,
     /// Index of the more accurate offer.
@@ -70,13 +70,13 @@ pub(crate) fn front(offers: &[Offer]) -> Vec<usize> {
 }
 
 /// The steps along a front.
-pub(crate) fn steps(offers: &[Offer], front: &[usize]) -> Vec<Step> {
+pub(crate) fn steps(offers: &[Offer], front: &[usize]) -> Vec<FrontStep> {
     let pairs = front.windows(2);
     pairs
         .map(|pair| {
             let (from, to) = (pair[0], pair[1]);
             let (a, b) = (&offers[from], &offers[to]);
-            Step {
+            FrontStep {
                 from,
                 to,
                 cost_ratio: b.cost / a.cost,

@@ -4,14 +4,14 @@ use cutaway::gpu::wgpu;
 use eframe::egui::TextureId;
 use egui_wgpu::RenderState;
 
-use super::picture::{FORMAT, Picture};
+use super::picture::{FORMAT, ShownTexture};
 use crate::picture::full_screen::FullScreen;
 
 /// The difference of two pictures.
 pub(super) struct Difference {
     pass: FullScreen,
     sampler: wgpu::Sampler,
-    picture: Option<Picture>,
+    picture: Option<ShownTexture>,
 }
 
 impl Difference {
@@ -34,7 +34,7 @@ impl Difference {
         &mut self,
         host: &RenderState,
         encoder: &mut wgpu::CommandEncoder,
-        pictures: [Option<&Picture>; 2],
+        pictures: [Option<&ShownTexture>; 2],
         size_px: [u32; 2],
     ) {
         let [Some(a), Some(b)] = pictures else {
@@ -47,7 +47,7 @@ impl Difference {
         if let Some(old) = old {
             old.free(host);
         }
-        let onto = (self.picture).get_or_insert_with(|| Picture::new(host, size_px));
+        let onto = (self.picture).get_or_insert_with(|| ShownTexture::new(host, size_px));
         let resources = [
             wgpu::BindingResource::TextureView(&a.view),
             wgpu::BindingResource::TextureView(&b.view),

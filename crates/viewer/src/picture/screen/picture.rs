@@ -21,13 +21,13 @@ pub(super) fn covered(color: &wgpu::TextureView) -> Target<'_> {
 }
 
 /// A texture that egui shows.
-pub(super) struct Picture {
+pub(super) struct ShownTexture {
     pub(super) id: TextureId,
     pub(super) texture: wgpu::Texture,
     pub(super) view: wgpu::TextureView,
 }
 
-impl Picture {
+impl ShownTexture {
     pub(super) fn new(host: &RenderState, size_px: [u32; 2]) -> Self {
         let texture = host.device.create_texture(&wgpu::TextureDescriptor {
             label: Some("slot"),

@@ -11,7 +11,7 @@ use egui_wgpu::RenderState;
 
 use super::picture::{FORMAT, covered};
 use crate::picture::full_screen::FullScreen;
-use crate::picture::slot::Side;
+use crate::picture::slot::SlotSide;
 
 /// A sample of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -45,7 +45,7 @@ impl Sample {
 /// The samples of the slots.
 pub(super) struct Samples {
     resolve: FullScreen,
-    of_slots: BTreeMap<Side, Stack>,
+    of_slots: BTreeMap<SlotSide, Stack>,
 }
 
 /// The samples of one slot, as layers of a texture.
@@ -68,7 +68,7 @@ impl Samples {
     pub(super) fn make_room(
         &mut self,
         host: &RenderState,
-        side: Side,
+        side: SlotSide,
         size_px: [u32; 2],
         count: u32,
     ) {
@@ -87,7 +87,7 @@ impl Samples {
     }
 
     /// Render target of a sample of a slot.
-    pub(super) fn target(&self, side: Side, index: u32) -> Option<Target<'_>> {
+    pub(super) fn target(&self, side: SlotSide, index: u32) -> Option<Target<'_>> {
         let layers = &self.of_slots.get(&side)?.layers;
         layers.get(index as usize).map(covered)
     }
@@ -97,7 +97,7 @@ impl Samples {
         &mut self,
         host: &RenderState,
         encoder: &mut wgpu::CommandEncoder,
-        side: Side,
+        side: SlotSide,
         onto: &wgpu::TextureView,
     ) {
         if let Some(stack) = self.of_slots.remove(&side) {

@@ -6,7 +6,7 @@ use eframe::egui::{Button, ComboBox, ScrollArea, Slider, Ui};
 
 use crate::action::Action;
 use crate::picture::screen::Screen;
-use crate::picture::slot::{Layout, Painter, Side};
+use crate::picture::slot::{Layout, Painter, SlotSide};
 use crate::state::State;
 use crate::ui::judged::Judged;
 
@@ -48,7 +48,7 @@ fn controls(ui: &mut Ui, state: &State, actions: &mut Vec<Action>) {
             }
         }
         ui.separator();
-        for side in Side::BOTH {
+        for side in SlotSide::BOTH {
             painter(ui, state, side, actions);
         }
         if ui
@@ -99,7 +99,7 @@ fn measurements(ui: &mut Ui, state: &State, (asks_survey, shows_cost): (&mut boo
 }
 
 /// Control for the renderer of a slot.
-fn painter(ui: &mut Ui, state: &State, side: Side, actions: &mut Vec<Action>) {
+fn painter(ui: &mut Ui, state: &State, side: SlotSide, actions: &mut Vec<Action>) {
     let held = state.painter(side);
     let shown = ComboBox::new(("painter", side), format!("Slot {side}"));
     shown.selected_text(held.to_string()).show_ui(ui, |ui| {

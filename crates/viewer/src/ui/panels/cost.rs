@@ -9,8 +9,8 @@ use eframe::egui::{
 };
 
 use crate::judge::Subject;
-use crate::judge::cost::{Cost, PassCost, Question};
-use crate::picture::slot::Side;
+use crate::judge::cost::{Cost, CostQuestion, PassCost};
+use crate::picture::slot::SlotSide;
 use crate::ui::Viewer;
 use crate::ui::latest::Latest;
 
@@ -22,7 +22,7 @@ const LONGEST_POINTS: f32 = 120.0;
 
 /// Subject of a question.
 #[derive(Clone, Copy, PartialEq)]
-struct About {
+struct CostSubject {
     revision: u64,
     size_px: [u32; 2],
     renderers: [Option<Renderer>; 2],
@@ -32,18 +32,18 @@ struct About {
 #[derive(Default)]
 pub(in crate::ui) struct Costs {
     pub(in crate::ui) is_open: bool,
-    latest: Latest<About>,
+    latest: Latest<CostSubject>,
     /// Answer per slot, with the id of the question.
     answers: [Option<(u64, Result<Cost, String>)>; 2],
 }
 
 impl Costs {
     /// Known cost of a slot.
-    pub(in crate::ui) fn cost(&self, side: Side) -> Option<&Cost> {
+    pub(in crate::ui) fn cost(&self, side: SlotSide) -> Option<&Cost> {
         self.answer(side)?.as_ref().ok()
     }
 
-    fn answer(&self, side: Side) -> Option<&Result<Cost, String>> {
+    fn answer(&self, side: SlotSide) -> Option<&Result<Cost, String>> {
         let (id, answer) = self.answers[side.index()].as_ref()?;
         (*id == self.latest.id()).then_some(answer)
     }
@@ -53,13 +53,13 @@ impl Costs {
         let Some(about) = self.latest.about() else {
             return false;
         };
-        let is_seen = |side: &Side| about.renderers[side.index()].is_some();
-        let mut seen = Side::BOTH.into_iter().filter(is_seen);
+        let is_seen = |side: &SlotSide| about.renderers[side.index()].is_some();
+        let mut seen = SlotSide::BOTH.into_iter().filter(is_seen);
         seen.any(|side| self.answer(side).is_none())
     }
 
     /// Takes in an answer.
-    pub(in crate::ui) fn take_in(&mut self, id: u64, side: Side, cost: Result<Cost, String>) {
+    pub(in crate::ui) fn take_in(&mut self, id: u64, side: SlotSide, cost: Result<Cost, String>) {
         self.answers[side.index()] = Some((id, cost));
     }
 }
@@ -78,7 +78,7 @@ impl Viewer {
         if self.is_drawing() {
             return;
         }
-        let about = About {
+        let about = CostSubject {
             revision: self.state.revision(),
             size_px: self.size_px,
             renderers: last.renderers,
@@ -86,7 +86,7 @@ impl Viewer {
         let Some(id) = self.costs.latest.ask(about) else {
             return;
         };
-        let question = Question {
+        let question = CostQuestion {
             id,
             subject,
             renderers: last.renderers,

@@ -11,11 +11,11 @@ use egui_plot::{GridMark, MarkerShape, Plot, PlotPoint, Points};
 
 use crate::action::Action;
 use crate::judge::Subject;
-use crate::judge::survey::{Found, Point, Question, Surveyed};
+use crate::judge::survey::{Found, Point, SurveyQuestion, Surveyed};
 use crate::picture::chart::{
     labels_around, lines, lines_of_wrong, place_of_time, place_of_wrong, time_label, wrong_label,
 };
-use crate::picture::slot::{Painter, Side};
+use crate::picture::slot::{Painter, SlotSide};
 use crate::ui::Viewer;
 
 /// Width of the mark of a method, in points.
@@ -93,7 +93,7 @@ impl Viewer {
             is_cancelled: false,
             entries: Vec::new(),
         });
-        let question = Question {
+        let question = SurveyQuestion {
             id: self.chart.asked,
             subject,
         };
@@ -116,7 +116,7 @@ impl Viewer {
                     ends = head(ui, measured, adapter, then != now);
                     let chosen = contents(ui, measured);
                     let by = chosen.map(|method| Painter::Named(Renderer::Method(method)));
-                    actions.extend(by.map(|by| Action::Choose(Side::B, by)));
+                    actions.extend(by.map(|by| Action::Choose(SlotSide::B, by)));
                 });
         }
         // A survey whose window is closed ends.

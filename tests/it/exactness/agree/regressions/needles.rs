@@ -4,7 +4,7 @@ use cutaway::Model;
 use cutaway::scene::{ClipSurface, Cut, Precision, Up, Wrap};
 use cutaway::strategies::{Method, Strategy};
 use cutaway_lab::hard_cases;
-use cutaway_lab::hard_cases::random::{Bumps, Recipe, Solid, Surface};
+use cutaway_lab::hard_cases::random::{Bumps, RandomSolid, Recipe, Surface};
 use glam::{DVec2, DVec3};
 
 use crate::common::{Question, meshes, scenes, session};
@@ -48,7 +48,7 @@ fn regression_0015_a_needle_in_a_flat_face_shows_its_back() {
 /// near plane, at an edge that passes it farther back: exact was sure of the cap, for the edge is hidden.
 #[test]
 fn regression_0016_a_cap_hangs_on_edges_behind_it_where_a_driver_parts_them() {
-    let prisms = Solid::Prisms {
+    let prisms = RandomSolid::Prisms {
         count: 29,
         sides: 19,
     };
@@ -110,7 +110,7 @@ fn regression_0017_a_triangle_without_a_plane_has_any_depth() {
         at,
         bumps: None,
     };
-    let prisms = Solid::Prisms {
+    let prisms = RandomSolid::Prisms {
         count: 31,
         sides: 17,
     };
@@ -125,7 +125,7 @@ fn regression_0017_a_triangle_without_a_plane_has_any_depth() {
                 ],
             ),
             (
-                Solid::Cells(vec![
+                RandomSolid::Cells(vec![
                     [-2, 0, 1],
                     [-1, -2, -2],
                     [1, -1, 1],

@@ -15,7 +15,7 @@
 
 use cutaway::error::Result;
 use cutaway::scene::describe::OrWord;
-use cutaway::scene::{Amount, Block, Bounds, ClipSurface, Face, Wedge, in_common, next_axis};
+use cutaway::scene::{Amount, Block, Bounds, ClipSurface, RegionFace, Wedge, in_common, next_axis};
 use glam::DVec3;
 
 use super::cuts::{Context, on_plane, sound};
@@ -207,7 +207,7 @@ pub(in crate::document::read) fn listed(
 
 /// The clip-surfaces of faces, with the relief of the table on those that are listed.
 pub(in crate::document::read) fn ruffled(
-    faces: Vec<Face>,
+    faces: Vec<RegionFace>,
     listed: &[&'static str],
     (table, desc): (&Table<'_>, &ReliefUse),
     context: &Context<'_>,
