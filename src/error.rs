@@ -1,16 +1,16 @@
-//! The one error type of the library.
+//! The library's only error type.
 //!
-//! An error names the culprit (file, line, option, key), says what is wrong and how to mend it. Refusals and overflows of
-//! a strategy are not errors: they are outcomes of a frame (see [`crate::strategies::Refusal`] and
+//! An error names the culprit (file, line, option, key), states what is wrong and how to fix it. A strategy's refusals and overflows
+//! are not errors but outcomes of a frame (see [`crate::strategies::Refusal`] and
 //! [`crate::session::Outcome`]).
 
 use std::path::{Path, PathBuf};
 
-/// Errors between a file name and a picture.
+/// Every error of the library, from reading a file to drawing a picture.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
-    /// A file that cannot be read as what it claims to be.
+    /// A file whose contents are not what its format requires.
     #[error("{}{}{}: {what}\n  help: {help}", path.display(), number(*line), number(*column))]
     File {
         /// The file.
@@ -24,7 +24,7 @@ pub enum Error {
         /// Advice for the user.
         help: String,
     },
-    /// An option, a key or a value that makes no sense.
+    /// An invalid option, key or value.
     #[error("{culprit}: {what}\n  help: {help}")]
     Input {
         /// The option, key or value, as the user wrote it.
@@ -34,10 +34,10 @@ pub enum Error {
         /// Advice for the user.
         help: String,
     },
-    /// A file that is named and does not exist. The inner error contains the source of the name, and the text.
+    /// A named file does not exist. The inner error contains the text and where the name was given.
     #[error("{0}")]
     Missing(Box<Self>),
-    /// No adapter, or one that lacks what a plan needs.
+    /// No adapter was found, or the adapter lacks something that a plan needs.
     #[error("{what}\n  help: {help}")]
     Adapter {
         /// Description of the missing item.
@@ -45,26 +45,26 @@ pub enum Error {
         /// Advice for the user.
         help: String,
     },
-    /// A shader that does not compose or validate: a fault of this crate, never of its input.
+    /// A shader that fails to compose or validate: a fault of this crate, never of its input.
     #[error("shader {name}: {what}")]
     Shader {
         /// Path of the shader in the tree.
         name: String,
-        /// The report, with file and line where there is one.
+        /// The report, with file and line if known.
         what: String,
     },
     /// A plan that breaks its own rules: a fault of this crate, never of its input.
     #[error("plan: {0}")]
     Plan(String),
-    /// A plan that asks for more than the adapter's limits allow; a strategy's frame is then refused.
+    /// A plan that exceeds the adapter's limits; the strategy's frame is then refused.
     #[error("{0}\n  help: lower --resolution, or choose an adapter that binds more with --adapter")]
     Limit(String),
 }
 
-/// Result of the library.
+/// The library's result type.
 pub type Result<T, E = Error> = std::result::Result<T, E>;
 
-/// A number of a place in a file, as compilers write it: `scene.toml:12:5`.
+/// A line or column number in a file, as compilers write it: `scene.toml:12:5`.
 fn number(of_place: Option<usize>) -> String {
     of_place.map(|n| format!(":{n}")).unwrap_or_default()
 }
@@ -81,7 +81,7 @@ impl Error {
         }
     }
 
-    /// A file that cannot be used, with the line at fault.
+    /// A file that cannot be used, with the line that is wrong.
     pub fn file_line(
         path: &Path,
         line: usize,
@@ -97,7 +97,7 @@ impl Error {
         }
     }
 
-    /// Description of the error without the name of the file: for callers that give that name in other words.
+    /// Description of the error without the file name, for callers that name the file themselves.
     #[doc(hidden)]
     pub fn into_what(self) -> String {
         match self {
@@ -107,7 +107,7 @@ impl Error {
         }
     }
 
-    /// The same with the character of the line at fault.
+    /// The same error with the column at which the line is wrong.
     #[must_use]
     pub fn at_column(mut self, number: usize) -> Self {
         if let Self::File { column, .. } = &mut self {
@@ -116,7 +116,7 @@ impl Error {
         self
     }
 
-    /// The same of something that is used elsewhere: `place` is named first.
+    /// The same error for something that is used elsewhere: `place` is named first.
     #[doc(hidden)]
     pub fn within(self, place: &str) -> Self {
         match self {
@@ -141,13 +141,13 @@ impl Error {
         }
     }
 
-    /// The same, which is so because a file is not there.
+    /// The same error, marked as caused by a missing file.
     #[doc(hidden)]
     pub fn missing(self) -> Self {
         Self::Missing(Box::new(self))
     }
 
-    /// An option, key or value that makes no sense.
+    /// An invalid option, key or value.
     pub fn input(
         culprit: impl Into<String>,
         what: impl Into<String>,
@@ -161,7 +161,7 @@ impl Error {
     }
 }
 
-/// The one of `known` that a misspelt `word` may mean, if it is close to one.
+/// The entry of `known` closest to a misspelt `word`, if any is close.
 pub(crate) fn nearest<'a>(word: &str, known: &[&'a str]) -> Option<&'a str> {
     let scored = known.iter().map(|k| (strsim::jaro_winkler(word, k), *k));
     let (score, best) = scored.max_by(|a, b| a.0.total_cmp(&b.0))?;

@@ -1,6 +1,6 @@
-//! Layers: what a frame is before shading, and the only thing strategies are judged by.
+//! Layers: a frame's contents before shading, and the only thing by which strategies are judged.
 //!
-//! One entry per pixel, rows from the top, at pixel centres. Every strategy and the exact reference end in this type, so
+//! One entry per pixel, rows from the top, sampled at pixel centres. Every strategy and the exact reference end in this type, so
 //! that correctness is compared on decisions (which part, which clip-surface, at which depth) and never on colours.
 
 use glam::Vec3;
@@ -18,7 +18,7 @@ pub enum Kind {
     Cap = 2,
 }
 
-/// Clip-surface number of a cap that the near plane makes where the camera stands inside a solid.
+/// Clip-surface number of a cap made by the near plane when the camera stands inside a solid.
 pub const NEAR_PLANE: u8 = 0xff;
 
 /// One pixel of [`Layers`].
@@ -28,18 +28,18 @@ pub struct Layer {
     pub kind: Kind,
     /// Index of the part in the scene; 0 for background.
     pub part: u16,
-    /// Index of the clip-surface that made the cap (all cuts' surfaces in order), [`NEAR_PLANE`], or 0 when not a cap.
+    /// Index of the clip-surface that made the cap (numbered over the surfaces of all cuts in order), [`NEAR_PLANE`], or 0 when not a cap.
     pub clip_surface: u8,
-    /// The mesh shows its inner side: the triangle hit faces away from the camera.
+    /// True if the visible side is the inner one: the triangle hit faces away from the camera.
     pub back_face: bool,
     /// The strategy marks this pixel as unreliable: odd crossing count, or a buffer that overflowed.
     pub unreliable: bool,
-    /// True for a cap at which other solids that the same cut opens overlap with the part shown. Strategies report it on
-    /// request; exact always does.
+    /// True for a cap where the part shown overlaps other solids that the same cut opens. Strategies report it on
+    /// request; the exact reference always does.
     pub overlap: bool,
     /// Distance from the eye along the viewing direction, in scene units; infinite for background.
     pub depth: f64,
-    /// Unit normal in scene space, facing the camera's side; zero for background.
+    /// Unit normal in scene space, facing the camera; zero for background.
     pub normal: Vec3,
 }
 
@@ -53,7 +53,7 @@ pub struct Layers {
 }
 
 impl Layers {
-    /// A frame of background.
+    /// A frame that is all background.
     pub fn background(size_px: [u32; 2]) -> Self {
         let pixel = Layer {
             depth: f64::INFINITY,
@@ -75,7 +75,7 @@ impl Layers {
         self.pixels.iter().filter(|p| p.overlap).count()
     }
 
-    /// Some of the rows, as a frame of their own.
+    /// A range of rows, as a separate frame.
     #[must_use]
     pub fn rows(&self, first: u32, count: u32) -> Self {
         let width = self.size_px[0] as usize;

@@ -1,10 +1,10 @@
-//! A device with the programs of some methods: draws scenes and redraws only what changed.
+//! A device with the programs of several methods: draws scenes and redraws only what changed.
 //!
-//! Each method keeps its own program, so that several can be measured in turns without a rebuild between them; large
+//! Each method keeps its own program, so that several can be measured in turn without a rebuild in between; large
 //! uploads are shared. A frame whose bounded buffers were too small is drawn again with the sizes it reported, up to
-//! [`MOST_TRIES`] times; what still overflows is the outcome of the frame.
+//! [`MOST_TRIES`] times; if a buffer still overflows, that is the outcome of the frame.
 //!
-//! A picture that is too large for the limits of the device is drawn in bands of rows, each by a program of its own, which
+//! A picture that exceeds the device's limits is drawn in bands of rows, each by a separate program, which
 //! is visible only in the times.
 
 use std::collections::BTreeMap;
@@ -30,7 +30,7 @@ pub use encode::{Encoded, Overflow};
 pub use finish::StyleChannels;
 use rows::Rows;
 
-/// Number of times a frame is drawn until its buffers are large enough.
+/// Maximum number of times that a frame is drawn to make its buffers large enough.
 pub const MOST_TRIES: usize = 4;
 
 /// Result of a frame.
@@ -38,9 +38,9 @@ pub const MOST_TRIES: usize = 4;
 pub enum Outcome {
     /// The whole frame was drawn.
     Complete,
-    /// A bounded buffer was too small; the pixels concerned are marked.
+    /// A bounded buffer was too small; the affected pixels are marked.
     Overflowed(String),
-    /// The strategy does not draw such a scene.
+    /// The strategy does not support the scene.
     Refused(Refusal),
 }
 
@@ -54,7 +54,7 @@ impl Outcome {
         }
     }
 
-    /// Why, where it is not complete.
+    /// The reason, if it is not complete.
     pub fn reason(&self) -> Option<&str> {
         match self {
             Self::Complete => None,
@@ -72,13 +72,13 @@ pub struct Drawn {
     pub outcome: Outcome,
     /// The clocks on which something changed.
     pub clocks: ClockSet,
-    /// The passes that ran in the last try, which are all that the frame took; their times, where the session [takes
+    /// The passes that ran in the last try, which are the whole cost of the frame; with their times if the session [measures
     /// them](Session::timed).
     pub times: RunTimes,
 }
 
 impl Drawn {
-    /// Names of the passes of a clock that ran.
+    /// Names of a clock's passes that ran.
     pub fn ran_on(&self, clock: Clock) -> Vec<&str> {
         let ran = self.times.passes.iter().filter(|p| p.clock == clock);
         ran.map(|p| p.name.as_str()).collect()
@@ -88,9 +88,9 @@ impl Drawn {
 /// Content that a slot draws.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Drawing {
-    /// Frames with nothing cut, by a rasteriser.
+    /// Uncut frames, drawn with a rasteriser.
     Uncut(Rasteriser),
-    /// Frames by a method.
+    /// Frames drawn with a method.
     By(Method),
 }
 
@@ -102,7 +102,7 @@ pub struct Session {
 }
 
 impl Session {
-    /// A session on a device. Measures its sub-pixel bits, as [`Gpu::report`] does, for a frame is not to wait for that.
+    /// A session on a device. Measures the device's sub-pixel bits, as [`Gpu::report`] does, so that no frame has to wait for that.
     pub fn new(gpu: Gpu) -> Self {
         gpu.report();
         Self {
@@ -112,7 +112,7 @@ impl Session {
         }
     }
 
-    /// The same, which takes the time of every pass that it draws. Where the device has no timestamps to trust, each is waited for.
+    /// The same session, but measuring the time of every pass that it draws. Without reliable device timestamps it waits for each pass.
     #[must_use]
     pub fn timed(self) -> Self {
         Self {
@@ -141,12 +141,12 @@ impl Session {
         Ok(drawn)
     }
 
-    /// The ground shadow of what a method keeps of a scene, for [`Model::on_ground`]: small frames from below and above, which are read
-    /// back. It depends on no camera but on every cut and motion.
+    /// The ground shadow of a scene as a method cuts it, for [`Model::on_ground`]: from small frames seen from below and above, which are
+    /// read back. It depends on no camera, but on every cut and motion.
     ///
     /// # Errors
     ///
-    /// Those of [`Session::draw`], and a method that refuses the scene.
+    /// Those of [`Session::draw`], and an error if the method refuses the scene.
     pub fn ground_shadow(
         &self,
         model: &Model,
@@ -179,7 +179,7 @@ impl Session {
         )))
     }
 
-    /// Adds to the refusal of what the device lacks which strategies it would draw.
+    /// Adds to a refusal caused by the device which strategies the device could draw.
     fn name_what_works(&self, refusal: &mut Refusal, model: &Model, view: &View) {
         if refusal.unsupported != Unsupported::Limit {
             return;
@@ -197,7 +197,7 @@ impl Session {
         }
     }
 
-    /// A method with the means that the device has.
+    /// The method, adapted to the features of the device.
     fn asked(&self, mut method: Method) -> Method {
         let wide_atomics = self.gpu.limits().wide_atomics;
         method.options.wide_atomics.get_or_insert(wide_atomics);
@@ -211,7 +211,7 @@ impl Session {
         self.slots.clear();
     }
 
-    /// Runs the last frame by a method again on some clocks, for its times.
+    /// Runs the passes of some clocks of a method's last frame again, to time them.
     pub fn repeat(&self, method: impl Into<Method>, clocks: ClockSet) -> Result<RunTimes> {
         self.slot(method)?.repeat(&self.gpu, clocks)
     }
@@ -232,12 +232,12 @@ impl Session {
         Ok(picture)
     }
 
-    /// The plan of the last frame by a method, of its first band where it was drawn in several.
+    /// The plan of a method's last frame; that of the first band if there are several.
     pub fn plan(&self, method: impl Into<Method>) -> Result<&Plan> {
         Ok(self.first_band(method)?.program.plan())
     }
 
-    /// Precision of the triangles in the last frame by a method: of the adapter if its rasteriser drew some, even if only caps.
+    /// Precision of the triangles in a method's last frame: the adapter's if its rasteriser drew some, even if only caps.
     pub fn precision(&self, method: impl Into<Method>) -> Result<Precision> {
         let method = method.into();
         Ok(match self.plan(method)?.draws_triangles() {
@@ -246,19 +246,19 @@ impl Session {
         })
     }
 
-    /// In how many bands the last frame by a method was drawn.
+    /// Number of bands in which a method's last frame was drawn.
     pub fn bands(&self, method: impl Into<Method>) -> Result<usize> {
         Ok(self.slot(method)?.bands.len())
     }
 
-    /// Bytes of what the last frame by a method produces, by clock, as [`Plan::bytes_on`] counts them, of all bands.
+    /// Bytes produced by a method's last frame, by clock, as [`Plan::bytes_on`] counts them, over all bands.
     pub fn bytes(&self, method: impl Into<Method>) -> Result<[u64; 3]> {
         let bands = &self.slot(method)?.bands;
         let on = |clock| bands.iter().map(|b| b.program.plan().bytes_on(clock)).sum();
         Ok(Clock::ALL.map(on))
     }
 
-    /// Bytes on the device that the last frame by a method has on a clock, as [`crate::gpu::Program::allocated_on`] counts them.
+    /// Device memory of a method's last frame on a clock, in bytes, as [`crate::gpu::Program::allocated_on`] counts them.
     pub fn allocated_on(
         &self,
         method: impl Into<Method>,
@@ -271,11 +271,11 @@ impl Session {
 
     fn slot(&self, method: impl Into<Method>) -> Result<&Slot> {
         let method = method.into();
-        let none = |why: &str| Error::Plan(format!("{method} has no frame to look at: {why}"));
+        let none = |why: &str| Error::Plan(format!("{method} has no drawn frame: {why}"));
         let slot = self
             .slots
             .get(&Drawing::By(method))
-            .ok_or_else(|| none("it was never asked for one"))?;
+            .ok_or_else(|| none("none was requested"))?;
         match &slot.refused {
             Some(reason) => Err(none(reason)),
             None => Ok(slot),
@@ -288,8 +288,8 @@ impl Session {
         first.ok_or_else(|| Error::Plan(format!("{method} has no band")))
     }
 
-    /// The words of a buffer of the last frame by a method, by name: for tests. Of the first band, if there are several, with the
-    /// rows below it that its effects look at.
+    /// The words of a named buffer of a method's last frame, for tests. If there are several bands, those of the first, including the
+    /// rows below it that its effects read.
     pub fn words(&self, method: impl Into<Method>, buffer: &str) -> Result<Vec<u32>> {
         self.first_band(method)?.program.words(&self.gpu, buffer)
     }

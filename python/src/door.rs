@@ -1,10 +1,10 @@
 //! The door between Python and the library: locks, errors, panics and forks.
 //!
-//! What is bad input is a `ValueError` with the words of the library, its `help:` included. A file that is not there is a
-//! `FileNotFoundError`. Want of an adapter, and faults of the library itself, are a `RuntimeError`.
+//! Bad input raises a `ValueError` with the library's message, its `help:` included. A missing file raises a
+//! `FileNotFoundError`. A missing adapter, and faults of the library itself, raise a `RuntimeError`.
 //!
-//! What takes time runs on a thread of its own, so that Ctrl-C is raised at once. The call that it was raised from goes on to its end:
-//! nothing below can be stopped halfway. Whoever needs the same scene or the device then waits for that, and may be interrupted as well.
+//! Long work runs on a separate thread, so that Ctrl-C is raised at once. The interrupted work itself runs to its end:
+//! nothing below can be stopped halfway. Later calls that need the same scene or the device wait for it, and may be interrupted as well.
 
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -28,10 +28,10 @@ static OWNER: AtomicU32 = AtomicU32::new(0);
 /// Longest wait of a Python signal.
 const BETWEEN_LOOKS: Duration = Duration::from_millis(50);
 
-/// As much as the first thread of a process has.
+/// Stack size: that of a process's main thread.
 const STACK_BYTES: usize = 8 << 20;
 
-/// Runs what takes time without the lock of the interpreter; an interrupt of Python is raised meanwhile.
+/// Runs long work without the interpreter lock; a Python interrupt is raised meanwhile.
 pub(crate) fn detached<T: Send + 'static>(
     py: Python<'_>,
     work: impl FnOnce() -> Result<T> + Send + 'static,
@@ -39,7 +39,7 @@ pub(crate) fn detached<T: Send + 'static>(
     stoppable(py, |_| work())
 }
 
-/// The same for work that looks whether it is to stop.
+/// The same for work that checks whether it should stop.
 pub(crate) fn stoppable<T: Send + 'static>(
     py: Python<'_>,
     work: impl FnOnce(&AtomicBool) -> Result<T> + Send + 'static,

@@ -1,4 +1,4 @@
-//! A document opened: what it shows, kept from call to call as long as it says the same.
+//! An opened document: its scene is kept between calls as long as the document is unchanged.
 
 use cutaway::scene::{Fit, Scene, View};
 use cutaway::{Error, Outcome};
@@ -8,7 +8,7 @@ use cutaway_lab::experiment::SceneAtTime;
 
 use crate::door::Result;
 
-/// The style of pictures of scenes that name none.
+/// Default style of pictures.
 const USUAL_STYLE: &str = "technical";
 
 /// Purpose of opening a document.
@@ -20,7 +20,7 @@ pub(crate) enum Purpose {
     Measurement,
 }
 
-/// A document and what it shows.
+/// A document and its scene.
 pub(crate) struct Opened {
     document: Document,
     purpose: Purpose,
@@ -30,7 +30,7 @@ pub(crate) struct Opened {
 }
 
 impl Opened {
-    /// Opens a document at the moment that it asks for. What it has in common with the last one is not prepared again.
+    /// Opens a document at its own time. Data in common with the last one is reused.
     pub(crate) fn of(
         mut document: Document,
         assets: &mut Assets,

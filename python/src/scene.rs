@@ -1,6 +1,6 @@
-//! The class `Scene` of Python: a document that always opens, and what it was last drawn as.
+//! The Python class `Scene`: a document that always opens, and its last drawn model.
 //!
-//! What a call does is done on a thread of its own ([`detached`]), which takes along what the scene holds ([`Shared`]).
+//! The work of a call runs on a separate thread ([`detached`]), with the scene's state ([`Shared`]).
 
 use std::path::PathBuf;
 use std::sync::Arc;

@@ -89,7 +89,7 @@ impl State {
         }
     }
 
-    /// Another that holds the same and goes its own way.
+    /// An independent copy.
     pub(crate) fn copied(&self) -> Self {
         Self {
             document: self.document.clone(),
@@ -125,7 +125,7 @@ impl State {
         Ok(state)
     }
 
-    /// Changes the document, if what comes out opens.
+    /// Changes the document, if the result opens.
     pub(crate) fn amend(&mut self, change: impl FnOnce(&mut Document) -> Result<()>) -> Result<()> {
         let mut document = self.document.clone();
         change(&mut document)?;
@@ -138,7 +138,7 @@ impl State {
         Ok(())
     }
 
-    /// Opens the document with what a call asks for.
+    /// Opens the document with a call's settings.
     pub(crate) fn open(&mut self, asked: Asked, purpose: Purpose) -> Result<&Opened> {
         let mut document = self.document.clone();
         must_have_parts(&document)?;

@@ -1,5 +1,5 @@
-//! Arrays as files: what Python adds is kept as the bytes of a PLY file, so that it is read, welded, doubted and saved as a file of the
-//! same numbers would be.
+//! Arrays as files: meshes added from Python are kept as the bytes of a PLY file, and so read, welded, checked and saved as a file
+//! with the same numbers.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -9,18 +9,18 @@ use std::sync::{Arc, PoisonError, RwLock};
 
 use cutaway_io::load::{Disk, Files};
 
-/// The folder that arrays are named in. No file system has one of this name by accident.
+/// The virtual folder of arrays. No file system has one of this name by accident.
 const FOLDER: &str = "<arrays>";
 
-/// The name of a file, and what it holds.
+/// A file's name and contents.
 pub(crate) type NamedBytes = (String, Arc<[u8]>);
 
-/// The files of the disk, and those of arrays.
+/// The files on disk, and those of arrays.
 #[derive(Debug, Default)]
 pub(crate) struct Store(RwLock<BTreeMap<String, Arc<[u8]>>>);
 
 impl Store {
-    /// Keeps bytes under a new name, by which documents call them.
+    /// Stores bytes under a new name, for use in documents.
     pub(crate) fn keep(&self, bytes: Vec<u8>) -> String {
         let mut held = self.0.write().unwrap_or_else(PoisonError::into_inner);
         let name = format!("{}.ply", held.len() + 1);
@@ -43,7 +43,7 @@ impl Store {
         held.extend(arrays.into_iter().map(|(name, bytes)| (name, bytes.into())));
     }
 
-    /// The bytes of arrays, if the name is that of some.
+    /// The bytes of arrays with this name, if any.
     pub(crate) fn held(&self, path: &Path) -> Option<Arc<[u8]>> {
         let name = path.file_name()?.to_str()?;
         let held = self.0.read().unwrap_or_else(PoisonError::into_inner);

@@ -1,8 +1,8 @@
-// Dresses caps in their materials (Trapp and Doellner 2013, sections 4.1 and 4.2) and surfaces in their vertex paints, by the open module `vertex_paint`. One
-// invocation owns a pixel at a time.
+// Applies materials to caps (Trapp and Doellner 2013, sections 4.1 and 4.2) and vertex paints to surfaces, by the open module
+// `vertex_paint`. One invocation owns a pixel at a time.
 //
-// What a pixel is made of is left in the picture, which is painted later: sRGB colour, and alpha 1 where it is in the place of the
-// colour of the part. Layers are copied with the normals that the material bends, for light alone.
+// The material colour is stored in the picture, which is painted later: sRGB, with alpha 1 where it replaces the colour of the part. Layers
+// are copied with the normals that the material bends, for lighting only.
 
 #import cutaway::cap_plane::{CapPlane, footing_on, moved_along, nearest_axis, plane_of_view}
 #import cutaway::vertex_paint::vertex_paint_at
@@ -39,7 +39,7 @@ struct CapMaterialPlanes {
 }
 
 @group(1) @binding(0) var<storage, read> layers: array<u32>;
-// By the number of the part in the scene.
+// By part number in the scene.
 @group(1) @binding(1) var<storage, read> cap_materials: array<CapMaterial>;
 @group(1) @binding(3) var<storage, read_write> lit_layers: array<u32>;
 @group(1) @binding(4) var<uniform> cap_material_planes: CapMaterialPlanes;
@@ -51,7 +51,7 @@ struct DrawnCap {
     normal: u32,
 }
 
-// The plane that carries the images of a cap: v goes down, as the rows of an image do.
+// The plane that carries the images of a cap: v points down, as image rows do.
 fn plane_of(number: u32, normal: vec3<f32>) -> CapPlane {
     if number == NEAR_PLANE || number >= cap_material_planes.count {
         let view = plane_of_view();
@@ -61,7 +61,7 @@ fn plane_of(number: u32, normal: vec3<f32>) -> CapPlane {
     if plane.normal.w < 0.5 {
         return plane;
     }
-    // Of a cutter: across the axis that its face is nearest to, upright as it is seen.
+    // For a cutter: perpendicular to the axis nearest to its face normal, upright as seen.
     let axis = vec3<f32>(vec3<u32>(0u, 1u, 2u) == vec3<u32>(nearest_axis(normal)));
     let out = axis * sign(dot(axis, normal));
     let up = select(vec3<f32>(0.0, 1.0, 0.0), vec3<f32>(0.0, 0.0, 1.0), cap_material_planes.is_z_up != 0u);
@@ -85,7 +85,7 @@ fn stack_color(material: CapMaterial, p: vec3<f32>, right: vec3<f32>, down: vec3
     var at = fract(p.z) * f32(count) - 0.5;
     var place = p.xy;
     if material.solid == FILLED_STACK {
-        // It ends where the box does.
+        // The texture ends at the borders of the box.
         at = clamp(p.z * f32(count) - 0.5, 0.0, f32(count - 1));
         let half_texel = 0.5 / vec2<f32>(textures[material.first_image].size);
         place = clamp(place, half_texel, 1.0 - half_texel);
@@ -101,7 +101,7 @@ fn in_solid(material: CapMaterial, point: vec4<f32>) -> vec3<f32> {
     return vec3<f32>(dot(material.x_row, point), dot(material.y_row, point), dot(material.z_row, point));
 }
 
-// What a cap is made of all through.
+// The colour of a cap's solid material.
 fn solid_color(material: CapMaterial, at: vec2<u32>, depth: f32, normal: vec3<f32>) -> vec4<f32> {
     let ray = ray_through(centre_of(at));
     let reach = select(depth, 1.0, frame.orthographic != 0u);
@@ -145,7 +145,7 @@ fn drawn_cap(at: vec2<u32>, word: u32, packed_normal: u32, depth: f32) -> DrawnC
     }
     if material.normal != NO_TEXTURE {
         let bent = sampled(material.normal, place, right, down).xyz * 2.0 - 1.0;
-        // Rows of an image go down, green is up.
+        // Image rows go down, green is up.
         let slope = (bent.x * plane.u_row.xyz - bent.y * plane.v_row.xyz) / max(bent.z, 0.05);
         normal = normalize(normal + slope);
     }

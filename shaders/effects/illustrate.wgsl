@@ -1,5 +1,5 @@
-// Makes a picture of layers as a style asks. One invocation owns one pixel at a time. What a style can do fills open modules: `dress`, `shading`,
-// `occlusion`, `cap_pattern`, `surface_pattern`, `strokes`, `backdrop`, and `overlap` for caps that several solids share.
+// Makes a picture from layers in a style. One invocation owns one pixel at a time. Features of a style fill open modules: `dress`,
+// `shading`, `occlusion`, `cap_pattern`, `surface_pattern`, `strokes`, `backdrop`, and `overlap` for caps that several solids share.
 
 #import cutaway::backdrop::backdrop
 #import cutaway::base::own_color
@@ -19,7 +19,7 @@
 
 @group(1) @binding(0) var<storage, read> layers: array<u32>;
 
-// Linear light, and how much of the pixel is covered.
+// Linear light, and the covered fraction of the pixel.
 fn color_at(at: vec2<u32>, pixel: u32) -> vec4<f32> {
     let first = pixel * WORDS_PER_PIXEL;
     let word = layers[first];

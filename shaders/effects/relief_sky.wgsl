@@ -1,6 +1,6 @@
-// Sky that a relief hides from the caps that it makes, plus the occlusion found in the picture. One invocation owns a pixel at a time.
+// Occlusion of caps by their own relief, combined with the occlusion found in the picture. One invocation owns a pixel at a time.
 //
-// The map of the sky lies texel by texel as the heights do, and is read as they are.
+// The sky map has the same texels as the height map, and is sampled in the same way.
 
 #import cutaway::cuts::{MAX_SURFACES, NO_RELIEF, cut_table}
 #import cutaway::frame::{centre_of, frame, pixel_index, ray_through}
@@ -20,7 +20,7 @@ struct ReliefSky {
 @group(1) @binding(1) var<storage, read_write> visibility: array<f32>;
 @group(1) @binding(2) var<uniform> relief_sky: ReliefSky;
 
-// What the relief leaves of the light at a point of a cap.
+// Fraction of light left by the relief at a point of a cap.
 fn light_of(number: u32, point: vec4<f32>) -> f32 {
     for (var slot = 0u; slot < min(cut_table.surface_count, MAX_SURFACES); slot++) {
         if cut_table.surfaces[slot].surface != number || cut_table.surfaces[slot].first_texel == NO_RELIEF {

@@ -1,10 +1,10 @@
-// Places the stroke of each border within the pixel. One invocation owns a pixel at a time, with the borders on its right and below it.
+// Places each border's stroke within the pixel. One invocation owns a pixel at a time, with the borders to its right and below it.
 //
-// Borders lie between samples, so a slanting edge is a staircase of them, which moves by whole pixels while the edge glides. The staircase
-// tells where the edge is: between the middles of the steps at the two ends of a run it is a straight line (Reshetov 2009, "Morphological
-// antialiasing", section 2.2, there for colours). Each run of borders in one line leads at an end that the staircase goes on from to the
-// middle of that step, and is where it was from half its length on, or from RAMP / 2 on if it is longer. A border that is itself a step
-// ends in its middle. At corners, where the staircase does not go on, a run keeps its place.
+// Borders lie between samples, so a slanting edge is a staircase of borders, which moves by whole pixels while the edge moves smoothly. The
+// edge is recovered from the staircase: between the middles of the steps at both ends of a run it is a straight line (Reshetov 2009,
+// "Morphological antialiasing", section 2.2, there for colours). At an end where the staircase continues, a run of collinear borders is
+// bent to the middle of that step; it is unchanged from half its length on, or from RAMP / 2 on if it is longer. A border that is itself a
+// step ends in its middle. At corners, where the staircase does not continue, a run is unchanged.
 
 #import cutaway::borders::{below_of, right_of, word_of_tile}
 #import cutaway::frame::{frame, pixel_index}
@@ -17,7 +17,7 @@
 @group(1) @binding(0) var<storage, read> borders: array<u32>;
 @group(1) @binding(1) var<storage, read_write> strokes: array<u32>;
 
-// The longest run whose ends meet in its middle; `RAMP_PX` in `src/effects/borders.rs`.
+// The longest run that is bent over its whole length; `RAMP_PX` in `src/effects/borders.rs`.
 const RAMP: i32 = 16;
 
 // Whether a stroke is drawn between a sample and the next one in a direction, (1, 0) or (0, 1).
@@ -30,17 +30,17 @@ fn is_drawn(at: vec2<i32>, step: vec2<i32>) -> bool {
     return class_of != 0u && style.stroke_halves[(class_of - 1u) / 4u][(class_of - 1u) % 4u] > 0.0;
 }
 
-// How the staircase goes on at an end of a run.
+// How the staircase continues at one end of a run.
 struct End {
-    // How many borders of the run come before it.
+    // Number of borders of the run before the end.
     distance: i32,
-    // To which side the next run is off: -1, 1, or 0 at corners and where no step is near.
+    // Side to which the next run is offset: -1, 1, or 0 at corners and where no step is near.
     side: i32,
-    // Whether the border is itself a step between runs across it.
+    // Whether the border is itself a step between perpendicular runs.
     is_step: bool,
 }
 
-// The end of the run of the border between a sample and the next one across, `sign` ways along it.
+// The end, in direction `sign`, of the run that contains the border between a sample and the next one across.
 fn end_of(at: vec2<i32>, across: vec2<i32>, sign: i32) -> End {
     let along = across.yx;
     var last = at;
@@ -49,7 +49,7 @@ fn end_of(at: vec2<i32>, across: vec2<i32>, sign: i32) -> End {
             last += sign * along;
             continue;
         }
-        // The corner of samples that the run ends at has a border across the run on either side, or none.
+        // At the corner between samples where the run ends, a border may cross to either side, or none.
         let beside = last + select(vec2<i32>(0), -along, sign < 0);
         let before = is_drawn(beside, along);
         let behind = is_drawn(beside + across, along);
@@ -63,13 +63,13 @@ fn end_of(at: vec2<i32>, across: vec2<i32>, sign: i32) -> End {
     return End(RAMP, 0, false);
 }
 
-// Which side of the run the border across it is on, at an end.
+// The side on which a border crosses the run, at an end.
 fn turns_to(at: vec2<i32>, across: vec2<i32>, sign: i32) -> i32 {
     let beside = at + select(vec2<i32>(0), -across.yx, sign < 0);
     return select(-1, 1, is_drawn(beside + across, across.yx));
 }
 
-// Where the stroke on a border is.
+// The position of the stroke on a border.
 fn place_of(at: vec2<i32>, across: vec2<i32>) -> u32 {
     let start = end_of(at, across, -1);
     let end = end_of(at, across, 1);
@@ -78,7 +78,7 @@ fn place_of(at: vec2<i32>, across: vec2<i32>) -> u32 {
     let from_end = vec2<f32>(f32(end.distance + 1), f32(end.distance));
     let ramps = max(vec2<f32>(0.0), 0.5 - from_start / length) * f32(start.side) +
         max(vec2<f32>(0.0), 0.5 - from_end / length) * f32(end.side);
-    // A step turns to one side at one end and to the other at the other.
+    // A step turns to opposite sides at its two ends.
     let is_step = start.is_step && end.is_step && start.distance + end.distance == 0 &&
         turns_to(at, across, -1) != turns_to(at, across, 1);
     let shortened = vec2<bool>(is_step && start.side == 0, is_step && end.side == 0);

@@ -1,15 +1,15 @@
-// Rectangles that end a little to the right of a column of samples, in row k by 0.75 / 2^k pixels: a rasteriser that snaps vertices to
-// 2^-b pixels covers the column in the rows up to b, for there the end is rounded up. One instance draws one row.
+// Rectangles that end slightly to the right of a column of samples, in row k by 0.75 / 2^k pixels: a rasteriser that snaps vertices to 2^-b
+// pixels covers the column in the rows up to b, because the end is rounded up there. One instance draws one row.
 
-// Pixels along a side of the target.
+// Side of the target in pixels.
 const SIZE_PX: f32 = 16.0;
-// The column of samples: pixel 8, whose centre is here.
+// The column of samples: the centre of pixel 8.
 const COLUMN_PX: f32 = 8.5;
 
 @vertex
 fn vertex(@builtin(vertex_index) corner: u32, @builtin(instance_index) row: u32) -> @builtin(position) vec4<f32> {
     let right = COLUMN_PX + 0.75 * exp2(-f32(row) - 1.0);
-    // Two triangles, of which the second is the first one turned about the middle.
+    // Two triangles; the second is the first one rotated about the middle.
     let at_right = (corner == 1u) || (corner > 2u && corner != 4u);
     let below = (corner == 2u) || (corner > 2u && corner != 5u);
     let at_px = vec2<f32>(select(0.0, right, at_right), f32(row) + select(0.0, 1.0, below));

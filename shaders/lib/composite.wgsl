@@ -1,4 +1,4 @@
-// A frame on its way into the attachments of a host.
+// Shared code for drawing a frame into a host's attachments.
 
 #define_import_path cutaway::composite
 
@@ -10,13 +10,13 @@ struct Composite {
     size_px: vec2<u32>,
     // A point d scene units ahead is at (x d + y) / (z d + w) in the host's depth buffer.
     depth: vec4<f32>,
-    // The host's depth of what is infinitely far.
+    // The host's depth value at infinity.
     far: f32,
     // 1 where the target takes linear light.
     is_linear: u32,
-    // 1 where pixels that show no model are drawn too.
+    // 1 where pixels without a model are drawn too.
     has_background: u32,
-    // 1 where nothing but caps is drawn.
+    // 1 where only caps are drawn.
     caps_only: u32,
 }
 
@@ -42,7 +42,7 @@ fn color_of(pixel: u32) -> vec4<f32> {
     return as_target_takes(unpack4x8unorm(picture[pixel]));
 }
 
-// A colour in sRGB, as the target takes it.
+// An sRGB colour, in the encoding of the target.
 fn as_target_takes(c: vec4<f32>) -> vec4<f32> {
     if composite.is_linear == 0u {
         return c;

@@ -10,10 +10,10 @@ struct Frame {
     // The ray through (x, y) in pixels starts at ray_origin[0] + x ray_origin[1] + y ray_origin[2]; its direction likewise.
     ray_origin: array<vec4<f32>, 3>,
     ray_direction: array<vec4<f32>, 3>,
-    // What one pixel to the right and one down means in scene space, at depth 1 in perspective.
+    // The scene-space step of one pixel to the right and one down, at depth 1 in perspective.
     ray_step: array<vec4<f32>, 2>,
     forward: vec4<f32>,
-    // Box around the solids that are cut, a little larger than they are: nothing outside it matters to a cap.
+    // Box around the cut solids, slightly larger than they are: nothing outside it affects a cap.
     box_min: vec4<f32>,
     box_max: vec4<f32>,
     size_px: vec2<u32>,
@@ -21,7 +21,7 @@ struct Frame {
     far: f32,
     orthographic: u32,
     near_cap: u32,
-    // First row and number of rows of the whole picture if this is a band: for values that depend on the place in the picture.
+    // First row and number of rows of the whole picture if this is a band: for values that depend on the position in the picture.
     band: vec2<u32>,
 }
 
@@ -32,12 +32,12 @@ struct Ray {
     direction: vec3<f32>,
 }
 
-// Pixel centre of a pixel.
+// Centre of a pixel.
 fn centre_of(pixel: vec2<u32>) -> vec2<f32> {
     return vec2<f32>(pixel) + 0.5;
 }
 
-// The ray whose parameter is the depth.
+// The ray through a point of the picture, parametrised by depth.
 fn ray_through(at_px: vec2<f32>) -> Ray {
     let o = frame.ray_origin[0] + at_px.x * frame.ray_origin[1] + at_px.y * frame.ray_origin[2];
     let d = frame.ray_direction[0] + at_px.x * frame.ray_direction[1] + at_px.y * frame.ray_direction[2];
@@ -58,12 +58,12 @@ fn depth_from_buffer(z: f32) -> f32 {
     return frame.near / z;
 }
 
-// The one comparison: a fragment at `z` lies strictly behind a crossing at `crossing`.
+// The only depth comparison: a fragment at `z` lies strictly behind a crossing at `crossing`.
 fn is_behind(z: f32, crossing: f32) -> bool {
     return z < crossing;
 }
 
-// Number of a pixel in per-pixel buffers.
+// Index of a pixel in per-pixel buffers.
 fn pixel_index(pixel: vec2<u32>) -> u32 {
     return pixel.y * frame.size_px.x + pixel.x;
 }
@@ -74,8 +74,8 @@ fn pixel_count() -> u32 {
 
 // Depths at which a ray enters and leaves the box around the cut solids; empty when x >= y.
 fn box_interval(ray: Ray) -> vec2<f32> {
-    // A component of zero gives infinities of the right sign, or NaN for a ray inside a face of the box, which the box's
-    // margin keeps away from every solid.
+    // A component of zero gives infinities of the right sign, or NaN for a ray inside a face of the box, but the box's margin keeps its
+    // faces away from every solid.
     let inverse = 1.0 / ray.direction;
     let a = (frame.box_min.xyz - ray.origin) * inverse;
     let b = (frame.box_max.xyz - ray.origin) * inverse;

@@ -1,4 +1,4 @@
-// Layers as words. One pixel of the result is three words: what it is, its normal, its depth.
+// Layers as words. Each pixel has three words: the visible element, its normal, its depth.
 //
 // First word: bits 0-1 kind, 2 back face, 3 unreliable, 4 overlap, 8-15 clip-surface, 16-31 part.
 
@@ -12,7 +12,7 @@ const UNRELIABLE: u32 = 8u;
 // A cap that several solids share.
 const OVERLAP: u32 = 16u;
 const NEAR_PLANE: u32 = 0xffu;
-// In the place of a clip-surface: drawn by a pass that knows no list of crossings, or behind more of them than there are numbers.
+// Instead of a clip-surface number: drawn by a pass without a list of crossings, or behind more crossings than can be numbered.
 const UNCOUNTED: u32 = 0xfeu;
 const WORDS_PER_PIXEL: u32 = 3u;
 

@@ -1,11 +1,11 @@
 // Sums over the invocations of a workgroup, in rounds of doubling reach (Hillis & Steele 1986): two barriers a round. They are of u32 and
-// wrap. All invocations of the workgroup come here together.
+// wrap. All invocations of the workgroup must call them together.
 
 #define_import_path cutaway::sums
 
 var<workgroup> reached: array<u32, 256>;
 
-// The sum of the values of the invocations before this one, and of all, of a workgroup of 2^rounds, 256 at most.
+// The sum of the values of the preceding invocations, and the total, in a workgroup of 2^rounds invocations, 256 at most.
 fn sums_before(value: u32, invocation: u32, rounds: u32) -> vec2<u32> {
     reached[invocation] = value;
     workgroupBarrier();

@@ -1,5 +1,4 @@
-// The touched tiles while they are found. Each is added to the list when it is met first; the order is left to chance, and
-// has no effect.
+// The touched tiles while they are found. Each is added to the list when first encountered; the order is arbitrary, and has no effect.
 
 #define_import_path cutaway::touching
 
@@ -31,10 +30,10 @@ fn touch_tile(tile: u32) {
     }
 }
 
-// Tiles along a side of a box that one invocation touches.
+// Side in tiles of the largest box that one invocation touches.
 const MOST_SIDE: u32 = 6u;
 
-// The tiles of a box of pixels of the picture: the first, and how many along each axis.
+// The tiles that a pixel box of the picture covers: the first tile, and the number along each axis.
 struct Box {
     first: vec2<u32>,
     size: vec2<u32>,
@@ -45,7 +44,7 @@ fn box_of(first: vec2<i32>, last: vec2<i32>) -> Box {
     return Box(first_tile, min(vec2<u32>(last) / TILE_PX - first_tile + 1u, vec2<u32>(MOST_SIDE)));
 }
 
-// Touches the tiles of a box of pixels of the picture, of at most 65 pixels a side.
+// Touches the tiles that a pixel box of the picture covers, of at most 65 pixels a side.
 fn touch_box(first: vec2<i32>, last: vec2<i32>) {
     let box = box_of(first, last);
     for (var y = 0u; y < box.size.y; y++) {
@@ -55,7 +54,7 @@ fn touch_box(first: vec2<i32>, last: vec2<i32>) {
     }
 }
 
-// Widens the range of depths of a tile, of depths as they are kept.
+// Widens a tile's depth range, with depths in the stored encoding.
 fn widen(tile: u32, nearest: u32, farthest: u32) {
     if nearest > atomicLoad(&touched.tiles[tile].nearest) {
         atomicMax(&touched.tiles[tile].nearest, nearest);
@@ -65,7 +64,7 @@ fn widen(tile: u32, nearest: u32, farthest: u32) {
     }
 }
 
-// The nearest and the farthest of three depth-buffer values, as they are kept.
+// The nearest and the farthest of three depth-buffer values, in the stored encoding.
 fn reach_of(z: vec3<f32>) -> vec2<u32> {
     let nearest = max(max(z.x, max(z.y, z.z)), 0.0);
     let farthest = max(min(z.x, min(z.y, z.z)), 0.0);

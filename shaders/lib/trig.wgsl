@@ -1,11 +1,11 @@
-// Sine and cosine to the last bits of f32. The built-in ones may be wrong by 2^-11, which would move a vertex by a pixel.
+// Sine and cosine accurate to the last bits of f32. The built-in ones may be off by 2^-11, which would move a vertex by a pixel.
 //
-// The angle is reduced by the nearest quarter turn, whose length is subtracted in three pieces so that nothing is lost up to
-// some thousand turns (Cody and Waite 1980); on what is left, at most pi / 4, Taylor's series are good to 2^-27.
+// The angle is reduced by the nearest quarter turn, whose length is subtracted in three parts so that no precision is lost up to some
+// thousand turns (Cody and Waite 1980); for the remainder, at most pi / 4, Taylor series are accurate to 2^-27.
 
 #define_import_path cutaway::trig
 
-// Of -pi/4 to pi/4.
+// For -pi/4 to pi/4.
 fn sin_near(a: f32) -> f32 {
     let s = a * a;
     return a + a * s * (-1.6666667e-1 + s * (8.3333333e-3 + s * (-1.9841270e-4 + s * 2.7557319e-6)));

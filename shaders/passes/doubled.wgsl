@@ -1,5 +1,5 @@
-// As the pass over solids that no cut reaches (`surface`), for groups of triangles that lie on each other: the one that faces the eye is
-// seen. The instance is the number of the group.
+// Like the pass over solids that no cut reaches (`surface`), but for groups of coincident triangles: the one that faces the eye is visible.
+// The instance is the group number.
 
 #import cutaway::cuts::parts
 #import cutaway::exits::is_passed

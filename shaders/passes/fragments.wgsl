@@ -1,5 +1,5 @@
-// Every fragment of the cut parts stores the data for the inside test (the open module `store`), and is not drawn: for data that
-// must be known before the pass that draws surfaces.
+// Every fragment of the cut parts stores the data for the inside test (the open module `store`), without drawing: for data that must be
+// known before the pass that draws surfaces.
 
 #import cutaway::cuts::parts
 #import cutaway::frame::pixel_index
@@ -22,6 +22,6 @@ fn vertex(@location(0) position: vec3<f32>, @builtin(instance_index) place: u32)
 @fragment
 fn fragment(corner: Corner, @builtin(front_facing) front: bool) {
     let lane = Lane(parts[corner.place].lane_word, parts[corner.place].lane_shift, lane_bits);
-    // Crossings do not matter here: the number in front is not known.
+    // Crossings are irrelevant here: the number in front is unknown.
     store(Fragment(pixel_index(vec2<u32>(corner.position.xy)), lane, corner.place, corner.position.z, 0u, front));
 }

@@ -1,4 +1,4 @@
-// Turns what was drawn, words and depth, into layers. One invocation owns one pixel.
+// Converts the drawn words and depth into layers. One invocation owns one pixel.
 
 #import cutaway::frame::{frame, depth_from_buffer, pixel_index}
 #import cutaway::layers::WORDS_PER_PIXEL

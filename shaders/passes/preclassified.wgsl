@@ -1,5 +1,5 @@
-// As the pass over the mesh (`solid`), for groups of triangles that are preclassified: what rasterising found of their depth is set right
-// before anything is decided by it, and stands in the depth buffer. The instance is the number of the group.
+// Like the pass over the mesh (`solid`), but for groups of preclassified triangles: their rasterised depth is corrected before it decides
+// anything, and the corrected depth goes to the depth buffer. The instance is the group number.
 
 #import cutaway::crossings::crossings_before
 #import cutaway::cuts::{is_removed, parts}

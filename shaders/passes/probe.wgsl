@@ -1,5 +1,5 @@
-// Writes the mask by asking an image of the volume of each part (the open module `volume`) for the points that matter: where the
-// part goes from removed to kept, and where the ray begins if the near plane may be inside a solid. One invocation owns a pixel.
+// Writes the mask by sampling each part's volume image (the open module `volume`) at the relevant points: where the part goes from removed
+// to kept, and where the ray begins if the near plane may be inside a solid. One invocation owns a pixel.
 
 #import cutaway::crossings::{head_of, depth_at, listed, surface_at}
 #import cutaway::cuts::{is_removed, parts}
@@ -10,7 +10,7 @@
 
 override lane_bits: u32 = 32u;
 override near_inside: bool = false;
-// Places of the tested parts.
+// First part-table index of the tested parts.
 override first_place: u32 = 0u;
 override end_place: u32 = 1u;
 

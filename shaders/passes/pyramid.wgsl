@@ -1,11 +1,11 @@
-// Builds five levels of the pyramids over offset maps in one go. A workgroup owns a tile of 16 x 16 nodes of the lowest of them,
-// which an invocation each makes of what is there (the open module `pyramid_base`), and the nodes above it, made in shared memory.
+// Builds five levels of the pyramids over offset maps in one dispatch. A workgroup owns a tile of 16 x 16 nodes of the lowest of them, each
+// made by one invocation from the open module `pyramid_base`, and the nodes above it, made in shared memory.
 
 #import cutaway::pyramid::{LOWEST, first_of, nodes_of, pyramid_table}
 #import cutaway::pyramid_base::range_at
 #import cutaway::pyramid_built::built
 
-// The level below the first that is built.
+// The level below the first one built.
 override from_level: u32 = 0u;
 
 const SIDE: u32 = 16u;
@@ -18,7 +18,7 @@ fn main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_id) l
     let size = pyramid_table.pyramids[which].map_size;
     let levels = select(0u, pyramid_table.pyramids[which].levels, pyramid_table.pyramids[which].is_own != 0u);
     let at = local.xy;
-    // A node that is not there holds nothing.
+    // A missing node has an empty range.
     var range = vec2<f32>(3.4e38, -3.4e38);
     for (var i = 0u; i < 5u; i++) {
         let level = from_level + 1u + i;

@@ -1,5 +1,5 @@
-// Turns layers into a picture: the same pass for every strategy and for the exact reference. One invocation owns one pixel.
-// The open module `overlap` says how caps that several solids share differ.
+// Makes a picture from layers: the same pass for every strategy and for the exact reference. One invocation owns one pixel.
+// The open module `overlap` determines how shared caps of several solids look.
 
 #import cutaway::background::background
 #import cutaway::cuts::place_of_part

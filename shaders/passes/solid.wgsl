@@ -1,6 +1,6 @@
-// The one pass over the mesh: every fragment counts the crossings before it, stores the data for the inside test
-// (the open module `store`), and survives if the side it lies on is kept. The number of crossings in front of the nearest
-// survivor is written instead of compared again later, so the decisions of this pass are the only ones.
+// The only pass over the mesh: every fragment counts the crossings in front of it, stores the data for the inside test (the open module
+// `store`), and survives if it lies on a kept side. The number of crossings in front of the nearest survivor is stored instead of being
+// recomputed later, so this pass alone makes these decisions.
 
 #import cutaway::crossings::crossings_before
 #import cutaway::cuts::{is_removed, parts}
@@ -30,6 +30,6 @@ fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> @location(0) 
     if is_removed(before.sides, part.cuts) || is_passed(front) {
         discard;
     }
-    // A place that does not fit its bits is searched for again by the deciding pass.
+    // A number too large for its bits is searched for again by the deciding pass.
     return surface_words(corner, min(before.behind, UNCOUNTED), part.part, front);
 }

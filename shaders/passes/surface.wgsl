@@ -1,13 +1,13 @@
-// Draws solids as they are: what `draw_only` measures and what remains when nothing is cut.
+// Draws uncut solids: what `draw_only` measures and what remains when nothing is cut.
 
 #import cutaway::cuts::parts
 #import cutaway::exits::is_passed
 #import cutaway::mesh::Vertex
 #import cutaway::surface::{Corner, corner_of, surface_words}
 
-// How many crossings a surface is behind: 0, or UNCOUNTED where a later pass counts them.
+// Number of crossings in front of a surface: 0, or UNCOUNTED if a later pass counts them.
 override behind: u32 = 0u;
-// Without a cap at the near plane: else nothing is discarded, so that depth is tested early.
+// True without a near-plane cap; otherwise nothing is discarded, so that depth is tested early.
 override passes_exits: bool = false;
 
 @vertex

@@ -1,14 +1,14 @@
-//! Borders: between which neighbouring samples a stroke belongs, and of what class; and where in the pixel the stroke is. One pass over the
+//! Borders: which neighbouring samples a stroke separates and the stroke's class, and where in the pixel the stroke lies. One pass over the
 //! layers and one over the borders; 4 bytes a pixel each.
 
 use super::pixels::Pixels;
 use crate::passes::{SceneBuffers, tiles_in};
 use crate::plan::{Binding, Clock, Plan, Resource, ResourceId};
 
-/// Distance along a border within which other borders determine the place of its stroke; `RAMP` in `shaders/effects/strokes.wgsl`.
+/// Pixels along a border within which other borders determine its stroke's position; `RAMP` in `shaders/effects/strokes.wgsl`.
 pub(super) const RAMP_PX: u32 = 16;
 
-/// The borders of a frame, and where their strokes are.
+/// The borders of a frame, and the positions of their strokes.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Strokes {
     pub(super) borders: ResourceId,
@@ -16,14 +16,14 @@ pub(super) struct Strokes {
 }
 
 impl Strokes {
-    /// Room for them.
+    /// Adds their buffers to the plan.
     pub(super) fn new(plan: &mut Plan, scene: &SceneBuffers<'_>) -> Self {
         let [borders, strokes] =
             ["borders", "strokes"].map(|name| per_pixel_and_tile(plan, scene, name));
         Self { borders, strokes }
     }
 
-    /// Finds them in the layers of the frame: the buffer of strokes.
+    /// Finds the borders and strokes in the layers of the frame; returns the stroke buffer.
     pub(super) fn find(
         self,
         plan: &mut Plan,
@@ -36,7 +36,7 @@ impl Strokes {
             plan,
             (
                 "place strokes",
-                "the staircase of borders along an edge tells where in the pixels the edge is",
+                "the staircase of borders along an edge gives its sub-pixel position",
             ),
             "effects/strokes.wgsl",
             vec![
@@ -50,14 +50,14 @@ impl Strokes {
     }
 }
 
-/// A buffer of a word for each pixel, and one for each tile, which says whether any border is in it.
+/// A buffer with one word per pixel, followed by one per tile, which marks whether the tile contains a border.
 fn per_pixel_and_tile(plan: &mut Plan, scene: &SceneBuffers<'_>, name: &'static str) -> ResourceId {
     let tiles = tiles_in(scene.input.view.size_px);
     let bytes = (scene.input.pixel_count() + u64::from(tiles)) * 4;
     plan.add_resource(Resource::storage(name, bytes, Clock::Frame))
 }
 
-/// Finds the borders of some layers, all of them.
+/// Finds the borders of the given layers, over the whole picture.
 pub(super) fn borders_of(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,

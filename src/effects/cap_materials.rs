@@ -1,7 +1,7 @@
-//! Materials of caps: images in the (u, v) of clip-surfaces, and solid textures (Trapp and Döllner 2013, sections 4.1 and 4.2, Fig. 11).
+//! Cap materials: images in the (u, v) of clip-surfaces, and solid textures (Trapp and Döllner 2013, sections 4.1 and 4.2, Fig. 11).
 //!
-//! One pass over the pixels before light falls on them; 12 bytes a pixel, and the images with a third more. Cannot: follow a part that bends,
-//! or lay images on the faces of a cutter otherwise than along the axes of the scene.
+//! One pass over the pixels before lighting; 12 bytes a pixel, and the images plus a third. Cannot: follow a part that bends, or orient
+//! images on cutter faces other than along the scene axes.
 
 use super::pixels::{Pixels, per_pixel};
 use super::vertex_paint::vertex_paint;
@@ -10,7 +10,7 @@ use crate::plan::{Binding, Clock, Contents, Plan, Resource, ResourceId, Role, pa
 use crate::scene::PreparedSurface;
 use crate::shader::Shader;
 
-/// Leaves the colours of what has a material in the picture; the layers with the normals that light is to see, where something has one.
+/// Writes the material colours into the picture; returns layers with the normals for lighting, or none if nothing has a material.
 pub(super) fn cap_materials(
     plan: &mut Plan,
     pixels: Pixels<'_>,
@@ -64,7 +64,7 @@ pub(super) fn cap_materials(
     Some(lit)
 }
 
-/// The planes of all clip-surfaces; those without a relief have `default_per_unit` repeats in a scene unit.
+/// The planes of all clip-surfaces; those without a relief get `default_per_unit` texture repeats per scene unit.
 fn planes_of(scene: &SceneBuffers<'_>, default_per_unit: f32) -> pack::CapMaterialPlanes {
     let mut planes: pack::CapMaterialPlanes = bytemuck::Zeroable::zeroed();
     planes.default_per_unit = default_per_unit;
@@ -82,7 +82,7 @@ fn planes_of(scene: &SceneBuffers<'_>, default_per_unit: f32) -> pack::CapMateri
     planes
 }
 
-/// The coordinates of the relief itself.
+/// The texture plane of a clip-surface, in the coordinates of its relief.
 fn plane_of(surface: &PreparedSurface) -> pack::CapPlane {
     let row = |direction: glam::DVec3| {
         let offset = -direction.dot(surface.origin);

@@ -1,5 +1,5 @@
-//! Output of effects as numbers: the shares of strokes, hatches and light in each pixel, so that a picture can be checked. The shader
-//! modules are those of the picture; the plan of a picture contains none of this.
+//! Effects as numbers: how much strokes, hatches and light contribute to each pixel, so that a picture can be checked. The shader modules
+//! are the same as for the picture; the plan of a picture contains no such passes.
 
 use super::ambient::occlusion::occlusion;
 use super::borders::Strokes;
@@ -10,12 +10,12 @@ use crate::passes::SceneBuffers;
 use crate::plan::{Binding, Plan, ResourceId};
 use crate::shader::Shader;
 
-/// The buffer of the share that strokes cover, an f32 for each pixel.
+/// Buffer with the fraction of each pixel that strokes cover, one f32 per pixel.
 pub(crate) const STROKE: &str = "stroke_channel";
-/// The share that lines of a hatch cover, the place on the plane of the cap in scene units, and an unused number: four numbers a pixel.
+/// Four numbers per pixel: the fraction that hatch lines cover, two coordinates on the cap plane in scene units, and an unused number.
 pub(crate) const HATCH: &str = "hatch_channel";
 
-/// Records what a style draws over layers.
+/// Measures what a style draws over layers.
 pub(super) fn channels(plan: &mut Plan, scene: &SceneBuffers<'_>, layers: ResourceId) {
     let style = scene.input.model.prepared.style;
     let numbers = style_numbers(plan, scene);

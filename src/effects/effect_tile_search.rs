@@ -1,11 +1,11 @@
-//! The tiles of the picture that effects process: those that show something, or have such a tile within the reach of strokes, and those
-//! of the frame before, which have to become background again. All others have been background all along.
+//! The tiles of the picture that effects process: those that show something, those within stroke reach of such a tile, and those of the
+//! previous frame, which must become background again. All other tiles already are background.
 //!
-//! One pass over the layers, one over the tiles, and one over the picture where its background changes; 12 bytes a tile of 16 x 16 pixels.
-//! The list outlives its frame, with what its background depends on. It is made of the layers alone, whichever rasteriser drew them.
+//! One pass over the layers, one over the tiles, one over the picture where its background changes; 12 bytes per tile of 16 x 16 pixels.
+//! The list persists between frames, with the inputs of its background. It is built from layers alone, whichever rasteriser drew them.
 //!
-//! Cannot: help effects that draw on the background, as the shadow on the ground and ghosts do, nor unsharp occlusion, which looks far:
-//! these go over all of the picture.
+//! Cannot: speed up effects that draw on the background, such as the ground shadow and ghosts, nor unsharp occlusion, which has a wide
+//! reach: these process the whole picture.
 
 use super::ambient::horizon;
 use super::backdrop::backdrop;
@@ -19,20 +19,20 @@ use crate::scene::View;
 use crate::scene::style::{Paper, Style};
 use crate::shader::Shader;
 
-/// Bytes before the tiles, and of a tile: `shaders/lib/effects/effect_tile_list.wgsl`.
+/// Bytes before the tiles, and bytes per tile: `shaders/lib/effects/effect_tile_list.wgsl`.
 const BYTES_OF_HEAD: u64 = 112;
 const BYTES_OF_TILE: u64 = 12;
 
-/// Tiles that a workgroup of the pass over tiles owns.
+/// Tiles per workgroup in the pass over tiles.
 const TILES_LISTED_AT_ONCE: u32 = 64;
 
-/// Rows around a band that effects compute for other rows. A search for horizons looks farther, but at layers alone.
+/// Rows around a band in which effects compute values that other rows read. A horizon search reaches farther, but reads only layers.
 fn computed_halo_rows(style: &Style, view: &View) -> u32 {
     halo::halo_rows(style, view.band[1]).max(horizon::SMOOTH_PX + 1)
 }
 
 impl EffectTiles {
-    /// Finds them from the layers of the frame, and makes what is in none of them background, without strokes; none where effects draw on
+    /// Finds them from the layers of the frame, and resets all other tiles to background without strokes; returns none if effects draw on
     /// the background.
     pub(super) fn find(
         plan: &mut Plan,
@@ -48,14 +48,14 @@ impl EffectTiles {
         }
         let size_px = scene.input.view.size_px;
         let tile_count = tiles_in(size_px);
-        // A struct of WGSL is a multiple of its alignment long, that of one tile too.
+        // The size of a WGSL struct is a multiple of its alignment, also with a single tile.
         let bytes = (BYTES_OF_HEAD + u64::from(tile_count) * BYTES_OF_TILE).next_multiple_of(16);
         let room = Contents::in_pieces(bytes, Vec::new(), true);
         let list = Resource::upload("effect tiles", Role::Storage, room, Clock::Frame);
         let list = plan.add_resource(list);
         let drawn = Binding::update("effect_tiles", list);
         let tiles = Self { list, tile_count };
-        // The gradient asks for no number of the style.
+        // The gradient uses no style numbers.
         let numbers = (style.paper != Paper::Gradient).then(|| style_numbers.clone());
         let mut bindings = vec![
             scene.frame.clone(),
@@ -65,7 +65,7 @@ impl EffectTiles {
         bindings.extend(numbers.clone());
         plan.add_pass(Pass::new(
             "find tiles",
-            "in which tiles of the picture something is shown: effects look at no other",
+            "which tiles of the picture show something: effects skip all others",
             Shader::from("effects/tiles/show.wgsl").with(backdrop(style.paper)),
             bindings,
             Work::over(size_px),
@@ -87,26 +87,26 @@ impl EffectTiles {
         };
         plan.add_pass(Pass::new(
             "clear picture",
-            "all of it is background where the frame before had another one, or there was none",
+            "the whole picture becomes background if the previous frame had another one, or there was none",
             shader,
             bindings,
             tiles.shared(),
         ));
         let reach_px = match strokes {
-            // A border is between two samples of which one may be background.
+            // A border lies between two samples, one of which may be background.
             Some(_) => reach_px(style, scene.input.view.band[1]) as u32 + 1,
             None => 0,
         };
         let list_tiles = Pass::new(
             "list tiles",
-            "these tiles, those beside them as far as strokes reach, and those of the frame before",
+            "these tiles, those within stroke reach of them, and those of the previous frame",
             "effects/tiles/list.wgsl",
             vec![scene.frame.clone(), drawn],
             Work::Compute {
                 groups: [tile_count.div_ceil(TILES_LISTED_AT_ONCE), 1, 1],
             },
         );
-        // Rows that the picture does not keep are left out, but for those that effects read from each other.
+        // Rows outside the kept part of the picture are left out, except those that effects read from each other.
         let [above, below] = scene.input.view.halo_rows;
         let asked = computed_halo_rows(style, scene.input.view);
         let end_row = size_px[1] - below.saturating_sub(asked);

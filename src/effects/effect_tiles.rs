@@ -1,9 +1,9 @@
-//! The tiles of the picture that effects go over, as a list on the device: [`super::effect_tile_search`] makes it.
+//! The tiles of the picture that effects process, as a list on the device, built by [`super::effect_tile_search`].
 
 use crate::passes::share_tiles;
 use crate::plan::{Binding, ResourceId, Work};
 
-/// The tiles that effects of a frame go over.
+/// The tiles that the effects of a frame process.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct EffectTiles {
     pub(super) list: ResourceId,
@@ -11,12 +11,12 @@ pub(super) struct EffectTiles {
 }
 
 impl EffectTiles {
-    /// The list, for passes that go over it.
+    /// The tile list, for passes that process it.
     pub(super) fn listed(self) -> Binding {
         Binding::read("effect_tiles", self.list)
     }
 
-    /// A dispatch whose workgroups share them.
+    /// A dispatch whose workgroups share the tiles.
     pub(super) fn shared(self) -> Work {
         share_tiles(self.tile_count)
     }

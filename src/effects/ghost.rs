@@ -1,9 +1,9 @@
-//! Ghost: what cuts removed, drawn over the picture as phantom lines or glass.
+//! Ghost: material that cuts removed, drawn over the picture as phantom lines or glass.
 //!
-//! The solids that cuts reach are drawn once more as they would be uncut; what of them is before what the picture shows is gone. Costs a pass
-//! over these solids, 28 bytes a pixel, and for lines a search for their borders. Dashes jump where a line turns from one axis to another.
+//! The solids that cuts reach are drawn once more uncut; where they lie in front of the visible surface, material was removed. Costs a pass
+//! over these solids, 28 bytes a pixel, and for lines a search for their borders. Dashes jump where a line's dominant axis changes.
 //!
-//! Cannot: show what is removed behind something else that is removed.
+//! Cannot: show removed material behind other removed material.
 
 use super::borders::borders_of;
 use super::pixels::{numbers, over_picture};
@@ -17,7 +17,7 @@ use crate::shader::Shader;
 /// Radius in pixels in which borders determine the direction of a line; `SCATTER_PX` in `shaders/lib/phantom/lines.wgsl`.
 const SCATTER_PX: u32 = 4;
 
-/// Draws what is gone over a picture of layers.
+/// Draws removed material over the picture.
 pub(super) fn ghost(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,
@@ -85,13 +85,13 @@ pub(super) fn ghost(
 /// Rows around a band that are read, in a picture of `rows` rows.
 pub(super) fn halo_rows(style: &Style, rows: u32) -> u32 {
     match style.ghost.has_lines() {
-        // A border two samples beyond those that tell a direction is judged by the sample next to it.
+        // The borders that determine a direction are found from samples up to two beyond, each judged by its neighbour.
         true => half_px(style.ghost.width, rows).ceil() as u32 + 1 + SCATTER_PX + 4,
         false => 0,
     }
 }
 
-/// The solids that cuts reach, by their numbers in the scene.
+/// The solids that cuts reach, by part number in the scene.
 fn draws(scene: &SceneBuffers<'_>) -> Vec<Draw> {
     let input = scene.input;
     let active_cuts = &input.active_cuts;

@@ -1,13 +1,13 @@
-//! Ground: the shadow of what is kept, where nothing else is. One pass over the pixels, with a look-up where there is background.
+//! Ground: the shadow of the kept parts on the background. One pass over the pixels, with one look-up per background pixel.
 //!
-//! The map is made beforehand ([`GroundShadow`](crate::passes::GroundShadow)); a model that was given none has no shadow. Cannot: lie on the
-//! model itself, and strokes around it are a little darker in it.
+//! The map is computed beforehand ([`GroundShadow`](crate::passes::GroundShadow)); a model without a map has no shadow. Cannot: cast
+//! shadows on the model itself. Strokes in the shadow are slightly darker.
 
 use super::pixels::over_picture;
 use crate::passes::SceneBuffers;
 use crate::plan::{Binding, Clock, Plan, Resource, ResourceId, Role};
 
-/// Darkens the ground in a picture of layers.
+/// Darkens the ground in the picture.
 pub(super) fn ground(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,
@@ -23,7 +23,7 @@ pub(super) fn ground(
     };
     let numbers = upload("ground", Role::Uniform, &shadow.numbers);
     let darkness = upload("ground_darkness", Role::Storage, &shadow.darkness);
-    let about = ("shade ground", "what is kept hides light from the ground");
+    let about = ("shade ground", "the kept parts cast a shadow on the ground");
     over_picture(
         plan,
         scene,

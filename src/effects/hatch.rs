@@ -1,14 +1,14 @@
-//! Hatches: families of parallel lines on caps, with the plane of each clip-surface and what each part has.
+//! Hatches: families of parallel lines on caps; packs the plane of each clip-surface and the lines of each part.
 //!
-//! The horizontal of a plane is across the up direction and its normal, from left to right as it is seen from the removed side, so that
-//! the angle of a hatch does not depend on the numbers of a plane; a plane that is moved along its normal carries its lines with it. The
-//! faces of cutters have the planes of the axes of the scene. Distances follow the mean thickness of parts, in steps of about the root of
-//! two, and are held from when the scene was first packed. A part that moves as a whole carries its lines ([`HatchAnchor::Part`]): what
-//! of its turn is about the normal of the plane turns them.
+//! The horizontal of a plane is perpendicular to the up direction and to its normal, from left to right as seen from the removed side, so
+//! the hatch angle does not depend on how the plane is specified; a plane moved along its normal carries its lines along. Cutter faces use
+//! the axis-aligned planes of the scene. Line spacing follows the mean thickness of parts, in steps of about the square root of two, and is
+//! fixed when the scene is first packed. A part that moves rigidly carries its lines ([`HatchAnchor::Part`]): the component of its rotation
+//! about the plane's normal turns them.
 //!
-//! Costs a few multiplications for each family of lines at each pixel of a cap; contacts of parts are found once, where two parts are cut.
+//! Costs a few multiplications per line family and cap pixel; contacts between parts are found once, when two parts are cut.
 //!
-//! Cannot: follow a part that bends or a cutter that moves; tell more than eight classes by direction alone, after which spacing grows.
+//! Cannot: follow a bending part or a moving cutter; distinguish more than eight classes by direction alone, after which spacing grows.
 
 use glam::DVec3;
 
@@ -18,7 +18,7 @@ use crate::plan::{Binding, Clock, Contents, Plan, Resource, Role, pack};
 use crate::scene::style::{Hatch, HatchAnchor, HatchZoom, Style};
 use crate::scene::{CapHatch, PreparedSurface, linear_from_srgb, map_channels};
 
-/// Bindings of hatches: planes, parts, lines; none if no cap is in the picture or the style has no hatch.
+/// Hatch bindings: planes, parts, lines; none if the picture has no caps or the style has no hatch.
 pub(super) fn hatch(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,
@@ -58,12 +58,12 @@ fn row(direction: DVec3, origin: DVec3) -> [f32; 4] {
 }
 
 fn plane_of(surface: &PreparedSurface, up: DVec3) -> pack::CapPlane {
-    // As it is seen: from the removed side.
+    // Seen from the removed side.
     let normal = -surface.frame.normal;
     let across = up.cross(normal);
     let u = match across.length() > 1e-6 {
         true => across.normalize(),
-        // A plane that lies: its horizontal is that of the world.
+        // For a horizontal plane, the world's horizontal is used.
         false => (DVec3::X - normal * normal.x)
             .try_normalize()
             .unwrap_or(DVec3::Z),
@@ -77,14 +77,14 @@ fn plane_of(surface: &PreparedSurface, up: DVec3) -> pack::CapPlane {
     }
 }
 
-/// In the order of the table of parts, and the lines of all.
+/// One row per part, in the order of the part table, and the lines of all parts.
 fn part_hatches(
     scene: &SceneBuffers<'_>,
     style: &Style,
 ) -> (Vec<pack::PartHatch>, Vec<pack::HatchLine>) {
     let input = scene.input;
     let (prepared, at_rest) = (&input.model.prepared, &input.model.at_rest);
-    // A part that is cut alone touches no other that is.
+    // A single cut part touches no other cut part.
     let classes = match input.active_cuts.lanes {
         0 | 1 => &[],
         _ => at_rest.classes(),
@@ -97,7 +97,7 @@ fn part_hatches(
     let parts = (input.active_cuts.order.iter()).map(|rank| {
         let part = &prepared.parts[*rank];
         let thickness = at_rest.thicknesses()[part.part] / unit;
-        // What has no volume to speak of, or more than numbers hold, is not thin.
+        // Parts with negligible volume, or a thickness that overflows, are not thin.
         let thickness = match thickness > 0.0 {
             true => thickness,
             false => f64::INFINITY,
@@ -134,7 +134,7 @@ fn part_hatches(
             line_count: lines.len() as u32 - first_line,
             alpha: match part.material.hatch {
                 CapHatch::None => 0.0,
-                // What it is made of is seen.
+                // The material stays visible.
                 CapHatch::General if part.material.cap.is_some() => 0.0,
                 _ => hatch.alpha,
             },
@@ -155,11 +155,11 @@ pub(super) fn zoom_of(hatch: &Hatch) -> &'static str {
     }
 }
 
-/// From line to line, in thousandths of the picture's height.
+/// Line spacing in thousandths of the picture's height.
 fn spacing_of(thickness: f64, hatch: &Hatch) -> f64 {
     let [share, least, most] = [hatch.per_thickness, hatch.least, hatch.most].map(f64::from);
     let wanted = (share * thickness).clamp(least, most);
-    // Even steps from the least to the greatest, of about the root of two.
+    // Even steps from the least to the greatest spacing, each about the square root of two.
     let range = (most / least).log2();
     let steps = (2.0 * range).round().max(1.0);
     let step = ((wanted / least).log2() / range.max(1e-9) * steps).round();

@@ -1,13 +1,13 @@
-//! The lines of a hatch: the general one or a pattern, turned and spread by the class of its part, so that parts that touch look unlike.
+//! The lines of a hatch: the general one or a pattern, rotated and spaced by the class of its part, so that touching parts look different.
 
 use glam::DVec2;
 
 use crate::plan::pack;
 use crate::scene::{HatchPattern, LineFamily, MOST_STROKES};
 
-/// Between two steps of the usual spacings: unlike the hatch of a thicker part that has the same direction.
+/// Spacing factor between two of the usual steps, so that it differs from the hatch of a thicker part with the same direction.
 const WIDER: f64 = 1.57;
-/// Direction of a class over that of the first, in degrees, and its spacing over the usual.
+/// Direction of each class relative to the first, in degrees, and the factor on its spacing.
 const CLASSES: [(f64, f64); 8] = [
     (0.0, 1.0),
     (90.0, 1.0),
@@ -18,7 +18,7 @@ const CLASSES: [(f64, f64); 8] = [
     (25.0, 1.0),
     (65.0, 1.0),
 ];
-/// The same for patterns that a quarter turn may not change.
+/// The same for patterns that look alike after a quarter turn.
 const CROSSED: [(f64, f64); 8] = [
     (0.0, 1.0),
     (45.0, 1.0),
@@ -29,7 +29,7 @@ const CROSSED: [(f64, f64); 8] = [
     (22.0, WIDER),
     (-22.0, WIDER),
 ];
-/// Directions of patterns are those of the first class where a hatch has this angle.
+/// Hatch angle at which patterns keep their own directions in the first class.
 const PATTERN_DEG: f64 = 45.0;
 
 /// Placement of the lines of a part.
@@ -38,7 +38,7 @@ pub(super) struct Placed {
     pub(super) class: usize,
     /// Direction of the general hatch in the first class.
     pub(super) angle_deg: f64,
-    /// From line to line in the first class, in scene units.
+    /// Line spacing in the first class, in scene units.
     pub(super) spacing: f64,
 }
 
@@ -67,7 +67,7 @@ pub(super) fn lines_of(pattern: Option<&HatchPattern>, placed: &Placed) -> Vec<p
         .collect()
 }
 
-/// A family that is turned, and so large.
+/// A line family, rotated and scaled.
 fn line_of(family: &LineFamily, turn_deg: f64, scale: f64) -> pack::HatchLine {
     let turned = |angle_deg: f64| DVec2::from_angle(angle_deg.to_radians());
     let along = turned(family.angle_deg + turn_deg);
@@ -139,7 +139,7 @@ mod tests {
                     across.collect()
                 })
                 .collect();
-            // Lines have no sense of direction, and families no order.
+            // Lines have no sense of direction, and families are unordered.
             let apart = |a: DVec2, b: DVec2| (a - b).length().min((a + b).length());
             for (i, a) in all.iter().enumerate() {
                 for b in &all[..i] {
@@ -171,7 +171,7 @@ mod tests {
         assert_eq!(line.dash_centres[..2], [0.25, 4.0 / 6.0]);
         assert_eq!(line.dash_lengths[..2], [0.5, 0.0]);
         let at = |[x, y]: [f32; 2], [u, v]: [f32; 2]| x * u + y * v;
-        // The first line goes through the origin of the family, and the next is two units above.
+        // The first line passes through the origin of the family, and the next is two units above.
         assert!((at(line.across, [7.0, 10.0]) + line.phase).abs() < 1e-6);
         assert!((at(line.across, [7.0, 30.0]) + line.phase - 1.0).abs() < 1e-6);
         assert!((at(line.along, [20.0, 0.0]) + line.dash_phase).abs() < 1e-6);

@@ -1,6 +1,6 @@
-//! Illustration: a picture as a style asks, by one pass over the layers and one for each effect that looks at neighbours.
+//! Illustration: the picture in the style of the scene, by one pass over the layers and one for each effect that reads neighbouring pixels.
 //!
-//! Cannot: shade what layers do not have, such as what is behind glass.
+//! Cannot: shade what layers do not contain, such as surfaces behind glass.
 
 use super::FrameOutput;
 use super::ambient::occlusion::occlusion;
@@ -78,7 +78,7 @@ pub(super) fn illustrate(
         }
         None => shader.with("lib/occlusion/none.wgsl"),
     };
-    // Gradient, light and no strokes ask for no number of the style.
+    // Gradient, light and no strokes need no style numbers.
     let reads_style = strokes.is_some()
         || hatch.is_some()
         || visibility.is_some()

@@ -1,9 +1,9 @@
-//! Effects: the end of every plan, from layers to a picture as the [`Style`](crate::scene::Style) of the scene asks. The same for every
-//! strategy and for the exact reference.
+//! Effects: the end of every plan, from layers to a picture in the [`Style`](crate::scene::Style) of the scene. The same for every strategy
+//! and for the exact reference.
 //!
-//! The plain style is one pass, or none after the compute rasteriser, which colours what it completes. Any other is `illustrate`, with
-//! passes before it for what it needs of the neighbourhood of a pixel; what a style does not ask for adds no pass, no binding and no
-//! instruction, for each effect fills an open module.
+//! The plain style is one pass, or none after the compute rasteriser, which colours the pixels that it completes. Any other style is
+//! `illustrate`, preceded by passes for effects that read neighbouring pixels; a disabled effect adds no pass, no binding and no
+//! instruction, because each effect fills an open module.
 
 mod ambient;
 mod backdrop;
@@ -44,7 +44,7 @@ pub(crate) fn halo_rows(model: &Model, view: &View) -> u32 {
     let style = &model.prepared.style;
     let strokes = halo::halo_rows(style, view.band[1]);
     let of_style = strokes.max(ambient::occlusion::halo_rows(&style.occlusion, view));
-    // Surfaces may take their vertex paints from the next pixel.
+    // Surfaces may take their vertex paints from the neighbouring pixel.
     of_style.max(u32::from(model.cap_materials.is_some()))
 }
 
@@ -58,7 +58,7 @@ pub(crate) fn finish(plan: &mut Plan, scene: &SceneBuffers<'_>, layered: Layered
     }
 }
 
-/// The plan of what a style draws over layers which come from elsewhere, as words. The reason where the scene is too much.
+/// The plan that measures what a style draws over external layers, given as words. Returns a refusal if the scene exceeds a limit.
 pub(crate) fn channels_of(model: &Model, view: &View, layers: &[u32]) -> Result<Plan, Refusal> {
     let capacities = Capacities::UNKNOWN;
     let input = Input::new(model, view, &capacities)?;
@@ -68,7 +68,7 @@ pub(crate) fn channels_of(model: &Model, view: &View, layers: &[u32]) -> Result<
     Ok(plan.without_unused())
 }
 
-/// The scene, and layers that come from elsewhere.
+/// The scene, and external layers.
 fn over_layers<'a>(
     plan: &mut Plan,
     input: &'a Input<'a>,
@@ -80,7 +80,7 @@ fn over_layers<'a>(
         cap_materials.is_some_and(|cap_materials| cap_materials.vertex_paints.is_some());
     let scene = match style.ghost.is_drawn() || has_vertex_paints {
         true => SceneBuffers::upload(plan, input, Lanes::none())?,
-        // Nothing looks at a vertex.
+        // No pass reads vertices.
         false => SceneBuffers::unposed(plan, input, Lanes::none()),
     };
     let layers = Contents::from_values(layers);
@@ -88,8 +88,8 @@ fn over_layers<'a>(
     Ok((scene, plan.add_resource(layers)))
 }
 
-/// The plan that makes a picture of layers which come from elsewhere, as words: what the exact reference found. The reason where the scene
-/// is too much.
+/// The plan that makes a picture of external layers, given as words, such as those of the exact reference. Returns a refusal if the scene
+/// exceeds a limit.
 pub(crate) fn finish_of(model: &Model, view: &View, layers: &[u32]) -> Result<Plan, Refusal> {
     let capacities = Capacities::UNKNOWN;
     let input = Input::new(model, view, &capacities)?;

@@ -1,29 +1,29 @@
-//! Shared parts of passes over the pixels of a picture: their buffers, their numbers, their work.
+//! Code shared by passes over the pixels of a picture: their buffers, numbers and dispatches.
 
 use super::effect_tiles::EffectTiles;
 use crate::passes::SceneBuffers;
 use crate::plan::{Binding, Clock, Contents, Pass, Plan, Resource, ResourceId, Role, Work};
 use crate::shader::Shader;
 
-/// The buffer of what occlusion leaves of the light, an f32 for each pixel.
+/// Buffer with the fraction of light left after occlusion, one f32 per pixel.
 pub(crate) const VISIBILITY: &str = "visibility";
 
-/// The pixels of a frame that effects go over.
+/// The pixels of a frame that effects process.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pixels<'a> {
     /// Scene to draw.
     pub scene: &'a SceneBuffers<'a>,
-    /// The tiles that they lie in; none where they are all of the picture.
+    /// The tiles that contain them; none if effects process the whole picture.
     pub tiles: Option<EffectTiles>,
 }
 
 impl<'a> Pixels<'a> {
-    /// All of the picture.
+    /// All pixels of the picture.
     pub(super) fn all(scene: &'a SceneBuffers<'a>) -> Self {
         Self { scene, tiles: None }
     }
 
-    /// Adds a pass that goes over them. Its shader has an open module, `cutaway::share`.
+    /// Adds a pass over these pixels. Its shader has the open module `cutaway::share`.
     pub(super) fn add_pass(
         self,
         plan: &mut Plan,
@@ -57,7 +57,7 @@ pub(super) fn per_pixel(
     plan.add_resource(Resource::storage(name, bytes, Clock::Frame))
 }
 
-/// Numbers of an effect.
+/// The numbers of an effect, as a uniform.
 pub(super) fn numbers<T: bytemuck::Pod>(
     plan: &mut Plan,
     name: &'static str,
@@ -68,7 +68,7 @@ pub(super) fn numbers<T: bytemuck::Pod>(
     Binding::read(name, plan.add_resource(uniform))
 }
 
-/// Adds a pass that goes over all pixels, with an invocation for each.
+/// Adds a pass over all pixels, with one invocation each.
 pub(super) fn over_picture(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,

@@ -1,4 +1,4 @@
-//! The plain end: lit shading, one pass over the layers. What measurements take.
+//! The plain style: lit shading, one pass over the layers. Measurements use it.
 
 use super::FrameOutput;
 use super::pixels::over_picture;

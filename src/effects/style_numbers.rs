@@ -9,7 +9,7 @@ use crate::plan::{Binding, Plan, pack};
 use crate::scene::style::{Paper, Style};
 use crate::scene::{View, linear_from_srgb, map_channels};
 
-/// The widest strokes have 32 pixels.
+/// The widest strokes are 32 pixels wide.
 const MOST_HALF_PX: f32 = 16.0;
 
 /// The numbers of the style, as a binding.
@@ -17,18 +17,18 @@ pub(super) fn style_numbers(plan: &mut Plan, scene: &SceneBuffers<'_>) -> Bindin
     let style = &scene.input.model.prepared.style;
     let mut numbers = numbers(style, scene.input.view);
     if relief_sky::is_drawn(scene) {
-        // The found values already contain the weight on caps.
+        // The computed occlusion values already contain the weight on caps.
         numbers.occlusion_cap = 1.0;
     }
     pixels::numbers(plan, "style", numbers)
 }
 
-/// Greatest distance in pixels of a border whose stroke is visible.
+/// Greatest distance in pixels from a border at which its stroke is still visible.
 pub(super) fn reach_px(style: &Style, rows: u32) -> i32 {
     (half_px(style.strokes.widest(), rows)).ceil() as i32 + 1
 }
 
-/// Half the width of a stroke in pixels: its cost grows with the square, and wider ones are cut.
+/// Half the width of a stroke in pixels; clamped, because the cost grows with the square of the width.
 pub(super) fn half_px(width: f32, rows: u32) -> f32 {
     (Style::px(width, rows) / 2.0).min(MOST_HALF_PX)
 }
@@ -51,7 +51,7 @@ fn numbers(style: &Style, view: &View) -> pack::Style {
         },
         gooch: [gooch.blue, gooch.yellow, gooch.of_cool, gooch.of_warm],
         stroke_halves: [[a, b, c, d], rest],
-        // Less would take the rounding of normals for folds.
+        // A smaller angle would treat rounding errors of normals as folds.
         crease_cos: strokes.crease_deg.max(1.0).to_radians().cos(),
         depth_px: strokes.depth_px,
         cap_light: style.cap.light,

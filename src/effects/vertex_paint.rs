@@ -1,14 +1,14 @@
-//! Vertex paints: vertex colours and images that files paint surfaces with, drawn where the layers show these surfaces.
+//! Vertex paints: vertex colours and images from model files, drawn on the surfaces that the layers show.
 //!
-//! One draw of the parts that have a vertex paint, with a depth of its own; 12 bytes a pixel. Whatever the strategy and the cuts, the colours are those of the
-//! surface at the depth that is shown. Cannot: tell apart surfaces of one part that lie closer than a thousandth of their
-//! distance, nor paint caps.
+//! One draw of the painted parts, with its own depth buffer; 12 bytes a pixel. Whatever the strategy and the cuts, the colours belong to
+//! the surface at the visible depth. Cannot: distinguish surfaces of one part that lie closer than a thousandth of their distance, nor
+//! paint caps.
 
 use crate::passes::DrawPass;
 use crate::passes::{SceneBuffers, Surfaces, VertexPaints};
 use crate::plan::{Binding, Clock, Contents, Draw, Plan, Resource, ResourceId, Role, Vertices};
 
-/// The texture of colours: in the first word RGBA8 as sRGB, 0 where there is none.
+/// The colour texture: its first word is RGBA8 in sRGB, 0 where there is no paint.
 pub(super) fn vertex_paint(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,

@@ -1,4 +1,4 @@
-//! Meshes that no file holds: built-in shapes, and defects put into meshes on purpose.
+//! Generated meshes: built-in shapes, and defects put into meshes on purpose.
 
 pub mod defects;
 pub mod shapes;

@@ -1,4 +1,4 @@
-//! Adapters: what is known of each before a device is opened on it.
+//! Adapters: what is known about each before a device is opened on it.
 
 /// All adapters, by every graphics interface.
 pub(super) async fn all() -> Vec<wgpu::Adapter> {
@@ -17,10 +17,10 @@ pub struct AdapterReport {
     pub backend: String,
     /// Driver and its version.
     pub driver: String,
-    /// Runs on the CPU.
+    /// True if it runs on the CPU.
     pub software: bool,
-    /// To which fraction of a pixel its rasteriser snaps vertices: 2^-bits. None where it could not be measured, as in a browser, and in
-    /// records of before it was.
+    /// Its rasteriser snaps vertices to 2^-bits of a pixel. None where this could not be measured, as in a browser, and in reports from
+    /// before it was measured.
     #[cfg_attr(feature = "serde", serde(default))]
     pub sub_pixel_bits: Option<u32>,
 }
@@ -39,7 +39,7 @@ impl AdapterReport {
         }
     }
 
-    /// Name, interface and driver, as a line.
+    /// Name, graphics interface and driver, on one line.
     pub fn in_words(&self) -> String {
         format!("{} ({}, {})", self.name, self.backend, self.driver)
     }

@@ -1,4 +1,4 @@
-//! Words in transfer from a frame that the host or a session submits.
+//! Words in transfer from a submitted frame, whether the host or a session submits it.
 
 use std::future::poll_fn;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -21,7 +21,7 @@ enum State {
 }
 
 impl Arrival {
-    /// Awaits a copy that commands of the same encoder make.
+    /// Awaits a copy encoded in the same encoder.
     pub(super) fn new(encoder: &wgpu::CommandEncoder, staging: wgpu::Buffer) -> Self {
         let state = Arc::new(Mutex::new(State::UnderWay(None)));
         let shared = state.clone();
@@ -43,7 +43,7 @@ impl Arrival {
         matches!(*lock(&self.state), State::UnderWay(_))
     }
 
-    /// Ends when it has come, or will not come any more.
+    /// Resolves when the copy has arrived or has failed.
     async fn ended(&self) {
         poll_fn(|context| match &mut *lock(&self.state) {
             State::UnderWay(waker) => {
@@ -55,18 +55,18 @@ impl Arrival {
         .await;
     }
 
-    /// The values, when they have come. A browser polls its devices by itself; elsewhere the device is waited for.
+    /// The values, once they have arrived. A browser polls its devices by itself; elsewhere this blocks on the device.
     ///
     /// # Errors
     ///
-    /// A device that is lost; `name` is that of its adapter.
+    /// A lost device; `name` is the name of its adapter.
     pub(super) async fn awaited<T: bytemuck::Pod>(
         &self,
         device: &wgpu::Device,
         name: &str,
     ) -> Result<Vec<T>> {
         let lost = || Error::Adapter {
-            what: format!("{name} lost a frame on its way back"),
+            what: format!("{name} lost a frame during read-back"),
             help: "run again".to_owned(),
         };
         if cfg!(not(target_arch = "wasm32")) {
@@ -77,7 +77,7 @@ impl Arrival {
         self.values().ok_or_else(lost)
     }
 
-    /// The values, once they are there.
+    /// The values, if they have arrived.
     pub(super) fn values<T: bytemuck::Pod>(&self) -> Option<Vec<T>> {
         if !matches!(*lock(&self.state), State::Arrived) {
             return None;

@@ -1,12 +1,12 @@
-//! Clip test for the shaders of a host: is a point of a part kept?
+//! Clip test for a host's shaders: is a point of a part kept?
 //!
-//! The host draws its surfaces with materials of its own and leaves out what the one list of crossings removes; the caps are
-//! composed with them. The test is WGSL text for the host's shaders ([`clip_wgsl`]) and a bind group of the very lists that the
-//! caps come from, so that both are cut at the same depths. Costs a look at each crossing before a fragment.
+//! The host draws its surfaces with its own materials and discards what the per-pixel list of crossings removes; the caps are composited
+//! with them. The test is WGSL text for the host's shaders ([`clip_wgsl`]) and a bind group with the same lists that the caps come from, so
+//! both are cut at the same depths. Costs a look at each crossing in front of a fragment.
 //!
-//! Cannot: serve frames drawn in bands, whose lists are several; know on which side a face lies that is in a clip-surface, which our own
-//! passes do; say of a pixel that its list was too short ([`Session::poll`](crate::Session::poll) does); show caps behind surfaces that
-//! the host leaves out or draws as glass.
+//! Cannot: serve frames drawn in bands, which have several lists; decide the side of a face that lies in a clip-surface, as our own passes
+//! do; report that a pixel's list was too short ([`Session::poll`](crate::Session::poll) does); show caps behind surfaces that the host
+//! discards or draws as glass.
 
 use super::Gpu;
 use super::clip_layout::ClipLayout;
@@ -14,21 +14,21 @@ use super::programs::program::Program;
 use crate::shader::{self, BindingKind, Shader};
 use crate::{Error, Result};
 
-/// The shader that asks.
+/// Shader with the clip test.
 const KEPT: &str = "gpu/clip/kept.wgsl";
 
-/// It asks the list, which serves all clip-surfaces.
+/// The clip test reads the list of crossings, which serves all clip-surfaces.
 fn kept() -> Shader {
     Shader::from(KEPT).with_all(&crate::passes::LISTED)
 }
 
-/// Its variable that is no resource of the plan: the [table](ClipTable).
+/// The shader variable that is no resource of the plan: the [table](ClipTable).
 const TABLE: &str = "cutaway_clip";
 
-/// Zeros in the place of what a frame in which nothing is cut does not have: no crossing, no cut.
+/// Zeros that replace missing buffers in an uncut frame: no crossing, no cut.
 const NOTHING_BYTES: u64 = size_of::<crate::plan::pack::CutTable>() as u64;
 
-/// WGSL for the shaders of a host, with its bindings in a group of the host's choice. It declares
+/// WGSL for a host's shaders, with its bindings in the given group. It declares
 ///
 /// ```wgsl
 /// // The depth that `cutaway_is_kept` compares, of a point so far ahead of the eye, along the viewing direction, in world units.
@@ -54,8 +54,7 @@ pub fn clip_wgsl(group: u32) -> Result<String> {
 }
 
 impl Gpu {
-    /// The layout of the bind group for [`clip_wgsl`], for the pipelines of the host: 2 uniform and 4 storage buffers, for
-    /// any stage.
+    /// The layout of the bind group for [`clip_wgsl`], for the host's pipelines: 2 uniform and 4 storage buffers, visible to any stage.
     pub fn clip_layout(&self) -> Result<wgpu::BindGroupLayout> {
         Ok(self.clip()?.layout.clone())
     }
@@ -89,17 +88,17 @@ impl Gpu {
     }
 }
 
-/// Data about the parts of a scene in addition to the lists.
+/// Data about the parts of a scene, needed in addition to the lists.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct ClipTable {
-    /// By how much scene space is larger than the world.
+    /// Scale from the world to scene space.
     pub(crate) scene_from_world: f32,
-    /// Per part, by its index in the scene: bits of the cuts that reach it, and true if a cut removes all of the part.
+    /// For each part, by its index in the scene: bits of the cuts that reach it, and true if a cut removes the whole part.
     pub(crate) parts: Vec<(u32, bool)>,
 }
 
 impl ClipTable {
-    /// As the shader has it.
+    /// The table as words, in the shader's layout.
     fn words(&self) -> Vec<u32> {
         let head = [self.scene_from_world.to_bits(), 0];
         let rows = self.parts.iter();
@@ -108,7 +107,7 @@ impl ClipTable {
     }
 }
 
-/// The bind group of a program, as long as that keeps its buffers.
+/// The clip bind group of a program, valid as long as the program keeps its buffers.
 pub(crate) struct Clip {
     generation: u64,
     table: ClipTable,
@@ -123,7 +122,7 @@ impl Clip {
 }
 
 impl Program {
-    /// The bind group of its lists, with a table of the parts; what was made before is used again where it fits.
+    /// The bind group of its lists, with a table of the parts; a previous bind group is reused if it still fits.
     pub(crate) fn clip(&self, gpu: &Gpu, table: ClipTable, before: Option<Clip>) -> Result<Clip> {
         let fits = |b: &Clip| {
             b.generation == self.generation() && b.table.parts.len() == table.parts.len()

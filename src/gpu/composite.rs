@@ -1,9 +1,9 @@
-//! A frame in the attachments of a host: colours where the model is, tested by the host's depth, and the frame's depth.
+//! A frame in a host's attachments: colours where the model is visible, tested against the host's depth, and the frame's depth.
 //!
-//! One triangle over the frame reads picture or base colours, and layers, from the buffers that the passes wrote: nothing is copied or read
-//! back. In a band it draws the band's rows. Costs a pass of 4 bytes of picture and 12 of layers a pixel.
+//! One triangle over the frame reads picture or base colours, and layers, from the buffers that the passes wrote, without copies or
+//! read-back. In a band it draws the band's rows. Costs a pass over 4 bytes of picture and 12 of layers per pixel.
 //!
-//! Cannot: show edges finer than pixels where the target has several samples; all samples of a pixel are alike.
+//! Cannot: show edges finer than pixels in a multisampled target; all samples of a pixel are alike.
 
 use std::sync::Arc;
 
@@ -19,12 +19,12 @@ use crate::{Error, Result};
 #[derive(Clone, Copy, PartialEq)]
 struct Attachments {
     colors: [Option<wgpu::TextureFormat>; MOST_COLORS],
-    /// Format, and whether what is nearer has the greater depth.
+    /// Format, and whether nearer depths are greater.
     depth: Option<(wgpu::TextureFormat, bool)>,
     sample_count: u32,
 }
 
-/// The pipelines that composite, by attachments.
+/// The compositing pipelines, by attachments.
 #[derive(Default)]
 pub(super) struct Compositors {
     made: Vec<(Attachments, Arc<wgpu::RenderPipeline>)>,
@@ -48,7 +48,7 @@ pub(super) struct Composed<'a> {
     pub(super) parts: &'a wgpu::Buffer,
 }
 
-/// A frame, or a band of one, ready to be put into the attachments of a host.
+/// A frame, or a band of one, ready to be composited into a host's attachments.
 pub(crate) struct Compositor {
     attachments: Attachments,
     pipeline: Arc<wgpu::RenderPipeline>,
@@ -58,7 +58,7 @@ pub(crate) struct Compositor {
 }
 
 impl Compositor {
-    /// Makes one from the buffers of a frame.
+    /// Makes a compositor from the buffers of a frame.
     pub(super) fn new(gpu: &Gpu, target: &Destination<'_>, frame: &Composed<'_>) -> Result<Self> {
         let attachments = attachments(target);
         let pipeline = gpu.compositors().get(gpu, attachments)?;
@@ -93,13 +93,13 @@ impl Compositor {
         })
     }
 
-    /// Returns true if it draws into attachments like these.
+    /// Returns true if it can draw into these attachments.
     pub(crate) fn fits(&self, target: &Destination<'_>) -> bool {
         self.attachments == attachments(target)
     }
 
-    /// Draws rows of a frame, of a scene that is `scale` times as large as the host's world. Of the rows that the buffers hold, some are
-    /// drawn: the first of each, counted from the corner of the target, and how many.
+    /// Draws rows of a frame whose scene is `scale` times as large as the host's world. `held` are the rows in the buffers, `drawn` the
+    /// rows to draw: each a first row, counted from the target's corner, and a number of rows.
     pub(crate) fn encode(
         &mut self,
         gpu: &Gpu,
@@ -191,7 +191,7 @@ fn composite(
 ) -> Composite {
     let depth = target.depth.as_ref().map(|d| d.convention);
     let [a, b, c, d] = depth.map_or([0.0, 0.0, 0.0, 1.0], |d| d.coefficients);
-    // Only their ratio matters: they are kept within what f32 holds.
+    // Only their ratio matters: they are scaled to stay within the range of f32.
     let coefficients = DVec4::new(a / scale, b, c / scale, d);
     let coefficients = coefficients / coefficients.abs().max_element();
     let format = target.colors[0].map(|a| a.format);
@@ -218,7 +218,7 @@ fn pipeline(gpu: &Gpu, attachments: Attachments) -> Result<wgpu::RenderPipeline>
         if !(features.allowed_usages).contains(wgpu::TextureUsages::RENDER_ATTACHMENT) {
             return Err(Error::input(
                 "the target of the host",
-                format!("{format:?} is no format that can be drawn into"),
+                format!("the format {format:?} cannot be drawn into"),
                 "give colour attachments, for example of Rgba8UnormSrgb",
             ));
         }
@@ -245,7 +245,7 @@ fn pipeline(gpu: &Gpu, attachments: Attachments) -> Result<wgpu::RenderPipeline>
                     wgpu::DepthStencilState {
                         format,
                         depth_write_enabled: Some(true),
-                        // Sky is as far as a cleared buffer.
+                        // The sky is at the depth of a cleared buffer.
                         depth_compare: Some(match is_reversed {
                             true => wgpu::CompareFunction::GreaterEqual,
                             false => wgpu::CompareFunction::LessEqual,

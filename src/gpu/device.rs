@@ -1,4 +1,4 @@
-//! The device: its capabilities, and its errors. It is opened by `open`, or is that of a host.
+//! The device: its capabilities and its errors. It is opened by `open`, or belongs to a host.
 //!
 //! Everything runs on core WebGPU; native features are queried ([`Gpu::has_timestamps`]) and used if present.
 
@@ -25,22 +25,22 @@ const WIDE_ATOMICS: wgpu::Features =
 pub struct Gpu {
     pub(super) device: wgpu::Device,
     pub(super) queue: wgpu::Queue,
-    /// Without its sub-pixel bits.
+    /// The adapter's report without sub-pixel bits.
     unmeasured: AdapterReport,
-    /// With them.
+    /// The report with sub-pixel bits.
     measured: OnceLock<AdapterReport>,
     limits: Limits,
     timestamps: bool,
     /// True if uniforms are better read from storage.
     inlines_uniforms: bool,
     pub(super) complaint: Arc<Mutex<Option<String>>>,
-    /// Large contents that several programs share, by identity.
+    /// Large contents shared by several programs, by identity.
     shared: Mutex<Vec<(Contents, wgpu::BufferUsages, wgpu::Buffer)>>,
     /// The pipelines of all programs.
     pipelines: Mutex<Pipelines>,
     compositors: Mutex<Compositors>,
     preparation: Mutex<Preparation>,
-    /// Bindings for shaders of a host, made on first use.
+    /// Bindings for a host's shaders, created on first use.
     pub(super) clip: OnceLock<ClipLayout>,
 }
 
@@ -56,7 +56,7 @@ impl Gpu {
     /// The features that are used where a device has them; none is required.
     ///
     /// `DEPTH32FLOAT_STENCIL8` is for strategies with a stencil, `FLOAT32_FILTERABLE` for heights through a sampler, `SHADER_INT64` with
-    /// `SHADER_INT64_ATOMIC_MIN_MAX` for one sweep of the compute rasteriser in the place of two, `TIMESTAMP_QUERY` for times.
+    /// `SHADER_INT64_ATOMIC_MIN_MAX` for a single sweep of the compute rasteriser instead of two, `TIMESTAMP_QUERY` for times.
     pub fn wanted_features() -> wgpu::Features {
         WIDE_ATOMICS
             | wgpu::Features::DEPTH32FLOAT_STENCIL8
@@ -86,12 +86,12 @@ impl Gpu {
         }
     }
 
-    /// Uses the device of a host, which keeps ownership: no handler of the device is touched. The device as created determines what
-    /// plans may use.
+    /// Uses a host's device. The host keeps ownership: the device's error handlers stay as they are. The limits and features that the
+    /// device was created with determine what plans may use.
     ///
     /// # Errors
     ///
-    /// A device with less than the [required limits](Self::required_limits): each that is lacking, and what was offered.
+    /// A device with less than the [required limits](Self::required_limits): lists each missing limit and what was offered.
     pub fn from_device(
         info: &wgpu::AdapterInfo,
         device: wgpu::Device,
@@ -157,14 +157,14 @@ impl Gpu {
     /// Description of the adapter. The first call measures its sub-pixel bits by one small draw and waits for it, except in a browser.
     pub fn report(&self) -> &AdapterReport {
         self.measured.get_or_init(|| AdapterReport {
-            // A device that refuses so small a draw gives its reason at the next frame.
+            // A device that refuses this small draw reports its reason at the next frame.
             #[cfg(not(target_arch = "wasm32"))]
             sub_pixel_bits: super::sub_pixel::measure(self).ok(),
             ..self.unmeasured.clone()
         })
     }
 
-    /// Properties for the choice of a rasteriser. On a software adapter sub-pixel bits do not matter to it, and are not measured for it.
+    /// Adapter properties for choosing a rasteriser. On a software adapter sub-pixel bits do not affect the choice, and are not measured.
     pub fn traits(&self) -> AdapterTraits<'_> {
         let software = self.unmeasured.software;
         AdapterTraits {
@@ -182,23 +182,23 @@ impl Gpu {
         &self.limits
     }
 
-    /// Holds plans to less than the adapter offers, as another adapter would.
+    /// Restricts plans to less than the adapter offers, to imitate another adapter.
     #[must_use]
     pub fn held_to(self, limits: Limits) -> Self {
         Self { limits, ..self }
     }
 
-    /// Returns true if the device has timestamps and they are reliable.
+    /// Returns true if the device has reliable timestamps.
     pub fn has_timestamps(&self) -> bool {
         self.timestamps
     }
 
-    /// Work done so far to make it ready for its frames.
+    /// Work done so far to prepare the device for its frames.
     pub fn preparation(&self) -> Preparation {
         *self.preparing()
     }
 
-    /// The same, to be added to.
+    /// The same, mutable.
     pub(super) fn preparing(&self) -> MutexGuard<'_, Preparation> {
         lock(&self.preparation)
     }
@@ -208,12 +208,12 @@ impl Gpu {
         lock(&self.pipelines)
     }
 
-    /// The pipelines that composite.
+    /// The compositing pipelines.
     pub(super) fn compositors(&self) -> MutexGuard<'_, Compositors> {
         lock(&self.compositors)
     }
 
-    /// Does some work on the device, and returns an error if the device refuses any of the work.
+    /// Runs some work on the device, and returns an error if the device refuses any of it.
     pub(crate) fn scoped<T>(&self, work: impl FnOnce() -> Result<T>) -> Result<T> {
         let filters = [
             wgpu::ErrorFilter::OutOfMemory,
@@ -221,7 +221,7 @@ impl Gpu {
         ];
         let scopes = filters.map(|filter| self.device.push_error_scope(filter));
         let done = work();
-        // The scope that was opened last is closed first.
+        // The most recently opened scope is closed first.
         let refused = scopes.into_iter().rev().filter_map(|s| at_once(s.pop()));
         match refused.last() {
             Some(refused) => Err(self.refused(&refused.to_string())),
@@ -229,7 +229,7 @@ impl Gpu {
         }
     }
 
-    /// Errors of the device outside any scope since the last call, as one error.
+    /// Device errors outside any scope since the last call, as one error.
     pub(super) fn complaint(&self) -> Result<()> {
         match lock(&self.complaint).take() {
             None => Ok(()),
@@ -250,7 +250,7 @@ impl Gpu {
         uniforms::usage(self.inlines_uniforms)
     }
 
-    /// A shader module of what was composed.
+    /// A shader module from a composed shader.
     pub(super) fn module(&self, label: &str, mut composed: naga::Module) -> wgpu::ShaderModule {
         if self.inlines_uniforms {
             let most = self.device.limits().max_storage_buffers_per_shader_stage;
@@ -263,7 +263,7 @@ impl Gpu {
             })
     }
 
-    /// A buffer with contents; large ones that stay as they are are shared between programs.
+    /// A buffer with contents; large constant contents are shared between programs.
     pub(super) fn buffer_with(
         &self,
         label: &str,
@@ -273,7 +273,7 @@ impl Gpu {
         let sharable = is_shared(contents);
         let mut shared = lock(&self.shared);
         if sharable {
-            // Contents that no plan holds any more are let go.
+            // Contents that no plan holds any more are released.
             shared.retain(|(c, _, _)| c.is_held_elsewhere());
             let known = shared
                 .iter()
@@ -305,12 +305,12 @@ impl Gpu {
     }
 }
 
-/// Returns true if contents are kept once for all programs, which therefore must not write to them.
+/// Returns true if contents are stored once for all programs, which therefore must not write to them.
 pub(super) fn is_shared(contents: &Contents) -> bool {
     contents.len() >= SHARED_FROM_BYTES && !contents.changes()
 }
 
-/// Error that a scope caught, if it is available at once: a browser reports it later, and to its console.
+/// Error caught by a scope, if available immediately: a browser reports it later, and to its console.
 fn at_once(caught: impl Future<Output = Option<wgpu::Error>>) -> Option<wgpu::Error> {
     let mut caught = std::pin::pin!(caught);
     let mut context = Context::from_waker(Waker::noop());

@@ -1,4 +1,4 @@
-//! One pass made real: its pipeline, its bind groups, its attachments, and how it is encoded.
+//! One pass on the device: its pipeline, its bind groups, its attachments, and how it is encoded.
 
 use std::ops::Range;
 
@@ -37,14 +37,14 @@ enum RealWork {
 enum Groups {
     /// In x, y, z.
     Listed([u32; 3]),
-    /// A buffer of arguments, and where in it.
+    /// A buffer of arguments, and the offset in it.
     Indirect(wgpu::Buffer, u64),
 }
 
 enum RealDraw {
     /// Indices, base vertex, instance.
     Listed(Range<u32>, i32, u32),
-    /// A buffer of arguments, and where in it.
+    /// A buffer of arguments, and the offset in it.
     Indirect(wgpu::Buffer, u64),
 }
 
@@ -234,7 +234,7 @@ impl ReadyPass {
                     }
                 }
             }
-            // A pipeline is made from the same pass as its work.
+            // The pipeline always has the same kind as the pass's work.
             _ => {}
         }
     }

@@ -6,7 +6,7 @@ use crate::plan::pack::{pack_normal, unpack_normal};
 /// Bytes of one pixel.
 pub(super) const LAYER_BYTES: u64 = 12;
 
-/// The words of one pixel as [`Layer`]; the other direction is `shaders/lib/layers.wgsl`.
+/// The words of one pixel as [`Layer`]; `shaders/lib/layers.wgsl` has the inverse.
 pub(super) fn layer_from_words(words: &[u32; 3]) -> Layer {
     let [word, normal, depth] = *words;
     let kind = match word & 3 {
@@ -37,7 +37,7 @@ pub(super) fn layer_from_words(words: &[u32; 3]) -> Layer {
     }
 }
 
-/// Pixels from their words, three for each: the other direction of [`words_from_layers`].
+/// Pixels from their words, three for each: the inverse of [`words_from_layers`].
 pub fn layers_from_words(words: &[u32]) -> Vec<Layer> {
     words
         .as_chunks::<3>()
@@ -47,8 +47,8 @@ pub fn layers_from_words(words: &[u32]) -> Vec<Layer> {
         .collect()
 }
 
-/// Layers as shaders have them, three words a pixel: to be shaded by the same pass as a strategy's, or sent elsewhere. Depths and normals lose
-/// what [`Layer`] has beyond single precision and two 16-bit numbers.
+/// Layers in the shaders' format, three words a pixel: to be shaded by the same pass as a strategy's layers, or sent elsewhere. Depths are
+/// rounded to single precision, and normals to two 16-bit numbers.
 pub fn words_from_layers(layers: &Layers) -> Vec<u32> {
     let words = layers.pixels.iter().map(|p| {
         let flags =

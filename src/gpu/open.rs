@@ -1,4 +1,4 @@
-//! Opens a device of our own: of which adapter, and what there is to choose from.
+//! Opens a device of our own: choice of adapter, and the list of adapters.
 
 use std::sync::Arc;
 
@@ -10,9 +10,9 @@ use crate::{Error, Result};
 /// Selection of the adapter.
 #[derive(Clone, Debug, Default)]
 pub struct GpuOptions {
-    /// Part of the adapter's name, in any case; `None` takes the fastest.
+    /// Part of the adapter's name, case-insensitive; `None` takes the fastest.
     pub adapter: Option<String>,
-    /// Prefer a software adapter: the same everywhere, so tests ask for it.
+    /// Prefer a software adapter: it gives the same results everywhere, so tests request it.
     pub prefer_software: bool,
 }
 
@@ -31,7 +31,7 @@ impl Gpu {
         adapters.iter().map(in_words).collect()
     }
 
-    /// As [`Gpu::open`], where nothing may be waited for.
+    /// As [`Gpu::open`], for callers that must not block.
     pub async fn open_async(options: &GpuOptions) -> Result<Self> {
         let mut adapters = adapter::all().await;
         let names: Vec<String> = adapters.iter().map(|a| a.get_info().name).collect();
@@ -78,7 +78,7 @@ impl Gpu {
                 ),
             })?;
         let gpu = Self::from_device(&adapter.get_info(), device, queue)?;
-        // What no scope catches, such as a lost device, is to become an error, where wgpu would panic.
+        // Errors outside any scope, such as a lost device, become an error here, where wgpu would panic.
         let listener = gpu.complaint.clone();
         let record = move |e: wgpu::Error| {
             lock(&listener).get_or_insert(e.to_string());

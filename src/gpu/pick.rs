@@ -1,7 +1,6 @@
-//! Pixels of a frame in transfer: one, or all. A pointer picks from the layers, and so picks the visible surface,
-//! with all cuts applied.
+//! Pixels of a frame in transfer: one, or all. A pointer pick reads the layers, so it returns the visible surface, with all cuts applied.
 //!
-//! Costs a copy of 12 bytes a pixel. Cannot: know of a frame that was not submitted.
+//! Costs a copy of 12 bytes a pixel. Cannot: detect that a frame was never submitted.
 
 use super::Gpu;
 use super::arrival::Arrival;
@@ -14,7 +13,7 @@ use crate::layers::Layer;
 pub struct Pick(Arrival);
 
 impl Pick {
-    /// Awaits a copy that commands of the same encoder make.
+    /// Awaits a copy encoded in the same encoder.
     pub(super) fn new(encoder: &wgpu::CommandEncoder, staging: wgpu::Buffer) -> Self {
         Self(Arrival::new(encoder, staging))
     }
@@ -31,12 +30,12 @@ impl Pick {
     }
 }
 
-/// The layers of a program's frame or its picture, on their way back.
+/// The layers of a program's frame or its picture, being read back.
 #[derive(Debug)]
 pub(crate) struct Arriving(Arrival);
 
 impl Arriving {
-    /// Reads a buffer, which is copied after the encoded commands.
+    /// Starts reading back a buffer, copied after the commands encoded so far.
     pub(super) fn new(
         gpu: &Gpu,
         encoder: &mut wgpu::CommandEncoder,
@@ -47,21 +46,21 @@ impl Arriving {
         Self(Arrival::new(encoder, staging))
     }
 
-    /// The pixels, row by row, when they have come: what a page of a browser awaits is waited for elsewhere.
+    /// The pixels, row by row, once they have arrived: asynchronous on a web page, blocking elsewhere.
     ///
     /// # Errors
     ///
-    /// A device that is lost.
+    /// A lost device.
     pub(crate) async fn layers(self, gpu: &Gpu) -> Result<Vec<Layer>> {
         let words = self.0.awaited(&gpu.device, gpu.name()).await?;
         Ok(layers_from_words(&words))
     }
 
-    /// RGBA8 of the pixels, in the same way.
+    /// RGBA8 of the pixels, likewise.
     ///
     /// # Errors
     ///
-    /// A device that is lost.
+    /// A lost device.
     pub(crate) async fn picture(self, gpu: &Gpu) -> Result<Vec<u8>> {
         self.0.awaited(&gpu.device, gpu.name()).await
     }

@@ -1,4 +1,4 @@
-//! Reading buffers back, after the frame and never inside it.
+//! Reading buffers back, after a frame and never during it.
 
 use super::Gpu;
 use super::arrival::Arrival;
@@ -44,12 +44,12 @@ impl Gpu {
         self.map(&staging)
     }
 
-    /// Submits commands that copy into a buffer which can be mapped, and awaits its bytes. Elsewhere than in a browser it waits, before it is
-    /// first pending.
+    /// Submits commands that copy into a mappable buffer, and awaits its bytes. Outside a browser it blocks before it first returns
+    /// pending.
     ///
     /// # Errors
     ///
-    /// A device that is lost.
+    /// A lost device.
     pub fn submit_and_read(
         &self,
         encoder: wgpu::CommandEncoder,
@@ -61,12 +61,12 @@ impl Gpu {
         async move { arrival.awaited(&device, &name).await }
     }
 
-    /// Lets the device report what it has done, without waiting.
+    /// Lets the device report completed work, without waiting.
     pub(crate) fn poll(&self) -> Result<()> {
         self.polled(wgpu::PollType::Poll)
     }
 
-    /// Waits until the device has done everything submitted.
+    /// Waits until the device has finished everything submitted.
     pub(super) fn wait(&self) -> Result<()> {
         self.polled(wgpu::PollType::wait_indefinitely())
     }

@@ -1,16 +1,16 @@
-//! Needs of bounded buffers, in transfer from a frame that a host submits.
+//! Needs of bounded buffers, being read back from a frame that a host submits.
 
 use super::arrival::Arrival;
 use crate::plan::Bounded;
 
-/// A copy of needs that is mapped once the host has submitted it.
+/// A copy of the needs, mapped once the host has submitted it.
 pub(crate) struct Report {
     arrival: Arrival,
     bounded: Vec<Bounded>,
 }
 
 impl Report {
-    /// Awaits a copy that commands of the same encoder make.
+    /// Awaits a copy encoded in the same encoder.
     pub(super) fn new(
         encoder: &wgpu::CommandEncoder,
         staging: wgpu::Buffer,
@@ -27,7 +27,7 @@ impl Report {
         self.arrival.is_under_way()
     }
 
-    /// The bounded buffers, each with what it needed; none while that has not arrived.
+    /// The bounded buffers, each with the capacity it needed; empty until the copy has arrived.
     pub(crate) fn needs(&self) -> Vec<(&Bounded, u32)> {
         let Some(words) = self.arrival.values::<u32>() else {
             return Vec::new();

@@ -27,22 +27,22 @@ impl GpuResource {
     }
 }
 
-/// Bytes of a texel, without padding; a combined format has those of each aspect.
+/// Bytes of a texel, without padding; for a combined format, the sum over its aspects.
 fn texel_bytes(format: wgpu::TextureFormat) -> u32 {
     let of = |aspect| format.block_copy_size(aspect).unwrap_or(0);
     match format {
-        // The format has no bytes as a whole, and its depth cannot be copied out: 32 bits of depth and 8 of stencil.
+        // The combined format has no block size, and its depth cannot be copied out: 32 bits of depth and 8 of stencil.
         wgpu::TextureFormat::Depth32FloatStencil8 => 4 + of(Some(wgpu::TextureAspect::StencilOnly)),
         _ => of(None),
     }
 }
 
-/// Makes a resource, with its contents.
+/// Creates a resource with its contents.
 pub(super) fn make(gpu: &Gpu, resource: &Resource) -> GpuResource {
     let usage = |role| match role {
         Role::Storage => wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC,
         Role::Uniform => gpu.uniform_usage(),
-        // The compute rasteriser reads the mesh from the same buffers as the GPU's own.
+        // The compute rasteriser reads the mesh from the same buffers as the hardware rasteriser.
         Role::Vertex => {
             wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC
         }
@@ -86,7 +86,7 @@ pub(super) fn make(gpu: &Gpu, resource: &Resource) -> GpuResource {
     }
 }
 
-/// A texture that passes draw into, or that holds contents.
+/// A texture that passes draw into, or that is uploaded.
 fn texture(gpu: &Gpu, resource: &Resource) -> wgpu::Texture {
     let Shape::Texture {
         size: [width, height],
@@ -118,7 +118,7 @@ fn texture(gpu: &Gpu, resource: &Resource) -> wgpu::Texture {
     let row_bytes = width * format.texel_bytes() as u32;
     let layer_bytes = u64::from(row_bytes) * u64::from(height);
     for piece in resource.contents.iter().flat_map(|c| c.pieces()) {
-        // Pieces are whole layers.
+        // Each upload chunk consists of whole layers.
         let mut to = texture.as_image_copy();
         to.origin.z = (piece.offset / layer_bytes) as u32;
         let layout = wgpu::TexelCopyBufferLayout {

@@ -1,10 +1,10 @@
-//! Sub-pixel bits: to which fraction of a pixel the rasteriser of an adapter snaps vertices, 2^-bits.
+//! Sub-pixel bits: an adapter's rasteriser snaps vertices to 2^-bits of a pixel.
 //!
-//! Vulkan and WebGPU promise 4 bits and have no query for more, so it is measured: sixteen rectangles that end ever closer to a column of
-//! samples, and which of them cover it (`shaders/gpu/sub_pixel.wgsl`). One draw into 16 x 16 pixels, once for each device, when
-//! its report is first read.
+//! Vulkan and WebGPU promise 4 bits and have no query for more, so the number is measured: sixteen rectangles end ever closer to a column
+//! of samples, and the bits follow from which of them cover it (`shaders/gpu/sub_pixel.wgsl`). One draw into 16 x 16 pixels, once per
+//! device, when its report is first read.
 //!
-//! Cannot: tell more than [`MOST_BITS`] bits, nor run in a browser, where nothing can be waited for.
+//! Cannot: distinguish more than [`MOST_BITS`] bits, nor run in a browser, where nothing may block.
 
 use super::Gpu;
 use crate::shader::{self, Shader};
@@ -12,21 +12,21 @@ use crate::{Error, Result};
 
 /// Sub-pixel bits that Vulkan and WebGPU guarantee.
 const LEAST_BITS: u32 = 4;
-/// Bits that are distinguished, at most: more rows would end closer to the column than f32 is exact.
+/// Most distinguishable bits: more rows would end closer to the column than the precision of f32.
 const MOST_BITS: u32 = 12;
-/// Pixels along a side of the target: `shaders/gpu/sub_pixel.wgsl`.
+/// Side of the target in pixels: `shaders/gpu/sub_pixel.wgsl`.
 const SIZE_PX: u32 = 16;
 /// The column of samples.
 const COLUMN: usize = 8;
-/// A row of a copy of a texture is a multiple of this long.
+/// Bytes per row in a texture copy are a multiple of this.
 const ROW_BYTES: u32 = wgpu::COPY_BYTES_PER_ROW_ALIGNMENT;
 const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::R8Unorm;
 
-/// Bits behind the point of a pixel coordinate, as the adapter's rasteriser keeps them.
+/// Fractional bits of a pixel coordinate in the adapter's rasteriser.
 ///
 /// # Errors
 ///
-/// A device that refuses the draw or is lost, or that snaps to coarser steps than is promised.
+/// A device that refuses the draw or is lost, or that snaps to coarser steps than promised.
 pub(super) fn measure(gpu: &Gpu) -> Result<u32> {
     let composed = shader::compose(&Shader::from("gpu/sub_pixel.wgsl"))?;
     let staging = gpu.staging(u64::from(ROW_BYTES * SIZE_PX));

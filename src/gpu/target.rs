@@ -1,29 +1,28 @@
-//! Targets of a host for a frame: its picture, or the attachments that its own lights read.
+//! A host's targets for a frame: its picture, or the attachments that its own lighting reads.
 
 use crate::scene::HostDepth;
 use crate::{Error, Result};
 
-/// The picture of a host.
+/// A host's picture.
 #[derive(Clone, Copy, Debug)]
 pub struct Target<'a> {
-    /// The colour attachment; what is there stays where the frame shows nothing.
+    /// The colour attachment; its content is kept where the frame shows nothing.
     pub color: &'a wgpu::TextureView,
-    /// Its format. Formats that are sRGB or floats get linear light, others sRGB as it is.
+    /// Its format. sRGB and float formats receive linear light, other formats sRGB-encoded values.
     pub color_format: wgpu::TextureFormat,
-    /// The depth attachment that the frame is tested against and written to; without one the frame covers what is there.
+    /// The depth attachment that the frame is tested against and written to; without one the frame covers the existing content.
     pub depth: Option<TargetDepth<'a>>,
-    /// Samples of a pixel of the attachments.
+    /// Samples per pixel of the attachments.
     pub sample_count: u32,
     /// Upper left corner of the frame in the attachments, in pixels.
     pub origin_px: [u32; 2],
-    /// True if the sky is drawn where no model is seen; not with `caps_only`.
+    /// True if the sky is drawn where no model is visible; not with `caps_only`.
     pub background: bool,
-    /// Draws caps alone: the host draws the surfaces itself, less what [`Session::clip_group`](crate::Session::clip_group) says is
-    /// removed.
+    /// Draws caps alone: the host draws the surfaces itself, except what [`Session::clip_group`](crate::Session::clip_group) removes.
     pub caps_only: bool,
 }
 
-/// The depth attachment of a host.
+/// A host's depth attachment.
 #[derive(Clone, Copy, Debug)]
 pub struct TargetDepth<'a> {
     /// The attachment.
@@ -34,7 +33,7 @@ pub struct TargetDepth<'a> {
     pub convention: HostDepth,
 }
 
-/// A colour attachment of a host.
+/// A host's colour attachment.
 #[derive(Clone, Copy, Debug)]
 pub struct Attachment<'a> {
     /// The attachment.
@@ -43,16 +42,16 @@ pub struct Attachment<'a> {
     pub format: wgpu::TextureFormat,
 }
 
-/// The G-buffer of a host that lights by itself. All attachments have one sample; what is there stays where no model is seen.
+/// The G-buffer of a host with its own lighting. All attachments are single-sampled; their content is kept where no model is visible.
 #[derive(Clone, Copy, Debug)]
 pub struct GBuffer<'a> {
-    /// The colour of the part, or of its caps, without light. As [`Target::color_format`].
+    /// The colour of the part or of its caps, unlit. Encoded as [`Target::color_format`] says.
     pub base_color: Attachment<'a>,
     /// The normal in the host's world: a unit vector towards the eye, in `Rgba16Float` or `Rgba32Float`.
     pub normal: Attachment<'a>,
-    /// Visible element, of the format `R32Uint`. The host clears it, because only pixels that show the model are written. From bit 0
-    /// on: 2 bits for the kind (1 a surface, 2 a cap), 1 for a back face, 1 for a pixel that the method cannot be sure of, 1 for a cap
-    /// that several solids share, 3 unused, 8 for the clip-surface of a cap (255 is the near plane), 16 for the part.
+    /// Visible element, in format `R32Uint`. The host clears it, because only pixels that show the model are written. From bit 0 on: 2 bits
+    /// for the kind (1 a surface, 2 a cap), 1 for a back face, 1 for a pixel that the method cannot be sure of, 1 for a cap shared by
+    /// several solids, 3 unused, 8 for the clip-surface of a cap (255 is the near plane), 16 for the part.
     pub what: &'a wgpu::TextureView,
     /// The depth attachment that the frame is tested against and written to.
     pub depth: TargetDepth<'a>,
@@ -60,10 +59,10 @@ pub struct GBuffer<'a> {
     pub origin_px: [u32; 2],
 }
 
-/// Most colour attachments of a destination.
+/// Most colour attachments of any destination.
 pub(super) const MOST_COLORS: usize = 3;
 
-/// Either of them, as a pass sees it.
+/// Either kind of target, as a pass uses it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Destination<'a> {
     pub(super) colors: [Option<Attachment<'a>>; MOST_COLORS],
@@ -109,12 +108,12 @@ impl<'a> From<&GBuffer<'a>> for Destination<'a> {
 }
 
 impl Destination<'_> {
-    /// Refuses a frame that reaches beyond the attachments, and attachments that are not what is said of them: what a pass finds wrong is
-    /// known only when the host finishes its encoder. Sizes are those of mip level 0.
+    /// Refuses a frame that reaches beyond the attachments, and attachments that do not match their description: errors found by a pass are
+    /// reported only when the host finishes its encoder. Sizes are those of mip level 0.
     pub(crate) fn must_hold(&self, size_px: [u32; 2]) -> Result<()> {
         let names = match self.colors[1] {
             None => ["the colour attachment", "", ""],
-            Some(_) => ["the base colour", "the normals", "what is seen"],
+            Some(_) => ["the base colour", "the normals", "the attachment `what`"],
         };
         let colors = self.colors.iter().zip(names);
         let colors =
@@ -148,20 +147,20 @@ impl Destination<'_> {
             }
             if texture.format().remove_srgb_suffix() != format.remove_srgb_suffix() {
                 return fault(
-                    format!("it is of the format {:?}, not {format:?}", texture.format()),
+                    format!("its format is {:?}, not {format:?}", texture.format()),
                     "name the format of the view",
                 );
             }
             if texture.sample_count() != self.sample_count {
                 let (have, said) = (texture.sample_count(), self.sample_count);
                 return fault(
-                    format!("it has {have} samples in a pixel, not {said}"),
-                    "give attachments with as many samples as `sample_count` says, and a G-buffer with one",
+                    format!("it has {have} samples per pixel, not {said}"),
+                    "give attachments with `sample_count` samples per pixel, or a G-buffer with one",
                 );
             }
             if !(texture.usage()).contains(wgpu::TextureUsages::RENDER_ATTACHMENT) {
                 return fault(
-                    "it is no attachment".to_owned(),
+                    "it cannot be drawn into".to_owned(),
                     "create its texture with TextureUsages::RENDER_ATTACHMENT",
                 );
             }
@@ -169,7 +168,7 @@ impl Destination<'_> {
         match self.colors[1] {
             Some(normal) if !holds_signs(normal.format) => Err(Error::input(
                 "the normals of the host",
-                format!("{:?} holds no negative numbers", normal.format),
+                format!("the format {:?} holds no negative numbers", normal.format),
                 "give an attachment of Rgba16Float or Rgba32Float",
             )),
             _ => Ok(()),

@@ -1,8 +1,8 @@
-//! Time per pass and per clock: timestamps of the device, or wall time where there are none worth reading.
+//! Time per pass and per clock: timestamps of the device, or wall time where timestamps are missing or unreliable.
 //!
-//! Software adapters get wall time although they offer timestamps: on llvmpipe (Mesa 22.3.6) the begin of a compute pass is
-//! stamped before or after the pass's work by chance, so that one frame of 305 ms was reported as 112 ms every other time.
-//! There every pass is submitted and waited for by itself, about 0.1 ms each; nothing would have run in parallel anyway.
+//! Software adapters are measured by wall time although they offer timestamps: on llvmpipe (Mesa 22.3.6) the begin of a compute pass is
+//! randomly stamped before or after the pass's work, so that one frame of 305 ms was reported as 112 ms every other time. There every pass
+//! is submitted and awaited separately, about 0.1 ms each; nothing would have run in parallel anyway.
 
 use std::time::Duration;
 
@@ -22,7 +22,7 @@ impl ClockSet {
     /// The clock of a frame.
     pub const FRAME: Self = Self(4);
 
-    /// With one more clock.
+    /// This set with one more clock.
     #[must_use]
     pub fn with(self, clock: Clock) -> Self {
         Self(self.0 | 1 << clock as u8)
@@ -58,7 +58,7 @@ pub struct PassTime {
 }
 
 impl PassTime {
-    /// Times of the CPU steps of a plan: `ms` returns the time of a step with its work.
+    /// Times of a plan's CPU steps: `ms` returns the time of a step from its work.
     pub(super) fn of_cpu(
         recorded: &Recorded,
         ms: impl Fn(&CpuStep, &CpuWork) -> Option<f64>,
@@ -80,13 +80,13 @@ impl PassTime {
 pub struct RunTimes {
     /// Per pass that ran.
     pub passes: Vec<PassTime>,
-    /// From the begin of the first pass of a clock to the end of its last, or the sum of their wall times; `None` for
-    /// clocks that did not run, and if times were not requested.
+    /// From the begin of a clock's first pass to the end of its last, or the sum of their wall times; `None` for clocks that did not run,
+    /// and if times were not requested.
     pub clocks_ms: [Option<f64>; 3],
 }
 
 impl RunTimes {
-    /// Times of passes that ran one by one.
+    /// Times of passes that ran one after another.
     pub(super) fn sum(passes: Vec<PassTime>) -> Self {
         let mut clocks_ms = [None; 3];
         for pass in &passes {
@@ -97,7 +97,7 @@ impl RunTimes {
         Self { passes, clocks_ms }
     }
 
-    /// Adds work of the CPU that passes waited for, before them.
+    /// Adds CPU work that the passes waited for, in front of them.
     pub(super) fn add_before(&mut self, works: Vec<PassTime>) {
         for work in &works {
             if let Some(ms) = work.time_ms {
@@ -107,7 +107,7 @@ impl RunTimes {
         self.passes.splice(0..0, works);
     }
 
-    /// Adds the times of a run of the same passes on other rows; passes that it has besides come last.
+    /// Adds the times of a run of the same passes on other rows; passes that only the other run has come last.
     pub(crate) fn add(&mut self, other: Self) {
         for pass in other.passes {
             let known = self.passes.iter_mut().find(|p| p.name == pass.name);
@@ -133,7 +133,7 @@ impl RunTimes {
     }
 }
 
-/// Two timestamps per pass, resolved after the last.
+/// Two timestamps per pass, resolved after the last pass.
 pub(super) struct Stopwatch {
     pub(super) queries: wgpu::QuerySet,
     resolved: wgpu::Buffer,
@@ -142,7 +142,7 @@ pub(super) struct Stopwatch {
 }
 
 impl Stopwatch {
-    /// Makes one for a device that has timestamps; none if the passes are too many.
+    /// Creates one for a device with timestamps; none if there are too many passes.
     pub(super) fn new(device: &wgpu::Device, passes: usize) -> Option<Self> {
         let count = u32::try_from(passes * 2).ok();
         let count = count.filter(|c| *c > 0 && *c <= 4096)?;
@@ -177,7 +177,7 @@ impl Stopwatch {
         );
     }
 
-    /// Times from the raw ticks of the passes that ran, by index of the pass; a tick takes so long.
+    /// Times from the raw ticks of the passes that ran, by index of the pass; `ns_per_tick` is the length of a tick.
     pub(super) fn times(ns_per_tick: f32, ticks: &[u64], ran: &[(usize, &str, Clock)]) -> RunTimes {
         let ms_per_tick = f64::from(ns_per_tick) * 1e-6;
         let mut spans: [Option<(u64, u64)>; 3] = [None; 3];
@@ -198,14 +198,14 @@ impl Stopwatch {
         }
     }
 
-    /// Time that some work of the CPU takes.
+    /// Time taken by CPU work.
     pub(super) fn ms_of(work: &dyn Fn()) -> f64 {
         let started = Self::now();
         work();
         started.elapsed().as_secs_f64() * 1e3
     }
 
-    /// The moment, for adapters without timestamps.
+    /// The current time, for adapters without timestamps.
     #[allow(
         clippy::disallowed_methods,
         reason = "this module is where time is read"
@@ -215,7 +215,7 @@ impl Stopwatch {
     }
 }
 
-/// Does something, and adds the time that it took.
+/// Runs something, and adds the time it took.
 pub(super) fn timed<T>(time: &mut Duration, work: impl FnOnce() -> T) -> T {
     let began = Stopwatch::now();
     let done = work();

@@ -1,13 +1,13 @@
-//! Uniforms, and the storage buffers in their place on a driver that recompiles its shaders for each of their values.
+//! Uniforms, and the storage buffers that replace them on a driver that recompiles its shaders for each uniform value.
 //!
-//! llvmpipe of Mesa before 25 puts uniforms on which branches or loops hang into the shader whenever it is bound, and keeps the copy that it
-//! makes for that as long as the pipeline: 1 MB a frame of a cube. What is read from storage it leaves alone. A shader that would then
-//! have more storage buffers than the device allows stays as it is.
+//! llvmpipe of Mesa before 25 inlines uniforms that control branches or loops into the shader on every bind, and keeps each compiled copy
+//! as long as the pipeline: 1 MB per frame of a cube. It does not inline values read from storage. A shader that would then have more
+//! storage buffers than the device allows is left unchanged.
 
-/// The first release of Mesa that keeps no copies.
+/// First Mesa release that keeps no copies.
 const MENDED_IN_MESA: u32 = 25;
 
-/// Returns true if the driver keeps a copy of a shader each time that it is bound.
+/// Returns true if the driver keeps a copy of a shader on each bind.
 pub(super) fn are_inlined(info: &wgpu::AdapterInfo) -> bool {
     let release = info.driver_info.strip_prefix("Mesa ");
     let major = release.and_then(|release| release.split('.').next()?.parse().ok());
@@ -22,7 +22,7 @@ pub(super) fn usage(inlined: bool) -> wgpu::BufferUsages {
     }
 }
 
-/// Puts uniforms into storage, if it then holds at most `most` buffers. Their layout is the same in both.
+/// Moves uniforms to storage, if the shader then has at most `most` storage buffers. Their layout is the same in both.
 pub(super) fn read_from_storage(module: &mut naga::Module, most: usize) {
     let is_buffer = |space| {
         matches!(

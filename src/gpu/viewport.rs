@@ -1,14 +1,14 @@
 //! The viewport of a draw: larger than its target, so that no triangle is clipped at the borders of a picture.
 //!
-//! What a rasteriser cuts from a needle at a border is a needle still thinner, whose depth can lie anywhere between those of its ends
-//! (regression 0007). `shaders/lib/rasterise/viewport.wgsl` takes clip space to the same viewport.
+//! Clipping a needle triangle at a border leaves an even thinner needle, whose depth can lie anywhere between those of its ends (regression
+//! 0007). `shaders/lib/rasterise/viewport.wgsl` transforms clip space to the same viewport.
 //!
-//! Limits: a target of 8192 px has no room left, nor has the near plane.
+//! Limits: a target of 8192 px has no margin left, and neither has the near plane.
 
-/// Every device of core WebGPU has viewports of this size.
+/// Every core WebGPU device has viewports of this size.
 const VIEWPORT_PX: u32 = 8192;
 
-/// Corner and size of the viewport of a target, in pixels from its upper left corner.
+/// Corner and size of a target's viewport, in pixels from the target's upper left corner.
 pub(super) fn viewport_px(target_px: [u32; 2]) -> [[f32; 2]; 2] {
     let size = target_px.map(|n| n << (VIEWPORT_PX / n).max(1).ilog2());
     let corner = [0, 1].map(|i| -((size[i] - target_px[i]) as f32) / 2.0);

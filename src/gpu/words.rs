@@ -1,8 +1,8 @@
-//! Words in, words out: runs one small compute shader on given words, so that a test can hold a WGSL function of the library
-//! against its definition in f64.
+//! Words in, words out: runs one small compute shader on given words, so that a test can compare a WGSL library function with its
+//! definition in f64.
 //!
-//! The shader is composed with the library, so it imports the very functions that frames are drawn with. Its output is
-//! poisoned before the run: an unwritten word differs from every word written as zero.
+//! The shader is composed with the library, so it imports the same functions that draw frames. Its output is poisoned before the run: an
+//! unwritten word differs from every word written as zero.
 
 use super::Gpu;
 use super::programs::bind::bind_group;
@@ -17,13 +17,13 @@ pub const POISON: u32 = 0xffff_ffff;
 /// Name of the output variable, a `var<storage, read_write>` of the shader.
 const OUTPUT: &str = "words";
 
-/// Invocations of a workgroup that the dispatch counts with; a shader with larger groups gets more than it needs.
+/// Workgroup size assumed by the dispatch; a shader with larger groups gets more invocations than it needs.
 const INVOCATIONS: usize = 64;
 
 /// Runs the entry point `main` of a compute shader and returns the words of its variable `words`.
 ///
-/// `inputs` are the other buffers that the shader uses, by the names of their variables. There is at least one invocation
-/// of `@workgroup_size(64)` for each word of output; those beyond the cases must return by themselves.
+/// `inputs` are the other buffers that the shader uses, by variable name. There is at least one invocation of `@workgroup_size(64)` for
+/// each output word; invocations beyond the cases must return by themselves.
 pub fn run_words(
     gpu: &Gpu,
     wgsl: &str,
@@ -33,8 +33,7 @@ pub fn run_words(
     run_words_with(gpu, wgsl, &[], inputs, &[], output_words)
 }
 
-/// As [`run_words`], with files that fill open modules, and with resources of a plan such as textures and samplers, by the names of
-/// their variables.
+/// As [`run_words`], with files that fill open modules, and with plan resources such as textures and samplers, by variable name.
 pub fn run_words_with(
     gpu: &Gpu,
     wgsl: &str,

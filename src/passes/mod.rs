@@ -1,14 +1,14 @@
-//! Building blocks that strategies share. A pass is a function from handles to handles: what it reads it is given, what it makes it
-//! returns, so that the frame of a strategy reads from top to bottom.
+//! Building blocks that strategies share. A pass is a function from handles to handles: it takes what it reads and returns what it
+//! makes, so that a strategy's frame reads from top to bottom.
 //!
-//! - `Input` is what a frame is recorded from, `SceneBuffers` the scene on the device, with `Lanes` for the words of parts.
-//! - `Crossings` are the one list of depths per pixel; `Sheets` add those of surfaces made of triangles.
-//! - `over_mesh` goes over the mesh by either rasteriser and returns the nearest kept surfaces; a `Store` says what each fragment
-//!   leaves for the inside test, `FragmentLists` among others. A `Volume` answers for points.
-//! - `resolve` or `gather` makes the layers, of which `effects` make a picture.
+//! - `Input` is the data from which a frame is recorded, `SceneBuffers` the scene on the device, with `Lanes` for the words of parts.
+//! - `Crossings` are the per-pixel list of depths; `Sheets` add the crossings with triangulated surfaces.
+//! - `over_mesh` draws the mesh with either rasteriser and returns the nearest kept surfaces; a `Store` defines what each fragment
+//!   stores for the inside test, for example in `FragmentLists`. A `Volume` answers inside tests at points.
+//! - `resolve` or `gather` makes the layers, from which `effects` make a picture.
 //!
-//! Rooms: `pack` is the scene packed for upload, `frame` what a frame is recorded from, `draw` from triangles to layers. Files import from
-//! files, not from here: what stands below is for strategies and effects.
+//! Folders: `pack` packs the scene for upload, `frame` holds the data for recording a frame, `draw` goes from triangles to layers. Within
+//! them, files import from files, not from here: the re-exports below are for strategies and effects.
 
 mod draw;
 mod frame;

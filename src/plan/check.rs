@@ -1,8 +1,8 @@
-//! The rules of a plan, and the limits of core WebGPU it must keep.
+//! The rules of a plan, and the limits of core WebGPU that it must respect.
 //!
 //! Rules: names are unique; every binding of a shader has a resource and every resource given has a binding; nothing is
-//! read before it is written or uploaded; nothing is written that is never read; passes of slower clocks never read what a
-//! faster clock makes; what a draw reads of indices and arguments lies within their buffers. The values of indices and arguments on
+//! read before it is written or uploaded; nothing is written that is never read; passes of slower clocks never read what passes of
+//! faster clocks make; the indices and arguments that a draw reads lie within their buffers. The values of indices and arguments on
 //! the device cannot be checked here: the pass that writes them must be correct.
 
 use std::collections::BTreeMap;
@@ -14,14 +14,14 @@ use super::{
 use crate::shader::{self, BindingKind};
 use crate::{Error, Result};
 
-/// Limits that a plan is held to. The default is what every WebGPU device offers.
+/// Limits that a plan is checked against. The default is the minimum that every WebGPU device offers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Limits {
     /// Bytes of one storage binding.
     pub storage_binding_bytes: u64,
     /// Bytes of one uniform binding.
     pub uniform_binding_bytes: u64,
-    /// Bytes of one buffer.
+    /// Storage buffers visible to one stage.
     pub buffer_bytes: u64,
     /// Storage buffers that one stage sees.
     pub storage_buffers_per_stage: usize,
@@ -31,7 +31,7 @@ pub struct Limits {
     pub texture_size: u32,
     /// Layers of a texture.
     pub texture_layers: u32,
-    /// Atomics of 64 bits.
+    /// True if 64-bit atomics are supported.
     pub wide_atomics: bool,
     /// True if textures of 32-bit depth with a stencil are supported.
     pub depth32_stencil8: bool,
@@ -40,7 +40,7 @@ pub struct Limits {
 }
 
 impl Limits {
-    /// The limits every WebGPU implementation keeps.
+    /// The minimum limits of every WebGPU implementation.
     pub const CORE: Self = Self {
         storage_binding_bytes: 128 << 20,
         uniform_binding_bytes: 64 << 10,
@@ -54,7 +54,7 @@ impl Limits {
         filters_f32: false,
     };
 
-    /// The limits by name; what is there or not is 1 or 0.
+    /// The limits by name; features are 1 if present, otherwise 0.
     pub fn by_name(&self) -> BTreeMap<String, u64> {
         let limits = [
             ("storage_binding_bytes", self.storage_binding_bytes),
@@ -75,7 +75,7 @@ impl Limits {
 }
 
 impl Plan {
-    /// The first rule or limit that the plan breaks.
+    /// Checks the plan and returns the first rule or limit that it breaks.
     pub fn check(&self, limits: &Limits) -> Result<()> {
         self.check_names()?;
         self.check_sizes(limits)?;
@@ -92,7 +92,7 @@ impl Plan {
 
     fn check_dispatch(&self, pass: &super::Pass, arguments: &Arguments) -> Result<()> {
         self.check_arguments(pass, arguments, DISPATCH_ARGUMENT_BYTES)?;
-        // WebGPU: within a dispatch a buffer is either arguments or written.
+        // WebGPU: within one dispatch a buffer is either read as arguments or written.
         if pass.writes().contains(&arguments.resource) {
             return Err(Error::Plan(format!(
                 "{} writes {}, which holds its own arguments",
@@ -103,7 +103,7 @@ impl Plan {
         Ok(())
     }
 
-    /// Checks that arguments lie within a buffer that is made for them.
+    /// Checks that arguments lie within a buffer made for arguments.
     fn check_arguments(&self, pass: &super::Pass, arguments: &Arguments, bytes: u64) -> Result<()> {
         let of = self.resource(arguments.resource);
         let is_for_arguments = matches!(
@@ -115,7 +115,7 @@ impl Plan {
         );
         let wrong = |what: String| Err(Error::Plan(format!("{}: {what}", pass.name)));
         if !is_for_arguments {
-            return wrong(format!("{} is no buffer of arguments", of.name));
+            return wrong(format!("{} is not an arguments buffer", of.name));
         }
         if !arguments.offset.is_multiple_of(4) || arguments.offset + bytes > of.shape.bytes() {
             return wrong(format!(
@@ -151,11 +151,11 @@ impl Plan {
             };
             self.check_arguments(pass, &arguments, ARGUMENT_BYTES)?;
             if draw.instance != 0 {
-                return wrong("a draw with arguments has no instance but 0".to_owned());
+                return wrong("a draw with arguments can only use instance 0".to_owned());
             }
             if *vertices != Vertices::None {
                 return wrong(
-                    "a draw with arguments reads no vertex buffer: nobody knows how far".to_owned(),
+                    "a draw with arguments cannot read a vertex buffer of unknown range".to_owned(),
                 );
             }
         }
@@ -177,11 +177,11 @@ impl Plan {
         }
     }
 
-    /// Holds the resources alone to the limits of a device: no shader is composed.
+    /// Checks only the resources against the limits of a device: no shader is composed.
     ///
     /// # Errors
     ///
-    /// [`Error::Limit`] with what is lacking.
+    /// [`Error::Limit`] with the limit that is exceeded or the feature that is missing.
     pub(crate) fn check_sizes(&self, limits: &Limits) -> Result<()> {
         for r in &self.resources {
             if let Shape::Texture {
@@ -291,7 +291,7 @@ impl Plan {
             let id = ResourceId(id);
             outputs.contains(&Some(id)) || self.channels.contains(&id)
         };
-        // A depth buffer is read by its own test.
+        // A depth buffer is read by its own depth test.
         let tests_itself = |id: usize| {
             matches!(
                 self.resources[id].shape,
@@ -332,7 +332,7 @@ impl Plan {
                 w.kind,
                 BindingKind::StorageRead | BindingKind::StorageReadWrite
             );
-            // Vertices and indices are larger in a vertex buffer than a shader may see of them.
+            // Vertices and indices may be larger in a vertex or index buffer than a shader may bind.
             if is_storage && bytes > limits.storage_binding_bytes {
                 return Err(Error::Limit(format!(
                     "{} needs {bytes} bytes in a storage binding of {}; WebGPU offers {}",

@@ -1,6 +1,6 @@
 //! Clocks: what changed since a pass last ran.
 
-/// When work is done again.
+/// Input whose change makes work run again.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(
     feature = "serde",
@@ -17,7 +17,7 @@ pub enum Clock {
 }
 
 impl Clock {
-    /// All, slowest first.
+    /// All clocks, slowest first.
     pub const ALL: [Self; 3] = [Self::Solid, Self::Cut, Self::Frame];
 
     /// Lower-case name.

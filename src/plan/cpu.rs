@@ -1,33 +1,33 @@
-//! Work of the CPU that makes an upload of a plan.
+//! CPU work that makes an upload of a plan.
 //!
-//! A plan is recorded after such work is done, for what is drawn depends on it. The plan keeps what was done, as data; its duration
-//! this time, and a closure that repeats it for measurements, are kept outside the plan. Bands of one picture share what is known, so only
-//! the first of them does the work; where it is done again for its time, each band does it.
+//! A plan is recorded after this work is done, because its draws depend on it. The plan stores the work as data; how long it took
+//! this time, and a closure that repeats it for measurements, are kept outside the plan. Bands of one picture share cached results, so only
+//! the first of them does the work; where it is repeated to be timed, each band does it.
 
 use std::fmt;
 use std::sync::Arc;
 
 use super::{Clock, Plan, ResourceId};
 
-/// Work of the CPU behind uploads, as a pass is one of the device.
+/// CPU work that makes uploads: the counterpart of a pass on the device.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CpuStep {
-    /// Unique name, as of a pass.
+    /// Unique name, like that of a pass.
     pub name: String,
-    /// When it is done again.
+    /// Clock on which the work is done again.
     pub clock: Clock,
-    /// Why it is there.
+    /// Why the work is needed.
     pub reason: String,
-    /// The uploads that it makes; none where it is done for other such work, or where it found nothing to upload.
+    /// The uploads that it makes; none if it prepares other CPU work, or found nothing to upload.
     pub makes: Vec<ResourceId>,
 }
 
-/// Record of such work.
+/// Timing record of a [`CpuStep`].
 #[derive(Clone)]
 pub struct CpuWork {
-    /// Milliseconds that it took for this plan; `None` where all results were known from before.
+    /// Milliseconds that it took for this plan; `None` if all results were cached.
     pub took_ms: Option<f64>,
-    /// Repeats all the work, and throws away its results.
+    /// Repeats all the work and discards its results.
     pub again: Arc<dyn Fn() + Send + Sync>,
 }
 
@@ -37,12 +37,12 @@ impl fmt::Debug for CpuWork {
     }
 }
 
-/// A plan with the record of the CPU's work.
+/// A plan, with the record of its CPU work.
 #[derive(Clone, Debug, Default)]
 pub struct Recorded {
     /// The plan.
     pub plan: Plan,
-    /// One for each of [`Plan::on_cpu`], in order.
+    /// One record for each step of [`Plan::on_cpu`], in order.
     pub on_cpu: Vec<CpuWork>,
 }
 

@@ -1,16 +1,16 @@
-//! Passes of a plan that must run, given the plan before: those of a frame, and of the slower ones those whose inputs changed.
+//! Passes of a plan that must run, given the previous plan: all passes on the frame clock, and slower ones whose inputs changed.
 //!
-//! A plan is followed as a flow of values. An upload or a pass that writes gives a stretch of a resource (bytes of a buffer,
-//! layers of a texture) a new value; a pass reads the values that are there when its turn comes. From that:
+//! A plan is followed as data flow. An upload or a writing pass gives a range of a resource (bytes of a buffer,
+//! layers of a texture) a new value; a pass reads the current values when it runs. It follows that:
 //!
-//! - a pass is due if it is not the same as before, if a value that it reads is new, or if a resource that it writes was made
-//!   again, so that what it wrote is gone;
-//! - the passes that made a value are due if a pass that is due reads it and it is no longer there, because another pass wrote
-//!   over it since: so passes can share scratch memory, and each is still rebuilt by itself.
+//! - a pass is due if it differs from before, if a value that it reads is new, or if a resource that it writes was
+//!   recreated, so that its results are lost;
+//! - the passes that made a value are due if a due pass reads it and it no longer exists, because another pass has overwritten
+//!   it since: so passes can share scratch memory, and each is still rebuilt independently.
 //!
-//! Cost: time in proportion to passes and to the square of those that write one resource. What it takes on trust: a pass that
-//! names bytes ([`Binding::within`](super::Binding::within)) keeps to them, and one that says `Write` leaves nothing behind of
-//! what was there that a later pass reads. Passes of a frame write nothing that slower ones made.
+//! Cost: time proportional to passes and to the square of those that write one resource. Assumed without checks: a pass that
+//! names bytes ([`Binding::within`](super::Binding::within)) accesses no others, and one with `Write` access leaves no old
+//! values that a later pass reads. Frame passes write nothing that slower passes made.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
@@ -20,7 +20,7 @@ use super::{
     Access, Arguments, Binding, Clock, Pass, Plan, Resource, ResourceId, Shape, Vertices, Work,
 };
 
-/// Work that must run before the next frame is right.
+/// Work that must run before the next frame is correct.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Due {
     /// Names of passes.
@@ -30,7 +30,7 @@ pub struct Due {
 }
 
 impl Due {
-    /// Union of both.
+    /// Adds the work of `other`.
     pub fn add(&mut self, other: &Self) {
         self.passes.extend(other.passes.iter().cloned());
         self.clocks.extend(&other.clocks);
@@ -65,7 +65,7 @@ impl Plan {
     }
 }
 
-/// The plan before, by name.
+/// The previous plan, by name.
 struct Old<'a> {
     plan: &'a Plan,
     passes: BTreeMap<&'a str, &'a Pass>,
@@ -83,7 +83,7 @@ impl<'a> Old<'a> {
         }
     }
 
-    /// The stretches of an upload that are not what they were.
+    /// The ranges of an upload whose contents changed.
     fn renewed(&self, resource: &Resource) -> Vec<Range<u64>> {
         let Some(contents) = &resource.contents else {
             return Vec::new();
@@ -95,13 +95,13 @@ impl<'a> Old<'a> {
             None => contents.pieces().iter().map(|p| p.range()).collect(),
         };
         match resource.shape {
-            // Stretches of a texture are layers, and it is uploaded as a whole.
+            // Ranges of a texture are layers, and it is uploaded as a whole.
             Shape::Texture { .. } if !renewed.is_empty() => vec![whole(resource)],
             _ => renewed,
         }
     }
 
-    /// Returns true if the pass existed, the same in all but the numbers of its resources and the words of its reason.
+    /// Returns true if the previous plan had the same pass, ignoring resource numbers and the wording of its reason.
     fn has(&self, plan: &Plan, pass: &Pass) -> bool {
         let Some(before) = self.passes.get(pass.name.as_str()) else {
             return false;
@@ -179,32 +179,32 @@ fn same_work(a: &Work, b: &Work, same: impl Fn(ResourceId, ResourceId) -> bool) 
     renamed == *b
 }
 
-/// A stretch of a resource and what a pass does with it.
+/// A range of a resource, and how a pass accesses it.
 struct Use {
     resource: usize,
     stretch: Range<u64>,
     access: Access,
 }
 
-/// A stretch that a pass reads, and the passes that made the values there.
+/// A range that a pass reads, and the passes that made the values there.
 struct Reading {
     resource: usize,
     stretch: Range<u64>,
-    /// Passes of slower clocks.
+    /// Makers on slower clocks.
     makers: Vec<usize>,
-    /// True if uploaded values are there as well.
+    /// True if the range also contains uploaded values.
     uploaded: bool,
 }
 
 struct Flow<'a> {
     plan: &'a Plan,
-    /// By pass.
+    /// Readings of each pass.
     readings: Vec<Vec<Reading>>,
-    /// By resource: passes of slower clocks that write it, and where.
+    /// For each resource, the passes of slower clocks that write it, with their ranges.
     writers: Vec<Vec<(usize, Range<u64>)>>,
-    /// By resource.
+    /// For each resource, true if its storage is new.
     remade: Vec<bool>,
-    /// By resource: stretches with another upload.
+    /// For each resource, the ranges whose upload changed.
     renewed: Vec<Vec<Range<u64>>>,
 }
 
@@ -218,7 +218,7 @@ impl<'a> Flow<'a> {
             remade: vec![false; count],
             renewed: vec![Vec::new(); count],
         };
-        // The values there, each with its maker; `None` made the uploads.
+        // The current values, each with its maker; `None` stands for uploads.
         let mut there: Vec<Vec<(Range<u64>, Option<usize>)>> = (plan.resources.iter())
             .map(|r| vec![(whole(r), None)])
             .collect();
@@ -256,7 +256,7 @@ impl<'a> Flow<'a> {
         flow
     }
 
-    /// Goes round until nothing more becomes due.
+    /// Repeats until nothing more becomes due.
     fn classify(&self, mut due: Vec<bool>) -> Vec<bool> {
         for (resource, writers) in self.writers.iter().enumerate() {
             for (writer, _) in writers.iter().filter(|_| self.remade[resource]) {
@@ -291,7 +291,7 @@ impl<'a> Flow<'a> {
             || reading.makers.iter().any(|m| due[*m])
     }
 
-    /// Returns true if another pass writes over a value: one that comes later did so the last time, one that came earlier does so now.
+    /// Returns true if another pass overwrites a value: a later pass did so last time, an earlier one does so this time.
     fn is_gone(&self, reading: &Reading, due: &[bool]) -> bool {
         let Some(first) = reading.makers.iter().min() else {
             return false;
@@ -310,14 +310,14 @@ fn meet(a: &Range<u64>, b: &Range<u64>) -> bool {
     a.start < b.end && b.start < a.end
 }
 
-/// Remainders of a stretch before and behind another.
+/// What remains of a range before and after another.
 fn without(stretch: &Range<u64>, gone: &Range<u64>) -> impl Iterator<Item = Range<u64>> + use<> {
     let before = stretch.start..stretch.end.min(gone.start);
     let behind = stretch.start.max(gone.end)..stretch.end;
     [before, behind].into_iter().filter(|s| !s.is_empty())
 }
 
-/// All bytes of a buffer, all layers of a texture.
+/// All bytes of a buffer, or all layers of a texture.
 fn whole(resource: &Resource) -> Range<u64> {
     match resource.shape {
         Shape::Buffer { bytes, .. } => 0..bytes,
@@ -326,7 +326,7 @@ fn whole(resource: &Resource) -> Range<u64> {
     }
 }
 
-/// Stretches that a pass uses, with the access. Clearing a target counts as writing it even where nothing is drawn into it after.
+/// Ranges that a pass uses, with the access. Clearing a target counts as writing it, even if nothing is then drawn into it.
 fn uses(plan: &Plan, pass: &Pass) -> Vec<Use> {
     let layer = |layer: u32| u64::from(layer)..u64::from(layer) + 1;
     let mut all: Vec<Use> = (pass.bindings.iter())

@@ -1,9 +1,9 @@
 //! The passes of a frame as plain data.
 //!
-//! A strategy records a [`Plan`]: passes in order, each with the resources it reads and writes by name, the clock it runs
-//! on and the reason why it is there. A plan prints ([`Plan::to_text`]), is checked against its own rules and the limits of
-//! core WebGPU with no adapter ([`Plan::check`]), and is run by one module, `gpu`. What is not in the plan does not exist:
-//! no other target, buffer or clear.
+//! A strategy records a [`Plan`]: passes in order, each with the resources that it reads and writes by name, its clock,
+//! and the reason for it. A plan prints ([`Plan::to_text`]), is checked against its own rules and the limits of
+//! core WebGPU without an adapter ([`Plan::check`]), and is run by one module, `gpu`. The plan lists everything:
+//! there is no other target, buffer or clear.
 
 mod check;
 mod clock;
@@ -36,20 +36,20 @@ pub struct Bounded {
     pub slot: u32,
     /// Capacity, in units of `what`.
     pub capacity: u32,
-    /// Member of [`Capacities`] to change when the need differs, if it can be.
+    /// Member of [`Capacities`] to change when the need differs; none if it cannot be changed.
     pub resizes: Option<Capacity>,
-    /// A need below the capacity also asks for a new plan: the structure is to be as large as the true need, not larger.
+    /// True if a need below the capacity also requires a new plan: the buffer must match the true need exactly.
     pub exact: bool,
 }
 
 impl Bounded {
-    /// Message that a frame needed more.
+    /// Message for a frame that needed more.
     pub fn shortage(&self, need: u32) -> String {
         format!("{} need {need}, there are {}", self.what, self.capacity)
     }
 }
 
-/// Buffer capacity that the report of a frame can change.
+/// Buffer capacity that a frame's report can change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Capacity {
     /// [`Capacities::crossings`].
@@ -64,31 +64,31 @@ pub enum Capacity {
     Triangles,
 }
 
-/// Sizes of bounded buffers that a plan is recorded for. They grow by what a frame reports.
+/// Sizes of bounded buffers for which a plan is recorded. They grow as frames report their needs.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Capacities {
     /// Crossings per pixel; at most [`Self::MOST_CROSSINGS`].
     pub crossings: Option<u32>,
     /// Layers of each part's sprite, by rank; parts beyond the list have [`Capacities::FIRST_LAYERS`].
     pub layers: Vec<u32>,
-    /// Fragments in all lists of a frame together.
+    /// Fragments in all lists of a frame.
     pub fragments: Option<u32>,
-    /// Fragments of all sheets of a frame together: surfaces that are drawn to find where rays cross them.
+    /// Fragments in all sheets of a frame: surfaces that are drawn to find where rays cross them.
     pub sheets: Option<u32>,
-    /// Triangles that a frame makes of clip-surfaces.
+    /// Triangles that a frame makes from clip-surfaces.
     pub triangles: Option<u32>,
-    /// Reliefs have pyramids already, so that rays go over them from now on in any view.
+    /// True if reliefs already have pyramids, so that from now on rays use them in any view.
     pub pyramids: bool,
 }
 
 impl Capacities {
-    /// Layers of a sprite of which nothing is known yet.
+    /// Initial number of layers of a sprite.
     pub const FIRST_LAYERS: u32 = 2;
-    /// Most crossings of a pixel that are ever given room: 32 words of a lane.
+    /// Maximum crossings of a pixel for which memory is ever allocated: 32 words of a lane.
     pub const MOST_CROSSINGS: u32 = 1023;
-    /// Crossings that a lane of one word tells apart.
+    /// Crossings that a one-word lane can distinguish.
     pub const CROSSINGS_OF_A_WORD: u32 = 31;
-    /// Bands of this many rows are not cut any more: what is still too large is not so for its pixels.
+    /// Bands of at most this many rows are not split further: if a limit is still exceeded, the cause is not the pixel count.
     pub const FEWEST_ROWS: u32 = 64;
 
     /// Nothing known yet.
@@ -101,12 +101,12 @@ impl Capacities {
         pyramids: false,
     };
 
-    /// Layers of the sprite of the part with this rank.
+    /// Layers for the sprite of the part with this rank.
     pub fn layers_of(&self, rank: usize) -> u32 {
         self.layers.get(rank).copied().unwrap_or(Self::FIRST_LAYERS)
     }
 
-    /// Takes in what a frame needed of a bounded structure; whether the next frame has another size for it.
+    /// Records a frame's need of a bounded structure; returns true if the next frame uses another size for it.
     pub fn learn(&mut self, bounded: &Bounded, need: u32) -> bool {
         let is_right = need <= bounded.capacity && (!bounded.exact || need == bounded.capacity);
         let (false, Some(capacity)) = (is_right, bounded.resizes) else {
@@ -139,19 +139,19 @@ impl Capacities {
 pub struct Plan {
     /// Resources that passes can read and write.
     pub resources: Vec<Resource>,
-    /// In order; passes of slower clocks come first.
+    /// Passes in order; those of slower clocks come first.
     pub passes: Vec<Pass>,
-    /// Work of the CPU for the uploads, beyond packing them.
+    /// CPU work for the uploads, beyond packing them.
     pub on_cpu: Vec<CpuStep>,
     /// The layers of the frame: three words per pixel.
     pub layers: Option<ResourceId>,
     /// The picture: one RGBA8 word per pixel.
     pub picture: Option<ResourceId>,
-    /// Words that bounded buffers report their need in.
+    /// Words in which bounded buffers report their need.
     pub need: Option<ResourceId>,
-    /// Further resources that are made to be read back.
+    /// Further resources made for read-back.
     pub channels: Vec<ResourceId>,
-    /// Rays go over pyramids of reliefs, as [`Capacities::pyramids`] says of the frames that follow.
+    /// True if rays traverse relief pyramids; sets [`Capacities::pyramids`] for the following frames.
     pub has_pyramids: bool,
     /// Bounded buffers.
     pub bounded: Vec<Bounded>,
@@ -174,7 +174,7 @@ impl Plan {
         &self.resources[id.0]
     }
 
-    /// The resource with a name.
+    /// The resource with this name.
     pub fn resource_named(&self, name: &str) -> Option<ResourceId> {
         self.resources
             .iter()
@@ -182,7 +182,7 @@ impl Plan {
             .map(ResourceId)
     }
 
-    /// Returns true if the adapter's rasteriser draws triangles whose edges are seen: any but the one that covers the picture.
+    /// Returns true if the adapter's rasteriser draws triangles with visible edges: any except the one that covers the picture.
     pub fn draws_triangles(&self) -> bool {
         self.passes.iter().any(|pass| match &pass.work {
             Work::Draw { draws, .. } => draws.iter().any(|d| *d != Draw::full_screen(d.instance)),
@@ -190,8 +190,8 @@ impl Plan {
         })
     }
 
-    /// The plan less the resources that no pass, no step of the CPU and no result of the frame refers to: data
-    /// uploaded for optional use by passes is left out where no pass uses it.
+    /// The plan without the resources that no pass, no CPU step and no result of the frame refers to: data
+    /// uploaded for optional use by passes is dropped if no pass uses it.
     #[must_use]
     pub fn without_unused(mut self) -> Self {
         let mut is_used = vec![false; self.resources.len()];
@@ -228,7 +228,7 @@ impl Plan {
         self.passes.iter().filter(move |pass| pass.clock == clock)
     }
 
-    /// Bytes of what the passes of a clock produce: resources of that clock, without uploads of the scene itself.
+    /// Bytes produced by the passes of a clock: resources of that clock, excluding uploads of the scene itself.
     pub fn bytes_on(&self, clock: Clock) -> u64 {
         self.resources
             .iter()
@@ -237,7 +237,7 @@ impl Plan {
             .sum()
     }
 
-    /// Bytes of what belongs to the scene, on a clock: meshes, poses, heights, tables.
+    /// Bytes of scene data on a clock: meshes, poses, heights, tables.
     pub fn scene_bytes_on(&self, clock: Clock) -> u64 {
         let of_scene = self.resources.iter().filter(|r| r.is_scene);
         let of_clock = of_scene.filter(|r| r.clock == clock);

@@ -1,7 +1,7 @@
-//! The structs that the CPU and the shaders share, laid out as WGSL lays them out.
+//! The structs shared between the CPU and the shaders, in WGSL layout.
 //!
-//! Each is declared once by a macro that also lists its fields, so that a test can hold names, offsets and sizes against
-//! what naga says of the composed shaders. No `vec3`: rows of four.
+//! Each is declared once by a macro that also lists its fields, so that a test can compare names, offsets and sizes with
+//! naga's layout of the composed shaders. No `vec3`: rows of four.
 
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec2, DVec3, Vec4};
@@ -67,11 +67,11 @@ pub use refinement::{BORDERS_OF_DOMAIN, Domain, MOST_HALF_BITS, Refinement};
 shared! {
     /// A clip-surface as functions of a point: `shaders/lib/along_ray/cuts.wgsl`.
     ClipSurface {
-        /// Height over the plane.
+        /// Row giving the height over the plane.
         height_row: [f32; 4],
-        /// Texel coordinate.
+        /// Row giving the x texel coordinate.
         texel_x_row: [f32; 4],
-        /// Texel coordinate.
+        /// Row giving the y texel coordinate.
         texel_y_row: [f32; 4],
         /// Direction of `U`.
         u_hat: [f32; 4],
@@ -79,7 +79,7 @@ shared! {
         v_hat: [f32; 4],
         /// Toward the kept side.
         normal: [f32; 4],
-        /// Texels per scene unit in u and v, height of a texel of value 1.
+        /// Texels per scene unit in u and v, then the height of a texel of value 1.
         scale: [f32; 4],
         /// Least and greatest height of the relief.
         slab: [f32; 2],
@@ -89,7 +89,7 @@ shared! {
         wrap: u32,
         /// Width and height of the map.
         map_size: [u32; 2],
-        /// Most cells that a ray crosses.
+        /// Maximum number of cells that a ray crosses.
         cell_limit: u32,
         /// Number of the clip-surface in the scene.
         surface: u32,
@@ -103,7 +103,7 @@ shared! {
         surface_count: u32,
         /// Number of cuts.
         cut_count: u32,
-        /// 1 where crossings with some clip-surface bring a normal.
+        /// 1 if crossings with some clip-surface store a normal.
         has_normals: u32,
         /// Unused.
         padding: u32,
@@ -121,7 +121,7 @@ shared! {
         cuts: u32,
         /// Word of the inside mask.
         lane_word: u32,
-        /// First bit in that word; 32 where the lane is words of counts.
+        /// First bit in that word; 32 if the lane consists of words of counts.
         lane_shift: u32,
         /// Index in the scene.
         part: u32,
@@ -129,7 +129,7 @@ shared! {
         color: [f32; 4],
         /// sRGB.
         cap_color: [f32; 4],
-        /// Not of this part: where in the table that part is whose index in the scene is the number of this row.
+        /// Independent of this row's part: table position of the part whose index in the scene is the number of this row.
         place: u32,
         /// Unused.
         padding_a: u32,
@@ -141,9 +141,9 @@ shared! {
 }
 
 shared! {
-    /// A value linear in pixel and depth: `shaders/lib/along_ray/rays.wgsl`.
+    /// A value that is linear in pixel position and depth: `shaders/lib/along_ray/rays.wgsl`.
     RayRow {
-        /// At depth 0: constant, per pixel right, per pixel down.
+        /// At depth 0: constant, change per pixel right, change per pixel down.
         origin: [f32; 4],
         /// Per unit of depth, likewise.
         direction: [f32; 4],
@@ -151,13 +151,13 @@ shared! {
 }
 
 shared! {
-    /// A clip-surface as a ray sees it: `shaders/lib/along_ray/rays.wgsl`.
+    /// A clip-surface in ray form: `shaders/lib/along_ray/rays.wgsl`.
     RaySurface {
         /// Height over the plane.
         height: RayRow,
-        /// Texel coordinate.
+        /// x texel coordinate.
         texel_x: RayRow,
-        /// Texel coordinate.
+        /// y texel coordinate.
         texel_y: RayRow,
     }
 }
@@ -167,11 +167,11 @@ shared! {
     Quad {
         /// First corner.
         corner: [f32; 4],
-        /// One cell along `U`.
+        /// Step of one cell along `U`.
         step_u: [f32; 4],
-        /// One cell along `V`.
+        /// Step of one cell along `V`.
         step_v: [f32; 4],
-        /// Cells along a side; the rest unused.
+        /// Number of cells along a side; the rest is unused.
         cells: [u32; 4],
     }
 }
@@ -179,81 +179,81 @@ shared! {
 shared! {
     /// A sweep of the compute rasteriser: `shaders/lib/rasterise/sweep.wgsl`.
     Sweep {
-        /// Triangles of all parts that are drawn.
+        /// Number of triangles of all drawn parts.
         triangle_count: u32,
-        /// Vertices from the first to the last of these parts.
+        /// Number of vertices from the first to the last of these parts.
         vertex_count: u32,
-        /// Steps of the search for a triangle's part.
+        /// Steps of the binary search for a triangle's part.
         search_steps: u32,
-        /// 0 in the first sweep over a screen, 1 in a later one.
+        /// 0 in the first sweep over a screen, 1 in a later sweep.
         again: u32,
         /// Number of the first of these vertices.
         first_vertex: u32,
-        /// Row of the first group of preclassified triangles in the table of parts.
+        /// First row of preclassified groups in the table of parts.
         first_group: u32,
     }
 }
 
 shared! {
-    /// Triangles of a part that lie alike: `shaders/lib/along_ray/preclassified.wgsl`.
+    /// Triangles of a part with the same classification: `shaders/lib/along_ray/preclassified.wgsl`.
     PreclassifiedGroup {
-        /// Place of the part in the part table.
+        /// Position of the part in the part table.
         place: u32,
-        /// Bits of the clip-surfaces that they are preclassified by.
+        /// Bits of the clip-surfaces that preclassify them.
         surfaces: u32,
         /// Subset of `surfaces` on whose removed side they lie.
         removed: u32,
         /// Subset of `surfaces` that they lie in.
         flush: u32,
-        /// 1 where each triangle lies on another one.
+        /// 1 if each triangle coincides with another one.
         doubled: u32,
-        /// Bits of the cutters in faces of which they lie.
+        /// Bits of the cutters in whose faces they lie.
         cutters: u32,
-        /// Up to 16 bytes.
+        /// Padding to 16 bytes.
         padding: [u32; 2],
-        /// Normal of these faces, either way round; then 0.
+        /// Normal of these faces, up to sign; then 0.
         normal: [f32; 4],
-        /// Depth-buffer value of the plane that they share with other parts: its change per pixel to the right and down, and that in the
-        /// middle of the first pixel; then the place of the part in it, from 1 for the last; 0 where there is no such plane.
+        /// Depth-buffer value of the plane that they share with other parts: change per pixel right, change per pixel down, value in the
+        /// middle of the first pixel; then the part's position among the parts of the plane, where the last has 1; 0 without such a plane.
         plane: [f32; 4],
     }
 }
 
 shared! {
-    /// A part as the compute rasteriser draws it: `shaders/lib/rasterise/sweep.wgsl`.
+    /// A part in the form that the compute rasteriser draws: `shaders/lib/rasterise/sweep.wgsl`.
     DrawnPart {
-        /// Number of its first triangle among all that are drawn.
+        /// Number of its first triangle among all drawn triangles.
         first_triangle: u32,
-        /// Its place in the indices.
+        /// Its first position in the indices.
         first_index: u32,
-        /// Added to each index; counted from the first vertex of the sweep.
+        /// Added to each index; relative to the first vertex of the sweep.
         base_vertex: u32,
         /// Bits of the cuts that apply.
         cuts: u32,
         /// Word of the inside mask.
         lane_word: u32,
-        /// First bit in that word; 32 where the lane is words of counts.
+        /// First bit in that word; 32 if the lane consists of words of counts.
         lane_shift: u32,
-        /// Place in the part table, or `NO_LANE` where it needs no inside test.
+        /// Position in the part table, or `NO_LANE` if it needs no inside test.
         place: u32,
         /// Index in the scene.
         part: u32,
     }
 }
 
-/// Most parts that the compute rasteriser draws: a uniform table of fixed length.
+/// Maximum number of parts that the compute rasteriser draws: a uniform table of fixed length.
 pub const MOST_DRAWN_PARTS: usize = 1024;
-/// Most groups of preclassified triangles: a uniform table of fixed length.
+/// Maximum number of groups of preclassified triangles: a uniform table of fixed length.
 pub const MOST_PRECLASSIFIED_GROUPS: usize = 1024;
-/// Most clip-surfaces in a scene: one bit each.
+/// Maximum number of clip-surfaces in a scene: one bit each.
 pub const MAX_SURFACES: usize = 32;
-/// Most cuts in a scene: one bit each.
+/// Maximum number of cuts in a scene: one bit each.
 pub const MAX_CUTS: usize = 32;
 /// `first_texel` of a plane.
 pub const NO_RELIEF: u32 = u32::MAX;
 
-/// A clip-surface as functions of a point. `first_texel` is [`NO_RELIEF`] for planes; `reach` is the longest way on which a ray is
-/// followed.
+/// A clip-surface as functions of a point. `first_texel` is [`NO_RELIEF`] for planes; `reach` is the longest distance along which a ray
+/// is followed.
 pub fn clip_surface(
     surface: &PreparedSurface,
     number: usize,
@@ -294,17 +294,17 @@ pub fn clip_surface(
     }
 }
 
-/// Cells of a relief that a ray is followed through, at most: `shaders/lib/along_ray/cuts.wgsl`.
+/// Maximum number of relief cells through which a ray is followed: `shaders/lib/along_ray/cuts.wgsl`.
 pub const MOST_CELLS: u32 = 32_768;
 
-/// Most cells of a relief that a ray may pass on a way of length `reach`: more are not walked, which the frame reports.
+/// Maximum number of relief cells that a ray may cross within length `reach`: rays stop there, and the frame reports it.
 pub fn cell_limit(surface: &PreparedSurface, reach: f64) -> u32 {
     let [x, y] = texels_per_unit(surface);
     let cells = (x.abs() + y.abs()) * reach;
     (cells as u32).saturating_add(4).min(MOST_CELLS)
 }
 
-/// A clip-surface as the rays of a view see it, with the cancellation between eye and plane done in f64.
+/// A clip-surface in a view's ray form, with the cancellation between eye and plane done in f64.
 pub fn ray_surface(surface: &PreparedSurface, view: &View) -> RaySurface {
     let (o0, d0) = view.ray(DVec2::ZERO);
     let (ox, dx) = view.ray(DVec2::X);

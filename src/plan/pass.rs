@@ -5,29 +5,29 @@ use std::ops::Range;
 use super::{Clock, ResourceId, Vertices, Work};
 use crate::shader::Shader;
 
-/// Access of a pass to a resource.
+/// How a pass accesses a resource.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Access {
-    /// Only reads it.
+    /// Only reads the resource.
     Read,
-    /// Writes every part that later passes read.
+    /// Writes everything that later passes read.
     Write,
-    /// Reads what is there and changes it.
+    /// Reads existing contents and changes them.
     ReadWrite,
 }
 
-/// A resource under the name that the shader gives it.
+/// A resource bound to a shader variable.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Binding {
     /// Name of the variable in WGSL.
     pub name: &'static str,
     /// Resource that it is bound to.
     pub resource: ResourceId,
-    /// Layer of a texture that the shader sees as a plain 2D texture.
+    /// Single layer of a texture, which the shader sees as a plain 2D texture.
     pub layer: Option<u32>,
     /// Access of the pass.
     pub access: Access,
-    /// Bytes of a buffer that the pass looks at or writes; `None` is all. The shader keeps to them by itself.
+    /// Bytes of a buffer that the pass reads or writes; `None` means all. The shader itself must stay within them.
     pub bytes: Option<Range<u64>>,
 }
 
@@ -78,7 +78,7 @@ impl Binding {
 }
 
 impl Binding {
-    /// The same binding of a pass that keeps to some bytes of the buffer.
+    /// The same binding, for a pass that stays within some bytes of the buffer.
     #[must_use]
     pub fn within(self, bytes: Range<u64>) -> Self {
         Self {
@@ -91,15 +91,15 @@ impl Binding {
 /// One step of a plan.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pass {
-    /// Unique name.
+    /// Name, unique in the plan.
     pub name: String,
-    /// When it runs.
+    /// Clock on which it runs.
     pub clock: Clock,
-    /// Why it is there, for the reader of `cutaway plan`.
+    /// Why the pass is needed, for readers of `cutaway plan`.
     pub reason: String,
     /// The shader.
     pub shader: Shader,
-    /// Resources by the names of the shader.
+    /// Resources by the names of the shader's variables.
     pub bindings: Vec<Binding>,
     /// Values of the shader's `override` constants.
     pub constants: Vec<(&'static str, f64)>,
@@ -127,19 +127,19 @@ impl Pass {
         }
     }
 
-    /// The same on another clock.
+    /// The same pass on another clock.
     #[must_use]
     pub fn on(self, clock: Clock) -> Self {
         Self { clock, ..self }
     }
 
-    /// The same with values of the shader's `override` constants.
+    /// The same pass with values of the shader's `override` constants.
     #[must_use]
     pub fn with_constants(self, constants: Vec<(&'static str, f64)>) -> Self {
         Self { constants, ..self }
     }
 
-    /// Resources the pass reads, in order of first mention.
+    /// Resources that the pass reads, in order of first mention.
     pub fn reads(&self) -> Vec<ResourceId> {
         let bound = self
             .bindings
@@ -176,13 +176,13 @@ impl Pass {
         all
     }
 
-    /// All resources that it mentions, to be renumbered.
+    /// All resources that the pass mentions, to be renumbered.
     pub(super) fn resources_mut(&mut self) -> impl Iterator<Item = &mut ResourceId> {
         let bound = self.bindings.iter_mut().map(|b| &mut b.resource);
         bound.chain(self.work.resources_mut())
     }
 
-    /// Resources the pass writes.
+    /// Resources that the pass writes.
     pub fn writes(&self) -> Vec<ResourceId> {
         let bound = self
             .bindings

@@ -13,18 +13,18 @@ pub struct ResourceId(pub usize);
 /// Texel formats in use.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Format {
-    /// Two words: what a surface is, and its normal.
+    /// Two words: the surface's identity and its normal.
     Rg32Uint,
-    /// A height, filtered by a sampler; not on every device ([`Limits::filters_f32`](super::Limits)).
+    /// A height, filtered by a sampler; not supported by every device ([`Limits::filters_f32`](super::Limits)).
     R32Float,
     /// Depth.
     Depth32Float,
-    /// Depth and a stencil of 8 bits; not on every device ([`Limits::depth32_stencil8`](super::Limits)).
+    /// Depth and an 8-bit stencil; not supported by every device ([`Limits::depth32_stencil8`](super::Limits)).
     Depth32FloatStencil8,
 }
 
 impl Format {
-    /// Bytes of a texel.
+    /// Bytes per texel.
     pub fn texel_bytes(self) -> u64 {
         match self {
             Self::Rg32Uint => 8,
@@ -34,7 +34,7 @@ impl Format {
     }
 }
 
-/// Use of a buffer.
+/// How a buffer is used.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Role {
     /// `var<storage>`.
@@ -54,7 +54,7 @@ pub enum Role {
 pub enum Shape {
     /// A buffer.
     Buffer {
-        /// Length.
+        /// Size in bytes.
         bytes: u64,
         /// Its use.
         role: Role,
@@ -63,20 +63,20 @@ pub enum Shape {
     Texture {
         /// Width and height in texels.
         size: [u32; 2],
-        /// At least 1.
+        /// Number of layers, at least 1.
         layers: u32,
         /// Format of a texel.
         format: Format,
     },
-    /// Reads textures between their texels, bilinear.
+    /// Samples textures with bilinear filtering.
     Sampler {
-        /// Addressing outside the texture, along both axes.
+        /// Wrap mode outside the texture, along both axes.
         wrap: Wrap,
     },
 }
 
 impl Shape {
-    /// Bytes of memory, without padding by the driver.
+    /// Bytes of memory, excluding padding by the driver.
     pub fn bytes(&self) -> u64 {
         match *self {
             Self::Buffer { bytes, .. } => bytes,
@@ -90,10 +90,10 @@ impl Shape {
     }
 }
 
-/// Bytes of an upload and where they go.
+/// Bytes of an upload, and their offset.
 #[derive(Clone)]
 pub struct Piece {
-    /// Place of the first byte.
+    /// Offset of the first byte.
     pub offset: u64,
     /// The bytes, a whole number of words.
     pub bytes: Arc<[u8]>,
@@ -108,7 +108,7 @@ impl Piece {
         }
     }
 
-    /// The bytes that it covers.
+    /// The byte range that the piece covers.
     pub fn range(&self) -> Range<u64> {
         self.offset..self.offset + self.bytes.len() as u64
     }
@@ -121,7 +121,7 @@ impl PartialEq for Piece {
     }
 }
 
-/// Bytes to upload, in pieces: those that are equal are not uploaded again. Between pieces may be room that passes write.
+/// Bytes to upload, in pieces; unchanged pieces are not uploaded again. Gaps between pieces may be written by passes.
 #[derive(Clone)]
 pub struct Contents {
     pieces: Arc<[Piece]>,
@@ -136,8 +136,8 @@ impl Contents {
         Self::in_pieces(piece.range().end, vec![piece], false)
     }
 
-    /// A buffer of `len` bytes with these pieces in it, in order. `changes` says that pieces will be exchanged or room
-    /// between them written: then every program keeps a buffer of its own for them.
+    /// A buffer of `len` bytes with these pieces in it, in order. `changes` states that pieces will be exchanged or gaps
+    /// between them written: every program then keeps a separate buffer for the contents.
     pub fn in_pieces(len: u64, pieces: Vec<Piece>, changes: bool) -> Self {
         Self {
             pieces: pieces.into(),
@@ -146,12 +146,12 @@ impl Contents {
         }
     }
 
-    /// Bytes from the begin of the first piece to the end of the room.
+    /// Bytes from the start of the first piece to the end of the buffer.
     pub fn len(&self) -> u64 {
         self.len
     }
 
-    /// Returns true if there is no byte.
+    /// Returns true if there are no bytes.
     pub fn is_empty(&self) -> bool {
         self.len == 0
     }
@@ -161,12 +161,12 @@ impl Contents {
         &self.pieces
     }
 
-    /// Returns true if pieces will be exchanged or room between them written.
+    /// Returns true if pieces will be exchanged or gaps between them written.
     pub fn changes(&self) -> bool {
         self.changes
     }
 
-    /// All bytes, with zeros in the room between pieces.
+    /// All bytes, with zeros in the gaps between pieces.
     pub fn bytes(&self) -> Vec<u8> {
         let mut all = vec![0; self.len as usize];
         for piece in &*self.pieces {
@@ -176,7 +176,7 @@ impl Contents {
         all
     }
 
-    /// The pieces that other contents do not have at the same place.
+    /// The pieces that other contents do not have at the same offset.
     pub fn not_in<'a>(&'a self, other: &'a Self) -> impl Iterator<Item = &'a Piece> {
         let same = Arc::ptr_eq(&self.pieces, &other.pieces);
         let all = if same { &[] } else { &*self.pieces };
@@ -188,12 +188,12 @@ impl Contents {
         })
     }
 
-    /// Returns true if these are the very same pieces, without comparing their bytes.
+    /// Returns true if both hold the identical pieces, without comparing their bytes.
     pub(crate) fn is_same(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.pieces, &other.pieces)
     }
 
-    /// Returns true if the pieces have another owner too.
+    /// Returns true if the pieces also have another owner.
     pub(crate) fn is_held_elsewhere(&self) -> bool {
         Arc::strong_count(&self.pieces) > 1
     }
@@ -220,11 +220,11 @@ pub struct Resource {
     pub name: String,
     /// Size and kind.
     pub shape: Shape,
-    /// Inputs that the contents depend on.
+    /// Clock of the inputs that the contents depend on.
     pub clock: Clock,
-    /// Uploaded before the passes of `clock` run; `None` for what passes write altogether.
+    /// Uploaded before the passes of `clock` run; `None` if passes write all contents.
     pub contents: Option<Contents>,
-    /// Belongs to the scene (meshes, heights, tables) and is there for every strategy; not counted as a strategy's cost.
+    /// Belongs to the scene (meshes, heights, tables) and exists for every strategy; not counted as a strategy's cost.
     pub is_scene: bool,
 }
 
@@ -245,7 +245,7 @@ impl Resource {
         }
     }
 
-    /// A buffer that passes write and that draws or dispatches read their size from.
+    /// A buffer that passes write and from which draws or dispatches read their size.
     pub fn arguments(name: impl Into<String>, bytes: u64, clock: Clock) -> Self {
         Self {
             shape: Shape::Buffer {
@@ -256,7 +256,7 @@ impl Resource {
         }
     }
 
-    /// A buffer with contents of the scene.
+    /// A buffer with scene contents.
     pub fn upload(name: impl Into<String>, role: Role, contents: Contents, clock: Clock) -> Self {
         let shape = Shape::Buffer {
             bytes: contents.len(),
@@ -271,7 +271,7 @@ impl Resource {
         }
     }
 
-    /// A buffer with contents that a strategy brings with it: they count as its cost.
+    /// A buffer with contents specific to a strategy: they count as its cost.
     pub fn own_upload(
         name: impl Into<String>,
         role: Role,
@@ -306,7 +306,7 @@ impl Resource {
         }
     }
 
-    /// A texture with contents, layer after layer and row after row, that a strategy brings with it: they count as its cost.
+    /// A texture with contents specific to a strategy, layer by layer and row by row: they count as its cost.
     pub fn uploaded_texture(
         name: impl Into<String>,
         size: [u32; 2],

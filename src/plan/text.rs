@@ -94,7 +94,7 @@ fn describe(work: &Work) -> String {
                 .iter()
                 .map(|d| u64::from(d.indices.end - d.indices.start) / 3)
                 .sum();
-            // The device may draw fewer than there is room for.
+            // The device may draw fewer triangles than there is room for.
             let at_most = if draws.iter().any(|d| d.arguments.is_some()) {
                 "up to "
             } else {

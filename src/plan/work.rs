@@ -7,7 +7,7 @@ use super::ResourceId;
 /// A colour attachment.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ColorTarget {
-    /// A texture.
+    /// The texture drawn into.
     pub resource: ResourceId,
     /// Set to zero before the first draw.
     pub clear: bool,
@@ -20,16 +20,16 @@ pub enum DepthCompare {
     Greater,
     /// Nearest first in a plain buffer, cleared to 1.
     Less,
-    /// All, and nothing is written: a pass must have an attachment even where only its side effects count.
+    /// Every fragment passes, and depth is not written: a pass must have an attachment even if only its side effects count.
     Always,
-    /// Strictly behind what is there in a reversed buffer, and nothing is written.
+    /// Only fragments strictly behind the stored depth of a reversed buffer pass, and depth is not written.
     Behind,
-    /// All, and each replaces what is there: of a draw that covers the picture nothing of before is left.
+    /// Every fragment passes and replaces the stored depth: a draw that covers the picture leaves no earlier depth.
     Replace,
 }
 
 impl DepthCompare {
-    /// Returns true if fragments that pass are written.
+    /// Returns true if passing fragments write depth.
     pub fn writes(self) -> bool {
         !matches!(self, Self::Always | Self::Behind)
     }
@@ -38,16 +38,16 @@ impl DepthCompare {
 /// Effect of a draw's fragments on the stencil of their pixel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum StencilStep {
-    /// Each that passes the depth test inverts these bits.
+    /// Each fragment that passes the depth test inverts these bits.
     Flip {
         /// The bits.
         bits: u8,
     },
-    /// Each that passes the depth test adds 1 where it shows its inner side and takes 1 where it shows its outer, modulo 256.
+    /// Each fragment that passes the depth test adds 1 if it shows the inner side and subtracts 1 if it shows the outer, modulo 256.
     Wind,
-    /// Likewise each that is not discarded, hidden or not.
+    /// The same for each fragment that is not discarded, hidden or not.
     WindAll,
-    /// Only pixels with one of these bits are drawn; all bits of every pixel met end at 0.
+    /// Only pixels with one of these bits set are drawn; all bits of every such pixel end at 0.
     Take {
         /// The bits.
         bits: u8,
@@ -59,7 +59,7 @@ pub enum StencilStep {
 pub struct Stencil {
     /// Set to 0 before the first draw.
     pub clear: bool,
-    /// Effect of fragments on it.
+    /// How fragments change it.
     pub step: StencilStep,
 }
 
@@ -83,47 +83,47 @@ pub const VERTEX_BYTES: u64 = 16;
 /// Bytes of an index.
 pub const INDEX_BYTES: u64 = 4;
 
-/// Vertex buffer that a draw reads.
+/// Vertex buffer read by a draw.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Vertices {
-    /// Position (3 x f32) and octahedral normal (u32), 16 bytes a vertex.
+    /// Position (3 x f32) and octahedral normal (u32), 16 bytes per vertex.
     Mesh(ResourceId),
-    /// None: the shader works from the index alone.
+    /// None: the shader uses only the vertex index.
     None,
 }
 
-/// Bytes of the arguments of a draw.
+/// Bytes of a draw's arguments.
 pub const ARGUMENT_BYTES: u64 = 20;
-/// Bytes of the arguments of a dispatch.
+/// Bytes of a dispatch's arguments.
 pub const DISPATCH_ARGUMENT_BYTES: u64 = 12;
 
-/// Size of a draw or a dispatch on the device: in a buffer that passes write. A draw reads [`ARGUMENT_BYTES`] as
+/// Size of a draw or a dispatch, in a device buffer that passes write. A draw reads [`ARGUMENT_BYTES`] as
 /// `count, 1, first index, 0, 0`, a dispatch [`DISPATCH_ARGUMENT_BYTES`] as workgroups in x, y and z.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Arguments {
     /// The buffer.
     pub resource: ResourceId,
-    /// Its first byte.
+    /// Offset of the first byte.
     pub offset: u64,
 }
 
 /// One indexed draw.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Draw {
-    /// Range of the index buffer; with arguments, what they keep within, which only the pass that writes them can see to.
+    /// Range of the index buffer; with arguments, the range that they must stay within, which only the pass that writes them can ensure.
     pub indices: Range<u32>,
     /// Added to every index.
     pub base_vertex: i32,
-    /// Vertices from the base one on that the indices reach; 0 without a vertex buffer.
+    /// Number of vertices, from the base vertex, that the indices reach; 0 without a vertex buffer.
     pub vertex_count: u32,
-    /// Instance index in the shader; with arguments it is 0, for core WebGPU has no other first instance there.
+    /// Instance index in the shader; with arguments it is 0, because core WebGPU allows no other first instance there.
     pub instance: u32,
-    /// Location of the range on the device; none where the plan contains it.
+    /// Location of the range on the device; none if the plan contains it.
     pub arguments: Option<Arguments>,
 }
 
 impl Draw {
-    /// The triangle that covers the picture, of three indices.
+    /// The triangle that covers the picture, with three indices.
     pub fn full_screen(instance: u32) -> Self {
         Self {
             indices: 0..3,
@@ -143,12 +143,12 @@ pub enum Work {
         /// Workgroups in x, y, z.
         groups: [u32; 3],
     },
-    /// A dispatch of as many workgroups as a pass before it has counted.
+    /// A dispatch of as many workgroups as an earlier pass has counted.
     ComputeIndirect {
-        /// Workgroups in x, y, z.
+        /// Where the workgroup counts in x, y and z are.
         arguments: Arguments,
     },
-    /// Indexed triangles, both sides drawn.
+    /// Indexed triangles, drawn from both sides.
     Draw {
         /// Colour attachment.
         color: Option<ColorTarget>,
@@ -158,13 +158,13 @@ pub enum Work {
         vertices: Vertices,
         /// Index buffer.
         indices: ResourceId,
-        /// In order.
+        /// The draws, in order.
         draws: Vec<Draw>,
     },
 }
 
 impl DepthTarget {
-    /// One that fragments neither ask nor write: a pass that draws must have one. Any depths do, for they are cleared.
+    /// A depth target that fragments neither test nor write: a drawing pass must have one. Any depth texture will do, as it is cleared.
     pub fn untouched(resource: ResourceId) -> Self {
         Self {
             resource,
@@ -177,7 +177,7 @@ impl DepthTarget {
 }
 
 impl Work {
-    /// A dispatch with one invocation for each pixel, or texel, of a picture.
+    /// A dispatch with one invocation per pixel, or texel, of a picture.
     pub fn over(size: [u32; 2]) -> Self {
         Self::Compute {
             groups: groups_over(size),
@@ -212,7 +212,7 @@ impl Work {
     }
 }
 
-/// Workgroups of 16 x 16 that cover a picture.
+/// Workgroups of 16 x 16 invocations that cover a picture.
 pub fn groups_over(size: [u32; 2]) -> [u32; 3] {
     [size[0].div_ceil(16), size[1].div_ceil(16), 1]
 }

@@ -1,4 +1,4 @@
-//! All that a frame shows: parts, cuts, camera and style, as a user has them.
+//! All that a frame shows: parts, cuts, camera and style, as the user specifies them.
 //!
 //! Plain data in world space, in f64. Nothing is checked here: [`Prepared`](super::Prepared) flattens, recentres and ranks it.
 
@@ -18,19 +18,19 @@ pub struct Scene {
     pub cuts: Vec<Cut>,
     /// Camera that views the scene.
     pub camera: Camera,
-    /// The box that the scene is framed, scaled and sectioned by; `None` is that of its parts. An animation has one for all
+    /// The box used to frame, scale and section the scene; `None` means its parts' bounds. An animation uses one box for all
     /// its times, so that pictures do not jump.
     pub stage: Option<Bounds>,
-    /// Outline of the kept geometry that a camera is fitted to; `None` means the current one. An animation has one for all its times.
+    /// Outline of the kept geometry that a camera is fitted to; `None` means the current one. An animation uses one for all its times.
     pub outline: Option<Arc<Outline>>,
-    /// Hatches caps that several solids share, in this colour (sRGB, 0 to 1).
+    /// If set, caps where several solids overlap are hatched in this colour (sRGB, 0 to 1).
     pub interference: Option<glam::Vec3>,
     /// Rendering style.
     pub style: Style,
 }
 
 impl Scene {
-    /// The stage, or else the bounds of all parts in world space.
+    /// The stage if it is set, otherwise the bounds of all parts in world space.
     pub fn bounds(&self) -> Bounds {
         self.stage.unwrap_or_else(|| self.bounds_of_parts())
     }
@@ -43,8 +43,8 @@ impl Scene {
         self.camera.fits_kept().then(|| own().unwrap_or_else(now))
     }
 
-    /// The same scene with every pose baked into its mesh in f64, on the same stage. Ranks may differ, for the volumes of
-    /// meshes do: [`Prepared::new`](crate::scene::Prepared::new) poses by itself and keeps them.
+    /// The same scene with every pose baked into its mesh in f64, on the same stage. Ranks may differ because mesh volumes
+    /// do; [`Prepared::new`](crate::scene::Prepared::new) applies poses itself and keeps the ranks.
     #[must_use]
     pub fn posed(&self) -> Self {
         let mut posed = self.clone();

@@ -12,7 +12,7 @@ fn described(bounds: &Bounds) -> String {
 pub struct Remark {
     /// True for a likely mistake (warning), false for a note.
     pub is_warning: bool,
-    /// Text: one line, then indented lines, and last an optional `help: ` line.
+    /// Text: one line, then indented lines, the last of which may be a `help: ` line.
     pub text: String,
 }
 
@@ -61,7 +61,7 @@ pub fn doubts(scene: &Scene) -> Vec<Remark> {
     let closed = cuts.clone().filter(|c| !c.is_on());
     doubts.extend(closed.map(|cut| {
         Remark::warning(format!(
-            "{} opens nothing: the eye is in the middle of what it is to show, or what that is has no inside\n  help: move the camera \
+            "{} opens nothing: the eye is inside the interior parts to show, or these have no volume\n  help: move the camera \
              away from it",
             cut.name
         ))
@@ -71,8 +71,8 @@ pub fn doubts(scene: &Scene) -> Vec<Remark> {
     doubts
 }
 
-/// Cuts that miss the model; the flag is true if all of the model stays. One of several faces that lies beyond the model on the
-/// removed side is not reported: a box may stick out.
+/// Cuts that miss the model; the flag is true if all of the model is kept. If a cut has several faces, one that lies beyond the model
+/// on the removed side is not reported, since a box may extend past the model.
 pub fn misses(scene: &Scene) -> impl Iterator<Item = (&Cut, bool)> {
     let bounds = scene.bounds();
     let cuts = (scene.cuts.iter()).filter(|c| c.enabled && !c.surfaces.is_empty());
@@ -98,7 +98,7 @@ fn missing(cutter: &Cutter, scene: &Scene) -> Option<Remark> {
     })
 }
 
-/// Under the nonzero rule, faces that do not agree which side is out are as bad as holes. All such parts are one note.
+/// Under the nonzero rule, faces with inconsistent orientation are as bad as holes. All such parts give a single note.
 fn nonzero_depends(parts: &[Part]) -> Option<Remark> {
     let filled = parts.iter().filter(|p| p.fill == Fill::Nonzero);
     let edges = filled.map(|p| (p, Topology::new(&p.mesh).inconsistent_edges));

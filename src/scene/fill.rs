@@ -1,13 +1,13 @@
-//! Fill rule: turns crossing counts into the inside and outside of a mesh.
+//! Fill rule: decides from crossing counts whether a point is inside a mesh.
 //!
-//! Along any ray from the point each crossing with a triangle counts 1 where the triangle shows its inner side, -1 where it shows
-//! its outer side; the sum is the *winding number*. A closed mesh that is turned outward and does not meet itself has 1
-//! inside and 0 outside, and both rules mean the same solid. They part where shells overlap, nest or repeat: even-odd carves
-//! a void wherever two overlap, nonzero unites them. The names are those of 2D drawing; for solids see Rossignac, Fudos &
+//! Along any ray from the point, each crossing with a triangle counts 1 if the ray meets the triangle's inner side, -1 if it meets
+//! the outer side; the sum is the *winding number*. A closed mesh that faces outward and does not intersect itself has 1
+//! inside and 0 outside, and both rules give the same solid. They differ where shells overlap, nest or repeat: even-odd carves
+//! a void wherever two overlap, nonzero unites them. The names come from 2D drawing; for solids see Rossignac, Fudos &
 //! Vasilakis, *Direct rendering of Boolean combinations of self-trimmed surfaces* (2013).
 //!
-//! Nonzero depends on the orientation of every triangle, even-odd on that of none: where neighbours face opposite ways, the winding
-//! number jumps across the edge between them, and the mesh is as open there as if one of them were missing.
+//! Nonzero depends on the orientation of every triangle, even-odd on none. Where neighbours face opposite ways, the winding number
+//! jumps across the edge between them, and the mesh is as open there as if one of them were missing.
 
 use std::fmt;
 use std::str::FromStr;
@@ -27,7 +27,7 @@ pub enum Fill {
 }
 
 impl Fill {
-    /// Returns true if a point with this winding number is inside. Its parity is that of the number of crossings.
+    /// Returns true if a point with this winding number is inside. The winding number has the same parity as the number of crossings.
     pub fn holds(self, winding: i32) -> bool {
         match self {
             Self::EvenOdd => winding % 2 != 0,

@@ -22,14 +22,14 @@ pub enum Role {
 }
 
 impl Role {
-    /// The role of a name.
+    /// The role with a given name.
     pub fn named(name: &str) -> Option<Self> {
         let mut all = Self::ALL.into_iter();
         all.find(|(known, _)| *known == name).map(|(_, role)| role)
     }
 }
 
-/// A named mesh with a place, a look and a rank.
+/// A named mesh with a placement, a material and a priority.
 #[derive(Clone, Debug)]
 pub struct Part {
     /// Name, matched by the globs of cuts.
@@ -42,13 +42,13 @@ pub struct Part {
     pub material: Material,
     /// Effect of cuts on the part.
     pub role: Role,
-    /// True if its model states `role`; false if `role` is a default.
+    /// True if its model specifies `role`; false if `role` is a default.
     pub role_is_said: bool,
     /// Material names from its file; globs of roles match these names too.
     pub materials: Vec<String>,
     /// True if its file marks the whole part as light-transmitting, which makes it exterior (Diepstraten et al. 2003, section 4).
     pub is_transparent: bool,
-    /// Priority where solids share a point: the highest is shown. `None` counts as 0; among equals the smaller solid is shown.
+    /// Priority where solids overlap: the highest is shown. `None` counts as 0; with equal priority the smaller solid is shown.
     pub priority: Option<i32>,
     /// Fill rule of its mesh.
     pub fill: Fill,
@@ -60,16 +60,16 @@ pub struct Part {
     pub driver: Option<Arc<Driver>>,
 }
 
-/// The order of parts where solids share a point, the one that is shown first: higher priority (0 where none is given), then
-/// the smaller solid as it is at rest, then the one that was named first.
+/// Sort key for overlapping solids; the first is shown: higher priority (0 if none is given), then smaller volume in the rest
+/// pose, then lower index.
 pub fn who_wins(of: &Part, volume_at_rest: f64, index: usize) -> impl Ord + use<> {
     let priority = of.priority.unwrap_or(0);
-    // Bits of numbers that are not negative are in their order.
+    // The bits of non-negative floats sort like their values.
     (Reverse(priority), volume_at_rest.to_bits(), index)
 }
 
 impl Part {
-    /// A part at the origin with the default look.
+    /// A part at the origin with the default material.
     pub fn new(name: impl Into<String>, mesh: impl Into<Arc<Mesh>>) -> Self {
         Self {
             name: name.into(),
@@ -88,7 +88,7 @@ impl Part {
         }
     }
 
-    /// Volume of a mesh as this part places it, not negative, from its volume in part space.
+    /// Volume of a mesh under this part's placement, never negative, from its volume in part space.
     #[doc(hidden)]
     pub fn placed_volume(&self, of_mesh: f64) -> f64 {
         of_mesh.abs() * self.world_from_part.matrix3.determinant().abs()

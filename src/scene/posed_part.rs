@@ -1,4 +1,4 @@
-//! Parts that move: at a time of their file's clips, placed, deformed, and posed on the CPU.
+//! Moving parts: evaluated at a time in their file's clips, placed, deformed, and posed on the CPU.
 //!
 //! The motion of vertices is in [`motion`](super::motion); this module applies it to parts.
 
@@ -16,10 +16,10 @@ impl Part {
         self.driver.as_ref().map_or(&[], |d| d.clips())
     }
 
-    /// The part placed and posed by a clip of [`Part::clips`] at a time; its deformers are kept. Before a clip begins
-    /// the first key applies, after its end the last. A clip that the file lacks leaves the part at rest, and so
-    /// does one that does not move it. Changes to the mesh or to `world_from_part` that were not made by [`Part::place`]
-    /// are lost, unless the part comes from no file.
+    /// The part placed and posed by a clip of [`Part::clips`] at a time; its deformers are kept. Before a clip starts
+    /// the first key applies, after its end the last. A clip that the file lacks, or that does not move the part, leaves
+    /// it in its rest pose. Changes to the mesh or to `world_from_part` that were not made by [`Part::place`] are lost,
+    /// unless the part does not come from a file.
     #[must_use]
     pub fn at_time(&self, clip: usize, time_s: f64) -> Self {
         let mut part = self.clone();
@@ -40,8 +40,8 @@ impl Part {
         }
     }
 
-    /// The mesh as it stands in the part's pose, in part space. Corner normals go with joints and deformers; morph targets leave
-    /// them as they are: they shade and decide nothing.
+    /// The mesh in the part's pose, in part space. Corner normals are transformed by joints and deformers, but not by morph targets:
+    /// they only affect shading.
     pub fn posed_mesh(&self) -> Cow<'_, Mesh> {
         if self.pose.is_rest() {
             return Cow::Borrowed(&self.mesh);
@@ -51,8 +51,8 @@ impl Part {
         Cow::Owned(posed(&self.mesh, motion, &self.pose))
     }
 
-    /// Bounds of the posed mesh in part space: they hold every posed position, and may be a little larger than needed.
-    /// Cheap for parts of files, whose meshes are measured once; other meshes are measured on every call.
+    /// Bounds of the posed mesh in part space: they contain every posed position, and may be a little larger than needed.
+    /// Cheap for parts from files, whose meshes are measured once; other meshes are measured on every call.
     pub fn posed_bounds(&self) -> Bounds {
         let measured = self
             .driver
@@ -87,7 +87,7 @@ impl Part {
     }
 }
 
-/// The motions that were given outward directions: each is made once, so that the same mesh has the same [`Motion`] at all
+/// Cache of motions with outward directions: each is created once, so that the same mesh has the same [`Motion`] at all
 /// times.
 #[derive(Debug, Default)]
 pub struct Outwards(Mutex<Vec<OutwardEntry>>);

@@ -1,14 +1,14 @@
 //! A scene ready to be drawn or evaluated: flattened, recentred, ranked.
 //!
 //! World space may be far from the origin, tiny or huge; f32 would lose the model. Scene space is world space moved by the
-//! bounds' centre and scaled by a power of two, so that the model has a radius between 1/2 and 1. A power of two and an
+//! bounds' centre and scaled by a power of two, so that the model has a radius between 1/2 and 1. The power of two and an
 //! offset with few bits keep simple coordinates exact: a plane through a face still goes through it. Vertices and the
-//! origins of clip-surfaces are rounded to f32 once, here, and all users take them from here. An origin may be far from the
-//! model all the same; there its coordinates keep their f64, since rounding them would move the cut.
+//! origins of clip-surfaces are rounded to f32 once, here, and all users take them from here. An origin that is far from
+//! the model keeps its f64 coordinates, since rounding them would move the cut.
 //!
-//! Parts are ranked by precedence where solids share a point: higher priority first, then the smaller solid, as it is at rest,
-//! so that no pose changes the order. `parts[0]` precedes all others; layers name parts by their index in [`Scene::parts`], kept in
-//! [`PreparedPart::part`].
+//! Parts are ranked by precedence where solids overlap: higher priority first, then the solid that is smaller in its rest pose, so
+//! that poses do not change the order. `parts[0]` precedes all others; layers refer to parts by their index in [`Scene::parts`], which
+//! [`PreparedPart::part`] keeps.
 //!
 //! Poses are applied here, in f64, before any rounding: [`Prepared::new`] is the exact scene, and the exact reference evaluates
 //! it. A [`Model`](crate::Model) prepares its own scene, and leaves the vertices of moving parts to the
@@ -45,24 +45,24 @@ pub use volume::PreparedVolume;
 pub struct Prepared {
     /// Name of the scene.
     pub name: String,
-    /// Parts by rank: the first wins where solids share a point.
+    /// Parts by rank: where solids overlap, the first wins.
     pub parts: Vec<PreparedPart>,
     /// Clip-surfaces of all cuts in order.
     pub surfaces: Vec<PreparedSurface>,
-    /// Cuts in the order of the scene, by whose numbers layers name clip-surfaces; after them once more those that some parts
-    /// have at an offset, with clip-surfaces of their own.
+    /// Cuts in scene order; layers refer to clip-surfaces by these cuts' numbers. Then follow copies of cuts that have an offset
+    /// for some parts, with their own clip-surfaces.
     pub cuts: Vec<PreparedCut>,
-    /// The stage, or else the bounds of all parts.
+    /// The stage if it is set, otherwise the bounds of all parts.
     pub bounds: Bounds,
     /// Centre of scene space in world space.
     pub centre_in_world: DVec3,
     /// Scene units per world unit, a power of two.
     pub scale: f64,
-    /// As of the scene.
+    /// [`Scene::interference`].
     pub interference: Option<Vec3>,
     /// Rendering style.
     pub style: Style,
-    /// Planes that faces of several parts lie in.
+    /// Planes that contain faces of several parts.
     #[doc(hidden)]
     pub shared: Arc<SharedPlanes>,
     camera: Camera,
@@ -75,7 +75,7 @@ impl Prepared {
         Self::in_planes(scene, |parts| SharedPlanes::of(parts, None))
     }
 
-    /// As [`Prepared::new`], reusing planes found in the parts before.
+    /// As [`Prepared::new`], reusing previously found shared planes.
     pub(crate) fn in_planes(
         scene: &Scene,
         shared: impl FnOnce(&[PreparedPart]) -> Arc<SharedPlanes>,
@@ -86,9 +86,9 @@ impl Prepared {
         Self::with_parts(scene, &scene.bounds(), PreparedPart::place, place, shared)
     }
 
-    /// As [`Prepared::new`], but the caller places the parts: from the part's index, the part, scene space and the
-    /// cuts that apply; cutters likewise, from the cutter, scene space and the number of the clip-surface; and the planes that parts
-    /// share, from all parts by rank. `world` is the result of [`Scene::bounds`], which may have to read every vertex.
+    /// As [`Prepared::new`], but callbacks of the caller prepare parts (from the part's index, the part, scene space and the cuts that
+    /// apply), cutters (from the cutter, scene space and the clip-surface's number) and shared planes (from all parts by rank).
+    /// `world` is the result of [`Scene::bounds`], passed in because computing it may read every vertex.
     pub(crate) fn with_parts(
         scene: &Scene,
         world: &Bounds,
@@ -142,8 +142,8 @@ impl Prepared {
         self.view_of(&self.camera, size_px)
     }
 
-    /// The view of another camera. What is kept is known where the camera of the scene is fitted to it; where not, others are fitted to
-    /// all.
+    /// The view of another camera. It can be fitted to the kept geometry only if the scene's camera is; otherwise it is fitted to the
+    /// whole model.
     pub fn view_of(&self, camera: &Camera, size_px: [u32; 2]) -> View {
         self.seen_to_the_end(camera.view_fitted(
             |p| (p - self.centre_in_world) * self.scale,
@@ -162,8 +162,8 @@ impl Prepared {
         self.outline.as_deref().filter(|o| !o.is_empty())
     }
 
-    /// A view whose depth reaches as far as there is anything: what lies behind is counted, of cutters too, which may reach farther than
-    /// the parts.
+    /// The view with its depth range extended to the end of all geometry, so that everything behind is counted. This includes cutters,
+    /// which may reach farther than the parts.
     pub(crate) fn seen_to_the_end(&self, view: View) -> View {
         let volumes = self.surfaces.iter().filter_map(|s| s.volume.as_ref());
         let boxes = volumes.map(|v| v.bounds).chain([self.bounds]);
@@ -198,7 +198,7 @@ impl Prepared {
     pub fn must_be_whole(&self) {
         assert!(
             self.is_whole(),
-            "{}: the vertices of parts that move are not here",
+            "{}: the vertices of moving parts are only on the device",
             self.name
         );
     }
@@ -247,7 +247,7 @@ impl PreparedSurface {
         }
     }
 
-    /// Moves a far origin by whole repeats of the map to where f32 tells texels apart, and rounds what is near.
+    /// Moves a far origin by whole map repeats to where f32 can distinguish texels, and rounds an origin near the model.
     fn come_near(&mut self) {
         let repeats = match self.wrap {
             Wrap::Repeat => 1.0,

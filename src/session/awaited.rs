@@ -1,7 +1,6 @@
-//! Layers and pictures where nothing may be waited for, such as on a page of a browser: a frame is encoded as for a host, and what it made is
-//! awaited.
+//! Layers and pictures for callers that must not block, such as a web page: a frame is encoded as for a host, and its results are awaited.
 //!
-//! Costs what [`Session::draw`], [`Session::layers`] and [`Session::picture`] cost together, less the waits between them. Takes no times.
+//! Costs as much as [`Session::draw`], [`Session::layers`] and [`Session::picture`] together, less the waits. Measures no times.
 
 use super::bands::Band;
 use super::encode::Encoded;
@@ -14,10 +13,10 @@ use crate::scene::View;
 use crate::strategies::{Method, Refusal};
 
 impl Session {
-    /// Draws a frame by a method and awaits its layers. A bounded buffer that was too small is made larger, as in [`Session::draw`]; the pixels
-    /// of what still overflows are marked as unreliable.
+    /// Draws a frame by a method and awaits its layers. A bounded buffer that was too small grows, as in [`Session::draw`]; pixels that
+    /// still overflow are marked as unreliable.
     ///
-    /// Elsewhere than in a browser it waits, before it is first pending.
+    /// Outside a browser it blocks before it first returns pending.
     ///
     /// # Errors
     ///
@@ -36,7 +35,7 @@ impl Session {
     ///
     /// # Errors
     ///
-    /// The same.
+    /// Those of [`Session::layers_async`].
     pub async fn frame_async(
         &mut self,
         model: &Model,
@@ -46,11 +45,11 @@ impl Session {
         self.awaited(model, view, method.into(), true).await
     }
 
-    /// As [`Session::shade`], awaited.
+    /// As [`Session::shade`], asynchronous.
     ///
     /// # Errors
     ///
-    /// Layers that are too large for the device, and one that is lost.
+    /// Layers that are too large for the device, and a lost device.
     pub async fn shade_async(
         &self,
         model: &Model,
@@ -99,7 +98,7 @@ impl Session {
         }
     }
 
-    /// Submits a frame, with its layers and its picture on their way back.
+    /// Submits a frame, and starts reading back its layers and its picture.
     async fn send(
         &self,
         mut encoder: CommandEncoder,

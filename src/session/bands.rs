@@ -1,9 +1,9 @@
-//! The frame of one strategy: one program, or several that draw a band of rows each.
+//! The frame of one strategy: one program, or several that each draw a band of rows.
 //!
-//! A list of crossings per pixel outgrows a storage binding before a picture outgrows the memory. Where a plan breaks a limit,
-//! the picture is cut into twice as many bands until it fits, down to [`Capacities::FEWEST_ROWS`] rows. Every band is a view with the same
-//! rays, so all pixels are the same as in one piece, except those that depend on the rounding of a rasteriser. Each band has
-//! structures of its own: sprites and posed vertices are made once for each, and the mesh is read once for each.
+//! A per-pixel list of crossings exceeds the storage binding limit before a picture exceeds the memory. Where a plan breaks a limit, the
+//! picture is split into twice as many bands until it fits, down to [`Capacities::FEWEST_ROWS`] rows. Every band is a view with the same
+//! rays, so all pixels match those of an unsplit picture, except where the rounding of a rasteriser matters. Each band has its own
+//! structures: sprites and posed vertices are computed, and the mesh is read, once per band.
 
 use super::encode::Last;
 use super::rows::Rows;
@@ -21,12 +21,12 @@ use crate::{Error, Result};
 pub(super) struct Band {
     pub(super) program: Program,
     pub(super) rows: Rows,
-    /// Compositor into the attachments of a host, with the generation of the program that it was made for.
+    /// Compositor for a host's attachments, with the generation of the program that it was made for.
     pub(super) compositor: Option<(u64, Compositor)>,
 }
 
 impl Band {
-    /// Width and height of what it draws, in a picture of a width.
+    /// Width and height of the drawn rows, in a picture of the given width.
     pub(super) fn drawn_px(&self, width: u32) -> [u32; 2] {
         [width, self.rows.drawn().1]
     }
@@ -35,29 +35,29 @@ impl Band {
 /// State that a strategy keeps from frame to frame.
 #[derive(Default)]
 pub(super) struct Slot {
-    /// From the top.
+    /// Bands, from the top.
     pub(super) bands: Vec<Band>,
     pub(super) size_px: [u32; 2],
-    /// Rows around a band that its effects look at.
+    /// Rows around a band that its effects read.
     halo_rows: u32,
     pub(super) capacities: Option<Capacities>,
-    /// The model that the capacities were learnt from.
+    /// The model that the capacities were learned from.
     model: Option<Model>,
-    /// Why the last call left no frame to read, if it did.
+    /// Why the last call left no frame to read, if so.
     pub(super) refused: Option<String>,
     /// Frame last encoded for a host, if it is still valid.
     pub(super) last: Option<Last>,
     /// The clocks of the passes of the frame that was last encoded.
     pub(super) clocks: ClockSet,
-    /// A bounded buffer has grown since.
+    /// True if a bounded buffer has grown since.
     pub(super) must_redraw: bool,
-    /// Bindings of an encoded frame for the shaders of a host. The flag is true if that frame is the last one.
+    /// Bindings of an encoded frame for a host's shaders. The flag is true if that frame is the last one.
     pub(super) clip: Option<Clip>,
     pub(super) is_clip_of_last: bool,
     pub(super) reports: Vec<Report>,
 }
 
-/// Why bands are not drawn.
+/// Why the bands are not drawn.
 enum Stop {
     /// The strategy refuses.
     Refused(Refusal),
@@ -92,24 +92,24 @@ impl Slot {
         }
     }
 
-    /// Makes ready for a frame: what another solid or another size has taught is forgotten.
+    /// Prepares for a frame: capacities learned from another solid or size are discarded.
     pub(super) fn begin(&mut self, model: &Model, view: &View) {
         let kin = self.model.as_ref().is_some_and(|m| m.is_kin_of(model));
         if self.size_px != view.size_px || !kin {
-            // What one solid needed at one size says nothing of another.
+            // Capacities needed by one solid at one size do not apply to another.
             self.capacities = None;
         }
         let halo_rows = effects::halo_rows(model, view);
         if self.size_px != view.size_px || self.bands.is_empty() {
             (self.size_px, self.halo_rows) = (view.size_px, halo_rows);
             match &mut self.bands[..] {
-                // Resources that depend on no view are kept.
+                // Resources that do not depend on the view are kept.
                 [band] => band.rows = Rows::whole(view.size_px[1]),
                 _ => self.cut_into(1),
             }
         } else if self.halo_rows != halo_rows {
             self.halo_rows = halo_rows;
-            // One band has nothing around it.
+            // A single band has no rows around it.
             if self.bands.len() > 1 {
                 self.cut_into(self.bands.len() as u32);
             }
@@ -137,19 +137,19 @@ impl Slot {
         })
     }
 
-    /// Cuts the picture into twice as many bands, if they may be smaller.
+    /// Splits the picture into twice as many bands, if the minimum height permits.
     pub(super) fn cut_smaller(&mut self) -> bool {
         if self
             .bands
             .iter()
             .any(|b| b.rows.count <= Capacities::FEWEST_ROWS)
         {
-            // The next frame begins in one piece: this one says nothing of how many pieces would do.
+            // The next frame starts unsplit: this one does not show how many bands would suffice.
             self.cut_into(1);
             return false;
         }
         if let Some(capacities) = &mut self.capacities {
-            // What all rows needed together would make every band too large.
+            // Capacities for the whole picture would make every band too large.
             capacities.fragments = None;
             capacities.triangles = None;
             capacities.sheets = None;
@@ -158,7 +158,7 @@ impl Slot {
         true
     }
 
-    /// Runs the last frame again on some clocks, for its times.
+    /// Runs the last frame again on the given clocks, for its times.
     pub(super) fn repeat(&self, gpu: &Gpu, clocks: ClockSet) -> Result<RunTimes> {
         let mut times = RunTimes::default();
         for band in &self.bands {
@@ -185,7 +185,7 @@ impl Slot {
         }
     }
 
-    /// All bands: the worst outcome, and the times of all together.
+    /// Draws all bands: returns the worst outcome, and the summed times.
     fn draw_bands(
         &mut self,
         gpu: &Gpu,
@@ -235,7 +235,7 @@ impl Band {
                 Err(refusal) => return Ok(Err(Stop::Refused(refusal))),
             };
             capacities.pyramids |= recorded.plan.has_pyramids;
-            // The last try does all that the frame takes, so that its times are those of the frame.
+            // The last attempt runs every pass of the frame, so that its times are complete.
             match self.program.load(gpu, recorded) {
                 Ok(due) => owed.add(due),
                 Err(Error::Limit(reason)) => return Ok(Err(Stop::TooLarge(reason))),

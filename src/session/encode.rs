@@ -1,11 +1,11 @@
-//! Frames for a host: passes in the host's encoder, the picture in the host's attachments, and nothing waited for.
+//! Frames for a host: passes in the host's encoder, the picture in the host's attachments, without blocking.
 //!
-//! A scene that stands still in a view that does takes one triangle: its passes have run. What bounded buffers needed is copied behind
-//! the passes and mapped when the host has submitted them; [`Slot::classify`] takes in what has come, and the next frame has the room.
-//! Uploads go by the queue, before whatever is submitted next.
+//! A static scene in a static view takes one triangle, because its passes have already run. The needs of bounded buffers are copied after
+//! the passes and mapped once the host has submitted them; [`Slot::classify`] reads the reports that have arrived, and the next frame has
+//! the capacity. Uploads go through the queue, before the next submission.
 //!
-//! Cannot: encode two frames of one method into the same submission, or compose one twice with other targets, for both would be drawn
-//! with the uploads of the second; know of an encoder that was never submitted, after which the host calls
+//! Cannot: encode two frames of one method into the same submission, or composite one twice with different targets, because both would be
+//! drawn with the uploads of the second; detect an encoder that was never submitted, after which the host calls
 //! [`Session::forget`](super::Session::forget).
 
 use super::bands::{Band, Slot};
@@ -18,29 +18,28 @@ use crate::scene::View;
 use crate::strategies::{Refusal, Unsupported};
 use crate::{Error, Result};
 
-/// Reports that are waited for; a host that never submits has older ones forgotten.
+/// Most pending reports; if a host never submits, older ones are dropped.
 const MOST_REPORTS: usize = 16;
 
 /// A frame in the encoder of a host.
 #[must_use = "a method may have refused the scene"]
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Encoded {
-    /// The frame is in the attachments when the encoder has been submitted; `passes` counts its own passes, 0 if nothing
-    /// changed.
+    /// The frame will be in the attachments once the encoder has been submitted; `passes` counts its own passes, 0 if nothing changed.
     Drawn {
         /// Passes without the compositing pass.
         passes: usize,
     },
-    /// The method does not draw such a scene, and nothing was encoded.
+    /// The method cannot draw this scene, and nothing was encoded.
     Refused(Refusal),
 }
 
-/// A bounded buffer that was too small for a frame, whose pixels concerned are marked.
+/// A bounded buffer that was too small for a frame; the affected pixels are marked.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Overflow {
-    /// Buffer that needed more, and how much.
+    /// Buffer that overflowed, and the capacity needed.
     pub what: String,
-    /// True if the next frame has the room.
+    /// True if the buffer is large enough for the next frame.
     pub is_mended: bool,
 }
 
@@ -51,7 +50,7 @@ pub(super) struct Last {
 }
 
 impl Slot {
-    /// Encodes a frame that `record` plans, into attachments where there are some.
+    /// Encodes a frame that `record` plans, into attachments if given.
     pub(super) fn encode(
         &mut self,
         gpu: &Gpu,
@@ -96,7 +95,7 @@ impl Slot {
         Ok(Encoded::Drawn { passes })
     }
 
-    /// Asks for a pixel of the frame that was last encoded.
+    /// Requests a pixel of the frame that was last encoded.
     pub(super) fn pick(
         &self,
         gpu: &Gpu,
@@ -119,7 +118,7 @@ impl Slot {
         band.program.pick(gpu, encoder, pixel)
     }
 
-    /// Bindings of the frame last encoded, for the shaders of a host.
+    /// Bindings of the frame last encoded, for a host's shaders.
     pub(super) fn clip_group(&mut self, gpu: &Gpu) -> Result<BindGroup> {
         if let Some(clip) = self.clip.as_ref().filter(|_| self.is_clip_of_last) {
             return Ok(clip.group().clone());
@@ -128,7 +127,7 @@ impl Slot {
         let last = self.last.as_ref().ok_or_else(none)?;
         let [band] = self.bands.as_slice() else {
             return Err(Error::Limit(format!(
-                "the frame is drawn in {} bands, which have lists of their own: clip in a smaller picture",
+                "the frame is drawn in {} bands, each with its own list: clip in a smaller picture",
                 self.bands.len()
             )));
         };
@@ -153,7 +152,7 @@ impl Slot {
         Ok(group)
     }
 
-    /// Loads the plans of all bands, cut into as many as fit; the clocks of the passes that are to run.
+    /// Loads the plans of all bands, split into as many as fit; returns the clocks of the passes that are to run.
     fn load_bands(
         &mut self,
         gpu: &Gpu,
@@ -191,7 +190,7 @@ impl Slot {
         }
     }
 
-    /// Takes in the reports that have come: what overflowed.
+    /// Reads the overflow reports that have arrived.
     pub(super) fn classify(&mut self) -> Vec<Overflow> {
         let mut overflows = Vec::new();
         let capacities = self.capacities.get_or_insert(Capacities::UNKNOWN);
@@ -215,7 +214,7 @@ impl Slot {
 }
 
 impl Band {
-    /// Puts the rows of the band into the attachments of a host.
+    /// Composites the rows of the band into a host's attachments.
     fn composite(
         &mut self,
         gpu: &Gpu,

@@ -1,4 +1,4 @@
-//! Pictures, and what a style drew in them, of layers that come from elsewhere.
+//! Pictures and style measurements of external layers.
 
 use super::{Rows, Session};
 use crate::effects;
@@ -10,16 +10,16 @@ use crate::scene::View;
 use crate::strategies::Refusal;
 use crate::{Error, Result};
 
-/// Output of the effects of a style over layers: numbers for each pixel, row by row.
+/// Effects of a style over layers as numbers, per pixel, row by row.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct StyleChannels {
-    /// Share of the pixel that strokes cover; empty where the style has none.
+    /// Fraction of the pixel that strokes cover; empty if the style has none.
     pub stroke: Vec<f32>,
-    /// Share that the lines of a hatch cover, before their alpha; empty where the style has none, or no cap is seen.
+    /// Fraction that hatch lines cover, before their alpha; empty if the style has none, or no cap is visible.
     pub hatch: Vec<f32>,
-    /// Position of the pixel on the plane of its cap that carries the hatch, to the right and up, in scene units; 0 where no hatch is.
+    /// Position of the pixel on the hatched plane of its cap, to the right and up, in scene units; 0 where no hatch is.
     pub cap_uv: Vec<[f32; 2]>,
-    /// Share of the light that occlusion leaves; empty where the style has none.
+    /// Fraction of light left after occlusion; empty if the style has none.
     pub visibility: Vec<f32>,
 }
 
@@ -33,8 +33,7 @@ impl StyleChannels {
 }
 
 impl Session {
-    /// Makes a picture of layers that come from elsewhere, by the same passes as a strategy's; in bands, where they are too large in one
-    /// piece.
+    /// Makes a picture of external layers, by the same passes as a strategy's; in bands if they are too large for one.
     pub fn shade(&mut self, model: &Model, view: &View, layers: &Layers) -> Result<Vec<u8>> {
         let width = layers.size_px[0] as usize;
         let pictures = self.in_bands(model, view, layers, |session, band, view, layers| {
@@ -75,7 +74,7 @@ impl Session {
         Ok(())
     }
 
-    /// Passes that make a picture of layers, encoded.
+    /// Encodes the passes that make a picture of layers.
     pub(super) fn finished(
         &self,
         encoder: &mut CommandEncoder,
@@ -90,7 +89,7 @@ impl Session {
         Ok(program)
     }
 
-    /// Output of the style of a scene over layers, pixel by pixel, so that a picture can be checked.
+    /// What the style of a scene draws over layers, per pixel, so that a picture can be checked.
     pub fn style_channels(
         &mut self,
         model: &Model,
@@ -123,7 +122,7 @@ impl Session {
         Ok(all)
     }
 
-    /// Does something to bands of layers, as few as fit the device.
+    /// Applies a function to bands of layers, as few as fit the device.
     pub(super) fn in_bands<T>(
         &self,
         model: &Model,

@@ -1,4 +1,4 @@
-//! Services of a session for a host: frames in its encoder, their pixels, and the bindings for its own shaders.
+//! Session services for a host: frames in its encoder, pixel queries, and bindings for its own shaders.
 
 use super::{Drawing, Encoded, Overflow, Session};
 use crate::gpu::{BindGroup, ClockSet, CommandEncoder, Destination, GBuffer, Pick, Target};
@@ -8,10 +8,10 @@ use crate::strategies::{self, Method};
 use crate::{Error, Result};
 
 impl Session {
-    /// Encodes a frame for a host, into its encoder and its attachments. Nothing is read back, nothing is waited for and nothing is
-    /// submitted; a frame of a scene that stands still takes one pass. The host submits before it encodes another frame of the method.
+    /// Encodes a frame into a host's encoder and attachments. Nothing is read back, nothing blocks and nothing is submitted; a frame of a
+    /// static scene takes one pass. The host submits before it encodes another frame of the method.
     ///
-    /// What a bounded buffer lacked is known some frames later: [`Session::poll`] says so. Until then the pixels concerned are marked.
+    /// Overflows of bounded buffers are known some frames later: [`Session::poll`] reports them. Until then the affected pixels are marked.
     pub fn encode(
         &mut self,
         encoder: &mut CommandEncoder,
@@ -24,7 +24,7 @@ impl Session {
         self.encode_into(encoder, model, view, method.into(), Some(&target))
     }
 
-    /// As [`Session::encode`], into attachments that the host's own lights read.
+    /// As [`Session::encode`], into attachments that the host's own lighting reads.
     pub fn encode_g_buffer(
         &mut self,
         encoder: &mut CommandEncoder,
@@ -37,10 +37,9 @@ impl Session {
         self.encode_into(encoder, model, view, method.into(), Some(&target))
     }
 
-    /// As [`Session::encode`], into no attachments yet: the host draws surfaces itself, less what [`Session::clip_group`] removes and
-    /// less the parts that are [hidden](crate::scene::PreparedPart::is_hidden),
-    /// and has the caps composed with them by [`Session::encode`] with [`Target::caps_only`]. Call [`Session::poll`] before this or
-    /// after the submission, because it may request longer lists.
+    /// As [`Session::encode`], but without attachments: the host draws surfaces itself, except what [`Session::clip_group`] removes and
+    /// [hidden](crate::scene::PreparedPart::is_hidden) parts, and composites the caps with [`Session::encode`] and [`Target::caps_only`].
+    /// Call [`Session::poll`] before this or after the submission, because it may request longer lists.
     pub fn encode_passes(
         &mut self,
         encoder: &mut CommandEncoder,
@@ -51,12 +50,12 @@ impl Session {
         self.encode_into(encoder, model, view, method.into(), None)
     }
 
-    /// Asks what a pixel of the frame that was last encoded by a method shows, counted from its upper left corner. The host submits the
-    /// encoder; [`Session::poll`] finds out when it is known.
+    /// Requests what a pixel of the method's last encoded frame shows, counted from the upper left corner. The host submits the encoder;
+    /// [`Session::poll`] detects when the answer has arrived.
     ///
     /// # Errors
     ///
-    /// No such frame, or a pixel beyond it.
+    /// No such frame, or a pixel outside it.
     pub fn pick(
         &self,
         encoder: &mut CommandEncoder,
@@ -66,7 +65,7 @@ impl Session {
         self.slot(method)?.pick(&self.gpu, encoder, at_px)
     }
 
-    /// The clocks of the passes that the last frame by a method took; a frame that stands still takes none, and does not count.
+    /// The clocks of the passes that ran for the method's last frame; frames of a static scene run none and are not counted.
     ///
     /// # Errors
     ///
@@ -75,12 +74,12 @@ impl Session {
         Ok(self.slot(method)?.clocks)
     }
 
-    /// The bind group for shaders of a host with [`clip_wgsl`](crate::gpu::clip_wgsl), of the frame that was last encoded by a method: of
-    /// one that lists crossings. Call it after each [`Session::encode_passes`]; it is rebuilt only where buffers are.
+    /// The bind group for a host's shaders with [`clip_wgsl`](crate::gpu::clip_wgsl), of the last frame encoded by a method that lists
+    /// crossings. Call it after each [`Session::encode_passes`]; it is rebuilt only when buffers are.
     ///
     /// # Errors
     ///
-    /// No such frame, one so large that it is drawn in bands, or a method that keeps no list of crossings.
+    /// No such frame, a frame so large that it is drawn in bands, or a method that keeps no list of crossings.
     pub fn clip_group(&mut self, method: impl Into<Method>) -> Result<BindGroup> {
         let method = method.into();
         let none = || Error::Plan(format!("{method} has encoded no frame to clip by"));
@@ -113,7 +112,7 @@ impl Session {
                 Ok(Encoded::Refused(refusal))
             }
             Ok(drawn) => Ok(drawn),
-            // Passes that failed on the device have not run: the next frame starts over.
+            // Passes that failed on the device have not run, so the next frame starts over.
             Err(error) => {
                 self.slots.remove(&Drawing::By(method));
                 Err(error)
@@ -121,8 +120,8 @@ impl Session {
         }
     }
 
-    /// Takes in what the device has reported of frames that were encoded, without waiting: what overflowed, by method. Where that is
-    /// mended, the frame is to be encoded again.
+    /// Reads the device's reports on encoded frames, without waiting: returns overflows, by method. If an overflow is mended, encode the
+    /// frame again.
     pub fn poll(&mut self) -> Result<Vec<(Method, Overflow)>> {
         self.gpu.poll()?;
         let mut overflows = Vec::new();

@@ -1,11 +1,11 @@
-//! Rows of a picture that is drawn in bands: those that a band owns, and those around them that its effects look at.
+//! Rows of a picture that is drawn in bands: a band's own rows, and the rows around them that its effects read.
 
 use crate::scene::View;
 
 /// Some rows of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Rows {
-    /// The first that is its own.
+    /// First of its own rows.
     pub(super) first: u32,
     /// Number of its own rows.
     pub(super) count: u32,
@@ -16,7 +16,7 @@ pub(super) struct Rows {
 }
 
 impl Rows {
-    /// The rows of a picture in `bands` bands, from the top; up to `halo` more are drawn on each side, as far as there are some.
+    /// The rows of a picture in `bands` bands, from the top; up to `halo` more rows are drawn on each side, where the picture has them.
     pub(super) fn bands(rows: u32, bands: u32, halo: u32) -> impl Iterator<Item = Self> {
         let begin = move |band: u32| {
             let row = u64::from(rows) * u64::from(band) / u64::from(bands);
@@ -43,13 +43,13 @@ impl Rows {
         }
     }
 
-    /// The first row that is drawn, and how many are.
+    /// The first drawn row, and the number of drawn rows.
     pub(super) fn drawn(&self) -> (u32, u32) {
         let (above, below) = (self.above, self.below);
         (self.first - above, above + self.count + below)
     }
 
-    /// The view of all that is drawn.
+    /// The view of all drawn rows.
     pub(super) fn view(&self, of: &View) -> View {
         let (first, count) = self.drawn();
         View {
@@ -58,7 +58,7 @@ impl Rows {
         }
     }
 
-    /// The band's own values among all drawn ones, with `in_a_row` values in a row.
+    /// The band's own values among all drawn ones, with `in_a_row` values per row.
     pub(super) fn own<T: Copy>(&self, drawn: &[T], in_a_row: usize) -> Vec<T> {
         let before = self.above as usize * in_a_row;
         drawn[before..before + self.count as usize * in_a_row].to_vec()

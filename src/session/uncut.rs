@@ -1,4 +1,4 @@
-//! Frames with nothing cut, by either rasteriser: what the price of a cut is counted against.
+//! Uncut frames, by either rasteriser: the baseline for the cost of a cut.
 
 use super::{Drawing, Drawn, Session};
 use crate::gpu::{ClockSet, RunTimes};
@@ -8,8 +8,7 @@ use crate::strategies::{self, Rasteriser};
 use crate::{Error, Result};
 
 impl Session {
-    /// Draws a frame with nothing cut by a rasteriser, as [`Session::draw`] draws a strategy's: in bands, where it is too large in one
-    /// piece.
+    /// Draws an uncut frame by a rasteriser, as [`Session::draw`] draws a strategy's: in bands, if it is too large for one.
     pub fn draw_uncut(
         &mut self,
         model: &Model,
@@ -28,12 +27,12 @@ impl Session {
         )
     }
 
-    /// Runs the last frame with nothing cut by a rasteriser again on some clocks, for its times.
+    /// Runs a rasteriser's last uncut frame again on the given clocks, for its times.
     pub fn repeat_uncut(&self, rasteriser: Rasteriser, clocks: ClockSet) -> Result<RunTimes> {
         let slot = self.slots.get(&Drawing::Uncut(rasteriser));
         let slot = slot.ok_or_else(|| {
             Error::Plan(format!(
-                "the {rasteriser} rasteriser has drawn no frame with nothing cut"
+                "the {rasteriser} rasteriser has drawn no uncut frame"
             ))
         })?;
         slot.repeat(&self.gpu, clocks)

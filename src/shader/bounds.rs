@@ -1,12 +1,12 @@
-//! The most rounds of a loop, read off its bound: whether that is a number which neither mesh nor picture can raise.
+//! Maximum rounds of a loop, derived from its bound: checks that the bound cannot grow with the mesh or the picture.
 //!
 //! Drivers end loops that run long: llvmpipe after 65,535 rounds of all loops of an invocation together, cards by a watchdog. So a bound that
-//! comes from data is cut off by a constant: `min(count, MOST)`. So is an override, which a plan sets: one once allowed 2^24 rounds.
-//! Followed are literals, constants, arithmetic of them, `min` and `clamp`, masks, shifts and remainders, local variables by all that is
-//! stored to them, arguments by all calls, and results of functions of the shader. Anything else, a word of a buffer above all, has no
+//! comes from data must be limited by a constant: `min(count, MOST)`. So must an override, which a plan sets: one once allowed 2^24 rounds.
+//! The analysis follows literals, constants, arithmetic on them, `min` and `clamp`, masks, shifts and remainders, local variables by all
+//! stores to them, arguments by all calls, and results of the shader's functions. Anything else, in particular a word of a buffer, has no
 //! known bound.
 //!
-//! Limits: the product over nested loops is not formed.
+//! Limits: products of nested loops are not formed.
 
 use super::loops::{children, loaded, local};
 use naga::{
@@ -14,10 +14,10 @@ use naga::{
     Module, ScalarKind, Statement,
 };
 
-/// Expressions within each other that are followed.
+/// Maximum nesting depth of expressions that is followed.
 const DEEPEST: u32 = 32;
 
-/// A function, and the module that it calls others of.
+/// A function, and the module that contains the functions it calls.
 #[derive(Clone, Copy)]
 pub(super) struct FunctionPlace<'a> {
     pub module: &'a Module,
@@ -116,7 +116,7 @@ impl FunctionPlace<'_> {
         }
     }
 
-    /// Values that a function may return, with the place where they are evaluated.
+    /// Expressions that a function may return, each with the function in which to evaluate it.
     fn results(
         self,
         function: Handle<Function>,
@@ -139,7 +139,7 @@ impl FunctionPlace<'_> {
         }
     }
 
-    /// Returns true if every call of the function gives a limited argument.
+    /// Returns true if every call of the function passes a limited argument.
     fn argument_is_limited(self, index: u32, depth: u32) -> bool {
         let mut named = self.module.functions.iter();
         let Some((own, _)) = named.find(|(_, f)| std::ptr::eq(*f, self.function)) else {
@@ -160,7 +160,7 @@ impl FunctionPlace<'_> {
         is_called
     }
 
-    /// Returns true if a local variable begins at or above a constant and is only counted up.
+    /// Returns true if a local variable begins at or above a constant and is only incremented.
     fn only_rises(self, pointer: Handle<Expression>, depth: u32) -> bool {
         let Expression::LocalVariable(variable) = self.function.expressions[pointer] else {
             return false;
@@ -236,7 +236,7 @@ impl FunctionPlace<'_> {
     }
 }
 
-/// Values stored to a variable in a block; a store to a part counts as a store to the whole.
+/// Values stored to a variable in a block; a store to a member counts as a store to the whole variable.
 fn stored(
     function: &Function,
     block: &Block,

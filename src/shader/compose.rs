@@ -1,8 +1,8 @@
-//! Composition of one shader from the tree.
+//! Composition of a shader from the files of the tree.
 //!
-//! A module that several files of the library define is *open*: `cutaway::store`, what a fragment leaves for the inside test,
-//! has a file for each inside test. A [`Shader`] says which file fills each open module that it needs; so what differs between
-//! two shaders is one file, and a pass over the mesh is written once for all inside tests and both rasterisers.
+//! A module that several library files define is *open*: `cutaway::store`, what a fragment stores for the inside test,
+//! has one file per inside test. A [`Shader`] names the file that fills each open module that it needs; so two shaders
+//! may differ in a single file, and a pass over the mesh is written once for all inside tests and both rasterisers.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
@@ -61,24 +61,24 @@ impl fmt::Display for Shader {
     }
 }
 
-/// A shader of the tree with all that it imports.
+/// A shader of the tree composed with everything it imports.
 #[derive(Debug)]
 pub struct Composed {
-    /// Validated with naga's default capabilities: what core WebGPU offers. Only shaders with a file of [`NATIVE`] get 64-bit atomics
+    /// Validated with naga's default capabilities, those of core WebGPU. Only shaders with a file of [`NATIVE`] get 64-bit atomics
     /// as well.
     pub module: naga::Module,
     /// naga's analysis of the module.
     pub info: ModuleInfo,
     /// Bindings of its entry points, by group and number.
     pub bindings: Vec<ShaderBinding>,
-    /// It needs atomics of 64 bits.
+    /// True if it needs 64-bit atomics.
     pub is_native: bool,
 }
 
-/// Shaders composed so far: plans are checked, reflected and compiled from the same one.
+/// Shaders composed so far: plans are checked, reflected and compiled from the same composed shader.
 static COMPOSED: Mutex<BTreeMap<Shader, Arc<Composed>>> = Mutex::new(BTreeMap::new());
 
-/// Composes a shader, or gives it back if it was composed before.
+/// Composes a shader, or returns the cached result.
 pub fn compose(shader: &Shader) -> Result<Arc<Composed>> {
     let mut known = COMPOSED.lock().unwrap_or_else(PoisonError::into_inner);
     if let Some(composed) = known.get(shader) {
@@ -100,8 +100,8 @@ pub fn compose(shader: &Shader) -> Result<Arc<Composed>> {
     Ok(composed)
 }
 
-/// naga's analysis of a composed shader, or its report if the shader is invalid. Features outside core WebGPU are accepted here: composing
-/// has checked them.
+/// naga's analysis of a composed shader, or its report if the shader is invalid. Features outside core WebGPU are accepted here, because
+/// composing has already checked them.
 pub fn validate(module: &naga::Module) -> Result<ModuleInfo, String> {
     let validated = validator(true).validate(module);
     validated.map_err(|e| chain(e.as_inner()))
@@ -111,7 +111,7 @@ fn validator(is_native: bool) -> Validator {
     Validator::new(ValidationFlags::all(), capabilities(is_native))
 }
 
-/// An error with all that it comes from.
+/// The message of an error with those of its sources.
 fn chain(error: &dyn std::error::Error) -> String {
     let mut what = error.to_string();
     let mut from = error.source();
@@ -122,7 +122,7 @@ fn chain(error: &dyn std::error::Error) -> String {
     what
 }
 
-/// As [`compose`], of a text that is not in the tree: tests wrap library functions in small shaders this way.
+/// As [`compose`], for a text that is not in the tree: tests wrap library functions in small shaders this way.
 pub fn compose_text(name: &str, text: &str) -> Result<naga::Module> {
     compose_text_with(name, text, &[])
 }
@@ -132,7 +132,7 @@ pub fn compose_text_with(name: &str, text: &str, with: &[&str]) -> Result<naga::
     compose_source(name, text, with).map(|(module, ..)| module)
 }
 
-/// The module of a text, what naga finds out about it, and whether it needs atomics of 64 bits.
+/// The module of a text, naga's analysis of it, and whether it needs 64-bit atomics.
 fn compose_source(
     name: &str,
     text: &str,
@@ -181,8 +181,8 @@ fn capabilities(native: bool) -> Capabilities {
     }
 }
 
-/// Ways to compose the shaders of the tree: each file in each open module that it needs. For a shader with more than 128 ways, a subset
-/// in which any two files that can be combined occur together.
+/// Ways to compose the tree's shaders: each file in each open module that needs one. For a shader with more than 128 ways, a subset
+/// in which every pair of compatible files occurs.
 pub fn compositions() -> Vec<Shader> {
     let mut all = Vec::new();
     for (path, text) in SHADERS {
@@ -206,10 +206,10 @@ pub fn compositions() -> Vec<Shader> {
     all
 }
 
-/// So many compositions of one shader are all looked at.
+/// Up to this number, all compositions of a shader are included.
 const FEW: usize = 128;
 
-/// A few of many compositions that have all pairs of files that the many have, each the one that adds most.
+/// A small subset of the compositions that contains all their pairs of files; greedily adds the composition with the most new pairs.
 fn with_all_pairs(ways: &[Shader]) -> Vec<Shader> {
     let pairs = |shader: &Shader| -> Vec<[&'static str; 2]> {
         let with = &shader.with;
@@ -238,7 +238,7 @@ fn with_all_pairs(ways: &[Shader]) -> Vec<Shader> {
     chosen
 }
 
-/// The files of the library by the module that they define.
+/// The library files, by the module that they define.
 static MODULES: LazyLock<BTreeMap<&str, Vec<File<'static>>>> = LazyLock::new(|| {
     let mut modules = BTreeMap::<&str, Vec<File<'static>>>::new();
     for (path, text) in LIBRARY {
@@ -250,12 +250,12 @@ static MODULES: LazyLock<BTreeMap<&str, Vec<File<'static>>>> = LazyLock::new(|| 
     modules
 });
 
-/// The files of the library that define a module.
+/// The library files that define a module.
 fn files_of(module: &str) -> &'static [File<'static>] {
     MODULES.get(module).map_or(&[], Vec::as_slice)
 }
 
-/// The files that a file needs, each after those it needs itself.
+/// The files that a file needs, each after its own dependencies.
 fn gather<'a>(
     file: &File<'_>,
     with: &[&'a str],
@@ -293,7 +293,7 @@ fn gather<'a>(
     Ok(())
 }
 
-/// The files that could fill the first open module that nothing fills yet.
+/// The files that could fill the first open module that is still unfilled.
 fn first_open(
     file: &File<'static>,
     with: &[&'static str],

@@ -1,22 +1,22 @@
-//! One WGSL file as its declarations: what each is called, and where its text has names.
+//! One WGSL file as its declarations: the name of each, and where its text mentions names.
 //!
-//! A scanner that knows comments, numbers and names, and where a name cannot be that of a declaration: behind a point, in an
-//! attribute such as `@builtin(position)`, between the angle brackets of `var<storage, read>`, before the colon of a member. That is
-//! enough to give every declaration a unique name in the whole; naga parses the result. Takes microseconds a file.
+//! A scanner that recognises comments, numbers and names, and positions where a name cannot refer to a declaration: after a dot, in an
+//! attribute such as `@builtin(position)`, between the angle brackets of `var<storage, read>`, before the colon of a member. This is
+//! enough to give every declaration a unique name in the joined text; naga parses the result. Takes microseconds per file.
 //!
-//! Cannot: read a comment of the form `/* */`, which the tree does not have (a lint holds that), or directives but the two of ours,
+//! Cannot: read comments of the form `/* */`, which the tree does not contain (a lint checks this), or directives other than our two,
 //! `#define_import_path` and `#import MODULE::NAME` or `#import MODULE::{NAME, NAME}`, one to a line.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
-/// A file of the tree, or a text in its place.
+/// A file of the tree, or a text that takes its place.
 #[derive(Debug)]
 pub(super) struct File<'a> {
     pub(super) path: &'a str,
-    /// Name under which other files import it; whole shaders have no name.
+    /// Name under which other files import it; whole shaders have none.
     pub(super) module: Option<&'a str>,
-    /// The names that it has of other modules, and of which.
+    /// Imported names, each with the module that it comes from.
     pub(super) imports: BTreeMap<&'a str, &'a str>,
     pub(super) declarations: Vec<Declaration<'a>>,
 }
@@ -24,13 +24,13 @@ pub(super) struct File<'a> {
 /// A function, type, constant or variable of a file.
 #[derive(Debug)]
 pub(super) struct Declaration<'a> {
-    /// Empty for what has none: `const_assert`, or what is no WGSL.
+    /// Empty if it has none: `const_assert`, or text that is not WGSL.
     pub(super) name: &'a str,
-    /// With its attributes.
+    /// Text, with attributes.
     pub(super) text: &'a str,
-    /// Ranges in the text of the names of declarations of this file and of imported ones, its own among them.
+    /// Text ranges of the names that refer to declarations of this file, its own included, or to imported ones.
     pub(super) names: Vec<Range<usize>>,
-    /// Line of the file that it begins on, from 1.
+    /// Line of the file on which it begins, from 1.
     pub(super) line: usize,
 }
 
@@ -68,18 +68,18 @@ impl<'a> File<'a> {
         file
     }
 
-    /// The modules that it imports from, each once.
+    /// The modules from which it imports, each once.
     pub(super) fn modules(&self) -> BTreeSet<&'a str> {
         self.imports.values().copied().collect()
     }
 
-    /// The number of the declaration of a name.
+    /// Index of the declaration with this name.
     pub(super) fn declaration(&self, name: &str) -> Option<usize> {
         self.declarations.iter().position(|d| d.name == name)
     }
 }
 
-/// Passes over a text token by token.
+/// Scans a text token by token.
 struct Scanner<'a> {
     text: &'a str,
     at: usize,
@@ -95,7 +95,7 @@ impl<'a> Scanner<'a> {
         }
     }
 
-    /// Range of the next name, number or mark; blanks, comments and directives are skipped.
+    /// Range of the next name, number or punctuation mark; blanks, comments and directives are skipped.
     fn next(&mut self) -> Option<Range<usize>> {
         let bytes = self.text.as_bytes();
         loop {
@@ -124,7 +124,7 @@ impl<'a> Scanner<'a> {
         self.at += rest.find('\n').unwrap_or(rest.len());
     }
 
-    /// The next declaration: to its semicolon, or to the brace that closes its first.
+    /// The next declaration: up to its semicolon, or to the brace that closes its first one.
     fn declaration(&mut self) -> Option<Declaration<'a>> {
         let first = self.next()?;
         let mut declaration = Declaration {
@@ -134,7 +134,7 @@ impl<'a> Scanner<'a> {
             line: self.line,
         };
         let (mut keyword, mut before, mut braces) = ("", "", 0_usize);
-        // What closes the brackets in which words are taken as they are.
+        // The token that closes the brackets in which words are not names.
         let mut closing = None;
         let mut attribute = "";
         let mut token = Some(first.clone());
@@ -179,7 +179,7 @@ impl<'a> Scanner<'a> {
             before = word;
             token = self.next();
         }
-        // What has no end is given on as it is: naga says what is wrong with it.
+        // Unterminated text is passed on unchanged: naga reports what is wrong with it.
         Some(declaration)
     }
 

@@ -1,34 +1,34 @@
-//! One WGSL text of a whole shader and the files that it imports: of each file the declarations that the shader comes to, of the shader
-//! all.
+//! Joins a shader and the files that it imports into one WGSL text: from each file the declarations that the shader uses, from the
+//! shader all.
 //!
-//! What a library file declares gets the name of its module behind its own, so that two files may use one name for two things, and a
-//! file that has not imported a name does not see it. The shader's own names stay: its entry points and overrides are looked up by
-//! name. Takes tens of microseconds; naga then parses what is needed and nothing else.
+//! Library declarations get the name of their module as a suffix, so that two files may use one name for two things, and a
+//! file that has not imported a name does not see it. The shader's own names stay unchanged: its entry points and overrides are looked up
+//! by name. Takes tens of microseconds; naga then parses only what is needed.
 
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
 use super::file::{Declaration, File};
 
-/// Between a name and that of its module; no name of the tree has it.
+/// Separates a name from that of its module; no name in the tree contains it.
 const OF_MODULE: &str = "__";
 
 /// A shader as one text.
 pub(super) struct Joined<'a> {
     pub(super) text: String,
-    /// Line of the text that a declaration begins on, from 1, its file, and its line there; in order.
+    /// For each declaration the line of the text on which it begins, from 1, its file, and its line there; in order.
     begins: Vec<(usize, &'a str, usize)>,
-    /// Suffixes of the names of the files, the longest first.
+    /// Name suffixes of the files, longest first.
     endings: Vec<String>,
 }
 
-/// Joins a shader, the last of the files, with those that it needs; `library` has all that any of them imports.
+/// Joins a shader, the last of the files, with the files it needs; `library` has everything that any of them imports.
 pub(super) fn join<'a>(shader: &File<'a>, library: &[&File<'a>]) -> Result<Joined<'a>, String> {
     let files: Vec<&File<'a>> = library.iter().copied().chain([shader]).collect();
     let modules: BTreeMap<&str, usize> = (files.iter().enumerate())
         .filter_map(|(i, file)| Some((file.module?, i)))
         .collect();
-    // Which declaration a name of a file means.
+    // The declaration that a file's name refers to.
     let declared = |at: usize, name: &str| -> Option<[usize; 2]> {
         if let Some(own) = files[at].declaration(name) {
             return Some([at, own]);
@@ -90,12 +90,12 @@ pub(super) fn join<'a>(shader: &File<'a>, library: &[&File<'a>]) -> Result<Joine
         }
     }
     joined.endings = endings;
-    // One may begin as another does.
+    // One suffix may be a prefix of another.
     joined.endings.sort_by_key(|ending| Reverse(ending.len()));
     Ok(joined)
 }
 
-/// Appends a declaration and a line break; the names of declarations with what they end with.
+/// Appends a declaration and a line break; names of declarations get their suffixes.
 fn write<'e>(declaration: &Declaration<'_>, ending: impl Fn(&str) -> &'e str, out: &mut String) {
     let mut from = 0;
     for place in &declaration.names {
@@ -108,7 +108,7 @@ fn write<'e>(declaration: &Declaration<'_>, ending: impl Fn(&str) -> &'e str, ou
 }
 
 impl Joined<'_> {
-    /// A complaint about a line of the text, with the file and line that it comes from and the names that stand there.
+    /// An error message about a line of the text, with the file and line that it comes from and the original names.
     pub(super) fn complaint(&self, line: Option<u32>, what: &str) -> String {
         let mut what = what.to_owned();
         for ending in self.endings.iter().filter(|e| !e.is_empty()) {
@@ -125,7 +125,7 @@ impl Joined<'_> {
     }
 }
 
-/// The name that the author gave.
+/// The name as written by the author.
 pub(super) fn undecorated(name: &str) -> &str {
     name.split(OF_MODULE).next().unwrap_or(name)
 }
@@ -134,7 +134,7 @@ pub(super) fn undecorated(name: &str) -> &str {
 mod tests {
     use super::*;
 
-    /// Two modules that have one name for two things.
+    /// Two modules that use one name for two things.
     const AREA: &str = "#define_import_path t::area
 // The area.
 fn size(a: vec2<f32>) -> f32 { return a.x * a.y; }

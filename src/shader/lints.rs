@@ -1,8 +1,8 @@
-//! Our own rules of WGSL, on naga's representation of a composed shader.
+//! Our own WGSL rules, checked on naga's representation of a composed shader.
 //!
 //! naga checks that a shader is valid; these check our own rules: every loop ends, no decision depends on two floats
-//! being equal, nothing is declared and unused, and core WebGPU can run it. A finding names its rule and its place; which
-//! findings are allowed, and why, is stated where the tree is tested.
+//! being equal, nothing declared is unused, and core WebGPU can run it. A finding names its rule and its place; the findings
+//! that are allowed, and why, are listed where the tree is tested.
 
 use naga::valid::{FunctionInfo, ModuleInfo};
 use naga::{BinaryOperator, Expression, Function, Handle, Module, Scalar, ScalarKind, ShaderStage};
@@ -14,12 +14,12 @@ use super::loops::{End, ends_of_loops};
 use super::reflect::{BindingKind, bindings};
 use crate::{Error, Result};
 
-/// A rule that shaders keep.
+/// A rule that shaders must follow.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Rule {
-    /// A loop counts towards a bound that it does not move.
+    /// A loop counts towards a bound that the loop does not change.
     BoundedLoops,
-    /// A constant limits the rounds of a loop, for drivers end those that run long.
+    /// A constant limits the rounds of a loop, because drivers end loops that run long.
     ConstantBounds,
     /// Floats are compared by order, never by equality.
     FloatEquality,
@@ -29,7 +29,7 @@ pub enum Rule {
     StorageBuffers,
     /// A workgroup has at most 256 invocations.
     Workgroup,
-    /// One compute entry point `main`, or `vertex` and `fragment`.
+    /// Either one compute entry point `main`, or `vertex` and `fragment`.
     EntryPoints,
 }
 
@@ -39,16 +39,16 @@ pub struct Finding {
     pub rule: Rule,
     /// The function, the variable or the stage, as its author named it.
     pub place: String,
-    /// Description of the finding.
+    /// Description of the violation.
     pub what: String,
 }
 
-/// Storage buffers that a stage of core WebGPU sees. Plans are held to it as well.
+/// Maximum storage buffers per stage in core WebGPU. Plans are also checked against it.
 pub const STORAGE_BUFFERS_PER_STAGE: usize = 8;
-/// Invocations of a workgroup of core WebGPU.
+/// Maximum invocations per workgroup in core WebGPU.
 pub const INVOCATIONS_PER_WORKGROUP: u32 = 256;
 
-/// Everything in a composed shader that breaks a rule.
+/// All rule violations in a composed shader.
 pub fn lint(module: &Module) -> Result<Vec<Finding>> {
     let info = validate(module).map_err(|what| Error::Shader {
         name: "lint".to_owned(),
@@ -87,7 +87,7 @@ fn in_function(
             ),
             End::ByData => (
                 Rule::ConstantBounds,
-                "takes as many rounds as data give: limit the bound by a constant",
+                "has a number of rounds that depends on data: limit the bound by a constant",
             ),
         };
         let place = name.to_owned();
@@ -112,7 +112,7 @@ fn in_function(
     }
 }
 
-/// Reports unused bindings that the shader's own file declares; those of the library are declared for all importers.
+/// Reports unused bindings that the shader's own file declares; library bindings are declared for all importers.
 fn unused_bindings(module: &Module, info: &ModuleInfo, found: &mut Vec<Finding>) {
     for (handle, variable) in module.global_variables.iter() {
         let name = variable.name.as_deref().unwrap_or_default();

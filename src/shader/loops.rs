@@ -1,9 +1,9 @@
 //! Proof that a loop ends, from its form.
 //!
-//! A loop is bounded where its body begins with a guard that leaves it unless `counter < bound` (or `>`, `<=`, `>=`), the
-//! counter is a local variable that the loop stores to exactly once, by one constant step in the direction of the bound,
-//! in the part that every round runs, and the bound depends on nothing that the loop stores. This is less than what ends,
-//! and all that a reader should have to check: rewrite the loop rather than the rule.
+//! A loop is bounded if its body begins with a guard that leaves it unless `counter < bound` (or `>`, `<=`, `>=`), the
+//! counter is a local variable that the loop stores to exactly once, with a constant step in the direction of the bound,
+//! in code that every round runs, and the bound depends on nothing that the loop stores. Some loops that end do not meet this
+//! rule, but it is all that a reader should have to check: rewrite the loop rather than the rule.
 
 use std::collections::BTreeSet;
 
@@ -12,18 +12,18 @@ use naga::{
     BinaryOperator, Block, Expression, Function, Handle, Literal, LocalVariable, Statement,
 };
 
-/// Way in which a loop ends.
+/// How a loop ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum End {
-    /// Nothing proves that it does.
+    /// Not proven to end.
     Unproven,
-    /// After a number of rounds that data give.
+    /// After a number of rounds that depends on data.
     ByData,
-    /// After a number of rounds that constants limit.
+    /// After a number of rounds limited by constants.
     ByConstant,
 }
 
-/// End of each loop of a function, in order.
+/// The end of each loop of a function, in order.
 pub(super) fn ends_of_loops(place: FunctionPlace<'_>) -> Vec<End> {
     let mut all = Vec::new();
     ends_in(place, &place.function.body, &mut all);
@@ -106,7 +106,7 @@ pub(super) fn local(
 ) -> Option<Handle<LocalVariable>> {
     match function.expressions[pointer] {
         Expression::LocalVariable(variable) => Some(variable),
-        // A store to an element or a field moves the whole variable, as far as a bound is concerned.
+        // For a bound, a store to an element or a field changes the whole variable.
         Expression::Access { base, .. } | Expression::AccessIndex { base, .. } => {
             local(function, base)
         }
@@ -114,7 +114,7 @@ pub(super) fn local(
     }
 }
 
-/// Local variables that a block stores to, once for each store; calls count for every variable they are given by pointer.
+/// Local variables that a block stores to, once per store; a call counts as a store to every variable passed to it by pointer.
 fn stores_in(function: &Function, block: &Block, stores: &mut Vec<Handle<LocalVariable>>) {
     for statement in block.iter() {
         match statement {
@@ -170,7 +170,7 @@ fn step_of(
     (step > 0 && loaded(function, left) == Some(counter)).then_some((counter, direction))
 }
 
-/// Conditions that must hold (or, with `false`, must not) for a round to go on: the conjuncts of the first break of the body.
+/// Conditions that must hold (or, with `false`, must not) for a round to continue: the conjuncts of the body's first break.
 fn guards(function: &Function, body: &Block) -> Vec<(Handle<Expression>, bool)> {
     let mut found = Vec::new();
     let mut before: Vec<&Statement> = Vec::new();
@@ -192,7 +192,7 @@ fn guards(function: &Function, body: &Block) -> Vec<(Handle<Expression>, bool)> 
                 before.push(statement);
             }
             Statement::Emit(_) => {}
-            // Only what evaluates the condition may come before it.
+            // Only the evaluation of the condition may precede it.
             _ => return found,
         }
     }
@@ -206,7 +206,7 @@ fn leaves(block: &Block) -> bool {
     )
 }
 
-/// naga turns `a && b` into a variable that is false unless `a` holds and `b` was stored.
+/// naga compiles `a && b` to a variable that is false unless `a` holds and `b` was stored.
 fn conjuncts(
     function: &Function,
     condition: Handle<Expression>,
@@ -271,7 +271,7 @@ fn bound_of(
     ends.then_some(bound)
 }
 
-/// Expressions that are evaluated again in every round; all others have the value they had before the loop.
+/// Expressions evaluated anew in every round; all others have the value that they had before the loop.
 fn evaluated_in(block: &Block, evaluated: &mut BTreeSet<usize>) {
     for statement in block.iter() {
         match statement {
@@ -287,7 +287,7 @@ fn evaluated_in(block: &Block, evaluated: &mut BTreeSet<usize>) {
     }
 }
 
-/// Returns true if a bound may have another value in the next round.
+/// Returns true if a bound may change from round to round.
 fn may_move(
     function: &Function,
     bound: Handle<Expression>,
@@ -315,7 +315,7 @@ fn may_move(
             arg, arg1, arg2, ..
         } => any(&[Some(arg), arg1, arg2]),
         Expression::ArrayLength(_) => false,
-        // Whatever else a round computes, a call among it, may come out differently.
+        // Anything else that a round computes, including a call, may change.
         _ => true,
     }
 }

@@ -1,6 +1,6 @@
-//! The WGSL tree as data: which files there are, what they compose to, what they bind.
+//! The WGSL tree as data: its files, the shaders composed from them, and their bindings.
 //!
-//! Files under `shaders/lib` are modules with a `#define_import_path`; all others are whole shaders. They are joined to one text,
+//! Files under `shaders/lib` are modules with a `#define_import_path`; all others are whole shaders. They are joined into one text,
 //! which naga parses, validates and reflects. Nothing here needs an adapter, so a test composes and checks everything.
 
 mod bounds;

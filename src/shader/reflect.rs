@@ -4,20 +4,20 @@ use super::join::undecorated;
 use naga::valid::ModuleInfo;
 use naga::{AddressSpace, Module, StorageAccess, TypeInner};
 
-/// Kind of resource that a binding takes.
+/// Kind of resource that is bound.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BindingKind {
     /// `var<uniform>`.
     Uniform,
     /// `var<storage, read>`.
     StorageRead,
-    /// `var<storage, read_write>`.
+    /// A texture of words, read without a sampler.
     StorageReadWrite,
-    /// A texture of words to load from.
+    /// A texture of depths, read without a sampler.
     Texture,
     /// A texture of depths to load from.
     DepthTexture,
-    /// A texture with layers to load from or to sample.
+    /// A texture with layers, read with or without a sampler.
     TextureArray,
     Sampler,
 }
@@ -25,17 +25,17 @@ pub enum BindingKind {
 /// One `@group @binding` variable that an entry point uses.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ShaderBinding {
-    /// Name of the variable, without that of its module.
+    /// Name of the variable, without its module's name.
     pub name: String,
     pub group: u32,
     pub binding: u32,
     /// Kind of resource.
     pub kind: BindingKind,
-    /// Visible to the vertex, fragment and compute stage.
+    /// Whether the vertex, fragment and compute stage can see it.
     pub stages: [bool; 3],
 }
 
-/// The bindings that the entry points of a module use, by group and number.
+/// The bindings used by a module's entry points, by group and number.
 pub fn bindings(module: &Module, info: &ModuleInfo) -> Vec<ShaderBinding> {
     let mut found: Vec<ShaderBinding> = module
         .global_variables
@@ -92,7 +92,7 @@ pub struct StructLayout {
     pub size: u32,
 }
 
-/// The layout of a struct of a module.
+/// The layout of a module's struct.
 pub fn struct_layout(module: &Module, name: &str) -> Option<StructLayout> {
     module.types.iter().find_map(|(_, ty)| match &ty.inner {
         TypeInner::Struct { members, span }

@@ -2,14 +2,14 @@
 
 include!(concat!(env!("OUT_DIR"), "/shaders.rs"));
 
-/// Files that core WebGPU does not run, and why there is another way without them: shaders that they are part of are validated
-/// with atomics of 64 bits, and plans with such a shader are held to adapters that have them.
+/// Files that core WebGPU cannot run, and the alternative that avoids each: shaders that contain them are validated
+/// with 64-bit atomics, and plans with such a shader require an adapter that has them.
 pub const NATIVE: &[(&str, &str)] = &[(
     "lib/rasterise/nearest_wide.wgsl",
     "depth and triangle in one atomic maximum; lib/rasterise/nearest.wgsl takes two sweeps instead",
 )];
 
-/// Both lists.
+/// Library files and whole shaders.
 pub const FILES: [&[(&str, &str)]; 2] = [LIBRARY, SHADERS];
 
 /// Text of a whole shader.

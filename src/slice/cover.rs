@@ -1,11 +1,11 @@
-//! Triangulation of the region that closed curves bound in a plane, each point covered as often as the curves wind around it.
+//! Triangulation of the region that closed curves bound in a plane, covering each point as often as the curves wind around it.
 //!
-//! [`super::fill`] answers where a region is; this answers what closes a mesh: triangles whose edges, taken with their directions, add
-//! up to the given ones and to nothing else. Where an edge has to pass other points than its ends, because loops cross or because one
-//! runs through a point of another, the crossing is reported, so that what lies on its other side can be divided in the same way. Points
-//! that coincide are reported as well.
+//! [`super::fill`] finds where a region is; this module finds a surface that closes a mesh: triangles whose directed edges add
+//! up to exactly the given ones. If an edge must pass through points other than its ends, because loops cross or because one
+//! runs through a point of another, these points are reported, so that the faces on the edge's other side can be divided in the same way.
+//! Coincident points are reported as well.
 //!
-//! Cost: as filling, and a sort of the edges.
+//! Cost: that of filling, and a sort of the edges.
 
 use glam::DVec2;
 use spade::Triangulation;
@@ -13,22 +13,22 @@ use spade::Triangulation;
 use super::fill::{preclassified, windings};
 use super::outline::{Drawn, Outline};
 
-/// A surface in a plane. Numbers of points count through the given ones, then through `added`.
+/// A surface in a plane. Point numbers run through the given points, then through `added`.
 #[derive(Debug, Default)]
 pub(super) struct Cover {
     /// Crossing points of loops.
     pub(super) added: Vec<DVec2>,
-    /// For each given point the one that is in its place.
+    /// For each given point, the point that replaces it.
     pub(super) stand_ins: Vec<u32>,
-    /// Counter-clockwise, with how often loops wind around them, which is not 0.
+    /// Counter-clockwise triangles, each with the loops' winding number there, which is not 0.
     pub(super) triangles: Vec<([u32; 3], i32)>,
-    /// Edges of loops that are more than one edge of triangles: all their points in order.
+    /// Loop edges that consist of several triangle edges: all their points in order.
     pub(super) paths: Vec<Vec<u32>>,
     /// Loops left out of the result.
     pub(super) left_out: Vec<usize>,
 }
 
-/// Covers what loops wind around. Points must be finite.
+/// Covers the region that loops wind around. Points must be finite.
 pub(super) fn cover(points: &[DVec2], loops: &[Vec<u32>]) -> Cover {
     let mut outline = Outline::of(points, loops);
     let drawn = preclassified(&mut outline);
@@ -60,7 +60,7 @@ fn paths(outline: &Outline, drawn: &Drawn) -> Vec<Vec<u32>> {
             (outline.parts[*part].edge, ends.map(|v| v.data().number))
         })
         .collect();
-    // Stable: the steps of a part are in order.
+    // Stable sort: the steps of a part stay in order.
     steps.sort_by_key(|(edge, _)| *edge);
     let of_edge = steps.chunk_by(|a, b| a.0 == b.0);
     of_edge
@@ -69,7 +69,7 @@ fn paths(outline: &Outline, drawn: &Drawn) -> Vec<Vec<u32>> {
         .collect()
 }
 
-/// Steps of one way in the order that they are walked in.
+/// Steps of one path in walking order.
 fn joined(mut steps: Vec<[u32; 2]>) -> Vec<u32> {
     let is_end = |at: u32| steps.iter().all(|[_, to]| *to != at);
     let first = (steps.iter().position(|[from, _]| is_end(*from))).unwrap_or_default();
@@ -91,7 +91,7 @@ mod tests {
         [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(|(x, y)| at + DVec2::new(x, y) * size)
     }
 
-    /// The sum of the directed edges of all triangles, and of all loops as their paths have them, is nothing.
+    /// Checks that the directed edges of all triangles, and of all loops along their paths, cancel completely.
     fn is_closed(cover: &Cover, loops: &[Vec<u32>]) -> bool {
         let mut net = std::collections::BTreeMap::new();
         let mut pass = |[a, b]: [u32; 2], times: i32| {

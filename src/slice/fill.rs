@@ -1,38 +1,38 @@
 //! The region that loops enclose, in triangles.
 //!
-//! The loops are drawn into a triangulation as edges that know how often they are passed and which way, and cut where they
-//! cross until that works (see [`super::outline`]). After many rounds, or too many cuts, loops that still cross are left out
-//! whole: what stays is closed, so that no count leaks.
+//! The loops are drawn into a triangulation as edges that record how often, and in which direction, they are passed; crossing edges are cut
+//! until none cross (see [`super::outline`]). After many rounds, or too many cuts, loops that still cross are left out
+//! whole: the rest is closed, so that the winding numbers stay consistent.
 //!
-//! The number of times the loops wind around a face is known outside, and changes across an edge by what that one is passed.
-//! Coincident edges cancel by themselves.
+//! The winding number is known outside, and changes across an edge by the number of times that the edge is passed.
+//! Coincident edges cancel automatically.
 //!
-//! Cost: n log n in the points for loops that do not cross; every crossing is a point more, and a few rounds.
+//! Cost: n log n in the points for loops that do not cross; every crossing adds a point, and crossings add a few rounds.
 
 use glam::DVec2;
 use spade::Triangulation;
 
 use super::outline::{Drawn, Edge, Mesh, Outline, is_first};
 
-/// Times that crossing edges are cut. A star of 60 edges that all pass by its middle takes 40.
+/// Rounds in which crossing edges are cut. A star of 60 edges that all pass near its middle takes 40.
 const ROUNDS: usize = 64;
-/// Parts drawn in all rounds together, at most: some seconds.
+/// Maximum number of parts drawn in all rounds together: a few seconds.
 const MOST_DRAWN: usize = 8_000_000;
 
-/// A filled region. Numbers of points count through the given ones, then through `added`.
+/// A filled region. Point numbers run through the given points, then through `added`.
 #[derive(Debug, Default)]
 pub(super) struct Filled {
     /// Crossing points of loops.
     pub(super) added: Vec<DVec2>,
-    /// Counter-clockwise.
+    /// Triangles, counter-clockwise.
     pub(super) triangles: Vec<[u32; 3]>,
-    /// Edges with the region on their left only.
+    /// Edges with the region only on their left.
     pub(super) boundary: Vec<[u32; 2]>,
     /// Loops left out of the result.
     pub(super) left_out: Vec<usize>,
 }
 
-/// Fills the faces around which loops wind a number of times that `holds`. Points must be finite.
+/// Fills the faces whose winding number satisfies `holds`. Points must be finite.
 pub(super) fn fill(points: &[DVec2], loops: &[Vec<u32>], holds: impl Fn(i32) -> bool) -> Filled {
     let mut outline = Outline::of(points, loops);
     match preclassified(&mut outline) {
@@ -44,12 +44,12 @@ pub(super) fn fill(points: &[DVec2], loops: &[Vec<u32>], holds: impl Fn(i32) -> 
     }
 }
 
-/// Draws an outline, cut until no edges cross and without those that still do. None if nothing is left.
+/// Draws an outline, cut until no edges cross and without loops that still do. None if nothing is left.
 pub(super) fn preclassified(outline: &mut Outline) -> Option<Drawn> {
     let (mut round, mut parts_drawn) = (0, 0);
     while !outline.parts.is_empty() {
         let Some(drawn) = outline.draw() else {
-            // Unreachable, for coordinates are in range. Without a triangulation nothing is filled.
+            // Unreachable, because coordinates are in range. Without a triangulation nothing is filled.
             let all: Vec<usize> = (0..outline.parts.len()).collect();
             outline.leave_out(&all);
             return None;
@@ -67,7 +67,7 @@ pub(super) fn preclassified(outline: &mut Outline) -> Option<Drawn> {
     None
 }
 
-/// Winding number of the edges of a triangulation around each of its faces.
+/// Winding number of the loops around each face of a triangulation.
 pub(super) fn windings(mesh: &Mesh) -> Vec<i32> {
     let mut windings: Vec<Option<i32>> = vec![None; mesh.num_all_faces()];
     let outer = mesh.outer_face().fix().index();
@@ -97,7 +97,7 @@ pub(super) fn windings(mesh: &Mesh) -> Vec<i32> {
 }
 
 impl Outline {
-    /// Takes the faces that the rule takes.
+    /// Selects the faces that satisfy the rule.
     fn filled(self, mesh: &Mesh, holds: impl Fn(i32) -> bool) -> Filled {
         let windings = windings(mesh);
         let is_in = |face: usize| holds(windings[face]);

@@ -1,15 +1,15 @@
-//! Half-planes, and the convex regions that they have in common.
+//! Half-planes, and the convex regions in which they intersect.
 
 use glam::DVec2;
 
-/// A point counts as on the line if it is nearer, as a share of the size of what is trimmed: far above the rounding of
-/// coordinates, far below what can be seen.
+/// A point nearer than this counts as on the line, as a share of the size of what is trimmed: far above the rounding error of
+/// coordinates, far below anything visible.
 const ON_LINE: f64 = 1e-13;
 
 /// The points of a plane at which `normal.p + offset` is negative.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HalfPlane {
-    /// Away from the half-plane.
+    /// Points away from the half-plane.
     pub normal: DVec2,
     /// Value at (0, 0).
     pub offset: f64,
@@ -24,19 +24,19 @@ impl HalfPlane {
         ON_LINE * (self.normal.length() * size + self.offset.abs())
     }
 
-    /// Returns true if all points are inside or on its line.
+    /// Returns true if all points are inside or on the line.
     pub(super) fn holds(&self, points: &[DVec2], size: f64) -> bool {
         let slack = self.slack(size);
         points.iter().all(|p| self.value(*p) <= slack)
     }
 
-    /// Returns true if all points are outside or on its line.
+    /// Returns true if all points are outside or on the line.
     pub(super) fn misses(&self, points: &[DVec2], size: f64) -> bool {
         let slack = self.slack(size);
         points.iter().all(|p| self.value(*p) >= -slack)
     }
 
-    /// The part of a convex polygon that is in it (Sutherland and Hodgman 1974).
+    /// The part of a convex polygon inside the half-plane (Sutherland and Hodgman 1974).
     fn clip(&self, polygon: &[DVec2]) -> Vec<DVec2> {
         let next = polygon.iter().cycle().skip(1);
         let mut clipped = Vec::with_capacity(polygon.len() + 1);
@@ -53,8 +53,8 @@ impl HalfPlane {
     }
 }
 
-/// The convex polygon that half-planes have in common within a square around the origin, counter-clockwise. Empty where they
-/// have no area in common.
+/// The intersection of half-planes within a square around the origin, a convex polygon, counter-clockwise. Empty if the
+/// intersection has no area.
 pub(super) fn in_common(half_planes: &[HalfPlane], reach: f64) -> Vec<DVec2> {
     let square = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
     let square = square.map(|(x, y)| DVec2::new(x, y) * reach).to_vec();
@@ -66,7 +66,7 @@ pub(super) fn in_common(half_planes: &[HalfPlane], reach: f64) -> Vec<DVec2> {
     }
 }
 
-/// The stretch of a segment that is in all half-planes, as shares of the way from `a` to `b`.
+/// The stretch of a segment that lies in all half-planes, as fractions of the way from `a` to `b`.
 pub(super) fn stretch(half_planes: &[HalfPlane], [a, b]: [DVec2; 2]) -> Option<[f64; 2]> {
     let mut stretch = [0.0_f64, 1.0];
     for half in half_planes {

@@ -1,11 +1,11 @@
-//! Meshes placed in the world, with their faces outwards.
+//! Meshes placed in the world, with their faces outward.
 
 use glam::{DAffine3, DVec3};
 use rayon::prelude::*;
 
 use crate::scene::Mesh;
 
-/// A mesh as it stands in the world; what a placement mirrors is turned round, so that outside stays outside.
+/// A mesh as placed in the world; if the placement mirrors, triangles are reversed, so that outside stays outside.
 pub(super) fn in_world(mesh: &Mesh, placed: &DAffine3) -> Mesh {
     let is_mirrored = placed.matrix3.determinant() < 0.0;
     let positions: Vec<DVec3> = (mesh.positions.par_iter())

@@ -1,42 +1,42 @@
-//! Pieces of a section joined into closed curves and open ones.
+//! Joins the pieces of a section into closed and open curves.
 //!
-//! A piece has two halves, one at each end. Halves that name the same mesh edge are partners: two of them at an ordinary edge;
-//! at an edge of more triangles those that bound one wedge of the solid, by their angles. Halves left over at points that are
-//! equal in both coordinates are paired in the same way, which closes meshes that repeat vertices. Then curves are walked from
+//! A piece has two halves, one at each end. Halves on the same mesh edge are partners: at an ordinary edge there are two of them;
+//! at an edge of more triangles, the two that bound one wedge of the solid, found by angle, are partners. Halves left over at points
+//! with equal coordinates are paired in the same way, which closes meshes that repeat vertices. Then curves are walked from
 //! partner to partner. Angles only choose among pairings that all close. Lengths matter in one case: of an odd number of
-//! halves at an edge the one that is left is of a piece without length, if there is one, for it has no angle.
+//! halves at an edge, the one left over belongs to a piece without length, if there is one, because that has no angle.
 //!
 //! Cost: two sorts of the halves.
 
 use glam::DVec2;
 
-/// Segment in which a plane cuts one triangle: from one crossed mesh edge to another, each by its vertices, lesser first.
+/// Segment in which a plane cuts one triangle: from one crossed mesh edge to another, each as its two vertices, lesser first.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Piece {
     pub(super) from: [u32; 2],
     pub(super) to: [u32; 2],
 }
 
-/// Points, and curves by their indices.
+/// Points, and curves as indices of points.
 #[derive(Debug, Default)]
 pub(super) struct Curves {
-    /// No two are equal; in order of their coordinates.
+    /// Distinct points, sorted by coordinates.
     pub(super) points: Vec<DVec2>,
-    /// Closed, three points or more, no two in a row the same.
+    /// Closed curves of three points or more, no two in a row the same.
     pub(super) loops: Vec<Vec<u32>>,
-    /// Not closed, no two points in a row the same.
+    /// Curves that do not close, no two points in a row the same.
     pub(super) open: Vec<Vec<u32>>,
-    /// Pieces that their curve passes backward.
+    /// Number of pieces that their curve passes backwards.
     pub(super) turned: usize,
 }
 
-/// A piece this much shorter than another at its edge has no length but rounding, and no angle: its triangle has no area.
+/// A piece this much shorter than another at its edge is considered a rounding error without an angle: its triangle has no area.
 const NO_LENGTH: f64 = 1e-9;
 
 /// No partner.
 const NONE: u32 = u32::MAX;
 
-/// Joins pieces; `locate` tells where a mesh edge is crossed.
+/// Joins pieces; `locate` returns the point at which a mesh edge is crossed.
 pub(super) fn join(pieces: &[Piece], locate: impl Fn([u32; 2]) -> DVec2) -> Curves {
     // Half 2i starts piece i, half 2i + 1 ends it.
     let mut halves: Vec<([u32; 2], u32)> = (0_u32..)
@@ -77,7 +77,7 @@ pub(super) fn join(pieces: &[Piece], locate: impl Fn([u32; 2]) -> DVec2) -> Curv
     walk(points, &points_of_halves, &partners)
 }
 
-/// Points without repeats, sorted, and where each of the given ones is among them.
+/// Points without repeats, sorted, and the index among them of each given point.
 fn distinct(given: &[DVec2]) -> (Vec<DVec2>, Vec<u32>) {
     let mut order: Vec<u32> = (0..given.len() as u32).collect();
     let at = |i: &u32| given[*i as usize];
@@ -122,7 +122,7 @@ impl Joints<'_> {
         lengths.position(|length| length <= NO_LENGTH * longest)
     }
 
-    /// Pairs halves that meet; of an odd number one is left.
+    /// Pairs halves that meet; if their number is odd, one is left over.
     fn pair(&mut self, halves: &mut [u32]) -> Option<u32> {
         match *halves {
             [] => return None,
@@ -143,8 +143,8 @@ impl Joints<'_> {
         }
         let angle = |half: &u32| self.way(*half).to_angle();
         halves.sort_by(|a, b| angle(a).total_cmp(&angle(b)));
-        // Counter-clockwise from a piece that leaves to one that arrives there is solid: like brackets around the point, where
-        // what arrives first waits for what left last.
+        // Counter-clockwise from a leaving piece to an arriving one is solid: pairing works like brackets around the point, where the
+        // first arrival matches the last departure.
         let (mut leaving, mut arriving) = (Vec::new(), Vec::new());
         for half in halves.iter().copied() {
             if half % 2 == 0 {
@@ -161,7 +161,7 @@ impl Joints<'_> {
             leaving.pop();
             arriving.pop();
         }
-        // Of triangles that disagree about the outside.
+        // Left over where triangles disagree about the outside.
         let rest = if leaving.is_empty() {
             arriving
         } else {
@@ -184,7 +184,7 @@ fn walk(points: Vec<DVec2>, points_of_halves: &[u32], partners: &[u32]) -> Curve
     };
     let mut is_done = vec![false; partners.len() / 2];
     let ends = (0..partners.len() as u32).filter(|h| partners[*h as usize] == NONE);
-    // Starts first: then a curve of triangles that agree runs forward.
+    // Starts first: then a curve of consistently oriented triangles runs forward.
     let (starts, stops): (Vec<u32>, Vec<u32>) = ends.partition(|h| h % 2 == 0);
     let rings = (0..partners.len() as u32).step_by(2);
     for first in starts.into_iter().chain(stops).chain(rings) {
@@ -198,7 +198,7 @@ fn walk(points: Vec<DVec2>, points_of_halves: &[u32], partners: &[u32]) -> Curve
         let mut pieces = 0_usize;
         while half != NONE && !std::mem::replace(&mut is_done[half as usize / 2], true) {
             curve.push(points_of_halves[half as usize]);
-            // A piece without length faces no way.
+            // A piece without length has no direction.
             let has_length =
                 points_of_halves[half as usize] != points_of_halves[(half ^ 1) as usize];
             backward += usize::from(has_length && half % 2 == 1);

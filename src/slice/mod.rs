@@ -1,13 +1,13 @@
-//! The section of a mesh by a plane: closed loops by connectivity, the region they enclose, and its triangles; and what planes leave of
-//! a mesh, closed by them.
+//! The section of a mesh by a plane: closed loops by connectivity, the region they enclose, and its triangles; and the parts into which
+//! planes divide a mesh, closed by such sections.
 //!
 //! # Tie rule
 //!
 //! A vertex is *above* (on the kept side) iff `(P - O).N > 0`: the sign of the exact real number that these f64s define, with
 //! nothing rounded. A vertex on the plane counts as below. A triangle is crossed iff it has vertices on both sides, and then
-//! in exactly two of its edges; so faces, edges and vertices that lie in the plane need no rule of their own. What comes out
-//! is the section by the plane moved along its normal by less than any number: a face in the plane is in the section iff
-//! the solid lies above it, so that a plane in a face of what it removes has no section.
+//! in exactly two of its edges; so faces, edges and vertices that lie in the plane need no separate rule. The result
+//! is the section by the plane moved along its normal by an arbitrarily small distance: a face in the plane is in the section iff
+//! the solid lies above it, so that a plane through a face of the removed solid has no section.
 //!
 //! # How
 //!
@@ -22,10 +22,10 @@
 //! [`halves`] divides a mesh by planes into two that are closed by such caps, and [`capped`] all parts of a scene. [`close_holes`]
 //! finds what closes an open mesh.
 //!
-//! Cost: a parallel sort of the triangles once; then per section about what the plane meets, n log n in the points.
+//! Cost: one parallel sort of the triangles; then, per section, about n log n in the points of the elements that the plane meets.
 //!
-//! Limits: 2^32 vertices and triangles; coordinates up to 1e300, beyond which triangles are left out and reported. What is open
-//! is not capped, but reported. Points are rounded to f64, so loops that touch within rounding may cross by as much.
+//! Limits: 2^32 vertices and triangles; coordinates up to 1e300, beyond which triangles are left out and reported. Open curves
+//! are not capped, but reported. Points are rounded to f64, so loops that touch within rounding may cross by as much.
 
 #[cfg(feature = "boolean")]
 mod boolean;

@@ -1,9 +1,9 @@
 //! Loops drawn into a constrained Delaunay triangulation, and cut where they cross.
 //!
 //! All points are vertices, all edges of loops become constraints. An edge that would cross another is not forced in: both are
-//! cut where they meet, and the outline is triangulated again. Cutting moves edges by a rounding, which may make them cross elsewhere;
-//! so it happens on a lattice (snap rounding, Hobby 1999), where near coincidences become coincidences instead of ever finer
-//! ones. Triangles then may be turned over by as much as a step of the lattice is wide.
+//! cut where they meet, and the outline is triangulated again. Cutting moves edges by a rounding error, which may make new crossings;
+//! so it happens on a lattice (snap rounding, Hobby 1999), where near coincidences become coincidences instead of ever smaller
+//! ones. Triangles may then flip by as much as one lattice step.
 
 use std::collections::{BTreeSet, HashMap};
 
@@ -18,15 +18,15 @@ use spade::{
 use super::section::power_of_two_near;
 use super::slicer::share;
 
-/// Step of the lattice that vertices stand on where edges are cut, of the size of the outline: some ulps.
+/// Lattice step for vertices once edges are cut, relative to the outline's size: a few ulps.
 const STEP: f64 = 1.0 / (1_u64 << 47) as f64;
-/// An edge this near to a vertex passes through it, where edges are cut. Less than from the middle of a cell to its corner: else
-/// of two diagonals each would be drawn to the ends of the other for ever.
+/// Once edges are cut, an edge this near to a vertex passes through it. Less than half a cell's diagonal: otherwise
+/// each of two diagonals would be drawn to the other's ends for ever.
 const NEAR: f64 = 0.7 * STEP;
-/// Points at which edges are cut, at most: a star of 700 edges that all cross each other.
+/// Maximum points at which edges are cut: a star of 700 edges that all cross each other.
 const MOST_CUTS: usize = 250_000;
 
-/// A point that knows its number.
+/// A vertex position with its index.
 pub(super) struct Vertex {
     at: DVec2,
     pub(super) number: u32,
@@ -40,7 +40,7 @@ impl HasPosition for Vertex {
     }
 }
 
-/// Passes along an edge: those in the direction of its first handle, less those in the other.
+/// Net passes along an edge: those in the direction of its first handle minus those in the other direction.
 #[derive(Default)]
 pub(super) struct Passed {
     pub(super) net: i32,
@@ -55,20 +55,20 @@ pub(super) struct Part {
     from: u32,
     to: u32,
     of_loop: usize,
-    /// Index of the input edge that contains it, counted through all loops.
+    /// Index of the input edge that contains it, counted across all loops.
     pub(super) edge: u32,
 }
 
 /// Region to fill, scaled into the range of the triangulation by a power of two.
 pub(super) struct Outline {
-    /// Units of the input per unit in here.
+    /// Input units per internal unit.
     unit: f64,
     /// Vertex positions, no two equal, each with its point index.
     vertices: Vec<(DVec2, u32)>,
     vertex_at: HashMap<[u64; 2], u32>,
-    /// The vertex of each point that a loop has.
+    /// The vertex of each point that a loop uses.
     vertex_of: Vec<Option<u32>>,
-    /// Vertices by their cells, once something is to be cut.
+    /// Vertices by lattice cell, once something is to be cut.
     vertex_in: HashMap<[i64; 2], u32>,
     pub(super) parts: Vec<Part>,
     /// Number of input points.
@@ -81,9 +81,9 @@ pub(super) struct Outline {
 /// A triangulation with the parts that could be inserted as its edges.
 pub(super) struct Drawn {
     pub(super) mesh: Mesh,
-    /// Per part that could, its edges in order.
+    /// Edges of the inserted parts, each with the index of its part, in order along the part.
     pub(super) covered: Vec<(usize, FixedDirectedEdgeHandle)>,
-    /// Parts that could not.
+    /// Parts that could not be inserted.
     pub(super) failed: Vec<usize>,
 }
 
@@ -129,7 +129,7 @@ impl Outline {
         }
     }
 
-    /// The point whose vertex each of the given points has become: its own, but where points are as good as one.
+    /// For each given point, the point whose vertex it uses: its own, unless points have been merged.
     pub(super) fn stand_ins(&self) -> Vec<u32> {
         let number = |vertex: u32| self.vertices[vertex as usize].1;
         (0..)
@@ -138,9 +138,9 @@ impl Outline {
             .collect()
     }
 
-    /// The vertex at a place; a new one is called by the number of its point.
+    /// The vertex at a position; a new one gets the index of its point.
     fn vertex(&mut self, at: DVec2, number: u32) -> u32 {
-        // What is too little for the triangulation is zero, and there is only one zero.
+        // Values too small for the triangulation become zero, and -0 becomes +0.
         let at = DVec2::from(at.to_array().map(|c| if c.abs() < LEAST { 0.0 } else { c }));
         let next = self.vertices.len() as u32;
         let key = at.to_array().map(f64::to_bits);
@@ -151,7 +151,7 @@ impl Outline {
         vertex
     }
 
-    /// Moves every vertex to its point of the lattice, where some may become one.
+    /// Moves every vertex to its lattice point, where several may become one.
     fn snap(&mut self) {
         let mut merged = Vec::with_capacity(self.vertices.len());
         for (at, number) in std::mem::take(&mut self.vertices) {
@@ -173,7 +173,7 @@ impl Outline {
         self.parts.retain(|p| p.from != p.to);
     }
 
-    /// The vertex of the cell that a place is in; a new one becomes a point.
+    /// The vertex of the lattice cell that contains a position; a new vertex adds a point.
     fn meeting_vertex(&mut self, at: DVec2) -> u32 {
         let cell = cell_of(at);
         let next = self.vertices.len() as u32;
@@ -186,14 +186,14 @@ impl Outline {
         vertex
     }
 
-    /// Triangulates the vertices and makes edges of the parts.
+    /// Triangulates the vertices and inserts the parts as edges.
     pub(super) fn draw(&self) -> Option<Drawn> {
         let vertices = self.vertices.iter();
         let vertices = vertices.map(|(at, number)| Vertex {
             at: *at,
             number: *number,
         });
-        // This way of loading keeps the order.
+        // This way of loading preserves the order.
         let mut mesh = Mesh::bulk_load_cdt(vertices.collect(), Vec::new()).ok()?;
         if mesh.num_vertices() != self.vertices.len() {
             return None;
@@ -227,11 +227,11 @@ impl Outline {
         })
     }
 
-    /// Cuts the parts that could not be drawn, and what is in their way, where they meet. False if there is nothing to cut or
-    /// too much.
+    /// Cuts the parts that could not be drawn, and the edges that block them, where they meet. Returns false if there is nothing to cut
+    /// or too much.
     ///
-    /// All vertices move to a lattice first, and an edge that passes one within half a cell is cut there: then lines that run
-    /// side by side become one, and those that all but meet in one place do. This is snap rounding (Hobby 1999), one crossing
+    /// All vertices first move to a lattice, and an edge that passes within half a cell of a vertex is cut there: then edges that run
+    /// side by side become one, and edges that nearly meet in a point do meet. This is snap rounding (Hobby 1999), one crossing
     /// after the other.
     pub(super) fn cut(&mut self, drawn: &Drawn) -> bool {
         if self.vertex_in.is_empty() {
@@ -295,7 +295,7 @@ impl Outline {
         true
     }
 
-    /// Adds what lies between cuts.
+    /// Adds the parts between cuts.
     fn add_cut(&mut self, part: Part, cuts: &[(usize, u32)]) {
         let at = |v: u32| self.vertices[v as usize].0;
         let [start, end] = [part.from, part.to].map(at);
@@ -309,7 +309,7 @@ impl Outline {
         }
     }
 
-    /// Takes out the loops that some parts belong to.
+    /// Removes the loops to which the given parts belong.
     pub(super) fn leave_out(&mut self, parts: &[usize]) {
         self.left_out
             .extend(parts.iter().map(|i| self.parts[*i].of_loop));
@@ -327,26 +327,26 @@ fn middle_of(cell: [i64; 2]) -> DVec2 {
     DVec2::from(cell.map(|c| c as f64)) * STEP
 }
 
-/// Returns true if an edge passes a vertex so near that it must pass through it.
+/// Returns true if an edge passes a vertex so closely that it must pass through it.
 fn is_near(at: DVec2, [from, to]: [DVec2; 2]) -> bool {
     let way = to - from;
     let along = ((at - from).dot(way) / way.length_squared()).clamp(0.0, 1.0);
     at.distance_squared(from + way * along) < NEAR * NEAR
 }
 
-/// Returns true if an edge runs in the direction that its count is for.
+/// Returns true if an edge runs in the direction in which its passes are counted.
 pub(super) fn is_first(edge: FixedDirectedEdgeHandle) -> bool {
     edge.as_undirected().as_directed() == edge
 }
 
-/// Entries of a sorted list with a key.
+/// The entries of a sorted list that have the given key.
 fn of(sorted: &[(usize, u32)], key: usize) -> &[(usize, u32)] {
     let first = sorted.partition_point(|(k, _)| *k < key);
     let rest = &sorted[first..];
     &rest[..rest.partition_point(|(k, _)| *k == key)]
 }
 
-/// Intersection of a line and an edge whose ends lie on both sides of the line: on the edge, however flat they meet.
+/// Intersection of a line and an edge whose ends lie on opposite sides of it: always on the edge, however small the angle between them.
 fn meeting(line: [DVec2; 2], edge: [DVec2; 2]) -> DVec2 {
     let [a, b] = line.map(|p| Coord { x: p.x, y: p.y });
     let [near, far] = edge.map(|p| orient2d(a, b, Coord { x: p.x, y: p.y }).abs());

@@ -5,15 +5,15 @@ use glam::{DVec2, DVec3};
 use super::slicer::share;
 use crate::scene::{Bounds, ClipSurface, FlatSurface, PreparedSurface, SurfaceFrame};
 
-/// Coordinates up to this are computed with: differences and products with directions stay finite.
+/// Largest coordinate used in computations: differences and products with directions stay finite.
 pub(super) const LARGEST: f64 = 1e300;
 
-/// A plane with a frame in it. The side that the normal points to is kept.
+/// A plane with a 2D frame. The side that the normal points to is kept.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SlicePlane {
     /// `O`, which decides the sides of points. It may be far away.
     pub origin: DVec3,
-    /// The point with coordinates (0, 0): `O`, or one nearer to what is sliced ([`SlicePlane::seen_from`]).
+    /// The point with coordinates (0, 0): `O`, or one nearer to the sliced object ([`SlicePlane::seen_from`]).
     pub zero: DVec3,
     /// `Û`, `V̂` and `N`, orthonormal.
     pub frame: SurfaceFrame,
@@ -22,7 +22,7 @@ pub struct SlicePlane {
 }
 
 impl From<&ClipSurface> for SlicePlane {
-    /// The plane of a clip-surface in world space; its relief, if it has one, is not looked at.
+    /// The plane of a clip-surface in world space; its relief, if it has one, is ignored.
     fn from(surface: &ClipSurface) -> Self {
         Self {
             origin: surface.origin,
@@ -34,7 +34,7 @@ impl From<&ClipSurface> for SlicePlane {
 }
 
 impl From<&PreparedSurface> for SlicePlane {
-    /// The plane of a clip-surface in scene space; its relief, if it has one, is not looked at.
+    /// The plane of a clip-surface in scene space; its relief, if it has one, is ignored.
     fn from(surface: &PreparedSurface) -> Self {
         Self {
             origin: surface.origin,
@@ -46,7 +46,7 @@ impl From<&PreparedSurface> for SlicePlane {
 }
 
 impl SlicePlane {
-    /// The plane of a clip-surface in world space, at the height of its relief; none where that bends it.
+    /// The plane of a clip-surface in world space, at the height of its relief; none if the relief is not flat.
     #[doc(hidden)]
     pub fn of_flat(surface: &ClipSurface) -> Option<Self> {
         let plane = Self::from(surface);
@@ -57,8 +57,8 @@ impl SlicePlane {
         (low == high).then(|| plane.keeping(low))
     }
 
-    /// The same plane with the foot of a point at (0, 0): what is near that point then has coordinates that are small, and none of
-    /// their bits go to how far away `O` is. Sides stay what they are.
+    /// The same plane with the foot of a point at (0, 0): geometry near that point then has small coordinates, which lose no
+    /// precision to the distance of `O`. Sides do not change.
     #[must_use]
     pub fn seen_from(self, point: DVec3) -> Self {
         let zero = point - self.frame.normal * self.height(point);
@@ -89,30 +89,30 @@ impl SlicePlane {
         self.zero + self.frame.u_hat * coordinates.x + self.frame.v_hat * coordinates.y
     }
 
-    /// Signed distance of a point, positive on the kept side: `(P - O).N + lift` of these very numbers, rounded once, so that its
+    /// Signed distance of a point, positive on the kept side: `(P - O).N + lift` of exactly these numbers, rounded once, so that its
     /// sign is exact and it is zero only on the plane.
     pub fn height(&self, point: DVec3) -> f64 {
         self.flat().exact_height(point)
     }
 
-    /// Returns true if a point is on the kept side, and not on the plane.
+    /// Returns true if a point is strictly on the kept side, not on the plane.
     pub fn is_above(&self, point: DVec3) -> bool {
         self.signed(point) > 0.0
     }
 
-    /// A number with the sign of [`SlicePlane::height`], which costs less.
+    /// A number with the sign of [`SlicePlane::height`], but cheaper.
     pub(super) fn signed(&self, point: DVec3) -> f64 {
         self.flat().height(point)
     }
 
-    /// The axis of the world that the plane is across, and where on it.
+    /// The world axis that the plane is perpendicular to, and its position on that axis.
     fn place_on_axis(&self) -> Option<(usize, f64)> {
         let normal = self.frame.normal;
         let axis = (0..3).find(|i| normal[*i].abs() == 1.0)?;
         Some((axis, self.origin[axis] - self.lift * normal[axis]))
     }
 
-    /// A point that is on the plane but for rounding: on one across an axis without.
+    /// A point on the plane, except for rounding; without rounding error if the plane is axis-aligned.
     pub(super) fn preclassified(&self, mut point: DVec3) -> DVec3 {
         if let Some((axis, at)) = self.place_on_axis() {
             point[axis] = at;
@@ -120,7 +120,7 @@ impl SlicePlane {
         point
     }
 
-    /// Returns true if two planes have the same points, whichever side each keeps.
+    /// Returns true if two planes contain the same points, whichever side each keeps.
     pub(super) fn is_same(&self, other: &Self) -> bool {
         let (own, of_other) = (self.frame.normal, other.frame.normal);
         let is_parallel = own == of_other || own == -of_other;
@@ -132,7 +132,7 @@ impl SlicePlane {
         is_parallel && is_in
     }
 
-    /// As a clip-surface.
+    /// The plane as a flat clip-surface.
     pub(super) fn flat(&self) -> FlatSurface {
         FlatSurface {
             origin: self.origin,
@@ -141,8 +141,8 @@ impl SlicePlane {
         }
     }
 
-    /// Returns true if all of a box is clearly on one side, and farther away than `margin`. May be false for such a box, never true for one
-    /// that is not.
+    /// Returns true if a whole box is clearly on one side, and farther away than `margin`. May be false for such a box, but is never true
+    /// for any other.
     pub(super) fn misses(&self, bounds: &Bounds, margin: f64) -> bool {
         // Halves first: the sum of two coordinates may be too large.
         let (low, high) = (bounds.min * 0.5, bounds.max * 0.5);
@@ -151,12 +151,12 @@ impl SlicePlane {
         let distance = ((centre - self.origin).dot(self.frame.normal) + self.lift).abs();
         let extent = reach.dot(normal);
         let size = (centre.abs() + self.origin.abs() + reach).dot(normal) + self.lift.abs();
-        // Of infinities and NaN nothing is clear.
+        // Infinities and NaN never count as clear.
         distance > extent + margin + size * (16.0 * f64::EPSILON) + f64::MIN_POSITIVE
     }
 
-    /// The convex polygon in which the plane meets a box, by its corners in order: no section of what is in the box reaches beyond
-    /// it. Empty where the plane passes the box by.
+    /// The convex polygon in which the plane meets a box, as its corners in order: no section of an object in the box extends beyond
+    /// it. Empty if the plane misses the box.
     pub fn across(&self, bounds: &Bounds) -> Vec<DVec2> {
         let corners = bounds.corners();
         let heights = corners.map(|c| self.height(c));

@@ -1,8 +1,8 @@
-//! The region of a section as polygons with holes, as geometry libraries take them.
+//! The region of a section as polygons with holes, in the form that geometry libraries expect.
 //!
-//! A polygon is a piece of the region that is connected through edges of its triangles. Its rings are walked along its boundary with the
-//! region on the left: at each corner round the triangles there, so that a walk never leaves its piece, also where pieces touch in a
-//! point. A walk that comes back to a point before its end is divided there, so that no ring meets itself; rings may touch one another in
+//! A polygon is an edge-connected component of the region's triangles. Its rings are walked along its boundary with the
+//! region on the left: at each corner around the triangles there, so that a walk never leaves its component, even if components touch in a
+//! point. A walk that returns to a point before its end is divided there, so that no ring touches itself; rings may touch one another in
 //! single points, which the simple features of OGC allow.
 //!
 //! Cost: linear in the triangles.
@@ -11,17 +11,17 @@ use std::collections::{HashMap, HashSet};
 
 use super::Section;
 
-/// A connected piece of the region of a section, by points of the section. The first point of a ring is not repeated at its end.
+/// A connected component of a section's region, as indices of the section's points. A ring's first point is not repeated at its end.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Polygon {
-    /// The ring around it, counter-clockwise.
+    /// The outer ring, counter-clockwise.
     pub outer: Vec<u32>,
-    /// The rings around its holes, clockwise.
+    /// The rings of its holes, clockwise.
     pub holes: Vec<Vec<u32>>,
 }
 
 impl Section {
-    /// The region as polygons, in the order of its triangles. Their areas, less those of their holes, add up to [`Section::area`].
+    /// The region as polygons, in the order of its triangles. The polygons' areas minus those of their holes add up to [`Section::area`].
     ///
     /// ```
     /// use cutaway::generate::shapes::shape;
@@ -56,7 +56,7 @@ impl Section {
             .collect()
     }
 
-    /// The polygon of some rings: all but one run round holes.
+    /// The polygon formed by rings: all but one of them bound holes.
     fn polygon(&self, mut rings: Vec<Vec<u32>>) -> Polygon {
         let area = |ring: &Vec<u32>| self.ring_area(ring);
         let areas: Vec<f64> = rings.iter().map(area).collect();
@@ -68,14 +68,14 @@ impl Section {
     }
 }
 
-/// The edges of a triangle in its order.
+/// The edges of a triangle, in order.
 fn edges([a, b, c]: [u32; 3]) -> [[u32; 2]; 3] {
     [[a, b], [b, c], [c, a]]
 }
 
-/// Map from directed edges to their triangles, and the pieces that triangles make through their edges.
+/// Map from directed edges to their triangles, and the components that triangles form through shared edges.
 struct Adjacency {
-    /// The corner opposite to each directed edge, and the triangle.
+    /// The corner opposite each directed edge, and the triangle.
     opposite: HashMap<[u32; 2], (u32, usize)>,
     piece_of: Vec<usize>,
     pieces: usize,
@@ -117,7 +117,7 @@ impl Adjacency {
         self.opposite.contains_key(&[b, a])
     }
 
-    /// The points of the boundary from one edge on until the walk returns to that edge.
+    /// The points of the boundary from one edge until the walk returns to that edge.
     fn walk(&self, first: [u32; 2], walked: &mut HashSet<[u32; 2]>) -> Vec<u32> {
         let mut points = Vec::new();
         let mut edge = first;
@@ -128,7 +128,7 @@ impl Adjacency {
         points
     }
 
-    /// The edge of the boundary that follows one: round the triangles at its end.
+    /// The boundary edge that follows one, found by turning around the triangles at its end.
     fn after(&self, edge: [u32; 2]) -> [u32; 2] {
         let mut inner = edge;
         loop {
@@ -145,7 +145,7 @@ impl Adjacency {
     }
 }
 
-/// Divides a closed walk into rings that have no point twice.
+/// Divides a closed walk into rings that contain no point twice.
 fn divide(walk: &[u32], rings: &mut Vec<Vec<u32>>) {
     let mut open: Vec<u32> = Vec::new();
     let mut place_of: HashMap<u32, usize> = HashMap::new();

@@ -2,78 +2,78 @@
 
 use glam::{DVec2, DVec3};
 
-/// The section of a mesh by a plane. Points are coordinates along `Û` and `V̂` from the plane's `zero`, in units of the input.
+/// The section of a mesh by a plane. Points are coordinates along `Û` and `V̂` relative to the plane's `zero`, in input units.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Section {
-    /// All points, each once: no two are equal. Those at which loops cross follow those of the loops.
+    /// All points, no two equal. Points at which loops cross come after those of the loops.
     pub points: Vec<DVec2>,
-    /// Closed curves. Loops may nest, touch, cross and repeat; what they enclose is decided by the rule the section was made by.
+    /// Closed curves. Loops may nest, touch, cross and repeat; the fill rule of the section decides what they enclose.
     pub loops: Vec<Loop>,
-    /// Curves that end where the mesh does, as far as they go. They bound nothing.
+    /// Curves that end where the mesh is open, as far as they go. They bound nothing.
     pub open: Vec<Vec<u32>>,
     /// The region that the loops enclose, counter-clockwise seen from the kept side, without overlap.
     pub triangles: Vec<[u32; 3]>,
-    /// Outline of the region: edges of `triangles` with the region on their left and none on their right, in no order.
+    /// Outline of the region: edges of `triangles` with the region only on their left, in no particular order.
     pub boundary: Vec<[u32; 2]>,
-    /// Defects of the mesh that put the section in doubt.
+    /// Defects of the mesh that make the section unreliable.
     pub defects: Vec<SectionDefect>,
 }
 
-/// A closed curve. Of a mesh whose triangles face outward it has the solid on its left, seen from the kept side: outlines run
+/// A closed curve. If the mesh's triangles face outward, it has the solid on its left, seen from the kept side: outlines run
 /// counter-clockwise, holes clockwise.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Loop {
-    /// Indices of points, at least three, no two in a row the same; the last is joined to the first.
+    /// Indices of points, at least three, no two in a row the same; the last connects to the first.
     pub points: Vec<u32>,
 }
 
-/// Something about a section that its user should know.
+/// A defect of a section that its user should know about.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SectionDefect {
-    /// The plane is no plane.
+    /// The plane is invalid.
     #[error("the plane has an origin that is not finite or directions that are not of length 1")]
     Plane,
-    /// Triangles that cannot be computed with.
+    /// Triangles that cannot be used in computations.
     #[error(
-        "{triangles} triangles have corners that are not there or coordinates beyond 1e300 and are left out"
+        "{triangles} triangles have missing corners or coordinates beyond 1e300 and are left out"
     )]
     Unusable {
-        /// Number of triangles, of the whole mesh.
+        /// Number of such triangles in the whole mesh.
         triangles: usize,
     },
-    /// The mesh ends on the plane.
+    /// The mesh is open at the plane.
     #[error(
         "the mesh is open: {chains} curves of the section do not close, one ends at {at}; they bound no cap"
     )]
     Open {
         /// Number of curves.
         chains: usize,
-        /// An end of one of them.
+        /// An end of one of the curves.
         at: DVec3,
     },
-    /// Neighbours that face opposite ways: the rule *nonzero* has to guess which of them are wrong.
+    /// Neighbouring triangles with opposite orientation: the *nonzero* rule has to guess which of them are wrong.
     #[error("{pieces} pieces of the outline face the other way than the rest of their loops")]
     Turned {
         /// Number of pieces.
         pieces: usize,
     },
-    /// The mesh passes through itself.
+    /// The mesh intersects itself.
     #[error(
-        "the outline crosses itself {crossings} times, as at {at}; the rule of the fill decides"
+        "the outline crosses itself {crossings} times, for example at {at}; the fill rule decides"
     )]
     Crossing {
         /// Points at which loops were cut.
         crossings: usize,
-        /// One of them.
+        /// One of the points.
         at: DVec3,
     },
-    /// Loops that could not be kept apart from others in f64, or cross too often.
+    /// Loops that f64 cannot separate from others, or that cross too often.
     #[error("{loops} loops cross others too often or too finely, one at {at}, and are not capped")]
     LeftOut {
         /// Number of loops.
         loops: usize,
-        /// A point of one of them.
+        /// A point of one of the loops.
         at: DVec3,
     },
 }
@@ -89,19 +89,19 @@ impl SectionDefect {
             }
             Self::Turned { .. } => "turn the faces, or fill by even-odd, which ignores orientation",
             Self::Crossing { .. } | Self::LeftOut { .. } => {
-                "make the mesh one that does not pass through itself, or move the section"
+                "remove the mesh's self-intersections, or move the section"
             }
         }
     }
 
-    /// Returns true if some of the solid may be without a cap, or capped where it should not be.
+    /// Returns true if some of the solid may lack a cap, or have one where it should not.
     pub fn loses_cap(&self) -> bool {
         !matches!(self, Self::Turned { .. } | Self::Crossing { .. })
     }
 }
 
 impl Section {
-    /// Returns true if everything that the plane meets is capped.
+    /// Returns true if everything that the plane meets has a cap.
     pub fn is_whole(&self) -> bool {
         !self.defects.iter().any(SectionDefect::loses_cap)
     }
@@ -111,13 +111,13 @@ impl Section {
         self.loops.is_empty() && self.open.is_empty()
     }
 
-    /// Area of the region, in square units: the shoelace sum over `boundary`, which is that of `triangles`.
+    /// Area of the region, in square units: the shoelace sum over `boundary`, which equals the area of `triangles`.
     pub fn area(&self) -> f64 {
         let edges = self.boundary.iter();
         self.shoelace(edges.map(|e| e.map(|i| self.points[i as usize])))
     }
 
-    /// Length of the outline of the region, in units. Where loops coincide and cancel there is none.
+    /// Length of the region's outline, in units. Coincident loops that cancel have none.
     pub fn perimeter(&self) -> f64 {
         let lengths = self.boundary.iter().map(|e| {
             let [a, b] = e.map(|i| self.points[i as usize]);
@@ -126,12 +126,12 @@ impl Section {
         sum(lengths)
     }
 
-    /// Signed area within a loop, counter-clockwise positive, each point counted as often as the loop winds around it.
+    /// Signed area within a loop, counter-clockwise positive, where each point counts as often as the loop winds around it.
     pub fn loop_area(&self, one: &Loop) -> f64 {
         self.ring_area(&one.points)
     }
 
-    /// [`Section::loop_area`] of points in a circle.
+    /// [`Section::loop_area`] of a ring of points.
     pub(super) fn ring_area(&self, ring: &[u32]) -> f64 {
         let next = ring.iter().cycle().skip(1);
         let edges = ring.iter().zip(next);
@@ -143,8 +143,8 @@ impl Section {
         self.triangles[triangle].map(|i| self.points[i as usize])
     }
 
-    /// Sum over closed curves, around a point near them: around a far origin the terms would cancel. In units in which no term
-    /// overflows.
+    /// Shoelace sum over closed curves, relative to a point near them, because terms around a far origin would cancel. Scaled so that no
+    /// term overflows.
     fn shoelace(&self, edges: impl Iterator<Item = [DVec2; 2]>) -> f64 {
         let size = self.points.iter().map(|p| p.abs().max_element());
         let unit = power_of_two_near(size.fold(0.0, f64::max));
@@ -155,13 +155,13 @@ impl Section {
     }
 }
 
-/// A power of two that makes coordinates up to `size` about 1, or as near to that as a factor can.
+/// A power of two that scales coordinates up to `size` to about 1, or as near to that as a factor can.
 pub(super) fn power_of_two_near(size: f64) -> f64 {
     let exponent = if size > 0.0 { size.log2().ceil() } else { 0.0 };
     exponent.clamp(-1000.0, 1000.0).exp2()
 }
 
-/// A sum that keeps what each addition rounds away (Neumaier 1974).
+/// Compensated sum that recovers the rounding error of each addition (Neumaier 1974).
 fn sum(terms: impl Iterator<Item = f64>) -> f64 {
     let (sum, lost) = terms.fold((0.0_f64, 0.0), |(sum, lost), term| {
         let next = sum + term;

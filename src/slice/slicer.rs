@@ -1,4 +1,4 @@
-//! A mesh prepared for repeated cuts, and one such cut.
+//! A mesh prepared for repeated cuts, and a single cut of it.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -14,17 +14,17 @@ use super::{Loop, Section, SectionDefect, SlicePlane};
 use crate::scene::meshes::tree::{BRANCHES, Tree, sort};
 use crate::scene::{Bounds, Candidates, FacesInPlane, Fill, Part, SceneSpace, Side, tolerance_of};
 
-/// A mesh with a tree over its triangles. Building it looks at every triangle, a section only at those near the plane.
+/// A mesh with a bounding tree of its triangles. Building it visits every triangle, a section only those near the plane.
 #[derive(Debug)]
 pub struct Slicer {
     positions: Arc<Vec<DVec3>>,
-    /// Those that can be computed with, in the order of the tree.
+    /// Usable triangles, in the order of the tree.
     triangles: Vec<[u32; 3]>,
     tree: Tree,
-    /// Triangles left out.
+    /// Number of triangles left out.
     unusable: usize,
-    /// Space in which faces are found to lie in a plane, with the tolerance for their vertices; without it a vertex is on a plane to
-    /// the last bit.
+    /// Space in which faces are found to lie in a plane, with the tolerance for their vertices; without it only vertices exactly on a plane
+    /// count as on it.
     scene: Option<(SceneSpace, f64)>,
 }
 
@@ -36,7 +36,7 @@ struct Cut<'a> {
 }
 
 impl Slicer {
-    /// Makes a mesh ready. Any triangles will do: what cannot be computed with is left out and reported by every section.
+    /// Prepares a mesh. Any triangles are accepted: those that cannot be used are left out, and every section reports them.
     pub fn new(positions: impl Into<Arc<Vec<DVec3>>>, triangles: &[[u32; 3]]) -> Self {
         let positions = positions.into();
         let is_usable = |t: &[u32; 3]| {
@@ -58,20 +58,20 @@ impl Slicer {
         }
     }
 
-    /// Makes a part ready as it stands in the world, in its pose.
+    /// Prepares a part as placed in the world, in its pose.
     pub fn of_part(part: &Part) -> Self {
         let mesh = in_world(&part.posed_mesh(), &part.world_from_part);
         Self::new(mesh.positions, &mesh.triangles)
     }
 
-    /// [`Slicer::of_part`], where the faces that lie in a plane are those that lie in it in the picture of the scene: vertices of a planar
-    /// face may be some steps of `f32` off it.
+    /// [`Slicer::of_part`], but the faces that lie in a plane are those that lie in it when the scene is drawn: vertices of a planar
+    /// face may be some `f32` steps off the plane.
     pub fn of_part_in(part: &Part, space: &SceneSpace) -> Self {
         let tolerance = tolerance_of(part, &part.mesh.bounds(), space);
         Self::of_part(part).in_scene(*space, tolerance)
     }
 
-    /// The same, where faces within a tolerance in scene space lie in a plane.
+    /// The same, with faces within a tolerance of the plane in scene space counted as lying in it.
     pub(crate) fn in_scene(self, space: SceneSpace, tolerance: f64) -> Self {
         Self {
             scene: Some((space, tolerance)),
@@ -79,12 +79,12 @@ impl Slicer {
         }
     }
 
-    /// The section by a plane, of the points that an odd number of crossings encloses.
+    /// The section by a plane: the points enclosed by an odd number of crossings.
     pub fn section(&self, plane: &SlicePlane) -> Section {
         self.section_by(plane, Fill::EvenOdd)
     }
 
-    /// The section by a plane, of the points that the mesh encloses by a rule.
+    /// The section by a plane: the points that the mesh encloses according to a fill rule.
     pub fn section_by(&self, plane: &SlicePlane, rule: Fill) -> Section {
         let is_decided = self.scene.is_some();
         self.filled(plane, rule, |cut| {
@@ -95,7 +95,7 @@ impl Slicer {
         })
     }
 
-    /// Cap by a plane: the section less the faces that lie in it with the solid above them, because there the face itself
+    /// Cap by a plane: the section minus the faces that lie in it with the solid above them, because there the face itself
     /// is visible.
     pub fn cap_by(&self, plane: &SlicePlane, rule: Fill) -> Section {
         self.filled(plane, rule, |cut| {
@@ -200,7 +200,7 @@ impl Slicer {
         })
     }
 
-    /// Position of a vertex in the space in which faces are decided.
+    /// Position of a vertex in the space in which faces are tested.
     fn in_scene_space(&self, vertex: u32) -> DVec3 {
         let position = self.positions[vertex as usize];
         match &self.scene {
@@ -218,7 +218,7 @@ impl Slicer {
         volumes.sum()
     }
 
-    /// The groups of the tree in which a plane may cross triangles, or have faces.
+    /// The groups of the tree in which a plane may cross triangles, or contain faces.
     fn groups_near(&self, plane: &SlicePlane) -> Vec<usize> {
         let margin = (self.scene.as_ref()).map_or(0.0, |(space, t)| 2.0 * t / space.scale);
         self.tree.groups(|b: &Bounds| plane.misses(b, margin))
@@ -247,7 +247,7 @@ impl Cut<'_> {
         }
     }
 
-    /// The pieces that crossed triangles make, in the order of the tree.
+    /// The pieces from the crossed triangles, in the order of the tree.
     fn pieces(&self) -> Vec<Piece> {
         let groups = self.slicer.groups_near(self.plane);
         let of_group = |group: &usize| {
@@ -263,7 +263,7 @@ impl Cut<'_> {
             .collect()
     }
 
-    /// From the edge in which a triangle goes down, in its own order, to that in which it goes up: then the inner side is left.
+    /// From the edge in which a triangle descends, in its own order, to that in which it ascends: then the inner side is on the left.
     fn piece(&self, triangle: [u32; 3]) -> Option<Piece> {
         let above = triangle.map(|i| self.is_above(i));
         if above[0] == above[1] && above[1] == above[2] {
@@ -279,11 +279,11 @@ impl Cut<'_> {
             }
         }
         let [from, to] = [down, up].map(|[a, b]| [a.min(b), a.max(b)]);
-        // A triangle that has a vertex twice goes down and up in one edge, and joins nothing.
+        // A triangle that has a vertex twice descends and ascends in the same edge, and joins nothing.
         (from != to).then_some(Piece { from, to })
     }
 
-    /// Around the faces in the plane with the solid above them: what they wind around counts once less.
+    /// Boundaries of the faces in the plane with the solid above them: the winding number within them is one less.
     fn rims_of_faces(&self) -> Vec<Piece> {
         let above = (self.in_plane.faces().iter()).filter(|(_, side)| *side == Side::Kept);
         let mut count: BTreeMap<[u32; 2], i32> = BTreeMap::new();
@@ -305,8 +305,8 @@ impl Cut<'_> {
         pieces.collect()
     }
 
-    /// Intersection of a crossed edge and the plane. Computed from the lesser of its ends, so that edges that are equal in all
-    /// coordinates are equal here.
+    /// Intersection of a crossed edge and the plane. Computed from the lesser end, so that edges whose coordinates are
+    /// all equal give equal points.
     fn crossing(&self, edge: [u32; 2]) -> DVec2 {
         let [mut a, mut b] = edge;
         if self.position(b).to_array() < self.position(a).to_array() {
@@ -314,18 +314,18 @@ impl Cut<'_> {
         }
         let [height_a, height_b] = [a, b].map(|v| self.distance(v));
         let [at_a, at_b] = [a, b].map(|v| self.plane.coordinates(self.position(v)));
-        // Shares of the way from either end: at most 1, and 0 exactly where that end is on the plane. From the nearer end.
+        // Fractions of the way from either end: at most 1, and exactly 0 if that end is on the plane. Measured from the nearer end.
         let at = if height_a <= height_b {
             at_a + (at_b - at_a) * share(height_a, height_b)
         } else {
             at_b + (at_a - at_b) * share(height_b, height_a)
         };
-        // Adding zero leaves only one zero, which equality and order then tell apart from nothing.
+        // Adding zero turns -0 into +0, so that equality and order agree.
         at.clamp(at_a.min(at_b), at_a.max(at_b)) + DVec2::ZERO
     }
 }
 
-/// `near / (near + far)` where the sum may be too large; 0 for two zeros.
+/// `near / (near + far)`, even if the sum would overflow; 0 for two zeros.
 pub(super) fn share(near: f64, far: f64) -> f64 {
     if near == 0.0 {
         0.0

@@ -1,8 +1,8 @@
-//! Part of a section that remains after clipping by half-planes.
+//! Clips a section by half-planes.
 //!
-//! The outline of the section, the convex region that it is kept in, and the convex regions that are removed are drawn
-//! into one triangulation ([`super::fill`]): the section and the region count 1 where they are, what is taken out counts -1, and what is
-//! left is where the sum is all that there is to have. So edges that coincide need no rule of their own, and cost is n log n in
+//! The outline of the section, the convex region in which it is kept, and the convex regions that are removed are drawn
+//! into one triangulation ([`super::fill`]): the section and the kept region count 1 each, removed regions count -1, and the
+//! result is where the sum is at its maximum. So coincident edges need no separate rule, and the cost is n log n in
 //! the points.
 
 use std::collections::BTreeMap;
@@ -14,17 +14,17 @@ use super::fill::{Filled, fill};
 use super::half_plane::{HalfPlane, in_common, stretch};
 use super::{Loop, Section, SectionDefect, SlicePlane};
 
-/// Clip of a section: keeps what is in all half-planes of `within`, and not in all half-planes of any of `without`.
+/// Clip of a section: keeps points that are in all half-planes of `within`, and not in all half-planes of any set in `without`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Trim {
-    /// The section is kept where all of them are.
+    /// The section is kept where all of these intersect.
     pub within: Vec<HalfPlane>,
-    /// Regions that are taken out, each of them what its half-planes have in common.
+    /// Regions that are removed, each the intersection of its half-planes.
     pub without: Vec<Vec<HalfPlane>>,
 }
 
 impl Trim {
-    /// The remaining part of a section by a plane; none if all of the section remains.
+    /// The remaining part of a section by a plane; none if the whole section remains.
     pub fn of(&self, section: &Section, plane: &SlicePlane) -> Option<Section> {
         let points = &section.points;
         let size = points
@@ -79,7 +79,7 @@ impl Trim {
         Some(trimmed)
     }
 
-    /// Remaining parts of the curves that do not close.
+    /// The remaining parts of the open curves.
     fn open(&self, section: &Section, points: &mut Vec<DVec2>) -> Vec<Vec<u32>> {
         let mut left = Vec::new();
         for chain in &section.open {
@@ -110,7 +110,7 @@ impl Trim {
         left
     }
 
-    /// The stretches of a segment that are left, in order.
+    /// The remaining stretches of a segment, in order.
     fn stretches(&self, ends: [DVec2; 2]) -> Vec<[f64; 2]> {
         let mut left: Vec<[f64; 2]> = stretch(&self.within, ends).into_iter().collect();
         for region in &self.without {
@@ -125,7 +125,7 @@ impl Trim {
     }
 }
 
-/// Defects of the remaining part, each with one of its points.
+/// Defects that concern the remaining part, each with one of its points.
 fn defects(
     before: &Section,
     plane: &SlicePlane,
@@ -151,8 +151,8 @@ fn defects(
     kept.chain(lost).collect()
 }
 
-/// Closed curves of directed edges, as many of which end in a point as begin there. Where curves touch they part so that each has
-/// what is on its left to itself.
+/// Closed curves of directed edges, of which as many end in each point as begin there. Touching curves separate so that each has
+/// the area on its left to itself.
 fn chained(edges: &[[u32; 2]], points: &[DVec2]) -> Vec<Vec<u32>> {
     let mut leaving: BTreeMap<u32, Vec<usize>> = BTreeMap::new();
     for (edge, [from, _]) in edges.iter().enumerate() {
@@ -161,7 +161,7 @@ fn chained(edges: &[[u32; 2]], points: &[DVec2]) -> Vec<Vec<u32>> {
     let way = |[from, to]: [u32; 2]| (points[to as usize] - points[from as usize]).to_angle();
     let next = |edge: usize| {
         let [from, to] = edges[edge];
-        // Clockwise from where the edge came from, which is what lies on its left.
+        // Clockwise from the direction of arrival, which bounds the area on its left.
         let back = way([to, from]);
         let turn = |other: &usize| {
             let turn = (back - way(edges[*other])).rem_euclid(TAU);
@@ -186,7 +186,7 @@ fn chained(edges: &[[u32; 2]], points: &[DVec2]) -> Vec<Vec<u32>> {
     loops
 }
 
-/// Leaves out the points that nothing uses.
+/// Removes unused points.
 fn compact(section: &mut Section) {
     let mut number_of = vec![None; section.points.len()];
     let mut kept = Vec::new();

@@ -1,21 +1,21 @@
-//! `auto`: the method that draws where none is named.
+//! `auto`: the method used where none is named.
 //!
-//! Only those are taken that are exact on closed meshes, mark most of what may be wrong on others, and refuse nothing but more
-//! clip-surfaces than a word has bits. That is `raycast+mask`; the choice is the rasteriser of the mesh. `stencil` and `planar`
-//! come near it in time for one plane, but mark nothing, or rebuild moving parts.
+//! Candidates are only methods that are exact on closed meshes, mark most possible errors on others, and refuse nothing but more
+//! clip-surfaces than a word has bits. That is `raycast+mask`; the choice is the mesh rasteriser. `stencil` and `planar` come near it in
+//! time for one plane, but do not mark errors, or rebuild moving parts.
 //!
 //! The rule:
 //!
 //! 1. A requested rasteriser is used.
-//! 2. A software adapter is the CPU, to which fixed functions are code like any other: there the compute rasteriser, which cuts, caps and
-//!    finds what is nearest in one sweep, took less time, or as much, in all that was measured (docs/results.md).
-//! 3. Where it refuses a scene, as one of more parts than its table holds, or would bind more than the device does with the fewest rows at
-//!    once, the hardware rasteriser draws: that takes a mesh as vertex and index buffers, which may be larger than storage bindings.
-//! 4. An adapter that snaps vertices to coarser steps than 1/256 px draws other silhouettes than the compute rasteriser, which has 8
-//!    sub-pixel bits everywhere: there too the compute rasteriser.
-//! 5. On other adapters the hardware rasteriser draws: there is no measurement yet that would say otherwise.
+//! 2. A software adapter runs fixed functions on the CPU like any other code: there the compute rasteriser, which cuts, caps and finds the
+//!    nearest surface in one sweep, took as long or less in all measurements (docs/results.md).
+//! 3. Where it refuses a scene, for example one with more parts than its table holds, or would exceed the binding limits even with the
+//!    fewest rows per band, the hardware rasteriser draws: its vertex and index buffers may be larger than storage bindings.
+//! 4. An adapter that snaps vertices to coarser steps than 1/256 px draws other silhouettes than the compute rasteriser, which always has 8
+//!    sub-pixel bits: the compute rasteriser is used there too.
+//! 5. On other adapters the hardware rasteriser draws: no measurement so far favours the compute rasteriser there.
 //!
-//! Costs what it takes to record a plan once more.
+//! Costs one additional recording of a plan.
 
 use super::{DrawOptions, Method, Rasteriser, Strategy, plan};
 use crate::Error;
@@ -31,7 +31,7 @@ pub const AUTO: &str = "auto";
 pub struct Choice {
     /// The method.
     pub method: Method,
-    /// Why, in words that follow "for".
+    /// The reason, worded to follow "for".
     pub reason: String,
 }
 
@@ -42,11 +42,11 @@ pub struct AdapterTraits<'a> {
     pub limits: &'a Limits,
     /// True if it runs on the CPU.
     pub software: bool,
-    /// To which fraction of a pixel it snaps vertices, 2^-bits; `None` where that is not known, as in a browser.
+    /// Sub-pixel bits: it snaps vertices to 2^-bits of a pixel; `None` if unknown, as in a browser.
     pub sub_pixel_bits: Option<u32>,
 }
 
-/// Chooses the method for a scene in a view, with the means that are already fixed and the adapter that will draw.
+/// Chooses the method for a scene in a view, with the options that are already fixed and the adapter that will draw.
 pub fn choose(
     model: &Model,
     view: &View,
@@ -63,13 +63,13 @@ pub fn choose(
     if let Some(rasteriser) = asked.rasteriser {
         return by(
             rasteriser,
-            &format!("the {rasteriser} rasteriser is asked for"),
+            &format!("the {rasteriser} rasteriser is requested"),
         );
     }
     let (limits, reason) = match adapter {
         Some(a) if a.software => (
             a.limits,
-            "the adapter is a software one, where one sweep of the compute rasteriser takes less time than fixed functions".to_owned(),
+            "the adapter runs in software, where one sweep of the compute rasteriser takes less time than fixed functions".to_owned(),
         ),
         Some(AdapterTraits {
             limits,
@@ -93,7 +93,9 @@ pub fn choose(
         Ok(plan) => match plan.check_sizes(limits) {
             Err(Error::Limit(lack)) => by(
                 Rasteriser::Hardware,
-                &format!("the compute rasteriser would bind more than the device does: {lack}"),
+                &format!(
+                    "the compute rasteriser would exceed the binding limits of the device: {lack}"
+                ),
             ),
             _ => compute,
         },

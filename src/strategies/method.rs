@@ -1,7 +1,7 @@
-//! Methods: a strategy with the means that its frames are drawn by, `raycast+mask@compute,pyramid`.
+//! Methods: a strategy with its drawing options, `raycast+mask@compute,pyramid`.
 //!
-//! After the `@` stands what differs from the usual. A method is a small value: sessions keep frames by it, experiments and tests name,
-//! order and compare it.
+//! The `@` is followed by the options that differ from the defaults. A method is a small value: sessions keep frames by method, and
+//! experiments and tests name, order and compare methods.
 
 use std::fmt;
 use std::str::FromStr;
@@ -11,12 +11,12 @@ use crate::passes::{Rasteriser, ReliefWalk};
 use crate::scene::{HeightFilter, Precision};
 use crate::{Error, Result};
 
-/// Method for a frame: a strategy and its means.
+/// Method for a frame: a strategy and its drawing options.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Method {
     /// The strategy.
     pub strategy: Strategy,
-    /// The means.
+    /// The drawing options.
     pub options: DrawOptions,
 }
 
@@ -25,24 +25,24 @@ pub struct Method {
 pub struct DrawOptions {
     /// Rasteriser of the mesh; usually the GPU's own.
     pub rasteriser: Option<Rasteriser>,
-    /// True if the compute rasteriser uses atomics of 64 bits: the picture is the same, in one sweep instead of two. Usually true if the
-    /// adapter has them; false where a plan is recorded without an adapter.
+    /// True if the compute rasteriser uses 64-bit atomics: the same picture in one sweep instead of two. Usually true if the adapter has
+    /// them; false where a plan is recorded without an adapter.
     pub wide_atomics: Option<bool>,
-    /// Sub-pixel bits: the GPU's own rasteriser snaps vertices to 2^-bits of a pixel. With fewer bits than 8 rays are followed farther
-    /// beyond the solids. A session measures the value; where a plan is recorded without an adapter, 8.
+    /// Sub-pixel bits: the hardware rasteriser snaps vertices to 2^-bits of a pixel. With fewer than 8 bits rays are followed farther
+    /// beyond the solids. A session measures the value; 8 where a plan is recorded without an adapter.
     pub sub_pixel_bits: Option<u32>,
-    /// Walk of rays through reliefs: the crossings are the same. Usually chosen by the number of cells that a ray meets.
+    /// How rays walk through reliefs; the crossings are the same. Usually chosen by the number of cells that a ray meets.
     pub relief_walk: Option<ReliefWalk>,
-    /// True if the one list of crossings is made even where a single plane is crossed, which passes of the compute rasteriser could test
-    /// directly, and holds all crossings in the box of the cut solids, also where no triangle is near. Usually not; [hosts that clip by
-    /// it](crate::gpu::clip_wgsl) need it, and with it the masks of all methods are the same word by word.
+    /// True if the per-pixel list of crossings is written even for a single plane, which the compute rasteriser could test directly, and
+    /// holds all crossings in the box of the cut solids, including those with no triangle nearby. Usually false; [hosts that clip by
+    /// it](crate::gpu::clip_wgsl) need it, and with it the masks of all methods are identical word by word.
     pub list: Option<bool>,
-    /// Filter of the heights of reliefs between texels. Usually exact; strategies that do not read heights at points refuse
-    /// any other where there is a relief.
+    /// Filter for relief heights between texels. Usually exact; strategies that do not sample heights at points refuse any other filter if
+    /// there is a relief.
     pub height_filter: Option<HeightFilter>,
 }
 
-/// A word, and what it sets.
+/// An option word, and how it changes the options.
 type Word = (&'static str, fn(&mut DrawOptions));
 
 /// Words allowed after the `@`.
@@ -59,7 +59,7 @@ const OPTION_WORDS: [Word; 7] = [
 ];
 
 impl DrawOptions {
-    /// A rasteriser, and otherwise the usual.
+    /// Options with this rasteriser, and defaults otherwise.
     pub const fn by(rasteriser: Rasteriser) -> Self {
         Self {
             rasteriser: Some(rasteriser),
@@ -71,7 +71,7 @@ impl DrawOptions {
         }
     }
 
-    /// Precision with which the GPU's own rasteriser places triangles: it draws caps also where the compute rasteriser draws the mesh.
+    /// Precision with which the hardware rasteriser places triangles: it draws caps even where the compute rasteriser draws the mesh.
     pub(crate) fn precision(&self) -> Precision {
         Precision {
             sub_pixel_bits: (self.sub_pixel_bits).unwrap_or(Precision::USUAL.sub_pixel_bits),
@@ -84,7 +84,7 @@ impl DrawOptions {
         OPTION_WORDS.iter().any(|(name, _)| *name == word)
     }
 
-    /// These, and what they leave open from others.
+    /// These options, with unset ones taken from others.
     #[must_use]
     pub fn or(self, others: Self) -> Self {
         Self {
@@ -99,12 +99,12 @@ impl DrawOptions {
 }
 
 impl Method {
-    /// A strategy by means.
+    /// A strategy with drawing options.
     pub const fn new(strategy: Strategy, options: DrawOptions) -> Self {
         Self { strategy, options }
     }
 
-    /// The same, where what it leaves open is as these means say.
+    /// The same method, with unset options taken from the given ones.
     #[must_use]
     pub fn or(self, usual: DrawOptions) -> Self {
         Self::new(self.strategy, self.options.or(usual))

@@ -1,4 +1,4 @@
-//! Strategies: a cap surface and an inside test, and the plan they record together.
+//! Strategies: a cap surface and an inside test, and the plan that they record together.
 //!
 //! A strategy never touches the GPU. Adding a cap surface or an inside test means a file under `surface/` or `inside/`, a folder of
 //! shaders and a line in the [`table`].
@@ -32,12 +32,12 @@ use crate::scene::{HeightFilter, View};
 
 /// The plan of a frame by a method.
 ///
-/// The plan is the minimum for the scene and the view: where nothing is cut, it is the same for every method, and the GPU's own rasteriser
-/// draws.
+/// The plan is the minimum for the scene and the view: an uncut frame has the same plan for every method, and the hardware rasteriser draws
+/// it.
 ///
 /// # Errors
 ///
-/// What of the scene the method does not draw.
+/// Features of the scene that the method cannot draw.
 pub fn plan(
     model: &Model,
     view: &View,
@@ -47,7 +47,7 @@ pub fn plan(
     record(model, view, method, capacities).map(|recorded| recorded.plan)
 }
 
-/// The same with the work of the CPU that it took.
+/// The plan together with the CPU work spent on recording it.
 ///
 /// # Errors
 ///
@@ -95,7 +95,7 @@ pub fn record(
     })
 }
 
-/// The plan of a frame in which nothing is cut, by a rasteriser: what the price of a cut is counted against.
+/// The plan of an uncut frame by a rasteriser: the baseline for the cost of a cut.
 ///
 /// # Errors
 ///
@@ -124,7 +124,7 @@ pub(crate) fn record_uncut_by(
     })
 }
 
-/// The passes of the compute rasteriser where no cut opens a part.
+/// The passes of the compute rasteriser if no cut opens a part.
 fn sweep_uncut(plan: &mut Plan, input: &Input<'_>) -> Result<FrameOutput, Refusal> {
     let scene = SceneBuffers::upload(plan, input, Lanes::none())?;
     let crossings = CrossingSource::none();
@@ -133,7 +133,7 @@ fn sweep_uncut(plan: &mut Plan, input: &Input<'_>) -> Result<FrameOutput, Refusa
     Ok(finish(plan, &scene, layered))
 }
 
-/// The passes where no cut opens a part.
+/// The passes if no cut opens a part.
 fn record_uncut(plan: &mut Plan, input: &Input<'_>) -> Result<FrameOutput, Refusal> {
     let scene = SceneBuffers::upload(plan, input, Lanes::none())?;
     let mut surfaces = Surfaces::new(plan, &scene);
@@ -142,7 +142,7 @@ fn record_uncut(plan: &mut Plan, input: &Input<'_>) -> Result<FrameOutput, Refus
     Ok(finish(plan, &scene, layered))
 }
 
-/// The passes where a cut opens some part.
+/// The passes if a cut opens at least one part.
 fn record_cut(
     plan: &mut Plan,
     input: &Input<'_>,
@@ -152,12 +152,12 @@ fn record_cut(
     let Some(inside) = inside else {
         return match surface.row().caps {
             Caps::Alone(record) => record(plan, input),
-            _ => Err(unpaired(surface, "does not know what is inside")),
+            _ => Err(unpaired(surface, "needs an inside test")),
         };
     };
     let steps = inside.steps();
     let picture = match (surface.row().caps, inside.row().answers) {
-        (Caps::Alone(_), _) => Err(unpaired(surface, "knows by itself what is inside")),
+        (Caps::Alone(_), _) => Err(unpaired(surface, "takes no inside test")),
         (_, InsideTestKind::Rays(record)) => record(plan, input, surface, steps),
         (Caps::Rays(_), InsideTestKind::Points(images)) => {
             inside::probed(plan, input, surface, |plan, scene| {
@@ -174,7 +174,7 @@ fn record_cut(
     Ok((picture?, Vec::new()))
 }
 
-/// Refuses what of the scene is more than the strategy knows of.
+/// Refuses features of the scene that the strategy cannot draw.
 fn must_be_able(input: &Input<'_>, strategy: Strategy) -> Result<(), Refusal> {
     let can = strategy.can();
     let refuse = |unsupported, reason: String| Err(Refusal::new(unsupported, reason));
@@ -184,28 +184,28 @@ fn must_be_able(input: &Input<'_>, strategy: Strategy) -> Result<(), Refusal> {
             .map_or_else(|| strategy.to_string(), |i| i.to_string());
         return refuse(
             Unsupported::Nonzero,
-            format!("{who} knows parity alone, and a part that is cut has fill = \"nonzero\""),
+            format!("{who} supports only parity, and a cut part has fill = \"nonzero\""),
         );
     }
     if !can.overlaps && input.shows_overlaps() {
         return refuse(
             Unsupported::Overlaps,
             format!(
-                "{strategy} draws the caps of each part by themselves and does not tell where solids overlap"
+                "{strategy} draws the caps of each part separately and does not tell where solids overlap"
             ),
         );
     }
     if !can.cutters && input.has_cutters() {
         let why = match strategy.is_by_the_papers_rule() {
             true => {
-                "draws each clip-surface by itself, with no list of crossings to put its faces in"
+                "draws each clip-surface by itself, without a list of crossings for the faces of the mesh"
             }
-            false => "cuts by planes alone",
+            false => "cuts only by planes",
         };
         return refuse(
             Unsupported::Cutters,
             format!(
-                "a cut has a closed mesh for a volume, and {strategy} {why}: name raycast, grid or adaptive with mask, stencil, \
+                "the volume of a cut is a closed mesh, and {strategy} {why}: name raycast, grid or adaptive with mask, stencil, \
                  abuffer or kbuffer, or raycast with vds or ldi"
             ),
         );
@@ -232,13 +232,13 @@ fn must_be_able(input: &Input<'_>, strategy: Strategy) -> Result<(), Refusal> {
     Ok(())
 }
 
-/// Refuses reliefs that cannot be read as the means say.
+/// Refuses reliefs that the requested height filter cannot read.
 fn heights_must_be_read(input: &Input<'_>, surface: CapSurface) -> Result<(), Refusal> {
     if input.height_filter == HeightFilter::Exact || !input.has_reliefs() {
         return Ok(());
     }
     let reason = match surface.row().exact_heights {
-        // What cuts by planes alone says so itself.
+        // Strategies that cut only by planes refuse reliefs themselves.
         "" => input.unfiltered(),
         why => Some(format!(
             "{surface} {why} and asks no sampler for heights: height_filter = \"hardware\" is for grid"

@@ -19,29 +19,29 @@ impl CapSurface {
     /// One plane, counted in the stencil.
     pub const STENCIL: Self = Self::new(&inside::stencil::alone::ROW, 0);
 
-    /// The paper's quad, refined into `cells` cells along a side and displaced.
+    /// The paper's quad, refined into `cells` cells along each side and displaced.
     pub const fn grid(cells: u32) -> Self {
         Self::new(&surface::grid::ROW, cells)
     }
 
-    /// A tessellation just fine enough to stay within `tau_px` pixels of the relief; none outside of 0.01 to 100.
+    /// A tessellation just fine enough to stay within `tau_px` pixels of the relief; none unless `tau_px` is 0.01 to 100.
     pub fn adaptive(tau_px: f64) -> Option<Self> {
         Self::with(&surface::adaptive::ROW, tau_px)
     }
 }
 
 impl InsideTest {
-    /// Parity bits per crossing, written by the one pass over the mesh.
+    /// Parity bits per crossing, written by a single pass over the mesh.
     pub const MASK: Self = Self::new(&inside::mask::ROW, 0);
     /// Parity in the stencil buffer, a draw of the mesh for each crossing.
     pub const STENCIL: Self = Self::new(&inside::stencil::ROW, 0);
 
-    /// The paper's volumetric depth sprite, with `resolution` texels along a side.
+    /// The paper's volumetric depth sprite, with `resolution` texels along each side.
     pub const fn vds(resolution: u32) -> Self {
         Self::new(&inside::vds::ROW, resolution)
     }
 
-    /// A layered depth image, whose lists keep what peeling a sprite loses, with `resolution` texels along a side.
+    /// A layered depth image, whose lists keep fragments that depth peeling loses, with `resolution` texels along each side.
     pub const fn ldi(resolution: u32) -> Self {
         Self::new(&inside::ldi::ROW, resolution)
     }
@@ -55,22 +55,22 @@ impl InsideTest {
 /// A cap surface with an inside test.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Strategy {
-    /// Cap surface: where caps may be.
+    /// Cap surface: where caps are possible.
     pub surface: CapSurface,
     /// Inside test: where caps are; none if the cap surface decides that itself.
     pub inside: Option<InsideTest>,
 }
 
 impl Strategy {
-    /// The exact one.
+    /// The exact strategy.
     pub const RAYCAST_MASK: Self = Self::new(CapSurface::RAYCAST, InsideTest::MASK);
-    /// The same by fixed-function hardware.
+    /// The exact strategy by fixed-function hardware.
     pub const RAYCAST_STENCIL: Self = Self::new(CapSurface::RAYCAST, InsideTest::STENCIL);
     /// The section of the mesh, triangulated.
     pub const PLANAR: Self = Self::alone(CapSurface::PLANAR);
-    /// The classic for one plane.
+    /// The classic method for one plane.
     pub const STENCIL: Self = Self::alone(CapSurface::STENCIL);
-    /// The paper, with its own parameters.
+    /// The paper's method, with its own parameters.
     pub const PAPER: Self = Self::new(CapSurface::grid(256), InsideTest::vds(1024));
 
     /// A cap surface with an inside test.
@@ -81,7 +81,7 @@ impl Strategy {
         }
     }
 
-    /// A cap surface that knows by itself what is inside.
+    /// A cap surface that needs no inside test.
     pub const fn alone(surface: CapSurface) -> Self {
         Self {
             surface,
@@ -89,7 +89,7 @@ impl Strategy {
         }
     }
 
-    /// One of each kind, with its usual parameters.
+    /// One strategy of each kind, with default parameters.
     pub fn all() -> Vec<Self> {
         all()
     }
@@ -100,7 +100,7 @@ impl Strategy {
         kind(self) == kind(other)
     }
 
-    /// Supported requests.
+    /// Features that it supports.
     pub fn can(&self) -> Abilities {
         let of_surface = self.surface.facts().can;
         let both = match &self.inside {
@@ -108,7 +108,7 @@ impl Strategy {
             None => of_surface,
         };
         match self.is_by_the_papers_rule() {
-            // Each clip-surface is drawn by itself, with no list of crossings to ask all parts at, or to put the faces of cutters in.
+            // Each clip-surface is drawn by itself: there is no list of crossings in which to test all parts or to insert cutter faces.
             true => Abilities {
                 overlaps: false,
                 cutters: false,
@@ -128,7 +128,7 @@ impl Strategy {
         }
     }
 
-    /// Texels along a side of the images that its inside test asks, if it asks some.
+    /// Texels along a side of the images that its inside test samples, if any.
     pub fn resolution(&self) -> Option<u32> {
         let inside = self.inside.filter(InsideTest::is_of_points)?;
         Some(inside.steps())
@@ -139,13 +139,13 @@ impl Strategy {
         matches!(self.surface.row().caps, Caps::Triangles(_))
     }
 
-    /// Returns true if surface and caps of a frame follow from the one list of crossings per pixel.
+    /// Returns true if surface and caps of a frame follow from the per-pixel list of crossings.
     pub fn lists_crossings(&self) -> bool {
         self.inside.is_some() && !self.is_by_the_papers_rule()
     }
 
-    /// Returns true if the mesh is clipped by chi at every fragment and the tessellated cap is drawn separately, as in the paper, not
-    /// both by one list of crossings: where the inside test answers for points.
+    /// Returns true if the mesh is clipped by chi at every fragment and the tessellated cap is drawn separately, as in the paper, instead
+    /// of both by the per-pixel list of crossings. This is so if the inside test answers for points.
     pub fn is_by_the_papers_rule(&self) -> bool {
         self.is_tessellated() && self.inside.is_some_and(|i| i.is_of_points())
     }
@@ -177,7 +177,7 @@ impl FromStr for Strategy {
         match (by_itself, inside) {
             (Some(row), None) => Ok(Self::alone(Selection::usual(*row))),
             (Some(_), Some(_)) => Err(wrong(
-                format!("`{surface}` knows by itself what is inside"),
+                format!("`{surface}` takes no inside test"),
                 format!("write `{surface}` alone"),
             )),
             (None, Some(inside)) => Ok(Self::new(
@@ -204,7 +204,7 @@ impl FromStr for Strategy {
     }
 }
 
-/// The row that a word names, with its parameter.
+/// The row with the given name, with its parameter.
 fn chosen<R: Row>(
     what: &str,
     word: &str,

@@ -1,7 +1,7 @@
-//! Rows of the table of strategies: what is known of a cap surface or an inside test, in one place.
+//! Rows of the strategy table: all facts about a cap surface or an inside test, in one place.
 //!
 //! A row is a `static` in the file that records its passes, and is listed in [`table`](super::table). Names, parameters, help texts,
-//! refusals, the tables of the book and the hard cases follow from it.
+//! refusals, the tables in the documentation and the hard cases are generated from it.
 
 use std::cmp::Ordering;
 use std::fmt;
@@ -22,21 +22,21 @@ pub struct Parameter {
     pub about: &'static str,
     /// Default value, in steps.
     pub usual: u32,
-    /// The least it may be, in steps.
+    /// Least value, in steps.
     pub least: u32,
-    /// The most it may be, in steps.
+    /// Greatest value, in steps.
     pub most: u32,
     /// Number of steps in 1.
     pub steps_per_unit: u32,
 }
 
 impl Parameter {
-    /// A value in steps, as a number.
+    /// A value in steps, converted to a number.
     pub(super) fn number(&self, steps: u32) -> f64 {
         f64::from(steps) / f64::from(self.steps_per_unit)
     }
 
-    /// The steps of a number; none out of range.
+    /// A number in steps; none if out of range.
     fn steps(&self, number: f64) -> Option<u32> {
         let steps = number * f64::from(self.steps_per_unit);
         let is_whole = self.steps_per_unit > 1 || steps.fract() == 0.0;
@@ -45,12 +45,12 @@ impl Parameter {
     }
 }
 
-/// Supported requests in addition to planes through parts that are filled by parity.
+/// Features supported in addition to plane cuts through parts filled by parity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Abilities {
     /// Parts filled by the nonzero rule.
     pub nonzero: bool,
-    /// Saying where several solids share a cap.
+    /// Marking caps that several solids share.
     pub overlaps: bool,
     /// Cuts by closed meshes.
     pub cutters: bool,
@@ -63,7 +63,7 @@ pub struct Abilities {
 }
 
 impl Abilities {
-    /// All of them.
+    /// All abilities.
     pub const ALL: Self = Self {
         nonzero: true,
         overlaps: true,
@@ -73,7 +73,7 @@ impl Abilities {
         compute: true,
     };
 
-    /// Abilities of both.
+    /// Abilities that both have.
     #[must_use]
     pub fn and(self, other: Self) -> Self {
         Self {
@@ -98,16 +98,16 @@ pub struct StrategyInfo {
     pub about: &'static str,
     /// Limitations in a few words; empty if there are none.
     pub limit: &'static str,
-    /// Data rebuilt when a mesh changes; empty for nothing.
+    /// Data rebuilt when a mesh changes; empty if none.
     pub rebuilds: &'static str,
-    /// Supported requests.
+    /// Features that it supports.
     pub can: Abilities,
-    /// The methods by which it is drawn in hard cases, and whether in large pictures too.
+    /// Methods for the hard-case pictures, each with whether it is used in large pictures too.
     pub hard_cases: &'static [(&'static str, bool)],
 }
 
 impl StrategyInfo {
-    /// Spelling, with a letter for the parameter: `kbuffer:K`.
+    /// Name, with a placeholder for the parameter: `kbuffer:K`.
     pub(super) fn pattern(&self) -> String {
         match &self.parameter {
             Some(parameter) => format!("{}:{}", self.name, parameter.letter),
@@ -121,11 +121,11 @@ impl StrategyInfo {
 pub struct CapSurfaceRow {
     /// Facts for reports and help.
     pub facts: StrategyInfo,
-    /// Why it asks no sampler for heights of reliefs; empty where it may, or draws none.
+    /// Why it cannot read relief heights through a sampler; empty if it can, or draws no reliefs.
     pub(super) exact_heights: &'static str,
-    /// The inside tests that `all` has it with.
+    /// The inside tests with which `all` combines it.
     pub(super) usual_tests: fn(&InsideTestRow) -> bool,
-    /// Production of caps.
+    /// How caps are produced.
     pub(crate) caps: Caps,
 }
 
@@ -136,19 +136,19 @@ impl CapSurfaceRow {
     }
 }
 
-/// Production of caps.
+/// How caps are produced.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Caps {
-    /// Crossings of each pixel's ray go into the one list, whatever the inside test is.
+    /// Crossings of each pixel's ray go into the per-pixel list, whatever the inside test is.
     Rays(ListCrossings),
-    /// Clip-surfaces become triangles: sheets in the one list, or, where the inside test answers for points, drawn by the paper's rule.
+    /// Clip-surfaces become triangles: sheets in the per-pixel list, or drawn by the paper's rule if the inside test answers for points.
     Triangles(Tessellate),
     /// The cap surface draws the whole frame and needs no inside test.
     Alone(RecordAlone),
 }
 
-/// Records the passes that write the list of crossings of a pixel, with the given capacity, and make every pixel ready for its first
-/// fragment on the way.
+/// Records the passes that write the per-pixel list of crossings, with the given capacity, and that prepare every pixel for its first
+/// fragment.
 pub(super) type ListCrossings =
     fn(&mut Plan, &SceneBuffers<'_>, u32, &Store) -> Result<Crossings, Refusal>;
 
@@ -156,7 +156,7 @@ pub(super) type ListCrossings =
 pub(super) type Tessellate =
     fn(&mut Plan, &SceneBuffers<'_>, u32, bool) -> Result<Tessellation, Refusal>;
 
-/// Records the frame; with the work of the CPU that it took, as in [`Recorded`](crate::plan::Recorded).
+/// Records the frame; returns the CPU work spent on it, as in [`Recorded`](crate::plan::Recorded).
 pub(super) type RecordAlone =
     fn(&mut Plan, &Input<'_>) -> Result<(FrameOutput, Vec<CpuWork>), Refusal>;
 
@@ -182,7 +182,7 @@ pub(crate) enum InsideTestKind {
 pub(super) type RecordRays =
     fn(&mut Plan, &Input<'_>, CapSurface, u32) -> Result<FrameOutput, Refusal>;
 
-/// Records images of all cut parts, each with the places of the parts that it answers for. The number is the parameter, in steps.
+/// Records images of all cut parts, each with the part-table indices that it covers. The number is the parameter, in steps.
 pub(super) type RecordImages =
     fn(&mut Plan, &SceneBuffers<'_>, u32) -> Result<Vec<(Range<usize>, Volume)>, Refusal>;
 
@@ -204,18 +204,18 @@ impl Row for InsideTestRow {
     }
 }
 
-/// A row with a value of its parameter: compared by name and value.
+/// A row with its parameter value: compared by name and value.
 #[derive(Debug)]
 pub struct Selection<R: Row> {
     row: &'static R,
-    /// The parameter in steps; 0 where there is none.
+    /// The parameter in steps; 0 if there is none.
     steps: u32,
 }
 
 /// A way to produce cap points per pixel.
 pub type CapSurface = Selection<CapSurfaceRow>;
 
-/// A way to tell whether a point is inside a solid.
+/// A way to determine whether a point is inside a solid.
 pub type InsideTest = Selection<InsideTestRow>;
 
 impl<R: Row> Selection<R> {
@@ -224,13 +224,13 @@ impl<R: Row> Selection<R> {
         Self { row, steps }
     }
 
-    /// A row with its usual parameter.
+    /// A row with its default parameter.
     pub(super) fn usual(row: &'static R) -> Self {
         let usual = row.facts().parameter.map_or(0, |p| p.usual);
         Self::new(row, usual)
     }
 
-    /// A row with its parameter as a number; none out of range.
+    /// A row with its parameter as a number; none if out of range.
     pub(super) fn with(row: &'static R, number: f64) -> Option<Self> {
         let steps = row.facts().parameter?.steps(number)?;
         Some(Self::new(row, steps))
@@ -245,12 +245,12 @@ impl<R: Row> Selection<R> {
         self.row.facts()
     }
 
-    /// Its parameter in steps; 0 where there is none.
+    /// Its parameter in steps; 0 if it has none.
     pub fn steps(&self) -> u32 {
         self.steps
     }
 
-    /// Its parameter; none where it has none.
+    /// Its parameter; none if it has none.
     pub fn parameter(&self) -> Option<f64> {
         let parameter = self.facts().parameter?;
         Some(parameter.number(self.steps))
@@ -295,7 +295,7 @@ impl<R: Row> Hash for Selection<R> {
     }
 }
 
-/// Refusal of a pair of cap surface and inside test that do not work together.
+/// Refusal of a cap surface and an inside test that do not work together.
 pub(super) fn unpaired(who: impl fmt::Display, what: &str) -> Refusal {
     Refusal::new(Unsupported::Pairing, format!("{who} {what}"))
 }

@@ -24,8 +24,8 @@ pub static INSIDE_TESTS: &[&InsideTestRow] = &[
     &inside::vds::ROW,
 ];
 
-/// One strategy of each kind, with its usual parameters: what `all` means. Tessellated cap surfaces go with the other inside tests as
-/// well.
+/// One strategy of each kind, with default parameters: the meaning of `all`. Tessellated cap surfaces are also combined with the other
+/// inside tests.
 pub fn all() -> Vec<Strategy> {
     let with_tests = |surface: &'static CapSurfaceRow| {
         let usual = (INSIDE_TESTS.iter()).filter(|test| (surface.usual_tests)(test));
@@ -43,7 +43,7 @@ pub fn all() -> Vec<Strategy> {
         .collect()
 }
 
-/// The names of strategies, as a help text lists them.
+/// The names of all strategies, for help texts.
 pub fn names() -> String {
     let (alone, listed): (Vec<&CapSurfaceRow>, Vec<&CapSurfaceRow>) =
         CAP_SURFACES.iter().partition(|row| row.is_alone());
@@ -64,7 +64,7 @@ pub fn names() -> String {
     )
 }
 
-/// Both tables as Markdown: what is known of each row.
+/// Both tables as Markdown: the facts about each row.
 pub fn markdown() -> String {
     let surfaces = CAP_SURFACES.iter().map(|row| &row.facts);
     let tests = INSIDE_TESTS.iter().map(|row| &row.facts);

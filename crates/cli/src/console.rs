@@ -1,6 +1,6 @@
 //! Output on standard error: notes, warnings and progress.
 //!
-//! Progress shows only on a terminal and only once the work has taken a second, and it never stays behind.
+//! Progress shows only on a terminal, only once the work has taken a second, and is always erased.
 
 use std::io::IsTerminal;
 use std::thread;
@@ -18,10 +18,10 @@ const MOST_NOTES: usize = 5;
 /// Amount of console output.
 #[derive(Clone, Copy, Debug, Default, clap::Args)]
 pub(super) struct ConsoleArgs {
-    /// Say what is being done, on which adapter, and how long it takes
+    /// Show the steps, the adapter and the times
     #[arg(long, conflicts_with = "quiet", help_heading = "Output")]
     pub(super) verbose: bool,
-    /// No progress and no notes: only warnings and errors
+    /// Show only warnings and errors, no progress and no notes
     #[arg(long, short, help_heading = "Output")]
     pub(super) quiet: bool,
 }
@@ -54,7 +54,7 @@ impl Console {
         Self { args, bar }
     }
 
-    /// Says what there is to say of a scene.
+    /// Prints the notes on a scene.
     pub(super) fn remark(&self, remark: &Remark) {
         if remark.is_warning {
             self.warn(&remark.text);
@@ -63,14 +63,14 @@ impl Console {
         }
     }
 
-    /// Prints a line that stands in for the progress bar: left out on a terminal.
+    /// Prints a line in place of the progress bar; nothing on a terminal.
     pub(super) fn milestone(&self, text: impl AsRef<str>) {
         if !self.args.quiet && !std::io::stderr().is_terminal() {
             self.say(text.as_ref());
         }
     }
 
-    /// A step begins.
+    /// Begins a step.
     pub(super) fn step(&self, what: impl Into<String>) {
         let what = what.into();
         self.detail(&what);
@@ -78,7 +78,7 @@ impl Console {
         self.bar.inc(1);
     }
 
-    /// Says how long the steps that are left may take, as if all took the same.
+    /// Shows the estimated time of the remaining steps, from their mean time.
     pub(super) fn show_what_is_left(&self) {
         if let Ok(style) = ProgressStyle::with_template(
             "{bar:24.cyan/dim} {pos}/{len}  {elapsed}, {eta} left  {msg}",
@@ -87,13 +87,13 @@ impl Console {
         }
     }
 
-    /// Steps that need not be done.
+    /// Skips steps that need not be done.
     pub(super) fn skip(&self, steps: usize) {
         let left = self.bar.length().unwrap_or(0).saturating_sub(steps as u64);
         self.bar.set_length(left);
     }
 
-    /// From here on steps are frames.
+    /// From here on, steps are frames.
     pub(super) fn expect_frames(&self, count: u32) {
         if let Ok(style) = ProgressStyle::with_template(
             "{bar:24.cyan/dim} {pos}/{len} frames  {per_sec}  {eta} left  {msg}",
@@ -138,7 +138,7 @@ impl Console {
         }
     }
 
-    /// Prints a warning: an action had no effect, or something is not as it should be.
+    /// Prints a warning: an action had no effect, or something is wrong.
     pub(super) fn warn(&self, text: impl AsRef<str>) {
         self.say(&format!("warning: {}", text.as_ref()));
     }
@@ -150,19 +150,19 @@ impl Console {
         }
     }
 
-    /// The same where it takes work to find the words.
+    /// The same for a text that is costly to compute.
     pub(super) fn detail_by(&self, text: impl FnOnce() -> String) {
         if self.args.verbose {
             self.say(&text());
         }
     }
 
-    /// A stated expectation that did not hold.
+    /// Prints a stated expectation that did not hold.
     pub(super) fn failed(&self, text: impl AsRef<str>) {
         self.say(&format!("failed: {}", text.as_ref()));
     }
 
-    /// A fault of the program itself.
+    /// Prints a fault of the program itself.
     pub(super) fn internal_error(&self, text: impl AsRef<str>) {
         self.say(&format!("internal error: {}", text.as_ref()));
     }
@@ -172,7 +172,7 @@ impl Console {
     }
 }
 
-/// Number of notes to show. A single remaining note is shown itself, since a line with the count would take as much room.
+/// Number of notes to show. A single remaining note is shown too, since a line with the count would take as much room.
 fn shown_of(notes: usize) -> usize {
     if notes <= MOST_NOTES + 1 {
         notes

@@ -1,11 +1,11 @@
-//! An environment in which graphics drivers keep quiet.
+//! An environment in which graphics drivers print no spurious errors.
 //!
 //! Where `XDG_RUNTIME_DIR` is not set, as over ssh and in containers, Mesa's device selection layer asks libwayland for a
 //! display, and libwayland prints `error: XDG_RUNTIME_DIR is invalid` on standard error, which reads as if the command had
-//! failed. Its environment cannot be mended from within a process without `unsafe`, so the process replaces itself
+//! failed. A process cannot change its own environment without `unsafe`, so it replaces itself
 //! once, with the variable set to the folder for temporary files. Cost: about a millisecond, on Linux only.
 
-/// Makes sure that drivers have nothing to complain of; returns at once where they have not.
+/// Restarts the process with `XDG_RUNTIME_DIR` set if it is not; otherwise returns at once.
 #[cfg(target_os = "linux")]
 pub(super) fn calm_drivers() {
     use std::os::unix::process::CommandExt;
@@ -18,7 +18,7 @@ pub(super) fn calm_drivers() {
     let (Some(name), Ok(program)) = (args.next(), std::env::current_exe()) else {
         return;
     };
-    // Only returns if it failed; then the command goes on, with the message.
+    // `exec` returns only on failure; then the command goes on, with the driver's message.
     let _ = std::process::Command::new(program)
         .arg0(name)
         .args(args)
@@ -26,6 +26,6 @@ pub(super) fn calm_drivers() {
         .exec();
 }
 
-/// Makes sure that drivers have nothing to complain of: only Linux has such drivers.
+/// Does nothing: only Linux drivers print this message.
 #[cfg(not(target_os = "linux"))]
 pub(super) fn calm_drivers() {}

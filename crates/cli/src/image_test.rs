@@ -1,6 +1,6 @@
-//! The image test: a picture against one that was found good before.
+//! The image test: compares a picture with an accepted reference.
 //!
-//! Every channel of every pixel counts: a mean would hide exactly the thin lines that caps are judged by. A reference
+//! Every channel of every pixel counts: a mean would hide the thin lines that matter most at caps. A reference
 //! that is missing or of another size fails; it is never written by the test.
 
 use std::path::{Path, PathBuf};
@@ -12,9 +12,9 @@ use image::{Rgba, RgbaImage};
 /// Result of an image test.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Finding {
-    /// No channel of any pixel is off by more than the threshold.
+    /// No channel of any pixel differs by more than the threshold.
     Same,
-    /// Some are; the picture shows where.
+    /// Some channels differ by more; the picture shows where.
     Different {
         /// Description of the difference.
         what: String,
@@ -23,7 +23,7 @@ pub(super) enum Finding {
     },
 }
 
-/// The reference, read before the work starts.
+/// Reads the reference, before the work starts.
 pub(super) fn open(path: &Path) -> Result<RgbaImage> {
     if path.exists() {
         input_file::check(path)?;
@@ -37,7 +37,7 @@ pub(super) fn open(path: &Path) -> Result<RgbaImage> {
     let image = reader.decode().map_err(|e| {
         Error::file(
             path,
-            format!("is no picture: {e}"),
+            format!("is not a readable picture: {e}"),
             "give a PNG as `cutaway render` writes it",
         )
     })?;
@@ -49,7 +49,7 @@ pub(super) fn difference_path(output: &Path) -> PathBuf {
     output.with_extension("diff.png")
 }
 
-/// Compares. `threshold` is the largest allowed difference of a channel, 0 to 1.
+/// Compares a picture with the reference. `threshold` is the largest allowed difference of a channel, 0 to 1.
 pub(super) fn compare(picture: &RgbaImage, reference: &RgbaImage, threshold: f64) -> Finding {
     if picture.dimensions() != reference.dimensions() {
         let ((w, h), (rw, rh)) = (picture.dimensions(), reference.dimensions());

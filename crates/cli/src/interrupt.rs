@@ -1,5 +1,5 @@
-//! Ctrl-C, and SIGTERM as batch systems and `timeout` send it: the first ends the work after the present step, with what is complete
-//! kept; the second ends the process. Neither leaves a file that is half written.
+//! Ctrl-C, and SIGTERM as sent by batch systems and `timeout`: the first ends the work after the present step and keeps complete
+//! results; the second ends the process at once. Neither leaves a half-written file.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -8,11 +8,11 @@ use cutaway::{Error, Result};
 
 use super::writing::output::remove_pending;
 
-/// Flag that requests the end of the work.
+/// Flag that the work should end.
 pub(super) struct Interrupt(Arc<AtomicBool>);
 
 impl Interrupt {
-    /// Listens from now on, on behalf of a command that works in such steps.
+    /// Starts listening, for a command that works in steps of this name.
     pub(super) fn listen(command: &str, step: &'static str) -> Result<Self> {
         let wanted = Arc::new(AtomicBool::new(false));
         let flag = wanted.clone();
@@ -21,10 +21,10 @@ impl Interrupt {
                 remove_pending();
                 std::process::exit(i32::from(super::verdict::INTERRUPTED));
             }
-            eprintln!("\nending after the present {step}; again ends at once");
+            eprintln!("\nending after the present {step}; a second interrupt ends at once");
         });
         listens.map_err(|e| {
-            let what = format!("signals cannot be listened to: {e}");
+            let what = format!("signals cannot be received: {e}");
             Error::input(command, what, "report this")
         })?;
         Ok(Self(wanted))
@@ -36,7 +36,7 @@ impl Interrupt {
     }
 }
 
-/// Reacts to each signal that is to end this process, in a thread of its own. SIGHUP is left to `nohup`.
+/// Handles each signal that should end this process, in a separate thread. SIGHUP is left to `nohup`.
 #[cfg(unix)]
 fn on_signal(react: impl Fn() + Send + 'static) -> std::io::Result<()> {
     use signal_hook::consts::{SIGINT, SIGTERM};
@@ -48,7 +48,7 @@ fn on_signal(react: impl Fn() + Send + 'static) -> std::io::Result<()> {
     Ok(())
 }
 
-/// Reacts to Ctrl-C, in a thread of its own.
+/// Handles Ctrl-C, in a separate thread.
 #[cfg(not(unix))]
 fn on_signal(react: impl Fn() + Send + 'static) -> Result<(), ctrlc::Error> {
     ctrlc::set_handler(react)

@@ -1,4 +1,4 @@
-//! Strategies judged on what the command line opened, with the steps reported to the console.
+//! Comparison of strategies on the command line's scene, with progress on the console.
 
 use cutaway::Result;
 use cutaway::session::Session;
@@ -9,7 +9,7 @@ use cutaway_lab::experiment::{
 use super::console::Console;
 use super::input::subject::Subject;
 
-/// Number of steps that [`judge`] reports to the console.
+/// Number of progress steps of [`judge`].
 pub(super) fn steps(renderers: usize, rounds: usize) -> usize {
     error_steps(renderers) + timing_steps(rounds)
 }
@@ -44,12 +44,12 @@ pub(super) fn judge(
     Ok(judgement)
 }
 
-/// The command line as one could type it again.
+/// This process's command line, ready to be typed again.
 pub(super) fn command_line() -> String {
     quoted(std::env::args().skip(1))
 }
 
-/// A command line of these words, each quoted if a shell would read something else.
+/// A command line of these words, each quoted if a shell would change it.
 pub(super) fn quoted(words: impl Iterator<Item = String>) -> String {
     let words = words.map(|word| {
         let plain = |c: char| c.is_ascii_alphanumeric() || "-_=+,.:/%@".contains(c);

@@ -1,14 +1,14 @@
-//! The command `cutaway`: one file per subcommand, and the few things they share. [`main`] is the command as it is installed, [`main_with`]
-//! the same with a window; the window takes [`write_file`] and [`is_one_file`] too, so that both treat files alike.
+//! The command `cutaway`: one file per subcommand, and shared code. [`main`] is the installed command, [`main_with`]
+//! the same with a window; the window also uses [`write_file`] and [`is_one_file`], so that both treat files alike.
 //!
 //! Imports: [`cutaway`], [`cutaway_io`], [`cutaway_lab`].
 //!
-//! Everything a user can get wrong is looked at before the work starts: options, scene files, meshes, and whether the
+//! All user input is checked before the work starts: options, scene files, meshes, and whether the
 //! outputs can be written. Standard output carries only the requested results; notes, warnings, progress and errors go to
-//! standard error. What is written to a file is complete or not there at all.
+//! standard error. A file is written completely or not at all.
 //!
-//! Exit codes: 0 done; 1 done, but a stated expectation failed; 2 bad input or usage; 130 ended by Ctrl-C or SIGTERM, where what is
-//! complete is kept.
+//! Exit codes: 0 done; 1 done, but a stated expectation failed; 2 bad input or usage; 130 ended by Ctrl-C or SIGTERM, with
+//! complete results kept.
 
 mod commands;
 mod console;
@@ -67,7 +67,7 @@ enum Command {
     /// Draw a cut model to a PNG
     #[command(after_help = commands::render::EXAMPLES, after_long_help = with_shapes(commands::render::EXAMPLES))]
     Render(commands::render::RenderArgs),
-    /// Open a window in which cuts are dragged and strategies compared
+    /// Open a window for dragging cuts and comparing strategies
     #[command(
         after_help = commands::view::EXAMPLES,
         after_long_help = with_shapes(commands::view::EXAMPLES),
@@ -83,50 +83,50 @@ enum Command {
     /// Make one animation of numbered pictures
     #[command(after_help = commands::animate::encode::EXAMPLES)]
     Encode(commands::animate::encode::EncodeArgs),
-    /// Say what a model is like: closed or not, how many pieces, how deep
+    /// Show properties of a model: closed or not, number of bodies, depth complexity
     #[command(after_help = commands::inspect::EXAMPLES, after_long_help = with_shapes(commands::inspect::EXAMPLES))]
     Inspect(commands::inspect::InspectArgs),
     /// Slice a model by planes: areas, outlines as SVG or DXF, everything as JSON; needs no graphics adapter
     #[command(after_help = commands::section::EXAMPLES, after_long_help = with_shapes(commands::section::EXAMPLES))]
     Section(commands::section::SectionCommandArgs),
-    /// Write what cuts leave of a model as a mesh with its caps: STL, PLY, OBJ, GLB or 3MF; needs no graphics adapter
+    /// Write a cut model as a mesh with caps: STL, PLY, OBJ, GLB or 3MF; needs no graphics adapter
     #[command(after_help = commands::export::EXAMPLES, after_long_help = with_shapes(commands::export::EXAMPLES))]
     Export(commands::export::ExportArgs),
-    /// Say what a scene file can hold: every path, what it takes, its unit; needs no graphics adapter
+    /// List the values of a scene file: every path, what it takes, its unit; needs no graphics adapter
     #[command(after_help = commands::scene::EXAMPLES, after_long_help = commands::scene::long_help())]
     Scene(commands::scene::SceneCommandArgs),
-    /// Say how large, high and steep a relief is, and write its heights, normals and occlusion as images; needs no graphics adapter
+    /// Show the size, height and slope of a relief, and write its heights, normals and occlusion as images; needs no graphics adapter
     #[command(after_help = commands::relief::EXAMPLES)]
     Relief(commands::relief::ReliefCommandArgs),
     /// Show the passes of a frame and why each is there; needs no graphics adapter
     #[command(after_help = commands::plan::EXAMPLES, after_long_help = with_shapes(commands::plan::EXAMPLES))]
     Plan(commands::plan::PlanArgs),
-    /// Run experiments: files that state what is varied, which methods run and what is expected; leaves a record of each point
+    /// Run experiments, files that define varied values, methods and expectations; writes a record of each point
     #[command(after_help = commands::measure::EXAMPLES)]
     Measure(commands::measure::MeasureArgs),
-    /// Make pages and tables of what was measured; needs no graphics adapter
+    /// Make pages and tables of measured results; needs no graphics adapter
     #[command(after_help = commands::report::EXAMPLES)]
     Report(commands::report::ReportArgs),
     /// Cut the built-in crank with every strategy: pictures, heat maps, a report
     #[command(after_help = commands::demo::EXAMPLES)]
     Demo(commands::demo::DemoArgs),
-    /// Say which graphics adapters there are, and test whether what is claimed of strategies holds on one
+    /// List the graphics adapters, and test the claims about strategies on one of them
     #[command(after_help = commands::doctor::EXAMPLES)]
     Doctor(commands::doctor::DoctorArgs),
-    /// Print what a shell needs to complete the options of this command
+    /// Print a shell script that completes this command's options
     #[command(after_help = commands::completions::EXAMPLES)]
     Completions(commands::completions::CompletionsArgs),
-    /// Write the pages of the manual
+    /// Write the manual pages
     #[command(after_help = commands::completions::MAN_EXAMPLES)]
     Man(commands::completions::ManArgs),
 }
 
-/// Runs the command of this process's arguments.
+/// Runs the command given by this process's arguments.
 pub fn main() -> ExitCode {
     main_with(None)
 }
 
-/// A panic of the Boolean crate becomes an error; without this it would be printed as well.
+/// Suppresses the printed message of a panic in the Boolean crate, which becomes an error.
 fn silence_booleans() {
     let usual = std::panic::take_hook();
     std::panic::set_hook(Box::new(move |panic| {
@@ -136,7 +136,7 @@ fn silence_booleans() {
     }));
 }
 
-/// Runs the command of this process's arguments, which opens such a window to view.
+/// Runs the command given by this process's arguments; `view` opens the given window.
 pub fn main_with(window: Option<Window>) -> ExitCode {
     environment::calm_drivers();
     silence_booleans();

@@ -19,7 +19,7 @@ pub(super) fn adapter_in_words(gpu: &Gpu) -> String {
     format!("adapter: {}, {}, {bits}", report.name, report.driver)
 }
 
-/// Pixels that the strategy marks: crossings along their rays do not tell inside from outside, or a buffer was too small.
+/// Number of pixels marked by the strategy: their ray crossings are inconsistent, or a buffer was too small.
 pub(super) fn unreliable_px(layers: &Layers) -> usize {
     layers.pixels.iter().filter(|p| p.unreliable).count()
 }
@@ -38,7 +38,7 @@ fn is_own_fault(renderer: Renderer, scene: &Scene) -> bool {
         && Topology::from_parts(&scene.parts).closed
 }
 
-/// Warns of pixels that may be wrong because the mesh is open along their rays. Where it is closed they are a fault of the program or of
+/// Warns of pixels that may be wrong because the mesh is open along their rays. For a closed mesh they are a fault of the program or of
 /// the driver, and the frame has failed.
 pub(super) fn warn_of_doubt(
     may_be_wrong: &[bool],
@@ -73,11 +73,11 @@ pub(super) fn warn_of_doubt(
     Verdict::Done
 }
 
-/// An empty picture, or one without caps, is nearly always a slip of the camera or of the side that stays.
+/// Warns of an empty picture, or one without caps: nearly always a mistake in the camera or in the kept side.
 pub(super) fn note_what_is_not_seen(layers: &Layers, scene: &Scene, console: &Console) {
     let mut enabled = scene.cuts.iter().filter(|c| c.enabled);
     if misses(scene).next().is_some() {
-        // That has been said.
+        // Already reported.
     } else if layers.count(Kind::Background) == layers.pixels.len() {
         console.remark(&empty_picture(scene));
     } else if enabled.next().is_some() && layers.count(Kind::Cap) == 0 {
@@ -101,7 +101,7 @@ mod tests {
         };
         let by = |name: &str| -> Renderer { name.parse().unwrap_or_else(|e| panic!("{e}")) };
         assert!(is_own_fault(by("raycast+mask@compute"), &scene));
-        // What approximates a solid marks for reasons of its own, and counts of windings may run over.
+        // Approximating strategies mark pixels for other reasons, and winding counts may overflow.
         assert!(!is_own_fault(by("raycast+vds:64"), &scene));
         assert!(!is_own_fault(by("exact"), &scene));
         let mut nonzero = scene.clone();

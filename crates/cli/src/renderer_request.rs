@@ -14,7 +14,7 @@ use super::console::Console;
 pub(super) enum RendererRequest {
     /// A renderer.
     Named(Renderer),
-    /// Automatic choice, with the options set here.
+    /// Automatic choice, with these options.
     Auto(DrawOptions),
 }
 
@@ -22,16 +22,16 @@ pub(super) enum RendererRequest {
 #[derive(Clone, Debug)]
 pub(super) struct RendererChoice {
     pub(super) renderer: Renderer,
-    /// Why, where it was chosen.
+    /// Reason for an automatic choice.
     pub(super) reason: Option<String>,
 }
 
 impl RendererRequest {
-    /// The drawer that a name stands for, by these means where it says no others; `auto` and no name are preclassified later.
+    /// Parses a renderer's name, with these means unless the name sets others; `auto` and a missing name are resolved later.
     ///
     /// # Errors
     ///
-    /// A name that stands for none, with the one that may have been meant.
+    /// An unknown name, with a similar known one.
     pub(super) fn named(name: Option<&str>, options: DrawOptions) -> Result<Self> {
         Ok(match name {
             None | Some(AUTO) => Self::Auto(options),

@@ -4,20 +4,20 @@ use std::process::ExitCode;
 
 use cutaway::Result;
 
-/// Exit code of a command that Ctrl-C or SIGTERM has ended: 128 and the number of SIGINT, as shells have it.
+/// Exit code of a command ended by Ctrl-C or SIGTERM: 128 plus the number of SIGINT, as in shells.
 pub(crate) const INTERRUPTED: u8 = 130;
 
 /// Outcome of a command that ran to its end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Verdict {
     Done,
-    /// Done, but a stated expectation failed; standard error says which.
+    /// Done, but a stated expectation failed; standard error names it.
     Failed,
     /// Ended by Ctrl-C or SIGTERM; complete results are kept.
     Interrupted,
 }
 
-/// The exit code of a command, and what is said of its error.
+/// Prints a command's error, if any, and returns its exit code.
 pub(crate) fn exit_code(ended: Result<Verdict>) -> ExitCode {
     match ended {
         Ok(Verdict::Done) => ExitCode::SUCCESS,

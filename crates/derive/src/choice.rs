@@ -1,10 +1,10 @@
-//! Enums: words, one for each variant.
+//! Enums: one word per variant.
 
 use proc_macro2::TokenStream;
 use quote::quote;
 use syn::{DataEnum, Error, Fields, Ident, LitStr, Result, Variant, Visibility};
 
-/// The list of words, and the enum as the value of a key.
+/// Generates the list of words, and the implementation that makes the enum a value of a key.
 pub(crate) fn described(name: &Ident, vis: &Visibility, data: &DataEnum) -> Result<TokenStream> {
     let with_data = data
         .variants
@@ -19,7 +19,7 @@ pub(crate) fn described(name: &Ident, vis: &Visibility, data: &DataEnum) -> Resu
     let count = variants.len();
     Ok(quote! {
         impl #name {
-            /// All, by their names.
+            /// All variants with their names.
             #vis const ALL: [(&'static str, Self); #count] = [#((#words, Self::#variants)),*];
 
             /// Name in documents and options.
@@ -45,7 +45,7 @@ pub(crate) fn described(name: &Ident, vis: &Visibility, data: &DataEnum) -> Resu
     })
 }
 
-/// The word of a variant.
+/// The word for a variant.
 fn word_of(variant: &Variant) -> Result<String> {
     let mut given = None;
     for attribute in variant.attrs.iter().filter(|a| a.path().is_ident("value")) {
@@ -60,7 +60,7 @@ fn word_of(variant: &Variant) -> Result<String> {
     Ok(given.unwrap_or_else(|| word(&variant.ident.to_string())))
 }
 
-/// `EvenOdd` as `even-odd`.
+/// Converts `EvenOdd` to `even-odd`.
 fn word(variant: &str) -> String {
     let mut word = String::new();
     for c in variant.chars() {

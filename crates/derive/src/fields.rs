@@ -1,4 +1,4 @@
-//! Structs: one value for each field.
+//! Structs: one value per field.
 
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
@@ -8,18 +8,18 @@ use syn::{
     Meta, RangeLimits, Result, UnOp, Visibility,
 };
 
-/// Where the values of a field lie.
+/// Position of a field's values relative to those of the struct.
 #[derive(PartialEq)]
 enum ValuePlace {
     /// The field is one value.
     Leaf,
-    /// Below its key.
+    /// A table below the field's key.
     Table,
-    /// Beside those of the struct.
+    /// Next to those of the struct.
     Flat,
 }
 
-/// A field, and what its attribute says.
+/// A field and the contents of its attribute.
 struct Declared<'a> {
     field: &'a Field,
     key: String,
@@ -33,7 +33,7 @@ struct Declared<'a> {
     fixed: bool,
 }
 
-/// The list of declarations, and access to the values by their index in it.
+/// Generates the list of declarations, and access to the values by their index in it.
 pub(crate) fn described(name: &Ident, vis: &Visibility, data: &DataStruct) -> Result<TokenStream> {
     let mut all = Vec::new();
     for field in &data.fields {
@@ -54,7 +54,7 @@ pub(crate) fn described(name: &Ident, vis: &Visibility, data: &DataStruct) -> Re
     let (below_at, below) = of(false);
     Ok(quote! {
         impl #name {
-            /// Declarations of its values.
+            /// Declarations of the struct's values.
             #vis const FIELDS: &'static [::cutaway::scene::describe::Field] = &[#(#entries),*];
         }
         impl ::cutaway::scene::describe::Described for #name {
@@ -135,7 +135,7 @@ fn declared(field: &Field) -> Result<Option<Declared<'_>>> {
     Ok((!is_hidden).then_some(of))
 }
 
-/// The declaration as the expression of a `Field`.
+/// The field's declaration, as a `Field` expression.
 fn entry(of: &Declared<'_>) -> Result<TokenStream> {
     let ty = &of.field.ty;
     let key = match of.place {
@@ -192,7 +192,7 @@ fn entry(of: &Declared<'_>) -> Result<TokenStream> {
     })
 }
 
-/// An expression as TOML writes it: `[0, -1]`, `"auto"`.
+/// Formats an expression as TOML: `[0, -1]`, `"auto"`.
 fn toml(expression: &Expr) -> Result<String> {
     Ok(match expression {
         Expr::Lit(literal) => literal.to_token_stream().to_string(),
@@ -212,7 +212,7 @@ fn toml(expression: &Expr) -> Result<String> {
     })
 }
 
-/// The first paragraph of a doc comment as a help: in lower case, without the full stop.
+/// The first paragraph of a doc comment as help text: in lower case, without the full stop.
 fn help(attributes: &[Attribute]) -> String {
     let lines = attributes.iter().filter_map(|a| match &a.meta {
         Meta::NameValue(pair) if pair.path.is_ident("doc") => match &pair.value {
@@ -234,7 +234,7 @@ fn help(attributes: &[Attribute]) -> String {
     let mut chars = text.chars();
     let (first, second) = (chars.next(), chars.clone().next());
     match (first, second) {
-        // Abbreviations stay as they are.
+        // Abbreviations are kept.
         (Some(_), Some(second)) if second.is_uppercase() => text.to_owned(),
         (Some(first), _) => first.to_lowercase().chain(chars).collect(),
         (None, _) => String::new(),

@@ -1,6 +1,6 @@
-//! `#[derive(Described)]`: a struct or an enum of Rust as the declaration of what users set by keys (`cutaway::scene::describe`).
+//! `#[derive(Described)]`: declares the values that users set by keys (`cutaway::scene::describe`) from a Rust struct or enum.
 //!
-//! Of a struct, each public field is a value: its doc comment is the help, its type the type of the value, and an attribute has the rest:
+//! In a struct, each public field is a value: its doc comment is the help, its type the type of the value, and an attribute gives the rest:
 //!
 //! ```ignore
 //! /// Opacity of lines.
@@ -10,22 +10,22 @@
 //!
 //! | in `#[value(..)]` | is |
 //! |---|---|
-//! | `range = 0.0..=1.0` | the least and the greatest number; `1.0..` has no greatest |
+//! | `range = 0.0..=1.0` | the smallest and the largest number; `1.0..` has no largest |
 //! | `unit = "degrees"` | the unit of the numbers |
-//! | `example = [0, 1]` | a value, as TOML writes it |
-//! | `key = "loop"` | the key, where it is not the name of the field |
-//! | `choice = ["a", "b"]` | the words that a text is one of |
-//! | `takes = ValueType::File` | the type, where it is not that of the field |
-//! | `words = ["auto"]` | words that it may be instead of its type |
-//! | `fixed` | no animation moves it |
-//! | `table` | the field is described too, and its values lie below its key |
-//! | `flat` | the field is described too, and its values lie beside those of the struct |
-//! | `hidden` | no value |
+//! | `example = [0, 1]` | an example value in TOML notation |
+//! | `key = "loop"` | the key, if it differs from the field name |
+//! | `choice = ["a", "b"]` | the words allowed for a text |
+//! | `takes = ValueType::File` | the value type, if it differs from the field's |
+//! | `words = ["auto"]` | words allowed instead of a value of its type |
+//! | `fixed` | the value cannot be animated |
+//! | `table` | the field's type is also described; its values are below its key |
+//! | `flat` | the field's type is also described; its values are next to those of the struct |
+//! | `hidden` | the field is not a value |
 //!
-//! Of an enum without data, each variant is a word: its name in lower case with dashes, or `#[value(name = "+Y")]`. The derive makes its
-//! list `ALL` of words and variants, and `name()`.
+//! In an enum without data, each variant is a word: its name in lower case with dashes, or `#[value(name = "+Y")]`. The derive generates
+//! the list `ALL` of words and variants, and `name()`.
 //!
-//! Cost: of a struct two `match`es over its fields. Cannot: generics, tuple structs, enums with data, which implement the trait by hand.
+//! Cost: two `match`es over the fields of a struct. Not supported: generics, tuple structs, enums with data: implement the trait by hand.
 
 mod choice;
 mod fields;

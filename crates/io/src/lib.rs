@@ -1,6 +1,6 @@
-//! Files of [`cutaway`]: what comes in and what goes out, without a device.
+//! Files for [`cutaway`]: input and output, without a GPU device.
 //!
-//! [`load`] reads meshes, images and motions; [`document`] is the scene file: every value by its path, every slip with its place; [`save`]
+//! [`load`] reads meshes, images and motions; [`document`] is the scene file: every value has a path, and every error a position; [`save`]
 //! writes meshes, images and sections.
 //!
 //! ```text

@@ -1,4 +1,4 @@
-// How far apart the colours of two pictures are, times GAIN. Pictures of unlike size are compared by their shares.
+// Colour difference between two pictures, times GAIN. Pictures of different sizes are compared at equal relative positions.
 
 @group(0) @binding(0) var picture_a: texture_2d<f32>;
 @group(0) @binding(1) var picture_b: texture_2d<f32>;

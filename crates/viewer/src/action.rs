@@ -1,4 +1,4 @@
-//! Actions of the user: every button, key, drag and dropped file becomes an action, which [`State`](crate::State) carries out.
+//! User actions: every button, key, drag and dropped file becomes an action, which [`State`](crate::State) carries out.
 
 use std::path::PathBuf;
 
@@ -16,26 +16,26 @@ pub enum Selection {
     /// The scene as a whole.
     #[default]
     Scene,
-    /// A cut, by its place in the document.
+    /// A cut, by its index in the document.
     Cut(usize),
-    /// A part, by its place in the document.
+    /// A part, by its index in the document.
     Part(usize),
 }
 
-/// Something to be done.
+/// A user action.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Action {
-    /// Takes files in: a scene in the place of this one, models as further parts, an image as the relief of the selected cut.
+    /// Opens files: a scene replaces this one, models become additional parts, an image becomes the selected cut's relief.
     Take(Vec<PathBuf>),
-    /// Writes the scene to a new file, or to that which it was read from, and goes on with that.
+    /// Saves the scene to a new file, or to its own file, which becomes the current one.
     Save(PathBuf),
-    /// The same, in the place of any file that is no input of the scene.
+    /// The same, replacing any existing file except an input of the scene.
     SaveOver(PathBuf),
-    /// Reads all files again.
+    /// Reloads all files.
     Reload,
-    /// Takes the last step back.
+    /// Undoes the last step.
     Undo,
-    /// Does the step again that was taken back.
+    /// Redoes the step that was undone.
     Redo,
     /// Sets a value of the document.
     Set {
@@ -44,35 +44,35 @@ pub enum Action {
         /// The new value.
         value: Value,
     },
-    /// Sets several values, or takes them out, after which what is usual holds, in one step.
+    /// Sets several values in one step, or removes them so that their defaults apply.
     Change(Vec<(String, Option<Value>)>),
-    /// Takes a change of the style back, by its path: what the style itself has holds again.
+    /// Resets a change to the style, by its path, so that the style's own value applies again.
     TakeBack(String),
-    /// Shows a part of the document, or hides it.
+    /// Shows or hides a part of the document.
     ShowPart(usize, bool),
     /// Adds a cut and selects it.
     Add(NewCut),
-    /// Adds a copy of a cut behind the others.
+    /// Adds a copy of a cut after the others.
     Duplicate(usize),
-    /// Takes a cut away.
+    /// Removes a cut.
     Remove(usize),
     /// Moves the plane of the selected cut.
     MovePlane(PlaneMove),
     /// Moves a face of a box or of a wedge of the selected cut.
     MoveRegion(RegionMove),
-    /// Puts the plane of the selected cut, or a new one, through a point: the normal points to what stays.
+    /// Moves the selected cut's plane, or a new one, through a point; the normal points to the kept side.
     CutThrough(DVec3, DVec3),
-    /// Turns the plane of the selected cut to the eye.
+    /// Turns the selected cut's plane to face the eye.
     FaceEye,
-    /// Ends what is held: the next change is a step of its own.
+    /// Ends a gesture: the next change is a separate undo step.
     Release,
-    /// Selects what the panels are about.
+    /// Selects the subject of the panels.
     Select(Selection),
     /// Moves the eye.
     MoveCamera(CameraMove),
-    /// Chooses the painter of a slot.
+    /// Selects the renderer of a slot.
     Choose(SlotSide, Painter),
-    /// Exchanges the slots.
+    /// Swaps the slots.
     Swap,
     /// Sets the layout of the slots.
     Arrange(Layout),
@@ -80,16 +80,16 @@ pub enum Action {
     Wipe(f32),
     /// Shows errors over the slots, or hides them.
     ShowErrors(bool),
-    /// Puts a key of what is selected at the moment that is shown.
+    /// Adds a key for the selection at the displayed time.
     AddKey,
-    /// Puts keys of what is selected at the beginning and two seconds later, where nothing moves yet.
+    /// Adds keys for the selection at the beginning and two seconds later, if nothing moves yet.
     Animate,
     /// Moves a key of a row to another time in seconds.
     MoveKey([usize; 2], f64),
-    /// Takes a key of a row away.
+    /// Removes a key from a row.
     RemoveKey([usize; 2]),
     /// Shows the open edges of meshes over the picture, or hides them.
     ShowOpenEdges(bool),
-    /// Shows a moment.
+    /// Displays the scene at a time.
     Seek(f64),
 }

@@ -1,8 +1,8 @@
-//! Background work: on a thread that leaves a core to the window; in a browser, which has no threads, at once.
+//! Background work: on a thread that leaves a core free for the window; in a browser, which has no threads, immediately.
 //!
-//! Cost: a thread and a pool for each piece of work, some 0.1 ms.
+//! Cost: a thread and a thread pool per task, about 0.1 ms.
 //!
-//! Cannot: be ended before it is done.
+//! Cannot: be cancelled.
 
 /// Runs work in the background.
 #[cfg(not(target_arch = "wasm32"))]
@@ -17,7 +17,7 @@ pub(crate) fn beside(work: impl FnOnce() + Send + 'static) {
     });
 }
 
-/// Does something at once.
+/// Runs work immediately.
 #[cfg(target_arch = "wasm32")]
 pub(crate) fn beside(work: impl FnOnce() + Send + 'static) {
     work();

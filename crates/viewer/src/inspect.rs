@@ -1,9 +1,9 @@
 //! Defects of the meshes of a scene: found once for each mesh, in the background.
 //!
-//! One mesh at a time is inspected, on a thread that leaves a core to the window; in a browser, which gives none, at once. What is known
-//! stays as long as something holds the mesh. Cost: that of [`Topology::new`], some seconds for some million faces.
+//! One mesh at a time is inspected, on a thread that leaves a core free for the window; in a browser, immediately. Findings
+//! are kept as long as the mesh is in use. Cost: that of [`Topology::new`], a few seconds for a few million faces.
 //!
-//! Cannot: see where a mesh is open that a clip or a deformer has bent; its edges are where it rests.
+//! Cannot: follow an animated or deformed mesh; its open edges are shown in the rest pose.
 
 use std::collections::BTreeMap;
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
@@ -17,13 +17,13 @@ use crate::beside::beside;
 /// Defects of a mesh.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Findings {
-    /// The ends of edges with an odd number of faces, in the space of the mesh.
+    /// End points of edges with an odd number of faces, in mesh space.
     pub open: Vec<[DVec3; 2]>,
     /// Edges with more than two faces.
     pub non_manifold: usize,
-    /// Edges whose two faces disagree about the outside.
+    /// Edges whose two faces have inconsistent orientations.
     pub inconsistent: usize,
-    /// Faces that lie on another.
+    /// Faces that coincide with another face.
     pub coincident: usize,
     /// Closed meshes with a negative volume.
     pub inside_out: usize,
@@ -45,7 +45,7 @@ impl Findings {
     }
 }
 
-/// The findings of the meshes of a part, summed up.
+/// Counts over all meshes of a part.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Counts {
     open: usize,
@@ -74,7 +74,7 @@ impl Counts {
         self.open > 0
     }
 
-    /// The gravest in some words; none of a mesh that is sound.
+    /// Text of the most serious defect; `None` for a mesh without defects.
     pub fn badge(&self) -> Option<String> {
         let edges = |count: usize| match count {
             1 => "1 edge".to_owned(),
@@ -95,7 +95,7 @@ impl Counts {
         }
     }
 
-    /// All of them with what follows from each, in lines.
+    /// Lines of all defects, each with its consequence.
     pub fn details(&self) -> String {
         let lines = [
             (
@@ -108,11 +108,11 @@ impl Counts {
             ),
             (
                 self.coincident,
-                "faces that lie on another: two of them cancel, and the solid has no inside there",
+                "faces that lie on another: two of them cancel, and the solid has no interior there",
             ),
             (
                 self.inconsistent,
-                "edges whose faces disagree about the outside: shading is wrong there, caps are not",
+                "edges whose faces are oriented inconsistently: shading is wrong there, caps are not",
             ),
             (self.non_manifold, "edges with more than two faces"),
         ];
@@ -124,22 +124,22 @@ impl Counts {
     }
 }
 
-/// A mesh that was inspected, which is gone when nothing holds it any more.
+/// Findings with a weak reference to their mesh.
 type CachedFindings = (Weak<Mesh>, Findings);
 
 /// Known findings of meshes, and the mesh under inspection.
 #[derive(Debug, Default)]
 pub struct Inspector {
-    /// By the address of the mesh, which stays its own as long as it is held here.
+    /// By the mesh's address, which stays unique while it is referenced here.
     known: BTreeMap<usize, CachedFindings>,
     under_way: Option<(Arc<Mesh>, Receiver<Findings>)>,
-    /// For which revision nothing is left to be inspected.
+    /// Revision for which all meshes are inspected.
     done: Option<u64>,
 }
 
 impl Inspector {
-    /// Takes in what was found, and goes on with the next mesh of a scene; `wake` is called when there is something to be taken in.
-    /// Says whether something new is known.
+    /// Receives findings and starts on the next mesh of a scene; `wake` is called when there is something to receive.
+    /// Returns true if there are new findings.
     pub fn go_on(
         &mut self,
         (parts, revision): (&[Part], u64),
@@ -184,7 +184,7 @@ impl Inspector {
         let findings = match answers.try_recv() {
             Ok(findings) => findings,
             Err(TryRecvError::Empty) => return false,
-            // What failed is not tried again.
+            // A failed inspection is not repeated.
             Err(TryRecvError::Disconnected) => Findings::default(),
         };
         let known = (Arc::downgrade(mesh), findings);

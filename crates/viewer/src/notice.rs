@@ -21,7 +21,7 @@ impl Notice {
     }
 }
 
-/// An error says what and `help:`.
+/// An error's text contains the problem and a `help:` line.
 impl From<Error> for Notice {
     fn from(error: Error) -> Self {
         Self {

@@ -1,7 +1,7 @@
-//! CPU cost of frames of the window: of those that drew a picture, and of those in which nothing of the scene changed.
+//! CPU cost of the window's frames, separately for those that drew a picture and those in which the scene did not change.
 //!
-//! Times are wall-clock times from the request for a frame until it is handed to egui: the work of egui and the device comes on top.
-//! Costs three reads of the clock a frame.
+//! Times are wall-clock times from the frame's start until it is handed to egui; the work of egui and of the device is not included.
+//! Costs three clock reads per frame.
 
 use std::fmt;
 
@@ -12,7 +12,7 @@ use cutaway_lab::experiment::Samples;
 pub struct FrameCost {
     /// Actions on the scene, and its preparation.
     pub scene_ms: f64,
-    /// The passes of pictures, recorded and submitted; nothing where none was drawn.
+    /// Recording and submission of the pictures' passes; `None` if no picture was drawn.
     pub picture_ms: Option<f64>,
     /// The whole frame, with the panels.
     pub whole_ms: f64,
@@ -23,7 +23,7 @@ pub struct FrameCost {
 pub struct Profile(Vec<FrameCost>);
 
 impl Profile {
-    /// Takes in a frame.
+    /// Adds a frame.
     pub fn add(&mut self, frame: FrameCost) {
         self.0.push(frame);
     }
@@ -34,7 +34,7 @@ impl Profile {
     }
 }
 
-/// A line for each kind of frame: how many there were, and the median and the most of what they took.
+/// A line per kind of frame: the count, and the median and maximum times.
 impl fmt::Display for Profile {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let line = |values: Vec<f64>| {

@@ -1,9 +1,9 @@
-//! State of the window, and its change by actions: a document with its history, the scene that it shows, two slots, a selection.
+//! State of the window, changed by actions: a document with its history, its scene, two slots, a selection.
 //!
 //! Nothing here depends on a window: a test applies actions and reads the document. A refused action changes nothing, and is reported
 //! ([`State::notices`]).
 //!
-//! Cost of an action that changes the scene: the tree of the document, and what [`Shown::open`] costs.
+//! Cost of an action that changes the scene: rebuilding the document's tree, and [`Shown::open`].
 
 mod ahead;
 mod edits;
@@ -37,21 +37,21 @@ pub use ahead::Moment;
 #[derive(Clone, Debug)]
 pub struct State {
     document: Document,
-    /// At the moment that is shown, where keys move something.
+    /// The document's pose at the displayed time, if keys move something.
     posed: Option<Document>,
-    /// As it was read or saved.
+    /// The document as last read or saved.
     saved: Document,
     history: History,
     assets: Assets,
     store: Arc<dyn Store>,
     shown: Option<Shown>,
-    /// Counts changes of the scene and of the eye.
+    /// Counts changes to the scene and the eye.
     scene_revision: u64,
-    /// Counts changes of the renderers of the slots and of their layout.
+    /// Counts changes to the slots' renderers and layout.
     slots_revision: u64,
     /// Counts actions.
     acted: u64,
-    /// Data read and prepared elsewhere for the action that is carried out.
+    /// Data read and prepared in the background for the current action.
     ahead: Option<Ahead>,
     time_s: Option<f64>,
     selection: Selection,
@@ -61,12 +61,12 @@ pub struct State {
     shows_errors: bool,
     shows_open_edges: bool,
     notices: Vec<Notice>,
-    /// Files that were opened or saved.
+    /// Files opened or saved.
     opened: Vec<PathBuf>,
 }
 
 impl State {
-    /// Shows a document of the disk, whose files are in the assets as far as they have been read.
+    /// Opens a document from disk; `assets` cache the files read so far.
     ///
     /// # Errors
     ///
@@ -76,7 +76,7 @@ impl State {
         Self::open_from(Arc::new(cutaway_io::load::Disk), document, assets)
     }
 
-    /// As [`State::open`], of files that are elsewhere.
+    /// As [`State::open`], with another file storage.
     ///
     /// # Errors
     ///
@@ -85,7 +85,7 @@ impl State {
         Self::open_like(store, document, assets, None)
     }
 
-    /// The same; what it has in common with another scene is not prepared again.
+    /// The same; data in common with another scene is reused.
     fn open_like(
         store: Arc<dyn Store>,
         mut document: Document,
@@ -135,7 +135,7 @@ impl State {
         &self.store
     }
 
-    /// The document with what keys move where it is at the moment that is shown.
+    /// The document with animated values at the displayed time.
     pub fn posed(&self) -> &Document {
         self.posed.as_ref().unwrap_or(&self.document)
     }
@@ -145,17 +145,17 @@ impl State {
         self.document != self.saved
     }
 
-    /// The scene that it shows; nothing, where it has no parts.
+    /// The prepared scene; `None` if the document has no parts.
     pub fn shown(&self) -> Option<&Shown> {
         self.shown.as_ref()
     }
 
-    /// Another number whenever something else is to be drawn.
+    /// Changes whenever something else has to be drawn.
     pub fn revision(&self) -> u64 {
         self.scene_revision + self.slots_revision
     }
 
-    /// Another number whenever solids, cuts or the eye may be others.
+    /// Changes whenever solids, cuts or the eye may have changed.
     pub fn scene_revision(&self) -> u64 {
         self.scene_revision
     }
@@ -170,7 +170,7 @@ impl State {
         self.selection
     }
 
-    /// Painter of a slot.
+    /// Renderer of a slot.
     pub fn painter(&self, side: SlotSide) -> Painter {
         self.slots[side.index()]
     }
@@ -195,7 +195,7 @@ impl State {
         self.shows_open_edges
     }
 
-    /// The moment that is shown; `None` for the scene at rest.
+    /// The displayed time; `None` for the scene without animation.
     pub fn time_s(&self) -> Option<f64> {
         self.time_s
     }
@@ -205,7 +205,7 @@ impl State {
         std::mem::take(&mut self.notices)
     }
 
-    /// Files that were opened or saved since the last time.
+    /// Files opened or saved since the last call.
     pub fn take_opened(&mut self) -> Vec<PathBuf> {
         std::mem::take(&mut self.opened)
     }
@@ -225,7 +225,7 @@ impl State {
         (self.shown.as_ref()).map_or(Bounds::EMPTY, |shown| shown.scene.bounds())
     }
 
-    /// The document of the visible picture: with the present eye, the moment that is shown, and the painter of the first slot. Keys no
+    /// The document of the visible picture: with the present eye, the displayed time, and the first slot's renderer. Keys no
     /// longer move that eye.
     ///
     /// # Errors
@@ -253,7 +253,7 @@ impl State {
         self.with_settings(document)
     }
 
-    /// A document with the moment that is shown and the painter of the first slot.
+    /// A document with the displayed time and the first slot's renderer.
     fn with_settings(&self, mut document: Document) -> Result<Document> {
         if let Some(time_s) = self.time_s {
             document.set("time_s", time_s)?;
@@ -266,7 +266,7 @@ impl State {
         Ok(document)
     }
 
-    /// The command that makes this very picture.
+    /// The command that draws exactly this picture.
     ///
     /// # Errors
     ///
@@ -281,7 +281,7 @@ impl State {
         Ok(command::quoted(&words))
     }
 
-    /// Prepares the scene as an exported picture does, when nothing has moved for a while.
+    /// Prepares the scene as for an exported picture, when nothing has moved for a while.
     pub fn classify(&mut self) {
         let preclassified = self.shown.as_mut().map_or(Ok(()), Shown::classify);
         if let Err(error) = preclassified {
@@ -291,7 +291,7 @@ impl State {
 
     /// Carries an action out; a refusal becomes a notice.
     pub fn apply(&mut self, action: Action) {
-        // To let go changes nothing by itself.
+        // Ending a gesture changes nothing by itself.
         self.acted += u64::from(action != Action::Release);
         if let Err(error) = self.carry_out(action) {
             self.tell(error);

@@ -1,4 +1,4 @@
-//! The window on a desktop, which is opened again where its device is lost.
+//! The desktop window, which is reopened after a loss of its device.
 //!
 //! egui keeps the device that it began with, so a lost one ends its window, and another window with another device goes on with the same
 //! [`Viewer`]: document, history, eye and slots are as they were. Two losses within ten seconds end the program: what has lost the
@@ -29,10 +29,10 @@ use crate::storage::recent::Recent;
 use crate::storage::recovery;
 use crate::ui::Viewer;
 
-/// A device that is lost so soon after the window was opened again, in seconds, is not worth another.
+/// If a device is lost within this time in seconds after reopening, the program ends.
 const TOO_SOON_S: f64 = 10.0;
 
-/// A file whose being there loses the device.
+/// Variable with the name of the file whose existence destroys the device.
 const LOSE_DEVICE: &str = "CUTAWAY_LOSE_DEVICE";
 
 /// Remedy where no adapter is usable.
@@ -88,7 +88,7 @@ fn is_too_soon(open_ms: Option<f64>) -> bool {
     open_ms.is_some_and(|open_ms| open_ms < TOO_SOON_S * 1000.0)
 }
 
-/// Why there is no window, and what helps.
+/// Error for a window that cannot be opened, with a remedy.
 fn not_opened(error: &eframe::Error) -> Error {
     match error {
         eframe::Error::Winit(_) | eframe::Error::WinitEventLoop(_) => Error::input(
@@ -116,13 +116,13 @@ struct Window {
     /// State of the first window.
     state: Option<State>,
     viewer: Option<Viewer>,
-    /// Part of the name of the adapter that is wanted.
+    /// Part of the requested adapter's name.
     adapter: Option<String>,
     is_profiled: bool,
     placement: ViewportBuilder,
-    /// Why the device of the last window is lost, where it is.
+    /// Reason for the loss of the last window's device, if it is lost.
     lost: Option<String>,
-    /// Since when the present window is there, where it is not the first.
+    /// Opening time of the present window, unless it is the first.
     reopened: Option<Stopwatch>,
     loses_by: Option<OsString>,
 }
@@ -195,7 +195,7 @@ impl Window {
     }
 }
 
-/// Lets egui take the adapter with some words in its name.
+/// Selects egui's adapter by part of its name.
 fn on_adapter(options: &mut WgpuConfiguration, wanted: String) {
     let WgpuSetup::CreateNew(setup) = &mut options.wgpu_setup else {
         return;
@@ -254,7 +254,7 @@ impl eframe::App for App<'_> {
     }
 }
 
-/// Has egui paint nothing on a device that is lost, on which it would panic: no buffer can be mapped there.
+/// Keeps egui from painting on a lost device, where it would panic because no buffer can be mapped.
 struct PaintsNothing(DeviceLoss);
 
 impl Plugin for PaintsNothing {

@@ -1,4 +1,4 @@
-// The share of each pixel that a hatch covers, and where the pixel is on the plane of its cap in scene units.
+// The fraction of each pixel that a hatch covers, and the pixel's position on the plane of its cap in scene units.
 // 0 where there is none.
 
 #import cutaway::cuts::place_of_part

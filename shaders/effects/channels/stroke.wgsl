@@ -1,4 +1,4 @@
-// The share of each pixel that strokes cover.
+// The fraction of each pixel that strokes cover.
 
 #import cutaway::frame::{frame, pixel_index}
 #import cutaway::stroke_cover::stroke_cover

@@ -1,4 +1,4 @@
-// Draws what is gone over a picture, as glass and as lines. One invocation owns a pixel.
+// Draws removed material over a picture, as glass and as lines. One invocation owns a pixel.
 
 #import cutaway::frame::{centre_of, frame, pixel_index, ray_through}
 #import cutaway::ghost::{ghost_layers, is_gone}
@@ -10,7 +10,7 @@
 
 @group(1) @binding(2) var<storage, read_write> picture: array<u32>;
 
-// How much glass hides: most where it is grazed.
+// Opacity of glass: greatest at grazing angles.
 fn glass_cover(at: vec2<u32>) -> f32 {
     if ghost.glass <= 0.0 || !is_gone(vec2<i32>(at)) {
         return 0.0;

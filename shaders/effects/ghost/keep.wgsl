@@ -1,4 +1,4 @@
-// Of the borders of the uncut solids those that are kept where something on either side is gone. One invocation owns a pixel.
+// Keeps those borders of the uncut solids that have removed material on either side. One invocation owns a pixel.
 
 #import cutaway::borders::{below_of, right_of}
 #import cutaway::frame::{frame, pixel_index}

@@ -1,4 +1,4 @@
-// Draws solids as they would be uncut. The instance is the number of the part in the scene.
+// Draws solids uncut. The instance is the part number in the scene.
 
 #import cutaway::mesh::Vertex
 #import cutaway::surface::{Corner, corner_of, surface_words}

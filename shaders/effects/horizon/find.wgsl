@@ -1,11 +1,11 @@
-// The share of the sky that is seen from each point of the picture, weighted by the cosine to its normal (ground-truth ambient occlusion,
-// Jimenez, Wu, Pesce and Jarabo 2016). One invocation owns a pixel at a time.
+// The fraction of sky seen from each visible point, weighted by the cosine to its normal (ground-truth ambient occlusion, Jimenez, Wu,
+// Pesce and Jarabo 2016). One invocation owns a pixel at a time.
 //
 // Planes through the line of sight slice the picture. In each, the highest sample to either side is a horizon; between the two the integral
-// over the slice has a closed form. What is farther than the radius counts for nothing, what is nearer for the more the nearer it is. Slices
-// are turned, and samples moved, by a 4 x 4 pattern, which the next pass takes the mean of.
+// over the slice has a closed form. Samples farther than the radius are ignored, and nearer ones get more weight. Slices are rotated and
+// samples offset by a 4 x 4 pattern, which the next pass averages out.
 //
-// Cannot: know what is hidden, or outside of the picture; background hides nothing.
+// Cannot: account for geometry that is hidden or outside the picture; background hides nothing.
 
 #import cutaway::frame::{frame, pixel_index}
 #import cutaway::layers::{BACKGROUND, kind_of, unpack_normal}
@@ -15,10 +15,10 @@
 struct Horizon {
     // In scene units.
     radius: f32,
-    // The greatest distance of a sample in pixels.
+    // Greatest distance of a sample in pixels.
     reach_px: f32,
     slices: u32,
-    // Samples to each side of a slice.
+    // Samples on each side of a slice.
     steps: u32,
 }
 
@@ -29,7 +29,7 @@ struct Horizon {
 const PI: f32 = 3.1415927;
 const HALF_PI: f32 = 1.5707964;
 
-// The point that a slice goes through.
+// The point whose slices are integrated.
 struct Centre {
     at: vec2<u32>,
     point: vec3<f32>,
@@ -43,11 +43,11 @@ fn ordered(x: u32, y: u32) -> f32 {
     return f32(pattern[(x & 3u) + 4u * (y & 3u)]) / 16.0;
 }
 
-// As `style.occlusion.steps` and `style.occlusion.slices` are limited.
+// Limits of `style.occlusion.steps` and `style.occlusion.slices`.
 const MOST_STEPS: u32 = 64u;
 const MOST_SLICES: u32 = 32u;
 
-// Cosine to the line of sight of the horizon along a direction of the picture, not below `least`.
+// Cosine between the line of sight and the horizon in a picture direction, at least `least`.
 fn horizon_along(centre: Centre, along: vec2<f32>, least: f32, moved: f32) -> f32 {
     var highest = least;
     for (var i = 0u; i < min(horizon.steps, MOST_STEPS); i++) {
@@ -71,7 +71,7 @@ fn horizon_along(centre: Centre, along: vec2<f32>, least: f32, moved: f32) -> f3
     return highest;
 }
 
-// Twice the integral of the cosine over a slice, from the line of sight to a horizon, where the normal leans by `lean`.
+// Twice the integral of the cosine over a slice, from the line of sight to a horizon, where the normal is tilted by `lean`.
 fn arc(angle: f32, lean: f32) -> f32 {
     return 0.25 * (-cos(2.0 * angle - lean) + cos(lean) + 2.0 * angle * sin(lean));
 }

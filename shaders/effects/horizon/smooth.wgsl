@@ -1,5 +1,5 @@
-// The mean of what was found of the sky over 4 x 4 samples, as large as the pattern of the search, of those that lie on about the same
-// plane. One invocation owns a pixel at a time.
+// Averages the horizon result over 4 x 4 samples, the size of the search pattern, using only samples on about the same plane. One
+// invocation owns a pixel at a time.
 
 #import cutaway::frame::{frame, pixel_index}
 #import cutaway::layers::{BACKGROUND, kind_of, unpack_direction, unpack_normal}
@@ -10,7 +10,7 @@
 @group(1) @binding(1) var<storage, read> sky: array<f32>;
 @group(1) @binding(2) var<storage, read_write> visibility: array<f32>;
 
-// How far from the tangent plane another sample may be, in widths of a pixel.
+// Greatest distance of another sample from the tangent plane, in pixel widths.
 const LEVEL_PX: f32 = 4.0;
 // The least cosine between normals.
 const ALIKE: f32 = 0.7;

@@ -1,4 +1,4 @@
-// Depth, blurred along columns, and how much light there is by its difference to depth itself: less where what is around lies nearer
+// Depth, blurred along columns, and the light that follows from its difference to the depth itself: less where the surroundings are nearer
 // (Luft, Colditz and Deussen 2006; Trapp and Döllner 2013, 4.5). One invocation owns a pixel.
 
 #import cutaway::depth_blur::{MOST_BLUR_PX, depth_share, first_weight, next_weight, unsharp}

@@ -1,14 +1,14 @@
-// Clip test for the shaders of a host: is a point of a part kept? Given to them as text, without the entry points.
-// Names begin with `cutaway` to differ from those of a host in the same module.
+// Clip test for a host's shaders: is a point of a part kept? The host gets this text without the entry points. Names begin with `cutaway`
+// to differ from those of a host in the same module.
 
 #import cutaway::crossings::crossings_before
 #import cutaway::cuts::is_removed
 #import cutaway::frame::{buffer_from_depth, frame}
 
 struct CutawayClip {
-    // By how much scene space is larger than the host's world.
+    // Scale from the host's world to scene space.
     scene_from_world: f32,
-    // Per part of the scene, bits of the cuts that reach it, and 1 if a cut removes all of the part.
+    // For each part of the scene, bits of the cuts that reach it, and 1 if a cut removes the whole part.
     parts: array<vec2<u32>>,
 }
 
@@ -26,7 +26,7 @@ fn cutaway_is_kept(pixel: vec2<u32>, depth: f32, part: u32) -> bool {
     return clip.y == 0u && !is_removed(crossings_before(depth, pixel).sides, clip.x);
 }
 
-// How the two are used, by a host whose vertices are in scene space. Hosts have entry points of their own.
+// Example use of the two functions, by a host whose vertices are in scene space. Hosts have entry points of their own.
 
 struct CutawayCorner {
     @builtin(position) position: vec4<f32>,

@@ -1,4 +1,4 @@
-// A frame over what a host has drawn, where the host has no depth.
+// Draws a frame over a host's picture, without host depth.
 
 #import cutaway::composite::{color_of, is_left_out, pixel_at}
 #import cutaway::full_screen::corner_of_screen

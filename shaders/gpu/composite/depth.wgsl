@@ -1,4 +1,4 @@
-// A frame among what a host has drawn, by the host's depth.
+// Draws a frame into a host's picture, with the host's depth test.
 
 #import cutaway::composite::{color_of, depth_of, is_left_out, pixel_at}
 #import cutaway::full_screen::corner_of_screen

@@ -1,4 +1,4 @@
-// A frame in the G-buffer of a host, which lights by itself.
+// Draws a frame into the G-buffer of a host with its own lighting.
 
 #import cutaway::composite::{as_target_takes, depth_of, is_left_out, layers, pixel_at}
 #import cutaway::cuts::Part

@@ -1,5 +1,5 @@
-// What both kinds of sweeps that count the crossings before a sample do first. After the list of crossings only the sample's own
-// depth counts.
+// The common first step of both kinds of sweeps that count the crossings in front of a sample. After it only the list of crossings and the
+// sample's own depth matter.
 
 #define_import_path cutaway::counting
 
@@ -17,7 +17,7 @@ fn is_kept(sample: Sample) -> bool {
     return !is_removed(sides, sample.part.cuts) && !is_passed(sample.front);
 }
 
-// Counts the crossings before a sample, stores the data for the inside test, and returns true if the sample is kept.
+// Counts the crossings in front of a sample, stores the data for the inside test, and returns true if the sample is kept.
 fn count_and_store(sample: Sample) -> bool {
     let part = sample.part;
     let before = crossings_before(sample.z, sample.at);

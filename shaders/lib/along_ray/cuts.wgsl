@@ -8,12 +8,12 @@
 const MAX_SURFACES: u32 = 32u;
 
 struct ClipSurface {
-    // Rows that take a point (x, y, z, 1) of scene space to its height over the plane and to texels of the offset map, of
-    // which the centres are at integers.
+    // Rows that map a point (x, y, z, 1) of scene space to its height over the plane and to texel coordinates of the offset map, with texel
+    // centres at integers.
     height_row: vec4<f32>,
     texel_x_row: vec4<f32>,
     texel_y_row: vec4<f32>,
-    // Directions of scene space: what a step along a texel axis means, and the normal, kept side first.
+    // Directions in scene space: the step along each texel axis, and the normal, pointing to the kept side.
     u_hat: vec4<f32>,
     v_hat: vec4<f32>,
     normal: vec4<f32>,
@@ -25,13 +25,13 @@ struct ClipSurface {
     first_texel: u32,
     wrap: u32,
     map_size: vec2<u32>,
-    // A ray crosses no more cells of the map than this inside the box.
+    // Greatest number of map cells that a ray crosses inside the box.
     cell_limit: u32,
     // Number of the clip-surface in the scene.
     surface: u32,
 }
 
-// Cells of a relief that a ray is followed through, at most: `cell_limit` in `src/plan/pack.rs`.
+// Greatest number of relief cells along a ray: `cell_limit` in `src/plan/pack.rs`.
 const MOST_CELLS: u32 = 32768u;
 
 const NO_RELIEF: u32 = 0xffffffffu;
@@ -39,7 +39,7 @@ const NO_RELIEF: u32 = 0xffffffffu;
 struct CutTable {
     surface_count: u32,
     cut_count: u32,
-    // 1 where crossings with some clip-surface bring a normal.
+    // 1 if crossings with some clip-surface carry a normal.
     has_normals: u32,
     padding: u32,
     // Bits of the clip-surfaces of cut 4 i + j in [i][j].
@@ -50,7 +50,7 @@ struct CutTable {
 struct Part {
     // Bits of the cuts that apply.
     cuts: u32,
-    // Where this part's bits or counts are in the inside mask: word, and shift or WINDING.
+    // Location of this part's bits or counts in the inside mask: word, and shift or WINDING.
     lane_word: u32,
     lane_shift: u32,
     // Index of the part in the scene.
@@ -58,7 +58,7 @@ struct Part {
     // sRGB.
     color: vec4<f32>,
     cap_color: vec4<f32>,
-    // Not of this part: where in the table that part is whose index in the scene is the number of this row.
+    // Unrelated to this part: the table index of the part whose scene index is this row's number.
     place: u32,
     padding_a: u32,
     padding_b: u32,
@@ -68,7 +68,7 @@ struct Part {
 @group(0) @binding(1) var<uniform> cut_table: CutTable;
 @group(0) @binding(2) var<storage, read> parts: array<Part>;
 
-// Where in the table a part of the scene is.
+// The table index of a part of the scene.
 fn place_of_part(part: u32) -> u32 {
     return parts[part].place;
 }
@@ -77,7 +77,7 @@ fn surfaces_of_cut(cut: u32) -> u32 {
     return cut_table.surfaces_of_cut[cut / 4u][cut % 4u];
 }
 
-// Whether a point with these sides is removed from a part that these cuts apply to.
+// Whether a point with these sides is removed from a part to which these cuts apply.
 fn is_removed(sides: u32, cuts: u32) -> bool {
     var rest = cuts;
     for (var i = 0u; i < 32u && rest != 0u; i++) {

@@ -1,8 +1,8 @@
-// What a pixel shows, decided: the nearest crossing at which some part goes from removed to kept while the inside test says that
-// it is inside it, or the surface that survived, whichever comes first in the list's own order. Normals of caps are left to the
-// shader, since only reliefs need heights for them.
+// Decides what a pixel shows: the nearest crossing at which some part goes from removed to kept and the inside test is true for it, or the
+// surviving surface, whichever comes first in the list's own order. Cap normals are left to the shader, since only reliefs need heights for
+// them.
 //
-// Bound as @group(1) @binding(3). Who drew the surfaces gives them as `Drawn`; the open module `inside` answers the inside test.
+// Bound as @group(1) @binding(3). The code that drew the surfaces supplies them as `Drawn`; the open module `inside` does the inside test.
 
 #define_import_path cutaway::decision
 
@@ -15,7 +15,7 @@
 
 @group(1) @binding(3) var<storage, read_write> layers: array<u32>;
 
-// The nearest surface that survived: the first two words of its layer, and its depth-buffer value.
+// The nearest surviving surface: the first two words of its layer, and its depth-buffer value.
 struct Drawn {
     word: u32,
     normal: u32,
@@ -26,7 +26,7 @@ struct Decision {
     word: u32,
     normal: u32,
     depth: f32,
-    // Word of the crossing whose normal is still wanted, or NONE, which no word is.
+    // Word of the crossing whose normal is still needed, or NONE, which no word equals.
     crossing: u32,
 }
 
@@ -36,12 +36,12 @@ struct Cap {
     found: bool,
     place: u32,
     crossing: u32,
-    // Other parts come free inside there too.
+    // Other parts begin to be kept inside there too.
     overlap: bool,
 }
 
-// The first cap among the crossings before `limit`. Parts are tested in order, and the first wins; a second part that shares
-// the cap is searched for only where that is shown.
+// The first cap among the crossings before `limit`. Parts are tested in order, and the first match wins; a second part that shares the cap
+// is searched for only if shared caps are displayed.
 fn first_cap(lanes: Lanes, at: vec2<u32>, limit: u32, start: u32) -> Cap {
     var sides = start;
     var cap = Cap(false, 0u, 0u, false);
@@ -81,13 +81,13 @@ fn decide(at: vec2<u32>, lanes: Lanes, drawn: Drawn) -> Decision {
     var normal = drawn.normal;
     var depth = depth_from_buffer(drawn.z);
     if kind_of(word) == BACKGROUND && is_blank(pixel) && !is_cut_short(at) {
-        // Of most pictures most.
+        // The common case in most pictures.
         return Decision(word, normal, depth, NONE);
     }
     let head = head_of(at);
     var limit = cappable(at);
     if kind_of(word) != BACKGROUND {
-        // The surface's place in the list stands where its clip-surface would, unless its part was drawn plainly.
+        // The word holds the surface's position in the list in its clip-surface bits, unless its part was drawn plainly.
         var before = clip_surface_of(word);
         if before == UNCOUNTED {
             before = crossings_before(drawn.z, at).behind;
@@ -115,7 +115,7 @@ fn decide(at: vec2<u32>, lanes: Lanes, drawn: Drawn) -> Decision {
         }
         odd = true;
         if lanes.near_inside && frame.near_cap != 0u && !is_removed(head.y, parts[place].cuts) {
-            // The first part has the cap.
+            // The first part owns the cap.
             if near_caps == 0u {
                 depth = frame.near;
                 word = layer_word(CAP, NEAR_PLANE, parts[place].part);
@@ -133,7 +133,7 @@ fn decide(at: vec2<u32>, lanes: Lanes, drawn: Drawn) -> Decision {
     return Decision(word, normal, depth, wanted);
 }
 
-// Writes a decision, with the normal of its cap where one was wanted.
+// Writes a decision, with the cap normal if one was needed.
 fn write(at: vec2<u32>, decision: Decision, normal: u32) {
     let first = pixel_index(at) * WORDS_PER_PIXEL;
     layers[first] = decision.word;

@@ -1,5 +1,5 @@
-// Walls that a ray passes unseen. Without a cap at the near plane a ray that begins inside a solid shows nothing of the solid before
-// entering something: the wall by which it leaves is passed. It shows its back, as no wall does that a ray from outside meets first.
+// Walls that a ray passes through unseen. Without a near-plane cap, a ray that begins inside a solid shows nothing of the solid until it
+// enters something: the exit wall is skipped. It shows its back face, unlike any wall first met by a ray from outside.
 
 #define_import_path cutaway::exits
 

@@ -1,5 +1,5 @@
-// The only clip-surface of a frame, a plane, where the ray of a pixel crosses it: recomputed on each use, always the same
-// way. So a fragment's side and the place of the cap agree.
+// The crossing of a pixel's ray with the only clip-surface of a frame, a plane: recomputed on each use, always in the same way, so a
+// fragment's side and the cap's depth agree.
 
 #define_import_path cutaway::lone_plane
 
@@ -7,7 +7,7 @@
 #import cutaway::rays::{along_ray, ray_table}
 
 struct LonePlane {
-    // Value of the depth buffer; 0, behind which nothing lies, where the ray does not cross the plane.
+    // Depth-buffer value; 0, behind which nothing lies, if the ray does not cross the plane.
     z: f32,
     // The ray starts on the removed side.
     begins_removed: bool,
@@ -26,7 +26,7 @@ fn lone_plane_at(at_px: vec2<f32>) -> LonePlane {
     return LonePlane(buffer_from_depth(depth), rises);
 }
 
-// Returns true if the ray crosses the plane where a cap may be: in the box of the cut solids, as in a list of crossings.
+// Returns true if the ray crosses the plane where a cap is possible: in the box of the cut solids, as in a list of crossings.
 fn is_in_box(plane: LonePlane, at_px: vec2<f32>) -> bool {
     let interval = box_interval(ray_through(at_px));
     let depth = depth_from_buffer(plane.z);

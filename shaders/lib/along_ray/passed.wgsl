@@ -1,9 +1,9 @@
-// What lies before a depth of a ray.
+// The crossings in front of a depth along a ray.
 
 #define_import_path cutaway::passed
 
 struct Before {
-    // How many crossings are in front.
+    // Number of crossings in front.
     behind: u32,
     // Sides after these crossings.
     sides: u32,

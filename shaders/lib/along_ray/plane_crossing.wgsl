@@ -1,4 +1,4 @@
-// Where a ray crosses a plane.
+// The crossing of a ray with a plane.
 
 #define_import_path cutaway::plane_crossing
 
@@ -6,8 +6,8 @@
 #import cutaway::frame::buffer_from_depth
 #import cutaway::rays::{ray_table, along_ray}
 
-// Adds the crossing of a plane inside the interval of depths, and the side on which the interval begins. The side follows
-// from the crossing and its direction, never from a second evaluation: the two cannot disagree.
+// Adds the crossing with a plane inside the interval of depths, and the side on which the interval begins. The side follows from the
+// crossing and its direction, never from a second evaluation, so the two cannot disagree.
 fn cross_plane(list: ptr<function, List>, surface: u32, at_px: vec2<f32>, interval: vec2<f32>) {
     let height = along_ray(ray_table.surfaces[surface].height, at_px);
     let rises = height.y > 0.0;

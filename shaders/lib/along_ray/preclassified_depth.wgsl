@@ -1,8 +1,8 @@
 // Depth of fragments whose triangles are preclassified, in a frame with a list of crossings.
 //
-// The depth of a face in a clip-surface, or close to it, is that of the surface but for rounding. So no depth orders its fragments
-// against the crossing: they are moved in front of the crossing or behind, if necessary. All other decisions about them use the
-// depth they have then: every decision of a pixel still compares the same numbers.
+// The depth of a face in or close to a clip-surface equals that of the surface except for rounding. So depth cannot order its fragments
+// relative to the crossing: they are moved in front of the crossing or behind it, if necessary. All other decisions use the moved depth, so
+// every decision of a pixel still compares the same numbers.
 
 #define_import_path cutaway::preclassified_depth
 
@@ -11,17 +11,17 @@
 #import cutaway::frame::{buffer_from_depth, centre_of, depth_from_buffer, frame, ray_through}
 #import cutaway::preclassified::{beside, of_doubled, preclassified, preclassified_at}
 
-// How far a crossing with a face that a fragment lies in may be found from it, as a share of its depth-buffer value,
+// Greatest distance of a coplanar cutter crossing from a fragment, as a share of its depth-buffer value,
 const NEAR_FACE: f32 = 0.000244140625;
-// or by how much the face changes within so much of a pixel, for fixed functions move the vertices of both by up to half of 1/16 px along
-// each axis,
+// or the depth change of the face over this part of a pixel, because fixed functions move the vertices of both by up to half of 1/16 px
+// along each axis,
 const NEAR_FACE_PX: f32 = 0.125;
-// as long as that is no more than such a share.
+// as long as that does not exceed this share.
 const STEEPEST_FACE: f32 = 0.015625;
 // Least cosine between the normals of two faces in one plane: those of a list have 13 bits along each axis.
 const SAME_PLANE: f32 = 0.9999;
 
-// How far from a fragment of a plane another one may be found.
+// Greatest distance between a fragment of a plane and another fragment or crossing in it.
 fn reach_of_face(z: f32, at: vec2<u32>, normal: vec3<f32>) -> f32 {
     let depth = depth_from_buffer(z);
     var change = 0.0;
@@ -33,8 +33,8 @@ fn reach_of_face(z: f32, at: vec2<u32>, normal: vec3<f32>) -> f32 {
     return NEAR_FACE * z + min(z - moved, STEEPEST_FACE * z);
 }
 
-// A fragment that lies in faces of some cutters: behind the crossing with the face where the ray enters the solid by it, before it where it
-// leaves. The crossing is the nearest one with such a cutter and in the same plane: a cutter's face ends where the next one begins.
+// A fragment coplanar with faces of some cutters: behind the crossing where the ray enters the solid through the face, in front where it
+// leaves. The crossing is the nearest one with such a cutter in the same plane: a cutter's face ends where the next begins.
 fn in_cutters(z: f32, at: vec2<u32>, group: u32, front: bool) -> f32 {
     let cutters = preclassified.groups[group].cutters;
     let normal = preclassified.groups[group].normal.xyz;
@@ -55,7 +55,7 @@ fn in_cutters(z: f32, at: vec2<u32>, group: u32, front: bool) -> f32 {
     return select(z, beside(z, crossing, !front), crossing > 0.0);
 }
 
-// Depth-buffer value of a fragment of a group, which rasterising found at `z`.
+// Final depth-buffer value of a fragment of a group, which was rasterised at `found`.
 fn preclassified_z(found: f32, at: vec2<u32>, group: u32, front: bool) -> f32 {
     let z = of_doubled(found, at, group, front);
     let surfaces = preclassified.groups[group].surfaces;

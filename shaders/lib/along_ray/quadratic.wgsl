@@ -1,6 +1,6 @@
 // Roots of a s^2 + b s + c in 0..length, found by signs and located by the citardauq form.
 //
-// The textbook form divides by 2a and fails on every flat cell (a = 0); this one divides by what has not cancelled.
+// The textbook form divides by 2a and fails on every flat cell (a = 0); this form divides by a value without cancellation.
 
 #define_import_path cutaway::quadratic
 
@@ -10,14 +10,14 @@ struct Roots {
     at: vec2<f32>,
 }
 
-// `kept` and `kept_at_exit` are the signs at 0 and at `length`, which decide: different signs are one root, equal signs two
-// where the vertex lies inside and on the other side, else none.
+// `kept` and `kept_at_exit` are the signs at 0 and at `length`, which decide: different signs give one root, equal signs two if the vertex
+// lies inside the range and on the other side, else none.
 fn roots_in(a: f32, b: f32, c: f32, length: f32, kept: bool, kept_at_exit: bool) -> Roots {
     let q = -0.5 * (b + select(-1.0, 1.0, b >= 0.0) * sqrt(max(b * b - 4.0 * a * c, 0.0)));
     let first = clamp(select(c / q, 0.0, q == 0.0), 0.0, length);
     let second = clamp(select(q / a, length, a == 0.0), 0.0, length);
     if kept != kept_at_exit {
-        // The derivative is sign(b) sqrt(D) at c / q and the opposite at q / a: the sign change names its root.
+        // The derivative is sign(b) sqrt(D) at c / q and the opposite at q / a: the sign change selects its root.
         let root = select(second, first, (b >= 0.0) == kept_at_exit);
         return Roots(1u, vec2<f32>(root, root));
     }

@@ -1,12 +1,12 @@
-// On which side of the clip-surfaces a point lies, by the height of the relief over it: one question to the map for each relief
-// (the open module `height_filter`). What decides at points and not along rays asks this.
+// On which side of the clip-surfaces a point lies, by the relief height over it: one map lookup per relief (the open module
+// `height_filter`). Used by tests at points, not along rays.
 
 #define_import_path cutaway::sides
 
 #import cutaway::cuts::{MAX_SURFACES, NO_RELIEF, cut_table}
 #import cutaway::height_filter::filtered_height
 
-// By how much a point is on the kept side: height over the plane plus the relief's; negative where removed.
+// Distance of a point on the kept side: height over the plane plus the relief's; negative where removed.
 fn kept_height(surface: u32, point: vec3<f32>) -> f32 {
     let p = vec4<f32>(point, 1.0);
     let over_plane = dot(cut_table.surfaces[surface].height_row, p);

@@ -1,4 +1,4 @@
-// Behind the model is the usual background.
+// The default background behind the model.
 
 #define_import_path cutaway::backdrop
 

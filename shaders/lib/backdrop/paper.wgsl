@@ -1,4 +1,4 @@
-// Behind the model is the paper of the style, or nothing.
+// The style's paper behind the model, or nothing.
 
 #define_import_path cutaway::backdrop
 

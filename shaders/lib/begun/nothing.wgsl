@@ -1,4 +1,4 @@
-// Another pass makes pixels ready for fragments, or nothing wants that.
+// Another pass prepares pixels for fragments, or no preparation is needed.
 
 #define_import_path cutaway::begun
 

@@ -1,4 +1,4 @@
-// Pixels are made ready for the fragments that an inside test wants (the open module `store`).
+// Prepares pixels for the fragments of an inside test (the open module `store`).
 
 #define_import_path cutaway::begun
 

@@ -1,8 +1,8 @@
-// Of what a frame leaves the layers alone are kept as background; later passes make all of the picture of them.
+// Only the layers are kept as background; later passes make the whole picture from them.
 
 #define_import_path cutaway::blank
 
-// A number for that, not 0.
+// A nonzero number that identifies this kind of background.
 fn kind_of_blank() -> u32 {
     return 1u;
 }

@@ -1,4 +1,4 @@
-// Of what a frame leaves the picture is kept as background too. Bound as @group(1) @binding(7).
+// The picture is kept as background too. Bound as @group(1) @binding(7).
 
 #define_import_path cutaway::blank
 
@@ -7,7 +7,7 @@
 
 @group(1) @binding(7) var<storage, read_write> picture: array<u32>;
 
-// A number for that, not 0.
+// A nonzero number that identifies this kind of background.
 fn kind_of_blank() -> u32 {
     return 2u;
 }

@@ -1,4 +1,4 @@
-// Takes borders and strokes away. Bound as @group(1) @binding(0) and (1).
+// Clears borders and strokes. Bound as @group(1) @binding(0) and (1).
 
 #define_import_path cutaway::blank_strokes
 

@@ -1,4 +1,4 @@
-// A style without strokes: there are none to take away.
+// A style without strokes: there is nothing to clear.
 
 #define_import_path cutaway::blank_strokes
 

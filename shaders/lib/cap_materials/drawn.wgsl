@@ -1,4 +1,4 @@
-// Colours that `cap_materials.wgsl` left in the picture, over those of parts.
+// Colours that `cap_materials.wgsl` stored in the picture replace those of parts.
 
 #define_import_path cutaway::cap_materials
 

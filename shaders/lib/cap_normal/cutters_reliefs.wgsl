@@ -1,5 +1,5 @@
-// Normals of caps where some clip-surface is a cutter and some a relief: that of the cutter's triangle, which the crossing brings
-// with it, turned to the removed side already; or that of the bilinear height field.
+// Cap normals where some clip-surface is a cutter and some a relief: that of the cutter's triangle, which is stored with the crossing and
+// already points to the removed side; or that of the bilinear height field.
 
 #define_import_path cutaway::cap_normal
 

@@ -1,4 +1,4 @@
-// Normals of caps where all clip-surfaces are planes: the plane's, turned to the removed side.
+// Cap normals where all clip-surfaces are planes: the plane's, pointing to the removed side.
 
 #define_import_path cutaway::cap_normal
 

@@ -1,4 +1,4 @@
-// Normals of caps where some clip-surface has a relief: that of the bilinear height field.
+// Cap normals where some clip-surface has a relief: that of the bilinear height field.
 
 #define_import_path cutaway::cap_normal
 

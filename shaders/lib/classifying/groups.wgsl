@@ -1,4 +1,4 @@
-// Rows of drawn parts after the first ones are groups of preclassified triangles: their samples are moved to the side they lie on.
+// Rows of drawn parts after the first are groups of preclassified triangles: their samples are moved to their known side.
 
 #define_import_path cutaway::classifying
 

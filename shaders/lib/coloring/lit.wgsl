@@ -1,4 +1,4 @@
-// Pixels are coloured where their layers are completed, by lit shading. Bound as @group(1) @binding(1) and (2).
+// Pixels are coloured as soon as their layers are complete, by lit shading. Bound as @group(1) @binding(1) and (2).
 
 #define_import_path cutaway::coloring
 

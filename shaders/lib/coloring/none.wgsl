@@ -1,4 +1,4 @@
-// Pixels are coloured by later passes, of which some look at the neighbours.
+// Pixels are coloured by later passes, some of which read neighbouring pixels.
 
 #define_import_path cutaway::coloring
 

@@ -1,5 +1,5 @@
-// Colours of parts, before any light.
-// The open module `overlap` says how caps that several solids share differ.
+// Colours of parts, unlit.
+// The open module `overlap` determines how shared caps of several solids look.
 
 #define_import_path cutaway::base
 
@@ -8,7 +8,7 @@
 #import cutaway::layers::{CAP, kind_of}
 #import cutaway::overlap::cap_base
 
-// The colour of a part, or of its caps, in linear light: the first word of a layer, and the place of its part in the table.
+// The colour of a part, or of its caps, in linear light, from the first word of a layer and the part's index in the table.
 fn own_color(word: u32, place: u32) -> vec3<f32> {
     let is_cap = kind_of(word) == CAP;
     return linear_from_srgb(select(parts[place].color.rgb, parts[place].cap_color.rgb, is_cap));

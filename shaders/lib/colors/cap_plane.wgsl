@@ -1,4 +1,4 @@
-// Planes of caps: what lies on a cut is placed by coordinates in the plane of its clip-surface.
+// Planes of caps: patterns on a cut are placed by coordinates in the plane of its clip-surface.
 
 #define_import_path cutaway::cap_plane
 
@@ -7,25 +7,25 @@
 struct CapPlane {
     u_row: vec4<f32>,
     v_row: vec4<f32>,
-    // The last is 1 where there is no one plane but the faces of a cutter.
+    // The last component is 1 for the faces of a cutter, which have no single plane.
     normal: vec4<f32>,
 }
 
-// Where a pixel is on the plane of its cap, in scene units, and how far the next pixels are.
+// A pixel's position on the plane of its cap, in scene units, and the steps to the next pixels.
 struct Footing {
     uv: vec2<f32>,
     right: vec2<f32>,
     down: vec2<f32>,
 }
 
-// The plane of caps that the near plane makes.
+// The plane of near-plane caps.
 fn plane_of_view() -> CapPlane {
     let right = vec4<f32>(normalize(frame.ray_step[0].xyz), 0.0);
     let up = vec4<f32>(-normalize(frame.ray_step[1].xyz), 0.0);
     return CapPlane(right, up, vec4<f32>(frame.forward.xyz, 0.0));
 }
 
-// The axis that a direction is nearest to: 0, 1 or 2.
+// The axis nearest to a direction: 0, 1 or 2.
 fn nearest_axis(direction: vec3<f32>) -> u32 {
     let size = abs(direction);
     if size.x >= size.y && size.x >= size.z {
@@ -34,7 +34,7 @@ fn nearest_axis(direction: vec3<f32>) -> u32 {
     return select(2u, 1u, size.y >= size.z);
 }
 
-// A plane, or of a cutter the one of the axes that the normal of its face is nearest to.
+// The plane itself, or for a cutter the axis-aligned plane nearest to the face normal.
 fn faced(plane: CapPlane, normal: vec3<f32>) -> CapPlane {
     if plane.normal.w < 0.5 {
         return plane;
@@ -46,7 +46,7 @@ fn faced(plane: CapPlane, normal: vec3<f32>) -> CapPlane {
     return CapPlane(u_row, v_row, vec4<f32>(normal, 0.0));
 }
 
-// How far a point of a plane with this normal moves when the pixel moves by `step` at its depth.
+// How far a point on a plane with this normal moves when the pixel moves by `step` at its depth.
 fn moved_along(normal: vec3<f32>, direction: vec3<f32>, step: vec3<f32>) -> vec3<f32> {
     let towards = dot(direction, normal);
     // At grazing angles a footprint would be infinite.

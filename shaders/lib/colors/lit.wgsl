@@ -1,5 +1,5 @@
-// The plain look: colours of parts under the lights, with highlights; caps in their own colour and a little flatter, so that the cut
-// reads as one sheet. Colours are mixed in linear light.
+// The plain style: part colours under the lights, with highlights; caps in their own colour and slightly flatter, so that the cut reads as
+// one sheet. Colours are mixed in linear light.
 
 #define_import_path cutaway::lit
 
@@ -14,7 +14,7 @@ fn lit(base: vec3<f32>, normal: vec3<f32>, gaze: vec3<f32>, is_cap: bool) -> vec
     return base * diffuse_light(normal, gaze) + gloss;
 }
 
-// Colour of a pixel with a surface or a cap: the first two words of its layer, and the place of its part in the table.
+// Colour of a pixel with a surface or a cap, from the first two words of its layer and its part's index in the table.
 fn color_of(at: vec2<u32>, word: u32, normal: u32, place: u32) -> u32 {
     let gaze = normalize(ray_through(centre_of(at)).direction);
     let color = lit(base_of(at, word, place), unpack_normal(normal), gaze, kind_of(word) == CAP);

@@ -1,11 +1,11 @@
-// Solid textures: colour as a function of the place in the solid, so that every cut shows what it would (Peachey 1985, Perlin 1985). In
-// linear light; lengths are in sizes of the material. What is finer than a pixel fades to its mean.
+// Solid textures: colour as a function of the position in the solid, so that every cut is consistent (Peachey 1985, Perlin 1985). In linear
+// light; the unit of length is the material size. Detail finer than a pixel fades to its mean.
 
 #define_import_path cutaway::solids
 
 #import cutaway::color::linear_from_srgb
 
-// Three numbers from 0 to 1 for a cell (PCG by three coordinates: Jarzynski and Olano 2020).
+// Three numbers from 0 to 1 per cell (PCG of three coordinates: Jarzynski and Olano 2020).
 fn hash(cell: vec3<i32>) -> vec3<f32> {
     var v = bitcast<vec3<u32>>(cell) * 1664525u + 1013904223u;
     v.x += v.y * v.z;
@@ -22,7 +22,7 @@ fn corner_noise(cell: vec3<i32>, at: vec3<f32>) -> f32 {
     return dot(hash(cell) * 2.0 - 1.0, at);
 }
 
-// Gradient noise, about from -0.7 to 0.7.
+// Gradient noise, roughly from -0.7 to 0.7.
 fn noise(p: vec3<f32>) -> f32 {
     let floor_p = floor(p);
     let cell = vec3<i32>(floor_p);
@@ -39,12 +39,12 @@ fn noise(p: vec3<f32>) -> f32 {
     return mix(mix(sums.x, sums.y, s.y), mix(sums.z, sums.w, s.y), s.z);
 }
 
-// How much of a pattern of some wavelength is left where a pixel is so wide.
+// Fraction of a pattern with this wavelength that remains at this pixel footprint.
 fn kept_at(wavelength: f32, footprint: f32) -> f32 {
     return clamp(2.0 - 4.0 * footprint / wavelength, 0.0, 1.0);
 }
 
-// Three octaves.
+// Turbulence of three octaves.
 fn turbulence(p: vec3<f32>, footprint: f32) -> f32 {
     var sum = 0.0;
     var scale = 1.0;
@@ -55,7 +55,7 @@ fn turbulence(p: vec3<f32>, footprint: f32) -> f32 {
     return sum;
 }
 
-// Rings around the third axis, four in a size: a slow rise from early to late wood, and a fast end.
+// Rings around the third axis, four per material size: a slow rise from early to late wood, and a fast end.
 fn wood(p: vec3<f32>, footprint: f32) -> vec3<f32> {
     let early = linear_from_srgb(vec3<f32>(0.86, 0.70, 0.47));
     let late = linear_from_srgb(vec3<f32>(0.55, 0.35, 0.18));
@@ -78,7 +78,7 @@ fn marble(p: vec3<f32>, footprint: f32) -> vec3<f32> {
     return mix(pale * (0.92 + 0.22 * cloud), vein, clamp(cover * (0.65 + cloud), 0.0, 0.9));
 }
 
-// Grains, fourteen along a size: the nearest of jittered points, one a cell, says which mineral (Worley 1996).
+// Grains, fourteen per material size: the nearest of jittered points, one per cell, determines the mineral (Worley 1996).
 fn granite(p: vec3<f32>, footprint: f32) -> vec3<f32> {
     let rose = linear_from_srgb(vec3<f32>(0.80, 0.66, 0.60));
     let quartz = linear_from_srgb(vec3<f32>(0.80, 0.79, 0.78));

@@ -1,7 +1,7 @@
-// Textures in storage: any number of them by one binding, and the same numbers on every device. Bound as @group(2) @binding(0) and (1).
+// Textures in storage: any number by one binding, with the same results on every device. Bound as @group(2) @binding(0) and (1).
 //
-// Up to four samples lie along the longer side of what a pixel covers, as many as it is longer than the other; each is bilinear in the two
-// sizes between which its share of that side is a texel long.
+// Up to four samples lie along the longer side of the pixel footprint, as many as the ratio of its sides; each is bilinear in the two mip
+// levels between which its share of that side is one texel long.
 
 #define_import_path cutaway::texture
 
@@ -14,7 +14,7 @@ struct Texture {
 }
 
 @group(2) @binding(0) var<storage, read> textures: array<Texture>;
-// RGBA8 of all sizes, each half as large as the one before.
+// RGBA8 of all mip levels, each half as large as the one before.
 @group(2) @binding(1) var<storage, read> texels: array<u32>;
 
 const NO_TEXTURE: u32 = 0xffffffffu;
@@ -27,7 +27,7 @@ fn texel_at(first: u32, size: vec2<u32>, at: vec2<i32>, is_color: bool) -> vec4<
     return vec4<f32>(select(texel.rgb, linear_from_srgb(texel.rgb), is_color), texel.a);
 }
 
-// Bilinear in one size, at a place in repeats.
+// Bilinear in one mip level, at a position in repeats.
 fn bilinear(first: u32, size: vec2<u32>, place: vec2<f32>, is_color: bool) -> vec4<f32> {
     let at = fract(place) * vec2<f32>(size) - 0.5;
     let corner = floor(at);
@@ -49,7 +49,7 @@ fn bilinear(first: u32, size: vec2<u32>, place: vec2<f32>, is_color: bool) -> ve
 // Halvings of the largest texture.
 const MOST_LEVELS: f32 = 16.0;
 
-// Between two sizes.
+// Interpolates between two mip levels.
 fn at_level(texture: Texture, level: f32, place: vec2<f32>) -> vec4<f32> {
     var first = texture.first;
     var size = texture.size;
@@ -67,7 +67,7 @@ fn at_level(texture: Texture, level: f32, place: vec2<f32>) -> vec4<f32> {
     return mix(fine, coarse, share);
 }
 
-// A texture at a place in repeats, over a pixel with these sides; colours in linear light.
+// A texture at a position in repeats, over a pixel footprint with these sides; colours in linear light.
 fn sampled(number: u32, place: vec2<f32>, right: vec2<f32>, down: vec2<f32>) -> vec4<f32> {
     let texture = textures[number];
     let size = vec2<f32>(texture.size);

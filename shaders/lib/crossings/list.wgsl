@@ -1,8 +1,8 @@
-// Reading the one list of crossings per pixel. Bound as @group(0) @binding(5), (6) and (7).
+// Reads the per-pixel list of crossings. Bound as @group(0) @binding(5), (6) and (7).
 //
-// Crossing i of a pixel is at depth-buffer value crossing_z[i * pixels + pixel], nearest first, so a fragment's `behind`
-// is the number of crossings in front of the fragment. The list is written once per frame and decides everything: which fragment
-// is kept, where a cap may be, and whether it is inside.
+// Crossing i of a pixel is at depth-buffer value crossing_z[i * pixels + pixel], nearest first, so a fragment's `behind` is the number of
+// crossings in front of it. The list is written once per frame and decides everything: which fragments are kept, where caps are possible,
+// and whether they are inside.
 
 #define_import_path cutaway::crossings
 
@@ -12,34 +12,33 @@
 #import cutaway::passed::Before
 #import cutaway::surfaces::{keeps_words, surface_of}
 
-// Bits 0-9 how many crossings, bit 31 set when the list could not hold them all or may be wrong; and the sides where the
-// ray starts.
+// Bits 0-9 the number of crossings, bit 31 set if the list overflowed or may be wrong; and the sides where the ray starts.
 @group(0) @binding(5) var<storage, read> crossing_heads: array<vec2<u32>>;
 @group(0) @binding(6) var<storage, read> crossing_z: array<f32>;
-// Word of each crossing (`crossing_words`); not stored where there is only one clip-surface and it brings no normals.
+// Word of each crossing (`crossing_words`); not stored if there is only one clip-surface and it carries no normals.
 @group(0) @binding(7) var<storage, read> crossing_surface: array<u32>;
 
-// How many crossings a list holds and whether it may be wrong, and the sides where the ray starts.
+// The number of crossings in a list and whether it may be wrong, and the sides where the ray starts.
 fn head_of(at: vec2<u32>) -> vec2<u32> {
     return crossing_heads[pixel_index(at)];
 }
 
-// Whether the list of a pixel could not hold all crossings, or may be wrong.
+// Whether a pixel's list overflowed, or may be wrong.
 fn is_cut_short(at: vec2<u32>) -> bool {
     return (head_of(at).x & 0x80000000u) != 0u;
 }
 
-// How many crossings a list holds, by the first word of its head.
+// The number of crossings in a list, from the first word of its head.
 fn listed(head: u32) -> u32 {
     return head & MOST_CROSSINGS;
 }
 
-// How many crossings may be caps: all that are listed.
+// The number of crossings that may be caps: all in the list.
 fn cappable(at: vec2<u32>) -> u32 {
     return listed(head_of(at).x);
 }
 
-// Clip-surface of a crossing, and its other stored data.
+// A crossing's word: its clip-surface and other stored data.
 fn word_at(index: u32, at: vec2<u32>) -> u32 {
     if !keeps_words() {
         return 0u;
@@ -60,11 +59,11 @@ fn depth_at(index: u32, at: vec2<u32>) -> f32 {
     return depth_from_buffer(z_at(index, at));
 }
 
-// Lists up to this length are looked through one by one.
+// Lists up to this length are searched linearly.
 const SHORT: u32 = 8u;
 
-// A long list is searched by halving, 10 looks for 1023 crossings, unless the clip-surface of each crossing in front must be looked
-// at anyway. Both ways share one loop: every sample of a mesh comes here, and a loop that is not entered costs as well.
+// A long list is searched by bisection, 10 steps for 1023 crossings, unless the clip-surface of each crossing in front must be read anyway.
+// Both searches share one loop: every mesh sample runs this code, and even a loop that is not entered has a cost.
 fn crossings_before(z: f32, at: vec2<u32>) -> Before {
     let head = head_of(at);
     let count = listed(head.x);
@@ -74,7 +73,7 @@ fn crossings_before(z: f32, at: vec2<u32>) -> Before {
     for (var i = 0u; i < looks; i++) {
         let ahead = found.behind + select(1u, 1u << (looks - 1u - i), halves);
         if ahead <= count && is_behind(z, z_at(ahead - 1u, at)) {
-            // By halving as many crossings of the only clip-surface as are passed over.
+            // With bisection, each skipped crossing flips the side of the only clip-surface.
             let passed = select(1u << surface_at(ahead - 1u, at), (ahead - found.behind) & 1u, halves);
             found.sides ^= passed;
             found.behind = ahead;

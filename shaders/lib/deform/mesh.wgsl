@@ -1,4 +1,4 @@
-// Deformers of which some inflate: they ask where outward is.
+// Deformers, some of which inflate: these need the outward direction.
 
 #define_import_path cutaway::deform
 

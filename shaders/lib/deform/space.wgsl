@@ -1,4 +1,4 @@
-// Deformers that move space: they ask nothing of the mesh.
+// Deformers that only move space: they need no mesh data.
 
 #define_import_path cutaway::deform
 

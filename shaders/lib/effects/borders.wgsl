@@ -1,6 +1,6 @@
-// Borders: between which neighbouring samples of the picture a stroke belongs, and of what class. A word of a pixel has the class of
-// the border on its right in bits 0-3 and of that below it in bits 4-7; 0 is none. After the words of all pixels there is one for each tile,
-// which is not 0 where some border is in it: most of a picture has none.
+// Borders: which neighbouring samples of the picture a stroke separates, and its class. A pixel's word has the class of the border to its
+// right in bits 0-3 and of the one below it in bits 4-7; 0 is none. The words of all pixels are followed by one per tile, which is nonzero
+// if the tile contains a border: most tiles have none.
 
 #define_import_path cutaway::borders
 
@@ -10,18 +10,18 @@
 const NO_BORDER: u32 = 0u;
 // One side is background.
 const OUTLINE: u32 = 1u;
-// One side is a cap, the other of another kind or part.
+// One side is a cap, the other of a different kind or part.
 const CUT: u32 = 2u;
-// Surfaces of two parts.
+// Between surfaces of two parts.
 const PART: u32 = 3u;
-// Caps of one part by two clip-surfaces.
+// Between caps of one part by two clip-surfaces.
 const FACE: u32 = 4u;
 // The depth of one part jumps.
 const CONTOUR: u32 = 5u;
 // A surface is folded.
 const CREASE: u32 = 6u;
 
-// Where the word of a tile is.
+// Index of a tile's word.
 fn word_of_tile(tile: vec2<u32>) -> u32 {
     return pixel_count() + tile_at(tile);
 }

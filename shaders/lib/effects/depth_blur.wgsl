@@ -5,23 +5,23 @@
 #import cutaway::frame::frame
 #import cutaway::layers::{BACKGROUND, kind_of}
 
-// How far a blur reaches, at most: half of the largest picture.
+// Greatest reach of a blur: half of the largest picture.
 const MOST_BLUR_PX: i32 = 4096;
 
 struct Unsharp {
-    // The length that is 1.
+    // The length that counts as 1.
     diagonal: f32,
-    // Standard deviation in pixels, and how many samples are taken to each side.
+    // Standard deviation in pixels, and number of samples to each side.
     sigma_px: f32,
     reach_px: i32,
-    // How much darker it is where depth is greater than around by 1.
+    // How much darker it is where the depth exceeds that of the surroundings by 1.
     strength: f32,
 }
 
 @group(2) @binding(0) var<uniform> unsharp: Unsharp;
 
-// Weights of samples by their distance, one after the other, by two products each (Turkowski, GPU Gems 3, 40): the weight, its factor, and
-// the factor of that.
+// Sample weights by distance, each computed from the previous one by two products (Turkowski, GPU Gems 3, 40): the weight, its factor, and
+// the factor of that factor.
 fn first_weight() -> vec3<f32> {
     let step = exp(-0.5 / (unsharp.sigma_px * unsharp.sigma_px));
     return vec3<f32>(1.0, step, step * step);
@@ -31,7 +31,7 @@ fn next_weight(weight: vec3<f32>) -> vec3<f32> {
     return vec3<f32>(weight.x * weight.y, weight.y * weight.z, weight.z);
 }
 
-// Depth over the diagonal of the scene, which is around the origin of scene space: 0 before it, 1 behind it.
+// Depth divided by the scene's diagonal, centred on the origin of scene space: 0 in front of the scene, 1 behind it.
 fn depth_share(word: u32, depth: f32) -> f32 {
     let middle = -dot(frame.ray_origin[0].xyz, frame.forward.xyz);
     let share = clamp((depth - middle) / unsharp.diagonal + 0.5, 0.0, 1.0);

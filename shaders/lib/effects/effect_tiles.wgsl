@@ -1,5 +1,5 @@
-// The tiles of the picture that effects draw: those that show something, or have such a tile within the reach of a stroke, and those of
-// the frame before. All others are background already, without a stroke. Tiles are as large as touched ones.
+// The picture tiles that effects draw: those that show something, those within stroke reach of such a tile, and those of the previous
+// frame. All others already are background without strokes. Tiles have the size of touched tiles.
 
 #define_import_path cutaway::effect_tiles
 
@@ -7,15 +7,15 @@
 struct Backdrop {
     size_px: vec2<u32>,
     band: vec2<u32>,
-    // Bits of what is behind the first row and the last.
+    // Bits of the background colours of the first row and the last.
     top: vec4<u32>,
     bottom: vec4<u32>,
 }
 
 struct EffectTile {
-    // The tile that is in this place of the list.
+    // The tile at this index of the list.
     listed: u32,
     is_shown: u32,
-    // Whether the frame before has drawn it for what is shown.
+    // Whether the previous frame drew the tile because it showed something.
     was_listed: u32,
 }

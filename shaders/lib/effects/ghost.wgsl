@@ -1,4 +1,4 @@
-// Uncut picture of the scene, for a picture that shows the removed parts. Bound as @group(1) @binding(0) and (1).
+// Layers of the uncut scene, for a picture that shows the removed material. Bound as @group(1) @binding(0) and (1).
 
 #define_import_path cutaway::ghost
 
@@ -8,10 +8,10 @@
 @group(1) @binding(0) var<storage, read> layers: array<u32>;
 @group(1) @binding(1) var<storage, read> ghost_layers: array<u32>;
 
-// How far what is removed is before what is shown, in widths of a pixel: less is what is shown itself.
+// Least distance of removed material in front of the visible surface, in pixel widths: anything closer is the visible surface itself.
 const APART_PX: f32 = 3.0;
 
-// Whether something that was before what a pixel shows is gone.
+// Whether material in front of the visible surface was removed.
 fn is_gone(at: vec2<i32>) -> bool {
     if !is_in_frame(at) {
         return false;

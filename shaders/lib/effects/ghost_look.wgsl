@@ -1,4 +1,4 @@
-// How what is gone looks. Bound as @group(2) @binding(0).
+// Appearance of removed material. Bound as @group(2) @binding(0).
 
 #define_import_path cutaway::ghost_look
 
@@ -7,11 +7,11 @@ struct Ghost {
     color: vec4<f32>,
     // Half the width of a line in pixels.
     half_px: f32,
-    // How much of the colour a line has.
+    // Opacity of a line.
     alpha: f32,
-    // How much glass is seen.
+    // Opacity of glass.
     glass: f32,
-    // Widths of a line in a scene unit.
+    // Line widths per scene unit.
     widths_per_unit: f32,
 }
 

@@ -1,10 +1,10 @@
-// Colours laid over those of a picture.
+// Blends colours over a picture.
 
 #define_import_path cutaway::over
 
 #import cutaway::color::{linear_from_srgb, srgb_from_linear}
 
-// The word of a pixel of which a colour, in linear light, covers a share that is more than 0.
+// A pixel's word after blending a colour, in linear light, with a coverage above 0.
 fn laid_over(word: u32, color: vec3<f32>, cover: f32) -> u32 {
     let below = unpack4x8unorm(word);
     let alpha = cover + below.a * (1.0 - cover);

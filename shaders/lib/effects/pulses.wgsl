@@ -2,7 +2,7 @@
 
 #define_import_path cutaway::pulses
 
-// The integral of the integral of pulses that begin at whole numbers and are `width` long.
+// The double integral of pulses that begin at whole numbers and are `width` long.
 fn twice_integrated(t: f32, width: f32) -> f32 {
     let whole = floor(t);
     let part = t - whole;
@@ -17,16 +17,16 @@ fn integrated(t: f32, width: f32) -> f32 {
     return whole * width + min(t - whole, width);
 }
 
-// The mean of pulses of a width, 0 to 1, that are centred on whole numbers, over a pixel whose sides go by `steps` across them: what the
-// pixel has of them. Across pulses a pixel is the convolution of two boxes, so that two integrals give it without an error of their own.
+// The mean of pulses with a width of 0 to 1, centred on whole numbers, over a pixel whose sides advance by `steps` across them: their
+// coverage of the pixel. Across pulses a pixel is the convolution of two boxes, so two integrals give the exact result.
 fn pulse_cover(at: f32, width: f32, steps: vec2<f32>) -> f32 {
     let long = max(max(abs(steps.x), abs(steps.y)), 1e-5);
     let short = min(abs(steps.x), abs(steps.y));
-    // Wider than many periods it is their mean, of which integrals would lose the bits.
+    // If it is many periods wide, the result is the mean, because integrals would lose precision.
     if long > 32.0 {
         return width;
     }
-    // Near 0 the difference of integrals keeps its bits.
+    // Near 0 the difference of integrals keeps its precision.
     let near = at - round(at) + 0.5 * width;
     if short < 0.02 * long || long * short < 1e-5 {
         let half = 0.5 * long;

@@ -1,11 +1,11 @@
-// The points that a picture shows, for effects that look at the pixels around one.
+// The visible points of a picture, for effects that read neighbouring pixels.
 
 #define_import_path cutaway::shown
 
 #import cutaway::frame::{centre_of, frame, pixel_index, ray_through}
 #import cutaway::layers::{BACKGROUND, WORDS_PER_PIXEL, kind_of}
 
-// A point of scene space; `w` is 1 where there is one, 0 for the background.
+// A point of scene space; `w` is 1 if there is one, 0 for the background.
 fn shown_point(at: vec2<u32>, word: u32, depth: f32) -> vec4<f32> {
     if kind_of(word) == BACKGROUND {
         return vec4<f32>(0.0);

@@ -1,9 +1,9 @@
-// Strokes along borders: of a width, in ink, smooth at their edges. Bound as @group(2) @binding(1).
+// Strokes along borders: with a width, in ink, with smooth edges. Bound as @group(2) @binding(1).
 //
-// A stroke is a segment on a border, between two samples, with its ends where `strokes.wgsl` placed them. The distance to it is that to its
-// segment less half its width; the least over all borders nearby is one distance for all classes, so that lines of unlike widths join at
-// corners. Strokes are filtered by a tent that is two pixels wide, as one integral: a line thinner than a pixel that is filtered by a box is
-// a row of beads, dark where it lies in one pixel and pale where it lies in two (Chan and Durand 2005, "Fast prefiltered lines").
+// A stroke is a segment on a border, between two samples, with its ends where `strokes.wgsl` placed them. The distance to a stroke is that
+// to its segment less half its width; the least over all borders nearby is one distance for all classes, so that lines of different widths
+// join at corners. Strokes are filtered by a tent two pixels wide, as one integral: with a box filter a line thinner than a pixel is a row
+// of beads, dark where it lies in one pixel and pale where it lies in two (Chan and Durand 2005, "Fast prefiltered lines").
 
 #define_import_path cutaway::stroke_cover
 
@@ -21,13 +21,13 @@ fn half_px_of(border: u32) -> f32 {
     return style.stroke_halves[(border - 1u) / 4u][(border - 1u) % 4u];
 }
 
-// The nearest stroke to a point: the distance to its edge, negative inside, and half its width.
+// The nearest stroke to a point: the distance to its edge, negative inside the stroke, and half its width.
 struct Nearest {
     edge: f32,
     half_px: f32,
 }
 
-// The nearer of a stroke and that on a border, of a point that is `off` from the middle of the border across it and along it.
+// The nearer of a stroke and that on a border, for a point at offset `off` from the middle of the border, across it and along it.
 fn nearer(nearest: Nearest, border: u32, ends: array<vec2<f32>, 2>, off: vec2<f32>) -> Nearest {
     if border == NO_BORDER {
         return nearest;
@@ -57,13 +57,13 @@ fn has_border_near(at: vec2<u32>, reach_px: i32) -> bool {
     return found != 0u;
 }
 
-// How much of the filter's weight lies up to a distance.
+// Fraction of the filter's weight within a distance.
 fn weight_up_to(distance: f32) -> f32 {
     let within = 1.0 - min(abs(distance), 1.0);
     return 0.5 + sign(distance) * 0.5 * (1.0 - within * within);
 }
 
-// The share of a pixel that strokes cover.
+// The fraction of a pixel that strokes cover.
 fn stroke_cover(at: vec2<u32>) -> f32 {
     if !has_border_near(at, style.stroke_reach_px + 1) {
         return 0.0;

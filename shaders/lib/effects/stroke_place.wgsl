@@ -1,10 +1,10 @@
-// Where a stroke is on its border, in 12 bits: for each of the two ends, how far it is off across the border, or that it is in the middle
-// of the border. Bits 8-19 of a pixel's word are for the border on its right, bits 20-31 for that below it.
+// Position of a stroke on its border, in 12 bits: for each of the two ends, its offset across the border, or that it is in the middle of
+// the border. Bits 8-19 of a pixel's word are for the border to its right, bits 20-31 for that below it.
 
 #define_import_path cutaway::stroke_place
 
 struct Place {
-    // How far the first and the last end are off, in pixels, at most half of one.
+    // Offsets of the first and the last end, in pixels, at most half a pixel.
     off: vec2<f32>,
     // Whether an end is in the middle of the border.
     is_shortened: vec2<bool>,
@@ -21,7 +21,7 @@ fn placed(place: Place) -> u32 {
     return end_bits(place.off.x, place.is_shortened.x) | (end_bits(place.off.y, place.is_shortened.y) << 6u);
 }
 
-// One end from its bits: how far it is off, and its place along the border from the border's middle, before or behind as `sign` says.
+// One end from its bits: its offset across, and its position along the border relative to the middle, in direction `sign`.
 fn end_at(bits: u32, sign: f32) -> vec2<f32> {
     let steps = i32(bits << 26u) >> 26u;
     if steps == SHORTENED {
@@ -30,7 +30,7 @@ fn end_at(bits: u32, sign: f32) -> vec2<f32> {
     return vec2<f32>(f32(steps) / STEPS, 0.5 * sign);
 }
 
-// The two ends of the stroke on the border on the right of a pixel, or below it: each how far across and how far along.
+// The two ends of the stroke on the border to the right of a pixel, or below it: each as offsets across and along.
 fn ends_of(word: u32, is_right: bool) -> array<vec2<f32>, 2> {
     let bits = select(word >> 20u, word >> 8u, is_right);
     return array(end_at(bits & 63u, -1.0), end_at((bits >> 6u) & 63u, 1.0));

@@ -4,28 +4,28 @@
 
 struct Style {
     ink: vec4<f32>,
-    // Alpha is 0 where nothing is behind the model.
+    // Alpha is 0 if nothing is drawn behind the model.
     paper: vec4<f32>,
-    // Cool blue, warm yellow, and the shares of the own colour in cool and in warm light.
+    // Cool blue, warm yellow, and the fractions of the part's own colour in cool and in warm light.
     gooch: vec4<f32>,
-    // Half the widths of strokes in pixels, by the class of the border less one.
+    // Half the stroke widths in pixels, by border class less one.
     stroke_halves: array<vec4<f32>, 2>,
-    // Cosine of the least fold that is a crease.
+    // Cosine of the least fold angle that is a crease.
     crease_cos: f32,
-    // The least jump in depth that is a contour, in widths of a pixel.
+    // The least depth jump that is a contour, in pixel widths.
     depth_px: f32,
-    // How much of the light a cap takes.
+    // How strongly caps are lit.
     cap_light: f32,
-    // Share of that light that depends on the orientation of the cap.
+    // Fraction of that light that depends on the cap's orientation.
     cap_relief: f32,
-    // How many pixels away a border may be whose stroke is seen: half the greatest width, rounded up, and one for the edge.
+    // Greatest distance in pixels to a border whose stroke is visible: half the greatest width, rounded up, plus one for the edge.
     stroke_reach_px: i32,
     // Samples per pixel of the picture along each side: each covers that fraction of the pixel.
     fineness: f32,
-    // How much of occlusion surfaces and caps have.
+    // Strength of occlusion on surfaces and on caps.
     occlusion_surface: f32,
     occlusion_cap: f32,
-    // Unit vectors across the lines of engraving, and about the distance from line to line in pixels.
+    // Unit vectors across the engraving lines, and the approximate line spacing in pixels.
     engraving: array<vec4<f32>, 2>,
 }
 

@@ -1,4 +1,4 @@
-// Only the queue is reset with a screen.
+// Only the queue is reset together with a screen.
 
 #define_import_path cutaway::fresh
 

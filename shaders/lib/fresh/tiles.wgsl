@@ -1,4 +1,4 @@
-// Reset with the screen of a frame: no tile is touched.
+// Reset together with a frame's screen: no tile is touched.
 
 #define_import_path cutaway::fresh
 

@@ -10,18 +10,18 @@ fn is_blank(pixel: u32) -> bool {
     return is_zero(pixel);
 }
 
-// The first place from `place` on whose part a crossing of a pixel is inside, or the number of parts.
+// The first part-table index, from `place` on, of a part that a crossing of a pixel is inside, or the number of parts.
 fn next_inside(lanes: Lanes, place: u32, pixel: u32, crossing: u32) -> u32 {
     return next_odd(lanes, place, pixel, crossing);
 }
 
-// The first place from `place` on in whose part the ray of a pixel starts, as far as its fragments tell: an odd total. Where no part can
-// be there, it says that the mesh is open.
+// The first part-table index, from `place` on, of a part in which the pixel's ray starts, judged by its fragments: an odd total. If the ray
+// cannot start in a part, an odd total means that the mesh is open.
 fn next_starting(lanes: Lanes, place: u32, pixel: u32) -> u32 {
     return next_odd(lanes, place, pixel, lanes.bits - 1u);
 }
 
-// Whether the answers for a pixel may be wrong because something found no room.
+// Whether the answers for a pixel may be wrong because a buffer overflowed.
 fn in_doubt(lanes: Lanes, pixel: u32) -> bool {
     return is_doubted(lanes, pixel);
 }

@@ -1,5 +1,5 @@
-// The inside test `mask` where some part is filled by the nonzero rule: a crossing is inside such a part where the steps of the
-// fragments behind it do not cancel. The others are tested by parity.
+// The inside test `mask` if some part is filled by the nonzero rule: a crossing is inside such a part where the steps of the fragments
+// behind it do not cancel. Other parts are tested by parity.
 
 #define_import_path cutaway::inside
 
@@ -21,8 +21,8 @@ fn is_inside(place: u32, pixel: u32, crossing: u32) -> bool {
     return count_at(word_at(part.lane_word + 1u + crossing / 4u, pixel), crossing % 4u) != 0;
 }
 
-// Whether the ray of a pixel starts inside a part, as far as its fragments tell: a total that is not 0. Where no part can be
-// there, it says that the mesh is open or its faces do not agree which side is out.
+// Whether the ray of a pixel starts inside a part, judged by its fragments: a total that is not 0. If the ray cannot start there, this
+// means that the mesh is open or its faces are oriented inconsistently.
 fn starts_inside(lanes: Lanes, place: u32, pixel: u32) -> bool {
     let part = parts[place];
     if part.lane_shift != WINDING {
@@ -31,7 +31,7 @@ fn starts_inside(lanes: Lanes, place: u32, pixel: u32) -> bool {
     return sum_and_number(word_at(part.lane_word, pixel)).x != 0;
 }
 
-// The first place from `place` on whose part a crossing of a pixel is inside, or the number of parts.
+// The first part-table index, from `place` on, of a part that a crossing of a pixel is inside, or the number of parts.
 fn next_inside(lanes: Lanes, place: u32, pixel: u32, crossing: u32) -> u32 {
     for (var p = place; p < min(lanes.count, MOST_LANES); p++) {
         if is_inside(p, pixel, crossing) {
@@ -41,7 +41,7 @@ fn next_inside(lanes: Lanes, place: u32, pixel: u32, crossing: u32) -> u32 {
     return lanes.count;
 }
 
-// The first place from `place` on in whose part the ray of a pixel starts, or the number of parts.
+// The first part-table index, from `place` on, of a part in which the pixel's ray starts, or the number of parts.
 fn next_starting(lanes: Lanes, place: u32, pixel: u32) -> u32 {
     for (var p = place; p < min(lanes.count, MOST_LANES); p++) {
         if starts_inside(lanes, p, pixel) {

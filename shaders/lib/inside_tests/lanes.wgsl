@@ -1,20 +1,20 @@
-// Lanes: the bits or counts of one part among the words of a pixel. Several lanes of bits share a word, or a lane of more than
-// 32 bits is whole words one after the other: bit i is bit i % 32 of word i / 32.
+// Lanes: the bits or counts of one part among the words of a pixel. Several lanes of bits share a word; a lane of more than 32 bits
+// consists of whole words: bit i is bit i % 32 of word i / 32.
 
 #define_import_path cutaway::lanes
 
-// Crossings that a list holds at most: its head counts them in ten bits.
+// Most crossings in a list: its head counts them in ten bits.
 const MOST_CROSSINGS: u32 = 1023u;
-// Words of a pixel, and parts that have a lane in them: `src/passes/frame/lanes.rs`.
+// Most words per pixel, and most parts that have a lane in them: `src/passes/frame/lanes.rs`.
 const MOST_LANE_WORDS: u32 = 1024u;
 const MOST_LANES: u32 = 16384u;
 
-// In the place of a shift: the part is filled by the nonzero rule, and its lane is words of counts.
+// Instead of a shift: the part is filled by the nonzero rule, and its lane is words of counts.
 const WINDING: u32 = 32u;
 
-// Where the bits of a part are, and how many: up to 32, or a multiple of 32.
+// Location and number of a part's bits: up to 32, or a multiple of 32.
 struct Lane {
-    // The first, if there are several.
+    // The first word, if there are several.
     word: u32,
     shift: u32,
     bits: u32,
@@ -24,24 +24,24 @@ struct Lane {
 struct Fragment {
     pixel: u32,
     lane: Lane,
-    // Place of the part in the table.
+    // Part-table index of the part.
     place: u32,
     // Value of the depth buffer.
     z: f32,
     // Number of crossings in front of the fragment.
     behind: u32,
-    // Whether it shows the outside of its triangle.
+    // Whether the fragment shows the outside of its triangle.
     front: bool,
 }
 
-// The bits of the first `count` crossings, as far as they are in word `word` of a lane.
+// The bits of the first `count` crossings that are in word `word` of a lane.
 fn thermometer(count: u32, word: u32) -> u32 {
     let here = min(max(count, 32u * word) - 32u * word, 32u);
     return select(0xffffffffu >> (32u - here), 0u, here == 0u);
 }
 
-// How lanes are laid out, and whether the near plane meets a solid: then an odd total says that the ray starts inside, not that
-// the mesh is open. `overlaps` asks where several parts share a cap.
+// The layout of lanes, and whether the near plane meets a solid: then an odd total means that the ray starts inside, not that the mesh is
+// open. `overlaps` requests to mark caps that several parts share.
 struct Lanes {
     bits: u32,
     count: u32,

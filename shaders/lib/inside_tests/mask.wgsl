@@ -14,8 +14,8 @@ fn clear(pixel: u32) {
     }
 }
 
-// One fragment with `behind` crossings in front is behind each of them: the thermometer of the lane, and its top bit,
-// which ends as the parity of all fragments. Of a lane of several words only those are touched that have something to toggle.
+// A fragment with `behind` crossings in front is behind each of them: it toggles the lane's thermometer, and its top bit, which ends as the
+// parity of all fragments. In a lane of several words only those with bits to toggle are touched.
 fn add_fragment(pixel: u32, word: u32, shift: u32, lane_bits: u32, behind: u32) {
     let total = 1u << ((lane_bits - 1u) % 32u);
     var last = word;

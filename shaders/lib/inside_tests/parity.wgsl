@@ -1,6 +1,6 @@
-// Lanes of bits while they are read: bit i of a lane says whether crossing i has an odd number of fragments behind it, the top
-// bit whether the total is odd. A mask that was made from something bounded has one more plane behind the lanes, not zero where
-// some of that did not fit. Bound as @group(1) @binding(2).
+// Lanes of bits while they are read: bit i of a lane is set if crossing i has an odd number of fragments behind it, the top bit if the
+// total is odd. A mask made from bounded buffers has one more plane behind the lanes, nonzero where a buffer overflowed. Bound as @group(1)
+// @binding(2).
 
 #define_import_path cutaway::parity
 
@@ -15,7 +15,7 @@ fn word_at(word: u32, pixel: u32) -> u32 {
     return mask[word * pixel_count() + pixel];
 }
 
-// Whether the words of a pixel hold nothing.
+// Whether all words of a pixel are zero.
 fn is_zero(pixel: u32) -> bool {
     let words = min(arrayLength(&mask) / pixel_count(), MOST_LANE_WORDS + 1u);
     var any = 0u;
@@ -25,7 +25,7 @@ fn is_zero(pixel: u32) -> bool {
     return any == 0u;
 }
 
-// Whether a bit of the lane of a part is set.
+// Whether a bit of a part's lane is set.
 fn is_odd_at(place: u32, pixel: u32, bit: u32) -> bool {
     let word = word_at(parts[place].lane_word + bit / 32u, pixel);
     return ((word >> (parts[place].lane_shift + bit % 32u)) & 1u) != 0u;
@@ -35,8 +35,8 @@ fn is_odd_in_all(lanes: Lanes, place: u32, pixel: u32) -> bool {
     return is_odd_at(place, pixel, lanes.bits - 1u);
 }
 
-// The first place from `place` on whose lane has a bit set, or the number of lanes: word by word, of which most are zero where there are
-// many parts. Asked only where all lanes are bits, which follow each other.
+// The first part-table index, from `place` on, whose lane has a bit set, or the number of lanes: word by word, because most words are zero
+// if there are many parts. Used only if all lanes are consecutive bits.
 fn next_odd(lanes: Lanes, place: u32, pixel: u32, bit: u32) -> u32 {
     if lanes.bits > 32u {
         let words = lanes.bits / 32u;
@@ -48,7 +48,7 @@ fn next_odd(lanes: Lanes, place: u32, pixel: u32, bit: u32) -> u32 {
         return lanes.count;
     }
     let of_word = 32u / lanes.bits;
-    // The bit in each lane of a word.
+    // This bit in each lane of a word.
     let pattern = select(0xffffffffu / ((1u << lanes.bits) - 1u), 1u, lanes.bits == 32u) << bit;
     let end = min((lanes.count + of_word - 1u) / of_word, MOST_LANE_WORDS);
     let first = place / of_word;
@@ -62,9 +62,9 @@ fn next_odd(lanes: Lanes, place: u32, pixel: u32, bit: u32) -> u32 {
     return lanes.count;
 }
 
-// Whether the mask says that something found no room. Asked only where all lanes are bits.
+// Whether the mask marks a buffer overflow. Used only if all lanes are bits.
 fn is_doubted(lanes: Lanes, pixel: u32) -> bool {
-    // Lanes are a power of two wide, or whole words: either way none straddles two words that others share.
+    // Lanes are a power of two wide, or whole words: either way no lane straddles two shared words.
     let plane = (lanes.count * lanes.bits + 31u) / 32u;
     let word = plane * pixel_count() + pixel;
     return word < arrayLength(&mask) && mask[word] != 0u;

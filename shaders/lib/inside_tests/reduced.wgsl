@@ -1,5 +1,5 @@
-// The inside mask while it is made from what fragments left: an invocation owns its pixel, so words are plain. Behind the planes
-// of lanes is one more, which says where the answer is in doubt. Bound as @group(1) @binding(4).
+// The inside mask while it is made from stored fragments: an invocation owns its pixel, so no atomics are needed. Behind the planes of
+// lanes is one more, which marks pixels whose answer is uncertain. Bound as @group(1) @binding(4).
 
 #define_import_path cutaway::reduced
 
@@ -23,7 +23,7 @@ fn toggle(pixel: u32, word: u32, bits: u32) {
     mask[word * pixel_count() + pixel] ^= bits;
 }
 
-// A bit of a lane that begins in this word.
+// Toggles a bit of a lane that begins in this word.
 fn toggle_bit(pixel: u32, word: u32, shift: u32, bit: u32) {
     toggle(pixel, word + bit / 32u, 1u << (shift + bit % 32u));
 }

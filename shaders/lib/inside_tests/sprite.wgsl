@@ -1,6 +1,6 @@
 // The box of one part seen along a fixed axis: drawing and sampling of images of its volume (Trapp & Döllner 2013, section 5).
 //
-// Rows take a point of scene space to (s, t, depth), all in 0..1 over the part's box. Depth is linear, nearest first.
+// Rows map a point of scene space to (s, t, depth), all in 0..1 over the part's box. Depth is linear, nearest first.
 
 #define_import_path cutaway::sprite
 
@@ -12,15 +12,15 @@ struct Sprite {
     depth_row: vec4<f32>,
     resolution: u32,
     layers: u32,
-    // Where this part's layer count goes in the need buffer, or where its lists are among those of all parts.
+    // Index of this part's layer count in the need buffer, or of its lists among those of all parts.
     slot: u32,
     padding: u32,
 }
 
-// What an image of a volume says of a point.
+// Result of testing a point against a volume image.
 struct Probe {
     is_inside: bool,
-    // Some of the image found no room, so that the answer may be wrong.
+    // True if the image overflowed, so that the answer may be wrong.
     in_doubt: bool,
 }
 
@@ -29,7 +29,7 @@ fn sprite_from_scene(sprite: Sprite, point: vec3<f32>) -> vec3<f32> {
     return vec3<f32>(dot(sprite.s_row, p), dot(sprite.t_row, p), dot(sprite.depth_row, p));
 }
 
-// Clip position that draws a point into the sprite.
+// Clip-space position that draws a point into the sprite.
 fn sprite_position(sprite: Sprite, point: vec3<f32>) -> vec4<f32> {
     let at = sprite_from_scene(sprite, point);
     let clip = vec4<f32>(2.0 * at.x - 1.0, 1.0 - 2.0 * at.y, at.z, 1.0);
@@ -41,7 +41,7 @@ fn is_beside(at: vec3<f32>) -> bool {
     return any(at.xy < vec2<f32>(0.0)) || any(at.xy >= vec2<f32>(1.0));
 }
 
-// Texel of a point of the sprite.
+// The texel that contains a point in sprite coordinates.
 fn texel_of(sprite: Sprite, at: vec3<f32>) -> vec2<u32> {
     return vec2<u32>(at.xy * f32(sprite.resolution));
 }

@@ -1,4 +1,4 @@
-// The volumetric depth sprite of one part, as the passes that build and ask it see it. Bound as @group(1) @binding(0).
+// The volumetric depth sprite of one part, for the passes that build and sample it. Bound as @group(1) @binding(0).
 
 #define_import_path cutaway::vds
 

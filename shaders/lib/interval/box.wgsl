@@ -1,4 +1,4 @@
-// Between which depths crossings of a ray matter: in the box of the cut solids.
+// The depths between which crossings of a ray matter: in the box of the cut solids.
 
 #define_import_path cutaway::interval
 

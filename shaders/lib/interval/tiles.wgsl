@@ -1,5 +1,5 @@
-// Between which depths crossings of a ray matter: in the box of the cut solids, and between the depths of their triangles in the tile of
-// the picture that it goes through.
+// The depths between which crossings of a ray matter: in the box of the cut solids, and between the depths of their triangles in the
+// picture tile that the ray goes through.
 
 #define_import_path cutaway::interval
 
@@ -8,11 +8,11 @@
 #import cutaway::touched::{TILE_PX, tile_at}
 #import cutaway::touched_list::touched
 
-// A crossing may be so much before the nearest triangle, or behind the farthest, and belong to it by rounding: a share of the depth, or of
-// the size of the scene. It is far more than that, and far less than a tile is deep.
+// By rounding a crossing may lie this far in front of the nearest triangle that it belongs to, or behind the farthest: a fraction of the
+// depth, or of the scene size. It is a generous bound, yet far less than the depth range of a tile.
 const BEYOND: f32 = 0.0009765625;
 
-// `from_near`: the ray is to be known from the near plane on, where it may begin inside a solid.
+// `from_near`: the result is needed from the near plane on, where the ray may begin inside a solid.
 fn interval_at(pixel: vec2<u32>, from_near: bool) -> Interval {
     let found = max(touched.reach, touched.tiles[tile_at(pixel / TILE_PX)].reach);
     if found.x == 0u && found.y == 0u {

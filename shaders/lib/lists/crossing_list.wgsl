@@ -1,8 +1,8 @@
-// Building the list of crossings of one pixel in place: insertion into the pixel's own run of the buffers.
+// Builds a pixel's list of crossings in place: insertion into the pixel's own range of the buffers.
 //
-// Crossings of one clip-surface arrive nearest first, so an insertion is nearly always one read and one write; an array in
-// registers would cost its whole capacity in every pixel. Bound as @group(1) @binding(0) to (3). `need` keeps the longest
-// list needed and the longest walk, so that the frame after an overflow provides enough.
+// Crossings of one clip-surface arrive nearest first, so an insertion is nearly always one read and one write; an array in registers would
+// take its whole capacity in every pixel. Bound as @group(1) @binding(0) to (3). `need` records the longest list needed and the longest
+// walk, so that the frame after an overflow has enough capacity.
 
 #define_import_path cutaway::crossing_list
 
@@ -22,11 +22,11 @@ struct List {
     found: u32,
     // Sides where the ray starts.
     sides: u32,
-    // There may be more crossings than were found, or others.
+    // Crossings may be missing or wrong.
     cut_short: bool,
 }
 
-// A list that was finished, to be gone on with.
+// Reopens a finished list to add more crossings.
 fn resume(pixel: u32, capacity: u32) -> List {
     let head = crossing_heads[pixel];
     return List(pixel, capacity, head.x & MOST_CROSSINGS, head.y, (head.x & 0x80000000u) != 0u);
@@ -39,13 +39,13 @@ fn put(at: u32, z: f32, word: u32) {
     }
 }
 
-// Whether a crossing comes before one that is listed.
+// Whether a crossing comes before one in the list.
 fn comes_before(z: f32, enters_kept: bool, listed: f32) -> bool {
     return is_behind(listed, z) || !(enters_kept || is_behind(z, listed));
 }
 
-// Adds a crossing at depth-buffer value z, of which `word` is kept (`crossing_words`). Of crossings at one depth those at which the ray
-// leaves what is kept come first: two cuts that share a plane leave no sheet between them.
+// Adds a crossing at depth-buffer value z, with its `word` (`crossing_words`). Among crossings at one depth those where the ray leaves the
+// kept region come first: two cuts that share a plane leave no sheet between them.
 fn add(list: ptr<function, List>, z: f32, word: u32, enters_kept: bool) {
     let stride = pixel_count();
     let stored = min(min((*list).found, (*list).capacity), MOST_CROSSINGS);

@@ -1,6 +1,6 @@
 // Lists of fragments while they are counted and filled. Bound as @group(1) @binding(4).
 //
-// A fragment that finds no room is not kept; its list says so by ending beyond the room there is.
+// A fragment beyond the capacity is dropped; this shows in its list's end, which then exceeds the capacity.
 
 #define_import_path cutaway::fragment_lists
 

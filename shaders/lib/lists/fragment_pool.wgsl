@@ -1,19 +1,19 @@
-// Lists of fragments of any length, one after the other in one buffer: how it is laid out. Bound as @group(1) @binding(6).
+// Fragment lists of any length, one after the other in one buffer: the layout. Bound as @group(1) @binding(6).
 //
-// First a word for each list. It counts the fragments of the list; a prefix sum turns counts into where each list begins; and
-// while a list is filled its word moves on, to end where the next list begins. Then the depths of all fragments, then, where
-// fragments of several parts meet in a list, their owners.
+// First one word per list. It counts the list's fragments; a prefix sum turns counts into the begin of each list; and while a list is
+// filled its word advances to where the next list begins. Then the depths of all fragments, then, if lists mix fragments of several parts,
+// their owners.
 
 #define_import_path cutaway::fragment_pool
 
 struct FragmentPool {
-    // Lists, and words before the first depth.
+    // Number of lists, and of words before the first depth.
     lists: u32,
-    // Fragments that there is room for.
+    // Capacity in fragments.
     capacity: u32,
-    // 1 where each fragment has an owner.
+    // 1 if each fragment has an owner.
     has_owners: u32,
-    // What passes that know only some of the lists count theirs from.
+    // Offset of the list numbers in passes that use only some of the lists.
     first_list: u32,
 }
 

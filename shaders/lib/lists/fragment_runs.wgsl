@@ -1,4 +1,4 @@
-// Lists of fragments once they are filled: runs of the pool, in no order. Bound as @group(1) @binding(5).
+// Filled lists of fragments: runs of the pool, unordered. Bound as @group(1) @binding(5).
 
 #define_import_path cutaway::fragment_runs
 
@@ -6,14 +6,14 @@
 
 @group(1) @binding(5) var<storage, read> fragments: array<u32>;
 
-// Fragments of a list that are looked at: what is beyond them does not fit.
+// Most fragments of a list that are read: the rest count as an overflow.
 const MOST_FRAGMENTS: u32 = 4096u;
 
 struct Run {
-    // Fragments from `first` up to but not including `end` were kept.
+    // Fragments from `first` up to but not including `end` are stored.
     first: u32,
     end: u32,
-    // Whether there was room for all.
+    // Whether the whole list fits.
     fits: bool,
 }
 
@@ -32,7 +32,7 @@ fn depth_of(fragment: u32) -> f32 {
     return bitcast<f32>(fragments[pool.lists + fragment]);
 }
 
-// Place of the part that a fragment belongs to.
+// Part-table index of a fragment's part.
 fn owner_of(fragment: u32) -> u32 {
     if pool.has_owners == 0u {
         return 0u;

@@ -1,12 +1,12 @@
 // The layered depth images of all parts that have one. Bound as @group(1) @binding(0).
 //
-// Each texel has a list; those of an image lie row by row, those of its part after those of the part before.
+// Each texel has a list; the lists of an image are in row order, after those of the previous part.
 
 #define_import_path cutaway::ldi
 
 #import cutaway::sprite::Sprite
 
-// By place of the part in the table; a part without an image has a resolution of 0.
+// By part-table index; a part without an image has a resolution of 0.
 @group(1) @binding(0) var<storage, read> sprites: array<Sprite>;
 
 fn list_of(sprite: Sprite, texel: vec2<u32>) -> u32 {

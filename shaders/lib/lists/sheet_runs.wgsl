@@ -1,4 +1,4 @@
-// Lists of sheet fragments once they are filled, in no order. Bound as @group(1) @binding(5).
+// Filled lists of sheet fragments, unordered. Bound as @group(1) @binding(5).
 
 #define_import_path cutaway::sheet_runs
 
@@ -9,11 +9,11 @@
 struct Fragment {
     z: f32,
     word: u32,
-    // The one before it in its list, or what ends that.
+    // The previous fragment of its list, or an end marker.
     before: u32,
 }
 
-// The last fragment of a pixel's list, or what ends that.
+// The last fragment of a pixel's list, or an end marker.
 fn last_of(pixel: u32) -> u32 {
     return sheets[pixel];
 }
@@ -27,10 +27,10 @@ fn fragment_at(fragment: u32) -> Fragment {
     return Fragment(bitcast<f32>(sheets[first]), sheets[first + 1u], sheets[first + 2u]);
 }
 
-// Fragments of a list that are looked at: a longer one is marked. Each is looked for among all, so that the rounds are its square.
+// Most fragments of a list that are read: a longer list is marked. Each fragment is searched for among all, in quadratic time.
 const MOST_SHEET_FRAGMENTS: u32 = 240u;
 
-// How many came in all, whether they found room or not.
+// The number of all fragments, whether they were stored or not.
 fn fragment_count() -> u32 {
     return sheets[sheet_pool.lists];
 }

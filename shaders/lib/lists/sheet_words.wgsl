@@ -1,5 +1,5 @@
-// Fragments of sheets as words. Bits 0-4 the clip-surface, by its index in the table; bit 5 set where the triangle shows its front,
-// which is turned to the kept side: there a ray leaves what is kept. Bits 6-31 are those of a crossing's word (`crossing_words`).
+// Sheet fragments as words. Bits 0-4 are the clip-surface, by its index in the table; bit 5 is set if the triangle shows its front, which
+// faces the kept side: there a ray leaves the kept region. Bits 6-31 are those of a crossing's word (`crossing_words`).
 
 #define_import_path cutaway::sheet_words
 

@@ -1,4 +1,4 @@
-// No morph targets: vertices stay at rest.
+// No morph targets: vertices stay in the rest pose.
 
 #define_import_path cutaway::morph
 

@@ -1,16 +1,16 @@
-// Morph targets: each moves a position by a share of its displacement. Time in proportion to the targets that have a weight.
+// Morph targets: each moves a position by a weighted displacement. Time in proportion to the number of targets with a weight.
 
 #define_import_path cutaway::morph
 
 #import cutaway::pose::pose
 #import cutaway::position::position_of_vertex
 
-// Three numbers for each position, target by target.
+// Three numbers for each position, one target after another.
 @group(1) @binding(3) var<storage, read> displacements: array<f32>;
 // Number of the target, and its weight as bits.
 @group(1) @binding(4) var<storage, read> weights: array<vec2<u32>>;
 
-// Targets with a weight at one time, at most: `src/passes/frame/pose.rs`.
+// Most targets with a weight at one time: `src/passes/frame/pose.rs`.
 const MOST_TARGETS: u32 = 4096u;
 
 fn morphed(point: vec3<f32>, vertex: u32) -> vec3<f32> {

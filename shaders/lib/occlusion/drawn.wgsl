@@ -1,10 +1,10 @@
-// Less light where less of the sky is seen. Bound as @group(2) @binding(4).
+// Less light where less of the sky is visible. Bound as @group(2) @binding(4).
 
 #define_import_path cutaway::occlusion
 
 #import cutaway::style::style
 
-// 1 where nothing is hidden.
+// 1 where nothing is occluded.
 @group(2) @binding(4) var<storage, read> visibility: array<f32>;
 
 fn occluded_share(pixel: u32, is_cap: bool) -> f32 {

@@ -1,5 +1,5 @@
-// Caps that several solids share are hatched in a colour of their own, over that of the part that is shown: stripes of the
-// picture, so that they are seen whatever the solid's size. Bound as @group(1) @binding(4).
+// Caps shared by several solids are hatched in their own colour, over that of the visible part: stripes in picture space, so that they are
+// visible whatever the solid's size. Bound as @group(1) @binding(4).
 
 #define_import_path cutaway::overlap
 
@@ -9,7 +9,7 @@
 // Linear light.
 @group(1) @binding(4) var<uniform> interference: vec4<f32>;
 
-// Pixels from stripe to stripe along a row; a stripe takes three fifths of the period.
+// Period of the stripes along a row, in pixels; a stripe takes three fifths of the period.
 const STRIPE_PX: u32 = 10u;
 
 fn cap_base(base: vec3<f32>, word: u32, at: vec2<u32>) -> vec3<f32> {

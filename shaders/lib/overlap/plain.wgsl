@@ -1,4 +1,4 @@
-// Caps that several solids share look like those of the part that is shown: shared caps are not detected.
+// Caps shared by several solids look like those of the visible part: shared caps are not detected.
 
 #define_import_path cutaway::overlap
 

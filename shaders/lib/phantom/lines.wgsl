@@ -1,7 +1,7 @@
 // Phantom lines: a long dash and two dots (ISO 128-2, 05.1: 24, 3, half, 3, half, 3 widths; dots are as long as a line is wide here).
 //
-// Dashes follow the axis of the scene along which a line goes farthest, so that they stay where they are while the camera moves; where
-// another axis takes over they jump. Bound as @group(1) @binding(3).
+// Dashes follow the scene axis along which a line extends farthest, so that they stay in place while the camera moves; where another axis
+// takes over they jump. Bound as @group(1) @binding(3).
 
 #define_import_path cutaway::phantom
 
@@ -14,9 +14,9 @@
 
 @group(1) @binding(3) var<storage, read> ghost_borders: array<u32>;
 
-// Widths of a line in a period.
+// Period in line widths.
 const PERIOD: f32 = 34.0;
-// How far borders tell the direction of a line, in pixels.
+// Radius in pixels in which borders determine a line's direction.
 const SCATTER_PX: i32 = 4;
 
 // Whether the word of a pixel has a border towards the next one, to the right or below.
@@ -45,13 +45,13 @@ fn word_of(at: vec2<i32>) -> u32 {
     return ghost_borders[pixel_index(vec2<u32>(at))];
 }
 
-// A stretch of a line: where its borders are in the picture, and where in the scene the points are that they bound.
+// A stretch of a line: the picture positions of its borders, and the scene positions of the points that they bound.
 struct Stretch {
     middle_px: vec2<f32>,
     // Unit vector along it.
     along: vec2<f32>,
     middle: vec3<f32>,
-    // How the places in the scene change along it, for each pixel.
+    // Change of the scene position along it, per pixel.
     slope: vec3<f32>,
 }
 
@@ -62,8 +62,8 @@ fn gone_point(at: vec2<i32>, step: vec2<i32>) -> vec3<f32> {
     return shown_point(gone, ghost_layers[first], bitcast<f32>(ghost_layers[first + 2u])).xyz;
 }
 
-// The stretch of a line around a border: the direction in which borders scatter most, and along it the regression of their points, for the
-// depth of single points jumps where a surface curves away.
+// The stretch of a line around a border: the direction in which borders scatter most, and along it the regression of their points, because
+// the depth of single points jumps where a surface curves away.
 fn stretch_at(near: vec2<i32>) -> Stretch {
     var px = vec2<f32>(0.0);
     var px_squares = vec3<f32>(0.0);
@@ -105,7 +105,7 @@ fn stretch_at(near: vec2<i32>) -> Stretch {
     return Stretch(px, along, place, slope);
 }
 
-// How much of a line is drawn at a pixel that a border is near to.
+// Fraction of a line drawn at a pixel near a border.
 fn dash_cover(at: vec2<i32>, border: vec2<i32>) -> f32 {
     let stretch = stretch_at(border);
     let size = abs(stretch.slope);
@@ -122,7 +122,7 @@ fn dash_cover(at: vec2<i32>, border: vec2<i32>) -> f32 {
         pulse_cover(place - 31.0 / PERIOD, dot_width, vec2<f32>(footprint, 0.0));
 }
 
-// The share of a pixel that lines of what is gone cover.
+// The fraction of a pixel covered by phantom lines.
 fn phantom_cover(at: vec2<i32>) -> f32 {
     let reach = min(i32(ceil(ghost.half_px)) + 1, MOST_REACH_PX);
     if !has_border_near(at, reach + 1) {
@@ -141,7 +141,7 @@ fn phantom_cover(at: vec2<i32>) -> f32 {
             for (var side = 0; side < 2; side++) {
                 let step = vec2<i32>(1 - side, side);
                 let off = abs(vec2<f32>(vec2<i32>(x, y)) + 0.5 * vec2<f32>(step));
-                // A border is a segment of length 1 across its step.
+                // A border is a segment of length 1, perpendicular to its step.
                 let distance = length(max(off - 0.5 * vec2<f32>(vec2<i32>(1) - step), vec2<f32>(0.0)));
                 if distance >= nearest || !has_border(word, step) {
                     continue;
@@ -152,7 +152,7 @@ fn phantom_cover(at: vec2<i32>) -> f32 {
             }
         }
     }
-    // A border lies between two pixels: a line thinner than one leaves a share of its width in both.
+    // A border lies between two pixels: a line thinner than one pixel covers part of both.
     let cover = clamp(0.5 + ghost.half_px - nearest, 0.0, 1.0);
     if cover <= 0.0 || !is_near {
         return 0.0;

@@ -1,5 +1,5 @@
-// Some triangles of the screen cross the near plane or the guard band. Each workgroup clips its triangle again, by its first
-// invocation: the same arithmetic in the same pipeline, so that all pieces of a triangle are of one polygon.
+// For screens where some triangles cross the near plane or the guard band. The first invocation of each workgroup clips its triangle again:
+// the same arithmetic in the same pipeline, so that all pieces of a triangle come from one polygon.
 
 #define_import_path cutaway::polygon
 
@@ -10,7 +10,7 @@
 var<workgroup> points: array<Point, 8>;
 var<workgroup> point_count: u32;
 
-// Covers a piece of the triangle with these corners, as the screen keeps them.
+// Covers a piece of the triangle with these corners, in the screen's stored format.
 fn cover_polygon(corners: array<vec4<i32>, 3>, at: Where) {
     if at.line == 0 {
         if at.piece.is_clipped {

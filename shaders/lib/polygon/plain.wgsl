@@ -1,11 +1,11 @@
-// No triangle of the screen is clipped: each is covered as it is.
+// For screens without clipped triangles: each is covered unclipped.
 
 #define_import_path cutaway::polygon
 
 #import cutaway::cover::{Where, cover}
 #import cutaway::screen::point_of
 
-// Covers a piece of the triangle with these corners, as the screen keeps them.
+// Covers a piece of the triangle with these corners, in the screen's stored format.
 fn cover_polygon(corners: array<vec4<i32>, 3>, at: Where) {
     cover(point_of(corners[0]), point_of(corners[1]), point_of(corners[2]), at);
 }

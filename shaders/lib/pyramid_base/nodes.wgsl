@@ -1,4 +1,4 @@
-// What the lower levels of a pyramid go on to: up to four nodes of the level below.
+// Input of a pyramid's higher levels: up to four nodes of the level below.
 
 #define_import_path cutaway::pyramid_base
 

@@ -1,5 +1,5 @@
-// Codes of the triangles that claim pixels: the side that shows in the highest bit, so that of triangles that coincide a maximum finds
-// one that faces the eye; the rest is counted from the end, so that it finds the first of equals. 0 is no triangle's.
+// Codes of the triangles that claim pixels: the visible side in the highest bit, so that among coincident triangles a maximum finds one
+// that faces the eye; the rest is counted from the end, so that a maximum finds the first of equals. 0 is not the code of any triangle.
 
 #define_import_path cutaway::claims
 

@@ -1,8 +1,8 @@
-// A triangle cut back to the near plane and the guard band: a polygon of at most eight corners.
+// A triangle clipped by the near plane and the guard band: a polygon of at most eight corners.
 //
-// A crossing of an edge is computed from its inner end towards its outer one. That order is the same in both triangles of an
-// edge, whichever way round they run and whatever numbers their vertices have at a crease, so both get the same new corner.
-// Whether a vertex is beyond a border was decided once, when it was transformed; the distance found here only locates.
+// The intersection of an edge with a border is computed from its inner end towards its outer one. That order is the same in both triangles
+// of an edge, whatever their winding and whatever vertex numbers they have at a crease, so both get the same new corner. Whether a vertex
+// is beyond a border was decided once, when it was transformed; the distance found here only locates the intersection.
 
 #define_import_path cutaway::clipping
 
@@ -54,7 +54,7 @@ fn clip_at(border: u32, polygon: ptr<function, Polygon>, beyond: vec3<u32>) {
     (*polygon).count = min(count, 8u);
 }
 
-// `beyond` holds the borders that each corner is beyond.
+// `beyond` holds for each corner the borders that it is beyond.
 fn clipped(a: vec4<f32>, b: vec4<f32>, c: vec4<f32>, beyond: vec3<u32>) -> Polygon {
     var polygon: Polygon;
     polygon.count = 3u;

@@ -1,4 +1,4 @@
-// Filling the queue of a screen, by whichever pass goes over its triangles first. Bound as @group(2) @binding(4).
+// Fills a screen's queue, in whichever pass processes its triangles first. Bound as @group(2) @binding(4).
 
 #define_import_path cutaway::enqueue
 
@@ -29,7 +29,7 @@ fn enqueue(triangle: u32, a: Point, b: Point, c: Point, low: vec2<i32>, high: ve
     put(triangle, pieces_of(low, high, width_px, piece_px));
 }
 
-// Queues a triangle that is clipped: its pieces are found by the pass that clips.
+// Queues a clipped triangle: its pieces are found by the clipping pass.
 fn enqueue_clipped(triangle: u32) {
     put(triangle | CLIPPED, Pieces(0, 0, 0));
 }

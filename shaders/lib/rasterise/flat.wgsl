@@ -1,20 +1,19 @@
-// Depth across a triangle: the plane through its vertices where they are, found at samples that are counted from where its
-// vertices were snapped to.
+// Depth across a triangle: the plane through its unsnapped vertices, evaluated at samples relative to the snapped vertices.
 //
-// Weights of a sample are exact integers over exact integers, of the snapped triangle. Each vertex's depth is therefore moved
-// along the plane by as much as the vertex was moved, 1/512 px at most; interpolated with those weights it is the plane's depth
-// at the sample. Rounding of the slope only touches what is moved: a needle 10^6 times as long as wide has the depths along it
-// right, and one that snapping made or unmade has no slope to speak of and keeps its vertices' depths.
+// Sample weights are exact integer ratios, from the snapped triangle. Each vertex's depth is therefore moved along the plane by the
+// vertex's own displacement, 1/512 px at most; interpolated with those weights it is the plane's depth at the sample. Rounding errors of
+// the slope affect only this displacement: a needle 10^6 times as long as wide has correct depths along it, and one that snapping created
+// or collapsed has no usable slope and keeps its vertices' depths.
 
 #define_import_path cutaway::flat
 
 #import cutaway::screen::{Point, cross2}
 
 struct Flat {
-    // Depth at the first vertex as snapped, and how it grows with the weights of the others.
+    // Depth at the first snapped vertex, and its increase with the weights of the others.
     z: f32,
     rise: vec2<f32>,
-    // Of the vertices.
+    // Least and greatest depth of the vertices.
     least: f32,
     greatest: f32,
 }
@@ -40,7 +39,7 @@ fn moved(point: Point) -> vec2<f32> {
     return vec2<f32>(point.steps - 128) / 256.0 - point.at;
 }
 
-// Depth-buffer value where the second and the third vertex have these weights, out of `area`.
+// Depth-buffer value at these weights of the second and the third vertex, out of `area`.
 fn depth_at(plane: Flat, weights: vec2<f32>) -> f32 {
     return clamp(plane.z + dot(weights, plane.rise), plane.least, plane.greatest);
 }

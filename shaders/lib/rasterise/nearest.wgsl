@@ -1,7 +1,7 @@
-// The nearest kept sample of each pixel while it is found by two sweeps: two words per pixel, the code of its triangle and its
-// depth-buffer value as bits, which order as the values do. Bound as @group(1) @binding(5).
+// Each pixel's nearest kept sample while two sweeps find it: two words per pixel, the code of its triangle and its depth-buffer value as
+// bits, which sort like the values. Bound as @group(1) @binding(5).
 //
-// Seen as one word of 64 bits, depth is the high half: `nearest_wide` finds the same by one atomic.
+// Read as one 64-bit word, depth is the high half: `nearest_wide` finds the same by one atomic.
 
 #define_import_path cutaway::nearest
 

@@ -1,5 +1,4 @@
-// The nearest kept sample of each pixel while it is found by one sweep, with atomics of 64 bits, which core WebGPU lacks. Bound as
-// @group(1) @binding(5).
+// Each pixel's nearest kept sample while one sweep finds it, with 64-bit atomics, which core WebGPU lacks. Bound as @group(1) @binding(5).
 
 #define_import_path cutaway::nearest_wide
 
@@ -7,7 +6,7 @@
 #import cutaway::frame::pixel_index
 #import cutaway::sweep::Sample
 
-// Depth-buffer value as bits in the high half, code of the triangle in the low one: `nearest` has them as two words.
+// Depth-buffer value as bits in the high half, code of the triangle in the low half: two words in `nearest`.
 @group(1) @binding(5) var<storage, read_write> nearest: array<atomic<u64>>;
 
 fn keep(sample: Sample) {

@@ -1,4 +1,4 @@
-// What the near plane and the guard band leave of a triangle, on the screen: a convex polygon of at most eight points.
+// A triangle clipped by the near plane and the guard band, on the screen: a convex polygon of at most eight points.
 
 #define_import_path cutaway::outline
 
@@ -10,7 +10,7 @@ struct Outline {
     points: array<Point, 8>,
 }
 
-// Of a triangle with these corners, as the screen keeps them.
+// The outline of a triangle with these corners, in the screen's stored format.
 fn outline_of(corners: array<vec4<i32>, 3>) -> Outline {
     var vertices = corners;
     let beyond = vec3<u32>(borders_of(corners[0]), borders_of(corners[1]), borders_of(corners[2]));

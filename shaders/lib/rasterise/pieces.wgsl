@@ -1,9 +1,9 @@
-// Pieces: how a triangle of many samples is shared out to workgroups.
+// Pieces: how a triangle with many samples is divided among workgroups.
 //
-// Tiles have 64 x 64 samples. A row of tiles that the triangle's box meets is one piece, or several that take its tiles in turn where the
+// Tiles have 64 x 64 samples. A row of tiles that the triangle's box meets is one piece, or several that take its tiles in turn if the
 // triangle is wide: a line of samples in a piece is then no longer than `piece_px` and three tiles, whatever the triangle and the picture.
-// Thin triangles have few samples for their box, so the count goes by the triangle's own width: its largest horizontal extent, that is
-// twice its area over its height.
+// Thin triangles have few samples for their box, so the number follows from the triangle's own width: its largest horizontal extent, that
+// is, twice its area over its height.
 
 #define_import_path cutaway::pieces
 
@@ -11,9 +11,9 @@
 
 struct Pieces {
     first_row: i32,
-    // Rows of tiles; 0 where the box holds no sample.
+    // Rows of tiles; 0 if the box holds no sample.
     rows: i32,
-    // Pieces of a row.
+    // Pieces per row.
     columns: i32,
 }
 
@@ -21,7 +21,7 @@ fn piece_count(pieces: Pieces) -> u32 {
     return u32(pieces.rows * pieces.columns);
 }
 
-// Of a box in steps, and what is in it of at most `width_px`.
+// The pieces of a box in steps, whose content is at most `width_px` wide.
 fn pieces_of(low: vec2<i32>, high: vec2<i32>, width_px: f32, piece_px: f32) -> Pieces {
     let first = first_pixel(low);
     let last = last_pixel(high);

@@ -1,7 +1,7 @@
-// Layout of the queue of a screen, in words: how many triangles are queued, how many are visited again, then two words for each queued
+// Layout of a screen's queue, in words: the number of queued triangles, the number to be visited again, then two words for each queued
 // triangle from the front, one for each that is visited again from the back, and behind both the first piece of each queued triangle.
 //
-// A triangle is queued or visited again, never both, so two words a triangle and one behind them are enough for all.
+// A triangle is queued or visited again, never both, so two words per triangle and one more word per triangle behind them suffice.
 
 #define_import_path cutaway::queue
 
@@ -9,7 +9,7 @@
 
 // Words before the queued triangles.
 const HEAD: u32 = 2u;
-// Bit of a queued triangle that the near plane or the guard band cuts.
+// Bit of a queued triangle that crosses the near plane or the guard band.
 const CLIPPED: u32 = 0x80000000u;
 
 // The two words of a queued triangle: its number and CLIPPED; the first row of tiles of its pieces and how many pieces a row has.

@@ -1,5 +1,5 @@
-// Exclusive sums over a block of words by one workgroup of 256: each invocation owns eight words in a row.
-// Bound as @group(0) @binding(0).
+// Exclusive sums over a block of words by one workgroup of 256: each invocation owns eight consecutive words. Bound as @group(0)
+// @binding(0).
 //
 // Sums are of u32 and wrap: the caller keeps the total below 2^32.
 
@@ -7,7 +7,7 @@
 
 #import cutaway::sums::sums_before
 
-// Words of a block; `src/passes/draw/scan.rs` counts blocks by it.
+// Words per block; `src/passes/draw/scan.rs` computes the number of blocks from it.
 const BLOCK_WORDS: u32 = 2048u;
 // Invocations of a workgroup, as a power of two.
 const ROUNDS: u32 = 8u;
@@ -20,13 +20,13 @@ struct Run {
     length: u32,
 }
 
-// In the place of a word: the length is known beforehand.
+// Instead of a word index: the length is known beforehand.
 const NOWHERE: u32 = 0xffffffffu;
 
 var<workgroup> run_length: u32;
 
-// The run of `most` words from `first` on, or of as many of them as word `count_at` of the buffer gives. The same for a whole workgroup,
-// which may therefore leave where it has none of them.
+// The run of `most` words from `first` on, or of as many of them as word `count_at` of the buffer gives. It is uniform over a workgroup,
+// which may therefore return early if it has none of them.
 fn run_of(first: u32, most: u32, count_at: u32, invocation: u32) -> Run {
     if invocation == 0u {
         run_length = most;

@@ -1,5 +1,5 @@
-// Points of the picture in fixed point: 256 steps to a pixel, as GPUs have them, so that both rasterisers cover the same
-// samples. x to the right and y down; the sample of a pixel is at its centre, 128 steps into it.
+// Points of the picture in fixed point: 256 steps to a pixel, as in GPUs, so that both rasterisers cover the same samples. x to the right
+// and y down; the sample of a pixel is at its centre, 128 steps into it.
 //
 // A point beyond a border cannot be snapped, and its triangles are clipped there: the near plane, and a guard band around the
 // picture that keeps every difference of two coordinates below 2^23 steps. A triangle that has all of its points beyond one border, or
@@ -15,7 +15,7 @@ const BORDERS: u32 = 5u;
 // Bits of the borders; those of the sides of the picture follow.
 const BEYOND_BORDERS: u32 = 31u;
 
-// How far a point inside the guard band may be from the middle of the picture, in halves of the picture.
+// Greatest distance of a point inside the guard band from the middle of the picture, in half picture sizes.
 fn guard_reach() -> vec2<f32> {
     return 2.0 * GUARD_PX / vec2<f32>(frame.size_px) - 1.0;
 }
@@ -41,8 +41,8 @@ fn borders_beyond(clip: vec4<f32>) -> u32 {
     return beyond;
 }
 
-// Bits of the sides of the picture that a point is beyond, by more than a pixel: a snapped point may move back by a small part of one.
-// Linear in clip space, so that it holds of what is between points that are beyond the same side, also where w is negative.
+// Bits of the picture sides that a point is beyond, by more than a pixel: a snapped point may move back by a fraction of one. Linear in
+// clip space, so it also holds between points beyond the same side, even where w is negative.
 fn sides_beyond(clip: vec4<f32>) -> u32 {
     let reach = (1.0 + 2.0 / vec2<f32>(frame.size_px)) * clip.w;
     let beyond = vec4<bool>(reach.x + clip.x < 0.0, reach.x - clip.x < 0.0, reach.y + clip.y < 0.0, reach.y - clip.y < 0.0);
@@ -52,28 +52,28 @@ fn sides_beyond(clip: vec4<f32>) -> u32 {
 
 // A point of the picture.
 struct Point {
-    // In pixels from the centre of the upper left one, where samples are at integers.
+    // In pixels from the centre of the upper left pixel, so that samples are at integers.
     at: vec2<f32>,
     // Value of the depth buffer.
     z: f32,
-    // Snapped.
+    // Snapped position, in steps.
     steps: vec2<i32>,
 }
 
-// Where a point of clip space is: in pixels from the centre of the upper left one, and the depth-buffer value.
+// The picture position of a point in clip space: in pixels from the centre of the upper left pixel, and the depth-buffer value.
 fn on_screen(clip: vec4<f32>) -> vec3<f32> {
     let size = vec2<f32>(frame.size_px);
     let at_px = clip.xy / clip.w * vec2<f32>(0.5, -0.5) * size + 0.5 * size;
     return vec3<f32>(at_px - 0.5, clip.z / clip.w);
 }
 
-// Snapping is exact but for its one rounding, so all passes that snap a vertex get the same result.
+// Snapping has a single rounding and is otherwise exact, so all passes that snap a vertex get the same result.
 fn snapped(at: vec3<f32>) -> Point {
     return Point(at.xy, at.z, vec2<i32>(round(at.xy * 256.0)) + 128);
 }
 
-// A vertex as it is kept, as bits: on screen, or in clip space, with the borders and sides it is beyond. Of clip space three numbers are
-// kept: one of z and w is the same everywhere, w in parallel views, z in others.
+// A vertex in stored format, as bits: on screen, or in clip space, with the borders and sides it is beyond. In clip space three numbers are
+// stored: one of z and w is constant, w in parallel views, z in others.
 fn kept(clip: vec4<f32>) -> vec4<i32> {
     let beyond = borders_beyond(clip);
     let sides = sides_beyond(clip);
@@ -84,27 +84,27 @@ fn kept(clip: vec4<f32>) -> vec4<i32> {
     return vec4<i32>(bitcast<vec3<i32>>(vec3<f32>(clip.xy, third)), i32(beyond | sides));
 }
 
-// The borders that a kept vertex is beyond.
+// The borders that a stored vertex is beyond.
 fn borders_of(vertex: vec4<i32>) -> u32 {
     return u32(vertex.w) & BEYOND_BORDERS;
 }
 
-// Whether the vertices of a triangle are all beyond one border, or one side of the picture: then it holds no sample.
+// Whether all vertices of a triangle are beyond one border, or one side of the picture: then it holds no sample.
 fn is_beside(vertices: array<vec4<i32>, 3>) -> bool {
     return (vertices[0].w & vertices[1].w & vertices[2].w) != 0;
 }
 
-// Whether a triangle is cut by some border.
+// Whether some border clips a triangle.
 fn is_clipped(vertices: array<vec4<i32>, 3>) -> bool {
     return (borders_of(vertices[0]) | borders_of(vertices[1]) | borders_of(vertices[2])) != 0u;
 }
 
-// A vertex that is beyond no border.
+// A stored vertex that is beyond no border.
 fn point_of(vertex: vec4<i32>) -> Point {
     return snapped(bitcast<vec3<f32>>(vertex.xyz));
 }
 
-// Clip space of a vertex that was kept.
+// Clip-space position of a stored vertex.
 fn clip_of_kept(vertex: vec4<i32>) -> vec4<f32> {
     let v = bitcast<vec3<f32>>(vertex.xyz);
     if borders_of(vertex) != 0u {
@@ -120,7 +120,7 @@ fn cross2(a: vec2<f32>, b: vec2<f32>) -> f32 {
     return a.x * b.y - a.y * b.x;
 }
 
-// The pixels whose samples may be inside a box of steps: first and last, of the picture.
+// The pixels of the picture whose samples may be inside a box of steps: first and last.
 fn first_pixel(low: vec2<i32>) -> vec2<i32> {
     return max((low + 127) >> vec2<u32>(8u), vec2<i32>(0));
 }
@@ -129,8 +129,8 @@ fn last_pixel(high: vec2<i32>) -> vec2<i32> {
     return min((high - 128) >> vec2<u32>(8u), vec2<i32>(frame.size_px) - 1);
 }
 
-// A sample on an edge belongs to the triangle if the edge is a top or a left one: then 0, else -1 to be added to the edge
-// function before its sign is tested. Triangles are oriented so that their inside is where edge functions are positive.
+// A sample on an edge belongs to the triangle if the edge is a top or a left one: then 0, else -1, to be added to the edge function before
+// its sign is tested. Triangles are oriented so that edge functions are positive inside.
 fn edge_bias(edge: vec2<i32>) -> i32 {
     return select(-1, 0, edge.y < 0 || (edge.y == 0 && edge.x > 0));
 }

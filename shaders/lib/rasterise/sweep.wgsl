@@ -1,7 +1,7 @@
 // One sweep of the compute rasteriser over the triangles of all parts. Bound as @group(2) @binding(0), (1) and (2).
 //
-// Sweeps over one screen that do the same with a sample are run by the same pipelines: only a value in `sweep` differs. So they
-// compute the same depth for the same sample, bit for bit, which two pipelines would not promise.
+// Sweeps over one screen that treat a sample alike share pipelines: only a value in `sweep` differs. So they compute the same depth for the
+// same sample, bit for bit, which two pipelines would not guarantee.
 
 #define_import_path cutaway::sweep
 
@@ -12,7 +12,7 @@ struct Sweep {
     search_steps: u32,
     // 0 in the first sweep over a screen, 1 in a later one.
     again: u32,
-    // Vertices of the screen begin with this one of all.
+    // Offset of the screen's first vertex among all vertices.
     first_vertex: u32,
     // Rows from this one on are groups of preclassified triangles.
     first_group: u32,
@@ -25,17 +25,17 @@ struct DrawnPart {
     base_vertex: u32,
     // Bits of the cuts that apply.
     cuts: u32,
-    // Where its bits are in the inside mask, unless its place is NO_LANE.
+    // Location of its bits in the inside mask, unless its place is NO_LANE.
     lane_word: u32,
     lane_shift: u32,
-    // Place in the part table, or NO_LANE where it needs no inside test.
+    // Index in the part table, or NO_LANE if it needs no inside test.
     place: u32,
     // Index of the part in the scene.
     part: u32,
 }
 
 struct DrawnParts {
-    // In order of their first triangles; groups of preclassified triangles follow the parts; those after the last begin beyond every triangle.
+    // In order of their first triangles; groups of preclassified triangles follow the parts; unused rows begin beyond every triangle.
     parts: array<DrawnPart, 1024>,
 }
 
@@ -48,7 +48,7 @@ struct Sample {
     at: vec2<u32>,
     z: f32,
     triangle: u32,
-    // Row of the part in the table of drawn parts, and what is there: looked up once for all samples of a triangle.
+    // Row of the part in the table of drawn parts, and its content: looked up once for all samples of a triangle.
     row: u32,
     part: DrawnPart,
     front: bool,
@@ -57,14 +57,14 @@ struct Sample {
 
 const NO_LANE: u32 = 0xffffffffu;
 
-// Invocations along x of a dispatch that is folded into two dimensions.
+// Invocations along x in a dispatch that is folded into two dimensions.
 const INVOCATIONS_PER_ROW: u32 = 2097152u;
 
 fn number_of(id: vec3<u32>) -> u32 {
     return id.y * INVOCATIONS_PER_ROW + id.x;
 }
 
-// Vertices of a triangle, counted from the first of the screen.
+// Vertices of a triangle, relative to the screen's first vertex.
 fn corners_of(triangle: u32, row: u32) -> vec3<u32> {
     let first = drawn_parts.parts[row].first_index + 3u * (triangle - drawn_parts.parts[row].first_triangle);
     return vec3<u32>(indices[first], indices[first + 1u], indices[first + 2u]) + drawn_parts.parts[row].base_vertex;

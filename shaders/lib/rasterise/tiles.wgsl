@@ -12,7 +12,7 @@
 struct TileEdge {
     // Of the edge, in steps.
     direction: vec2<i32>,
-    // floor(e0 / 256), and what remains of e0.
+    // floor(e0 / 256), and the remainder of e0.
     floor: i32,
     rest: u32,
     // floor((e0 + bias) / 256): only its sign is used.
@@ -30,7 +30,7 @@ fn tile_edge(from_point: vec2<i32>, to_point: vec2<i32>, sample: vec2<i32>) -> T
     return TileEdge(direction, floor, rest, biased, wide_float(value));
 }
 
-// How much the edge function has grown, in 256ths, `step` samples further.
+// Growth of the edge function, in 256ths, after `step` samples.
 fn growth(edge: TileEdge, step: vec2<i32>) -> i32 {
     return edge.direction.x * step.y - edge.direction.y * step.x;
 }
@@ -40,12 +40,12 @@ fn reaches(edge: TileEdge, span: vec2<i32>) -> bool {
     return edge.biased + max(edge.direction.x * span.y, 0) + max(-edge.direction.y * span.x, 0) >= 0;
 }
 
-// Of the samples of a row from span.x to span.y those inside.
+// The samples of a row from span.x to span.y that are inside.
 fn row_inside(edge: TileEdge, row: i32, span: vec2<i32>) -> vec2<i32> {
     return narrowed(span, edge.biased + edge.direction.x * row, -edge.direction.y);
 }
 
-// The edge function, rounded once where 32 bits can tell.
+// The edge function, rounded once if 32 bits can hold it.
 fn edge_value(edge: TileEdge, step: vec2<i32>) -> f32 {
     let grown = growth(edge, step);
     if abs(edge.floor) < FARTHEST {

@@ -1,10 +1,10 @@
-// Products of 32-bit integers without loss: 64 bits in two words, low and high, two's complement.
+// Exact products of 32-bit integers: 64 bits in two words, low and high, two's complement.
 //
 // Edge functions of large triangles need up to 48 bits, and core WebGPU has no 64-bit integers.
 
 #define_import_path cutaway::wide
 
-// What `wide_floor` answers beyond its range: more than any walk over a tile of 64 x 64 samples can bring back.
+// Result of `wide_floor` beyond its range: more than any walk over a tile of 64 x 64 samples can compensate.
 const FARTHEST: i32 = 0x40000000;
 
 fn wide_negative(a: vec2<u32>) -> vec2<u32> {
@@ -40,7 +40,7 @@ fn wide_is_negative(a: vec2<u32>) -> bool {
     return (a.y >> 31u) != 0u;
 }
 
-// The nearest f32, but for one rounding of the low word.
+// The nearest f32, except for one rounding of the low word.
 fn wide_float(a: vec2<u32>) -> f32 {
     if wide_is_negative(a) {
         let b = wide_negative(a);

@@ -1,4 +1,4 @@
-// All crossings of a ray with a relief, cell by cell: in time to the cells between the entry into the slab of heights and the exit.
+// All crossings of a ray with a relief, cell by cell: time in proportion to the cells between entering and leaving the height slab.
 
 #define_import_path cutaway::relief_crossing
 
@@ -20,7 +20,7 @@ fn cross_relief(list: ptr<function, List>, surface: u32, at_px: vec2<f32>, inter
     var carried = Carried(begin.entry, true, false);
     var corners = corners_of(way.map, cell);
     var walked = 0u;
-    // A round ends in a cell that holds something, or in the last.
+    // A round ends in a cell with crossings, or in the last cell.
     for (var round = 0u; round <= cell_limit && walked < cell_limit; round++) {
         var met = no_step();
         for (; walked < cell_limit && met.found.count == 0u && !met.is_last; walked++) {
@@ -31,7 +31,7 @@ fn cross_relief(list: ptr<function, List>, surface: u32, at_px: vec2<f32>, inter
             return;
         }
     }
-    // Cells beyond the limit are not walked: say so.
+    // Cells beyond the limit are not walked: mark the list.
     (*list).cut_short = true;
     atomicMax(&need[1], cell_limit + 1u);
 }

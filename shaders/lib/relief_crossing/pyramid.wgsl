@@ -1,14 +1,13 @@
-// All crossings of a ray with a relief, over nodes of its pyramid: what lies wholly above or below the ray is passed in one step.
+// All crossings of a ray with a relief, over nodes of its pyramid: nodes wholly above or below the ray are skipped in one step.
 //
-// The list is that of the walk over all cells, bit for bit. Three things see to that. A node is passed only if every cell in it
-// would have been found on the side that the ray is on already, with room for the rounding of such a cell; so a sign is never
-// set but by a cell, and where the side is known without the map, it is the same. Cells are entered where the walk enters them:
-// at the depth of the last border that was met, which depends on the number of that border and on nothing that was met before. And
-// which cell comes after a node is found by the walk's own comparisons: of the borders along the other axis those were met that
-// come before the one the node is left by; a guess from the depth there is put right by comparing them.
+// The list equals that of the cell walk, bit for bit. Three properties ensure this. A node is skipped only if every cell in it would be on
+// the ray's current side, with a margin for the rounding of such a cell; so only a cell ever sets a sign, and where the side is known
+// without the map, it is the same. Cells are entered where the walk enters them: at the depth of the last border that was met, which
+// depends only on the number of that border. And the cell after a node is found by the walk's own comparisons: along the other axis, the
+// borders met are those that come before the node's exit border; a guess from the depth there is corrected by comparing them.
 //
-// From one node to the next the ray goes on at the same level, or one up if the border is one of the parent as well, so no node is
-// visited twice. A node that is near is taken apart, and the cells of the smallest are walked. Invocations look for such a node
+// From one node the ray proceeds to the next at the same level, or one level up if the border is also one of the parent, so no node is
+// visited twice. A node near the ray is subdivided, and the cells of the smallest nodes are walked. Invocations search for such a node
 // together, then walk its cells together, which keeps them in step.
 
 #define_import_path cutaway::relief_crossing
@@ -20,11 +19,11 @@
 #import cutaway::relief::corners_of
 #import cutaway::relief_ray::{Carried, Way, add_found, begin_of, begin_way, depth_at_border, heading_of, no_step, walk_cell, way_through}
 
-// Level at which a ray begins; from there it climbs where there is nothing to be met.
+// Level at which a ray begins; it rises from there where there is nothing to hit.
 const FIRST_LEVEL: u32 = 3u;
-// Cells of one of the smallest blocks along a ray, with those that a map turned round adds to its border.
+// Most cells along a ray in a smallest block, including those that a mirrored map adds at its border.
 const CELLS_OF_BLOCK: u32 = 9u;
-// By how much f32 may miss the cell of a depth within 2^22 texels.
+// Greatest error, in cells, of the cell that f32 finds for a depth within 2^22 texels.
 const MISS: u32 = 3u;
 
 // Whether the border that a cell is entered by is met before a depth, or at it where ties belong to this axis.
@@ -33,8 +32,8 @@ fn is_met(border: i32, texel: vec2<f32>, depth: f32, ties: bool) -> bool {
     return at < depth || (ties && at <= depth);
 }
 
-// The cell along one axis that the ray is in at a depth, if it was in cell `now` before and does not come beyond `last`: the last
-// one that is entered before that depth.
+// The cell along one axis that the ray is in at a depth, if it was in cell `now` before and does not pass `last`: the last cell entered
+// before that depth.
 fn cell_at(depth: f32, ties: bool, now: i32, last: i32, up: bool, texel: vec2<f32>) -> i32 {
     let step = select(-1, 1, up);
     // Cell i is entered by border i when walking up, by i + 1 when walking down.
@@ -55,8 +54,8 @@ fn cell_at(depth: f32, ties: bool, now: i32, last: i32, up: bool, texel: vec2<f3
     return cell;
 }
 
-// What the walk over the cells of a node may err by, so that heights beyond it decide: a part for the ray, and a share of the
-// node's range for the place in a cell.
+// Error bound of the walk over a node's cells, beyond which heights decide: one term for the ray, and a fraction of the node's range for
+// the position in a cell.
 fn rounding_of(way: Way) -> vec2<f32> {
     let slab = cut_table.surfaces[way.surface].slab;
     let height = abs(way.over_plane.x) + way.end * abs(way.over_plane.y) + max(abs(slab.x), abs(slab.y));
@@ -83,11 +82,11 @@ fn cross_relief(list: ptr<function, List>, surface: u32, at_px: vec2<f32>, inter
     var level = min(FIRST_LEVEL, levels);
     var border = vec2<i32>(0);
     var closes = vec2<bool>(false);
-    // Of the block that is walked, how many cells may be left.
+    // Upper bound on the cells left in the block being walked.
     var cells = 0u;
-    // A round ends with one of the smallest blocks, or in one of its cells that holds something.
+    // A round ends with one of the smallest blocks, or in one of its cells with crossings.
     for (var n = 0u; n < 2u * cell_limit; n++) {
-        // Blocks, until one of the smallest is near.
+        // Visits blocks, until one of the smallest is near the ray.
         for (var m = 0u; m < cell_limit + 64u && cells == 0u; m++) {
             let along_x = along(cell.x, level, way.map.size.x, way.map.wrap, up.x);
             let along_y = along(cell.y, level, way.map.size.y, way.map.wrap, up.y);
@@ -120,7 +119,7 @@ fn cross_relief(list: ptr<function, List>, surface: u32, at_px: vec2<f32>, inter
             if exit >= way.last {
                 return;
             }
-            // Ties leave by x first, as the walk does. The last cell before border i is i - 1 when walking up, i when walking down.
+            // Ties leave by x first, as in the walk. The last cell before border i is i - 1 when walking up, i when walking down.
             if border_x <= border_y {
                 cell = vec2<i32>(border.x - 1 + ahead.x, cell_at(border_x, false, cell.y, border.y - ahead.y, up.y, y));
                 level += select(0u, 1u, closes.x);
@@ -132,7 +131,7 @@ fn cross_relief(list: ptr<function, List>, surface: u32, at_px: vec2<f32>, inter
         if cells == 0u {
             break;
         }
-        // The cells of that block.
+        // Walks the cells of that block.
         var corners = corners_of(way.map, cell);
         var met = no_step();
         for (var i = 0u; i < CELLS_OF_BLOCK && cells > 0u && met.found.count == 0u && !met.is_last; i++) {
@@ -147,7 +146,7 @@ fn cross_relief(list: ptr<function, List>, surface: u32, at_px: vec2<f32>, inter
             return;
         }
     }
-    // What is beyond the limit is not looked at: say so.
+    // Cells beyond the limit are skipped: mark the list.
     (*list).cut_short = true;
     atomicMax(&need[1], cell_limit + 1u);
 }

@@ -1,10 +1,10 @@
-// Right triangles that are halved at the middle of their longest edge, the hypotenuse: apex at the right angle, a to b the
-// hypotenuse. Vertices in steps of a domain.
+// Right triangles, halved at the middle of their longest edge, the hypotenuse: the apex is at the right angle, and a to b is the
+// hypotenuse. Vertices are in steps of a domain.
 //
-// The two triangles of a patch have depth 0. At even depths the legs lie along the axes and the hypotenuse is the diagonal of a
-// square; at odd depths the hypotenuse lies along an axis, an edge between two squares. Diagonals of patches alternate like the
-// squares of a chessboard, as those of the halves do by themselves: diagonals run through points that are odd, or even, in both
-// coordinates, counted in sides. All triangles turn the same way.
+// The two triangles of a patch have depth 0. At even depths the legs lie along the axes and the hypotenuse is the diagonal of a square; at
+// odd depths the hypotenuse lies along an axis, an edge between two squares. Diagonals of patches alternate like the squares of a
+// chessboard, as those of the halves do automatically: diagonals run through points whose coordinates, counted in sides, are both odd or
+// both even. All triangles have the same winding.
 
 #define_import_path cutaway::bisection
 
@@ -14,7 +14,7 @@ struct Triangle {
     b: vec2<i32>,
 }
 
-// One of the two triangles of a patch: the first is that below the diagonal.
+// One of the two triangles of a patch: the first is the one below the diagonal.
 fn root_of(patch_at: vec2<i32>, second: bool, size: i32) -> Triangle {
     let low = patch_at * size;
     let high = low + size;
@@ -46,7 +46,7 @@ fn half_of(triangle: Triangle, second: bool) -> Triangle {
     return Triangle(middle, triangle.apex, triangle.a);
 }
 
-// What a triangle is the first or second half of.
+// The parent of a triangle that is a first or second half.
 fn whole_of(triangle: Triangle, second: bool) -> Triangle {
     if second {
         return Triangle(triangle.b, 2 * triangle.apex - triangle.a, triangle.a);

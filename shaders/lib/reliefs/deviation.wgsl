@@ -1,4 +1,4 @@
-// How far the map is from a plane through three of its texels: at texels, and on the diagonal of a cell between two of them.
+// Distance of the map from a plane through three of its texels: at texels, and on the diagonal of a cell between two of them.
 //
 // On a cell the map is bilinear, and so is its difference from the plane, which is extreme at corners. Where the diagonal of a cell
 // halves it between two triangles the difference is quadratic along it: linear between its ends d and e, plus

@@ -1,7 +1,7 @@
-// The part of a clip-surface that is tessellated as finely as a view asks for: whole texels of its map around the box of the cut
-// solids, in square patches. Bound as @group(1) @binding(8).
+// The part of a clip-surface that is tessellated adaptively: whole texels of its map around the box of the cut solids, in square patches.
+// Bound as @group(1) @binding(8).
 //
-// A vertex is two integers, counted from the corner in steps of 1 / 2^step_bits of a texel, so that all invocations that meet it compute
+// A vertex is two integers, counted from the corner in steps of 1 / 2^step_bits of a texel, so that all invocations that share it compute
 // the same point from the same numbers; vertices of texels lie where the bilinear map has its texel centres.
 
 #define_import_path cutaway::domain
@@ -10,7 +10,7 @@
 #import cutaway::relief::{Cell, Map, cell_of, height_in, heights, wrapped}
 
 struct Domain {
-    // Vertex (0, 0) on the plane, and what a step means, in scene space.
+    // Position of vertex (0, 0) on the plane, and the steps, in scene space.
     corner: vec4<f32>,
     step_x: vec4<f32>,
     step_y: vec4<f32>,
@@ -20,21 +20,21 @@ struct Domain {
     // Texels along a patch and steps along a texel, as powers of two.
     patch_bits: u32,
     step_bits: u32,
-    // Where the errors of its vertices and of its cells begin.
+    // Offsets of the errors of its vertices and of its cells.
     first_vertex: u32,
     first_cell: u32,
-    // Twist that every cell is taken to have at least.
+    // Least twist assumed for every cell.
     least_twist: f32,
-    // 1 where texel axes turn the other way than U and V.
+    // 1 if the texel axes have the opposite handedness to U and V.
     mirrored: u32,
-    // Of the map: those that measure know nothing else of the clip-surface, so that it may move without being measured again.
+    // Size of the map: the measuring passes use no other data of the clip-surface, so that it may move without new measurements.
     map_size: vec2<u32>,
     map_first: u32,
     wrap: u32,
     padding: vec2<u32>,
 }
 
-// Texels of half the side of a patch, at most, as a power of two.
+// Greatest number of texels in half the side of a patch, as a power of two.
 const MOST_HALF_BITS: u32 = 5u;
 
 struct Domains {

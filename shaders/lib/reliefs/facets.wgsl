@@ -1,4 +1,4 @@
-// A clip-surface as triangles: what the open module `tessellation` makes of an index and an instance. Its function is
+// A clip-surface as triangles: the open module `tessellation` makes a vertex from an index and an instance. Its function is
 // `cap_vertex(index: u32, instance: u32) -> CapVertex`; the same arguments give the same bits in every pass.
 
 #define_import_path cutaway::facets
@@ -10,7 +10,7 @@ struct CapVertex {
     surface: u32,
 }
 
-// An instance is a clip-surface for a part: 32 times the place of the part in the table, and the clip-surface.
+// An instance is a clip-surface for a part: 32 times the part's index in the table, plus the clip-surface.
 fn surface_of(instance: u32) -> u32 {
     return instance % 32u;
 }

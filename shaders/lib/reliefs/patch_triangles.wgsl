@@ -1,10 +1,10 @@
-// The triangles of a patch, for one view, shared among invocations: halving the two of the patch a fixed number of times gives each one
-// triangle, with all its descendants; a triangle that is not halved so often belongs to the first of those
-// within it. Nothing is stored on the way: a triangle is its vertices and the turns that led to it, and so are its neighbours. Bound as
-// @group(1) @binding(11), (12).
+// The triangles of a patch, for one view, shared among invocations: after a fixed number of halvings of its two root triangles, each
+// invocation gets one triangle with all its descendants; a triangle that is halved less often belongs to the first invocation within it.
+// Nothing is stored on the way: a triangle is its vertices and the turns that led to it, and so are its neighbours. Bound as @group(1)
+// @binding(11), (12).
 //
-// Everything is walked through twice: to count, and to write once the workgroup has taken its place in the index buffer. A walk ends after
-// MOST_VISITS triangles, and then nothing of the workgroup is written: drivers end invocations that run for long, and others wait for them.
+// Every walk runs twice: to count, and to write once the workgroup has reserved its range in the index buffer. A walk ends after
+// MOST_VISITS triangles, and then the workgroup writes nothing: drivers kill long-running invocations, and others wait for them.
 
 #define_import_path cutaway::patch_triangles
 
@@ -16,24 +16,24 @@
 @group(1) @binding(11) var<storage, read_write> triangles: array<u32>;
 @group(1) @binding(12) var<storage, read_write> arguments: array<atomic<u32>>;
 
-// What an invocation has of a patch.
+// An invocation's share of a patch.
 struct Share {
-    // Index of the clip-surface in the table, and number among those that are tessellated.
+    // Index of the clip-surface in the table, and its number among the tessellated ones.
     surface: u32,
     slot: u32,
     patch_at: vec2<i32>,
-    // Halvings until each has a triangle of its own, and its number among all that share the patch.
+    // Halvings until each invocation has its own triangle, and its number among all that share the patch.
     shared_halvings: u32,
     number: u32,
 }
 
-// Halvings until each of the 64 invocations of one workgroup has a triangle of its own. What is not seen is looked for so far.
+// Halvings until each of the 64 invocations of one workgroup has its own triangle. Visibility is tested up to this depth.
 const SHARED: u32 = 5u;
-// How often a triangle may be halved that one invocation has for itself.
+// Most halvings of a triangle within one invocation.
 const MOST_OWN_HALVINGS: u32 = 10u;
-// Most triangles in a walk: all from `MOST_OWN_HALVINGS` halvings, and the way there, of 32 at most.
+// Most triangles in a walk: all from `MOST_OWN_HALVINGS` halvings, and at most 32 on the way there.
 const MOST_VISITS: u32 = (2u << MOST_OWN_HALVINGS) + 32u;
-// What a walk that was cut short returns: more than 64 whole walks find together.
+// Result of a walk that was cut short: more than 64 complete walks find together.
 const TOO_MANY: u32 = 1u << 20u;
 
 var<workgroup> place: u32;
@@ -59,16 +59,16 @@ fn write(share: Share, at: u32, triangle: Triangle) {
     triangles[first + 2u] = packed(select(triangle.b, triangle.a, is_mirrored));
 }
 
-// Goes through the triangles of a share; how many there are, or TOO_MANY. They are written from a place on, unless they are only counted.
+// Walks the triangles of a share; returns their number, or TOO_MANY. They are written from index `at` on, unless they are only counted.
 fn walk(share: Share, at: u32, writes: bool) -> u32 {
     let surface = share.surface;
     let shared_halvings = share.shared_halvings;
     let size = 1i << (domains.surfaces[surface].patch_bits + domains.surfaces[surface].step_bits);
     var triangle = root_of(share.patch_at, (share.number >> shared_halvings) == 1u, size);
     var depth = 0u;
-    // Those of the view and of the box that lie across.
+    // Borders of the view and of the box that the triangle crosses.
     var borders = ALL_BORDERS;
-    // Turns since the triangle of this invocation, the last in the lowest bit.
+    // Turns taken since this invocation's triangle, the last in the lowest bit.
     var turns = 0u;
     var found = 0u;
     for (var visit = 0u; visit < MOST_VISITS; visit++) {
@@ -96,7 +96,7 @@ fn walk(share: Share, at: u32, writes: bool) -> u32 {
             }
             found++;
         }
-        // On to the next: up past second halves, and from the first half to the second.
+        // Proceeds to the next triangle: up past second halves, and from the first half to the second.
         for (var up = 0u; up < 32u && depth > shared_halvings && (turns & 1u) == 1u; up++) {
             triangle = whole_of(triangle, true);
             turns = turns >> 1u;

@@ -1,12 +1,12 @@
 // Pyramids over offset maps: the least and the greatest height of blocks of cells, read while a ray is followed.
 //
-// Cell (i, j) of a map spans the texel centres i, i + 1 and j, j + 1, for i from 0 to one less than the width: the last one spans
-// the last texel and what the map goes on with, the first texel where it repeats, else the last once more. Node k of level l
-// covers along each axis the cells from k 2^l up to (k + 1) 2^l, or to the end of the map. It need not be square, sizes need not be
-// powers of two, and all levels begin at the same border.
+// Cell (i, j) of a map spans the texel centres i, i + 1 and j, j + 1, for i from 0 to one less than the width: the last cell spans the last
+// texel and the one after it, which is the first texel if the map repeats, else the last again. Node k of level l covers along each axis
+// the cells from k 2^l up to (k + 1) 2^l, or to the end of the map. It need not be square, sizes need not be powers of two, and all levels
+// begin at the same border.
 //
-// The cells that a ray passes are those of the plane without end; a node follows from any of its cells, in integers, and so does
-// the border at which the ray leaves the node:
+// The cells that a ray passes are those of the infinite plane; a node follows from any of its cells, in integers, and so does the border at
+// which the ray leaves the node:
 //
 // - *repeat*: the plane is copies of the map side by side; a node never reaches beyond its copy;
 // - *mirror*: every other copy is turned round, with the cell at its far end between the first texel and itself, which belongs to
@@ -20,13 +20,13 @@
 
 #import cutaway::relief::{Map, MIRROR, REPEAT, remainder}
 
-// The lowest level that is kept: cells of those of its blocks that are near are looked at one by one.
+// The lowest stored level: cells of its blocks near the ray are visited one by one.
 const LOWEST: u32 = 2u;
 
 // The pyramid of the map of a clip-surface.
 struct Pyramid {
     first_texel: u32,
-    // The highest level, kept from LOWEST on; 0 where the clip-surface is a plane.
+    // The highest level, stored from LOWEST on; 0 if the clip-surface is a plane.
     levels: u32,
     map_size: vec2<u32>,
     // 1 where the map repeats.
@@ -53,16 +53,16 @@ struct Along {
     node: u32,
     // The border at which the ray leaves it.
     border: i32,
-    // Whether that is a border of its parent too.
+    // Whether this is also a border of its parent.
     closes: bool,
 }
 
-// Nodes of a level side by side.
+// Number of nodes side by side in a level.
 fn nodes_of(cells: u32, level: u32) -> u32 {
     return (cells + (1u << level) - 1u) >> level;
 }
 
-// The node of a cell along one axis of the map, for a ray that goes up or down there.
+// The node of a cell along one axis of the map, for a ray that goes up or down that axis.
 fn along(cell: i32, level: u32, size: u32, wrap: u32, up: bool) -> Along {
     let n = i32(size);
     let width = 1i << level;
@@ -84,7 +84,7 @@ fn along(cell: i32, level: u32, size: u32, wrap: u32, up: bool) -> Along {
         let border = base + select(low, high, up);
         return Along(u32(node), border, select((node & 1) == 0, (node & 1) != 0 || high == n, up));
     }
-    // Turned round: up is towards the first cell of the map, and beyond it.
+    // Mirrored: up is towards the first cell of the map, and beyond it.
     let node = max(2 * n - 2 - place, 0) >> level;
     let low = select(node << level, -1, node == 0);
     let high = min((node << level) + width, n - 1);

@@ -1,11 +1,11 @@
-// Halving test of a triangle: true if the error that it would keep may be seen in this view. Bound as @group(1) @binding(9), (10).
+// Halving test of a triangle: true if its error without halving may be visible in this view. Bound as @group(1) @binding(9), (10).
 //
-// The result depends on the middle of the hypotenuse alone, which two triangles share, so either both are halved or none, and no vertex
-// lies on the edge of another's triangle (Lindstrom & Pascucci, *Visualization of large terrains made easy*, 2001). For this a
-// middle's error bounds those of all its descendant middles (the measuring pass ensures it), and the depth that it is seen at is
-// the least in a box that holds theirs. A square of side s and all its descendants lie within 1.5 s of its middle along each axis,
-// an edge of length s and all its descendants within s: half a side to the edge and s beyond it, a quarter of s to the middle
-// of the next smaller square and 1.5 s/2 beyond. Depth is linear on the plane and counted in integers, so that no rounding breaks it.
+// The result depends only on the middle of the hypotenuse, which two triangles share, so either both are halved or neither, and no vertex
+// lies on the edge of another triangle (Lindstrom & Pascucci, *Visualization of large terrains made easy*, 2001). For this a middle's error
+// bounds those of all its descendant middles (ensured by the measuring pass), and its depth is the least in a box that contains theirs. A
+// square of side s and all its descendants lie within 1.5 s of its middle along each axis, an edge of length s and all its descendants
+// within s: half a side to the edge and s beyond it, a quarter of s to the middle of the next smaller square and 1.5 s/2 beyond. Depth is
+// linear on the plane and counted in integers, so no rounding breaks this.
 //
 // Below a texel the map is bilinear, off its chord by |twist| s² / 4 on the diagonal of a square of side s, and nowhere more. The
 // error kept for a cell is such that it is no less than a quarter of its neighbours'.
@@ -16,16 +16,16 @@
 #import cutaway::domain::{domain_texels, domains}
 
 struct Refinement {
-    // Value at vertex (0, 0), per step in x, per step in y: a triangle that is negative at its corners in one of them is not seen, or
+    // Value at vertex (0, 0), per step in x, per step in y: a triangle whose corners are all negative in one of them is invisible, or
     // outside the box of the cut solids.
     borders: array<vec4<f32>, 11>,
-    // Least depth of the clip-surface over vertex (0, 0), per step in x, per step in y, of the near plane: whole units.
+    // Least depth of the clip-surface over vertex (0, 0), change per step in x and in y, depth of the near plane: whole units.
     depth: vec4<i32>,
-    // Greatest error of the map that is not seen at a depth of one unit.
+    // Greatest map error that is invisible at a depth of one unit.
     error_per_depth: f32,
-    // Triangles that there is room for.
+    // Capacity in triangles.
     capacity: u32,
-    // Where its list of deep patches begins.
+    // Offset of its list of deep patches.
     first_patch: u32,
     padding: u32,
 }
@@ -37,7 +37,7 @@ struct Refinements {
 const BORDERS_OF_DOMAIN: u32 = 11u;
 
 @group(1) @binding(9) var<uniform> refinements: Refinements;
-// For each domain the errors of its texels as vertices, row by row, and then the twists of its cells. In units of the map.
+// For each domain the errors at its texels' vertices, row by row, and then the twists of its cells. In map units.
 @group(1) @binding(10) var<storage, read> sheet_errors: array<f32>;
 
 // Triangles of this depth are never halved.
@@ -59,7 +59,7 @@ fn length_of(triangle: Triangle) -> i32 {
     return max(along.x, along.y);
 }
 
-// The error that halving at the middle of a hypotenuse avoids.
+// The error avoided by halving at the middle of a hypotenuse.
 fn error_of(surface: u32, triangle: Triangle, depth: u32) -> f32 {
     let bits = vec2<u32>(domains.surfaces[surface].step_bits);
     let middle = middle_of(triangle);
@@ -89,11 +89,11 @@ fn is_halved(surface: u32, triangle: Triangle, depth: u32) -> bool {
     return error_of(surface, triangle, depth) > refinements.surfaces[surface].error_per_depth * f32(max(seen_at, row.w));
 }
 
-// All borders, and what a triangle is that lies beyond one.
+// All borders, and the result for a triangle beyond one.
 const ALL_BORDERS: u32 = 0x7ffu;
 const OUTSIDE: u32 = 0x80000000u;
 
-// Bits of the given borders that a triangle or one of its descendants may lie across; or `OUTSIDE` if no part of the triangle is seen
+// The subset of the given borders that a triangle or one of its descendants may cross; or `OUTSIDE` if no part of the triangle is visible
 // inside the box of the cut solids.
 fn borders_across(surface: u32, triangle: Triangle, borders: u32) -> u32 {
     let a = vec2<f32>(triangle.a);

@@ -12,8 +12,8 @@
 const REPEAT: u32 = 0u;
 const MIRROR: u32 = 1u;
 
-// Remainder in 0..n of an address within 2^24. The quotient in f32 is off by one at the most, which the last lines mend; the
-// remainder of integers costs a walk over a relief half of its time where the device has no vector instruction.
+// Remainder in 0..n of an address within 2^24. The quotient in f32 is off by at most one, which the last lines correct; an integer
+// remainder takes half the time of a walk over a relief if the device has no vector instruction for it.
 fn remainder(address: i32, n: i32) -> i32 {
     let m = address - i32(floor(f32(address) / f32(n))) * n;
     return select(select(m, m - n, m >= n), m + n, m < 0);
@@ -38,7 +38,7 @@ struct Cell {
     twist: f32,
 }
 
-// Where the map of a clip-surface is and how it goes on: loaded once, for a loop that writes would load it in every turn.
+// Offset, size and wrapping of a clip-surface's map: loaded once, because a loop that writes would reload it in every iteration.
 struct Map {
     first: u32,
     size: vec2<u32>,
@@ -53,7 +53,7 @@ fn map_of(surface: u32) -> Map {
     );
 }
 
-// Where a row of the map begins.
+// Offset of a row of the map.
 fn row_of(map: Map, y: i32) -> u32 {
     return map.first + wrapped(y, map.size.y, map.wrap) * map.size.x;
 }
@@ -67,14 +67,14 @@ fn corners_of(map: Map, cell: vec2<i32>) -> vec4<f32> {
     return vec4<f32>(heights[y0 + x0], heights[y0 + x1], heights[y1 + x0], heights[y1 + x1]);
 }
 
-// Corners of a cell from those of its neighbour: two are the same. `by_x` is the axis along which it is the next, `up` the direction.
+// A cell's corners from those of its neighbour: two are shared. `by_x` is the axis of the step, `up` its direction.
 fn corners_beside(map: Map, corners: vec4<f32>, cell: vec2<i32>, by_x: bool, up: bool) -> vec4<f32> {
     let side = cell + select(0, 1, up);
     let first = select(vec2<i32>(cell.x, side.y), vec2<i32>(side.x, cell.y), by_x);
     let second = first + select(vec2<i32>(1, 0), vec2<i32>(0, 1), by_x);
     let at_first = heights[row_of(map, first.y) + wrapped(first.x, map.size.x, map.wrap)];
     let at_second = heights[row_of(map, second.y) + wrapped(second.x, map.size.x, map.wrap)];
-    // Of a step in x columns stay, of one in y rows.
+    // A step in x keeps a column, a step in y a row.
     let kept = select(select(corners.xy, corners.zw, up), select(corners.xz, corners.yw, up), by_x);
     let low = select(vec2<f32>(at_first, at_second), kept, up);
     let high = select(kept, vec2<f32>(at_first, at_second), up);

@@ -1,9 +1,9 @@
-// A ray on its way over the cells of an offset map: where it may cross the relief, and what it finds in one cell.
+// A ray's walk over the cells of an offset map: where it may cross the relief, and the crossings in one cell.
 //
-// Along the ray the bilinear height of a cell is a quadratic in the depth. Whether a cell holds a crossing is decided by
-// signs: the sign at a cell's entry is the one carried over from the cell before, so the number of crossings has the parity
-// that the two ends of the ray imply. Roots only locate: citardauq form, clamped to the cell. Which cells the ray passes, and
-// which of them need no look, is for the open module `relief_crossing` to say.
+// Along the ray the bilinear height of a cell is quadratic in the depth. Whether a cell holds a crossing is decided by signs: the sign at a
+// cell's entry is carried over from the previous cell, so the number of crossings has the parity that the two ends of the ray imply. Roots
+// only locate crossings: citardauq form, clamped to the cell. The open module `relief_crossing` determines which cells the ray passes, and
+// which can be skipped.
 
 #define_import_path cutaway::relief_ray
 
@@ -15,19 +15,19 @@
 #import cutaway::rays::{ray_table, along_ray}
 #import cutaway::relief::{Map, cell_between, corners_beside, height_in, map_of}
 
-// The way of a ray through the slab of a relief. Depths count from `start`, and values along the ray are x + depth * y.
+// A ray's way through the slab of a relief. Depths count from `start`, and values along the ray are x + depth * y.
 struct Way {
     surface: u32,
     start: f32,
-    // Depth at which the way ends; none where it is not above 0.
+    // Depth at which the way ends; the way is empty if this is not above 0.
     end: f32,
-    // Requested interval. All else is as for the whole way: the result at a depth is the same to the bit.
+    // Requested interval. It affects nothing else: the result at a depth equals that for the whole way, bit for bit.
     first: f32,
     last: f32,
-    // It begins and ends on a border of the slab, where the side is known without the map.
+    // The way begins and ends on a border of the slab, where the side is known without the map.
     from_slab: bool,
     to_slab: bool,
-    // The ray rises over the plane; the other way round it falls or keeps its height.
+    // The ray rises over the plane; otherwise it falls or keeps its height.
     rises: bool,
     texel_x: vec2<f32>,
     texel_y: vec2<f32>,
@@ -37,7 +37,7 @@ struct Way {
     map: Map,
 }
 
-// What a ray carries from cell to cell.
+// State that a ray carries from cell to cell.
 struct Carried {
     // Depth at which the next cell is entered.
     entry: f32,
@@ -45,10 +45,10 @@ struct Carried {
     begun: bool,
 }
 
-// Which way a ray goes over the cells.
+// Direction in which a ray walks the cells.
 struct Heading {
     up: vec2<bool>,
-    // From a cell to the next along each axis.
+    // Step to the next cell along each axis.
     step: vec2<i32>,
     // The border ahead of cell i is i + 1 when walking up, i when walking down.
     ahead: vec2<i32>,
@@ -79,19 +79,19 @@ fn begin_of(way: Way) -> Begin {
     return Begin(cell, max(0.0, max(met.x, met.y)));
 }
 
-// Depth at which a linear value reaches a border of cells, counted by integers; infinite where it never does.
+// Depth at which a linear value reaches a cell border with an integer number; infinite if it never does.
 fn depth_at_border(border: i32, value: vec2<f32>) -> f32 {
     return select((f32(border) - value.x) / value.y, 3.4e38, value.y == 0.0);
 }
 
-// The way of the ray of a pixel inside an interval of depths, for the requested part. Where there is none the ray is on one side
-// throughout that part, which is noted.
+// The way of a pixel's ray inside an interval of depths, for the requested part. If it is empty, the ray is on one side throughout that
+// part, which is recorded.
 fn way_through(list: ptr<function, List>, surface: u32, at_px: vec2<f32>, asked: Interval) -> Way {
     let interval = asked.all;
     let height = along_ray(ray_table.surfaces[surface].height, at_px);
     let slab = cut_table.surfaces[surface].slab;
-    // Above -slab.x the point is kept and below -slab.y removed, whatever the map says; a margin of a few ulp lets the
-    // walk begin and end where that is beyond doubt.
+    // Above -slab.x the point is kept and below -slab.y removed, whatever the map holds; a margin of a few ulp lets the walk begin and end
+    // where that is certain.
     let margin = 1e-6 * (abs(slab.x) + abs(slab.y) + abs(height.x) * 0.25);
     let kept_above = -slab.x + margin;
     let removed_below = -slab.y - margin;
@@ -130,7 +130,7 @@ fn way_through(list: ptr<function, List>, surface: u32, at_px: vec2<f32>, asked:
     return way;
 }
 
-// Notes the side on which the way begins.
+// Records the side on which the way begins.
 fn begin_way(list: ptr<function, List>, way: Way, carried: ptr<function, Carried>, kept: bool) {
     (*carried).begun = true;
     (*carried).kept = kept;
@@ -139,14 +139,14 @@ fn begin_way(list: ptr<function, List>, way: Way, carried: ptr<function, Carried
     }
 }
 
-// What a cell holds: how many crossings, at which depths from the start of the way, and whether the ray is on the kept side before them.
+// Crossings in a cell: their number, their depths from the start of the way, and whether the ray is on the kept side before them.
 struct Found {
     count: u32,
     at: vec2<f32>,
     kept: bool,
 }
 
-// Crosses a cell with these heights at its corners from where the ray enters it to `exit`.
+// Finds the crossings in a cell with these corner heights, from where the ray enters it to `exit`.
 fn cross_cell(
     list: ptr<function, List>,
     way: Way,
@@ -179,7 +179,7 @@ fn cross_cell(
     return Found(roots.count, entry + roots.at, kept);
 }
 
-// Result of a step of the walk: the content of the cell, whether it is the last one needed, and the axis along which it is left.
+// Result of a step of the walk: the crossings in the cell, whether it is the last one needed, and the axis along which it is left.
 struct CellStep {
     found: Found,
     is_last: bool,
@@ -190,8 +190,8 @@ fn no_step() -> CellStep {
     return CellStep(Found(0u, vec2<f32>(0.0), false), false, false);
 }
 
-// Crosses the cell that the ray is in and goes on to the next, with the heights at its corners. What is found is for `add_found`, outside
-// of the loop over cells: most hold nothing, and a device may run what a loop holds in every turn, masked.
+// Finds the crossings in the ray's current cell and steps to the next one, given the corner heights. `add_found` adds them outside the loop
+// over cells: most cells have none, and a device may execute a loop's whole body in every iteration, masked.
 fn walk_cell(
     list: ptr<function, List>,
     way: Way,
@@ -204,14 +204,14 @@ fn walk_cell(
     let border_y = depth_at_border((*cell).y + heading.ahead.y, way.texel_y);
     let exit = max((*carried).entry, min(way.end, min(border_x, border_y)));
     let found = cross_cell(list, way, carried, *cell, *corners, exit);
-    // Ties step in x first; the cell between has no length.
+    // Ties step in x first; the cell in between has length zero.
     let by_x = border_x <= border_y;
     *cell += select(vec2<i32>(0, heading.step.y), vec2<i32>(heading.step.x, 0), by_x);
     *corners = corners_beside(way.map, *corners, *cell, by_x, select(heading.up.y, heading.up.x, by_x));
     return CellStep(found, exit >= way.last, by_x);
 }
 
-// Adds to the list what a cell holds.
+// Adds a cell's crossings to the list.
 fn add_found(list: ptr<function, List>, way: Way, found: Found) {
     var kept = found.kept;
     for (var i = 0u; i < min(found.count, 2u); i++) {

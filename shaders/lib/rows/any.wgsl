@@ -1,4 +1,4 @@
-// Any number of parts: which one a triangle belongs to is looked for by halving.
+// Any number of parts: a triangle's part is found by bisection.
 
 #define_import_path cutaway::rows
 

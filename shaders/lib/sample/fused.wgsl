@@ -1,7 +1,7 @@
-// What a covered sample does where a list of crossings is known and atomics have 64 bits: one sweep.
+// Processing of a covered sample with a list of crossings and 64-bit atomics: one sweep.
 //
-// It counts the crossings before the sample, stores the data for the inside test (the open module `store`), and keeps
-// the nearest kept triangle, depth and number in one word.
+// It counts the crossings in front of the sample, stores the data for the inside test (the open module `store`), and keeps the nearest kept
+// triangle, depth and number in one word.
 
 #define_import_path cutaway::sample
 
@@ -10,7 +10,7 @@
 #import cutaway::classifying::classify
 #import cutaway::sweep::Sample
 
-// No later sweep is to see the triangle.
+// No later sweep must visit the triangle.
 fn take(found: Sample) -> bool {
     let sample = classify(found);
     if count_and_store(sample) {

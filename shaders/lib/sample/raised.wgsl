@@ -1,7 +1,7 @@
-// What a covered sample does where a list of crossings is known, in core WebGPU: two sweeps of 32 bits.
+// Processing of a covered sample with a list of crossings in core WebGPU: two 32-bit sweeps.
 //
-// The first counts the crossings before the sample, stores the data for the inside test (the open module `store`), and
-// raises the pixel's depth if it is kept. The second, once all depths are known, sets the triangle.
+// The first counts the crossings in front of the sample, stores the data for the inside test (the open module `store`), and raises the
+// pixel's depth if the sample is kept. The second, once all depths are known, sets the triangle.
 
 #define_import_path cutaway::sample
 
@@ -11,7 +11,7 @@
 #import cutaway::classifying::classify
 #import cutaway::sweep::{Sample, sweep}
 
-// Whether a later sweep is to see the triangle: not if each of its samples is removed or was behind another already.
+// Whether a later sweep must visit the triangle: not if each of its samples is removed or already hidden.
 fn take(found: Sample) -> bool {
     let sample = classify(found);
     if sweep.again == 0u {

@@ -1,4 +1,4 @@
-// The lights, soft and without highlights; caps like sheets of paper that take some of them.
+// Soft lighting without highlights; caps look like sheets of paper that are partly lit.
 
 #define_import_path cutaway::shading
 

@@ -1,4 +1,4 @@
-// The tone that engraving turns into lines; caps have no light.
+// The tone that engraving turns into lines; caps are unlit.
 
 #define_import_path cutaway::shading
 

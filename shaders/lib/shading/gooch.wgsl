@@ -1,5 +1,5 @@
-// From cool to warm: surfaces keep their own colour and turn blue where the light does not reach and yellow where it does (Gooch,
-// Gooch, Shirley, Cohen 1998), with a highlight. Caps are nearly flat.
+// From cool to warm: surfaces keep their own colour and turn blue in shade and yellow in light (Gooch, Gooch, Shirley, Cohen 1998), with a
+// highlight. Caps are nearly flat.
 
 #define_import_path cutaway::shading
 

@@ -4,7 +4,7 @@
 
 #import cutaway::light::{key_light, mirrored}
 
-// How much of a tone an edge shows: it is smooth over 0.02 of a cosine.
+// Blend between two tones at an edge: smooth over 0.02 of a cosine.
 fn step_at(edge: f32, value: f32) -> f32 {
     return clamp((value - edge) / 0.02 + 0.5, 0.0, 1.0);
 }

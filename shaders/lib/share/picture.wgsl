@@ -1,4 +1,4 @@
-// What a workgroup has of the picture: one tile, whatever is in it.
+// A workgroup's share of the picture: one tile, whatever its content.
 
 #define_import_path cutaway::share
 

@@ -1,4 +1,4 @@
-// What a workgroup has of the picture: of N workgroups each takes every N-th touched tile.
+// A workgroup's share of the picture: of N workgroups each takes every N-th touched tile.
 
 #define_import_path cutaway::share
 
@@ -10,7 +10,7 @@ fn turns(group: vec3<u32>, groups: vec3<u32>) -> u32 {
     return turns_among(touched_count(), group.x, groups.x);
 }
 
-// The pixel of an invocation in one of these tiles, maybe outside of the picture.
+// The pixel of an invocation in one of these tiles, possibly outside the picture.
 fn pixel_at(turn: u32, group: vec3<u32>, groups: vec3<u32>, local: vec3<u32>) -> vec2<u32> {
     return pixel_in(touched_at(group.x + turn * groups.x), local.xy);
 }

@@ -1,5 +1,5 @@
-// On which side of a sheet a point lies, where the sheet is as fine as the view asks for: its height over the triangle below it, found
-// by halving as it was made. Time in proportion to how often that is halved, where the point is within the slab of heights.
+// The side of a sheet on which a point lies, for an adaptive tessellation: its height over the triangle below it, found by repeating the
+// halvings. Time in proportion to the number of halvings, if the point is within the height slab.
 
 #define_import_path cutaway::sheet_side
 
@@ -8,9 +8,9 @@
 #import cutaway::domain::{domains, relief_at}
 #import cutaway::refinement::is_halved
 
-// By how much a point is on the kept side of the sheet, along the normal of the plane; negative where removed.
+// Distance of a point on the kept side of the sheet, along the plane's normal; negative where removed.
 fn height_over_sheet(surface: u32, point: vec3<f32>) -> f32 {
-    // Beyond the slab of all heights the side is known without a look at the triangles, and no less than this far.
+    // Beyond the slab of all heights the side is known without the triangles, and so is a lower bound on the distance.
     let over_plane = dot(cut_table.surfaces[surface].height_row, vec4<f32>(point, 1.0));
     let slab = cut_table.surfaces[surface].slab;
     if over_plane + slab.x > 0.0 {
@@ -27,7 +27,7 @@ fn height_over_sheet(surface: u32, point: vec3<f32>) -> f32 {
     let last = vec2<f32>(domains.surfaces[surface].patches) - 1.0;
     let patch_at = vec2<i32>(clamp(floor(at / f32(size)), vec2<f32>(0.0), last));
 
-    // Of either triangle of the patch, that on whose side of the diagonal the point is.
+    // Of the patch's two triangles, the one on the point's side of the diagonal.
     var triangle = root_of(patch_at, false, size);
     let from_diagonal = at - vec2<f32>(middle_of(triangle));
     if dot(from_diagonal, vec2<f32>(triangle.apex - middle_of(triangle))) < 0.0 {

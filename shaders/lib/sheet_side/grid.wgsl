@@ -1,4 +1,4 @@
-// On which side of a sheet a point lies, where the sheet is a grid: its height over the triangle of the cell below it.
+// The side of a sheet on which a point lies, for a grid: its height over the triangle of the cell below it.
 
 #define_import_path cutaway::sheet_side
 
@@ -9,7 +9,7 @@ fn height_of_vertex(surface: u32, at: vec2<f32>) -> f32 {
     return relief_over(surface, plane_point(surface, at));
 }
 
-// By how much a point is on the kept side of the sheet, along the normal of the plane; negative where removed.
+// Distance of a point on the kept side of the sheet, along the plane's normal; negative where removed.
 fn height_over_sheet(surface: u32, point: vec3<f32>) -> f32 {
     let from_corner = point - quads[surface].corner.xyz;
     let u = quads[surface].step_u.xyz;

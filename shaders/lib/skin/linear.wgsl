@@ -1,17 +1,17 @@
-// Linear blend skinning: a vertex goes by the mean of the matrices of its joints, weighted by their pulls (Magnenat-Thalmann,
-// Laperriere and Thalmann 1988). Time in proportion to the pulls on a vertex.
+// Linear blend skinning: a vertex is moved by the weighted mean of its joint matrices (Magnenat-Thalmann, Laperriere and Thalmann 1988).
+// Time in proportion to the joint influences per vertex.
 
 #define_import_path cutaway::skin
 
 #import cutaway::pose::{Standing, pose, standing_by}
 #import cutaway::position::position_of_vertex
 
-// First, for each position and one more, the word where its pulls begin; then pulls: number of the matrix, weight as bits.
+// For each position and one more, the word where its joint influences begin; then the influences: matrix number, weight as bits.
 @group(1) @binding(5) var<storage, read> pulls: array<u32>;
 // Three rows a matrix.
 @group(1) @binding(6) var<storage, read> joints: array<vec4<f32>>;
 
-// Joints that move one position, at most.
+// Most joints that influence one position.
 const MOST_JOINTS: u32 = 1024u;
 
 fn skinned(at: Standing, vertex: u32) -> Standing {
@@ -21,7 +21,7 @@ fn skinned(at: Standing, vertex: u32) -> Standing {
     var rows = array<vec4<f32>, 3>();
     for (var n = 0u; n < min(count, MOST_JOINTS); n++) {
         let i = first + 2u * n;
-        // A joint that the pose does not have moves nothing, as matrix 0 does.
+        // A joint missing from the pose moves nothing, as matrix 0 does.
         let joint = select(0u, pulls[i], pulls[i] < pose.joint_count);
         let weight = bitcast<f32>(pulls[i + 1u]);
         rows[0] += weight * joints[3u * joint];

@@ -1,4 +1,4 @@
-// No skin: the placement moves all vertices alike.
+// No skin: the placement moves all vertices together.
 
 #define_import_path cutaway::skin
 

@@ -1,4 +1,4 @@
-// Nothing hides the sky that the relief does not hide.
+// Only the relief occludes the sky.
 
 #define_import_path cutaway::sky_before
 

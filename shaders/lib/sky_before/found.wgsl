@@ -1,4 +1,4 @@
-// What the search around a pixel found of the sky. Bound as @group(2) @binding(0).
+// Sky visibility from the search around a pixel. Bound as @group(2) @binding(0).
 
 #define_import_path cutaway::sky_before
 

@@ -1,8 +1,7 @@
-// What a fragment leaves for the inside test `kbuffer`: one more in the count, and its depth among the nearest.
+// A fragment's contribution to the inside test `kbuffer`: one more in the count, and its depth among the nearest.
 //
-// A slot keeps the greater of what it holds and what it is offered, and offers the other to the next slot. Nothing is lost on
-// the way, so the first slot ends with the nearest of all, the second with the nearest of the rest, and so on: the same in any
-// order of fragments, equal depths included. Bound as @group(1) @binding(4).
+// A slot keeps the greater of its value and the offered one, and offers the other to the next. So the first slot ends with the nearest of
+// all, the second with the next, and so on, in any fragment order, equal depths included. Bound as @group(1) @binding(4).
 
 #define_import_path cutaway::store
 

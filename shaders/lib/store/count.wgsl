@@ -1,4 +1,4 @@
-// What a fragment leaves for the inside test while lists are counted: one more in its pixel's list.
+// A fragment's contribution to the inside test while lists are counted: one more in its pixel's list.
 
 #define_import_path cutaway::store
 

@@ -1,4 +1,4 @@
-// What a fragment leaves for the inside test while lists are filled: its depth and its part.
+// A fragment's contribution to the inside test while lists are filled: its depth and its part.
 
 #define_import_path cutaway::store
 

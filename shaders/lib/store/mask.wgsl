@@ -1,4 +1,4 @@
-// What a fragment leaves for the inside test `mask`: the thermometer of the crossings it is behind.
+// A fragment's contribution to the inside test `mask`: the thermometer of the crossings in front of it.
 
 #define_import_path cutaway::store
 
@@ -10,7 +10,7 @@ fn store(fragment: Fragment) {
     add_fragment(fragment.pixel, lane.word, lane.shift, lane.bits, fragment.behind);
 }
 
-// Makes a pixel ready for the first fragment.
+// Prepares a pixel for its first fragment.
 fn begin(pixel: u32) {
     clear(pixel);
 }

@@ -1,4 +1,4 @@
-// What a fragment leaves for an inside test that asks elsewhere: nothing. The pixel's mask begins empty all the same.
+// Fragments contribute nothing: the inside test uses other data. The pixel's mask still starts empty.
 
 #define_import_path cutaway::store
 

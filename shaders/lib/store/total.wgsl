@@ -1,5 +1,5 @@
-// What a fragment leaves where sections answer the inside test and some of them is not closed: the top bit of its lane, which
-// ends as the parity of all fragments and says where the mesh is open.
+// A fragment's contribution where sections answer the inside test and one of them is not closed: the top bit of its lane, which ends as the
+// parity of all fragments and shows where the mesh is open.
 
 #define_import_path cutaway::store
 
@@ -11,7 +11,7 @@ fn store(fragment: Fragment) {
     add_fragment(fragment.pixel, lane.word, lane.shift, lane.bits, 0u);
 }
 
-// Makes a pixel ready for the first fragment.
+// Prepares a pixel for its first fragment.
 fn begin(pixel: u32) {
     clear(pixel);
 }

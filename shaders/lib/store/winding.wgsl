@@ -1,8 +1,8 @@
-// What a fragment leaves for the inside test `mask` where some part is filled by the nonzero rule.
+// A fragment's contribution to the inside test `mask` if some part is filled by the nonzero rule.
 //
-// A part filled even-odd keeps its lane of bits. A lane of counts begins with a word that holds the sum over all fragments and
-// their number; after it each crossing has a byte, four to a word, that sums the fragments behind it: 1 for each that shows its
-// inner side, which the ray leaves the mesh by, -1 for the others. That is the winding number at the crossing.
+// A part filled even-odd keeps its lane of bits. A lane of counts begins with a word that holds the sum over all fragments and their
+// number; after it each crossing has a byte, four to a word, that sums the fragments behind it: 1 for each that shows its inner side, where
+// the ray leaves the mesh, -1 for the others. That is the winding number at the crossing.
 
 #define_import_path cutaway::store
 
@@ -27,7 +27,7 @@ fn store(fragment: Fragment) {
     }
 }
 
-// Makes a pixel ready for the first fragment.
+// Prepares a pixel for its first fragment.
 fn begin(pixel: u32) {
     clear(pixel);
 }

@@ -1,8 +1,8 @@
-// Tone as lines: where a surface meets a family of parallel planes of the scene there is a line, the wider the darker (tone as a threshold:
-// Freudenberg, Masuch and Strothotte 2002; here it is the width). Dark tones have a second family.
+// Tone as lines: a line is drawn where a surface meets a family of parallel planes of the scene, wider for darker tones (tone as a
+// threshold: Freudenberg, Masuch and Strothotte 2002; here it is the width). Dark tones have a second family.
 //
-// Planes are a power of two apart, the one at which lines are about as far from each other in the picture as the style says; between two
-// such scales every second line thins out, so that a camera that goes away moves no line.
+// The plane spacing is the power of two at which lines in the picture are about as far apart as the style sets; between two such scales
+// every second line thins out, so that a receding camera moves no line.
 
 #define_import_path cutaway::surface_pattern
 
@@ -14,17 +14,17 @@
 const LIGHT_FAMILY: vec2<f32> = vec2<f32>(0.80, 0.15);
 const DARK_FAMILY: vec2<f32> = vec2<f32>(0.42, 0.0);
 
-// A surface that lies across its family by less than this share has no lines to speak of, and their mean in their place.
+// A surface at a smaller angle to its family's planes than this has no distinct lines, and gets their mean instead.
 const LEAST_SLANT: f32 = 0.06;
 
-// How much of a pixel the lines of a family cover: `place` across them in units of the scene, `steps` how far the sides of a pixel go across,
-// and the distance from line to line in pixels.
+// Fraction of a pixel that the lines of a family cover: `place` is the position across them in scene units, `steps` the advance of the
+// pixel sides across them; the line spacing is in pixels.
 fn family_cover(place: f32, steps: vec2<f32>, spacing_px: f32, darkness: f32) -> f32 {
     let per_px = length(steps);
     let scale = log2(max(spacing_px * per_px, 1e-12));
     let spacing = exp2(floor(scale));
     let between = fract(scale);
-    // Half the distance is ink where it is darkest.
+    // Half the spacing is ink at the darkest tone.
     let width = 0.25 * darkness * spacing_px * per_px / spacing;
     let at = 0.5 * place / spacing;
     let footprint = 0.5 * steps / spacing / style.fineness;
@@ -49,7 +49,7 @@ fn engraved(color: vec3<f32>, base: vec3<f32>, at: vec2<u32>, depth: f32, normal
         let darkness = clamp((range.x - tone) / (range.x - range.y), 0.0, 1.0);
         let steps = vec2<f32>(dot(across.xyz, right), dot(across.xyz, down));
         let slant = length(steps) / max(length(right), length(down));
-        // Where it is 0 there is no distance from line to line.
+        // At 0 the line spacing is undefined.
         let bounded = select(steps, vec2<f32>(0.01 * length(right), 0.0), slant < 0.01);
         let lines = family_cover(dot(across.xyz, point), bounded, across.w, darkness);
         let mean = 0.375 * darkness;

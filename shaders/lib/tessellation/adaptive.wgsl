@@ -1,4 +1,4 @@
-// The vertices of a tessellation that is as fine as the view asks for: an index holds the two coordinates of a vertex, 16 bits each.
+// Vertices of an adaptive tessellation: an index holds the two coordinates of a vertex, 16 bits each.
 
 #define_import_path cutaway::tessellation
 

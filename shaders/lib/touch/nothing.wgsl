@@ -1,4 +1,4 @@
-// A pass before has found the tiles that are touched, or they are not needed.
+// An earlier pass has found the touched tiles, or they are not needed.
 
 #define_import_path cutaway::touch
 

@@ -1,4 +1,4 @@
-// The sweep itself finds the tiles that are touched.
+// The sweep itself finds the touched tiles.
 
 #define_import_path cutaway::touch
 

@@ -1,5 +1,5 @@
-// Deformers in closed form. The definitions, and the notation, are those of `Deformer` in the scene: (x, y, h) is the place of a
-// point across, aside and along an axis, (p, q, r) are the components of a normal. Bound as @group(0) @binding(1).
+// Deformers in closed form. Definitions and notation are those of `Deformer` in the scene: (x, y, h) is the position of a point across,
+// aside and along an axis, (p, q, r) are the components of a normal. Bound as @group(0) @binding(1).
 
 #define_import_path cutaway::deformers
 

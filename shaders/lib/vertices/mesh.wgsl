@@ -8,7 +8,7 @@
 struct Vertex {
     @location(0) position: vec3<f32>,
     @location(1) normal: u32,
-    // Of a draw of parts the place in their table, of one of preclassified triangles the number of the group.
+    // The part's index in the table if parts are drawn, the group number if preclassified triangles are.
     @builtin(instance_index) instance: u32,
 }
 
@@ -17,12 +17,12 @@ fn clip_position(position: vec3<f32>) -> vec4<f32> {
     return frame.clip_from_scene * vec4<f32>(position, 1.0);
 }
 
-// The same on the viewport of a draw.
+// The same in the viewport of a draw.
 fn drawn_position(position: vec3<f32>) -> vec4<f32> {
     return on_viewport(clip_position(position), frame.size_px);
 }
 
-// Normal of what is seen: turned over where the triangle shows its back.
+// Normal of the visible side: flipped if the triangle shows its back.
 fn facing(normal: vec3<f32>, front: bool) -> vec3<f32> {
     return select(-normal, normal, front);
 }

@@ -1,7 +1,7 @@
-// How a part stands: what is the same for all of its vertices. Bound as @group(0) @binding(0).
+// The pose of a part: what all of its vertices share. Bound as @group(0) @binding(0).
 //
-// Rest space is part space moved to the middle of the part and scaled by a power of two, so that f32 holds it well. What a
-// vertex is taken through is in the order morph targets, skin, deformers, placement.
+// Rest space is part space moved to the middle of the part and scaled by a power of two, for f32 precision. A vertex is transformed in the
+// order morph targets, skin, deformers, placement.
 
 #define_import_path cutaway::pose
 
@@ -11,17 +11,17 @@ struct Pose {
     first_vertex: u32,
     vertex_count: u32,
     position_count: u32,
-    // Morph targets that have a weight.
+    // Number of morph targets with a weight.
     weight_count: u32,
     deformer_count: u32,
-    // Matrices that pulls refer to.
+    // Number of matrices that joint influences refer to.
     joint_count: u32,
     // -1 where the part's placement mirrors, else 1.
     hand: f32,
     padding: u32,
 }
 
-// A vertex on its way. Lengths of normals mean nothing.
+// A vertex between transforms. Lengths of normals mean nothing.
 struct Standing {
     point: vec3<f32>,
     // For shading.
@@ -37,7 +37,7 @@ fn point_by(rows: array<vec4<f32>, 3>, point: vec3<f32>) -> vec3<f32> {
     return vec3<f32>(dot(rows[0], at), dot(rows[1], at), dot(rows[2], at));
 }
 
-// Normals go by the cofactors, which exist where an inverse does not.
+// Normals are transformed by the cofactors, which exist even where an inverse does not.
 fn normal_by(rows: array<vec4<f32>, 3>, normal: vec3<f32>) -> vec3<f32> {
     let x = cross(rows[1].xyz, rows[2].xyz);
     let y = cross(rows[2].xyz, rows[0].xyz);

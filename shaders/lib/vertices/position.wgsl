@@ -1,4 +1,4 @@
-// Which position each vertex is at: vertices that shading split share one, and with it all that moves it.
+// The position index of each vertex: vertices split for shading share one position, and everything that moves it.
 
 #define_import_path cutaway::position
 

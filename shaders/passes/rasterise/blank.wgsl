@@ -1,5 +1,5 @@
-// Sets back to background, and to nothing nearest, what the frame before has touched; all of the picture where there was none, or one of
-// another picture. Workgroups share the tiles, an invocation owns a pixel of each.
+// Resets everything that the previous frame touched to background, with no nearest sample; the whole picture if there was no previous
+// frame, or one of another picture. Workgroups share the tiles, an invocation owns a pixel of each.
 
 #import cutaway::begun::make_ready
 #import cutaway::blank::{blank_picture, kind_of_blank}
@@ -11,7 +11,7 @@
 @group(1) @binding(3) var<storage, read_write> layers: array<u32>;
 @group(1) @binding(5) var<storage, read_write> nearest: array<vec2<u32>>;
 
-// Whether what no tile of the list has is background already.
+// Whether everything outside the listed tiles already is background.
 fn is_kept() -> bool {
     let now = blank_of_frame(kind_of_blank());
     let before = touched.blank;

@@ -1,7 +1,7 @@
-// Finds the pieces of queued triangles that cross the near plane or the guard band: of the box of what is left of them. One invocation
+// Finds the pieces of queued triangles that cross the near plane or the guard band, from the box of the clipped polygon. One invocation
 // owns one queued triangle.
 //
-// The polygon is found again where its pieces are covered, by another pipeline, whose rounding may differ: the box has a pixel of room.
+// The polygon is recomputed where its pieces are covered, by another pipeline, whose rounding may differ: the box has one pixel of margin.
 
 #import cutaway::outline::outline_of
 #import cutaway::pieces::{piece_count, pieces_of}
@@ -9,7 +9,7 @@
 #import cutaway::rows::row_of_triangle
 #import cutaway::sweep::{corners_of, number_of, sweep}
 
-// Samples of a line that one piece has, but for three tiles.
+// Most samples of a line in one piece, up to three tiles more.
 override piece_px: f32 = 512.0;
 
 @group(2) @binding(3) var<storage, read> screen: array<vec4<i32>>;

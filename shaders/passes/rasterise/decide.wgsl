@@ -1,7 +1,7 @@
-// Decides what each pixel shows, surface or cap, where the compute rasteriser found the surfaces: `resolve` without what only
+// Decides what each pixel shows, surface or cap, after the compute rasteriser has found the surfaces: `resolve` without the data that only
 // painted pixels need. Workgroups share the touched tiles, an invocation owns a pixel of each.
 //
-// In the place of its normal a surface keeps the code of its triangle, a cap the word of its crossing, until it is painted.
+// Until it is painted, a surface stores the code of its triangle instead of its normal, and a cap the word of its crossing.
 
 #import cutaway::decision::{Drawn, decide, write}
 #import cutaway::frame::{frame, pixel_index}
@@ -22,7 +22,7 @@ fn decide_pixel(xy: vec2<u32>) {
     let found = nearest[pixel];
     var drawn = Drawn(BACKGROUND, 0u, bitcast<f32>(found.y));
     if found.y != 0u {
-        // A depth that no triangle claims is a fault of the rasteriser.
+        // A depth without a claiming triangle is a fault of the rasteriser.
         drawn.word = select(layer_word(SURFACE, UNCOUNTED, 0u), UNRELIABLE, found.x == 0u);
         drawn.normal = found.x;
     }

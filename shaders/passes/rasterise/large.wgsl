@@ -1,5 +1,5 @@
-// Covers the samples of queued triangles, those that are too large for one invocation or are clipped. A workgroup owns one piece of one of
-// them (`pieces.wgsl`), an invocation one line of its samples.
+// Covers the samples of queued triangles, which are too large for one invocation or clipped. A workgroup owns one piece of such a triangle
+// (`pieces.wgsl`), an invocation one line of its samples.
 
 #import cutaway::cover::Where
 #import cutaway::piece::piece_of

@@ -1,9 +1,9 @@
-// Completes the layers of the pixels that are not background: part, side and normal of the triangle that claimed a surface, the normal
-// of a cap. The open module `coloring` colours them, or leaves that to others. Workgroups share the touched tiles, an invocation owns a
+// Completes the layers of pixels that are not background: part, side and normal of the triangle that claimed a surface, or the normal of a
+// cap. The open module `coloring` colours them, or leaves that to later passes. Workgroups share the touched tiles, an invocation owns a
 // pixel of each.
 //
-// Weights of the corners are found in scene space, where the ray through the pixel centre meets the triangle's plane: right in
-// perspective, and for clipped triangles as well. They shade; they decide nothing.
+// Corner weights are found in scene space, where the ray through the pixel centre meets the triangle's plane: correct in perspective, and
+// for clipped triangles as well. They affect only shading, no decision.
 
 #import cutaway::cap_normal::packed_cap_normal
 #import cutaway::claims::{is_front, triangle_of}
@@ -35,7 +35,7 @@ fn weights_of(ray: Ray, a: vec3<f32>, ab: vec3<f32>, ac: vec3<f32>) -> vec2<f32>
     return vec2<f32>(second, third);
 }
 
-// The first two words of the layer of a surface; `word` has its flags.
+// The first two words of a surface's layer; `word` has its flags.
 fn surface_words(at: vec2<u32>, word: u32, code: u32) -> vec2<u32> {
     let triangle = triangle_of(code);
     let row = row_of_triangle(triangle);

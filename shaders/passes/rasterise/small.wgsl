@@ -1,8 +1,8 @@
 // Covers the samples of small triangles, and queues the others. One invocation owns one triangle.
 //
-// A box that holds no sample ends the invocation before anything is multiplied: of a fine mesh that is most of them. A side of
-// at most 2^14 steps keeps edge functions below 2^30 in magnitude. The first sweep lists the triangles that have a sample which needs
-// another visit, and a later one visits only those.
+// If a box holds no sample the invocation ends before any multiplication: in a fine mesh this is the case for most triangles. A side of at
+// most 2^14 steps keeps edge functions below 2^30 in magnitude. The first sweep lists the triangles with a sample that needs another visit,
+// and a later one visits only those.
 
 #import cutaway::enqueue::{enqueue, enqueue_clipped, is_large, queue}
 #import cutaway::flat::{depth_at, flat_through}
@@ -18,9 +18,9 @@ override lane_bits: u32 = 32u;
 // Longest side of the box of a small triangle, in pixels.
 override small_px: i32 = 64;
 const MOST_SMALL_PX: i32 = 65;
-// Samples of a line that one piece of a queued triangle has, but for three tiles.
+// Most samples of a line in one piece of a queued triangle, up to three tiles more.
 override piece_px: f32 = 512.0;
-// No pass before has filled the queue.
+// True if no earlier pass has filled the queue.
 override fills_queue: bool = true;
 
 @group(2) @binding(3) var<storage, read> screen: array<vec4<i32>>;
@@ -36,7 +36,7 @@ fn visit(triangle: u32) {
     let part = drawn_parts.parts[row_of_part];
     let corners = corners_of(triangle, row_of_part);
     let vertices = array<vec4<i32>, 3>(screen[corners.x], screen[corners.y], screen[corners.z]);
-    // What is clipped has no points: what comes of them is not looked at.
+    // A clipped triangle has no points: results computed from them are ignored.
     let is_clipped = is_clipped(vertices);
     let a = point_of(vertices[0]);
     var b = point_of(vertices[1]);

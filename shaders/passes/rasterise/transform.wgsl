@@ -1,4 +1,4 @@
-// Takes every vertex to the screen, once, and resets the results of a frame (the open module `fresh`). One invocation owns one vertex.
+// Transforms every vertex to the screen, once, and resets the results of a frame (the open module `fresh`). One invocation owns one vertex.
 
 #import cutaway::fresh::freshen
 #import cutaway::mesh::clip_position
@@ -7,9 +7,9 @@
 
 // Position as bits, and normal.
 @group(2) @binding(5) var<storage, read> vertices: array<vec4<u32>>;
-// Vertices as `screen.wgsl` keeps them.
+// Vertices in the format of `screen.wgsl`.
 @group(2) @binding(3) var<storage, read_write> screen: array<vec4<i32>>;
-// As `queue.wgsl` lays it out.
+// In the layout of `queue.wgsl`.
 @group(2) @binding(4) var<storage, read_write> queue: array<u32>;
 
 @compute @workgroup_size(64)

@@ -1,16 +1,16 @@
-// Exclusive sums over what fits one block, and the total: the one workgroup at the top of a prefix sum.
+// Exclusive sums over words that fit one block, and the total: the single workgroup at the top of a prefix sum.
 
 #import cutaway::scan::{run_of, scan_block}
 
 override first: u32 = 0u;
 override length: u32 = 1u;
 override count_at: u32 = 0xffffffffu;
-// Word that the total goes to.
+// Index of the word that receives the total.
 override total_at: u32 = 0u;
-// The total is written as the workgroups of a dispatch in x, y and z: as many, or a few more where they take several rows.
+// The total is written as a dispatch size in x, y and z: that many workgroups, or a few more if they take several rows.
 override as_groups: bool = false;
 
-// Workgroups of a row, at most: half of what WebGPU promises.
+// Most workgroups in a row: half of what WebGPU guarantees.
 const GROUPS_OF_ROW: u32 = 32768u;
 
 @group(0) @binding(1) var<storage, read_write> total: array<u32>;

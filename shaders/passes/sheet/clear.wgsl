@@ -1,4 +1,4 @@
-// Makes the list of sheet fragments of every pixel that is looked at empty. An invocation owns a pixel at a time.
+// Empties the list of sheet fragments of every processed pixel. An invocation owns a pixel at a time.
 
 #import cutaway::frame::{frame, pixel_index}
 #import cutaway::share::{pixel_at, turns}

@@ -1,5 +1,4 @@
-// Draws clip-surfaces as triangles for the sake of their fragments alone: each leaves its depth, clip-surface and facing in its
-// pixel's list.
+// Draws clip-surfaces as triangles only for their fragments: each stores its depth, clip-surface and facing in its pixel's list.
 
 #import cutaway::frame::pixel_index
 #import cutaway::mesh::drawn_position
@@ -7,7 +6,7 @@
 #import cutaway::sheet_words::sheet_word
 #import cutaway::tessellation::cap_vertex
 
-// Added to every instance: a draw whose arguments a pass has written begins with 0.
+// Added to every instance: a draw with arguments written by a pass begins with 0.
 override first_instance: u32 = 0u;
 
 struct Corner {

@@ -1,11 +1,11 @@
-// Inserts the crossings with sheets into the one list of each pixel. One invocation owns one pixel at a time.
+// Inserts the crossings with sheets into the per-pixel lists of crossings. One invocation owns one pixel at a time.
 //
-// Only crossings inside the ray's interval in the box of the cut solids count, and they alternate by their order: at a fold of a
-// sheet seen edge-on two of them may have changed places by rounding, which then does no harm. On which side the ray begins is
-// decided at the end of the interval that is farther from the sheet (the open module `sheet_side`); if that is too near to decide,
-// the crossings decide by the side that they show. Where the two ends and the number of crossings do not agree, the sheet has a
-// hole, and the pixel is marked. A sheet that bounds a solid shows nothing: the ray begins inside, on the removed side, where an
-// odd number of all its crossings lies ahead. These bring their normals with them.
+// Only crossings inside the ray's interval in the box of the cut solids count, and their sides alternate in list order: at a fold of a
+// sheet seen edge-on two of them may have been swapped by rounding, which then does no harm. The side on which the ray begins is decided at
+// the end of the interval that is farther from the sheet (the open module `sheet_side`); if that is too near to decide, the facing of the
+// crossings decides. If the two ends and the number of crossings disagree, the sheet has a hole, and the pixel is marked. A sheet that
+// bounds a solid uses no facing: the ray begins inside, on the removed side, if an odd number of all its crossings lies ahead. These carry
+// their own normals.
 
 #import cutaway::crossing_list::{List, add, finish, need, resume}
 #import cutaway::crossing_words::HAS_NORMAL
@@ -21,37 +21,37 @@ override capacity: u32 = 1u;
 // Bits of the clip-surfaces whose sheets have a facing, and of those whose sheets bound a solid.
 override by_facing: u32 = 0u;
 override by_parity: u32 = 0u;
-// Of the latter: those whose outside is the removed side, and those that no ray of the picture begins inside the box of.
+// Of the latter: those whose outside is the removed side, and those whose box no ray of the picture begins inside.
 override keeps_inside: u32 = 0u;
 override closed: u32 = 0u;
-// A point nearer to a sheet than this, in scene units, is not decided by its height; ten times as near it proves no hole.
+// The height of a point nearer to a sheet than this, in scene units, decides nothing; ten times as near, it proves no hole.
 override beside: f32 = 0.0;
 
 // Word of the need buffer.
 const NEED_OF_SHEETS: u32 = 3u;
 
-// A crossing to be added: its depth-buffer value, its word, and the number of its fragment, which orders those at one depth.
+// A crossing to be added: its depth-buffer value, its word, and the number of its fragment, which breaks ties in depth.
 struct Crossing {
     z: f32,
     word: u32,
     fragment: u32,
 }
 
-// Whether a fragment comes before a crossing. Lists are in no order, not even that of the numbers of fragments.
+// Whether a fragment comes before a crossing. Lists are unordered, even by fragment number.
 fn precedes(z: f32, fragment: u32, crossing: Crossing) -> bool {
     return is_behind(crossing.z, z) || (!is_behind(z, crossing.z) && fragment < crossing.fragment);
 }
 
-// What a list holds of a sheet.
+// A sheet's fragments in a list.
 struct Share {
-    // All fragments, those beyond the begin of the interval, and those within it.
+    // The number of all fragments, of those beyond the begin of the interval, and of those within it.
     all: u32,
     ahead: u32,
     within: u32,
-    // Of those within: by how many more show their front than their back, and the nearest.
+    // Of those within: the surplus of fronts over backs, and the nearest fragment.
     fronts: i32,
     nearest: Crossing,
-    // Some fragments of the list found no room, or are too many.
+    // Some fragments of the list overflowed, or there are too many.
     is_short: bool,
 }
 
@@ -78,8 +78,8 @@ fn share_of(last: u32, surface: u32, interval: vec2<f32>) -> Share {
     return share;
 }
 
-// The nearest fragment of a sheet behind another one, inside the interval, if there is one. A list is in no order and hardly ever
-// long: it is looked through again for each but the first.
+// The nearest fragment of a sheet behind another one, inside the interval, if any. A list is unordered and rarely long: it is searched
+// again for each fragment but the first.
 fn next_after(before: Crossing, last: u32, surface: u32, interval: vec2<f32>) -> Crossing {
     var next = before;
     var found = false;
@@ -89,7 +89,7 @@ fn next_after(before: Crossing, last: u32, surface: u32, interval: vec2<f32>) ->
         let z = fragment.z;
         let is_later = at != before.fragment && !precedes(z, at, before);
         let is_next = is_later && (!found || precedes(z, at, next)) && sheet_of(fragment.word) == surface;
-        // Later is deeper: beyond the begin of the interval already.
+        // Fragments after it are deeper, so they are beyond the begin of the interval.
         if is_next && depth_from_buffer(z) < interval.y {
             next = Crossing(z, fragment.word, at);
             found = true;
@@ -99,7 +99,7 @@ fn next_after(before: Crossing, last: u32, surface: u32, interval: vec2<f32>) ->
     return next;
 }
 
-// On which side of a sheet with a facing the ray begins.
+// The side on which the ray begins, for a sheet with a facing.
 fn begins_by_facing(list: ptr<function, List>, surface: u32, ray: Ray, interval: vec2<f32>, share: Share) -> bool {
     let is_odd = share.within % 2u == 1u;
     let start = height_over_sheet(surface, ray.origin + interval.x * ray.direction);
@@ -116,7 +116,7 @@ fn begins_by_facing(list: ptr<function, List>, surface: u32, ray: Ray, interval:
     return select((end >= 0.0) != is_odd, start >= 0.0, start_is_farther);
 }
 
-// And of a sheet that bounds a solid.
+// The side on which the ray begins, for a sheet that bounds a solid.
 fn begins_by_parity(list: ptr<function, List>, surface: u32, share: Share) -> bool {
     let keeps_outside = ((keeps_inside >> surface) & 1u) == 0u;
     if share.all % 2u == 1u && ((closed >> surface) & 1u) != 0u {
@@ -151,7 +151,7 @@ fn cross(list: ptr<function, List>, last: u32, surface: u32, ray: Ray, interval:
             crossing = next_after(crossing, last, surface, interval);
         }
         kept = !kept;
-        // Only a sheet that bounds a solid has normals of its own.
+        // Only a sheet that bounds a solid has its own normals.
         add(list, crossing.z, select(surface, crossing.word | HAS_NORMAL, bounds_solid), kept);
     }
 }
@@ -165,8 +165,8 @@ fn merge(xy: vec2<u32>) {
     let pixel = pixel_index(xy);
     let last = last_of(pixel);
     var list = resume(pixel, capacity);
-    // No `surface_of`: uniforms of a known row that control loops crash the software driver of Mesa 22.3.6 if they are in two bindings.
-    // Backwards: of crossings at one depth the last is the cap's, and of clip-surfaces in one plane the first has the cap.
+    // No `surface_of` here: the software driver of Mesa 22.3.6 crashes if uniforms of a known row control loops and are in two bindings.
+    // Backwards: among crossings at one depth the last is the cap's, and among coplanar clip-surfaces the first has the cap.
     for (var left = min(cut_table.surface_count, MAX_SURFACES); left > 0u; left--) {
         cross(&list, last, left - 1u, ray, interval);
     }

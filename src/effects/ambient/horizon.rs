@@ -1,22 +1,22 @@
-//! Occlusion by horizons: the share of the sky over what the picture shows around a pixel (Jimenez, Wu, Pesce and Jarabo 2016).
+//! Horizon-based occlusion: the fraction of sky above the visible surroundings of a pixel (Jimenez, Wu, Pesce and Jarabo 2016).
 //!
-//! Two passes, 8 bytes a pixel. A search costs slices x steps x 2 samples of layers and as many arc cosines as slices x 2.
+//! Two passes, 8 bytes a pixel. A search costs slices x steps x 2 layer samples and slices x 2 arc cosines.
 //!
-//! Cannot: see what is hidden or outside of the picture, so that a model at its border is lighter there.
+//! Cannot: see geometry that is hidden or outside the picture, so a model is lighter at the picture's border.
 
 use crate::effects::pixels::{Pixels, numbers, per_pixel};
 use crate::plan::{Binding, Plan, ResourceId, pack};
 use crate::scene::View;
 use crate::scene::style::Occlusion;
 
-/// The farthest sample, in thousandths of the picture's height: near the eye a radius would be the whole height.
+/// The farthest sample, in thousandths of the picture's height: close to the eye the radius could otherwise span the whole height.
 const REACH: f64 = 160.0;
-/// And in pixels: bands of large pictures are to fit devices that bind no more than core WebGPU asks for.
+/// The farthest sample in pixels: bands of large pictures must fit devices with only the binding limits of core WebGPU.
 const MOST_REACH_PX: f64 = 512.0;
-/// Radius of the mean over the pattern.
+/// Radius of the averaging over the sampling pattern.
 pub(in crate::effects) const SMOOTH_PX: u32 = 2;
 
-/// Finds what of the sky each pixel sees.
+/// Finds the fraction of sky that each pixel sees.
 pub(in crate::effects) fn horizon(
     plan: &mut Plan,
     pixels: Pixels<'_>,
@@ -37,7 +37,7 @@ pub(in crate::effects) fn horizon(
         plan,
         (
             "find horizons",
-            "the sky that a point sees lies over the highest samples around it",
+            "a point sees the sky above the highest samples around it",
         ),
         "effects/horizon/find.wgsl",
         vec![
@@ -52,7 +52,7 @@ pub(in crate::effects) fn horizon(
         plan,
         (
             "smooth occlusion",
-            "the mean over the pattern by which the search was turned",
+            "averages over the rotation pattern of the search",
         ),
         "effects/horizon/smooth.wgsl",
         vec![

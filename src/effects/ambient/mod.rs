@@ -1,4 +1,4 @@
-//! Ambient occlusion: how much of the sky a place sees, by three methods.
+//! Ambient occlusion: how much of the sky a point sees, by three methods.
 
 pub(super) mod horizon;
 pub(super) mod occlusion;

@@ -1,4 +1,4 @@
-//! Occlusion: how much of the sky is seen, a number for each pixel, by what the style asks for.
+//! Occlusion: the visible fraction of the sky, one number per pixel, by the methods that the style selects.
 
 use super::{horizon, relief_sky, unsharp};
 use crate::effects::pixels::{Pixels, VISIBILITY};
@@ -6,7 +6,7 @@ use crate::plan::{Plan, ResourceId};
 use crate::scene::View;
 use crate::scene::style::{Occlusion, OcclusionKind};
 
-/// Share of the light that reaches each pixel, one f32 a pixel; none if the style has no occlusion.
+/// Fraction of the light that reaches each pixel, one f32 per pixel; none if the style has no occlusion.
 pub(in crate::effects) fn occlusion(
     plan: &mut Plan,
     pixels: Pixels<'_>,

@@ -1,14 +1,14 @@
-//! Sky that a relief hides from its caps, from maps made of its heights (Trapp and Döllner 2013, section 4.2): unlike a search
-//! in the picture it does not depend on the camera, and includes hidden surfaces.
+//! Occlusion of caps by their own relief, from maps computed from its heights (Trapp and Döllner 2013, section 4.2): unlike a search in the
+//! picture it does not depend on the camera, and includes hidden surfaces.
 //!
-//! One pass over the pixels; the maps are made once for each relief, on the clock of the cut. Cannot: know of other caps or of the mesh.
+//! One pass over the pixels; the maps are computed once per relief, on the cut clock. Cannot: account for other caps or for the mesh.
 
 use crate::effects::pixels::{Pixels, VISIBILITY, numbers, per_pixel};
 use crate::passes::SceneBuffers;
 use crate::plan::{Binding, Clock, Plan, Resource, ResourceId, Role, pack};
 use crate::shader::Shader;
 
-/// Returns true if it is drawn: if a style requests it, and a relief cuts something.
+/// Returns true if this pass is needed: a style requests it, and a relief cuts something.
 pub(in crate::effects) fn is_drawn(scene: &SceneBuffers<'_>) -> bool {
     let model = scene.input.model;
     model.prepared.style.occlusion.relief > 0.0
@@ -16,7 +16,7 @@ pub(in crate::effects) fn is_drawn(scene: &SceneBuffers<'_>) -> bool {
         && model.relief_sky.has_reliefs()
 }
 
-/// Share of the light that reaches each pixel, combined with the occlusion found around the pixel, if any.
+/// Fraction of the light that reaches each pixel, combined with the occlusion found around the pixel, if any.
 pub(in crate::effects) fn relief_sky(
     plan: &mut Plan,
     pixels: Pixels<'_>,

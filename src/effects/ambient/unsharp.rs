@@ -2,7 +2,7 @@
 //!
 //! Two passes, 8 bytes a pixel; a Gaussian to three standard deviations, rows first.
 //!
-//! Cannot: darken narrow gaps between what lies equally deep.
+//! Cannot: darken narrow gaps between surfaces of equal depth.
 
 use crate::effects::pixels::{numbers, over_picture, per_pixel};
 use crate::passes::SceneBuffers;
@@ -10,7 +10,7 @@ use crate::plan::{Binding, Plan, ResourceId, pack};
 use crate::scene::View;
 use crate::scene::style::Occlusion;
 
-/// Finds what of the light each pixel has.
+/// Finds the fraction of light at each pixel.
 pub(in crate::effects) fn unsharp(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,
@@ -44,7 +44,7 @@ pub(in crate::effects) fn unsharp(
         scene,
         (
             "mask depth",
-            "what lies deeper than the blurred depth around it has less light",
+            "surfaces deeper than the blurred depth around them get less light",
         ),
         "effects/unsharp/down.wgsl",
         vec![
@@ -58,7 +58,7 @@ pub(in crate::effects) fn unsharp(
     visibility
 }
 
-/// The standard deviation, which is a length of the whole picture.
+/// The standard deviation in pixels; the style gives it as a length relative to the whole picture.
 fn sigma_px(style: &Occlusion, view: &View) -> f64 {
     let size = [view.size_px[0], view.band[1]].map(f64::from);
     f64::from(style.blur_percent) / 100.0 * size[0].hypot(size[1])

@@ -1,4 +1,4 @@
-//! A mesh while it is edited: faces as they go, and vertices that are only ever added.
+//! A mesh being edited: faces can be added and removed, vertices can only be added.
 
 use glam::{DVec3, Vec3};
 
@@ -8,7 +8,7 @@ use crate::scene::{Bounds, Mesh};
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ShadedFace {
     pub(super) corners: [u32; 3],
-    /// Normals for shading there, where the mesh has them.
+    /// Shading normals at the corners, if the mesh has any.
     normals: Option<[Vec3; 3]>,
 }
 
@@ -22,12 +22,12 @@ impl ShadedFace {
         }
     }
 
-    /// The same face with other corners, in their places.
+    /// The same face with its corner indices replaced, in order.
     pub(super) fn with_corners(self, corners: [u32; 3]) -> Self {
         Self { corners, ..self }
     }
 
-    /// Its two halves on either side of the line from a vertex on edge `edge`, which goes from corner `edge` to the next.
+    /// The face split in two through `vertex`, which lies on edge `edge` (from corner `edge` to the next corner).
     pub(super) fn halves(self, edge: usize, vertex: u32) -> [Self; 2] {
         let next = (edge + 1) % 3;
         let [mut first, mut second] = [self; 2];
@@ -42,18 +42,18 @@ impl ShadedFace {
 
 /// A mesh while it is edited.
 pub(super) struct Edit {
-    /// The faces; none if all are gone.
+    /// The remaining faces; may be empty.
     pub(super) faces: Vec<ShadedFace>,
     positions: Vec<DVec3>,
     /// Per vertex, the vertex of the mesh it comes from.
     origins: Vec<u32>,
     has_normals: bool,
-    /// The box of the mesh, which no vertex is to leave.
+    /// The mesh's bounding box, which no vertex may leave.
     pub(super) bounds: Bounds,
 }
 
 impl Edit {
-    /// A mesh as it is.
+    /// Starts editing an unchanged mesh.
     pub(super) fn of(mesh: &Mesh) -> Self {
         let normals = |t: usize| mesh.corner_normals.as_ref().map(|n| n[t]);
         let faces = mesh.triangles.iter().enumerate();
@@ -81,19 +81,19 @@ impl Edit {
         face.corners.map(|v| self.at(v))
     }
 
-    /// A new vertex that comes from another.
+    /// Adds a vertex derived from another one.
     pub(super) fn add(&mut self, at: DVec3, from: u32) -> u32 {
         self.origins.push(self.origins[from as usize]);
         self.positions.push(at);
         self.positions.len() as u32 - 1
     }
 
-    /// The mesh, and the vertex that each of its vertices comes from.
+    /// The edited mesh, and per vertex the original vertex it comes from.
     pub(super) fn finish(self) -> (Mesh, Vec<u32>) {
         let normals = || self.faces.iter().filter_map(|f| f.normals).collect();
         let mesh = Mesh {
             corner_normals: self.has_normals.then(normals),
-            // What is broken on purpose is shown as it is, without paint.
+            // Deliberately broken meshes are shown without vertex paint.
             vertex_paint: None,
             triangles: self.faces.iter().map(|f| f.corners).collect(),
             positions: self.positions,

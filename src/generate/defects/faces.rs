@@ -1,4 +1,4 @@
-//! Defects of single faces: missing, turned over, there twice, split on one side.
+//! Defects of single faces: missing, flipped, duplicated, or split on one side of an edge.
 
 use std::collections::BTreeSet;
 
@@ -12,7 +12,7 @@ pub(super) fn holes(edit: &mut Edit, share: f64, patch: u32, seed: u64) -> Strin
     format!("{} are missing", remove(edit, &is_chosen))
 }
 
-/// Removes what lies beyond a plane across an axis: a share of the box. A face goes if its middle does.
+/// Removes the faces whose centroid lies beyond a plane perpendicular to an axis; `share` is the removed share of the box.
 pub(super) fn open(edit: &mut Edit, share: f64, axis: usize, from_below: bool) -> String {
     let (lo, hi) = (edit.bounds.min[axis], edit.bounds.max[axis]);
     let is_beyond = |face: &ShadedFace| {
@@ -35,7 +35,7 @@ fn remove(edit: &mut Edit, is_chosen: &[bool]) -> String {
     of_faces(all - edit.faces.len(), all)
 }
 
-/// Turns a share of the faces over.
+/// Flips a share of the faces.
 pub(super) fn flip(edit: &mut Edit, share: f64, patch: u32, seed: u64) -> String {
     let is_chosen = chosen(&edit.faces, share, patch, seed);
     let mut count = 0;
@@ -46,7 +46,7 @@ pub(super) fn flip(edit: &mut Edit, share: f64, patch: u32, seed: u64) -> String
     format!("{} are turned over", of_faces(count, is_chosen.len()))
 }
 
-/// Says a share of the faces twice.
+/// Duplicates a share of the faces.
 pub(super) fn duplicate(edit: &mut Edit, share: f64, patch: u32, seed: u64) -> String {
     let is_chosen = chosen(&edit.faces, share, patch, seed);
     let twice = edit.faces.iter().zip(&is_chosen).filter(|(_, c)| **c);
@@ -56,7 +56,7 @@ pub(super) fn duplicate(edit: &mut Edit, share: f64, patch: u32, seed: u64) -> S
     format!("{} are there twice", of_faces(twice.len(), all))
 }
 
-/// Splits one edge each of a share of the faces in its middle, for that face only; no edge from both sides, and none twice.
+/// Splits one edge of each chosen face at its midpoint, for that face only. No edge is split from both sides or more than once.
 pub(super) fn split_one_side(edit: &mut Edit, share: f64, seed: u64) -> String {
     let all = edit.faces.len();
     let mut split = BTreeSet::new();

@@ -1,29 +1,29 @@
-//! Defects put into a mesh on purpose: what the meshes that users really have are like, in measured amounts.
+//! Defects put into a mesh on purpose, in measured amounts, to imitate the meshes that users really have.
 //!
-//! A [`Defect`] is data: a kind, an amount, a seed. The same defect makes the same mesh on every machine. Of one seed, a greater
-//! amount spoils what a smaller one did and more: a sweep over amounts is a sweep of one thing. The amount 0 of every kind leaves
-//! the mesh as it is.
+//! A [`Defect`] is data: a kind, an amount, a seed. The same defect makes the same mesh on every machine. With the same seed, a
+//! larger amount damages everything that a smaller one does, and more, so a sweep over amounts changes only one thing. For every
+//! kind, the amount 0 leaves the mesh unchanged.
 //!
-//! | kind | what becomes of the mesh | `amount` | further key |
+//! | kind | effect on the mesh | `amount` | further key |
 //! |---|---|---|---|
-//! | `holes` | faces are missing | share of the faces | `patch`: faces that go together, 1 |
-//! | `flipped` | faces are turned over | share of the faces | `patch` |
-//! | `duplicated` | faces are there twice | share of the faces | `patch` |
-//! | `t-junctions` | an edge has a vertex in its middle that only the face on one side knows | share of the faces | |
-//! | `gaps` | the surface falls into charts whose rims do not touch | width of the gaps, a length | `charts`: how many, 8 |
-//! | `overlap` | small copies of the mesh stick in its surface | size of a copy over that of the mesh | `copies`: how many, 8 |
+//! | `holes` | faces are missing | share of the faces | `patch`: adjacent faces removed together, 1 |
+//! | `flipped` | faces are flipped | share of the faces | `patch` |
+//! | `duplicated` | faces appear twice | share of the faces | `patch` |
+//! | `t-junctions` | an edge has a vertex at its midpoint that only the face on one side uses | share of the faces | |
+//! | `gaps` | the surface is split into charts whose borders do not touch | width of the gaps, a length | `charts`: how many, 8 |
+//! | `overlap` | small copies of the mesh stick in its surface | size of a copy relative to the mesh | `copies`: how many, 8 |
 //! | `open` | all faces beyond a plane are missing: a bowl without a wall | depth removed, as a share of the box | `axis`: `x` to `-z`, z |
-//! | `soup` | no two faces share a vertex, and every corner is moved | how far at most, a length | |
+//! | `soup` | no two faces share a vertex, and every corner is moved | largest displacement, a length | |
 //!
-//! Shares are given in percent; lengths in units of the mesh, or in percent of the diagonal of its box.
+//! Shares are given in percent; lengths in units of the mesh, or in percent of its bounding-box diagonal.
 //!
-//! The vertices of the whole mesh stay in the list, whether a face uses them or not, new ones come after them, and none leaves the
-//! box of the mesh: a broken mesh has the box of the whole one, so that the same camera frames both, the same section cuts both, and
-//! one can be judged by the other. (A part that is placed askew has another box in the world, which soup, gaps and overlaps may
+//! The vertices of the intact mesh stay in the list, whether a face uses them or not; new ones follow them, and none leaves the
+//! bounding box. A broken mesh thus has the intact mesh's box, so that the same camera frames both, the same section cuts both, and
+//! the two can be compared. (A part rotated off the axes has a different box in world space, which soup, gaps and overlaps may
 //! stretch a little.)
 //!
-//! Cost: a sort of the edges or of the faces. Limit: new vertices move as the vertices they come from; the middle of an edge goes
-//! with one of its ends under a skin.
+//! Cost: a sort of the edges or of the faces. Limit: new vertices move with the vertices they come from; under skinning, the
+//! midpoint of an edge moves with one of its ends.
 
 mod edit;
 mod faces;
@@ -43,9 +43,9 @@ use edit::Edit;
 pub struct Defect {
     /// Kind of the defect.
     pub kind: DefectKind,
-    /// Amount of the defect; the table of the module lists its unit per kind.
+    /// Amount of the defect; the table in the module docs gives the unit for each kind.
     pub amount: Amount,
-    /// Chooses which faces, and where they go.
+    /// Seed for the choice of faces and for displacements.
     pub seed: u64,
 }
 
@@ -57,7 +57,7 @@ pub enum DefectKind {
         /// Faces that go together.
         patch: u32,
     },
-    /// Faces are turned over, in patches of `patch` faces.
+    /// Faces are flipped, in patches of `patch` faces.
     Flipped {
         /// Faces that go together.
         patch: u32,
@@ -69,30 +69,30 @@ pub enum DefectKind {
     },
     /// Edges are split on one side only.
     TJunctions,
-    /// The surface falls into `charts` charts, or more if it is in pieces already, whose rims do not touch.
+    /// The surface is split into `charts` charts whose borders do not touch; more if it already has more connected components.
     Gaps {
         /// Number of charts.
         charts: u32,
     },
-    /// So many small copies stick in the surface.
+    /// `copies` small copies of the mesh stick in its surface.
     Overlap {
         /// Number of copies.
         copies: u32,
     },
     /// All faces beyond a plane are missing.
     Open {
-        /// Number of the axis.
+        /// Index of the axis.
         axis: usize,
-        /// The end with the smaller coordinates goes.
+        /// True if the end with the smaller coordinates is removed.
         from_below: bool,
     },
-    /// Faces share no vertices, and corners are moved.
+    /// Faces share no vertices, and their corners are displaced.
     Soup,
 }
 
 impl Defect {
-    /// The mesh with the defect, the vertex that each of its vertices comes from, and what was done. An amount is refused that
-    /// leaves no face.
+    /// The mesh with the defect, the original of each vertex, and a description of what was done. An amount that leaves no face
+    /// is refused.
     fn applied(&self, mesh: &Mesh) -> Result<Option<(Edit, String)>> {
         let diagonal = mesh.bounds().size().length();
         let amount = match self.amount {
@@ -153,11 +153,11 @@ impl Defect {
     }
 }
 
-/// A mesh with defects, whom it comes from, and what was done.
+/// A mesh with defects, its original, and a description of what was done.
 struct Broken {
     whole: Arc<Mesh>,
     mesh: Arc<Mesh>,
-    /// Per vertex of `mesh`, the vertex of `whole`.
+    /// Per vertex of `mesh`, the vertex of `whole` it comes from.
     origins: Vec<u32>,
     did: Vec<String>,
 }
@@ -187,10 +187,10 @@ impl Broken {
     }
 }
 
-/// More faces than this are a slip of a defect that multiplies them.
+/// Largest face count a defect may produce; more are taken for a typing error.
 const MOST_FACES: usize = 50_000_000;
 
-/// Puts defects into the meshes of parts, in their order, and says what each did. Parts that share a mesh share the broken one.
+/// Applies defects, in order, to the meshes of parts and reports what each did. Parts that share a mesh share the broken one.
 pub fn break_parts<'a>(
     parts: impl IntoIterator<Item = &'a mut Part>,
     defects: &[Defect],
@@ -231,13 +231,13 @@ fn of_faces(count: usize, all: usize) -> String {
     format!("{} of {} faces", thousands(count), thousands(all))
 }
 
-/// The middle of some points.
+/// The mean of some points.
 fn middle(points: impl Iterator<Item = glam::DVec3>) -> glam::DVec3 {
     let (sum, count) = points.fold((glam::DVec3::ZERO, 0.0_f64), |(s, n), p| (s + p, n + 1.0));
     sum / count.max(1.0)
 }
 
-/// The point of a box that is nearest.
+/// The point of a box nearest to `p`.
 fn within(bounds: &Bounds, p: glam::DVec3) -> glam::DVec3 {
     p.max(bounds.min).min(bounds.max)
 }

@@ -1,5 +1,4 @@
-//! Selection of faces: a seeded order of all of them, patches that grow from the first, and charts that share the surface among
-//! themselves.
+//! Selection of faces: a seeded shuffle of all faces, patches grown from the first ones, and charts that partition the surface.
 
 use std::collections::VecDeque;
 
@@ -16,27 +15,27 @@ pub(super) fn mixed(seed: u64, number: u64) -> u64 {
     h ^ (h >> 31)
 }
 
-/// A number in -1..1 from a seed and a number.
+/// A pseudo-random value in -1..1 from a seed and a number.
 pub(super) fn signed(seed: u64, number: u64) -> f64 {
     let high = (mixed(seed, number) >> 32) as u32;
     f64::from(high) / f64::from(u32::MAX) * 2.0 - 1.0
 }
 
-/// All faces in an order that only the seed decides.
+/// All face indices in an order that depends only on the seed.
 pub(super) fn shuffled(count: usize, seed: u64) -> Vec<u32> {
     let mut order: Vec<u32> = (0..count as u32).collect();
     order.sort_by_cached_key(|face| mixed(seed, u64::from(*face)));
     order
 }
 
-/// A share of a count, to the nearest whole.
+/// A share of a count, rounded to the nearest integer.
 pub(super) fn share_of(count: usize, share: f64) -> usize {
     (count as f64 * share).round().clamp(0.0, count as f64) as usize
 }
 
-/// Faces on the other sides of edges.
+/// Edge adjacency of faces.
 pub(super) struct Neighbours {
-    /// An edge by its vertices, and a face that has it; sorted.
+    /// Pairs of an edge, as its two vertices, and a face that has it; sorted.
     edges: Vec<([u32; 2], u32)>,
 }
 
@@ -68,7 +67,7 @@ pub(super) fn edges_of(face: &ShadedFace) -> [[u32; 2]; 3] {
 }
 
 /// A share of the faces: patches of `patch` faces connected by edges, centred on the first faces of the shuffled order.
-/// Of one seed and patch, a greater share holds a smaller one.
+/// With the same seed and patch size, a larger share includes every face of a smaller one.
 pub(super) fn chosen(faces: &[ShadedFace], share: f64, patch: u32, seed: u64) -> Vec<bool> {
     let mut is_chosen = vec![false; faces.len()];
     let mut left = share_of(faces.len(), share);
@@ -98,8 +97,8 @@ pub(super) fn chosen(faces: &[ShadedFace], share: f64, patch: u32, seed: u64) ->
     is_chosen
 }
 
-/// The chart of each face: they grow from seeds alike until they meet. A piece of the surface that no seed lies in is a chart of its
-/// own.
+/// The chart of each face. Charts grow from seed faces at equal speed until they meet; a connected component without a seed is a
+/// chart of its own.
 pub(super) fn charts(faces: &[ShadedFace], count: u32, seed: u64) -> Vec<u32> {
     const NONE: u32 = u32::MAX;
     let neighbours = Neighbours::of(faces);

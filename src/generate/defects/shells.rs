@@ -1,4 +1,4 @@
-//! Defects of whole pieces: pulled apart, stuck into one another, fallen to pieces.
+//! Defects of whole pieces: charts pulled apart, copies stuck into the surface, all faces separated.
 
 use std::collections::BTreeMap;
 
@@ -10,8 +10,8 @@ use super::{middle, within};
 use crate::scene::Bounds;
 use crate::scene::meshes::weld::thousands;
 
-/// Divides the surface into charts and moves the vertices of their rims by half of a width towards the middles of the charts, at
-/// most half the way.
+/// Divides the surface into charts and moves their border vertices towards the charts' centres by half of `width`, but by at most
+/// half the distance.
 pub(super) fn pull_apart(edit: &mut Edit, width: f64, count: u32, seed: u64) -> String {
     let chart = charts(&edit.faces, count, seed);
     // Vertices by chart, each once.
@@ -46,8 +46,8 @@ pub(super) fn pull_apart(edit: &mut Edit, width: f64, count: u32, seed: u64) -> 
     format!("the surface is in {charts} charts with {rims} vertices on their rims")
 }
 
-/// Sticks small copies of the mesh into its surface: their middles lie under faces, half of their size deep, but no copy leaves
-/// the box of the mesh.
+/// Sticks small copies of the mesh into its surface: their centres lie half their size below faces, but no copy leaves the mesh's
+/// bounding box.
 pub(super) fn overlap(edit: &mut Edit, size: f64, copies: u32, seed: u64) -> String {
     let whole = edit.faces.clone();
     let bounds = edit.bounds;
@@ -75,7 +75,7 @@ pub(super) fn overlap(edit: &mut Edit, size: f64, copies: u32, seed: u64) -> Str
     format!("{count} copies of the mesh stick in its surface")
 }
 
-/// Gives every face vertices of its own, each moved by at most a distance, along the same way for every distance.
+/// Gives every face its own vertices, each moved by at most `distance`, in a direction that does not depend on `distance`.
 pub(super) fn unweld(edit: &mut Edit, distance: f64, seed: u64) -> String {
     let bounds = edit.bounds;
     let longest = 3.0_f64.sqrt();

@@ -1,4 +1,4 @@
-//! Names and numbers of defects, and how one is written: `holes:amount=5%,seed=1,patch=1`.
+//! Names and parameters of defects, and their text form: `holes:amount=5%,seed=1,patch=1`.
 
 use std::fmt;
 
@@ -6,7 +6,7 @@ use super::{Defect, DefectKind};
 use crate::scene::Amount;
 use crate::scene::describe::{Described, Field, Given, Leaf, ValueType};
 
-/// Most pieces of a mesh: more are a slip.
+/// Largest number of pieces accepted; more are taken for a typing error.
 const MOST_PIECES: f64 = 100_000.0;
 
 const AXES: [(&str, usize, bool); 6] = [
@@ -31,7 +31,7 @@ impl DefectKind {
         "soup",
     ];
 
-    /// The kind of a name, with its usual numbers.
+    /// The kind with a given name, with default parameters.
     pub fn named(name: &str) -> Option<Self> {
         Some(match name {
             "holes" => Self::Holes { patch: 1 },
@@ -68,7 +68,7 @@ impl DefectKind {
         matches!(self, Self::Gaps { .. } | Self::Soup)
     }
 
-    /// The number of pieces, for kinds that have one.
+    /// The piece count (patch size, charts or copies), for kinds that have one.
     fn pieces(&mut self) -> Option<&mut u32> {
         match self {
             Self::Holes { patch } | Self::Flipped { patch } | Self::Duplicated { patch } => {
@@ -81,7 +81,7 @@ impl DefectKind {
 }
 
 impl Defect {
-    /// A defect of a kind with the usual amount and seed.
+    /// A defect of a kind with the default amount and seed.
     pub fn of(kind: DefectKind) -> Self {
         let percent = match kind {
             DefectKind::Gaps { .. } | DefectKind::Soup => 1.0,
@@ -95,7 +95,7 @@ impl Defect {
         }
     }
 
-    /// Returns the reason if the amount is none of this kind.
+    /// Returns the reason if the amount is invalid for this kind.
     pub fn defect(&self) -> Option<&'static str> {
         match self.amount {
             Amount::Percent(p) if !(0.0..=100.0).contains(&p) => Some("it must be from 0% to 100%"),
@@ -136,7 +136,7 @@ const AXIS: Field = Field::leaf(
     "\"-z\"",
 );
 
-/// The values of its kind.
+/// The fields that apply to its kind.
 impl Described for Defect {
     fn fields(&self) -> &'static [Field] {
         match self.kind {

@@ -1,7 +1,7 @@
 //! Solids made of boxes: `cube`, `sponge`, `comb`.
 //!
 //! All three are unions of cells of a lattice; the surface is made of the cell faces between full and empty, with one
-//! vertex per lattice point. Two full cells that touch only along an edge would make that edge shared by four faces; the
+//! vertex per lattice point. Two full cells that touch only along an edge would give that edge four faces; the
 //! cells of these shapes never do.
 
 use std::collections::HashMap;
@@ -34,7 +34,7 @@ pub(super) const CUBE: ShapeInfo = ShapeInfo {
                 }
             }
         }
-        // k/n - 1/2 as (2k - n)/2n: exactly symmetric, so that a plane through the middle meets vertices or none.
+        // k/n - 1/2 as (2k - n)/2n: exactly symmetric, so a plane through the middle passes exactly through vertices or misses them all.
         let along = |k: u32| (2.0 * f64::from(k) - f64::from(n)) / (2.0 * f64::from(n)) * size;
         let mesh = skin.mesh(|corner| DVec3::from_array(corner.map(along)));
         Ok(vec![Part::new("cube", mesh)])
@@ -49,7 +49,7 @@ pub(super) const SPONGE: ShapeInfo = ShapeInfo {
         Parameter::length("size", "length of an edge of the whole", 1.0),
         Parameter::count("level", "times every cube is drilled", 2, [0, 5]),
     ],
-    // 2.20^n + 4.8^n unit squares: each of the 20 cubes brings its own, less those glued together.
+    // 2.20^n + 4.8^n unit squares: those of each of the 20 cubes, minus the ones glued together.
     triangles: |v| 4.0 * 20_f64.powf(v.real("level")) + 8.0 * 8_f64.powf(v.real("level")),
     build: |v| {
         let (size, level) = (v.real("size"), v.count("level") as u32);
@@ -61,7 +61,7 @@ pub(super) const SPONGE: ShapeInfo = ShapeInfo {
     },
 };
 
-/// Many thin plates on a spine: one closed surface of high depth complexity.
+/// Many thin plates on a spine: one closed surface with high depth complexity.
 pub(super) const COMB: ShapeInfo = ShapeInfo {
     name: "comb",
     summary: "thin parallel plates on a common spine: high depth complexity",
@@ -84,7 +84,7 @@ pub(super) const COMB: ShapeInfo = ShapeInfo {
         let teeth = v.count("teeth") as u32;
         let skin = Skin::of_cells([2 * teeth - 1, 2, 1], |[i, j, _]| j == 0 || i % 2 == 0);
         let fill = v.real("fill");
-        // `teeth` pitches less the last gap.
+        // `teeth` pitches minus the last gap.
         let pitch = v.real("length") / (f64::from(teeth) - 1.0 + fill);
         let (height, depth) = (v.real("height"), v.real("depth"));
         let spine = height * v.real("spine");
@@ -147,7 +147,7 @@ impl Skin {
         skin
     }
 
-    /// The face of a cell across an axis, seen from outside the cell.
+    /// Adds a cell's face perpendicular to an axis, counter-clockwise seen from outside the cell.
     fn face(&mut self, cell: [u32; 3], axis: usize, far: bool) {
         let corner = |du: u32, dv: u32| {
             let mut c = cell;

@@ -32,11 +32,11 @@ pub(super) const COLUMN: ShapeInfo = ShapeInfo {
 
 /// Sections of the shaft.
 const RINGS: usize = 24;
-/// Depth of a flute over its width.
+/// Depth of a flute relative to its width.
 const DEPTH: f64 = 0.22;
 /// Taper of the shaft, as a share of its radius.
 const NARROWING: f64 = 0.18;
-/// Heights, and radii at their ends, of what carries the shaft and of what lies on it, over its radius.
+/// Profiles of the base below the shaft and of the capital above it, as heights and radii relative to the shaft's radius.
 const BASE: [[f64; 2]; 4] = [[0.0, 1.35], [0.18, 1.35], [0.18, 1.18], [0.34, 1.18]];
 const CAPITAL: [[f64; 2]; 3] = [[0.0, 0.92], [0.3, 1.3], [0.34, 1.3]];
 const SLAB: f64 = 0.28;
@@ -61,7 +61,7 @@ fn column(flutes: usize, detail: usize, height: f64) -> Milled {
             .map(|[y, r]| (from + y, circle(DVec2::ZERO, *r, corners)));
         solid.walls(WallSide::Outer, rings.collect::<Vec<_>>())
     };
-    // Ledges are faces between rings of one height.
+    // Ledges are faces between rings at the same height.
     let plinth = round(&mut solid, 0.0, &BASE[..2]);
     let torus = round(&mut solid, 0.0, &BASE[2..]);
     let foot = BASE[3][0];
@@ -86,7 +86,7 @@ fn column(flutes: usize, detail: usize, height: f64) -> Milled {
         WallSide::Outer,
         [under, under + SLAB].map(|y| (y, square.clone())),
     );
-    // Flat rings need no inner points.
+    // Flat annular faces need no interior points.
     let spacing = 100.0;
     solid.face(Facing::Back, &[plinth.0], spacing);
     solid.face(Facing::Front, &[plinth.1, torus.0], spacing);

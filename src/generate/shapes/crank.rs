@@ -4,8 +4,8 @@
 //! have chamfers. Main journals are hollow right through the webs next to them, and so are the pins; the flange has bolt
 //! holes. Each of these bores is a through-hole: the surface has genus `2 throws + 1 + 6`.
 //!
-//! At each face of a web its outline holds, apart from one another, the circle of the journal or pin that goes on there
-//! and the circle of the bore that ends there. The measures below keep those apart; [`super::milled`] does the rest.
+//! On each face of a web, the outline contains two disjoint circles: that of the journal or pin that continues there, and
+//! that of the bore that ends there. The dimensions below keep them apart; [`super::milled`] does the rest.
 
 use std::f64::consts::TAU;
 
@@ -19,7 +19,7 @@ use super::web::{Web, throw_angles};
 use super::{Mesh, Part};
 use crate::Result;
 
-/// The picture of the documentation.
+/// The crankshaft pictured in the documentation.
 pub(super) const CRANK: ShapeInfo = ShapeInfo {
     name: "crank",
     summary: "a crankshaft with counterweights, fillets and through-bores, about 100,000 triangles",
@@ -39,7 +39,7 @@ pub(super) const CRANK: ShapeInfo = ShapeInfo {
     },
 };
 
-/// A crank along x, its middle at the origin.
+/// A crank along x, centred at the origin.
 pub(super) fn built(throws: usize, detail: usize) -> Result<Mesh> {
     let crank = crank(throws, detail);
     let half = crank.length * 0.5;
@@ -47,7 +47,7 @@ pub(super) fn built(throws: usize, detail: usize) -> Result<Mesh> {
     crank.solid.mesh(place)
 }
 
-/// The middle of a crank pin of such a crank.
+/// The centre of crank pin `k`.
 pub(super) fn pin_middle(throws: usize, k: usize) -> DVec3 {
     let half = (main_end(throws) + FLANGE_LENGTH) * 0.5;
     let along = (main_end(k) + main_start(k + 1)) * 0.5;
@@ -57,7 +57,7 @@ pub(super) fn pin_middle(throws: usize, k: usize) -> DVec3 {
 
 /// With four throws these two give 99,968 triangles.
 const DETAIL: u32 = 120;
-/// Spacing of inner points of planar faces, in steps of the outlines.
+/// Spacing of interior points of planar faces, in outline steps.
 const FACE_SPACING: f64 = 3.04;
 
 const THROW: f64 = 0.215;
@@ -94,7 +94,7 @@ struct Crank {
     length: f64,
 }
 
-/// A main journal and its bore: first and last ring of each.
+/// First and last ring of a main journal and of its bore.
 struct Bearing {
     journal: (usize, usize),
     bore: (usize, usize),
@@ -156,7 +156,7 @@ fn crank(throws: usize, detail: usize) -> Crank {
     Crank { solid, length }
 }
 
-/// The `k`-th main journal, of the first one with the snout, and its bore through the webs on both sides.
+/// The `k`-th main journal (the first includes the snout) and its bore through the webs on both sides.
 fn bearing(solid: &mut Milled, fine: Fineness, k: usize, throws: usize) -> Bearing {
     let [start, end] = [main_start(k), main_end(k)];
     let profile = if k == 0 {
@@ -218,7 +218,7 @@ fn cheek(
     solid.walls(WallSide::Outer, rings)
 }
 
-/// The flange after the last main journal; gives the end of the crank.
+/// Adds the flange after the last main journal; returns the station where the crank ends.
 fn flange(solid: &mut Milled, fine: Fineness, start: f64, last: &Bearing) -> f64 {
     let end = start + FLANGE_LENGTH;
     let profile = fine.profile(&[

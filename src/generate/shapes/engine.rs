@@ -1,8 +1,8 @@
-//! `engine`: an inline engine with all that moves in it, about 145,000 triangles: what there is to cut open.
+//! `engine`: an inline engine with its moving parts, about 145,000 triangles; the typical model to cut open.
 //!
-//! Block with bores and water jacket, head, crankcase; inside crank, rods, pistons and their pins, in the position that the crank has; bolts
-//! through the head. The block, the head and the case are exterior, what moves is interior, bolts are whole. Solids that are
-//! driven into others (bolts, pins, the crank in the walls of its case) have the higher priority there.
+//! A block with bores and water jacket, a head and a crankcase; inside them the crank, and rods, pistons and piston pins in positions that
+//! match it; bolts through the head. Block, head and case are exterior, moving parts are interior, bolts are whole. Solids that
+//! overlap others (bolts, pins, the crank in the case walls) have the higher priority there.
 
 mod train;
 
@@ -17,7 +17,7 @@ use super::{Mesh, Part};
 use crate::Result;
 use crate::scene::{Material, Role};
 
-/// The scene of Diepstraten, Weiskopf and Ertl (2003), Figure 6, by our own hand.
+/// Our own model of the scene in Diepstraten, Weiskopf and Ertl (2003), Figure 6.
 pub(super) const ENGINE: ShapeInfo = ShapeInfo {
     name: "engine",
     summary: "an inline engine: block, head and case around crank, rods and pistons, about 145,000 triangles",
@@ -41,22 +41,22 @@ pub(super) const ENGINE: ShapeInfo = ShapeInfo {
     },
 };
 
-/// Detail of all but the crank, over that.
+/// Detail of all parts other than the crank, relative to the crank's.
 const COARSER: f64 = 0.45;
-/// Solids that are bolted together are so far apart: as a gasket is thick.
+/// Distance between solids that are bolted together: the thickness of a gasket.
 const GASKET: f64 = 0.004;
-/// From crank pin to piston pin.
+/// Distance from crank pin to piston pin.
 const ROD: f64 = 0.75;
-/// Height of the piston's crown over its pin, and depth of its skirt below.
+/// Height of the piston's crown above its pin, and depth of its skirt below.
 const CROWN: f64 = 0.16;
 const SKIRT: f64 = 0.13;
 const PISTON: f64 = 0.184;
 const PISTON_INSIDE: f64 = 0.145;
 const BORE: f64 = 0.19;
-/// Outer radius of the walls of a bore, which water goes around.
+/// Outer radius of a bore's wall, which the water jacket surrounds.
 const LINER: f64 = 0.215;
 const PISTON_PIN: f64 = 0.042;
-/// Heights of the block's ends above the axis of the crank, and of the jacket within it.
+/// Heights of the ends of the block, and of the jacket in it, above the crank axis.
 const BLOCK: [f64; 2] = [0.46, 1.16];
 const JACKET: [f64; 2] = [0.66, 1.06];
 const HEAD: f64 = 0.2;
@@ -65,7 +65,7 @@ const HALF_WIDTH: f64 = 0.47;
 const JACKET_HALF: f64 = 0.30;
 const CASE_BOTTOM: f64 = -0.52;
 const WALL: f64 = 0.06;
-/// Radius and half the distance apart of the bolts of the head.
+/// Radius of the head bolts, and half the distance between them.
 const BOLT: f64 = 0.028;
 const BOLT_HEAD: f64 = 0.05;
 const BOLTS_APART: f64 = 0.38;
@@ -74,7 +74,7 @@ struct Engine {
     cylinders: usize,
     detail: usize,
     fine: Fineness,
-    /// Middles of the crank pins.
+    /// Centres of the crank pins.
     pins: Vec<DVec3>,
 }
 
@@ -90,12 +90,12 @@ fn rounded(centre: DVec2, half: DVec2, radius: f64, step: f64) -> Vec<DVec2> {
     subdivided(&corners.collect::<Vec<_>>(), 4.0 * step)
 }
 
-/// A solid whose axis is upright: its planes have z, then x.
+/// Maps a solid with a vertical axis to world space: its planes have coordinates z, then x.
 fn upright(station: f64, p: DVec2) -> DVec3 {
     DVec3::new(p.y, station, p.x)
 }
 
-/// A solid whose axis is that of the crank.
+/// Maps a solid along the crank axis to world space.
 fn along(station: f64, p: DVec2) -> DVec3 {
     DVec3::new(station, p.x, p.y)
 }
@@ -106,7 +106,7 @@ impl Engine {
             cylinders,
             detail,
             fine: Fineness {
-                // What does not turn is coarser than what does.
+                // Non-rotating parts are coarser than the crank.
                 detail: COARSER * detail as f64,
                 unit: 0.14,
                 fillet: 0.0,
@@ -125,7 +125,7 @@ impl Engine {
         DVec3::new(pin.x, pin.y + (ROD * ROD - pin.z * pin.z).sqrt(), 0.0)
     }
 
-    /// Middle and half the extent of the bank of cylinders, as z and x.
+    /// Centre and half extent of the cylinder bank, as z and x.
     fn bank(&self) -> (DVec2, f64) {
         let first = self.pins[0].x;
         let last = self.pins[self.cylinders - 1].x;
@@ -198,7 +198,7 @@ impl Engine {
         Ok(parts)
     }
 
-    /// A block whose bores go through it, around which a jacket of water is closed.
+    /// The block: bores go right through it and are surrounded by a closed water jacket.
     fn block(&self) -> Result<Mesh> {
         let (middle, half) = self.bank();
         let step = self.step();
@@ -238,7 +238,7 @@ impl Engine {
         solid.mesh(upright)
     }
 
-    /// A plate that closes the bores, with a narrower cover on it.
+    /// The head: a plate that closes the bores, with a narrower cover on it.
     fn head(&self) -> Result<Mesh> {
         let (middle, half) = self.bank();
         let mut solid = Milled::default();
@@ -262,7 +262,7 @@ impl Engine {
         solid.mesh(upright)
     }
 
-    /// A trough around the crank, open to the block.
+    /// The crankcase: a trough around the crank, open towards the block.
     fn case(&self) -> Result<Mesh> {
         let (middle, half) = self.bank();
         let mut solid = Milled::default();
@@ -297,7 +297,7 @@ impl Engine {
         solid.mesh(upright)
     }
 
-    /// Between the cylinders and at both ends, on both sides.
+    /// Positions of the bolts: between the cylinders and at both ends, on both sides.
     fn bolt_places(&self) -> Vec<DVec2> {
         let (_, half) = self.bank();
         let pitch = if self.cylinders > 1 {
@@ -310,7 +310,7 @@ impl Engine {
             .collect()
     }
 
-    /// From half way down the block to its head over the plate.
+    /// A bolt, from half way down the block to its head above the plate.
     fn bolt(&self, at: DVec2) -> Result<Mesh> {
         let mut solid = Milled::default();
         let top = BLOCK[1] + HEAD;

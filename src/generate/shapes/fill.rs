@@ -10,7 +10,7 @@ use spade::{ConstrainedDelaunayTriangulation, HasPosition, Point2, Triangulation
 
 use crate::{Error, Result};
 
-/// A vertex of the triangulation that knows its number.
+/// A vertex of the triangulation with its index.
 struct Vertex {
     at: DVec2,
     number: u32,
@@ -26,13 +26,13 @@ impl HasPosition for Vertex {
 
 /// A filled region.
 pub(super) struct Filled {
-    /// Points added inside; their numbers follow those of the polygons' points.
+    /// Points added inside; their indices follow those of the polygons' points.
     pub(super) added: Vec<DVec2>,
-    /// Counter-clockwise; numbers count through the polygons' points in order, then through `added`.
+    /// Counter-clockwise triangles; indices run through the polygons' points in order, then through `added`.
     pub(super) triangles: Vec<[u32; 3]>,
 }
 
-/// Fills what an odd number of the polygons contain, with inner points `spacing` apart. Polygons must not cross or touch.
+/// Fills the region inside an odd number of the polygons, with interior points `spacing` apart. Polygons must not cross or touch.
 pub(super) fn fill(polygons: &[&[DVec2]], spacing: f64) -> Result<Filled> {
     let added = lattice(polygons, spacing);
     let mut edges = Vec::new();
@@ -56,7 +56,7 @@ pub(super) fn fill(polygons: &[&[DVec2]], spacing: f64) -> Result<Filled> {
         return Err(broken("the outlines of a planar face touch"));
     }
 
-    // Parity of the polygons crossed on the way in from outside decides; every face is reached once.
+    // Flood fill from outside: the parity of the polygon edges crossed decides. Every face is visited once.
     let mut is_done = vec![false; cdt.num_all_faces()];
     is_done[cdt.outer_face().fix().index()] = true;
     let mut reached: Vec<(_, bool)> = cdt
@@ -85,7 +85,7 @@ fn broken(what: &str) -> Error {
     )
 }
 
-/// Points of a hexagonal lattice inside the region, no nearer to a point of a polygon than 0.7 spacings.
+/// Points of a hexagonal lattice inside the region, at least 0.7 spacings from every polygon point.
 fn lattice(polygons: &[&[DVec2]], spacing: f64) -> Vec<DVec2> {
     let clearance = 0.7 * spacing;
     let cell_of = |p: DVec2| (p / clearance).floor().as_i64vec2();
@@ -107,7 +107,7 @@ fn lattice(polygons: &[&[DVec2]], spacing: f64) -> Vec<DVec2> {
     let high = all().fold(DVec2::NEG_INFINITY, |m, p| m.max(*p));
     let pitch = spacing * 0.75_f64.sqrt();
     let mut points = Vec::new();
-    // An odd start keeps rows off the axes of symmetry, where outlines like to have corners.
+    // An odd start keeps rows off the symmetry axes, where outlines often have corners.
     for row in 0..((high.y - low.y) / pitch) as usize {
         let y = low.y + (row as f64 + 0.619) * pitch;
         let mut crossings: Vec<f64> = Vec::new();

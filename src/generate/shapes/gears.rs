@@ -32,7 +32,7 @@ pub(super) const GEARS: ShapeInfo = ShapeInfo {
     ],
     triangles: |v| {
         let flank = v.real("flank");
-        // Outline and bore, in six layers and at both ends; then the lattice inside the two faces.
+        // Outline and bore, in six layers and at both ends; then the lattice points inside the two faces.
         let gear = |teeth: f64| teeth * (28.0 * flank + 360.0) + 10.5 * teeth * teeth + 500.0;
         gear(v.real("wheel")) + gear(v.real("pinion"))
     },
@@ -40,7 +40,7 @@ pub(super) const GEARS: ShapeInfo = ShapeInfo {
         let (wheel, pinion) = (v.count("wheel") as f64, v.count("pinion") as f64);
         let module = v.real("module");
         let [left, right] = [wheel, pinion].map(|teeth| module * (0.5 * teeth + 1.0));
-        // The pair's bounds around the origin, the pitch circles touching.
+        // The pair's bounds are centred at the origin, and the pitch circles touch.
         let x_wheel = -0.5 * (left + right) + left + 0.5 * module;
         let x_pinion = x_wheel + 0.5 * module * (wheel + pinion);
         // A tooth of the wheel points to the pinion, a gap of the pinion to the wheel.
@@ -54,7 +54,7 @@ pub(super) const GEARS: ShapeInfo = ShapeInfo {
 
 const TEETH: [u32; 2] = [17, 2000];
 const PRESSURE_ANGLE: f64 = PI / 9.0;
-/// Height of a tooth above and below the pitch circle, and thinning of each tooth, in modules.
+/// Tooth height above and below the pitch circle, and the backlash taken off each tooth, in modules.
 const ADDENDUM: f64 = 1.0;
 const DEDENDUM: f64 = 1.25;
 const BACKLASH: f64 = 0.05;
@@ -63,7 +63,7 @@ fn gear(v: &Values, teeth: f64, phase: f64, x: f64) -> Result<Mesh> {
     let (module, thickness) = (v.real("module"), v.real("thickness"));
     let outline = outline(teeth, module, v.count("flank"), phase);
     let radius = 0.5 * module * teeth * v.real("bore");
-    // As many corners as keep the bore's edges near the spacing of the teeth's.
+    // Enough corners that the bore's edges are about as long as those of the teeth.
     let spacing = 0.6 * module;
     let corners = 4 * ((TAU * radius / spacing / 4.0).ceil() as usize).clamp(8, 500);
     let bore = circle(DVec2::ZERO, radius, corners);
@@ -85,7 +85,7 @@ fn outline(teeth: f64, module: f64, flank: usize, phase: f64) -> Vec<DVec2> {
     let pitch = 0.5 * module * teeth;
     let base = pitch * PRESSURE_ANGLE.cos();
     let (root, tip) = (pitch - DEDENDUM * module, pitch + ADDENDUM * module);
-    // Half the angle that a tooth takes up at a radius.
+    // Half the angle that a tooth spans at a given radius.
     let involute = |angle: f64| angle.tan() - angle;
     let half_at = |radius: f64| {
         let on_base = (base / radius).min(1.0).acos();

@@ -1,4 +1,4 @@
-//! `house`: walls around rooms, a roof, and what stands in the rooms.
+//! `house`: walls around rooms, a roof, and furniture in the rooms.
 
 use glam::{DVec2, DVec3, Vec3};
 
@@ -37,16 +37,16 @@ pub(super) const HOUSE: ShapeInfo = ShapeInfo {
     },
 };
 
-/// Half the length along x and half the width along z, height of the walls and of the ridge.
+/// Half extents along z and x, then the heights of walls and ridge.
 const HALF: DVec2 = DVec2::new(1.0, 1.5);
 const WALLS: f64 = 1.0;
 const RIDGE: f64 = 1.75;
 const EAVES: f64 = 0.15;
 const FLOOR: f64 = 0.06;
-/// Inner points of planar faces are so far apart that there are none.
+/// Interior-point spacing so large that planar faces get no interior points.
 const NO_POINTS: f64 = 100.0;
 
-/// Its name, its least and greatest corner, its colour.
+/// Name, minimum and maximum corner, and colour.
 type Furniture = (&'static str, [[f64; 3]; 2], [f32; 3]);
 
 /// Furniture of the rooms.
@@ -99,7 +99,7 @@ fn rectangle(low: DVec2, high: DVec2) -> Vec<DVec2> {
     ]
 }
 
-/// Upright solids have z and x in their planes.
+/// Maps a solid with a vertical axis to world space: its planes have coordinates z and x.
 fn upright(station: f64, p: DVec2) -> DVec3 {
     DVec3::new(p.y, station, p.x)
 }
@@ -126,7 +126,7 @@ fn walls(wall: f64) -> Result<Mesh> {
 /// A gable roof along x, solid.
 fn roof() -> Result<Mesh> {
     let mut solid = Milled::default();
-    // Across x: y, then z.
+    // The profile perpendicular to x: y, then z.
     let out = HALF.x + EAVES;
     let gable = vec![
         DVec2::new(WALLS, -out),

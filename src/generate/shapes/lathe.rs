@@ -9,7 +9,7 @@ use glam::DVec2;
 use super::milled::{Milled, WallSide};
 use super::outline::circle;
 
-/// Length of a wall's quads along the axis over their width: along the axis walls are straight, and detail is worth less.
+/// Length-to-width ratio of a wall's quads: walls are straight along the axis, so they need less detail there.
 const ASPECT: f64 = 3.5;
 
 /// Fineness of the tessellation.
@@ -17,25 +17,25 @@ const ASPECT: f64 = 3.5;
 pub(super) struct Fineness {
     /// Corners around a circle of radius `unit`.
     pub(super) detail: f64,
-    /// A radius that is seen well.
+    /// Radius at which a circle gets `detail` corners.
     pub(super) unit: f64,
     /// Radius of fillets.
     pub(super) fillet: f64,
 }
 
 impl Fineness {
-    /// Distance of corners along outlines.
+    /// Distance between corners along outlines.
     pub(super) fn step(self) -> f64 {
         TAU * self.unit / self.detail
     }
 
-    /// Corners of a circle: smaller circles get fewer, but not in proportion, so that they still look round.
+    /// Number of corners of a circle: smaller circles get fewer, but not in proportion, so that they still look round.
     pub(super) fn corners(self, radius: f64) -> usize {
         let quarter = 0.25 * self.detail * (radius / self.unit).sqrt();
         4 * (quarter.round() as usize).max(2)
     }
 
-    /// Rings from one point of a profile to the next, the first one left out.
+    /// Rings from one profile point to the next, without the first.
     pub(super) fn line(
         self,
         [x0, r0]: [f64; 2],
@@ -44,18 +44,18 @@ impl Fineness {
         let pieces = ((x1 - x0).abs() / (ASPECT * self.step())).ceil().max(1.0);
         (1..=pieces as usize).map(move |k| {
             let t = k as f64 / pieces;
-            // Both ends exact: stations are compared with those of faces.
+            // Exact at both ends, because stations are compared with those of faces.
             [x0 * (1.0 - t) + x1 * t, r0 * (1.0 - t) + r1 * t]
         })
     }
 
-    /// Points of a profile through the given ones.
+    /// The points of a subdivided profile through the given corners.
     pub(super) fn profile(self, corners: &[[f64; 2]]) -> Vec<[f64; 2]> {
         let rest = corners.windows(2).flat_map(|w| self.line(w[0], w[1]));
         corners[..1].iter().copied().chain(rest).collect()
     }
 
-    /// The fillet of a shaft of a radius that leaves a face at `x` in direction `sign`, from the face on.
+    /// The fillet where a shaft of the given radius leaves a face at `x` in direction `sign`, starting at the face.
     pub(super) fn filleted(
         self,
         x: f64,

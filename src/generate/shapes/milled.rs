@@ -1,8 +1,8 @@
-//! Solids described station by station along an axis, as they would be turned and milled.
+//! Solids described station by station along an axis, as if turned on a lathe and milled.
 //!
 //! A solid is a list of *rings* (closed polygons, each in a plane across the axis), *walls* between rings with equally many
-//! corners, and planar *faces* between rings of one station. Where neighbouring sections differ, one outline holds the
-//! other, so a face is a region with holes; no outline crosses another, and the surface is closed by construction if
+//! corners, and planar *faces* between rings at the same station. Where neighbouring sections differ, one outline contains
+//! the other, so a face is a region with holes; no outline crosses another, and the surface is closed by construction if
 //! each ring has a wall on one side and a wall or a face on the other.
 
 use glam::{DVec2, DVec3};
@@ -25,11 +25,11 @@ pub(super) struct Ring {
 pub(super) enum WallSide {
     /// The wall bounds the solid from outside.
     Outer,
-    /// The wall is that of a bore.
+    /// The wall of a bore.
     Bore,
 }
 
-/// The end of the axis that a face looks to.
+/// The end of the axis that a face points to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Facing {
     /// The negative end.
@@ -54,7 +54,7 @@ pub(super) struct Milled {
 }
 
 impl Milled {
-    /// Adds a chain of rings in the order of the axis, with walls between them; gives the first and the last one.
+    /// Adds a chain of rings in order along the axis, with walls between them; returns the first and the last ring.
     pub(super) fn walls(
         &mut self,
         side: WallSide,
@@ -69,7 +69,7 @@ impl Milled {
         (first, last)
     }
 
-    /// Adds the planar face between rings of one station: what an odd number of them contain.
+    /// Adds the planar face between rings at the same station: the region inside an odd number of them.
     pub(super) fn face(&mut self, facing: Facing, rings: &[usize], spacing: f64) {
         self.faces.push(MilledFace {
             facing,
@@ -78,7 +78,7 @@ impl Milled {
         });
     }
 
-    /// The surface, with `place` giving the point at a station and a point of its plane.
+    /// The surface; `place` maps a station and a point of its plane to a point in space.
     pub(super) fn mesh(&self, place: impl Fn(f64, DVec2) -> DVec3) -> Result<Mesh> {
         let mut mesh = Mesh::default();
         let mut first_of = Vec::with_capacity(self.rings.len());
@@ -110,7 +110,7 @@ impl Milled {
                 (face.rings.iter()).all(|r| self.rings[*r].station == station),
                 "the rings of a face lie in one plane, to the last bit"
             );
-            // From the numbers of the filling to those of the mesh.
+            // Maps vertex indices of the filled region to those of the mesh.
             let mut number: Vec<u32> = Vec::new();
             for ring in &face.rings {
                 number.extend((first_of[*ring]..).take(self.rings[*ring].points.len()));
@@ -129,8 +129,8 @@ impl Milled {
         Ok(mesh)
     }
 
-    /// Volume by the prismatoid formula, wall by wall, from the areas of the outlines alone: what the triangles enclose
-    /// must agree with it, because every wall's quads are planar.
+    /// Volume by the prismatoid formula, wall by wall, from the outlines' areas alone. The volume that the triangles enclose
+    /// must equal it, because every wall's quads are planar.
     #[cfg(test)]
     pub(super) fn volume_by_slabs(&self) -> f64 {
         use super::outline::area;

@@ -1,8 +1,8 @@
-//! Built-in shapes: solids with known answers, and the pictures of the documentation.
+//! Built-in shapes: solids with known volumes, and the models pictured in the documentation.
 //!
 //! A shape is named by `NAME?param=value&param=value`. Each of its parts is a closed, consistently oriented surface
-//! with outward normals and positions shared by index; the same spec gives the same mesh. Wherever the polyhedron has a
-//! volume in closed form, a test holds the mesh to it.
+//! with outward normals and positions shared by index; the same spec gives the same mesh. Wherever a polyhedron has a
+//! closed-form volume, a test compares the mesh with it.
 //!
 //! ```
 //! let parts = cutaway::generate::shapes::shape("sphere?radius=2&subdivisions=4")?;
@@ -57,7 +57,7 @@ pub fn shape(spec: &str) -> Result<Vec<Part>> {
     info.build(query)
 }
 
-/// Checks the spec of a [`shape`], its parameters and its size without building it. What only shows on building is not found.
+/// Checks a [`shape`] spec, its parameters and its size without building it. Errors that only occur while building are not found.
 pub fn check(spec: &str) -> Result<()> {
     let (info, query) = found(spec)?;
     info.checked(query).map(|_| ())
@@ -76,7 +76,7 @@ fn found(spec: &str) -> Result<(&'static ShapeInfo, &str)> {
     }
 }
 
-/// The parts of a solid with several of them, each in its own colour.
+/// Parts from several named meshes, each in its own colour.
 fn parts_of<const N: usize>(named: [(&str, Mesh); N]) -> Vec<Part> {
     named
         .into_iter()
@@ -106,7 +106,7 @@ mod tests {
             ("comb", ["", "teeth=1"]),
             ("slivers", ["", "needles=3"]),
             ("conduit", ["inside=3", "inside=1&segments=1"]),
-            // Bounds from here on.
+            // For the shapes from here on, the announced count is an upper bound.
             ("engine", ["", "cylinders=1&detail=16"]),
             ("column", ["", "flutes=4&detail=2"]),
             ("house", ["", "wall=0.14"]),

@@ -30,8 +30,8 @@ pub(super) fn subdivided(corners: &[DVec2], step: f64) -> Vec<DVec2> {
     points
 }
 
-/// A polygon with every edge moved inward by a distance, edge for edge parallel to the given one. Arcs that bulge
-/// outward must be wider than the distance.
+/// A polygon with every edge moved inward by a distance, each parallel to the original. The radius of arcs that bulge
+/// outward must be larger than the distance.
 pub(super) fn inset(points: &[DVec2], distance: f64) -> Vec<DVec2> {
     let n = points.len();
     let inward = |i: usize| (points[(i + 1) % n] - points[i]).perp().normalize();

@@ -1,6 +1,6 @@
-//! Balls, and what is made of them: `sphere`, `earth`, `shells`; and `slivers`, the bicone of needles.
+//! Balls and shapes made of them: `sphere`, `earth`, `shells`; and `slivers`, a bicone of needle triangles.
 //!
-//! Balls are icospheres: no poles, nearly equal triangles, volume and area off by O(1/4^subdivisions).
+//! Balls are icospheres: no poles, nearly equal triangles, volume and area with an error of O(1/4^subdivisions).
 
 use std::collections::HashMap;
 
@@ -29,8 +29,8 @@ pub(super) const SPHERE: ShapeInfo = ShapeInfo {
     },
 };
 
-/// Solid balls inside one another: each holds the space of the smaller ones too, and gives it up to them because the
-/// smaller solid wins where parts share a point. A cut therefore shows rings, with no gap between them.
+/// Solid balls inside one another: each also occupies the space of the smaller ones, but where parts overlap the smaller
+/// solid wins. A cut therefore shows rings without gaps between them.
 pub(super) const EARTH: ShapeInfo = ShapeInfo {
     name: "earth",
     summary: "core, mantle and crust: three nested solid balls, the smaller one wins",
@@ -55,7 +55,7 @@ pub(super) const EARTH: ShapeInfo = ShapeInfo {
         for (part, color) in parts.iter_mut().zip(colors) {
             part.material = Material {
                 color,
-                // The caps are the picture: each layer shows its own colour on them.
+                // Each layer shows its own colour on its caps.
                 cap_color: Some(color),
                 ..Material::default()
             };
@@ -64,7 +64,7 @@ pub(super) const EARTH: ShapeInfo = ShapeInfo {
     },
 };
 
-/// A hollow ball as one mesh of two components.
+/// A hollow ball as one mesh with two connected components.
 pub(super) const SHELLS: ShapeInfo = ShapeInfo {
     name: "shells",
     summary: "a hollow ball: two spheres in one mesh, the inner one flipped or not",
@@ -73,7 +73,7 @@ pub(super) const SHELLS: ShapeInfo = ShapeInfo {
         Parameter::length("inner", "inner radius", 0.3),
         Parameter::count(
             "flip_inner",
-            "1: the inner sphere faces inward, 0: outward, so that only parity sees the void",
+            "1: the inner sphere faces inward; 0: outward, so that only the even-odd rule finds the void",
             1,
             [0, 1],
         ),
@@ -96,7 +96,7 @@ pub(super) const SHELLS: ShapeInfo = ShapeInfo {
     },
 };
 
-/// Needles that meet in two points: the worst a rasteriser gets from an honest mesh.
+/// Needle triangles that meet in two points: the hardest valid mesh for a rasteriser.
 pub(super) const SLIVERS: ShapeInfo = ShapeInfo {
     name: "slivers",
     summary: "a bicone of needle triangles that all meet in two points",
@@ -128,7 +128,7 @@ fn icosphere_triangles(v: &Values, spheres: f64) -> f64 {
 /// A geodesic sphere around the origin.
 pub(super) fn icosphere(radius: f64, subdivisions: usize) -> Mesh {
     let golden = (1.0 + 5_f64.sqrt()) * 0.5;
-    // The cyclic turns of a golden rectangle.
+    // The cyclic permutations of a golden rectangle's corners.
     let mut directions: Vec<DVec3> = Vec::new();
     for (a, b) in [
         (1.0, golden),
@@ -140,7 +140,7 @@ pub(super) fn icosphere(radius: f64, subdivisions: usize) -> Mesh {
         directions.extend(corners.map(|c| DVec3::from_array(c).normalize()));
     }
     let mut triangles: Vec<[u32; 3]> = Vec::new();
-    // Faces of the hull are the triples of mutual neighbours; neighbours are at an angle of arccos(1/sqrt 5).
+    // The hull's faces are the triples of mutual neighbours; neighbours are arccos(1/sqrt 5) apart.
     let near = |a: u32, b: u32| directions[a as usize].dot(directions[b as usize]) > 0.4;
     for a in 0..12 {
         for b in (a + 1..12).filter(|b| near(a, *b)) {

@@ -1,23 +1,23 @@
 //! Parameters of shapes, and the parser of `NAME?param=value&param=value`.
 //!
-//! Every number is checked here against its declared range, and the triangles it asks for against [`MOST_TRIANGLES`],
-//! before anything is built: a typo must cost a message, not a machine's memory.
+//! Before anything is built, every number is checked against its declared range and the resulting triangle count against
+//! [`MOST_TRIANGLES`]: a typing error must give a message, not exhaust the machine's memory.
 
 use crate::error::did_you_mean;
 use crate::scene::Part;
 use crate::{Error, Result};
 
-/// Shapes of more triangles than this are refused.
+/// Shapes with more triangles than this are refused.
 pub const MOST_TRIANGLES: f64 = 20e6;
 
-/// A number that a shape takes.
+/// A numeric parameter of a shape.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parameter {
     /// Name in a spec.
     pub name: &'static str,
     /// Description for help texts.
     pub summary: &'static str,
-    /// Value where the spec is silent.
+    /// Value if the spec does not give one.
     pub default: f64,
     /// Least value.
     pub min: f64,
@@ -45,7 +45,7 @@ impl Parameter {
         }
     }
 
-    /// A length: anything positive that leaves f64 room to square and cube it.
+    /// A length: any positive number whose square and cube neither overflow nor underflow in f64.
     pub(super) const fn length(name: &'static str, summary: &'static str, default: f64) -> Self {
         Self::real(name, summary, default, [1e-9, 1e9])
     }
@@ -90,18 +90,18 @@ impl Parameter {
     }
 }
 
-/// A built-in shape: what it is, what it takes, how it is built.
+/// A built-in shape: its description, its parameters and its builder.
 #[derive(Clone, Copy, Debug)]
 pub struct ShapeInfo {
     /// Name in a spec.
     pub name: &'static str,
     /// One line for help texts.
     pub summary: &'static str,
-    /// The numbers it takes.
+    /// Its parameters.
     pub parameters: &'static [Parameter],
     /// Maximum number of triangles; exact for all but the crank and the gears.
     pub(super) triangles: fn(&Values) -> f64,
-    /// The parts.
+    /// Builds the parts.
     pub(super) build: fn(&Values) -> Result<Vec<Part>>,
 }
 
@@ -111,7 +111,7 @@ impl ShapeInfo {
         (self.build)(&self.checked(query)?)
     }
 
-    /// The values of a query, if the shape is not too large to be built.
+    /// The values of a query; an error if the shape would be too large to build.
     pub(super) fn checked(&self, query: &str) -> Result<Values> {
         let values = self.values(query)?;
         let triangles = (self.triangles)(&values);
@@ -123,7 +123,7 @@ impl ShapeInfo {
                     triangles / 1e6
                 ),
                 format!(
-                    "ask for less detail: {:.0} million is the most",
+                    "reduce the detail: at most {:.0} million are allowed",
                     MOST_TRIANGLES / 1e6
                 ),
             ));
@@ -131,7 +131,7 @@ impl ShapeInfo {
         Ok(values)
     }
 
-    /// The values of a query, with defaults where it is silent.
+    /// The values of a query, with defaults for those it does not give.
     pub(super) fn values(&self, query: &str) -> Result<Values> {
         let mut given: Vec<Option<f64>> = vec![None; self.parameters.len()];
         for pair in query.split('&').filter(|p| !p.is_empty()) {

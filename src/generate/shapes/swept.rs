@@ -1,6 +1,6 @@
 //! Tubes: `torus`, `knot`, `conduit`.
 //!
-//! Each is a grid of vertices, periodic in both directions: rows are closed sections, and the last row joins the first.
+//! Each is a vertex grid, periodic in both directions: rows are closed sections, and the last row joins the first.
 //! The quads of torus and conduit are planar trapezoids, so their polyhedra have volumes in closed form: for a bend of
 //! angle A in m steps around an axis at distance R from the middle of a section of area F, `m sin(A / m) R F`.
 
@@ -71,7 +71,7 @@ pub(super) const KNOT: ShapeInfo = ShapeInfo {
         v.require(
             v.real("segments") >= 16.0 * p.max(q),
             "segments p q",
-            "let there be 16 segments to each turn",
+            "use at least 16 segments per turn",
         )?;
         let curve = |t: f64| {
             let out = major + minor * (q * t).cos();
@@ -79,7 +79,7 @@ pub(super) const KNOT: ShapeInfo = ShapeInfo {
             DVec3::new(out * cos, out * sin, minor * (q * t).sin())
         };
         let thickest = thickness(curve);
-        let help = format!("the tube would meet itself: let tube < {thickest:.3}");
+        let help = format!("the tube would intersect itself: let tube < {thickest:.3}");
         v.require(tube < thickest, "tube major minor", help)?;
         let (rows, columns) = (v.count("segments"), v.count("sides"));
         let centres: Vec<DVec3> = (0..rows)
@@ -126,7 +126,7 @@ pub(super) const CONDUIT: ShapeInfo = ShapeInfo {
         v.require(
             v.real("angle") <= 120.0 * v.real("segments"),
             "segments angle",
-            "let a segment turn by 120 degrees at most",
+            "let each segment turn by at most 120 degrees",
         )?;
         // Legs at an angle beyond 180 degrees run towards each other.
         let apart = angle <= std::f64::consts::PI || {
@@ -140,7 +140,7 @@ pub(super) const CONDUIT: ShapeInfo = ShapeInfo {
         )?;
         let (segments, columns) = (v.count("segments"), v.count("sides"));
         let stations = segments + 3;
-        // There on the outside, back on the inside; the two turning points are the ends of the pipe.
+        // Stations run along the outer wall and back along the inner one; the two turning points are the pipe's ends.
         let mesh = closed_grid(2 * stations, columns, |i, j| {
             let (station, radius) = if i < stations {
                 (i, outer)
@@ -209,9 +209,9 @@ fn gcd(a: usize, b: usize) -> usize {
     if b == 0 { a } else { gcd(b, a % b) }
 }
 
-/// Radius of the thickest tube around a closed curve that does not meet itself: the least radius of a circle through one
-/// point and tangent at another (Gonzalez & Maddocks 1999), which sees both curvature and near passes. Sampled, so the
-/// last per cent is given away.
+/// Radius of the thickest tube around a closed curve that does not intersect itself: the smallest radius of a circle through
+/// one point and tangent at another (Gonzalez & Maddocks 1999), which accounts for both curvature and near passes. It is
+/// sampled, so the result is about one per cent too small.
 fn thickness(curve: impl Fn(f64) -> DVec3) -> f64 {
     const SAMPLES: usize = 720;
     let points: Vec<DVec3> = (0..SAMPLES)
@@ -221,7 +221,7 @@ fn thickness(curve: impl Fn(f64) -> DVec3) -> f64 {
     for (i, p) in points.iter().enumerate() {
         let before = points[(i + SAMPLES - 1) % SAMPLES];
         let tangent = (points[(i + 1) % SAMPLES] - before).normalize();
-        // Next neighbours would divide rounding by rounding.
+        // For adjacent samples the quotient would be pure rounding error.
         for gap in 3..=SAMPLES - 3 {
             let chord = points[(i + gap) % SAMPLES] - *p;
             least = least.min(chord.length_squared() / (2.0 * chord.cross(tangent).length()));
@@ -245,7 +245,7 @@ fn closed_frames(centres: &[DVec3]) -> Vec<[DVec3; 2]> {
         let across = centres[there] - centres[here];
         let (mirrored, turned) = (reflect(normal, across), reflect(tangent(here), across));
         let across = tangent(there) - turned;
-        // Where the curve is straight the second reflection has nothing to do.
+        // Where the curve is straight, the second reflection is not needed.
         normal = if across.length_squared() < 1e-30 {
             mirrored
         } else {

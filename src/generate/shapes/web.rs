@@ -1,7 +1,7 @@
 //! The outline of a crank web: a cheek around the pin, a waist, and a counterweight on the far side of the axis.
 //!
-//! Lines and arcs that meet tangentially; symmetric about the line from the axis to the pin. Local coordinates: the axis
-//! is the origin, the pin lies on +y.
+//! It consists of lines and arcs that meet tangentially, symmetric about the line from the axis to the pin. In local
+//! coordinates the axis is the origin and the pin lies on +y.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -9,22 +9,22 @@ use glam::DVec2;
 
 use super::outline::{arc, corner_arc, subdivided};
 
-/// Measures of a web.
+/// Dimensions of a web.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Web {
-    /// From the axis to the pin.
+    /// Distance from the axis to the pin.
     pub(super) throw: f64,
     /// Radius of the cheek around the pin.
     pub(super) cheek: f64,
     /// Point where cheek and counterweight meet, on the right.
     pub(super) waist: DVec2,
-    /// Radius with which the waist is rounded.
+    /// Rounding radius of the waist.
     pub(super) waist_round: f64,
     /// Radius of the counterweight, around the axis.
     pub(super) weight: f64,
-    /// Angle below the horizontal at which the shoulder of the counterweight would reach its rim.
+    /// Angle below the horizontal at which the unrounded shoulder of the counterweight would reach its rim.
     pub(super) shoulder: f64,
-    /// Radius with which the shoulder is rounded.
+    /// Rounding radius of the shoulder.
     pub(super) shoulder_round: f64,
 }
 
@@ -38,7 +38,7 @@ impl Web {
         subdivided(&corners, step)
     }
 
-    /// From the lowest point of the counterweight, up on the right, to the highest of the cheek.
+    /// The right half, from the counterweight's lowest point up to the cheek's highest.
     fn right_half(&self, step: f64) -> Vec<DVec2> {
         // The circle that rounds the shoulder touches the shoulder's line and, from inside, the rim.
         let rim = DVec2::from_angle(-self.shoulder) * self.weight;
@@ -63,20 +63,20 @@ impl Web {
         let angles = [rounding.to_angle(), along.perp().to_angle()];
         let shoulder = arc(rounding, self.shoulder_round, angles, step);
         let shoulder_end = shoulder[shoulder.len() - 1];
-        // The rim's last point is the rounding's first, and the cheek's first that of its tangent.
+        // The rim's last point is the rounding's first, and the cheek's first point is that of its tangent.
         points.extend(&shoulder[1..]);
         let (centre, angles) = corner_arc(shoulder_end, self.waist, on_cheek, self.waist_round);
         points.extend(arc(centre, self.waist_round, angles, step));
         points.extend(arc(cheek, self.cheek, [tangent, FRAC_PI_2], step));
-        // Exactly on the axis of symmetry, so that the mirrored half joins without a kink of rounding.
+        // Exactly on the symmetry axis, so that rounding causes no kink where the mirrored half joins.
         let last = points.len() - 1;
         (points[0].x, points[last].x) = (0.0, 0.0);
         points
     }
 }
 
-/// Angles of the throws, in radians: evenly fired four-strokes; with an even number of throws the second half mirrors
-/// the first, as crankshafts do to be free of rocking moments.
+/// Angles of the throws, in radians, for a four-stroke engine with even firing intervals. With an even number of throws the
+/// second half mirrors the first, which avoids rocking moments.
 pub(super) fn throw_angles(throws: usize) -> Vec<f64> {
     let step = 4.0 * PI / throws as f64;
     (0..throws)

@@ -1,4 +1,4 @@
-//! Shader programs as pipelines: their bindings, and when they are made.
+//! Shader programs as pipelines: their bindings, and when they are created.
 
 pub(super) mod bind;
 pub(super) mod pipelines;

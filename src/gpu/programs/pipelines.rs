@@ -1,7 +1,7 @@
-//! Pipelines by everything they are made of: shader, constants and, for draws, the state of the attachments.
+//! Pipelines, keyed by everything they depend on: shader, constants and, for draws, the state of the attachments.
 //!
-//! They are kept for all programs of a device, so that a method whose shaders another has used already starts without a stall. Constants
-//! are put into the shader before it is handed over: the WGSL that wgpu hands to a browser has other names for them.
+//! They are kept for all programs of a device, so a method whose shaders have been used before starts without a stall. Constants are
+//! substituted into the shader first, because the WGSL that wgpu passes to a browser uses other names for them.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -24,26 +24,26 @@ pub(in crate::gpu) enum Pipeline {
     Render(wgpu::RenderPipeline),
 }
 
-/// Pipelines that are kept though no program has them at present.
+/// Pipelines kept although no program currently uses them.
 const MOST_IDLE: usize = 256;
 
-/// Pipelines by everything they are made of.
+/// Pipelines, keyed by everything they depend on.
 #[derive(Default)]
 pub(in crate::gpu) struct Pipelines {
     made: BTreeMap<Recipe, (Arc<Pipeline>, Arc<Composed>)>,
 }
 
-/// All that a pipeline is made of.
+/// Everything a pipeline depends on.
 #[derive(PartialEq, Eq, PartialOrd, Ord)]
 struct Recipe {
     shader: Shader,
     /// Names, and values as bits.
     constants: Vec<(&'static str, u64)>,
-    /// None of what computes.
+    /// None for compute pipelines.
     draw: Option<DrawState>,
 }
 
-/// The state that draws depend on.
+/// State that render pipelines depend on.
 #[derive(PartialEq, Eq, PartialOrd, Ord)]
 struct DrawState {
     color: Option<Format>,
@@ -80,7 +80,7 @@ impl Recipe {
 }
 
 impl Pipelines {
-    /// The pipeline of a pass, made at first mention, and what it binds.
+    /// The pipeline of a pass, created on first use, and its bindings.
     pub(in crate::gpu) fn get(
         &mut self,
         gpu: &Gpu,
@@ -224,7 +224,7 @@ fn format_of(plan: &Plan, id: ResourceId) -> Format {
     }
 }
 
-/// A face that is left out here counts nothing.
+/// A face omitted here does not change the stencil.
 fn stencil_state(step: StencilStep) -> wgpu::StencilState {
     use wgpu::StencilOperation::{DecrementWrap, IncrementWrap, Invert, Keep, Zero};
     let face = |compare, fail, hidden, shown| wgpu::StencilFaceState {
@@ -252,7 +252,7 @@ fn stencil_state(step: StencilStep) -> wgpu::StencilState {
             0xff,
         ),
         StencilStep::Take { bits } => {
-            // The reference is 0, the default.
+            // The stencil reference is 0, the default.
             let both = face(wgpu::CompareFunction::NotEqual, Zero, Zero, Zero);
             (both, both, bits, 0xff)
         }

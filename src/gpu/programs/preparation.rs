@@ -1,20 +1,20 @@
-//! Work done so far to make a device ready for its frames: shaders, pipelines, uploads.
+//! Work done so far to prepare a device for its frames: shaders, pipelines, uploads.
 
 use std::time::Duration;
 
-/// Work that was done once and is kept for later frames.
+/// One-time work whose results are kept for later frames.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Preparation {
-    /// Pipelines that were made.
+    /// Number of pipelines created.
     pub pipelines: u32,
-    /// Checking plans, for which their shaders are composed and validated.
+    /// Time to check plans, for which their shaders are composed and validated.
     pub composing: Duration,
-    /// The driver compiling them, or finding them in its cache.
+    /// Time the driver takes to compile pipelines or to find them in its cache.
     pub compiling: Duration,
-    /// Buffers that were made with their contents; textures are not counted.
+    /// Number of buffers created with their contents; textures are not counted.
     pub uploads: u32,
-    /// Bytes in them.
+    /// Bytes in these buffers.
     pub bytes: u64,
-    /// Handing these over.
+    /// Time to upload them.
     pub uploading: Duration,
 }

@@ -1,8 +1,7 @@
-//! A plan made real: its resources, pipelines and bind groups, kept as long as the plan keeps its structure.
+//! A plan on the device: its resources, pipelines and bind groups, kept as long as the plan's structure is unchanged.
 //!
-//! Loading a plan compares it with the one before. Resources of the same name and shape stay, contents that are equal are
-//! not uploaded again, and the passes whose inputs changed are found ([`Plan::due_after`]), so that only those run. A frame of
-//! an unchanged plan allocates nothing.
+//! Loading a plan compares it with the previous one. Resources with the same name and shape are kept, equal contents are not uploaded
+//! again, and only the passes whose inputs changed ([`Plan::due_after`]) run. A frame with an unchanged plan allocates nothing.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -36,12 +35,12 @@ pub struct Program {
     steps: Vec<ReadyPass>,
     stopwatch: Option<Stopwatch>,
     generation: u64,
-    /// Work that has not run since its inputs changed, also after a failed run.
+    /// Work that has not run since its inputs changed, including after a failed run.
     due: Due,
 }
 
 impl Program {
-    /// Loads a plan; returns what must run before the next frame is right.
+    /// Loads a plan; returns what must run before the next frame is correct.
     pub fn load(&mut self, gpu: &Gpu, recorded: impl Into<Recorded>) -> Result<&Due> {
         let Recorded { plan, on_cpu } = recorded.into();
         let mut rebind = self.steps.is_empty() || !same_structure(&plan, self.plan());
@@ -90,7 +89,7 @@ impl Program {
         self.resources
             .retain(|name, _| plan.resource_named(name).is_some());
         if rebind {
-            // Until the whole plan is built, nothing is loaded: a failure on the way must not look like an unchanged plan.
+            // Nothing counts as loaded until the whole plan is built: a failure on the way must not look like an unchanged plan.
             self.recorded = Recorded::default();
             self.steps.clear();
             self.generation += 1;
@@ -111,8 +110,8 @@ impl Program {
         &self.recorded.plan
     }
 
-    /// Bytes of the buffers and textures that were made for resources of a clock: those of the scene, or those that are not.
-    /// Contents that several programs share count for each of them.
+    /// Bytes of the buffers and textures created for resources on a clock: either those of the scene, or all others. Contents shared by
+    /// several programs count for each of them.
     pub fn allocated_on(&self, clock: Clock, is_scene: bool) -> u64 {
         let wanted = |r: &&Resource| r.clock == clock && r.is_scene == is_scene;
         let resources = self.recorded.plan.resources.iter().filter(wanted);
@@ -122,7 +121,7 @@ impl Program {
             .sum()
     }
 
-    /// Runs what is due and some passes besides, by name: in one go, or pass by pass for their times, which waits for them.
+    /// Runs the due passes and the named passes `besides`: all at once, or pass by pass for their times, which blocks on each.
     pub fn run_due(&mut self, gpu: &Gpu, besides: &Due, is_timed: bool) -> Result<RunTimes> {
         let due = &self.due.passes;
         let runs = |pass: &Pass| due.contains(&pass.name) || besides.passes.contains(&pass.name);
@@ -135,7 +134,7 @@ impl Program {
         Ok(times)
     }
 
-    /// Runs the passes of some clocks and waits for them; what the CPU does on these clocks is done again for its time.
+    /// Runs the passes on the given clocks and waits for them; CPU work on these clocks is repeated to measure its time.
     pub fn run(&self, gpu: &Gpu, clocks: ClockSet) -> Result<RunTimes> {
         let works = PassTime::of_cpu(&self.recorded, |step, work| {
             let is_asked = clocks.contains(step.clock);
@@ -191,7 +190,7 @@ impl Program {
         Ok(Stopwatch::times(ns_per_tick, &ticks, &ran))
     }
 
-    /// One submission per pass, each waited for: the price of a time for each where the device has none to give.
+    /// One submission per pass, each waited for: the cost of per-pass times on a device without timestamps.
     fn run_by_the_wall(&self, gpu: &Gpu, runs: impl Fn(&Pass) -> bool) -> Result<RunTimes> {
         gpu.wait()?;
         let mut passes = Vec::with_capacity(self.steps.len());
@@ -225,8 +224,8 @@ impl Program {
             .map(|(index, (pass, step))| (index, pass, step))
     }
 
-    /// Encodes the due work, for an encoder that the caller submits; returns the number of passes. The needs of bounded buffers
-    /// are copied behind them, if there are some.
+    /// Encodes the due work, for an encoder that the caller submits; returns the number of passes. The needs of bounded buffers, if any,
+    /// are copied after them.
     pub(crate) fn encode_due(
         &mut self,
         gpu: &Gpu,
@@ -252,7 +251,7 @@ impl Program {
         Ok(Encoded { passes, report })
     }
 
-    /// Copies the layers of one pixel behind what is encoded, by its number from the upper left corner, row by row.
+    /// Copies the layers of one pixel after the encoded commands; pixels are numbered row by row from the upper left corner.
     pub(crate) fn pick(
         &self,
         gpu: &Gpu,
@@ -265,7 +264,7 @@ impl Program {
         Ok(Pick::new(encoder, staging))
     }
 
-    /// Copies the layers of all pixels behind what is encoded.
+    /// Copies the layers of all pixels after the encoded commands.
     pub(crate) fn send_layers(
         &self,
         gpu: &Gpu,
@@ -274,7 +273,7 @@ impl Program {
         Ok(Arriving::new(gpu, encoder, self.layers_buffer()?))
     }
 
-    /// Copies the picture behind what is encoded.
+    /// Copies the picture after the encoded commands.
     pub(crate) fn send_picture(
         &self,
         gpu: &Gpu,
@@ -283,7 +282,7 @@ impl Program {
         Ok(Arriving::new(gpu, encoder, self.picture_buffer()?))
     }
 
-    /// Pipeline and bindings that put the picture into the attachments of a host.
+    /// Pipeline and bindings that composite the picture into a host's attachments.
     pub(crate) fn compositor(&self, gpu: &Gpu, target: &Destination<'_>) -> Result<Compositor> {
         let table = |name: &str| {
             let fault = || Error::Plan(format!("the plan has no {name}"));
@@ -297,7 +296,7 @@ impl Program {
         Compositor::new(gpu, target, &frame)
     }
 
-    /// The buffer of a resource, if the plan has one of this name.
+    /// The buffer of the resource with this name, if the plan has one.
     pub(in crate::gpu) fn buffer_named(&self, name: &str) -> Option<&wgpu::Buffer> {
         match &self.resources.get(name)?.1 {
             GpuResource::Buffer(buffer) => Some(buffer),
@@ -305,12 +304,12 @@ impl Program {
         }
     }
 
-    /// Number of times its resources were made or bound: holders of these must be rebuilt when it changes.
+    /// Counts how often its resources were created or bound: whatever refers to them must be rebuilt when it changes.
     pub(crate) fn generation(&self) -> u64 {
         self.generation
     }
 
-    /// Reported needs of the bounded buffers: the largest need of each, in order of [`Plan::bounded`].
+    /// Needs reported by the bounded buffers: the largest need of each, in order of [`Plan::bounded`].
     pub fn needs(&self, gpu: &Gpu) -> Result<Vec<u32>> {
         let Some(id) = self.recorded.plan.need else {
             return Ok(Vec::new());
@@ -324,7 +323,7 @@ impl Program {
             .collect())
     }
 
-    /// Sets the words that bounded buffers of the frame report in back to zero; those of a solid are reset by its own pass.
+    /// Resets the words in which the frame's bounded buffers report to zero; those of a solid are reset by its own pass.
     pub fn clear_needs_of_frame(&self, gpu: &Gpu) -> Result<()> {
         let Some(id) = self.recorded.plan.need else {
             return Ok(());
@@ -386,7 +385,7 @@ fn new_encoder(gpu: &Gpu) -> wgpu::CommandEncoder {
     gpu.device.create_command_encoder(&descriptor)
 }
 
-/// Returns true if two plans differ in nothing but the contents of their uploads.
+/// Returns true if two plans differ only in the contents of their uploads.
 fn same_structure(a: &Plan, b: &Plan) -> bool {
     let same = |(a, b): (&Resource, &Resource)| a.name == b.name && a.shape == b.shape;
     a.passes == b.passes

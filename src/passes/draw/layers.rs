@@ -1,4 +1,4 @@
-//! Layers: what each pixel shows, which every frame comes to before it is a picture.
+//! Layers: what each pixel shows. Every frame produces them before it becomes a picture.
 
 use super::surface::Surfaces;
 use crate::passes::frame::buffers::SceneBuffers;
@@ -11,7 +11,7 @@ use crate::scene::{linear_from_srgb, map_channels};
 pub(crate) struct Layered {
     /// Three words per pixel.
     pub layers: ResourceId,
-    /// The picture, where the passes that completed the layers have coloured it already.
+    /// The picture, if the passes that completed the layers have already coloured it.
     pub picture: Option<ResourceId>,
 }
 
@@ -31,7 +31,7 @@ pub(crate) fn picture(plan: &mut Plan, input: &Input<'_>) -> ResourceId {
     plan.add_resource(Resource::storage("picture", bytes, Clock::Frame))
 }
 
-/// Turns what was drawn into layers.
+/// Turns the drawn surfaces into layers.
 pub(crate) fn gather(plan: &mut Plan, scene: &SceneBuffers<'_>, surfaces: &Surfaces) -> Layered {
     Layered {
         layers: gather_into(plan, scene, surfaces, ["layers", "gather"]),
@@ -39,7 +39,7 @@ pub(crate) fn gather(plan: &mut Plan, scene: &SceneBuffers<'_>, surfaces: &Surfa
     }
 }
 
-/// Turns what was drawn into layers, under the names of a buffer and a pass.
+/// Turns the drawn surfaces into layers, with given names for the buffer and the pass.
 pub(crate) fn gather_into(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,
@@ -60,7 +60,7 @@ pub(crate) fn gather_into(
     layers
 }
 
-/// The file that fills `cutaway::overlap`, and what it binds.
+/// The file that fills `cutaway::overlap`, and its bindings.
 pub(crate) fn overlap(
     plan: &mut Plan,
     input: &Input<'_>,

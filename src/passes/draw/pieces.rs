@@ -1,4 +1,4 @@
-//! The pieces of triangles that are too large for one invocation ([`Share`](super::share::Share)).
+//! Pieces of triangles that are too large for one invocation ([`Share`](super::share::Share)).
 
 use super::scan::{Run, Scan, Total};
 use super::share::first_piece_at;
@@ -8,7 +8,7 @@ use crate::plan::{Access, Arguments, Pass, Plan, Work};
 use crate::shader::Shader;
 
 impl Screen {
-    /// A dispatch of one workgroup for each piece.
+    /// A dispatch of one workgroup per piece.
     pub(crate) fn over_pieces(&self) -> Work {
         let arguments = Arguments {
             resource: self.pieces,
@@ -17,14 +17,14 @@ impl Screen {
         Work::ComputeIndirect { arguments }
     }
 
-    /// Records how the queued triangles are shared out, once they are all there.
+    /// Records the passes that count the pieces of the queued triangles, once all are queued.
     pub(crate) fn count_pieces(&self, plan: &mut Plan) {
         if self.may_clip {
             let mut bindings = self.bindings();
             bindings.push(self.queue(Access::ReadWrite));
             let pass = Pass::new(
                 self.named("clipped"),
-                "what the near plane and the guard band leave of triangles, in pieces",
+                "clips triangles at the near plane and the guard band, and counts their pieces",
                 Shader::from("passes/rasterise/clipped.wgsl").with(self.rows()),
                 bindings,
                 Work::Compute {

@@ -1,7 +1,7 @@
-//! Probing: the mask by asking an image of each part's volume for the points that matter.
+//! Probing: fills the inside mask by sampling an image of each part's volume at the points that matter.
 //!
-//! One invocation per pixel; an answer for each crossing at which a part goes from removed to kept, and for the near plane where
-//! it may be inside a solid. As exact as the image is; the resolve is that of every other inside test.
+//! One invocation per pixel, one answer per crossing at which a part goes from removed to kept, and one for the near plane where
+//! it may be inside a solid. As exact as the image; resolving is the same as for every other inside test.
 
 use std::ops::Range;
 
@@ -10,7 +10,7 @@ use crate::passes::frame::crossings::{Crossings, LISTED};
 use crate::plan::{Binding, Pass, Plan, ResourceId, Work};
 use crate::shader::Shader;
 
-/// An image of the volume of parts that says which points are inside.
+/// An image of the parts' volumes, from which an inside test reads which points are inside.
 #[derive(Clone, Debug)]
 pub(crate) struct Volume {
     /// File that fills `cutaway::volume`.
@@ -20,7 +20,7 @@ pub(crate) struct Volume {
 }
 
 impl Volume {
-    /// Asks for the parts at some places of the table.
+    /// Records the pass that probes the parts at a range of table positions.
     pub(crate) fn probe(
         &self,
         plan: &mut Plan,
@@ -40,7 +40,7 @@ impl Volume {
         let near_inside = f64::from(u8::from(scene.input.active_cuts.near_inside));
         let pass = Pass::new(
             format!("probe {}", places.start),
-            "whether a crossing is inside, asked where its part goes from removed to kept",
+            "tests whether a crossing is inside its part, if the part goes from removed to kept there",
             Shader::from("passes/probe.wgsl")
                 .with(self.file)
                 .with_all(&LISTED),

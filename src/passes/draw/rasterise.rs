@@ -1,12 +1,12 @@
-//! A frame by the compute rasteriser: candidates, one pass over the mesh, one decision per pixel, and paint where there is something.
+//! A frame by the compute rasteriser: candidates, one pass over the mesh, one decision per pixel, and painting of covered pixels.
 //!
-//! Every sample leaves to the inside test what that wants and keeps the nearest kept triangle. With atomics of 64 bits that is
+//! Every sample stores what the inside test needs and keeps the nearest kept triangle. With 64-bit atomics that is
 //! one sweep over the triangles. Core WebGPU lacks them: there a first sweep finds the greatest depth-buffer value and a second
-//! one the first triangle at it, to the same picture.
+//! one the first triangle at that value, which gives the same picture.
 //!
-//! Pixels are looked at in touched tiles alone ([`Touched`]).
+//! Only pixels in touched tiles are processed ([`Touched`]).
 //!
-//! Cost per frame: that of the screen and the sweeps, and 12 bytes a pixel after what the inside test wants.
+//! Cost per frame: that of the screen and the sweeps, and 12 bytes per pixel in addition to the inside test's storage.
 
 use super::layers::{Layered, layers, overlap, picture};
 use super::resolve::{Inside, cap_normal, constants_of_decision};
@@ -25,9 +25,9 @@ use crate::plan::{Access, Binding, Clock, Pass, Plan, Resource, ResourceId, Work
 use crate::shader::Shader;
 
 impl<'a> SceneBuffers<'a> {
-    /// Takes the mesh to the screen before crossings are computed, so that this is done in touched tiles alone; makes pixels ready for
-    /// fragments on the way. `to_come` are the crossings as they will be listed. Nothing is done for the GPU's own rasteriser, and where
-    /// lists are to be those of all pixels, as for hosts. The reason where there are too many parts.
+    /// Transforms the mesh to the screen before crossings are computed, so that only touched tiles compute them; also prepares pixels
+    /// for fragments. `to_come` are the crossings as they will be listed. Does nothing for the GPU's own rasteriser, and where lists
+    /// must cover all pixels, as for hosts. Returns the reason if there are too many parts.
     pub(crate) fn on_screen_first(
         mut self,
         plan: &mut Plan,
@@ -48,17 +48,17 @@ impl<'a> SceneBuffers<'a> {
 pub(crate) struct Swept {
     /// The nearest kept triangle of each pixel.
     nearest: ResourceId,
-    /// The layers, and the picture where it is made along with them: background so far.
+    /// The layers, and the picture if it is made along with them; only background so far.
     layers: ResourceId,
     picture: Option<ResourceId>,
     touched: Touched,
-    /// File that fills `cutaway::rows`, then the sweep parameters of the frame's screen and the table of its parts.
+    /// File that fills `cutaway::rows`, then the sweep parameters of the frame's screen, and the table of the screen's parts.
     rows: &'static str,
     sweep: ResourceId,
     drawn_parts: ResourceId,
 }
 
-/// Takes all parts to the screen of the frame. `store` is of fragments for which no other pass makes pixels ready.
+/// Transforms all parts to the frame's screen. `store` is the store for fragments if no other pass prepares its pixels.
 fn take_to_screen(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,
@@ -92,7 +92,7 @@ fn take_to_screen(
     };
     plan.add_pass(Pass::new(
         "blank",
-        "tiles that the frame before has touched are background again; the others have been so all along",
+        "tiles touched by the previous frame are reset to background; the others still are background",
         shader,
         bindings,
         touched.shared(),
@@ -112,7 +112,7 @@ fn take_to_screen(
         },
     };
     let mut screen = Screen::record(plan, scene, of)?;
-    // Nobody looks at pixels before the sweep.
+    // No pass reads pixels before the sweep.
     let by_sweep = input.active_cuts.lanes == 0 || (store.is_some() && input.asks_plane());
     if !by_sweep {
         find_tiles(plan, &screen, touched);
@@ -127,7 +127,7 @@ fn take_to_screen(
     })
 }
 
-/// Finds the touched tiles, of small triangles one by one, then of the pieces of the others, which are queued on the way.
+/// Finds the tiles touched by small triangles one by one, then by the pieces of the others, which are queued in the first step.
 fn find_tiles(plan: &mut Plan, screen: &Screen, touched: Touched) {
     let bindings = |queue_access| {
         let mut all = screen.bindings();
@@ -139,7 +139,7 @@ fn find_tiles(plan: &mut Plan, screen: &Screen, touched: Touched) {
     };
     let pass = Pass::new(
         "tiles",
-        "which tiles of the picture have something, and between which depths the cut parts lie in each: no other is looked at",
+        "finds the touched tiles and the depth range of the cut parts in each; only these are processed",
         Shader::from("passes/rasterise/tiles.wgsl").with(screen.rows()),
         bindings(Access::ReadWrite),
         Work::Compute {
@@ -157,7 +157,7 @@ fn find_tiles(plan: &mut Plan, screen: &Screen, touched: Touched) {
     ));
 }
 
-/// Rasterises all parts into what an inside test wants, and into the nearest kept triangle of each pixel; the reason where there
+/// Rasterises all parts into the inside test's store, and into the nearest kept triangle of each pixel; returns the reason if there
 /// are too many parts.
 pub(crate) fn rasterise(
     plan: &mut Plan,
@@ -181,7 +181,7 @@ pub(crate) fn rasterise(
     };
     let marking = Sweep {
         name: "mark",
-        reason: "each sample marks the crossings it is behind, and keeps its triangle where it is the nearest kept",
+        reason: "each sample marks the crossings in front of it, and stores its triangle if it is the nearest kept",
         sample: "lib/sample/fused.wgsl",
         store: Some(store),
         crossings: Some(crossings),
@@ -193,14 +193,14 @@ pub(crate) fn rasterise(
         marking.record(plan, scene, &screen);
     } else {
         let marking = Sweep {
-            reason: "each sample marks the crossings it is behind, and raises the depth of its pixel where it is kept",
+            reason: "each sample marks the crossings in front of it, and raises its pixel's depth if it is kept",
             sample: "lib/sample/raised.wgsl",
             ..marking
         };
         marking.record(plan, scene, &screen);
         let claiming = Sweep {
             name: "claim",
-            reason: "the first triangle at the depth of a pixel claims it",
+            reason: "the first triangle at a pixel's depth claims the pixel",
             again: true,
             ..marking
         };
@@ -217,7 +217,7 @@ pub(crate) fn rasterise(
     })
 }
 
-/// Decides what each pixel shows, and paints what is not background.
+/// Decides what each pixel shows, and paints the pixels that are not background.
 pub(crate) fn decide_and_paint(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,
@@ -237,7 +237,7 @@ pub(crate) fn decide_and_paint(
     bindings.extend(crossings.bindings.iter().cloned());
     let decide = Pass::new(
         "decide",
-        "the nearest crossing that is inside a part and enters it is a cap, unless a surface is before it",
+        "the nearest crossing that is inside a part and enters it is a cap, unless a surface is in front of it",
         Shader::from("passes/rasterise/decide.wgsl")
             .with("lib/share/touched.wgsl")
             .with(inside.file)
@@ -249,7 +249,7 @@ pub(crate) fn decide_and_paint(
     paint(plan, scene, swept, crossings)
 }
 
-/// Completes the layers of what is not background, and colours it where that is all that the style asks for.
+/// Completes the layers of non-background pixels, and also colours them if the style needs nothing else.
 fn paint(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,
@@ -274,10 +274,10 @@ fn paint(
         .with(crossings.surfaces_file)
         .with(cap_normal);
     let mut reason =
-        "the triangle that claimed a pixel gives it part, side and normal, a cap has its own";
+        "the triangle that claimed a pixel gives it part, side and normal; a cap has its own";
     shader = match swept.picture {
         Some(picture) => {
-            reason = "the triangle that claimed a pixel gives it part, side and normal, a cap has its own; lit shading colours both";
+            reason = "the triangle that claimed a pixel gives it part, side and normal; a cap has its own; lit shading colours both";
             bindings.push(scene.parts.clone());
             bindings.push(Binding::update("picture", picture));
             let overlap = overlap(plan, scene.input, &mut bindings);

@@ -1,8 +1,8 @@
 //! Resolving: what each pixel shows, decided from its crossings, the inside test and the nearest kept surface.
 //!
-//! The same decision for every inside test and both rasterisers; what differs fills open modules. Time in proportion to pixels
-//! and, where they have crossings, to cut parts. After the GPU's own rasteriser it is one pass; the compute rasteriser has
-//! `decide` and `paint` in its place.
+//! The decision is the same for every inside test and both rasterisers; the differences fill open modules. Time is proportional to pixels
+//! and, where they have crossings, to cut parts. After the GPU's own rasteriser it is one pass; the compute rasteriser uses
+//! `decide` and `paint` instead.
 
 use super::layers::{Layered, layers};
 use super::rasterise::decide_and_paint;
@@ -31,7 +31,7 @@ impl Inside {
         }
     }
 
-    /// The answers in the lanes of a mask, all of bits.
+    /// Answers stored in the lanes of a mask, all of them bits.
     pub(crate) fn mask(mask: ResourceId) -> Self {
         Self {
             file: "lib/inside/mask.wgsl",
@@ -39,7 +39,7 @@ impl Inside {
         }
     }
 
-    /// The answers in the lanes of a mask, some of counts.
+    /// Answers stored in the lanes of a mask, some of them counts.
     pub(crate) fn winding(mask: ResourceId) -> Self {
         Self {
             file: "lib/inside/winding.wgsl",
@@ -48,7 +48,7 @@ impl Inside {
     }
 }
 
-/// Records the passes that decide.
+/// Records the deciding passes.
 pub(crate) fn resolve(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,
@@ -82,7 +82,7 @@ fn resolve_drawn(
     let cap_normal = cap_normal(scene, &mut bindings);
     let pass = Pass::new(
         "resolve",
-        "the nearest crossing that is inside a part and enters it is a cap, unless a surface is before it",
+        "the nearest crossing that is inside a part and enters it is a cap, unless a surface is in front of it",
         Shader::from("passes/resolve.wgsl")
             .with(inside.file)
             .with_all(&crossings.files())
@@ -97,7 +97,7 @@ fn resolve_drawn(
     }
 }
 
-/// The constants of a pass that decides.
+/// Override constants of a deciding pass.
 pub(crate) fn constants_of_decision(scene: &SceneBuffers<'_>) -> Vec<(&'static str, f64)> {
     let active_cuts = &scene.input.active_cuts;
     let mut constants = vec![
@@ -111,7 +111,7 @@ pub(crate) fn constants_of_decision(scene: &SceneBuffers<'_>) -> Vec<(&'static s
     constants
 }
 
-/// The file that fills `cutaway::cap_normal`, and what it binds.
+/// The file that fills `cutaway::cap_normal`; adds the bindings that it needs.
 pub(crate) fn cap_normal(scene: &SceneBuffers<'_>, bindings: &mut Vec<Binding>) -> &'static str {
     let reliefs = scene.input.has_reliefs();
     if reliefs {

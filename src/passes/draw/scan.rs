@@ -1,25 +1,25 @@
 //! Prefix sum: each word of a buffer becomes the sum of the words before it, in place, and the total is written out.
 //!
-//! The words are taken in blocks of [`BLOCK_WORDS`], one workgroup each: the sums of the blocks are summed in the same way,
-//! level by level until one block is left, and go back down as where each block begins. No workgroup waits for another, so
-//! nothing is assumed of the order in which they run, and core WebGPU is enough. Up to 2^11 words are one pass, up to 2^22
+//! The words are taken in blocks of [`BLOCK_WORDS`], one workgroup each: the block sums are summed in the same way,
+//! level by level until one block is left, and are then added back, level by level, as block offsets. No workgroup waits for another, so
+//! no execution order is assumed, and core WebGPU is enough. Up to 2^11 words take one pass, up to 2^22
 //! three, up to 2^33 five; each word is read twice and written once, and the block sums take another 1/2048 of the words.
 //!
-//! Cannot: sums from 2^32 on, which wrap. After Harris, Sengupta & Owens, *Parallel prefix sum (scan) with CUDA* (2007).
+//! Cannot: sums of 2^32 or more, which wrap. After Harris, Sengupta & Owens, *Parallel prefix sum (scan) with CUDA* (2007).
 
 use crate::plan::{Binding, Clock, Pass, Plan, Resource, ResourceId, Work};
 
-/// Words that a workgroup sums: `shaders/lib/rasterise/scan.wgsl`.
+/// Words summed by one workgroup: `shaders/lib/rasterise/scan.wgsl`.
 pub const BLOCK_WORDS: u32 = 2048;
 
-/// A prefix sum to be recorded.
+/// A prefix sum to record.
 #[derive(Clone, Copy, Debug)]
 pub struct Scan<'a> {
     /// Prefix of the pass names, unique in the plan.
     pub name: &'a str,
     /// Description of the summed values for the plan listing: "fragments of each pixel".
     pub what: &'a str,
-    /// When.
+    /// Clock of the passes.
     pub clock: Clock,
     /// The buffer whose words are summed in place.
     pub items: ResourceId,
@@ -29,19 +29,19 @@ pub struct Scan<'a> {
     pub total: Total,
 }
 
-/// The words of a buffer that are summed.
+/// The range of words to sum.
 #[derive(Clone, Copy, Debug)]
 pub struct Run {
-    /// The first of them.
+    /// Index of the first word.
     pub first: u32,
-    /// Largest number of words. Passes are dispatched for all of them; blocks beyond the count end at once.
+    /// Maximum number of words. Passes are dispatched for all of them; blocks beyond the count end at once.
     pub length: u32,
-    /// Word of the buffer that gives the count, where it is found on the device.
+    /// Index of the buffer's word that holds the count, if the count is computed on the device.
     pub count_at: Option<u32>,
 }
 
 impl Run {
-    /// The first words of a buffer, of a count known beforehand.
+    /// A known number of words from the start of the buffer.
     pub fn known(length: u32) -> Self {
         Self {
             first: 0,
@@ -67,15 +67,15 @@ impl Run {
 pub enum Total {
     /// Into one word of a buffer.
     Word(ResourceId, u32),
-    /// Into the first three words of a buffer, as the arguments of a dispatch of that many workgroups, or a few more. Totals from
-    /// 2^31 on are more than WebGPU dispatches.
+    /// Into the first three words of a buffer, as the arguments of a dispatch of at least that many workgroups. Totals of
+    /// 2^31 or more exceed what WebGPU dispatches.
     Groups(ResourceId),
 }
 
 impl Scan<'_> {
     /// Records the passes.
     pub fn record(&self, plan: &mut Plan) {
-        // Sums of blocks, of blocks of sums, and so on.
+        // Block sums, sums of block sums, and so on.
         let mut levels = vec![(self.items, self.run)];
         while let Some((below, run)) = levels.last().copied()
             && run.length > BLOCK_WORDS
@@ -89,7 +89,7 @@ impl Scan<'_> {
             ));
             let pass = self.pass(
                 format!("sum {level}"),
-                "what each block adds up to",
+                "the sum of each block",
                 "passes/scan/sums.wgsl",
                 vec![Binding::read("items", below), Binding::write("sums", sums)],
                 blocks,
@@ -104,7 +104,7 @@ impl Scan<'_> {
         };
         let pass = self.pass(
             "scan".to_owned(),
-            "where each begins, and how many there are",
+            "the start of each, and the total",
             "passes/scan/top.wgsl",
             vec![
                 Binding::update("items", top.0),
@@ -119,7 +119,7 @@ impl Scan<'_> {
         while let Some((items, run)) = levels.pop() {
             let pass = self.pass(
                 format!("spread {}", levels.len() + 1),
-                "each block begins where those before it end",
+                "each block starts at the total of the blocks before it",
                 "passes/scan/blocks.wgsl",
                 vec![Binding::update("items", items), Binding::read("sums", sums)],
                 run.length.div_ceil(BLOCK_WORDS),

@@ -1,10 +1,10 @@
-//! The mesh on a screen: vertices in fixed point for one view, be it the frame's own or that of a sprite.
+//! The mesh on a screen: vertices in fixed point for one view, either the frame's own or a sprite's.
 //!
-//! One pass takes every vertex there once; any number of sweeps then look for the samples of its triangles. Cost: 16 bytes a
-//! vertex, 12 bytes a triangle for the queue, which therefore cannot overflow, 32 KiB for the table of parts.
+//! One pass transforms every vertex once; any number of sweeps then rasterise the triangles. Cost: 16 bytes per
+//! vertex, 12 bytes per triangle for the queue, which therefore cannot overflow, 32 KiB for the table of parts.
 //!
-//! Limits: [`MOST_DRAWN_PARTS`] parts, 2^23 vertices (a storage binding of core WebGPU). Nothing is clipped at the far plane:
-//! views have it beyond all parts.
+//! Limits: [`MOST_DRAWN_PARTS`] parts, 2^23 vertices (a storage binding of core WebGPU). Nothing is clipped at the far plane, because
+//! every view places it beyond all parts.
 
 use std::ops::Range;
 
@@ -25,41 +25,41 @@ use crate::plan::{
 use crate::scene::View;
 use crate::shader::Shader;
 
-/// No point this near to the upper left corner is beyond the guard band of `screen.wgsl`, 16,000 px wide to the right and
-/// below, and to the left and above by as much less as the picture is wide.
+/// Points within this distance of the upper left corner are inside the guard band of `screen.wgsl`, which extends 16,000 px to the right
+/// and below, and that much less the picture's size to the left and above.
 const SAFE_PX: f64 = 7000.0;
 
-/// A place of a part that needs no inside test: `NO_LANE` in `shaders/lib/rasterise/sweep.wgsl`.
+/// Table position for a part that needs no inside test: `NO_LANE` in `shaders/lib/rasterise/sweep.wgsl`.
 pub const NO_LANE: u32 = u32::MAX;
 
 /// Inputs of a screen.
 #[derive(Clone, Debug)]
 pub(crate) struct ScreenOf<'a> {
-    /// Prefix of the names of its passes and resources; empty for the view of the frame.
+    /// Prefix of the names of its passes and resources; empty for the frame's own view.
     pub name: &'a str,
     pub view: &'a View,
-    /// The view as the shaders read it, under the name `frame`; of the same size.
+    /// The view as the shaders read it, under the name `frame`; its size is that of the frame's view.
     pub frame: Binding,
-    /// When it is done again.
+    /// Clock on which the screen is made again.
     pub clock: Clock,
     /// Ranks of the parts, in the order of the part table.
     pub ranks: &'a [usize],
     /// True if groups of preclassified triangles have rows of their own.
     pub classifies: bool,
-    /// Distribution of samples over invocations.
+    /// Distribution of samples among invocations.
     pub share: Share,
-    /// Data that is reset with it.
+    /// Further data to reset with the screen.
     pub fresh: Fresh,
 }
 
-/// Data that is reset with a screen in addition to its queue.
+/// Data that is reset together with a screen's queue.
 #[derive(Clone, Debug)]
 pub(crate) struct Fresh {
-    /// Files that fill `cutaway::fresh` and what that asks for.
+    /// Files that fill `cutaway::fresh`, and the files that those need.
     pub files: Vec<&'static str>,
     /// Bindings of the files.
     pub bindings: Vec<Binding>,
-    /// For how many numbers they are called.
+    /// Number of items to reset: the files are called once for each.
     pub items: u32,
 }
 
@@ -75,7 +75,7 @@ impl Fresh {
 }
 
 impl Screen {
-    /// The name of a pass or a resource of this screen.
+    /// Name of a pass or resource of this screen.
     pub(crate) fn named(&self, what: &str) -> String {
         named(self.name.as_str(), what)
     }
@@ -88,7 +88,7 @@ impl Screen {
         }
     }
 
-    /// Bindings for every pass over its triangles.
+    /// Bindings for every pass over the screen's triangles.
     pub(crate) fn bindings(&self) -> Vec<Binding> {
         vec![
             self.frame.clone(),
@@ -107,7 +107,7 @@ impl Screen {
         }
     }
 
-    /// The vertices, to be read.
+    /// The vertices, for reading.
     pub(crate) fn vertices(&self) -> Binding {
         Binding::read("screen", self.vertices)
     }
@@ -122,7 +122,7 @@ fn named(screen: &str, what: &str) -> String {
 }
 
 impl Screen {
-    /// Records the pass that takes parts to a screen; the reason where they are too many.
+    /// Records the pass that transforms parts to a screen; returns the reason if there are too many.
     pub(crate) fn record(
         plan: &mut Plan,
         scene: &SceneBuffers<'_>,
@@ -134,10 +134,10 @@ impl Screen {
         let rows = of.ranks.len() + groups;
         if rows > MOST_DRAWN_PARTS {
             return Err(Refusal::amount(format!(
-                "the compute rasteriser draws {MOST_DRAWN_PARTS} parts and groups of faces in clip-surfaces, there are {rows}"
+                "the compute rasteriser draws at most {MOST_DRAWN_PARTS} parts and groups of faces in clip-surfaces; there are {rows}"
             )));
         }
-        // Vertices from the first to the last that some part needs.
+        // Vertices from the first to the last that any part needs.
         let (first_vertex, end_vertex) = (of.ranks.iter())
             .map(|rank| input.vertices_of(*rank))
             .fold((u32::MAX, 0), |(first, end), range| {
@@ -170,7 +170,7 @@ impl Screen {
         let name = named(of.name, "pieces");
         let pieces =
             plan.add_resource(Resource::arguments(name, DISPATCH_ARGUMENT_BYTES, of.clock));
-        // Tables that change with the cuts, if what reads them is not done more rarely.
+        // Tables that change with the cuts, unless the passes that read them run on a slower clock.
         let mut table_of = |variable, what, contents| {
             let (name, clock) = (named(of.name, what), of.clock.min(Clock::Cut));
             let table = Resource::upload(name, Role::Uniform, contents, clock);
@@ -205,7 +205,7 @@ impl Screen {
         bindings.extend(of.fresh.bindings);
         let pass = Pass::new(
             screen.named("transform"),
-            "each vertex goes to fixed point once; the queue of triangles that are not small begins empty, as does the list of tiles",
+            "converts each vertex to fixed point once, and empties the queue of large triangles and the list of tiles",
             Shader::from("passes/rasterise/transform.wgsl").with_all(&of.fresh.files),
             bindings,
             Work::Compute {
@@ -218,7 +218,7 @@ impl Screen {
 }
 
 impl Input<'_> {
-    /// The table of drawn parts, those of preclassified triangles at its end, and how many triangles they have.
+    /// The table of drawn parts, with preclassified groups at its end, and the total number of triangles.
     fn drawn_parts(
         &self,
         ranks: &[usize],
@@ -267,19 +267,19 @@ impl Input<'_> {
         (table, triangle_count)
     }
 
-    /// Numbers of the vertices of a part.
+    /// Index range of a part's vertices.
     fn vertices_of(&self, rank: usize) -> Range<u32> {
         let range = &self.model.ranges[rank];
         let first = range.base_vertex.cast_unsigned();
         first..first + range.vertex_count
     }
 
-    /// Returns true if the box of a part reaches beyond the near plane or close to the guard band.
+    /// Returns true if a part's box reaches beyond the near plane or close to the guard band.
     fn may_clip(&self, view: &View, rank: usize) -> bool {
         let corners = self.model.prepared.parts[rank].bounds.corners();
         corners.into_iter().any(|corner| {
             let (at, depth) = view.project(corner);
-            // Rounding is kept far away from: what is clipped needlessly costs an empty pass.
+            // Conservative against rounding: clipping needlessly costs only an empty pass.
             depth < view.near * 1.001 || !at.abs().cmplt(DVec2::splat(SAFE_PX)).all()
         })
     }

@@ -1,42 +1,42 @@
-//! Distribution of the samples of triangles over invocations.
+//! Distribution of triangle samples among invocations.
 //!
 //! **Bounded work.** Drivers end loops: llvmpipe after 65,535 rounds of all loops of an invocation together, cards by a watchdog. A covered
-//! sample takes as many rounds as its crossings, its lane and its preclassified faces say; how many samples an invocation may cover follows from
-//! that ([`Share`]), and nothing else grows with mesh or picture. What is larger is queued, by whichever pass goes over the triangles first;
+//! sample's rounds depend on its crossings, its lane and its preclassified faces; this limits how many samples an invocation may cover
+//! ([`Share`]), and nothing else grows with mesh or picture. Larger triangles are queued by whichever pass is first to visit the triangles;
 //! a prefix sum over the queue counts the pieces, and one workgroup is dispatched for each (`shaders/lib/rasterise/pieces.wgsl`).
 //!
-//! Cannot: stay below that limit of llvmpipe where one sample alone takes more than 700 rounds, as with lists of that many crossings with
-//! several clip-surfaces; a triangle of 64 samples in a line is then cut off, which the parity bit shows.
+//! Cannot: stay below llvmpipe's limit where a single sample takes more than 700 rounds, as with lists of that many crossings with
+//! several clip-surfaces; a triangle with 64 samples in a row is then cut off, which the parity bit shows.
 
 use super::store::Store;
 use crate::passes::frame::buffers::SceneBuffers;
 use crate::passes::frame::crossings::CrossingSource;
 
-/// Rounds of loops that samples may take in one invocation: below those 65,535, with room for the rest.
+/// Loop rounds that the samples of one invocation may take: below those 65,535, with a margin for everything else.
 const ROUNDS_OF_SAMPLES: u32 = 48_000;
 
-/// Distribution of samples over invocations.
+/// Distribution of samples among invocations.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Share {
-    /// Longest side of the box of a triangle that one invocation covers, in pixels.
+    /// Longest side, in pixels, of a triangle's box that one invocation covers whole.
     small_px: u32,
-    /// Samples of a line that one invocation covers of a larger one, but for three tiles of 64; below 1 one tile.
+    /// Samples in a row that one invocation covers of a larger triangle, plus up to three tiles of 64; below 1, one tile.
     piece_px: f64,
 }
 
 impl Share {
-    /// For fragments that leave something in a store and count no crossings.
+    /// For fragments that write to a store and count no crossings.
     pub(crate) fn of_store(store: &Store) -> Self {
         Self::of_rounds(store.rounds)
     }
 
-    /// For fragments that count the crossings before them as well.
+    /// For fragments that also count the crossings in front of them.
     pub(crate) fn of_crossings(
         scene: &SceneBuffers<'_>,
         store: &Store,
         crossings: &CrossingSource,
     ) -> Self {
-        // A preclassified face is moved to its side of each crossing, then of those with cutters.
+        // A preclassified face is moved to its side of each crossing, then of each crossing with a cutter.
         let preclassified = match scene.preclassified {
             Some(_) => 2 * crossings.capacity,
             None => 0,
@@ -55,7 +55,7 @@ impl Share {
         }
     }
 
-    /// As constants of shaders.
+    /// As override constants.
     pub(crate) fn constants(self) -> [(&'static str, f64); 2] {
         [
             ("small_px", f64::from(self.small_px)),
@@ -64,7 +64,7 @@ impl Share {
     }
 }
 
-/// Word of the queue with the first piece of the first queued triangle: `shaders/lib/rasterise/queue.wgsl`.
+/// Index of the queue word that holds the first queued triangle's first piece: `shaders/lib/rasterise/queue.wgsl`.
 pub(crate) fn first_piece_at(triangle_count: u32) -> u32 {
     2 + 2 * triangle_count
 }
@@ -87,7 +87,7 @@ mod tests {
             assert!(small.max(large) < 65_535, "{rounds}: {small}, {large}");
         }
         assert_eq!(Share::of_rounds(1).small_px, 64, "a plane costs nothing");
-        // The control: what is given for one round is too much for a thousand.
+        // Control: a share for one round is too large for a thousand rounds.
         assert!(Share::of_rounds(1000).small_px < 8);
     }
 }

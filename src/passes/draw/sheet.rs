@@ -1,16 +1,16 @@
-//! Sheets: surfaces of triangles that are drawn only to learn where rays cross them.
+//! Sheets: triangulated surfaces that are drawn only to find where rays cross them.
 //!
-//! The triangles of a clip-surface leave their fragments in linked lists, one for each pixel (Yang, Hensley, Gruen and Thibieroz 2010). A
-//! pass then inserts them into the one list of crossings, by the same rule as crossings that are found in closed form. From there
-//! on the source of a crossing is irrelevant: the list decides, so that no tessellation, however coarse, opens the shell of a
-//! solid. A coarse sheet only displaces the cap. A sheet must have no crack: where the ends of a ray
+//! A clip-surface's triangles store their fragments in linked lists, one per pixel (Yang, Hensley, Gruen and Thibieroz 2010). A
+//! pass then inserts them into the per-pixel crossing list, by the same rule as crossings that are found in closed form. After that
+//! the source of a crossing is irrelevant: the list decides, so no tessellation, however coarse, opens a solid's
+//! shell. A coarse sheet only displaces the cap. A sheet must be free of cracks: where the ends of a ray
 //! do not lie on the sides that its crossings imply, the pixel is marked.
 //!
-//! Per frame: the triangles once, by the GPU's rasteriser in every case; a pass that empties the lists and one that merges, in
-//! time quadratic in the crossings of a pixel, both in those tiles alone that have something where these are known; 4 bytes per pixel and
+//! Per frame: one draw of the triangles, always by the GPU's own rasteriser; a pass that empties the lists, and one that merges them in
+//! time quadratic in the crossings of a pixel, both restricted to non-empty tiles where these are known; 4 bytes per pixel and
 //! 12 per fragment.
 //!
-//! Cannot: know before a frame how many fragments there will be. A frame that needs more than the last is drawn twice.
+//! Cannot: predict a frame's fragment count. A frame that needs more fragments than the last one is drawn twice.
 
 use crate::passes::frame::buffers::SceneBuffers;
 use crate::passes::frame::crossings::Crossings;
@@ -23,7 +23,7 @@ use crate::plan::{
 };
 use crate::shader::Shader;
 
-/// Name of the bounded resource, for the report of a frame that needs more.
+/// Name of the bounded resource, for the report when a frame needs more.
 const FRAGMENTS_OF_SHEETS: &str = "fragments of sheets";
 
 /// Triangles of sheets, drawn in one pass.
@@ -43,22 +43,22 @@ pub(crate) struct SheetDraw {
     pub draws: Vec<Draw>,
 }
 
-/// The sheets of a frame. Clip-surfaces are bits by their index in the table.
+/// The sheets of a frame. Sets of clip-surfaces are bits, by index in the table.
 #[derive(Clone, Debug)]
 pub(crate) struct Sheets {
     /// Draws of their triangles.
     pub draws: Vec<SheetDraw>,
-    /// Those whose triangles show their front to the kept side.
+    /// Sheets whose triangles face the kept side.
     pub by_facing: u32,
-    /// Those that bound a solid, the removed side: they are crossed an even number of times by any line.
+    /// Sheets that bound a solid, the removed side: any line crosses them an even number of times.
     pub by_parity: u32,
     /// Subset of `by_parity` whose outside is the removed side.
     pub keeps_inside: u32,
-    /// Subset of `by_parity` that the near plane does not meet: an odd number of fragments marks the pixel.
+    /// Subset of `by_parity` that does not meet the near plane: an odd number of fragments marks the pixel.
     pub closed: u32,
-    /// File that fills `cutaway::sheet_side`, the side of a sheet with facing on which a ray begins and ends, and its dependencies.
+    /// File that fills `cutaway::sheet_side`, the side of a `by_facing` sheet on which a ray begins and ends, and its dependencies.
     pub side: Vec<&'static str>,
-    /// By how much its answer may be off, in scene units: nearer to a sheet the facings of its crossings say it.
+    /// Error of that answer, in scene units: nearer to a sheet, the facing of its crossings decides instead.
     pub beside: f64,
     /// Bindings of `side`.
     pub side_bindings: Vec<Binding>,
@@ -80,7 +80,7 @@ impl Default for Sheets {
 }
 
 impl Sheets {
-    /// Records the passes that insert the crossings with sheets into lists that hold all others.
+    /// Records the passes that insert sheet crossings into the lists that hold all other crossings.
     pub(crate) fn merge(
         &self,
         plan: &mut Plan,
@@ -130,7 +130,7 @@ impl Sheets {
         bindings.extend(self.side_bindings.iter().cloned());
         let merge = Pass::new(
             "merge",
-            "crossings with sheets go into the one list of depths per pixel",
+            "inserts the crossings with sheets into the per-pixel list of depths",
             Shader::from("passes/sheet/merge.wgsl")
                 .with(share)
                 .with_all(&self.side)
@@ -157,8 +157,8 @@ struct SheetLists {
 }
 
 impl SheetLists {
-    /// A list for each pixel, and as many fragments in them as the last frame needed: at first one for each pixel. The reason where there are
-    /// more pixels than words can count.
+    /// One list per pixel, with as many fragments in total as the last frame needed; at first one per pixel. Returns the reason if there
+    /// are more pixels than 32-bit words can count.
     fn new(plan: &mut Plan, scene: &SceneBuffers<'_>) -> Result<Self, Refusal> {
         let pixels = scene.input.pixel_count();
         let lists = u32::try_from(pixels).map_err(|_| {
@@ -196,7 +196,7 @@ impl SheetDraw {
         bindings.extend([lists.pool.clone(), Binding::update("sheets", lists.buffer)]);
         let pass = Pass::new(
             self.name.clone(),
-            "where rays cross the sheets",
+            "finds where rays cross the sheets",
             self.shader.clone(),
             bindings,
             Work::Draw {

@@ -1,8 +1,8 @@
-//! The pass over the mesh: every fragment counts the crossings before it, leaves to the inside test what that
-//! wants, and survives where it is kept.
+//! The pass over the mesh: every fragment counts the crossings in front of it, stores what the inside test needs,
+//! and survives if it is kept.
 //!
-//! One pass for the cut parts by the GPU's own rasteriser, and one that draws the others plainly; or the sweeps of the compute
-//! rasteriser over all. What an inside test wants of a fragment is a file that fills the open module `cutaway::store`.
+//! One pass draws the cut parts with the GPU's own rasteriser and another draws the rest plainly; or the sweeps of the compute
+//! rasteriser draw all parts. What an inside test stores per fragment is a file that fills the open module `cutaway::store`.
 
 use super::rasterise::{Swept, rasterise};
 use super::store::Store;
@@ -18,13 +18,13 @@ use crate::shader::Shader;
 /// The nearest kept surface of each pixel, by whichever rasteriser.
 #[derive(Debug)]
 pub(crate) enum NearestKept {
-    /// By the GPU's own.
+    /// Drawn by the GPU's own rasteriser.
     Drawn(Surfaces),
-    /// By the compute rasteriser.
+    /// Swept by the compute rasteriser.
     Swept(Swept),
 }
 
-/// Records the pass over the mesh by either rasteriser; the reason where the compute rasteriser cannot.
+/// Records the pass over the mesh by either rasteriser; returns the reason if the compute rasteriser cannot draw it.
 pub(crate) fn over_mesh(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,
@@ -56,7 +56,7 @@ fn draw_solids(
     let solid = DrawPass {
         name: "solid".to_owned(),
         reason: format!(
-            "{}: each fragment marks the crossings it is behind, and stays where it is kept",
+            "{}: each fragment marks the crossings in front of it, and stays if it is kept",
             counted(ranks.len(), "cut part")
         ),
         shader: Shader::from("passes/solid.wgsl")
@@ -71,7 +71,7 @@ fn draw_solids(
     let preclassified = scene.preclassified.as_ref().map(|preclassified| {
         let mut pass = DrawPass {
             name: "solid preclassified".to_owned(),
-            reason: "the same for faces in a clip-surface or just beside it, on the side on which they are known to lie"
+            reason: "the same for faces that lie in or right next to a clip-surface, whose side is known beforehand"
                 .to_owned(),
             shader: Shader::from("passes/preclassified.wgsl")
                 .with(store.file)

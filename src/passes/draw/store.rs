@@ -7,14 +7,14 @@ use crate::plan::{Access, Binding};
 pub(crate) struct Store {
     /// File that fills `cutaway::store`.
     pub file: &'static str,
-    /// Its bindings: the data that every fragment updates, and its parameters.
+    /// The file's bindings: the data that every fragment updates, and its parameters.
     pub bindings: Vec<Binding>,
-    /// Rounds of a loop that one fragment may take.
+    /// Loop rounds that one fragment may take.
     pub rounds: u32,
 }
 
 impl Store {
-    /// Fragments leave nothing: the inside test asks elsewhere, or draws the mesh again. What is bound begins empty.
+    /// Fragments store nothing: the inside test gets its data elsewhere, or draws the mesh again. The bound data begins empty.
     pub(crate) fn nothing(bindings: Vec<Binding>) -> Self {
         Self {
             file: "lib/store/nothing.wgsl",
@@ -23,7 +23,7 @@ impl Store {
         }
     }
 
-    /// The bindings of the pass that makes every pixel ready for its first fragment.
+    /// Bindings of the pass that prepares every pixel for its first fragment.
     pub(crate) fn begun(&self) -> impl Iterator<Item = Binding> + '_ {
         self.bindings.iter().map(|b| Binding {
             access: match b.access {

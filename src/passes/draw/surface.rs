@@ -1,6 +1,6 @@
-//! Drawing surfaces by the GPU's own rasteriser: what is drawn into, and the parts that no cut reaches, drawn as they are.
+//! Drawing surfaces with the GPU's own rasteriser: the targets, and the parts that no cut reaches, which are drawn unclipped.
 //!
-//! One pass for all of those, and one for their faces that lie on each other, where there are any.
+//! One pass for all of those parts, and one for their coincident faces, if there are any.
 
 use crate::passes::frame::buffers::SceneBuffers;
 use crate::passes::frame::input::counted;
@@ -10,10 +10,10 @@ use crate::plan::{
 };
 use crate::shader::Shader;
 
-/// Crossing count of a surface that is drawn where no list is known; `UNCOUNTED` in `shaders/lib/layers.wgsl`.
+/// Crossing count of a surface drawn without a crossing list; `UNCOUNTED` in `shaders/lib/layers.wgsl`.
 const UNCOUNTED: f64 = 254.0;
 
-/// The nearest surface of each pixel while it is drawn: the first pass clears it.
+/// The nearest surface of each pixel, as render targets: the first pass clears them.
 #[derive(Debug)]
 pub(crate) struct Surfaces {
     /// Two words per pixel.
@@ -43,7 +43,7 @@ pub(crate) struct DrawPass {
 }
 
 impl Surfaces {
-    /// Nothing drawn yet, with a stencil in addition to the depth.
+    /// Targets with nothing drawn yet, with a stencil in addition to the depth.
     pub(crate) fn with_stencil(plan: &mut Plan, scene: &SceneBuffers<'_>) -> Self {
         let depth = &mut plan.resources[scene.depth.0];
         let format = Format::Depth32FloatStencil8;
@@ -52,7 +52,7 @@ impl Surfaces {
         Self::new(plan, scene)
     }
 
-    /// Nothing drawn yet.
+    /// Targets with nothing drawn yet.
     pub(crate) fn new(plan: &mut Plan, scene: &SceneBuffers<'_>) -> Self {
         let size = scene.input.view.size_px;
         let words = Resource::texture("surface_words", size, 1, Format::Rg32Uint, Clock::Frame);
@@ -63,7 +63,7 @@ impl Surfaces {
         }
     }
 
-    /// Nothing drawn yet, in addition to those of the frame, under the names of words and depth.
+    /// Further targets with nothing drawn yet, in addition to the frame's own, with given names for words and depth.
     pub(crate) fn named(
         plan: &mut Plan,
         scene: &SceneBuffers<'_>,
@@ -80,7 +80,7 @@ impl Surfaces {
         }
     }
 
-    /// Bindings for a pass that reads them.
+    /// Bindings for a pass that reads the targets.
     pub(crate) fn bindings(&self) -> [Binding; 2] {
         [
             Binding::read("surface_words", self.words),
@@ -93,7 +93,7 @@ impl Surfaces {
         self.draw_with(plan, pass, None);
     }
 
-    /// As [`Self::draw`], with a stencil, which they must have been made with.
+    /// As [`Self::draw`], with a stencil, for which the targets must have been made with one.
     pub(crate) fn draw_with(&mut self, plan: &mut Plan, pass: DrawPass, stencil: Option<Stencil>) {
         let clear = !std::mem::replace(&mut self.is_cleared, true);
         let work = Work::Draw {
@@ -116,7 +116,7 @@ impl Surfaces {
         plan.add_pass(drawn.with_constants(pass.constants));
     }
 
-    /// Draws the parts that no cut reaches. In frames with `lists` of crossings a later pass counts those before each surface.
+    /// Draws the parts that no cut reaches. In frames with crossing `lists`, a later pass counts the crossings in front of each surface.
     pub(crate) fn draw_plain_parts(
         &mut self,
         plan: &mut Plan,
@@ -133,7 +133,7 @@ impl Surfaces {
         let reason = if ranks.is_empty() {
             "clears the targets: every part is removed or capped".to_owned()
         } else if input.active_cuts.lanes == 0 {
-            "no part is cut open: the solids as they are".to_owned()
+            "no part is cut: draws the solids unclipped".to_owned()
         } else {
             format!(
                 "no cut reaches {}: drawn plainly",
@@ -159,7 +159,7 @@ impl Surfaces {
         };
         let doubled = scene.preclassified.as_ref().map(|preclassified| DrawPass {
             name: "surface doubled".to_owned(),
-            reason: "of faces that lie on each other the one that faces the eye, in planes that parts share the first in rank".to_owned(),
+            reason: "of coincident faces draws the one facing the eye; in planes shared by parts, that of the first in rank".to_owned(),
             shader: "passes/doubled.wgsl".into(),
             bindings: vec![scene.frame.clone(), scene.parts.clone(), preclassified.clone()],
             draws: input.draws_of_groups(ranks),

@@ -1,11 +1,11 @@
-//! Sweeps: passes over all triangles of a screen, small ones by one invocation each, the rest in pieces by workgroups.
+//! Sweeps: passes over all triangles of a screen; each small triangle takes one invocation, the rest are split into pieces for workgroups.
 //!
-//! Edge functions are exact integers and the top-left rule gives a sample on a shared edge to exactly one triangle: coverage is
-//! that of the GPU's own rasteriser, on devices that have few units for that. What a covered sample does is a file that fills
-//! `cutaway::sample`; where that leaves fragments to an inside test, how is a file that fills `cutaway::store`.
+//! Edge functions are exact integers and the top-left rule assigns a sample on a shared edge to exactly one triangle: coverage equals
+//! that of the GPU's own rasteriser, even on devices with few raster units. A file that fills `cutaway::sample` defines what a sample
+//! does when covered; if it stores fragments for an inside test, a file that fills `cutaway::store` defines how.
 //!
 //! The first sweep over a screen queues the triangles that are not small, and lists the small ones of which a sample requested another
-//! sweep; later ones go by these lists. A prefix sum counts the pieces of queued triangles, and a workgroup is dispatched for each
+//! sweep; later sweeps use these lists. A prefix sum counts the pieces of queued triangles, and a workgroup is dispatched for each
 //! ([`Share`](super::share::Share)). Sweeps over one screen with the same sample run the same pipelines: their depths are bitwise equal.
 //! After Laine & Karras, *High-performance software rasterization on GPUs* (2011).
 
@@ -27,20 +27,20 @@ pub(crate) struct Sweep<'a> {
     pub reason: &'a str,
     /// File that fills `cutaway::sample`.
     pub sample: &'static str,
-    /// Store for fragments, where the sample leaves them to an inside test.
+    /// Store for fragments, if the sample writes fragments for an inside test.
     pub store: Option<&'a Store>,
-    /// The crossings, where the sample counts the crossings before it.
+    /// The crossings, if the sample counts those in front of it.
     pub crossings: Option<&'a CrossingSource>,
     /// Further bindings of the sample.
     pub bindings: Vec<Binding>,
-    /// The tiles that it touches, where it is to find them.
+    /// The touched tiles, if this sweep is to find them.
     pub touched: Option<Touched>,
-    /// There was a sweep over the same screen before.
+    /// True if the same screen was swept before.
     pub again: bool,
 }
 
 impl<'a> Sweep<'a> {
-    /// A first sweep in which fragments do nothing but leave what an inside test wants.
+    /// A first sweep in which fragments only store what an inside test needs.
     pub(crate) fn of_fragments(name: &'a str, reason: &'a str, store: &'a Store) -> Self {
         Self {
             name,
@@ -54,7 +54,7 @@ impl<'a> Sweep<'a> {
         }
     }
 
-    /// Records the sweep over a screen: small triangles, then the pieces of the others, counted by the first sweep.
+    /// Records the sweep over a screen: small triangles, then the pieces of the others, which the first sweep counts.
     pub(crate) fn record(&self, plan: &mut Plan, scene: &SceneBuffers<'_>, screen: &Screen) {
         let shader = |path: &'static str| {
             let touch = match self.touched {

@@ -1,20 +1,20 @@
-//! Per-part cut culling: which cuts can affect which part. A minimal plan follows from it.
+//! Per-part cut culling: which cuts can affect which part. The minimal plan follows from it.
 //!
-//! A part whose box lies wholly on the kept side of some clip-surface of a cut does not notice the cut; one whose box lies
-//! wholly in the removed region is not drawn. Only what is left needs structures. The box is conservative: a part may be
-//! called cut though only its box is.
+//! A cut does not affect a part whose box lies wholly on the kept side of one of its clip-surfaces; a part whose box lies
+//! wholly in the removed region is not drawn. Only the remaining parts need an inside test. The box is conservative: a part may
+//! be classified as cut although only its box is.
 
 use super::refusal::{Refusal, Unsupported};
 use crate::plan::pack::{MAX_CUTS, MAX_SURFACES};
 use crate::scene::{Bounds, Prepared, PreparedPart, PreparedSurface, View};
 
-/// Parts that the 16 bits of a layer can name.
+/// Number of parts that a layer's 16 bits can number.
 const MOST_PARTS: usize = 1 << 16;
-/// Clip-surfaces that the 8 bits of a layer can name in addition to the near plane.
+/// Number of clip-surfaces that a layer's 8 bits can number in addition to the near plane.
 const MOST_NAMED_SURFACES: usize = 255;
-/// Texels from an origin at which f32 still has two bits for the place within a texel.
+/// Distance from an origin, in texels, up to which f32 has two bits left for the position within a texel.
 const MOST_TEXELS: f64 = (1 << 22) as f64;
-/// Height of a relief times texels per unit of which the square, in the discriminant of a crossing, is still an f32.
+/// Largest relief height times texels per unit: its square, in the discriminant of a crossing, must still fit an f32.
 const STEEPEST: f64 = 1e18;
 
 /// Draw mode of a part.
@@ -24,7 +24,7 @@ pub enum PartDrawMode {
     Plain,
     /// A cut removes the whole part.
     Removed,
-    /// These cuts may remove some of the part (bits of [`ActiveCuts::cuts`]), and it needs an inside test. No bits: only the near
+    /// These cuts may remove some of the part (bits of [`ActiveCuts::cuts`]), and it needs an inside test. Without bits, only the near
     /// plane opens it.
     Cut(u32),
 }
@@ -32,25 +32,25 @@ pub enum PartDrawMode {
 /// The cuts that can affect a frame, and how each part is drawn.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ActiveCuts {
-    /// Clip-surfaces of these cuts, by number in the scene.
+    /// Clip-surfaces of these cuts, by their numbers in the scene.
     pub surfaces: Vec<usize>,
-    /// Cuts, as bits of `surfaces`.
+    /// The cuts, each as bits that index `surfaces`.
     pub cuts: Vec<u32>,
     /// Draw mode of each part, by rank.
     pub parts: Vec<PartDrawMode>,
     /// Parts in the order of the part table: those that need an inside test first, each group by rank.
     pub order: Vec<usize>,
-    /// The place of each part in `order`, by rank.
+    /// Position of each part in `order`, by rank.
     places: Vec<usize>,
     /// Number of parts that need an inside test.
     pub lanes: usize,
-    /// The near plane meets a part that needs an inside test.
+    /// True if the near plane meets a part that needs an inside test.
     pub near_inside: bool,
-    /// Box around the parts that cuts reach; where none does, around those that the near plane opens.
+    /// Box around the parts that cuts reach, or, if cuts reach none, around those that the near plane opens.
     pub cut_box: Bounds,
 }
 
-/// Touching within rounding counts as across: the list of crossings classifies it.
+/// Contact within this tolerance counts as crossing: the crossing list then decides.
 const TOUCHING: f64 = 1e-5;
 
 /// Side of a clip-surface that a box lies on.
@@ -62,11 +62,11 @@ enum BoxSide {
 }
 
 impl ActiveCuts {
-    /// The cuts that affect a view of a scene; the reason where the scene has more than a frame can distinguish.
+    /// The cuts that affect a view of a scene; returns the reason if the scene has more than a frame can distinguish.
     pub fn new(prepared: &Prepared, view: &View) -> Result<Self, Refusal> {
         if prepared.parts.len() > MOST_PARTS {
             return Err(Refusal::amount(format!(
-                "{} parts are more than the {MOST_PARTS} that layers can name",
+                "{} parts are more than the {MOST_PARTS} that layers can number",
                 prepared.parts.len()
             )));
         }
@@ -78,7 +78,7 @@ impl ActiveCuts {
                 parts.push(PartDrawMode::Removed);
                 continue;
             }
-            // A cut that removes the whole part is tested first: the other cuts of such a part do not matter.
+            // A cut that removes the whole part comes first: the part's other cuts do not matter then.
             let reached: Vec<(usize, bool)> = (part.cuts.iter())
                 .filter_map(|cut| Some((*cut, removes_all(prepared, *cut, part)?)))
                 .collect();
@@ -125,8 +125,8 @@ impl ActiveCuts {
         let mut order = of_kind(|t| matches!(t, PartDrawMode::Cut(_)));
         let lanes = order.len();
         order.extend(of_kind(|t| *t == PartDrawMode::Plain));
-        // Without a cut that reaches it, a part opened only by the near plane uses no crossings: it must not enlarge the box and the
-        // values derived from the box, which would then change with the camera.
+        // If any cut is active, a part opened only by the near plane uses no crossings. It must not enlarge the box, because values
+        // derived from the box would then change with the camera.
         let asks = |i: &&usize| surfaces.is_empty() || parts[**i] != PartDrawMode::Cut(0);
         let cut_box = (order[..lanes].iter().filter(asks))
             .map(|i| prepared.parts[*i].bounds)
@@ -192,7 +192,7 @@ impl ActiveCuts {
         &self.order[self.lanes..]
     }
 
-    /// Ranks of the parts that a cut removes altogether.
+    /// Ranks of the parts that a cut removes completely.
     pub fn removed_parts(&self) -> impl Iterator<Item = usize> {
         let parts = self.parts.iter().enumerate();
         parts
@@ -200,13 +200,13 @@ impl ActiveCuts {
             .map(|(rank, _)| rank)
     }
 
-    /// Place of a part in the part table, by rank; 0 for parts that are not drawn.
+    /// Position of a part in the part table, by rank; 0 for parts that are not drawn.
     pub fn place_of(&self, rank: usize) -> usize {
         self.places[rank]
     }
 }
 
-/// Why a clip-surface is more than the words of a frame can hold, if it is.
+/// Reason why a clip-surface exceeds what a frame's words can hold, if it does.
 fn beyond_words(number: usize, surface: &PreparedSurface, cut_box: &Bounds) -> Option<String> {
     if number >= MOST_NAMED_SURFACES {
         return Some(format!(
@@ -243,9 +243,9 @@ fn beyond_words(number: usize, surface: &PreparedSurface, cut_box: &Bounds) -> O
     })
 }
 
-/// Returns true if a cut removes the whole box of a part; `None` if the cut does not reach it.
+/// Returns whether a cut removes the whole box of a part; `None` if the cut does not reach it.
 fn removes_all(prepared: &Prepared, cut: usize, part: &PreparedPart) -> Option<bool> {
-    // Faces in a surface may be so far off it.
+    // Faces that count as lying in a surface may be this far off it.
     let touching = TOUCHING.max(part.plane_tolerance);
     let sides: Vec<BoxSide> = (prepared.cuts[cut].surfaces.iter())
         .map(|s| side_of(&prepared.surfaces[*s], &part.bounds, touching))

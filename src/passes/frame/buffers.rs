@@ -1,8 +1,8 @@
 //! The scene of a frame on the device: handles of the uploads that passes share.
 //!
-//! All of them are described, and those that no pass mentions leave the plan again ([`Plan::without_unused`]): describing one copies
-//! a few rows, or shares bytes that the model already holds. No pass can be recorded before the scene is there, parts that
-//! move included, for it takes these handles.
+//! All uploads are described, and those that no pass uses are dropped from the plan ([`Plan::without_unused`]): describing one only copies
+//! a few rows, or shares bytes that the model already holds. Passes take these handles, so the scene, including its
+//! moving parts, must be described before any pass is recorded.
 
 use bytemuck::Zeroable;
 
@@ -17,25 +17,25 @@ use crate::plan::{Binding, Clock, Contents, Format, Plan, Resource, ResourceId, 
 /// Scene buffers that passes bind.
 #[derive(Clone, Debug)]
 pub(crate) struct SceneBuffers<'a> {
-    /// Input that they were made from.
+    /// The input from which they were made.
     pub input: &'a Input<'a>,
-    /// Positions of the parts' words among the words of a pixel.
+    /// Positions of the parts' words within a pixel's words.
     pub lanes: Lanes,
     /// The view.
     pub frame: Binding,
-    /// The cuts and clip-surfaces that matter.
+    /// The active cuts and clip-surfaces.
     pub cut_table: Binding,
-    /// The clip-surfaces as rays see them.
+    /// The clip-surfaces in ray form.
     pub ray_table: Binding,
-    /// The parts that are drawn, in table order, and where in it each part of the scene is.
+    /// The drawn parts, in table order, and the table position of each part of the scene.
     pub parts: Binding,
     /// Vertices of all parts.
     pub vertices: ResourceId,
-    /// Indices of all parts in a frame, with preclassified triangles at the end of each.
+    /// Indices of all parts in this frame, each part's preclassified triangles last.
     pub indices: ResourceId,
-    /// Indices of all parts as they are, whatever cuts them.
+    /// Indices of all parts in their original order, whatever cuts them.
     pub solid_indices: ResourceId,
-    /// The groups of preclassified triangles, where there are some.
+    /// The groups of preclassified triangles, if there are any.
     pub preclassified: Option<Binding>,
     /// The heights of all reliefs.
     pub heights: Binding,
@@ -45,12 +45,12 @@ pub(crate) struct SceneBuffers<'a> {
     pub depth: ResourceId,
     /// Indices of the triangle that covers the picture.
     pub screen_indices: ResourceId,
-    /// The mesh on the screen, where it was taken there before all else.
+    /// The mesh on the screen, if it was transformed before all other passes.
     pub on_screen: Option<OnScreen>,
 }
 
 impl<'a> SceneBuffers<'a> {
-    /// Uploads the scene and places the parts that move and are drawn; the reason where one cannot be.
+    /// Uploads the scene and poses the moving parts that are drawn; returns the reason if one cannot be posed.
     pub(crate) fn upload(
         plan: &mut Plan,
         input: &'a Input<'a>,
@@ -58,7 +58,7 @@ impl<'a> SceneBuffers<'a> {
     ) -> Result<Self, Refusal> {
         if lanes.words > MOST_LANE_WORDS {
             return Err(Refusal::amount(format!(
-                "{} words of crossings for each pixel are more than the {MOST_LANE_WORDS} that passes go over",
+                "{} words of crossings per pixel are more than the {MOST_LANE_WORDS} that passes can process",
                 lanes.words
             )));
         }
@@ -67,7 +67,7 @@ impl<'a> SceneBuffers<'a> {
         Ok(scene)
     }
 
-    /// The same for passes that look at no vertex.
+    /// The same for passes that read no vertices.
     pub(crate) fn unposed(plan: &mut Plan, input: &'a Input<'a>, lanes: Lanes) -> Self {
         let model = input.model;
         let mut upload = |name: &'static str, role, clock, contents| {
@@ -193,7 +193,7 @@ fn parts(input: &Input<'_>, lanes: &Lanes) -> Contents {
             }
         })
         .collect();
-    // A row for each part of the scene, drawn or not: the numbers of layers are looked up there.
+    // One row per part of the scene, drawn or not, because part numbers in layers are looked up here.
     rows.resize(rows.len().max(prepared.len()), Part::zeroed());
     for (place, rank) in active_cuts.order.iter().enumerate() {
         rows[prepared[*rank].part].place = place as u32;
@@ -201,7 +201,7 @@ fn parts(input: &Input<'_>, lanes: &Lanes) -> Contents {
     Contents::from_values(&or_one(rows))
 }
 
-/// WebGPU has no empty bindings: a table with no rows gets one of zeros.
+/// WebGPU has no empty bindings: a table without rows gets one row of zeros.
 pub(crate) fn or_one<T: Zeroable>(mut rows: Vec<T>) -> Vec<T> {
     if rows.is_empty() {
         rows.push(T::zeroed());

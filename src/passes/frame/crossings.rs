@@ -1,11 +1,11 @@
-//! The crossings of each pixel's ray with the clip-surfaces. A cap surface makes the one list, and any pass may read it. Where the only
-//! clip-surface is a plane no list is needed: each pass evaluates the plane.
+//! The crossings of each pixel's ray with the clip-surfaces. A cap surface makes the per-pixel list, and any pass may read it. If the only
+//! clip-surface is a plane, no list is needed: each pass evaluates the plane.
 
 use super::buffers::SceneBuffers;
 use super::input::Input;
 use crate::plan::{Binding, ResourceId};
 
-/// The list of crossings.
+/// The crossing list.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Crossings {
     /// Count and starting sides, 8 bytes per pixel.
@@ -14,7 +14,7 @@ pub(crate) struct Crossings {
     pub z: ResourceId,
     /// Clip-surfaces.
     pub surfaces: ResourceId,
-    /// Room per pixel, in crossings.
+    /// Capacity per pixel, in crossings.
     pub capacity: u32,
     /// File that fills `cutaway::surfaces`.
     pub surfaces_file: &'static str,
@@ -28,7 +28,7 @@ pub(crate) struct CrossingSource {
     pub(crate) surfaces_file: &'static str,
     /// Bindings of the file.
     pub bindings: Vec<Binding>,
-    /// Crossings that a list has room for; 0 where there is none.
+    /// Capacity of a list, in crossings; 0 without a list.
     pub(crate) capacity: u32,
 }
 
@@ -42,7 +42,7 @@ impl Crossings {
         ]
     }
 
-    /// The list, for passes that could evaluate a plane instead.
+    /// The list as a crossing source, even where passes could evaluate a plane instead.
     pub(crate) fn asked(&self) -> CrossingSource {
         CrossingSource {
             bindings: self.bindings().into(),
@@ -52,7 +52,7 @@ impl Crossings {
 }
 
 impl CrossingSource {
-    /// Lists of `capacity` crossings that do not exist yet, used to estimate the cost of fragments.
+    /// Lists of `capacity` crossings that do not exist yet, for estimating the cost of fragments.
     pub(crate) fn to_come(input: &Input<'_>, capacity: u32) -> Self {
         let surfaces_file = match input.has_one_surface() {
             true => ONE_SURFACE,
@@ -70,7 +70,7 @@ impl CrossingSource {
         }
     }
 
-    /// Rounds of a loop until the crossings before a fragment are counted.
+    /// Loop rounds needed to count the crossings in front of a fragment.
     pub(crate) fn rounds(&self) -> u32 {
         match self.surfaces_file {
             ONE_SURFACE if self.capacity > 0 => {
@@ -80,12 +80,12 @@ impl CrossingSource {
         }
     }
 
-    /// The file that fills `cutaway::crossings`, and that which it asks for.
+    /// The file that fills `cutaway::crossings`, and the file that it needs.
     pub(crate) fn files(&self) -> [&'static str; 2] {
         [self.file, self.surfaces_file]
     }
 
-    /// There are none: nothing is cut.
+    /// No crossings: nothing is cut.
     pub(crate) fn none() -> Self {
         Self {
             file: "lib/crossings/nothing.wgsl",
@@ -95,7 +95,7 @@ impl CrossingSource {
         }
     }
 
-    /// The only clip-surface, a plane.
+    /// The crossings with a plane that is the only clip-surface.
     pub(crate) fn of_plane(scene: &SceneBuffers<'_>) -> Self {
         Self {
             file: "lib/crossings/plane.wgsl",
@@ -106,13 +106,13 @@ impl CrossingSource {
     }
 }
 
-/// Lists up to this length are looked through one by one: `shaders/lib/crossings/list.wgsl`.
+/// Lists up to this length are searched linearly: `shaders/lib/crossings/list.wgsl`.
 const SHORT_LIST: u32 = 8;
 
 /// The file that reads the list.
 const LIST: &str = "lib/crossings/list.wgsl";
-/// The files that read it whatever the clip-surfaces are.
+/// The files that read the list for any number of clip-surfaces.
 pub(crate) const LISTED: [&str; 2] = [LIST, ANY_SURFACES];
-/// Clip-surface count for shaders: files that fill `cutaway::surfaces`.
+/// File that fills `cutaway::surfaces` for any number of clip-surfaces.
 pub(crate) const ANY_SURFACES: &str = "lib/surfaces/any.wgsl";
 pub(crate) const ONE_SURFACE: &str = "lib/surfaces/one.wgsl";

@@ -1,11 +1,11 @@
-//! Dispatches with one invocation per item, of as many items as there may be.
+//! Dispatches with one invocation per item, for the maximum number of items.
 
 /// Invocations along x of a dispatch folded into two dimensions: `shaders/lib/rasterise/sweep.wgsl`.
 pub const INVOCATIONS_PER_ROW: u32 = 1 << 21;
-/// Invocations of a workgroup that owns triangles or vertices.
+/// Invocations of a workgroup in which each invocation handles one triangle or vertex.
 pub(crate) const GROUP: u32 = 64;
 
-/// Workgroups for one invocation per item, folded into two dimensions where one is not enough.
+/// Workgroups for one invocation per item, folded into two dimensions if one is not enough.
 pub(crate) fn groups_along(items: u32) -> [u32; 3] {
     let groups = items.div_ceil(GROUP).max(1);
     let row = INVOCATIONS_PER_ROW / GROUP;

@@ -1,10 +1,10 @@
-//! Lists of fragments of any length: counted, laid out by a prefix sum, filled.
+//! Fragment lists of any length: counted, laid out by a prefix sum, filled.
 //!
-//! All lists share one buffer, because the passes that fill it have no second binding to spare: a word for each list, 4 bytes
-//! for the depth of each fragment and, where parts meet in a list, 4 for its owner. As many fragments as the frame before
-//! needed; a frame that needs more says how many and marks what found no room. Nothing is sorted: parity asks for no order.
+//! All lists share one buffer, because the passes that fill it have no second binding to spare: one word per list, 4 bytes
+//! for the depth of each fragment and, if a list mixes parts, 4 for its owner. The capacity is the need of the frame
+//! before; a frame that needs more reports how many and marks the pixels that lost fragments. Nothing is sorted: parity needs no order.
 //!
-//! Cannot: outgrow a storage binding, 128 MiB in core WebGPU, which holds 33 million words.
+//! Cannot: exceed a storage binding, 128 MiB in core WebGPU, which holds 33 million words.
 
 use super::buffers::SceneBuffers;
 use super::input::Input;
@@ -51,7 +51,7 @@ impl FragmentLists {
         }
     }
 
-    /// The bindings of `shaders/lib/lists/fragment_lists.wgsl` while fragments come.
+    /// The bindings of `shaders/lib/lists/fragment_lists.wgsl` while fragments are stored.
     pub(crate) fn updated(&self) -> [Binding; 2] {
         [
             Binding::update("fragments", self.fragments),
@@ -59,7 +59,7 @@ impl FragmentLists {
         ]
     }
 
-    /// The bindings of a pass that makes all lists empty.
+    /// The bindings of a pass that empties all lists.
     pub(crate) fn emptied(&self) -> [Binding; 2] {
         [
             Binding::write("fragments", self.fragments),
@@ -80,8 +80,8 @@ impl FragmentLists {
         self.layout.lists
     }
 
-    /// So many lists, and as many fragments in them as the last frame needed: at first one for each list. The reason where
-    /// there are more lists than words can count.
+    /// `lists` empty lists with as many fragments in total as the last frame needed; at first one per list. Returns the reason if
+    /// there are more lists than 32-bit words can count.
     pub(crate) fn of_mesh(
         plan: &mut Plan,
         input: &Input<'_>,
@@ -118,7 +118,7 @@ impl FragmentLists {
         })
     }
 
-    /// The same lists for passes that count theirs from `first_list`.
+    /// The same lists for passes whose list numbers begin at `first_list`.
     #[must_use]
     pub(crate) fn starting_at(&self, plan: &mut Plan, first_list: u32) -> Self {
         let layout = FragmentPool {
@@ -133,7 +133,7 @@ impl FragmentLists {
         }
     }
 
-    /// Lays the lists out once they are counted.
+    /// Lays the lists out after counting.
     pub(crate) fn lay_out(&self, plan: &mut Plan, what: &str, need: ResourceId) {
         Scan {
             name: "lists",
@@ -153,8 +153,8 @@ fn pool(plan: &mut Plan, name: &str, layout: FragmentPool) -> Binding {
     Binding::read("pool", plan.add_resource(pool))
 }
 
-/// Has the fragments of the cut parts leave what an inside test wants, without drawing them; the reason where the compute
-/// rasteriser cannot. That takes the mesh to a screen of its own, whose queue of large triangles no other pass fills.
+/// Makes the cut parts' fragments store what an inside test needs, without drawing the parts; returns the reason if the compute
+/// rasteriser cannot. It transforms the mesh to a separate screen, whose queue of large triangles no other pass fills.
 pub(crate) fn leave_fragments(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,

@@ -1,12 +1,12 @@
-//! Reading the heights of reliefs: from four texels, or through the sampler of the GPU.
+//! Reading relief heights: from four texels, or through the GPU's sampler.
 //!
-//! By the definition a height is made of four texels in f32, from the one buffer that holds all maps. A sampler takes one fetch and
-//! keeps the place within a cell in few bits. What asks for heights at points, the clip test of the paper's rule and the vertices of
-//! grids, may read them through it instead; all of a frame that asks at points asks the same way, and normals stay exact.
+//! By definition a height is interpolated from four texels in f32, read from the buffer that holds all maps. A sampler takes one fetch and
+//! keeps the position within a cell in few bits. Passes that need heights at points (the clip test of the paper's rule and grid vertices)
+//! may read them through the sampler; all such passes of a frame use the same way, and normals stay exact.
 //!
-//! The maps are layers of a texture of 32-bit floats, so that nothing but the weights is off: 16 bits, which every device filters,
-//! would add errors of their own that are larger on smooth reliefs. Cannot: maps of several sizes in one texture, or several ways
-//! to go on with one sampler; a device that does not filter 32-bit floats.
+//! The maps are layers of a 32-bit float texture, so that only the filter weights are inexact: 16-bit texels, which every device filters,
+//! would add errors of their own that are larger on smooth reliefs. Cannot: maps of several sizes in one texture, several wrap
+//! modes in one sampler, or a device that does not filter 32-bit floats.
 
 use super::input::Input;
 use crate::plan::{Binding, Clock, Contents, Format, Plan, Resource};
@@ -15,13 +15,13 @@ use crate::scene::{HeightFilter, OffsetMap, Wrap};
 /// Maps that a sampler reads.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SampledMaps {
-    /// Texels of each.
+    /// Width and height of each map in texels.
     size: [u32; 2],
     wrap: Wrap,
 }
 
 impl SampledMaps {
-    /// The maps as layers of a texture, and the sampler.
+    /// Uploads the maps as layers of a texture, and a sampler.
     pub(crate) fn upload(self, plan: &mut Plan, heights: Contents) -> Vec<Binding> {
         let Self { size, wrap } = self;
         let format = Format::R32Float;
@@ -38,19 +38,19 @@ impl SampledMaps {
 }
 
 impl Input<'_> {
-    /// Reason why the sampler of the GPU cannot read the requested heights; `None` where it can, and where no heights are requested.
+    /// Reason why the GPU's sampler cannot read the requested heights; `None` if it can, or if no heights are requested.
     pub(crate) fn unfiltered(&self) -> Option<String> {
         let first = self.sampled()?;
         for (map, wrap) in self.maps() {
             if map.size() != first.size {
                 let [[w, h], [v, g]] = [first.size, map.size()];
                 return Some(format!(
-                    "height_filter = \"hardware\" reads all reliefs from one texture, and there are maps of {w} x {h} and of {v} x {g} texels"
+                    "height_filter = \"hardware\" reads all reliefs from one texture, but there are maps of {w} x {h} and of {v} x {g} texels"
                 ));
             }
             if wrap != first.wrap {
                 return Some(
-                    "height_filter = \"hardware\" reads all reliefs through one sampler, and they go on beyond their maps in different ways (wrap)"
+                    "height_filter = \"hardware\" reads all reliefs through one sampler, but they continue beyond their maps in different ways (wrap)"
                         .to_owned(),
                 );
             }
@@ -66,7 +66,7 @@ impl Input<'_> {
         }
     }
 
-    /// The first map and how it goes on, if heights are to be read through a sampler and there are some.
+    /// The first map's size and wrap mode, if heights are to be read through a sampler and there are any maps.
     pub(crate) fn sampled(&self) -> Option<SampledMaps> {
         let is_asked = self.height_filter == HeightFilter::Hardware && self.has_reliefs();
         let (map, wrap) = self.maps().next().filter(|_| is_asked)?;
@@ -76,7 +76,7 @@ impl Input<'_> {
         })
     }
 
-    /// The maps of true reliefs.
+    /// Maps of the clip-surfaces that are true reliefs.
     fn maps(&self) -> impl Iterator<Item = (&OffsetMap, Wrap)> {
         let surfaces = self.model.prepared.surfaces.iter().enumerate();
         surfaces

@@ -1,4 +1,4 @@
-//! Input from which a frame is recorded. It does not change while a plan is made; the resources of passes are handles kept separately.
+//! Input from which a frame is recorded. It does not change while a plan is made; the handles of pass resources are kept separately.
 
 use super::active_cuts::ActiveCuts;
 use super::preclassified::GroupOfPart;
@@ -22,20 +22,20 @@ pub(crate) struct Input<'a> {
     pub capacities: &'a Capacities,
     /// Rasteriser of the mesh.
     pub rasteriser: Rasteriser,
-    /// The compute rasteriser may use atomics of 64 bits.
+    /// True if the compute rasteriser may use 64-bit atomics.
     pub wide_atomics: bool,
-    /// Traversal of reliefs by rays; `None` chooses by the view.
+    /// How rays traverse reliefs; `None` chooses by the view.
     pub relief_walk: Option<ReliefWalk>,
-    /// The one list of crossings is made even where one plane could be evaluated, and holds crossings that no part is near.
+    /// True if the crossing list is made even where a plane could be evaluated instead, including crossings that are near no part.
     pub keeps_list: bool,
     /// Interpolation of heights at points.
     pub height_filter: HeightFilter,
-    /// The groups of preclassified triangles; none where the frame classifies nothing.
+    /// The groups of preclassified triangles; none if the frame classifies nothing.
     pub preclassified: Option<Vec<GroupOfPart<'a>>>,
 }
 
 impl<'a> Input<'a> {
-    /// A scene in a view, with the means that any device has; the reason where the scene is too much.
+    /// A scene in a view, using only features that every device has; returns the reason if the scene exceeds a frame's limits.
     pub(crate) fn new(
         model: &'a Model,
         view: &'a View,
@@ -58,7 +58,7 @@ impl<'a> Input<'a> {
     }
 
     /// Returns true if passes may intersect rays with the only clip-surface, a plane, so that no list is needed. The GPU's own rasteriser
-    /// has no pass other than the list's that prepares pixels for fragments, and hosts clip by lists.
+    /// needs a list, because only the list pass prepares its pixels for fragments, and hosts clip by lists.
     pub(crate) fn asks_plane(&self) -> bool {
         self.rasteriser == Rasteriser::Compute
             && !self.keeps_list
@@ -67,17 +67,17 @@ impl<'a> Input<'a> {
             && !self.has_cutters()
     }
 
-    /// Returns true if lists hold crossings with one clip-surface, without normals of their own.
+    /// Returns true if lists hold crossings with only one clip-surface, without stored normals.
     pub(crate) fn has_one_surface(&self) -> bool {
         self.active_cuts.surfaces.len() < 2 && !self.has_cutters()
     }
 
-    /// The longest way on which a ray is followed: through the box of the cut parts and its margins.
+    /// Longest distance along which a ray is followed: through the box of the cut parts and its margins.
     pub(crate) fn reach(&self) -> f64 {
         self.active_cuts.cut_box.size().length() + 4.0 * most_box_margin(self.view.precision)
     }
 
-    /// Pixels of the picture.
+    /// Number of pixels in the picture.
     pub(crate) fn pixel_count(&self) -> u64 {
         pixels(self.view.size_px)
     }
@@ -94,18 +94,18 @@ impl<'a> Input<'a> {
         surfaces.iter().any(|s| self.model.is_cutter(*s))
     }
 
-    /// Returns true if some part that needs an inside test is filled nonzero.
+    /// Returns true if some part that needs an inside test is filled by the nonzero rule.
     pub(crate) fn has_nonzero(&self) -> bool {
         let parts = &self.model.prepared.parts;
         let mut ranks = self.active_cuts.cut_parts().iter();
         ranks.any(|r| parts[*r].fill == Fill::Nonzero)
     }
 
-    /// A part that needs an inside test whose box the near plane meets, which goes on beyond the picture.
+    /// A part that needs an inside test and whose box meets the near plane, which extends beyond the picture.
     pub(crate) fn cut_part_in_near_plane(&self) -> Option<&PreparedPart> {
         let meets = |rank: usize| {
             let part = &self.model.prepared.parts[rank];
-            // The box of a posed part is generous: what it is without that takes its vertices.
+            // A posed part's box is conservative: finding the tight one takes its vertices.
             let is_met = self.view.near_plane_meets(&part.bounds)
                 && (self.view).near_plane_meets(&self.model.sliced(rank).bounds(part));
             is_met.then_some(part)
@@ -113,17 +113,17 @@ impl<'a> Input<'a> {
         self.active_cuts.cut_parts().iter().find_map(|r| meets(*r))
     }
 
-    /// Returns true if overlaps of solids are shown, and at least two parts could overlap.
+    /// Returns true if overlaps of solids are shown and at least two parts could overlap.
     pub(crate) fn shows_overlaps(&self) -> bool {
         self.model.prepared.interference.is_some() && self.active_cuts.lanes > 1
     }
 
-    /// Returns true if the picture is made from layers alone, pixel by pixel.
+    /// Returns true if the picture is made pixel by pixel from the layers alone.
     pub(crate) fn is_plain(&self) -> bool {
         self.model.prepared.style.is_plain() && self.model.cap_materials.is_none()
     }
 
-    /// The draws of some parts, by rank; the instance is the part's place in the table.
+    /// The draws of the parts with given ranks; the instance is the part's position in the table.
     pub(crate) fn draws_of(&self, ranks: &[usize]) -> Vec<Draw> {
         ranks
             .iter()
@@ -146,7 +146,7 @@ pub(crate) fn counted(count: usize, what: &str) -> String {
     format!("{count} {what}{}", if count == 1 { "" } else { "s" })
 }
 
-/// Pixels of a picture.
+/// Number of pixels in a picture.
 pub(crate) fn pixels(size: [u32; 2]) -> u64 {
     u64::from(size[0]) * u64::from(size[1])
 }

@@ -1,10 +1,10 @@
-//! Layout of the parts' words within a pixel, for inside tests that keep such words; and the mask that they make.
+//! Layout of the parts' words within a pixel, for inside tests that store such words; and the mask made from them.
 //!
-//! Parts filled even-odd have lanes of bits, as many to a word as fit, or several words each where lists are long. Parts filled
-//! nonzero have words of their own after all of those, where the inside test gives them some.
+//! Even-odd parts have lanes of bits: as many lanes to a word as fit, or several words per lane if lists are long. Nonzero
+//! parts have separate words after all of those, if the inside test provides them.
 //!
-//! The mask is written by fragments, or made once they have left what they know. What is made from something bounded has one more
-//! plane of a word per pixel, which says where not all found room.
+//! The mask is either written by fragments, or made from what they stored. A mask made from a bounded buffer has one more
+//! word per pixel, which marks the pixels that lost fragments.
 
 use super::input::Input;
 use crate::plan::{Clock, Plan, Resource, ResourceId};
@@ -13,22 +13,22 @@ use crate::scene::Fill;
 /// `lane_shift` of a part whose lane holds counts; `WINDING` in `shaders/lib/inside_tests/lanes.wgsl`.
 const COUNTS: u32 = 32;
 
-/// Words of a pixel, at most: `shaders/lib/inside_tests/lanes.wgsl`. Passes that go over the words of a pixel take as many rounds.
+/// Maximum number of words per pixel: `shaders/lib/inside_tests/lanes.wgsl`. Passes that loop over a pixel's words take as many rounds.
 pub(crate) const MOST_LANE_WORDS: u32 = 1024;
 
 /// The lanes of all parts that need an inside test.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Lanes {
-    /// Bits of a lane of bits.
+    /// Width in bits of a lane of bits.
     pub bits: u32,
     /// First word and shift, in table order.
     places: Vec<[u32; 2]>,
-    /// Words of a pixel.
+    /// Number of words per pixel.
     pub words: u32,
 }
 
 impl Lanes {
-    /// No lanes: of a strategy that keeps no words.
+    /// No lanes, for a strategy that keeps no words.
     pub(crate) fn none() -> Self {
         Self {
             bits: 32,
@@ -37,13 +37,13 @@ impl Lanes {
         }
     }
 
-    /// Lanes wide enough for lists of `crossings` crossings, all of bits. Up to 32 bits they are a power of two, beyond that whole words,
+    /// Lanes wide enough for lists of `crossings` crossings, all of bits. Widths up to 32 bits are powers of two, larger ones whole words,
     /// so that none straddles a word.
     pub(crate) fn of_bits(input: &Input<'_>, crossings: u32) -> Self {
         Self::with_counts(input, crossings, 0)
     }
 
-    /// The same, but parts filled nonzero have `words_of_counts` words each.
+    /// The same, except that nonzero parts have `words_of_counts` words each.
     pub(crate) fn with_counts(input: &Input<'_>, crossings: u32, words_of_counts: u32) -> Self {
         let bits = crossings + 1;
         let bits = if bits > 32 {
@@ -77,12 +77,12 @@ impl Lanes {
         }
     }
 
-    /// First word and shift of the part at a place of the table; zeros where it has no lane.
+    /// First word and shift of the part at a table position; zeros if it has no lane.
     pub(crate) fn of_place(&self, place: usize) -> [u32; 2] {
         self.places.get(place).copied().unwrap_or_default()
     }
 
-    /// The width as a constant of shaders.
+    /// The width as an override constant.
     pub(crate) fn constant(&self) -> (&'static str, f64) {
         ("lane_bits", f64::from(self.bits))
     }
@@ -92,7 +92,7 @@ impl Lanes {
         self.planes(plan, input, u64::from(self.words))
     }
 
-    /// The mask that is made from what fragments left.
+    /// The mask that is made from what fragments stored.
     pub(crate) fn reduced_mask(&self, plan: &mut Plan, input: &Input<'_>) -> ResourceId {
         self.planes(plan, input, u64::from(self.words) + 1)
     }

@@ -1,4 +1,4 @@
-//! Input of a frame and the data that its passes share: the active cuts, the buffers and lists.
+//! Input of a frame, and the data that its passes share: the active cuts, buffers and lists.
 
 pub(crate) mod active_cuts;
 pub(crate) mod buffers;

@@ -1,4 +1,4 @@
-//! Needs of bounded buffers: a word for each kind, which passes raise and the next frame's plan learns from.
+//! Needs of bounded buffers: one word per kind, raised by passes and read to size the next frame's plan.
 
 use super::input::Input;
 use crate::plan::{Clock, Plan, Resource, ResourceId};
@@ -13,10 +13,10 @@ pub const NEED_OF_FRAGMENTS: u32 = 2;
 pub const NEED_OF_SHEETS: u32 = 3;
 /// Word for triangles that a frame makes of clip-surfaces.
 pub const NEED_OF_TRIANGLES: u32 = 4;
-/// First of the words for sprites, by number of the part.
+/// First of the words for sprites, which follow in order of part number.
 pub(crate) const NEED_OF_SPRITES: u32 = 5;
 
-/// The buffer of these words, for a pass on some clock: it stays as long as the slowest of the passes that write it.
+/// The buffer of these words, for a pass on `clock`: it takes the slowest clock of all passes that write it.
 pub(crate) fn need(plan: &mut Plan, input: &Input<'_>, clock: Clock) -> ResourceId {
     if let Some(id) = plan.need {
         let need = &mut plan.resources[id.0];

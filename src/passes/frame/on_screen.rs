@@ -1,4 +1,4 @@
-//! The mesh on a screen, as buffers and bindings: what takes it there is [`draw::screen`](crate::passes::draw::screen).
+//! The mesh on a screen, as buffers and bindings; [`draw::screen`](crate::passes::draw::screen) records the pass that fills them.
 
 use super::touched::Touched;
 use crate::passes::draw::share::Share;
@@ -12,7 +12,7 @@ pub(crate) struct Screen {
     pub(crate) frame: Binding,
     pub(crate) drawn_parts: Binding,
     pub(crate) indices: Binding,
-    /// The groups of preclassified triangles, where they have rows of their own.
+    /// The groups of preclassified triangles, if they have rows of their own.
     pub(crate) preclassified: Option<Binding>,
     /// Parameters of the first sweep.
     pub(crate) sweep: Binding,
@@ -28,7 +28,7 @@ pub(crate) struct Screen {
     pub(crate) is_queued: bool,
     /// True if there is only one part.
     pub(crate) has_one_row: bool,
-    /// Some part may reach beyond the near plane or the guard band.
+    /// True if some part may reach beyond the near plane or the guard band.
     pub(crate) may_clip: bool,
 }
 
@@ -39,6 +39,6 @@ pub(crate) struct OnScreen {
     pub(crate) nearest: ResourceId,
     pub(crate) layers: ResourceId,
     pub(crate) picture: Option<ResourceId>,
-    /// The tiles that have something: to be found by the first sweep unless a pass has, which then has filled the queue as well.
+    /// The touched tiles, found by the first sweep, or by an earlier pass that then also fills the queue.
     pub(crate) touched: Touched,
 }

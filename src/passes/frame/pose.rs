@@ -1,14 +1,14 @@
-//! The pose pass: a part that moves is placed on the device, its vertices at rest taken through morph targets, skin, deformers
-//! and placement into its range of the vertices of all parts, where every other pass finds them as if they had been uploaded.
+//! The pose pass: poses a moving part on the device. It takes the part's rest-pose vertices through morph targets, skin, deformers
+//! and placement, and writes them to the part's range of the shared vertex buffer, where other passes read them like uploaded ones.
 //!
-//! One pass per part that moves, on the clock of the solid; each has resources of its own, so that a part that stands still is
-//! not placed again; how it stands is multiplied out beforehand ([`PackedPose`](crate::passes::pack::packed_pose::PackedPose)).
-//! Time: in proportion to vertices times targets with a weight and pulls.
-//! Memory: what is known of the mesh, 16 bytes a vertex and 12 a position and target, and at each time 48 bytes a joint.
+//! One pass per moving part, on the clock of the solid; each has separate resources, so that a part that stands still is
+//! not posed again. Its pose is multiplied out beforehand ([`PackedPose`](crate::passes::pack::packed_pose::PackedPose)).
+//! Time: proportional to vertices times weighted morph targets and joint influences.
+//! Memory: constant mesh data, 16 bytes per vertex and 12 per position and target, and 48 bytes per joint for each pose.
 //!
-//! Error: a few units in the last place of f32 at the scene's size, times how much the motion stretches; bending and twisting
-//! tightly stretches. Cannot: more than [`MOST_DEFORMERS`](crate::plan::pack::MOST_DEFORMERS) deformers in a part, and what shares no
-//! axis with the skin cannot be more precise than the part is large, so a skin that carries a part far away before deformers follow loses digits.
+//! Error: a few units in the last place of f32 at the scene's size, times the stretch of the motion; tight bends and twists
+//! stretch. Cannot: more than [`MOST_DEFORMERS`](crate::plan::pack::MOST_DEFORMERS) deformers per part. Vertices without a common
+//! axis with the skin have no more precision than the part's size allows; a skin that carries a part far away first loses digits.
 
 use super::dispatch::groups_along;
 use super::input::Input;
@@ -19,13 +19,13 @@ use crate::plan::{
 };
 use crate::shader::Shader;
 
-/// Places the parts that move and are drawn, as they are or as ghosts, into the vertices of all parts; the reason where one cannot be.
+/// Poses the moving parts that are drawn, as they are or as ghosts, into the shared vertex buffer; returns the reason if one cannot be.
 pub(crate) fn pose_parts(
     plan: &mut Plan,
     input: &Input<'_>,
     vertices: ResourceId,
 ) -> Result<(), Refusal> {
-    // A ghost shows parts that are not drawn.
+    // A ghost shows parts that are not drawn themselves.
     let ghost = input.model.prepared.style.ghost.is_drawn();
     let removed = ghost.then(|| input.active_cuts.removed_parts());
     let drawn = input.active_cuts.order.iter().copied();
@@ -55,7 +55,7 @@ fn pose_part(
     let first = u64::from(range.base_vertex.unsigned_abs());
     let end = first + u64::from(range.vertex_count);
     let bytes = first * VERTEX_BYTES..end * VERTEX_BYTES;
-    // Resources of the part's own, bound under their kind.
+    // The part's own resources, bound under the name of their kind.
     let mut own = |kind: &'static str, role: Role, contents: &Contents| {
         let name = format!("{kind} {number}");
         let resource = Resource::upload(name, role, contents.clone(), Clock::Solid);
@@ -112,7 +112,7 @@ fn pose_part(
     let pass = Pass::new(
         format!("place {number}"),
         format!(
-            "`{}` moves: {} take it from rest to the scene",
+            "`{}` moves: {} take it from rest pose to the scene",
             part.name,
             how.join(", ")
         ),

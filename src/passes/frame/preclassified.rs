@@ -1,4 +1,4 @@
-//! The preclassified triangles of a frame: groups of the parts that are drawn, their table, and the draws of them and of the rest
+//! The preclassified triangles of a frame: the groups of the drawn parts, their table, and the draws of groups and all other triangles
 //! ([`PreclassifiedTriangles`](crate::passes::pack::preclassified::PreclassifiedTriangles)).
 
 use bytemuck::Zeroable;
@@ -13,8 +13,8 @@ use crate::scene::Side;
 pub(crate) type GroupOfPart<'a> = (usize, &'a Group);
 
 impl<'a> Input<'a> {
-    /// The groups of the parts that are drawn, in table order: of as many parts as there are numbers for. None where no clip-surface that
-    /// matters classifies a triangle of these parts, none lie on each other, and none share a plane.
+    /// The groups of the drawn parts, in table order, for as many parts as the table has room for. None if no active clip-surface
+    /// classifies any of these parts' triangles, none coincide, and none share a plane.
     pub(crate) fn find_preclassified(&self) -> Option<Vec<GroupOfPart<'a>>> {
         let (model, order) = (self.model, &self.active_cuts.order);
         let of_parts = &model.preclassified.as_ref()?.groups;
@@ -28,7 +28,7 @@ impl<'a> Input<'a> {
         {
             return None;
         }
-        // Of a part all groups or none; with the parts themselves no more than the compute rasteriser has rows for.
+        // A part has all its groups or none; parts and groups together fit the compute rasteriser's rows.
         let most = MOST_PRECLASSIFIED_GROUPS.saturating_sub(order.len());
         let mut all = Vec::new();
         for rank in order {
@@ -45,14 +45,14 @@ impl<'a> Input<'a> {
         self.preclassified.as_deref().unwrap_or_default()
     }
 
-    /// Bits of the clip-surfaces that classify a group, of those it lies on the removed side of, of cutters that it shares faces with, and
-    /// of clip-surfaces that it lies in.
+    /// Four bit sets of clip-surfaces for a group: those that classify it, those on whose removed side it lies, cutters that share
+    /// faces with it, and clip-surfaces that it lies in.
     fn bits_of(&self, group: &Group) -> [u32; 4] {
         let mut bits = [0; 4];
         for (slot, number) in self.active_cuts.surfaces.iter().enumerate() {
             let is_shared = group.lie.in_cutters.contains(&(*number as u16));
             bits[2] |= u32::from(is_shared) << slot;
-            // Of triangles that lie on each other the depths tell which is seen.
+            // For coincident triangles the depth test decides which one is visible.
             let is_alone = !group.lie.is_doubled && group.lie.plane.is_none();
             let is_flush = is_alone && group.lie.flush.contains(&(*number as u16));
             bits[3] |= u32::from(is_flush) << slot;
@@ -90,7 +90,7 @@ impl<'a> Input<'a> {
         Contents::from_values(&table)
     }
 
-    /// The plane that a group shares with other parts, in the form of [`PreclassifiedGroup::plane`].
+    /// The plane that a group shares with other parts, encoded as [`PreclassifiedGroup::plane`].
     fn plane_of(&self, rank: usize, group: &Group) -> [f32; 4] {
         let shared = self.model.prepared.shared.planes();
         let plane = group.lie.plane.map(|number| &shared[usize::from(number)]);
@@ -101,7 +101,7 @@ impl<'a> Input<'a> {
         })
     }
 
-    /// Update rate of the table of groups: depths of shared planes belong to a view.
+    /// Clock of the group table: the depths of shared planes depend on the view.
     pub(crate) fn preclassified_clock(&self) -> Clock {
         let mut groups = self.preclassified_groups().iter();
         match groups.any(|(_, group)| group.lie.plane.is_some()) {
@@ -110,7 +110,7 @@ impl<'a> Input<'a> {
         }
     }
 
-    /// The indices of all parts with preclassified triangles at the end of each, where some are preclassified in the frame.
+    /// The indices of all parts, each part's preclassified triangles last; `None` if the frame preclassifies none.
     pub(crate) fn sorted_indices(&self) -> Option<&Contents> {
         let preclassified = self.model.preclassified.as_ref();
         preclassified
@@ -118,7 +118,7 @@ impl<'a> Input<'a> {
             .map(|s| &s.indices)
     }
 
-    /// The draws of some parts less their groups, by rank; the instance is the part's place in the table.
+    /// The draws of the parts with given ranks, without their groups; the instance is the part's position in the table.
     pub(crate) fn draws_of_rest(&self, ranks: &[usize]) -> Vec<Draw> {
         let mut draws = self.draws_of(ranks);
         for (draw, rank) in draws.iter_mut().zip(ranks) {
@@ -130,7 +130,7 @@ impl<'a> Input<'a> {
         draws
     }
 
-    /// The end of the indices of a part less its groups, by rank.
+    /// The end of a part's indices without its groups, by rank.
     pub(crate) fn end_of_rest(&self, rank: usize) -> u32 {
         let mut groups = self.preclassified_groups().iter();
         let first = groups.find(|(r, _)| *r == rank);
@@ -139,7 +139,7 @@ impl<'a> Input<'a> {
         })
     }
 
-    /// The draws of the groups of some parts, by rank; the instance is the number of the group.
+    /// The draws of the groups of the parts with given ranks; the instance is the group's number.
     pub(crate) fn draws_of_groups(&self, ranks: &[usize]) -> Vec<Draw> {
         let numbered = self.preclassified_groups().iter().enumerate();
         numbered

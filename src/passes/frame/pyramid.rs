@@ -1,11 +1,11 @@
-//! Pyramids over offset maps: the least and the greatest height of blocks of 4 x 4, 8 x 8, ... cells, up to one block for the map.
+//! Pyramids over offset maps: least and greatest height of blocks of 4 x 4, 8 x 8, ... cells, up to one block for the whole map.
 //!
-//! Rays pass whole blocks that lie above or below them. One buffer holds the pyramids of a frame; clip-surfaces that show one map
-//! share one, unless only some of them repeat it. Built on the clock of cuts, from the heights alone: a clip-surface may move
-//! or be scaled, and its pyramid stays.
+//! Rays skip whole blocks that lie above or below them. One buffer holds all pyramids of a frame; clip-surfaces with the same map
+//! share a pyramid, unless only some of them repeat it. Built on the clock of cuts, from the heights alone: if a clip-surface moves
+//! or is scaled, its pyramid stays valid.
 //!
-//! Cost: a pass for every five levels, three for the largest map; 8 bytes for a node, a node for 12 texels: a sixth of
-//! what the heights take. Where blocks are taken from and how they lie in maps that go on is explained in `shaders/lib/reliefs/pyramid.wgsl`.
+//! Cost: one pass per five levels, three for the largest map; 8 bytes per node and one node per 12 texels: a sixth of
+//! the heights' memory. `shaders/lib/reliefs/pyramid.wgsl` explains where blocks begin and how they lie in maps that repeat or continue.
 
 use super::buffers::SceneBuffers;
 use super::input::Input;
@@ -14,18 +14,18 @@ use crate::plan::{Binding, Clock, Contents, Limits, Pass, Plan, Resource, Resour
 use crate::scene::Wrap;
 use crate::shader::Shader;
 
-/// Levels beyond which there are none: blocks of 32,768 x 32,768 cells.
+/// Maximum number of levels: blocks of 32,768 x 32,768 cells.
 const MOST_LEVELS: u32 = 15;
-/// Levels that a pass builds.
+/// Levels that one pass builds.
 const LEVELS_OF_PASS: u32 = 5;
 const NODE_BYTES: u64 = 8;
 
-/// Nodes of a level along a side of a map, from its number of texels.
+/// Nodes of a level along one side of a map with this many texels.
 fn nodes_of(texels: u32, level: u32) -> u32 {
     texels.div_ceil(1 << level)
 }
 
-/// Levels up to one that has a single node.
+/// Number of levels up to the one with a single node.
 fn levels_of(size: [u32; 2]) -> u32 {
     let longest = size[0].max(size[1]);
     longest
@@ -35,7 +35,7 @@ fn levels_of(size: [u32; 2]) -> u32 {
 }
 
 impl Input<'_> {
-    /// The pyramids of the reliefs that matter, by clip-surface, and how many nodes they have together.
+    /// The pyramids of the active reliefs, by clip-surface, and their total number of nodes.
     fn pyramid_rows(&self) -> (Vec<Pyramid>, u64) {
         let mut rows: Vec<Pyramid> = Vec::new();
         let mut nodes = 0_u64;
@@ -86,7 +86,7 @@ impl Input<'_> {
     }
 }
 
-/// The pyramids of all reliefs that matter, with the passes that build them: what `shaders/lib/reliefs/pyramid.wgsl` binds.
+/// The pyramids of all active reliefs, with the passes that build them: the bindings of `shaders/lib/reliefs/pyramid.wgsl`.
 pub(crate) fn pyramids(plan: &mut Plan, scene: &SceneBuffers<'_>) -> [Binding; 2] {
     plan.has_pyramids = true;
     let (rows, nodes) = scene.input.pyramid_rows();
@@ -126,7 +126,7 @@ fn build(
         let pass = Pass::new(
             format!("pyramid {}", from / LEVELS_OF_PASS),
             format!(
-                "least and greatest height of blocks of cells, levels {} to {to}: rays pass what is not near them",
+                "least and greatest height of blocks of cells, levels {} to {to}: rays skip blocks that are not near them",
                 (from + 1).max(LOWEST)
             ),
             Shader::from("passes/pyramid.wgsl").with(base),

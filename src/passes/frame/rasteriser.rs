@@ -6,13 +6,13 @@ use std::str::FromStr;
 use crate::Error;
 use crate::error::did_you_mean;
 
-/// Rasteriser of the mesh of a frame.
+/// Which rasteriser draws a frame's mesh.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Rasteriser {
     /// The GPU's own.
     #[default]
     Hardware,
-    /// The passes of `rasterise`: the same coverage, from integers, by compute shaders.
+    /// The passes of `rasterise`: the same coverage, computed with integers in compute shaders.
     Compute,
 }
 

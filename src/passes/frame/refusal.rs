@@ -1,43 +1,43 @@
-//! Reason why a frame is not drawn: the kind of obstacle, for programs, and the offending element of the scene in words, for readers.
+//! Reason why a frame is not drawn: the kind of obstacle, for programs, and a description of the offending scene element, for readers.
 
-/// Feature of a scene, or of a device, that a method does not support.
+/// Feature of a scene or device that a method does not support.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, thiserror::Error)]
 pub enum Unsupported {
     /// A cap surface and an inside test that are not compatible.
-    #[error("the cap surface and the inside test do not go together")]
+    #[error("the cap surface and the inside test are not compatible")]
     Pairing,
     /// The requested rasteriser.
-    #[error("it is not drawn by that rasteriser")]
+    #[error("that rasteriser cannot draw it")]
     Rasteriser,
     /// The requested interpolation of relief heights.
-    #[error("its heights are not read through a sampler")]
+    #[error("its heights cannot be read through a sampler")]
     HeightFilter,
     /// A part that is filled by the nonzero rule.
-    #[error("it knows parity alone")]
+    #[error("it supports only the even-odd rule")]
     Nonzero,
     /// The overlaps of several solids in a cap.
     #[error("it does not tell where solids overlap")]
     Overlaps,
     /// A cut by a closed mesh.
-    #[error("it cuts by no closed mesh")]
+    #[error("it cannot cut by a closed mesh")]
     Cutters,
     /// A relief.
-    #[error("it cuts by planes alone")]
+    #[error("it cuts only by planes")]
     Reliefs,
     /// More than one clip-surface.
-    #[error("it cuts by one plane")]
+    #[error("it cuts only by a single plane")]
     Surfaces,
-    /// More cuts or clip-surfaces than the words of a pixel have bits for.
-    #[error("it has bits for 32 clip-surfaces and 32 cuts")]
+    /// More cuts or clip-surfaces than a pixel's words have bits for.
+    #[error("it supports at most 32 clip-surfaces and 32 cuts")]
     Cuts,
-    /// The near plane in a part that is cut.
+    /// The near plane inside a cut part.
     #[error("it makes no cap where the near plane meets a part")]
     NearPlane,
-    /// More of something, or larger, than frames provide for.
-    #[error("it is more than a frame provides for")]
+    /// A number or size beyond what frames support.
+    #[error("it exceeds what a frame supports")]
     Amount,
     /// A limit of the device.
-    #[error("a limit of the device")]
+    #[error("it exceeds a limit of the device")]
     Limit,
 }
 
@@ -52,7 +52,7 @@ pub struct Refusal {
 }
 
 impl Refusal {
-    /// A refusal of a kind, with its description.
+    /// A refusal of the given kind, with its description.
     pub fn new(unsupported: Unsupported, reason: impl Into<String>) -> Self {
         Self {
             unsupported,

@@ -1,13 +1,13 @@
-//! Ray traversal of reliefs.
+//! How rays traverse reliefs.
 
 use std::fmt;
 
-/// Method of ray traversal through the heights of a relief.
+/// How a ray traverses the heights of a relief.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum ReliefWalk {
     /// From cell to cell.
     Cells,
-    /// Over nodes of a pyramid; cell by cell where the relief is near.
+    /// Over the nodes of a pyramid, and cell by cell near the relief.
     Pyramid,
 }
 

@@ -1,8 +1,8 @@
-//! The sections of cut parts by planes as uploads: sliced and triangulated on the CPU, drawn from any camera.
+//! The sections of cut parts by planes, as uploads: sliced and triangulated on the CPU, drawn for any camera.
 //!
-//! What was sliced before by the same plane is not sliced again; the rest is, on all cores. The time goes to the clock of the cut,
-//! and that of the slicers, which are made once for each mesh and pose, to the clock of the solid.
-//! Buffers have room for more than they hold, so that a plane that moves a little finds them large enough.
+//! Sections by an unchanged plane are reused; the others are sliced on all cores. Slicing time counts for the clock of the cut;
+//! making the slicers, once per mesh and pose, counts for the clock of the solid.
+//! Buffers are larger than their contents, so that they still fit when a plane moves a little.
 
 use std::sync::Arc;
 
@@ -19,19 +19,19 @@ use crate::plan::{
 use crate::scene::PreparedPart;
 use crate::slice::SlicePlane;
 
-/// The sections of a frame that have an inside, or may have one.
+/// The sections of a frame that have an interior, or may have one.
 pub(crate) struct Sections {
-    /// As [`Vertices::Mesh`](crate::plan::Vertices::Mesh).
+    /// In the format of [`Vertices::Mesh`](crate::plan::Vertices::Mesh).
     pub vertices: ResourceId,
-    /// Three to a triangle.
+    /// Three per triangle.
     pub indices: ResourceId,
-    /// A draw for each section; the instance is the part's place in the table times [`MAX_SURFACES`], and the clip-surface's place.
+    /// One draw per section; the instance is the part's position in the table times [`MAX_SURFACES`], plus the clip-surface's position.
     pub draws: Vec<Draw>,
-    /// As `draws`, of all that a plane can meet of a part whose section by it is not whole.
+    /// Draws like `draws`, of everything the plane can meet of a part whose section is incomplete.
     pub doubts: Vec<Draw>,
 }
 
-/// A part that is to be sliced, and by which plane.
+/// A part to slice, and the plane.
 struct Wanted {
     part: PreparedPart,
     sliced: Arc<Sliced>,
@@ -45,7 +45,7 @@ impl Wanted {
     }
 }
 
-/// One of what is wanted for each part.
+/// One of the wanted sections per part.
 fn of_each_part<'a>(wanted: impl IntoIterator<Item = &'a Wanted>) -> Vec<&'a Wanted> {
     let mut of_each: Vec<&Wanted> = wanted.into_iter().collect();
     of_each.dedup_by(|a, b| Arc::ptr_eq(&a.sliced, &b.sliced));
@@ -53,8 +53,8 @@ fn of_each_part<'a>(wanted: impl IntoIterator<Item = &'a Wanted>) -> Vec<&'a Wan
 }
 
 impl Sections {
-    /// The sections of the cut parts by the planes that cut them, none where all planes pass by; and the work for the steps that the
-    /// plan has on the CPU for them. All clip-surfaces must be planes.
+    /// The sections of the cut parts by the planes that cut them, none if all planes miss; and the work behind the plan's CPU steps for
+    /// them. All clip-surfaces must be planes.
     pub(crate) fn slice(plan: &mut Plan, input: &Input<'_>) -> (Option<Self>, Vec<CpuWork>) {
         let wanted = wanted(input);
         let known: Vec<_> =
@@ -93,7 +93,7 @@ impl Sections {
             name: "slicers".to_owned(),
             clock: Clock::Solid,
             reason: format!(
-                "{} made ready to be sliced by any plane",
+                "{} prepared for slicing by any plane",
                 counted(parts, "part")
             ),
             makes: Vec::new(),
@@ -102,7 +102,7 @@ impl Sections {
             name: "slice".to_owned(),
             clock: Clock::Cut,
             reason: format!(
-                "{}, triangulated: where a plane is inside a part",
+                "{}, triangulated: the region of a plane inside a part",
                 counted(found, "section")
             ),
             makes: (sections.iter().flat_map(|s| [s.vertices, s.indices])).collect(),
@@ -112,7 +112,7 @@ impl Sections {
     }
 }
 
-/// The work of making slicers, and of slicing: how long each took, if what it makes was not known from before.
+/// The work of making slicers, and of slicing: the time of each, if its results were not known before.
 fn work(wanted: Vec<Wanted>, slicers_ms: Option<f64>, took_ms: Option<f64>) -> [CpuWork; 2] {
     let wanted = Arc::new(wanted);
     let of_slicers = wanted.clone();
@@ -177,19 +177,19 @@ fn upload(plan: &mut Plan, met: &[(&Wanted, &Arc<PackedSection>)]) -> [ResourceI
     })
 }
 
-/// Makes the slicers that sections which are not known ask for; how long that took, if any was made.
+/// Makes the slicers that the unknown sections need; returns the time it took, if any was made.
 fn make_slicers(wanted: &[Wanted], known: &[Option<Arc<PackedSection>>]) -> Option<f64> {
     let started = now();
     let missing = (wanted.iter().zip(known))
         .filter(|(w, known)| known.is_none() && !w.sliced.has_slicer())
         .map(|(w, _)| w);
-    // Each once: a thread that makes one must not come upon the same again while it waits for others.
+    // Each only once: a thread that makes one must not meet the same one again while it waits for others.
     let missing = of_each_part(missing);
     missing.par_iter().for_each(|w| w.sliced.prepare(&w.part));
     (!missing.is_empty()).then(|| started.elapsed().as_secs_f64() * 1e3)
 }
 
-/// Draws of the sections that have an inside, and of those that are not whole.
+/// Draws of the sections that have an interior, and of the incomplete ones.
 fn draws(met: &[(&Wanted, &Arc<PackedSection>)]) -> (Vec<Draw>, Vec<Draw>) {
     let (mut draws, mut doubts) = (Vec::new(), Vec::new());
     let (mut first_vertex, mut first_index) = (0_u32, 0_u32);

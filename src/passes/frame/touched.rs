@@ -1,22 +1,22 @@
 //! The tiles of the picture that a frame touches. Per-pixel passes run only on these tiles; the rest is background.
 //!
-//! The list is made by a pass over the triangles before all else, or by the first sweep where nothing looks at pixels before that
-//! (`shaders/lib/touching.wgsl`). It outlives its frame: what that has drawn the next one sets back, so that what no frame touches is
-//! written once. For that it stores the picture that it belongs to; a new buffer belongs to none.
+//! The list is made by a pass over the triangles before all others, or by the first sweep if no pass reads pixels before it
+//! (`shaders/lib/touching.wgsl`). It outlives its frame: the next frame resets what this one has drawn, so that untouched pixels are
+//! written once. To this end it stores the picture that it belongs to; a new list belongs to none.
 //!
-//! Cost: 16 bytes a tile of 16 x 16 pixels. Whole tiles are processed: for small or thin things many of their pixels are background.
+//! Cost: 16 bytes per tile of 16 x 16 pixels. Whole tiles are processed: for small or thin objects many of their pixels are background.
 
 use crate::plan::{Access, Binding, Clock, Contents, Plan, Resource, ResourceId, Role, Work};
 
 /// Pixels along a side of a tile: `shaders/lib/touched.wgsl`.
 pub(crate) const TILE_PX: u32 = 16;
-/// Bytes before the tiles, and of a tile: `shaders/lib/touched_list.wgsl`.
+/// Bytes before the tiles, and bytes per tile: `shaders/lib/touched_list.wgsl`.
 const HEAD_BYTES: u64 = 40;
 const TILE_BYTES: u64 = 16;
 
-/// Tiles that come to each workgroup, at least, if all are touched: the last turn of one may find none left.
+/// Minimum number of tiles per workgroup if all are touched: a workgroup's last turn may find none left.
 const TILES_OF_GROUP: u32 = 8;
-/// Workgroups that share the list, at most.
+/// Maximum number of workgroups that share the list.
 const MOST_GROUPS: u32 = 65_535;
 
 /// The touched tiles of a frame.
@@ -27,7 +27,7 @@ pub(crate) struct Touched {
 }
 
 impl Touched {
-    /// The tiles of a picture, of which none is touched yet.
+    /// The tiles of a picture, none touched yet.
     pub(crate) fn of_picture(plan: &mut Plan, size_px: [u32; 2]) -> Self {
         let tile_count = tiles_in(size_px);
         let bytes = HEAD_BYTES + u64::from(tile_count) * TILE_BYTES;
@@ -52,7 +52,7 @@ impl Touched {
         }
     }
 
-    /// A dispatch whose workgroups share them.
+    /// A dispatch whose workgroups share the tiles.
     pub(crate) fn shared(self) -> Work {
         share_tiles(self.tile_count)
     }

@@ -1,8 +1,8 @@
-//! Materials of caps and vertex paints of surfaces, packed for upload: the textures of all one after the other, and a row for each
+//! Cap materials and surface vertex paints, packed for upload: all textures one after the other, and a row for each
 //! part.
 //!
-//! Textures that stay the same objects are packed once. A part that is bent is dressed as it stood: its solid texture goes where the part is
-//! placed, and not with its vertices.
+//! Unchanged texture objects are packed only once. A bent part keeps the material of the unbent part: its solid texture follows the
+//! part's placement, not its vertices.
 
 use std::sync::Arc;
 
@@ -14,7 +14,7 @@ use crate::plan::pack::{self, FILLED_STACK, NO_TEXTURE};
 use crate::plan::{Contents, Piece};
 use crate::scene::{Amount, Bounds, Part, Scene, SceneSpace, SolidTexture, Texture, TextureKind};
 
-/// Size of repeating textures without a given size, in percent of the diagonal of the scene.
+/// Size of repeating textures whose size is not given, in percent of the scene's diagonal.
 const USUAL_SIZE: Amount = Amount::Percent(10.0);
 
 /// The materials and vertex paints of a scene.
@@ -23,18 +23,18 @@ pub(crate) struct CapMaterials {
     textures: Vec<Arc<Texture>>,
     table: Contents,
     texels: Contents,
-    /// By the number of a part in the scene.
+    /// Materials by part number in the scene.
     materials: Vec<pack::CapMaterial>,
     /// True if some part has a material.
     has_materials: bool,
-    /// Repeats in a scene unit where nothing is said.
+    /// Repeats per scene unit for textures whose size is not given.
     default_per_unit: f32,
     /// Vertex paints of surfaces.
     pub(crate) vertex_paints: Option<VertexPaints>,
 }
 
 impl CapMaterials {
-    /// Materials of a scene with these bounds, reusing unchanged textures; none if no part has a material or a shown coat.
+    /// Materials of a scene with the given bounds, reusing unchanged textures; none if no part has a material or shows a vertex paint.
     pub(crate) fn of(
         scene: &Scene,
         space: &SceneSpace,
@@ -102,21 +102,21 @@ impl CapMaterials {
         Contents::from_values(&self.materials)
     }
 
-    /// Table of the textures' positions among the texels, and the texels.
+    /// Table of the textures' positions among the texels, followed by the texels.
     pub(crate) fn textures(&self) -> [Contents; 2] {
         [self.table.clone(), self.texels.clone()]
     }
 
-    /// Repeats in a scene unit where nothing is said.
+    /// Repeats per scene unit for textures whose size is not given.
     pub(crate) fn default_per_unit(&self) -> f32 {
         self.default_per_unit
     }
 }
 
-/// All texels together: what one binding of any device holds. Larger images are there without their largest sizes.
+/// Maximum number of texels in all textures: what one binding holds on any device. Larger images lack their largest mip levels.
 const MOST_TEXELS_OF_TEXTURES: usize = 30 << 20;
 
-/// Number of largest sizes to leave out, the same for all textures.
+/// Number of largest mip levels to leave out, the same for all textures.
 fn left_out(textures: &[Arc<Texture>]) -> u32 {
     let count = |level: u32| {
         let all = textures.iter();
@@ -127,7 +127,7 @@ fn left_out(textures: &[Arc<Texture>]) -> u32 {
         .unwrap_or(14)
 }
 
-/// Textures that several parts have are there once.
+/// Packs textures; a texture that several parts share is stored once.
 fn packed(textures: &[Arc<Texture>]) -> [Contents; 2] {
     if textures.is_empty() {
         // WebGPU has no empty bindings.
@@ -158,7 +158,7 @@ fn packed(textures: &[Arc<Texture>]) -> [Contents; 2] {
     ]
 }
 
-/// Material row of a part, whose textures begin at `first`.
+/// Material row of a part whose textures begin at `first`.
 fn row_of(
     part: &Part,
     space: &SceneSpace,
@@ -206,14 +206,14 @@ fn row_of(
     }
 }
 
-/// From scene space to the solid of a part: in repeats of a size around its middle, the third axis along its longest side, or without a size
-/// once through its box, with the rows of images downwards.
+/// From scene space to the part's solid: in repeats of a given size around the part's middle, the third axis along its longest side; or,
+/// without a size, once through its box, with image rows downwards.
 fn solid_from_scene(part: &Part, space: &SceneSpace, size: Option<f64>) -> DAffine3 {
     let part_from_scene = (space.from_world() * part.world_from_part).inverse();
     let bounds = part.mesh.bounds();
     let solid_from_part = match size {
         Some(size) => {
-            // In units of the world, whatever scales the part.
+            // In world units, whatever scales the part.
             let m = part.world_from_part.matrix3;
             let lengths = DVec3::from([0, 1, 2].map(|i| m.col(i).length()));
             let sides = (bounds.size() * lengths).to_array();

@@ -1,4 +1,4 @@
-//! Surfaces that can classify triangles of a part, and its triangles sorted by the surfaces that classify them.
+//! Surfaces that can classify a part's triangles, and the triangles sorted by the surfaces that classify them.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -34,9 +34,9 @@ pub(crate) type Numbered = (u16, ClassifiedBy);
 /// Surfaces and shared planes that can classify triangles of a part.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Classifiers {
-    /// Clip-surfaces that pass close by.
+    /// Clip-surfaces close to the part.
     pub(crate) surfaces: Vec<Numbered>,
-    /// Triangles in planes that parts share, each with the number of its plane.
+    /// Triangles in planes shared between parts, each with the number of its plane.
     pub(crate) shared: Arc<[(u32, u16)]>,
 }
 
@@ -47,44 +47,44 @@ impl Classifiers {
     }
 }
 
-/// So many steps of a component of a normal tell planes apart.
+/// Resolution at which normal components distinguish planes, in steps per unit.
 pub(crate) const NORMAL_STEPS: f32 = 4096.0;
 
 /// Position of triangles relative to the surfaces that classify them.
 #[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Lie {
-    /// Sides by number of the clip-surface.
+    /// Side of each clip-surface, by its number.
     pub(crate) sides: Vec<(u16, Side)>,
-    /// Numbers of the clip-surfaces that they lie in.
+    /// Numbers of the clip-surfaces in which the triangles lie.
     pub(crate) flush: Vec<u16>,
-    /// Numbers of the cutters in faces of which they lie.
+    /// Numbers of the cutters in whose faces the triangles lie.
     pub(crate) in_cutters: Vec<u16>,
-    /// Normal of those faces, either way round, in steps of 1 / [`NORMAL_STEPS`].
+    /// Normal of those faces, up to sign, in steps of 1 / [`NORMAL_STEPS`].
     pub(crate) normal: [i32; 3],
-    /// On other triangles.
+    /// True if they coincide with other triangles.
     pub(crate) is_doubled: bool,
-    /// Number of the plane that they share with triangles of other parts.
+    /// Number of the plane in which they are coplanar with triangles of other parts.
     pub(crate) plane: Option<u16>,
 }
 
-/// Triangles of a part that lie alike.
+/// Triangles of a part with the same position relative to the classifying surfaces.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Group {
     pub(crate) lie: Lie,
     pub(crate) indices: Range<u32>,
 }
 
-/// The indices of a part with its preclassified triangles at the end.
+/// A part's indices, its preclassified triangles last.
 #[derive(Debug)]
 pub(crate) struct Sorted {
-    /// With ranges among the part's own indices, in order.
+    /// The groups with their ranges of the part's indices, in order.
     pub(crate) groups: Vec<Group>,
     pub(crate) indices: Arc<[u8]>,
 }
 
 impl Sorted {
-    /// Sorts the triangles of a part; nothing where none is preclassified. `indices` are the triangles as they are drawn, in the same order;
-    /// `doubled` are those that lie on another one.
+    /// Sorts the triangles of a part; `None` if none is preclassified. `indices` are the triangles as they are drawn, in the same order;
+    /// `doubled` are those that coincide with another one.
     pub(crate) fn of(
         by: &Classifiers,
         (positions, triangles): (&[Vec3], &[[u32; 3]]),
@@ -145,7 +145,7 @@ impl Sorted {
     }
 }
 
-/// The normal of a triangle, in steps, with the sign that makes its first component that is not 0 positive.
+/// The normal of a triangle, in steps, with its sign chosen so that its first nonzero component is positive.
 fn normal_of([a, b, c]: [Vec3; 3]) -> [i32; 3] {
     let cross = (b - a).as_dvec3().cross((c - a).as_dvec3());
     let steps = (cross.normalize_or_zero().as_vec3() * NORMAL_STEPS).round();

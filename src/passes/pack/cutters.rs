@@ -1,11 +1,11 @@
-//! Cutters packed for upload: one vertex for each triangle, which stands for it, and as few others as there need be.
+//! Cutters packed for upload: one vertex per triangle, which identifies it, and as few further vertices as possible.
 //!
-//! Depth and normal of a cap on a cutter may be those of a triangle's plane, and core WebGPU tells a fragment neither which triangle
-//! it is of nor anything flat but what the triangle's first vertex says. So each triangle begins with a vertex that no other begins
-//! with: one of its own corners where one is free, else a copy. A closed mesh of V vertices and 2 V triangles thus has 2 V of them.
-//! What the triangle is stands in a second buffer at the number of that vertex: 64 bytes for each vertex in all.
+//! A cap on a cutter may take depth and normal from a triangle's plane, but core WebGPU gives a fragment neither its triangle's
+//! number nor any flat value except those of the triangle's first vertex. So each triangle begins with a vertex that no other triangle
+//! begins with: one of its own corners if one is free, else a copy. A closed mesh of V vertices and 2 V triangles thus has 2 V of them.
+//! The triangle's data is stored in a second buffer at that vertex's number: 64 bytes per vertex in all.
 //!
-//! Each cutter is a piece of the buffers: one that moves has its own vertices uploaded again and nothing else.
+//! Each cutter is a separate piece of the buffers: if one moves, only its vertices are uploaded again.
 
 use std::sync::Arc;
 
@@ -44,7 +44,7 @@ struct Packed {
 }
 
 impl Cutters {
-    /// Packs the cutters among some clip-surfaces, with what is still right of how they were packed before.
+    /// Packs the cutters among the given clip-surfaces, reusing whatever is still valid from the previous packing.
     pub(crate) fn of(surfaces: &[PreparedSurface], before: Option<&Self>) -> Self {
         let old = before.map_or(&[] as &[Packed], |b| &b.packed);
         let cutters = surfaces.iter().enumerate();
@@ -84,7 +84,7 @@ impl Cutters {
             let now =
                 Contents::in_pieces(len, pieces.clone(), before.is_some_and(Contents::changes));
             match before {
-                // That it changes is known only now.
+                // Only now is it known that it changes.
                 Some(before) if *before != now => Contents::in_pieces(len, pieces, true),
                 Some(before) => before.clone(),
                 None => now,
@@ -111,7 +111,7 @@ impl Cutters {
         }
     }
 
-    /// Range of the triangles of a clip-surface, if it is a cutter.
+    /// Range of a clip-surface's triangles, if it is a cutter.
     pub fn range(&self, surface: usize) -> Option<&MeshRange> {
         self.ranges.get(surface)?.as_ref()
     }
@@ -139,7 +139,7 @@ impl Packed {
     }
 }
 
-/// A vertex, and the triangle that begins with it, if one does.
+/// A vertex, and the triangle that begins with it, if any.
 #[derive(Clone, Copy, Debug)]
 struct Corner {
     position: u32,
@@ -147,7 +147,7 @@ struct Corner {
     begins: Option<u32>,
 }
 
-/// Vertices and the triangles that index them; both depend on the mesh and its creases alone.
+/// Vertices and the triangles that index them; both depend only on the mesh and its creases.
 #[derive(Debug)]
 struct Order {
     corners: Vec<Corner>,

@@ -1,13 +1,13 @@
-//! The ground and the shadow on it: how much of the light from above is hidden from each place.
+//! The ground and the shadow on it: how much of the light from above is hidden from each point of the ground.
 //!
 //! Kept solids are rendered from straight below and above, with parallel rays, by the method that draws the scene, so that all cuts count.
-//! Light comes from a disc of the sky: what is `h` above the ground has a shadow that is blurred over `h` times the tangent of its radius. So
-//! have the undersides, which makes contacts dark, and the tops, which hide half of the disc next to a wall; the darker counts. Heights are
-//! sorted into [`BINS`], each of which is blurred at once by three boxes, which is nearly a Gaussian; a height between two bins
+//! Light comes from a disc of the sky: anything at height `h` above the ground casts a shadow blurred over `h` times the tangent of the
+//! disc's radius. Undersides darken contacts, and tops hide half of the disc next to a wall; the darker counts. Heights are
+//! sorted into [`BINS`], each blurred as a whole by three boxes, which approximates a Gaussian; a height between two bins
 //! belongs to both.
 //!
-//! Costs two frames of [`SIDE_PX`] squared and their read-back, then a few additions per pixel and bin. Cannot: cast light aslant,
-//! shade the model itself, or see what is between the first thing above the ground and the last.
+//! Costs two frames of [`SIDE_PX`] squared and their read-back, then a few additions per pixel and bin. Cannot: cast slanted light,
+//! shade the model itself, or see anything between the lowest and the highest surface above a point of the ground.
 
 use glam::{DVec2, DVec3};
 
@@ -20,7 +20,7 @@ use crate::scene::{Precision, Prepared, View};
 const SIDE_PX: u32 = 320;
 /// Number of distinct heights.
 const BINS: usize = 8;
-/// Standard deviation of a blur over the radius of the disc of light at the height.
+/// Ratio of a blur's standard deviation to the radius of the disc of light at that height.
 const DEVIATION: f64 = 0.5;
 
 /// A map of how dark the ground is, ready to be bound.
@@ -31,8 +31,8 @@ pub struct GroundShadow {
 }
 
 impl GroundShadow {
-    /// The views from below and from above that a shadow is made of, of a scene whose style has one. Both have the same columns, and rows the
-    /// other way round.
+    /// The views from below and from above that a scene's shadow is made from, if its style has one. Both have the same columns, with the
+    /// rows in opposite order.
     pub fn views(prepared: &Prepared) -> [View; 2] {
         let below = Self::view_from_below(prepared);
         let way = 2.0 * below.depth_of(prepared.bounds.centre());
@@ -80,7 +80,7 @@ impl GroundShadow {
         }
     }
 
-    /// The shadow of what was seen from below and from above.
+    /// The shadow made from the layers seen from below and from above.
     pub fn of(prepared: &Prepared, views: &[View; 2], layers: [&Layers; 2]) -> Self {
         let [view, above] = views;
         let level = level(prepared) - view.eye.dot(view.forward);
@@ -90,7 +90,7 @@ impl GroundShadow {
             .pixels
             .iter()
             .map(|l| shown(l).then(|| (l.depth - level).max(0.0)));
-        // Of the columns the tops, in the rows of the view from below.
+        // The tops of the columns, in the row order of the view from below.
         let top = above.eye.dot(view.forward) - view.eye.dot(view.forward) - level;
         let rows = layers[1].pixels.chunks(side as usize).rev();
         let highest = rows
@@ -122,7 +122,7 @@ impl GroundShadow {
     }
 }
 
-/// Level of the ground along the direction up: below all that the camera is fitted to, or else all of the scene.
+/// Level of the ground along the up direction: below everything that the camera is fitted to, or else below the whole scene.
 fn level(prepared: &Prepared) -> f64 {
     let up = prepared.up();
     let kept = prepared.outline().map(|outline| {
@@ -138,12 +138,12 @@ fn level(prepared: &Prepared) -> f64 {
     }
 }
 
-/// Distance from its foot that the shadow of a point at a height reaches.
+/// How far the shadow of a point at a given height reaches from the point's foot.
 fn reach(shadow: &Shadow, height: f64) -> f64 {
     height * f64::from(shadow.spread_deg).to_radians().tan()
 }
 
-/// Share of the sky hidden from each place by things at these heights.
+/// Share of the sky hidden from each point by geometry at these heights.
 fn darkness(heights: &[Option<f64>], side: usize, reach_px: impl Fn(f64) -> f64) -> Vec<f32> {
     let tallest = heights.iter().flatten().copied().fold(0.0, f64::max);
     let mut dark = vec![0.0_f64; heights.len()];
@@ -158,15 +158,15 @@ fn darkness(heights: &[Option<f64>], side: usize, reach_px: impl Fn(f64) -> f64)
         }
         let height = tallest * (bin as f64 / (BINS - 1) as f64).powi(2);
         blur(&mut cover, side, (DEVIATION * reach_px(height)).max(1.0));
-        // A column has one height: what it hides by one bin it does not hide by the other.
+        // A column has one height: what it hides in one bin it does not hide in the other.
         dark.iter_mut().zip(cover).for_each(|(dark, c)| *dark += c);
     }
     dark.into_iter().map(|d| d.min(1.0) as f32).collect()
 }
 
-/// Blurs a square picture by three boxes along each side; what is outside is 0.
+/// Blurs a square picture by three boxes along each axis; values outside are 0.
 fn blur(values: &mut [f64], side: usize, deviation_px: f64) {
-    // A box over 2r + 1 has the variance r (r + 1) / 3, and three of them thrice that.
+    // A box of width 2r + 1 has variance r (r + 1) / 3, and three boxes three times that.
     let radius = ((deviation_px * deviation_px + 0.25).sqrt() - 0.5)
         .round()
         .max(1.0) as usize;

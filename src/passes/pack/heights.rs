@@ -1,7 +1,7 @@
 //! The heights of all reliefs in one buffer, map after map.
 //!
-//! Maps are compared by identity: those that several clip-surfaces share are stored once, and of a scene over time only those
-//! that are new are packed and uploaded, as long as the others keep their place. Maps by which no part is cut have no place.
+//! Maps are compared by identity: a map that several clip-surfaces share is stored once, and in an animated scene only new maps
+//! are packed and uploaded, as long as the others keep their positions. Maps that cut no part are not stored.
 
 use std::sync::Arc;
 
@@ -30,7 +30,7 @@ pub(crate) struct Heights {
 }
 
 impl Heights {
-    /// Packs the maps of true reliefs; those of before are taken over.
+    /// Packs the maps of true reliefs, reusing those packed before.
     pub(crate) fn of(prepared: &Prepared, before: Option<(&Contents, &[PackedMap])>) -> Self {
         let old = before.map_or(&[] as &[PackedMap], |(_, maps)| maps);
         let mut maps: Vec<PackedMap> = Vec::new();
@@ -64,7 +64,7 @@ impl Heights {
         };
         let contents = match before {
             Some((contents, old)) if alike(old) => contents.clone(),
-            // What another call made stays the one in use: that maps change is known only now.
+            // Contents made by a concurrent call stay in use: only now is it known that the maps change.
             before => contents(&maps, &starts, before.is_some()),
         };
         Self {
@@ -75,7 +75,7 @@ impl Heights {
     }
 }
 
-/// The texels of maps. Bindings cannot be empty, so there is one where there is no map, which no plane reads.
+/// The texels of maps. Bindings cannot be empty, so without any map there is one texel, which no plane reads.
 fn contents(maps: &[PackedMap], starts: &[u32], changes: bool) -> Contents {
     let Some((last, start)) = maps.last().zip(starts.last()) else {
         return Contents::from_values(&[0.0_f32]);

@@ -1,4 +1,4 @@
-//! Contents that follow from a number alone and take time to make: every frame asks for them again, and the last are kept.
+//! Contents that depend only on a number and take time to make: every frame requests them, and the latest are cached.
 
 use std::fmt;
 use std::sync::{Mutex, PoisonError};
@@ -10,7 +10,7 @@ use crate::plan::Contents;
 pub struct KeptContents(Mutex<Option<(u32, Contents)>>);
 
 impl KeptContents {
-    /// The contents for a number: those kept, if they are for the same, else those that `make` makes.
+    /// The contents for a number: the cached ones if they are for the same number, otherwise the result of `make`.
     pub fn get_or_make(&self, number: u32, make: impl FnOnce() -> Contents) -> Contents {
         let mut kept = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         match &*kept {

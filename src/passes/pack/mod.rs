@@ -1,4 +1,4 @@
-//! A scene packed for upload: what follows from it alone, whatever the view and the strategy.
+//! A scene packed for upload: data that depends on the scene alone, not on the view or the strategy.
 
 pub(crate) mod cap_materials;
 pub(crate) mod classifiers;

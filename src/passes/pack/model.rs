@@ -1,7 +1,7 @@
 //! A scene packed for upload: vertices, indices and heights do not change with the view or the strategy.
 //!
-//! A scene that moves is packed once by [`Model::new`] and then, frame by frame, by [`Model::updated`], which looks only at what
-//! is not the very same object as before: its cost does not depend on the triangles of parts that keep their mesh.
+//! A moving scene is packed once by [`Model::new`] and then updated frame by frame by [`Model::updated`], which processes only objects
+//! whose identity has changed: its cost does not depend on the triangles of parts that keep their mesh.
 
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -26,12 +26,12 @@ use crate::scene::{
     Cutter, Part, Prepared, PreparedPart, PreparedVolume, Scene, SceneSpace, SharedPlanes, Style,
 };
 
-/// A scene ready to be recorded.
+/// A scene ready for recording.
 #[derive(Clone, Debug)]
 pub struct Model {
-    /// The scene in scene space, without the vertices of parts that move: [`Model::truth`] has all of them.
+    /// The scene in scene space, without the vertices of moving parts; [`Model::truth`] has all of them.
     pub prepared: Prepared,
-    /// Vertices of all parts, with room for those that the pose pass writes.
+    /// Vertices of all parts, with room for those written by the pose pass.
     pub vertices: Contents,
     /// Indices of all parts.
     pub indices: Contents,
@@ -46,25 +46,25 @@ pub struct Model {
     pub cutters: Cutters,
     /// The maps that `heights` holds.
     maps: Vec<PackedMap>,
-    /// By index in the scene.
+    /// The packed parts, by index in the scene.
     packed: Arc<Vec<Packed>>,
     rooms: Vec<Room>,
-    /// Triangles whose sides of clip-surfaces are known; none where there is none.
+    /// Triangles whose sides of clip-surfaces are known in advance; `None` if there are none.
     pub(crate) preclassified: Option<PreclassifiedTriangles>,
-    /// The indices of grids, which belong to no scene but are requested in every frame.
+    /// Grid indices, which belong to no scene but are requested in every frame.
     pub grid_indices: Arc<KeptContents>,
     /// Rest-pose inputs of its hatches.
     pub(crate) at_rest: Arc<RestPose>,
     /// Sky hidden by reliefs.
     pub(crate) relief_sky: Arc<ReliefSky>,
-    /// Materials of caps and vertex paints of surfaces, where these are more than a colour.
+    /// Cap materials and surface vertex paints that are more than a single colour.
     pub(crate) cap_materials: Option<Arc<CapMaterials>>,
-    /// The shadow on the ground, where there is one.
+    /// The ground shadow, if there is one.
     pub(crate) ground: Option<Arc<GroundShadow>>,
     /// Motion of each part since the rest pose, by index in the scene.
     pub(crate) moved: Vec<Option<Moved>>,
     lineage: Arc<()>,
-    /// Identity of this model and its copies alone.
+    /// Identity that this model shares only with its copies.
     identity: Arc<()>,
 }
 
@@ -74,15 +74,15 @@ impl Model {
         Self::after(scene, None)
     }
 
-    /// The scene at another time: what did not change is shared with this model. Meshes, motions and maps are compared by
-    /// identity, so a scene over time must keep those that stay.
+    /// The scene at another time, sharing unchanged data with this model. Meshes, motions and maps are compared by
+    /// identity, so an animated scene must keep the objects that do not change.
     #[must_use]
     pub fn updated(&self, scene: &Scene) -> Self {
         Self::after(scene, Some(self))
     }
 
-    /// The scene as if seen for the first time, with all that it shares with this model: hatches depend on the current positions of its
-    /// parts and its eye.
+    /// The scene as if seen for the first time, sharing data with this model: hatches then depend on the current positions of the scene's
+    /// parts and eye.
     #[must_use]
     pub fn anew(&self, scene: &Scene) -> Self {
         let updated = self.updated(scene);
@@ -121,7 +121,7 @@ impl Model {
             before.is_some_and(|b| b.vertices.changes()) || packed.iter().any(|p| p.rest.is_some());
         let [mut vertices, mut indices] = packed::contents(&packed, &rooms, changes);
         if let Some(before) = before {
-            // What another call made stays the one in use: that a mesh changed is known only now.
+            // Contents made by a concurrent call stay in use: only now is it known that a mesh changed.
             if vertices != before.vertices || indices != before.indices {
                 [vertices, indices] = packed::contents(&packed, &rooms, true);
             } else {
@@ -184,8 +184,8 @@ impl Model {
         }
     }
 
-    /// The same scene as the input of the exact reference: posed in f64, with all vertices. `scene` is the one that
-    /// this model was made of. The view is taken from either.
+    /// The same scene as input for the exact reference: posed in f64, with all vertices. `scene` is the one from which
+    /// this model was made. The view may come from either.
     pub fn truth(&self, scene: &Scene) -> Cow<'_, Prepared> {
         if self.prepared.is_whole() {
             Cow::Borrowed(&self.prepared)
@@ -195,7 +195,7 @@ impl Model {
         }
     }
 
-    /// The same scene with nothing removed, sharing what is packed: what `draw_only_ms` measures.
+    /// The same scene with nothing removed, sharing the packed data: this is what `draw_only_ms` measures.
     #[must_use]
     pub fn without_cuts(&self) -> Self {
         let mut uncut = self.clone();
@@ -222,7 +222,7 @@ impl Model {
         }
     }
 
-    /// The same scene in another style, in the colours of its parts alone.
+    /// The same scene in another style, with only the plain colours of its parts.
     #[must_use]
     pub(crate) fn in_style(&self, style: Style) -> Self {
         let mut styled = self.clone();
@@ -247,12 +247,12 @@ impl Model {
         self.prepared.surfaces[surface].volume.is_some()
     }
 
-    /// Returns true if one is a copy of the other.
+    /// Returns true if one model is a copy of the other.
     pub(crate) fn is(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.identity, &other.identity)
     }
 
-    /// Returns true if one is the other at another time, or has the same solids.
+    /// Returns true if one model is the other at another time, or has the same solids.
     pub fn is_kin_of(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.lineage, &other.lineage) || self.vertices == other.vertices
     }

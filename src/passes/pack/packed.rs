@@ -1,9 +1,9 @@
-//! A part packed for upload, and its room in the buffers that all parts share.
+//! A part packed for upload, and the space reserved for it in the buffers that all parts share.
 //!
-//! A part that stands still is uploaded as it stands. One that moves (it has a pose, or it was elsewhere a frame ago) is
-//! uploaded once, at rest, and placed by the pose pass; its room in the vertices is left to that pass. A part whose mesh is
-//! another is packed again, alone: rooms keep their places as long as everything fits, and those of parts that were seen to
-//! change their mesh have a quarter to spare.
+//! A static part is uploaded in its final position. A moving part (it has a pose, or was elsewhere a frame ago) is uploaded
+//! once, in the rest pose, and placed by the pose pass, which also fills its vertex range. If a part's mesh changes, only
+//! that part is packed again: reserved ranges stay where they are as long as everything fits, and those of parts whose
+//! mesh has changed before have a quarter to spare.
 
 use std::sync::Arc;
 
@@ -30,24 +30,24 @@ pub(crate) struct Packed {
     space: SceneSpace,
     /// The part without its cuts and its material.
     pub(crate) part: PreparedPart,
-    /// Vertices of a part that stands still.
+    /// Vertices of a static part.
     vertices: Option<Arc<[u8]>>,
     pub(crate) indices: Arc<[u8]>,
     pub(crate) vertex_count: u32,
-    /// Rest data of a part that moves.
+    /// Rest data of a moving part.
     pub(crate) rest: Option<Arc<RestPart>>,
     /// Its vertex paint, if its mesh has one.
     pub(crate) vertex_paint: Option<Arc<PackedVertexPaint>>,
-    /// Triangles that lie on another one.
+    /// Triangles that coincide with another one.
     doubled: Arc<Vec<u32>>,
     /// Reusable slicing data.
     pub(crate) sliced: Arc<Sliced>,
-    /// True if its mesh was another before.
+    /// True if its mesh has changed before.
     is_other: bool,
 }
 
 impl Packed {
-    /// Packs a part, with what is still right of how it was packed before.
+    /// Packs a part, reusing whatever is still valid from the previous packing.
     pub(crate) fn of(index: usize, part: &Part, space: &SceneSpace, before: Option<&Self>) -> Self {
         let known = before.filter(|b| b.is_of(part));
         let moves = |known: &Self| {
@@ -167,7 +167,7 @@ impl Packed {
         }
     }
 
-    /// The indices with triangles that are preclassified at the end; nothing where none is.
+    /// The indices, preclassified triangles last; `None` if no triangle is preclassified.
     pub(crate) fn sorted(&self, part: &PreparedPart, by: &Classifiers) -> Option<Arc<Sorted>> {
         match (by.is_empty(), self.doubled.as_slice()) {
             (true, []) => None,
@@ -180,7 +180,7 @@ impl Packed {
     }
 }
 
-/// The places of a part in the shared buffers.
+/// The ranges of a part in the shared buffers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Room {
     pub(crate) first_vertex: u32,
@@ -190,13 +190,13 @@ pub(crate) struct Room {
 }
 
 impl Room {
-    /// The first index behind it.
+    /// The end of the index range.
     pub(crate) fn end_index(&self) -> u32 {
         self.first_index + self.indices
     }
 }
 
-/// Rooms for all parts: those of before where all fit.
+/// Ranges for all parts: the previous ones if everything still fits.
 pub(crate) fn rooms(packed: &[Packed], before: &[Room]) -> Vec<Room> {
     let fits = |(p, room): (&Packed, &Room)| {
         p.vertex_count <= room.vertices && p.index_count() <= room.indices
@@ -222,7 +222,7 @@ pub(crate) fn rooms(packed: &[Packed], before: &[Room]) -> Vec<Room> {
     rooms.collect()
 }
 
-/// The vertices and the indices of all parts; `changes` says that they will not stay as they are.
+/// The vertices and the indices of all parts; `changes` is true if they will change later.
 pub(crate) fn contents(packed: &[Packed], rooms: &[Room], changes: bool) -> [Contents; 2] {
     let end = rooms
         .last()

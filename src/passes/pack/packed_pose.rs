@@ -1,5 +1,5 @@
-//! Poses of moving parts, packed for the pose pass: a pose is multiplied out in f64 here, down to one matrix per joint that
-//! goes straight to scene space, or to rest space where deformers follow.
+//! Poses of moving parts, packed for the pose pass: a pose is multiplied out here in f64, down to one matrix per joint that
+//! maps directly to scene space, or to rest space if deformers follow.
 
 use std::sync::Arc;
 
@@ -25,7 +25,7 @@ pub(crate) struct PackedPose {
     pub(crate) joints: Option<Contents>,
     pub(crate) deformers: Option<Contents>,
     pub(crate) inflates: bool,
-    /// Why the pass cannot place it so, if it cannot.
+    /// Reason why the pass cannot place the part, if it cannot.
     pub(crate) refusal: Option<String>,
 }
 
@@ -73,7 +73,7 @@ impl PackedPose {
             .collect();
         let refusal = (table.len() > MOST_DEFORMERS).then(|| {
             let (name, count) = (&part.name, table.len());
-            format!("`{name}` has {count} deformers; the pose pass applies {MOST_DEFORMERS}")
+            format!("`{name}` has {count} deformers; the limit is {MOST_DEFORMERS}")
         });
         let mirrors = part.world_from_part.matrix3.determinant() < 0.0;
         let packed_pose = pack::Pose {
@@ -109,7 +109,7 @@ fn rows(map: DAffine3) -> [[f32; 4]; 3] {
     })
 }
 
-/// A deformer in rest space, where lengths are `scale` times as long.
+/// A deformer in rest space, where lengths are scaled by `scale`.
 fn deformer(of: &Deformer, rest_from_part: &DAffine3, scale: f64) -> pack::Deformer {
     let row = |v: DVec3| v.as_vec3().extend(0.0).to_array();
     let about = |axis: &Axis, kind: u32| pack::Deformer {

@@ -1,4 +1,4 @@
-//! The vertex paint of a part, packed for upload: 13 words for each of its triangles.
+//! The vertex paint of a part, packed for upload: 13 words per triangle.
 
 use std::sync::Arc;
 
@@ -14,8 +14,8 @@ pub(crate) struct PackedVertexPaint {
 }
 
 impl PackedVertexPaint {
-    /// Packs a vertex paint, with the vertices that are drawn in the places of the corners; both in the order of the mesh, the vertices turned
-    /// over already where the placement mirrors.
+    /// Packs a vertex paint with the drawn vertices in place of its corners; both are in the order of the mesh, with the vertices already
+    /// reversed if the placement mirrors.
     pub(crate) fn of(vertex_paint: &VertexPaint, vertices: &[[u32; 3]], mirrored: bool) -> Self {
         let rows = vertex_paint
             .triangles

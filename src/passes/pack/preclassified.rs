@@ -1,17 +1,17 @@
-//! PreclassifiedTriangle triangles as uploads: those of a part that lie alike go together, at the end of its indices; and those that lie on each
-//! other likewise, of which the one that faces the eye is to be seen, and those in a plane that parts share
-//! ([`SharedPlanes`](crate::scene::SharedPlanes)), of which the first part in rank is.
+//! Preclassified triangles as uploads: a part's triangles with the same classification are stored together, after its other indices. So are
+//! coincident triangles, of which the one facing the eye is shown, and those in a plane that parts share
+//! ([`SharedPlanes`](crate::scene::SharedPlanes)), of which the part first in rank is shown.
 //!
-//! On which side of a clip-surface a triangle lies that is in it, or just next to it, is known
-//! ([`PreclassifiedTriangle`](crate::scene::PreclassifiedTriangle)). Its fragments are identified by the draw that they belong to: a group of triangles has a draw of
-//! its own, or a row in the table of the compute rasteriser, and every other triangle of the scene is drawn as ever. Where no triangle
-//! is preclassified there is no group, no pass and no binding.
+//! For a triangle in a clip-surface, or right next to it, its side of the clip-surface is known beforehand
+//! ([`PreclassifiedTriangle`](crate::scene::PreclassifiedTriangle)). Fragments are identified by their draw: a group has a draw of
+//! its own, or a row in the compute rasteriser's table; all other triangles are drawn as usual. Without preclassified triangles
+//! there is no group, no pass and no binding.
 //!
-//! Per cut: a look at every vertex of the parts that a flat clip-surface passes through, and where something is preclassified the indices of
-//! the part once more. Parts that the device places without bending them are placed here as well for that.
+//! Per cut: one test of every vertex of the parts that a flat clip-surface passes through, and, if a triangle is preclassified, a copy of
+//! the part's indices. For this, parts that the device places without bending are also placed here.
 //!
-//! Cannot: distinguish more than [`MOST_PRECLASSIFIED_GROUPS`](crate::plan::pack::MOST_PRECLASSIFIED_GROUPS) parts and groups (others keep their
-//! depths). A face of a part next to a face of a thin cutter, in one plane with it, may be taken for a face in it.
+//! Cannot: distinguish more than [`MOST_PRECLASSIFIED_GROUPS`](crate::plan::pack::MOST_PRECLASSIFIED_GROUPS) parts and groups (others keep
+//! their depths). A part's face beside and coplanar with a face of a thin cutter may be taken for a face in it.
 
 use super::classifiers::{ClassifiedBy, Classifiers, Group, Numbered};
 use super::packed::{Packed, Room};
@@ -21,14 +21,14 @@ use crate::scene::{Prepared, PreparedPart};
 /// The preclassified triangles of a scene.
 #[derive(Clone, Debug)]
 pub(crate) struct PreclassifiedTriangles {
-    /// Groups by rank, with ranges of `indices`.
+    /// Groups by rank, with their ranges of `indices`.
     pub(crate) groups: Vec<Vec<Group>>,
     /// Indices of all parts.
     pub(crate) indices: Contents,
 }
 
 impl PreclassifiedTriangles {
-    /// Those of a scene, with what is still right of them; nothing where none is preclassified.
+    /// The preclassified triangles of a scene, reusing whatever is still valid; `None` if no triangle is preclassified.
     pub(crate) fn of(
         prepared: &Prepared,
         packed: &[Packed],
@@ -76,7 +76,7 @@ impl PreclassifiedTriangles {
     }
 }
 
-/// The clip-surfaces that pass a part so closely that they may classify some of its triangles.
+/// The clip-surfaces close enough to a part to classify some of its triangles.
 fn surfaces_near(prepared: &Prepared, part: &PreparedPart) -> Vec<Numbered> {
     if part.is_posed {
         return Vec::new();

@@ -1,7 +1,7 @@
-//! Sky that reliefs hide from themselves: a map for each map of heights, in the same places.
+//! Sky that reliefs hide from themselves: one map per height map, at the same positions.
 //!
 //! Made on first request, and kept as long as the maps and their placement stay the same. Clip-surfaces that share a map share
-//! what the first of them hides.
+//! the result for the first of them.
 
 use std::sync::{Arc, OnceLock};
 
@@ -12,7 +12,7 @@ use crate::plan::pack::NO_RELIEF;
 use crate::scene::relief::MapScale;
 use crate::scene::{OffsetMap, Prepared};
 
-/// A map of heights, how it lies, and its first texel.
+/// A height map, its placement, and its first texel.
 #[derive(Debug)]
 struct Placed {
     map: Arc<OffsetMap>,
@@ -28,7 +28,7 @@ pub(crate) struct ReliefSky {
 }
 
 impl ReliefSky {
-    /// Hidden sky of a scene whose heights begin at these texels; the previous one, if it has not changed.
+    /// Hidden sky of a scene whose heights begin at these texels; the previous result is kept if nothing has changed.
     pub(crate) fn of(
         prepared: &Prepared,
         first_texel: &[u32],
@@ -76,7 +76,7 @@ impl ReliefSky {
         !self.placed.is_empty()
     }
 
-    /// The share of the sky that each texel sees.
+    /// The share of the sky visible from each texel.
     pub(crate) fn contents(&self) -> &Contents {
         self.contents.get_or_init(|| {
             let end = |p: &Placed| p.first as usize + p.map.texels().len();

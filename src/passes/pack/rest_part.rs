@@ -1,8 +1,8 @@
-//! Inputs of the pose pass that do not change with the pose: a part's vertices at rest and all that can move them, packed once per mesh.
+//! Inputs of the pose pass that do not change with the pose: a part's rest-pose vertices and all that can move them, packed once per mesh.
 //!
-//! *Rest space* is part space moved to the middle of the mesh and scaled by a power of two, so that f32 loses nothing that the
-//! scene would show. Morph targets, pulls and outward directions are kept per position; the vertices that shading splits name
-//! theirs, so that they go the same way to the last bit.
+//! *Rest space* is part space moved to the middle of the mesh and scaled by a power of two, so that f32 loses no precision that
+//! the scene would show. Morph targets, joint influences and outward directions are stored per position; vertices that shading splits
+//! refer to their position, so that they move identically to the last bit.
 
 use std::sync::Arc;
 
@@ -14,38 +14,38 @@ use crate::plan::Contents;
 use crate::plan::pack::pack_normal;
 use crate::scene::{Bounds, Motion, Part, Prepared, Scene, SceneSpace, facing_out};
 
-/// Number of the matrix for what no joint pulls: the placement alone.
+/// Index of the matrix for positions without joint influences: the placement alone.
 pub(crate) const UNPULLED: u32 = 0;
-/// Number of the matrix that takes every point to where the origin of part space goes.
+/// Index of the matrix that maps every point to the image of part space's origin.
 pub(crate) const ORIGIN: u32 = 1;
-/// Number of the matrix of the first joint.
+/// Index of the first joint's matrix.
 pub(crate) const FIRST_JOINT: u32 = 2;
 
-/// A part at rest.
+/// A part in the rest pose.
 #[derive(Clone, Debug)]
 pub(crate) struct RestPart {
-    /// To rest space.
+    /// Maps part space to rest space.
     space: SceneSpace,
-    /// Position in rest space and normal, by vertex.
+    /// Rest-space position and normal, per vertex.
     pub(crate) vertices: Contents,
     pub(crate) vertex_count: u32,
     pub(crate) position_count: u32,
     pub(crate) position_of_vertex: Contents,
-    /// Corners of the triangles.
+    /// Vertex indices of the triangles.
     pub(crate) indices: Arc<[u8]>,
     /// Its vertex paint, if its mesh has one.
     pub(crate) vertex_paint: Option<Arc<PackedVertexPaint>>,
-    /// The triangles as they are cut, by position.
+    /// The triangles as they are cut, by position index.
     pub(crate) triangles: Arc<Vec<[u32; 3]>>,
-    /// True if they are turned over for a placement that mirrors.
+    /// True if they are reversed for a placement that mirrors.
     pub(crate) mirrored: bool,
-    /// In part space.
+    /// Bounds in part space.
     pub(crate) bounds: Bounds,
     /// Volume in part space.
     pub(crate) volume: f64,
     /// Displacements of morph targets, target by target.
     pub(crate) displacements: Option<Contents>,
-    /// Pulls of a skin.
+    /// Joint influences of a skin.
     pub(crate) pulls: Option<Contents>,
     /// Outward directions of a mesh that can be inflated.
     pub(crate) outward: Option<Contents>,
@@ -57,7 +57,7 @@ impl RestPart {
         let space = SceneSpace::new(&part.mesh.bounds());
         let mut still = Part::new(part.name.clone(), part.mesh.clone());
         still.world_from_part = DAffine3::IDENTITY;
-        // The same steps as for a part that does not move, in a scene of its own.
+        // The same steps as for a static part, in a scene that contains only this part.
         let alone = Scene {
             parts: vec![still],
             stage: Some(part.mesh.bounds()),
@@ -103,7 +103,7 @@ impl RestPart {
         self.space.from_world()
     }
 
-    /// And back.
+    /// The map from rest space to part space.
     pub(crate) fn part_from_rest(&self) -> DAffine3 {
         let per_unit = 1.0 / self.space.scale;
         DAffine3::from_mat3_translation(
@@ -118,7 +118,7 @@ impl RestPart {
     }
 }
 
-/// Positions that a motion says nothing of stay where they are.
+/// Positions that a motion does not mention stay where they are.
 fn displacements(motion: &Motion, positions: usize, scale: f64) -> Option<Contents> {
     let mut numbers: Vec<f32> = Vec::with_capacity(motion.targets.len() * positions * 3);
     for target in &motion.targets {
@@ -128,8 +128,8 @@ fn displacements(motion: &Motion, positions: usize, scale: f64) -> Option<Conten
     (!numbers.is_empty()).then(|| Contents::from_values(&numbers))
 }
 
-/// First index of each position's pulls, then the pulls. Weight missing from 1 goes to the origin of part space, which is
-/// the result of the sum in the f64 path.
+/// First index of each position's influences, then the influences. Weight missing from 1 goes to the origin of part space, as
+/// the sum in the f64 path does.
 fn pulls(motion: &Motion, positions: usize) -> Option<Contents> {
     if motion.pulls.is_empty() {
         return None;

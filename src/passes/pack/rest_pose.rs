@@ -1,8 +1,8 @@
-//! Rest-pose inputs of hatching, captured when the scene is first packed: contacts between parts, their thickness, and the size of the
-//! picture in the world. A hatch that followed the camera or a motion would swim.
+//! Rest-pose inputs of hatching, captured when the scene is first packed: contacts between parts, their thickness, and the picture's
+//! size in the world. A hatch that followed the camera or a motion would swim.
 //!
-//! Held in all [updates](super::model::Model::updated) of a model that have as many parts, however these change. Thicknesses and contacts
-//! are computed on first request.
+//! Kept by all [updates](super::model::Model::updated) of a model that have the same number of parts, however these change. Thicknesses and
+//! contacts are computed on first request.
 
 use std::sync::{Arc, OnceLock};
 
@@ -11,9 +11,9 @@ use rayon::prelude::*;
 
 use crate::scene::{Mesh, Prepared, Scene, classes, contacts};
 
-/// Cells of the grid in which parts meet, along the diagonal of the scene.
+/// Cells along the scene's diagonal, in the grid that finds contacts between parts.
 const CELLS: f64 = 150.0;
-/// The picture that the size of a scene is taken from: its shape matters little.
+/// Size of the picture from which the scene's size is derived: its shape matters little.
 const FRAMED_PX: [u32; 2] = [1024, 768];
 
 /// Motion of a part as a whole, in scene space.
@@ -26,7 +26,7 @@ pub(crate) struct Moved {
     pub(crate) end: DVec3,
 }
 
-/// The parts of a scene as they were placed when it was packed.
+/// The parts of a scene as they were placed when first packed.
 #[derive(Debug)]
 pub(crate) struct RestPose {
     parts: Vec<(Arc<Mesh>, DAffine3)>,
@@ -37,7 +37,7 @@ pub(crate) struct RestPose {
 }
 
 impl RestPose {
-    /// Rest pose of a scene; the previous one is kept if it has as many parts.
+    /// Rest pose of a scene; the previous one is kept if it has the same number of parts.
     pub(crate) fn of(scene: &Scene, prepared: &Prepared, before: Option<&Arc<Self>>) -> Arc<Self> {
         if let Some(before) = before.filter(|b| b.parts.len() == scene.parts.len()) {
             return before.clone();
@@ -56,7 +56,7 @@ impl RestPose {
         }
     }
 
-    /// Rest pose of a scene that is seen as if for the first time. Results for the same parts are not computed again.
+    /// Rest pose of a scene as if seen for the first time. Results for unchanged parts are not computed again.
     pub(crate) fn anew(&self, scene: &Scene, prepared: &Prepared) -> Self {
         let new = Self::new(scene, prepared);
         let is_same = |((mesh, at), (was, was_at)): (&(Arc<Mesh>, DAffine3), &(_, _))| {
@@ -73,7 +73,7 @@ impl RestPose {
         }
     }
 
-    /// A class for each part, by its index in the scene: parts that touch have unlike ones.
+    /// A class for each part, by its index in the scene: touching parts have different classes.
     pub(crate) fn classes(&self) -> &[u16] {
         self.classes.get_or_init(|| {
             let cell = self.diagonal / CELLS;
@@ -99,7 +99,7 @@ impl RestPose {
         })
     }
 
-    /// Motion of each part of the scene since the rest pose, by its index: none where it stands, bends or is stretched.
+    /// Motion of each part of the scene since the rest pose, by its index: none if it stands still, bends or is stretched.
     pub(crate) fn moved(&self, scene: &Scene, prepared: &Prepared) -> Vec<Option<Moved>> {
         let to_scene = |p: DVec3| (p - prepared.centre_in_world) * prepared.scale;
         let parts = scene.parts.iter().zip(&self.parts);
@@ -120,13 +120,13 @@ impl RestPose {
         moved.collect()
     }
 
-    /// Height of the picture in world units at the depth of the middle of the scene, through the camera that the scene had.
+    /// Height of the picture in world units at the depth of the scene's middle, for the scene's camera in the rest pose.
     pub(crate) fn picture_height(&self) -> f64 {
         self.picture_height
     }
 }
 
-/// A map as a rotation, if it is one.
+/// The map as a rotation, if it is one.
 fn rotation_of(map: &DMat3) -> Option<DQuat> {
     let stretch = map.transpose() * *map - DMat3::IDENTITY;
     let is_rigid = stretch.to_cols_array().iter().all(|x| x.abs() < 1e-6);
@@ -136,7 +136,7 @@ fn rotation_of(map: &DMat3) -> Option<DQuat> {
 fn picture_height(prepared: &Prepared) -> f64 {
     let view = prepared.view(FRAMED_PX);
     let middle = (prepared.bounds.min + prepared.bounds.max) / 2.0;
-    // An eye within the scene has no depth to speak of.
+    // An eye within the scene has no meaningful depth.
     let radius = prepared.bounds.size().length() / 2.0;
     let depth = view.depth_of(middle).max(radius);
     2.0 * view.half_height * if view.orthographic { 1.0 } else { depth } / prepared.scale

@@ -1,10 +1,10 @@
-//! Reusable slicing data of a part: its slicer, made when it is first sliced, the latest sections, and which of its triangles the
-//! latest flat clip-surfaces classify.
+//! Reusable slicing data of a part: its slicer, made when first needed, its latest sections, and its triangles sorted by the
+//! latest flat clip-surfaces that classify them.
 //!
-//! A part keeps both for as long as it keeps its mesh, its pose and its place ([`Model::updated`](super::model::Model::updated)), whatever
-//! becomes of cuts and cameras. So a camera that moves slices nothing, and a plane that moves slices by what the slicer knows.
-//! A part that the device poses is posed here as well, in f64, when it is sliced: each step of its motion then costs as much as
-//! its first section. Memory: the slicer's, and that of [`MOST_KNOWN`] sections at most.
+//! A part keeps them as long as its mesh, pose and placement stay the same ([`Model::updated`](super::model::Model::updated)), however
+//! cuts and cameras change. So a moving camera slices nothing, and a moving plane reuses the slicer.
+//! A part that the device poses is also posed here, in f64, when it is sliced: each step of its motion then costs as much as
+//! its first section. Memory: that of the slicer and of at most [`MOST_KNOWN`] sections.
 
 use std::fmt;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
@@ -19,13 +19,13 @@ use crate::plan::pack::MAX_SURFACES;
 use crate::scene::{Bounds, Fill, Part, PreparedPart, SceneSpace};
 use crate::slice::{Section, SectionDefect, SlicePlane, Slicer};
 
-/// Sections that are kept: as many as one frame can ask for.
+/// Number of cached sections: as many as one frame can request.
 const MOST_KNOWN: usize = MAX_SURFACES;
 
-/// Distance beyond its box that doubt about a part reaches, as a share of the radius of the box.
+/// Margin around a part's box within which its section may be doubtful, as a share of the box's radius.
 const DOUBT_MARGIN: f64 = 1e-3;
 
-/// Curves within this of their first point are rounding, as a share of the radius of the part's box.
+/// Curves that stay this close to their first point are rounding errors, as a share of the radius of the part's box.
 const SPECK: f64 = 1e-6;
 
 /// Section of a part by a plane, packed for upload.
@@ -34,31 +34,31 @@ pub(crate) struct PackedSection {
     /// In the format of [`Vertices::Mesh`](crate::plan::Vertices::Mesh), in scene space; no shader reads their normals.
     pub(crate) vertices: Arc<[u8]>,
     pub(crate) vertex_count: u32,
-    /// Three to a triangle: those of the section, and after them those of all that its plane can meet of the part.
+    /// Three per triangle: those of the section, then those of everything that its plane can meet of the part.
     pub(crate) indices: Arc<[u8]>,
-    /// Indices of the section.
+    /// Number of indices of the section.
     pub(crate) index_count: u32,
-    /// Indices of all that the plane can meet of the part; none unless some of that may have no cap, or one where there should be
-    /// none.
+    /// Number of indices of everything that the plane can meet of the part; 0 unless some of that may lack a cap, or have one where there
+    /// should be none.
     pub(crate) doubt_count: u32,
 }
 
-/// A section, and what it was made by.
+/// A section, and the inputs that it was made from.
 struct CachedSection {
     plane: SlicePlane,
     rule: Fill,
     section: Arc<PackedSection>,
 }
 
-/// The slicer of a part, and its sections of late.
+/// The slicer of a part, and its recent sections.
 #[derive(Default)]
 pub(crate) struct Sliced {
-    /// Source of a part that the device poses.
+    /// Original part, if the device poses it.
     posed: Option<(Part, SceneSpace)>,
-    /// The box of the posed vertices, once it is needed.
+    /// Box of the posed vertices, computed on first use.
     bounds: OnceLock<Bounds>,
     slicer: OnceLock<Slicer>,
-    /// The latest last.
+    /// Cached sections, the latest last.
     known: Mutex<Vec<CachedSection>>,
     sorted: Mutex<Option<SortedBy>>,
 }
@@ -87,7 +87,7 @@ impl Sliced {
         }
     }
 
-    /// Returns true if a part with the same mesh and motion stands as this one does.
+    /// Returns true if a part has the same mesh, motion and placement as this one.
     pub(crate) fn stands_as(&self, part: &Part, space: &SceneSpace) -> bool {
         self.posed.as_ref().is_some_and(|(known, known_space)| {
             known.pose == part.pose
@@ -96,7 +96,7 @@ impl Sliced {
         })
     }
 
-    /// The section by a plane, filled by a rule, if it is known.
+    /// The cached section by a plane, filled by a rule, if there is one.
     pub(crate) fn known(&self, plane: &SlicePlane, rule: Fill) -> Option<Arc<PackedSection>> {
         let mut known = self.known.lock().unwrap_or_else(PoisonError::into_inner);
         let same = |k: &CachedSection| k.plane == *plane && k.rule == rule;
@@ -124,7 +124,7 @@ impl Sliced {
         });
     }
 
-    /// The indices of the part with triangles that are preclassified at the end; nothing where none is.
+    /// The part's indices, preclassified triangles last; `None` if no triangle is preclassified.
     pub(crate) fn sorted(
         &self,
         part: &PreparedPart,
@@ -158,13 +158,13 @@ impl Sliced {
         }
     }
 
-    /// Returns true if the slicer is made.
+    /// Returns true if the slicer has been made.
     pub(crate) fn has_slicer(&self) -> bool {
         self.slicer.get().is_some()
     }
 
-    /// The smallest box around the part in scene space. That of a part which the device poses is larger, for it is found without its
-    /// vertices; here they are posed, once for each pose.
+    /// The smallest box around the part in scene space. The stored box of a part that the device poses is larger, because it is found
+    /// without vertices; here the vertices are posed, once per pose.
     pub(crate) fn bounds(&self, part: &PreparedPart) -> Bounds {
         match &self.posed {
             None => part.bounds,
@@ -173,12 +173,12 @@ impl Sliced {
         }
     }
 
-    /// Makes the slicer, if there is none.
+    /// Makes the slicer if there is none yet.
     pub(crate) fn prepare(&self, part: &PreparedPart) {
         self.slicer.get_or_init(|| self.new_slicer(part));
     }
 
-    /// A slicer of the part; one that the device poses is posed for it.
+    /// A slicer of the part; if the device poses the part, it is posed here first.
     pub(crate) fn new_slicer(&self, part: &PreparedPart) -> Slicer {
         let positions: Vec<DVec3> = match &self.posed {
             Some((part, space)) => positions_of(part, space),
@@ -187,7 +187,7 @@ impl Sliced {
         Slicer::new(positions, &part.triangles).in_scene(SceneSpace::ITSELF, part.plane_tolerance)
     }
 
-    /// Slices the part, and fills the section by its rule.
+    /// Slices the part, and fills the section by the part's rule.
     pub(crate) fn slice(&self, part: &PreparedPart, plane: &SlicePlane) -> PackedSection {
         let slicer = self.slicer.get_or_init(|| self.new_slicer(part));
         let cap = slicer.cap_by(plane, part.fill);
@@ -233,8 +233,8 @@ impl PackedSection {
     }
 }
 
-/// Returns true if some of the part met by the plane may lack a visible cap. An open curve no longer than rounding bounds nothing: a
-/// triangle without area, of which two sides meet the plane in one place, leaves such curves.
+/// Returns true if some of the part met by the plane may lack a visible cap. An open curve no longer than rounding bounds nothing: it
+/// comes from a triangle without area, two of whose sides meet the plane in one point.
 fn is_doubtful(section: &Section, bounds: &Bounds) -> bool {
     let least = bounds.radius() * SPECK;
     let is_speck = |chain: &Vec<u32>| {
@@ -247,7 +247,7 @@ fn is_doubtful(section: &Section, bounds: &Bounds) -> bool {
     losses.any(|d| !is_open(d)) || !section.open.iter().all(is_speck)
 }
 
-/// A box with a margin for points that rounding moves out.
+/// A box with a margin for points that rounding moves outside.
 fn with_margin(bounds: &Bounds) -> Bounds {
     let margin = DVec3::splat(bounds.radius() * DOUBT_MARGIN);
     Bounds {

@@ -1,4 +1,4 @@
-//! Vertices and triangles as shaders read them, and where those of a part are in the buffers of all.
+//! Vertices and triangles in the layout that shaders read, and the range of each part in the shared buffers.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -7,7 +7,7 @@ use glam::Vec3;
 
 use crate::plan::Piece;
 
-/// A vertex as the shaders read it.
+/// A vertex in the layout that shaders read.
 #[repr(C)]
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 pub(crate) struct Vertex {
@@ -22,12 +22,12 @@ pub struct MeshRange {
     pub indices: Range<u32>,
     /// Added to each index.
     pub base_vertex: i32,
-    /// Vertices from there on.
+    /// Number of vertices from the base vertex on.
     pub vertex_count: u32,
 }
 
-/// The corners of triangles, each beginning with the first of its corners by coordinates: rasterisers find the depth of a sample from
-/// the first corner on, and triangles that coincide are to have the same, wherever their lists begin.
+/// The triangles' vertex indices, each triangle rotated to begin with its least corner by coordinates: rasterisers interpolate depth from
+/// the first corner, and coincident triangles must get the same depth, whatever corner their lists begin with.
 pub(crate) fn packed_triangles(
     triangles: impl Iterator<Item = [u32; 3]>,
     position: impl Fn(u32) -> Vec3,

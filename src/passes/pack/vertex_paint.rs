@@ -1,25 +1,25 @@
-//! Vertex paints of parts, packed for upload: a row for each part that has one, and 13 words for each of its triangles.
+//! Vertex paints of parts, packed for upload: a row for each painted part, and 13 words for each of its triangles.
 //!
-//! The corners of a triangle are named by their vertices in the buffer that all parts share, so that a vertex paint goes wherever the pose pass takes
-//! them. Vertex paints that stay the same objects are packed once.
+//! A triangle's corners refer to vertices in the shared buffer, so that a vertex paint follows the vertices wherever the pose pass moves
+//! them. Unchanged vertex paint objects are packed only once.
 
 use super::packed::{Packed, Room};
 use crate::plan::pack::{VERTEX_PAINT_WORDS, VertexPaintRow};
 use crate::plan::{Contents, Piece};
 use crate::scene::{Part, Scene, VertexPaint};
 
-/// Words of all vertex paints together: what one binding of any device holds, 2.5 million triangles. Parts beyond are shown in one colour.
+/// Maximum words of all vertex paints: what one binding holds on any device, 2.5 million triangles. Parts beyond it get a single colour.
 const MOST_WORDS: u64 = 32 << 20;
 
 /// The vertex paints of a scene.
 #[derive(Clone, Debug)]
 pub(crate) struct VertexPaints {
-    /// A row for each part that has one.
+    /// A row for each part that has a vertex paint.
     pub(crate) rows: Vec<VertexPaintRow>,
-    /// Triangle count of each coat.
+    /// Triangle count of each vertex paint.
     pub(crate) triangles: Vec<u32>,
     pub(crate) words: Contents,
-    /// 0, 1, 2 and so on, three for each triangle of the part that has most.
+    /// The numbers 0, 1, 2 and so on, three per triangle of the part with the most triangles.
     pub(crate) indices: Contents,
 }
 
@@ -30,8 +30,8 @@ pub(crate) fn shown(part: &Part) -> Option<&VertexPaint> {
 }
 
 impl VertexPaints {
-    /// Vertex paints of the parts that show one; none if no part does. Their textures begin at `first_image`, in the order of parts. Numbers
-    /// that count up are those of before where there are as many.
+    /// Vertex paints of the parts that show one; none if no part does. Their textures begin at `first_image`, in the order of parts. Index
+    /// lists are reused from before if they have the same length.
     pub(crate) fn of(
         scene: &Scene,
         (packed, rooms): (&[Packed], &[Room]),
@@ -47,7 +47,7 @@ impl VertexPaints {
             let (Some(vertex_paint), Some(words)) = (shown(of), &packed.vertex_paint) else {
                 continue;
             };
-            // Their textures have numbers all the same.
+            // Their textures are numbered nevertheless.
             let first_image = next.first_image;
             next.first_image += vertex_paint.images.len() as u32;
             let end =

@@ -1,27 +1,27 @@
-//! Materials of caps: what each part has, where textures are, and how clip-surfaces carry them.
+//! Cap materials: the material of each part, the positions of textures, and the mapping of clip-surfaces.
 
 use bytemuck::{Pod, Zeroable};
 
 use super::{CapPlane, Layout};
 
-/// In the place of the number of a texture: there is none.
+/// Stands for a texture number where there is no texture.
 pub const NO_TEXTURE: u32 = u32::MAX;
 
-/// A solid that is a stack of images which fills the box of its part.
+/// `solid` of a stack of images that fills the box of its part.
 pub const FILLED_STACK: u32 = 5;
 
-/// Words of a triangle of a vertex paint: three vertices, three colours, six coordinates, an image.
+/// Words per triangle of a vertex paint: three vertices, three colours, six coordinates, an image.
 pub const VERTEX_PAINT_WORDS: usize = 13;
 
-/// Clip-surfaces that layers can number.
+/// Maximum number of clip-surfaces that layers can number.
 pub const MOST_CAP_PLANES: usize = 256;
 
 shared! {
-    /// An image in the buffer of texels: `shaders/lib/colors/texture.wgsl`.
+    /// An image in the texel buffer: `shaders/lib/colors/texture.wgsl`.
     Texture {
         /// Its first texel.
         first: u32,
-        /// 1 where its numbers are sRGB.
+        /// 1 if its values are sRGB.
         is_color: u32,
         /// Columns and rows.
         size: [u32; 2],
@@ -33,39 +33,39 @@ shared! {
     VertexPaintRow {
         /// Number of the part in the scene.
         part: u32,
-        /// Its first vertex in the buffer of all parts.
+        /// Its first vertex in the shared vertex buffer.
         first_vertex: u32,
-        /// The first word of its first triangle.
+        /// First word of its first triangle.
         first_word: u32,
-        /// The first of its textures.
+        /// Number of its first texture.
         first_image: u32,
     }
 }
 
 shared! {
-    /// The material of the caps of a part: `shaders/effects/cap_materials.wgsl`.
+    /// The cap material of a part: `shaders/effects/cap_materials.wgsl`.
     CapMaterial {
-        /// From a point of scene space to the first coordinate in the solid: across the grain.
+        /// Maps a point of scene space to the solid's first coordinate: across the grain.
         x_row: [f32; 4],
-        /// To the second: across the grain too.
+        /// Maps it to the second coordinate: also across the grain.
         y_row: [f32; 4],
-        /// To the third: along the grain.
+        /// Maps it to the third coordinate: along the grain.
         z_row: [f32; 4],
-        /// Texture of colours.
+        /// Number of the colour texture.
         diffuse: u32,
-        /// Texture of normals.
+        /// Number of the normal texture.
         normal: u32,
-        /// Texture of light.
+        /// Number of the light texture.
         light: u32,
-        /// 0 for none, 1 wood, 2 marble, 3 granite, 4 a stack of images that repeats, 5 one that fills the box of the part.
+        /// 0 none, 1 wood, 2 marble, 3 granite, 4 a stack of images that repeats, 5 a stack that fills the part's box.
         solid: u32,
-        /// First image of a stack.
+        /// First image of a stack of images.
         first_image: u32,
         /// Number of images.
         image_count: u32,
-        /// Repeats of images in a scene unit; 0 takes those of the relief.
+        /// Image repeats per scene unit; 0 uses those of the relief.
         per_unit: f32,
-        /// 1 where the part has a material.
+        /// 1 if the part has a material.
         is_there: u32,
     }
 }
@@ -73,15 +73,15 @@ shared! {
 shared! {
     /// The frames of all clip-surfaces: `shaders/effects/cap_materials.wgsl`.
     CapMaterialPlanes {
-        /// By the number of the clip-surface: coordinates in scene units.
+        /// By clip-surface number: planes that give coordinates in scene units.
         planes: [CapPlane; MOST_CAP_PLANES],
-        /// Repeats of the relief in a scene unit along both directions, or what stands for them.
+        /// Relief repeats per scene unit in both directions, or their replacement without a relief.
         per_unit: [[f32; 4]; MOST_CAP_PLANES],
         /// Number of planes.
         count: u32,
-        /// Repeats in a scene unit where there is no relief.
+        /// Repeats per scene unit without a relief.
         default_per_unit: f32,
-        /// 1 where the third axis is up, and not the second.
+        /// 1 if the third axis is up instead of the second.
         is_z_up: u32,
         /// Unused.
         padding: u32,

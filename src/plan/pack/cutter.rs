@@ -1,4 +1,4 @@
-//! Triangles of cutters, in addition to the vertices that they begin with.
+//! Triangles of cutters: the data beyond the vertex that each begins with.
 
 use bytemuck::{Pod, Zeroable};
 
@@ -11,7 +11,7 @@ shared! {
         second: [f32; 4],
         /// Its third corner.
         third: [f32; 4],
-        /// Unit normal of its plane, and 1 where it is shaded by the normals of its corners.
+        /// Unit normal of its plane, and 1 if it is shaded with the normals of its corners.
         normal: [f32; 4],
     }
 }

@@ -10,9 +10,9 @@ use crate::scene::{Bounds, Precision, View};
 shared! {
     /// Mapping from scene space to pixels: `shaders/lib/frame.wgsl`.
     Frame {
-        /// To clip space.
+        /// Maps scene space to clip space.
         clip_from_scene: [f32; 16],
-        /// Ray origin at (0, 0), per pixel right, per pixel down.
+        /// Ray origin at pixel (0, 0), change per pixel right, change per pixel down.
         ray_origin: [[f32; 4]; 3],
         /// Ray direction, likewise.
         ray_direction: [[f32; 4]; 3],
@@ -20,38 +20,38 @@ shared! {
         ray_step: [[f32; 4]; 2],
         /// Viewing direction.
         forward: [f32; 4],
-        /// Box around the cut solids.
+        /// Least corner of the box around the cut solids.
         box_min: [f32; 4],
-        /// Box around the cut solids.
+        /// Greatest corner of the box around the cut solids.
         box_max: [f32; 4],
-        /// Picture.
+        /// Size of the picture in pixels.
         size_px: [u32; 2],
         /// Depth of the near plane.
         near: f32,
-        /// Depth behind everything.
+        /// A depth behind everything.
         far: f32,
-        /// 1 for parallel rays.
+        /// 1 if rays are parallel.
         orthographic: u32,
-        /// 1 where the near plane makes caps.
+        /// 1 if the near plane makes caps.
         near_cap: u32,
-        /// First row and all rows of the picture that this is a band of.
+        /// First row of this band, and number of rows of the whole picture.
         band: [u32; 2],
     }
 }
 
-/// Least margin of the box around the cut solids, so that no solid lies in a face of the box.
+/// Minimum margin of the box around the cut solids, so that no solid lies in a face of the box.
 const BOX_MARGIN: f64 = 1e-4;
 
-/// And at most, with the usual sub-pixel bits, however small the picture is.
+/// Maximum margin, for the usual number of sub-pixel bits, however small the picture is.
 const MOST_BOX_MARGIN: f64 = 9e-4;
 
-/// Margin in pixels where the box is farthest: fixed functions may cover samples next to a solid, as vertices are moved by half
-/// of 1/16 px along each axis where an adapter has the fewest sub-pixel bits that there are. Which crossings a fragment there lies behind
-/// is not known if its ray misses the box.
+/// Margin in pixels at the farthest point of the box: fixed-function hardware may cover samples next to a solid, because vertices move by
+/// half of 1/16 px along each axis on adapters with the fewest sub-pixel bits. If such a fragment's ray misses the box, the crossings
+/// in front of it are not known.
 const BOX_MARGIN_PX: f64 = 1.0 / 16.0;
 
-/// Largest margin of the box around the cut solids: traversals of reliefs have room for it, and it is less than tessellations
-/// reach beyond the solids. Pitches of grids depend on it, so it does not change with the camera.
+/// Largest margin of the box around the cut solids: relief traversals have room for it, and tessellations extend farther
+/// beyond the solids. Grid pitches depend on it, so it does not change with the camera.
 pub(crate) fn most_box_margin(precision: Precision) -> f64 {
     MOST_BOX_MARGIN * precision.coarseness()
 }
@@ -62,12 +62,12 @@ pub(crate) fn box_margin(view: &View, cut_box: &Bounds) -> f64 {
     (BOX_MARGIN_PX * view.pixel_size(view.farthest_in(cut_box))).clamp(BOX_MARGIN, most)
 }
 
-/// The frame of a view; `cut_box` is the box around the solids that are cut.
+/// The frame of a view; `cut_box` is the box around the cut solids.
 pub fn frame(view: &View, cut_box: &Bounds) -> Frame {
     let (o0, d0) = view.ray(DVec2::ZERO);
     let (ox, dx) = view.ray(DVec2::X);
     let (oy, dy) = view.ray(DVec2::Y);
-    // In orthographic views origins move with the pixel, in perspective directions do.
+    // In orthographic views the ray origin moves with the pixel, in perspective views the direction.
     let step = if view.orthographic {
         [ox - o0, oy - o0]
     } else {

@@ -1,4 +1,4 @@
-//! The numbers of a ghost.
+//! Parameters of a ghost.
 
 use bytemuck::{Pod, Zeroable};
 
@@ -9,13 +9,13 @@ shared! {
     Ghost {
         /// Colour of lines and glass, linear light.
         color: [f32; 4],
-        /// Half the width of a line in pixels.
+        /// Half the line width in pixels.
         half_px: f32,
         /// Opacity of lines.
         alpha: f32,
         /// Strength of glass.
         glass: f32,
-        /// Widths of a line in a scene unit.
+        /// Line widths per scene unit.
         widths_per_unit: f32,
     }
 }

@@ -1,4 +1,4 @@
-//! Hatches: planes that carry them, and what each part has.
+//! Hatches: the planes on which they are drawn, and the hatch of each part.
 
 use bytemuck::{Pod, Zeroable};
 
@@ -8,26 +8,26 @@ use crate::scene::MOST_STROKES;
 shared! {
     /// The plane of a clip-surface: `shaders/lib/colors/cap_plane.wgsl`.
     CapPlane {
-        /// First coordinate of a point in the plane, in scene units.
+        /// Gives the first coordinate of a point in the plane, in scene units.
         u_row: [f32; 4],
-        /// Second coordinate.
+        /// Gives the second coordinate.
         v_row: [f32; 4],
-        /// Its normal; the last is 1 where there is no one plane but the faces of a cutter.
+        /// Its normal; the last component is 1 if there is no single plane, but the faces of a cutter.
         normal: [f32; 4],
     }
 }
 
-/// Clip-surfaces that layers can number.
+/// Maximum number of clip-surfaces that layers can number.
 pub const MOST_HATCH_PLANES: usize = 256;
 
 shared! {
     /// The planes of all clip-surfaces.
     HatchPlanes {
-        /// By the number of the clip-surface.
+        /// By clip-surface number.
         planes: [CapPlane; MOST_HATCH_PLANES],
         /// Number of planes.
         count: u32,
-        /// Scene units along a pixel of the picture as the scene was first seen.
+        /// Scene units per pixel of the picture in which the scene was first seen.
         unit_px: f32,
         /// Unused.
         padding_b: u32,
@@ -39,43 +39,43 @@ shared! {
 shared! {
     /// The hatch of a part.
     PartHatch {
-        /// Colour of lines, linear light.
+        /// Line colour, linear light.
         color: [f32; 4],
-        /// Its first family of lines.
+        /// Number of its first line family.
         first_line: u32,
-        /// Number of families; without any the cap is filled.
+        /// Number of line families; if 0, the cap is filled.
         line_count: u32,
-        /// Opacity of the ink of lines.
+        /// Opacity of the lines' ink.
         alpha: f32,
-        /// Width of a line in pixels.
+        /// Line width in pixels.
         width_px: f32,
-        /// Rotation of the part since its lines were laid down, a quaternion.
+        /// Rotation of the part since its lines were placed, as a quaternion.
         turned: [f32; 4],
-        /// Its middle then, in scene space; the last is 1 where it has moved.
+        /// The part's middle at that time, in scene space; the last component is 1 if it has moved.
         start: [f32; 4],
-        /// Its middle now.
+        /// The part's middle now.
         end: [f32; 4],
     }
 }
 
 shared! {
-    /// A family of lines.
+    /// A line family.
     HatchLine {
-        /// Across the lines, in coordinates of the plane: in units of the distance from line to line.
+        /// Direction across the lines in plane coordinates, in units of the line spacing.
         across: [f32; 2],
-        /// Along them, in units of the distance after which dashes repeat.
+        /// Direction along the lines, in units of the dash period.
         along: [f32; 2],
-        /// Added across.
+        /// Offset added across the lines.
         phase: f32,
-        /// Added along.
+        /// Offset added along the lines.
         dash_phase: f32,
-        /// Shift of the next line along itself, in periods of dashes.
+        /// Shift of each line along itself relative to the previous one, in dash periods.
         shift: f32,
-        /// Number of strokes in a period; 0 for a line without end.
+        /// Number of strokes in a dash period; 0 for a solid line.
         dash_count: u32,
-        /// Their middles, in periods.
+        /// Stroke centres, in dash periods.
         dash_centres: [f32; MOST_STROKES],
-        /// Their lengths, in periods; 0 for a dot.
+        /// Stroke lengths, in dash periods; 0 for a dot.
         dash_lengths: [f32; MOST_STROKES],
     }
 }

@@ -1,4 +1,4 @@
-//! Shared structs of what keeps fragments.
+//! Shared structs of fragment storage.
 
 use bytemuck::{Pod, Zeroable};
 
@@ -9,11 +9,11 @@ shared! {
     FragmentPool {
         /// Number of lists.
         lists: u32,
-        /// Fragments in all of them together.
+        /// Total fragments in all lists.
         capacity: u32,
-        /// 1 where each fragment has an owner.
+        /// 1 if each fragment has an owner.
         has_owners: u32,
-        /// Number of the first list that a pass knows.
+        /// Number of the first list that the pass uses.
         first_list: u32,
     }
 }
@@ -23,7 +23,7 @@ shared! {
     SheetPool {
         /// Number of lists.
         lists: u32,
-        /// Fragments in all of them together.
+        /// Total fragments in all lists.
         capacity: u32,
         /// Unused.
         padding: [u32; 2],
@@ -35,7 +35,7 @@ shared! {
     Cascade {
         /// Number of fragments kept.
         slots: u32,
-        /// Parts.
+        /// Number of parts.
         lanes: u32,
         /// Unused.
         padding: [u32; 2],

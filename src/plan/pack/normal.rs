@@ -2,8 +2,8 @@
 
 use glam::Vec3;
 
-/// A unit vector as two 16-bit signed fractions, octahedral: the twin of `pack_normal` in `shaders/lib/layers.wgsl`, which a
-/// test compares word by word.
+/// A unit vector as two 16-bit signed fractions, octahedral: the counterpart of `pack_normal` in `shaders/lib/layers.wgsl`; a
+/// test compares the two word by word.
 pub fn pack_normal(n: Vec3) -> u32 {
     let sum = n.x.abs() + n.y.abs() + n.z.abs();
     let (mut x, mut y) = if sum > 0.0 {

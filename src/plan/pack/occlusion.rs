@@ -1,4 +1,4 @@
-//! The numbers of occlusion.
+//! Parameters of occlusion.
 
 use bytemuck::{Pod, Zeroable};
 
@@ -11,9 +11,9 @@ shared! {
         radius: f32,
         /// The greatest distance of a sample in pixels.
         reach_px: f32,
-        /// Planes through the line of sight.
+        /// Number of planes through the line of sight.
         slices: u32,
-        /// Samples to each side of each.
+        /// Samples on each side, per plane.
         steps: u32,
     }
 }
@@ -21,19 +21,19 @@ shared! {
 shared! {
     /// Depth and blurred depth: `shaders/lib/effects/depth_blur.wgsl`.
     Unsharp {
-        /// The length that is 1, in scene units.
+        /// Length that counts as 1, in scene units.
         diagonal: f32,
         /// Standard deviation in pixels.
         sigma_px: f32,
-        /// Samples to each side.
+        /// Samples on each side.
         reach_px: i32,
-        /// Darkening where depth is greater by 1 than around.
+        /// Darkening where the depth exceeds its surroundings by 1.
         strength: f32,
     }
 }
 
 shared! {
-    /// Weights of occlusion on caps of reliefs: `shaders/effects/relief_sky.wgsl`.
+    /// Weights of occlusion on relief caps: `shaders/effects/relief_sky.wgsl`.
     ReliefSky {
         /// Weight of the occlusion found in the picture.
         cap: f32,
@@ -49,15 +49,15 @@ shared! {
 shared! {
     /// A level ground and the map of its shadow: `shaders/effects/ground.wgsl`.
     Ground {
-        /// From a point of the scene to the column of the map.
+        /// Maps a scene point to a column of the map.
         x_row: [f32; 4],
-        /// To the row of the map.
+        /// Maps it to a row of the map.
         y_row: [f32; 4],
-        /// To the height above the ground.
+        /// Maps it to its height above the ground.
         up: [f32; 4],
-        /// Columns and rows of the map.
+        /// Number of columns and of rows of the map.
         side: u32,
-        /// Share of the light missing where it is darkest.
+        /// Share of the light missing at the darkest point.
         strength: f32,
         /// Unused.
         padding_a: u32,

@@ -4,13 +4,13 @@ use bytemuck::{Pod, Zeroable};
 
 use super::Layout;
 
-/// The lowest level that is kept: within its blocks rays go from cell to cell. In `shaders/lib/reliefs/pyramid.wgsl` as well.
+/// Lowest stored level: within its blocks rays go from cell to cell. Also in `shaders/lib/reliefs/pyramid.wgsl`.
 pub const LOWEST: u32 = 2;
-/// Nodes of the lowest level of a pass along a side of its workgroups: `shaders/passes/pyramid.wgsl`.
+/// Nodes along a side of a workgroup, at the lowest level of a pass: `shaders/passes/pyramid.wgsl`.
 pub const SIDE: u32 = 16;
 
 shared! {
-    /// The pyramid of the map of a clip-surface: `shaders/lib/reliefs/pyramid.wgsl`.
+    /// The pyramid of a clip-surface's map: `shaders/lib/reliefs/pyramid.wgsl`.
     Pyramid {
         /// First texel in the heights buffer.
         first_texel: u32,
@@ -18,13 +18,13 @@ shared! {
         levels: u32,
         /// Width and height of the map.
         map_size: [u32; 2],
-        /// 1 where the map repeats.
+        /// 1 if the map repeats.
         repeats: u32,
-        /// 1 in the first row of those that share a pyramid.
+        /// 1 in the first row of those that share this pyramid.
         is_own: u32,
         /// Unused.
         padding: [u32; 2],
-        /// First node of each level, level 1 first, which is not kept.
+        /// First node of each level, from level 1, which is not stored.
         first_node: [[u32; 4]; 4],
     }
 }

@@ -1,4 +1,4 @@
-//! The numbers of a style.
+//! Parameters of a style.
 
 use bytemuck::{Pod, Zeroable};
 
@@ -9,29 +9,29 @@ shared! {
     Style {
         /// Colour of strokes and hatches.
         ink: [f32; 4],
-        /// Colour behind the model; alpha 0 for nothing.
+        /// Colour behind the model; alpha 0 for none.
         paper: [f32; 4],
-        /// Cool blue, warm yellow, and the shares of the own colour in cool and in warm light.
+        /// Cool blue, warm yellow, and the shares of the part's own colour in cool and in warm light.
         gooch: [f32; 4],
-        /// Half the widths of strokes in pixels, by the class of the border less one.
+        /// Half the stroke widths in pixels, indexed by border class minus one.
         stroke_halves: [[f32; 4]; 2],
-        /// Cosine of the least fold that is a crease.
+        /// Cosine of the smallest fold angle that counts as a crease.
         crease_cos: f32,
-        /// The least jump in depth that is a contour, in widths of a pixel.
+        /// Smallest depth jump that counts as a contour, in pixel widths.
         depth_px: f32,
         /// Weight of light on caps.
         cap_light: f32,
-        /// Share of that light that depends on the facing of the cap.
+        /// Share of that light that depends on the orientation of the cap.
         cap_relief: f32,
-        /// Largest distance, in pixels, of a border whose stroke is seen.
+        /// Largest distance in pixels from a border at which its stroke is visible.
         stroke_reach_px: i32,
-        /// Samples per pixel of the picture along each side.
+        /// Samples per picture pixel along each axis.
         fineness: f32,
         /// Weight of occlusion on surfaces.
         occlusion_surface: f32,
         /// Weight of occlusion on caps.
         occlusion_cap: f32,
-        /// Unit vectors across the lines of engraving, and about the distance from line to line in pixels.
+        /// Unit vectors across the engraving lines, and the approximate line spacing in pixels.
         engraving: [[f32; 4]; 2],
     }
 }

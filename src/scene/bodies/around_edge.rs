@@ -1,9 +1,9 @@
 //! Pairs the triangles at an edge that bound the same wedge of solid.
 //!
-//! Going around the edge, a triangle either opens solid or closes it, by its orientation. Each opening pairs with the next closing, as
-//! brackets do. Triangles at the same angle, as of solids that touch, close before others open, and pair by their numbers.
+//! Going around the edge, a triangle either enters or leaves the solid, by its orientation. Each entry pairs with the next exit, like
+//! brackets. Among triangles at the same angle, as where solids touch, exits come before entries, and pairs follow the triangles' indices.
 //!
-//! Cost: a sort of the triangles at the edge. Angles are rounded: angles within a ten thousandth of a radian are equal.
+//! Cost: a sort of the triangles at the edge. Angles within a ten-thousandth of a radian count as equal.
 
 use std::f64::consts::TAU;
 
@@ -12,10 +12,10 @@ use glam::DVec3;
 use super::super::Mesh;
 use crate::scene::meshes::topology::EdgeUse;
 
-/// Angles that differ by less are the same, in radians: files round to f32.
+/// Angles that differ by less than this, in radians, count as equal, because files round to f32.
 const SAME_ANGLE: f64 = 1e-4;
 
-/// The pairs of triangles around an edge of which as many run up as run down.
+/// The pairs of triangles around an edge that equally many triangles use in each direction.
 pub(super) fn walls(mesh: &Mesh, edge: [u32; 2], uses: &[EdgeUse]) -> Vec<[u32; 2]> {
     let order = around(mesh, edge, uses);
     let mut pairs = Vec::with_capacity(uses.len() / 2);
@@ -31,7 +31,7 @@ pub(super) fn walls(mesh: &Mesh, edge: [u32; 2], uses: &[EdgeUse]) -> Vec<[u32; 
             (false, None) => left.push(one.triangle),
         }
     }
-    // What is still open closes beyond where the order began.
+    // Wedges still open are closed after wrapping around to the start.
     pairs.extend(
         left.into_iter()
             .zip(open.into_iter().rev())
@@ -40,8 +40,8 @@ pub(super) fn walls(mesh: &Mesh, edge: [u32; 2], uses: &[EdgeUse]) -> Vec<[u32; 
     pairs
 }
 
-/// The uses by their angles around the edge, counter-clockwise seen from its larger index: one that runs down has its outer side before
-/// it and opens solid, one that runs up closes it.
+/// The uses sorted by angle around the edge, counter-clockwise seen from the vertex with the larger index. A downward use has its outer
+/// side before it and enters the solid; an upward use leaves it.
 fn around(mesh: &Mesh, edge: [u32; 2], uses: &[EdgeUse]) -> Vec<EdgeUse> {
     let [from, to] = edge.map(|i| mesh.positions[i as usize]);
     let along = (to - from).normalize_or_zero();
@@ -57,7 +57,7 @@ fn around(mesh: &Mesh, edge: [u32; 2], uses: &[EdgeUse]) -> Vec<EdgeUse> {
         .map(|of| {
             let away = away(of);
             let angle = away.dot(second).atan2(away.dot(first)).rem_euclid(TAU);
-            // A hair before the beginning is at it.
+            // An angle just below a full turn counts as 0.
             let is_whole = angle > TAU - SAME_ANGLE;
             (if is_whole { 0.0 } else { angle }, *of)
         })
@@ -71,7 +71,7 @@ fn around(mesh: &Mesh, edge: [u32; 2], uses: &[EdgeUse]) -> Vec<EdgeUse> {
             some.sort_by_key(|of| of.triangle);
             some
         };
-        // The order backwards has to be that of the edge seen from its other end.
+        // Seen from its other end, the edge has to give the reverse order.
         order.extend(of(false).into_iter().rev());
         order.extend(of(true));
     }

@@ -1,13 +1,13 @@
 //! Finds the closed shells that contain a shell.
 //!
-//! A vertex of the inner shell is in the outer one if the ray from there along x crosses it in sum, counted with the direction in which
-//! it leaves; where its triangles contradict each other, if the crossings are odd in number. Every sign is exact ([`robust`]); a ray
-//! through an edge passes on the side of larger z, or else of larger y, so that nothing is counted twice or not at all. A vertex on the
-//! outer shell is undecided. Some vertices are tested, and one that is outside is conclusive: shells that touch or cross each other do
-//! not contain each other.
+//! A vertex of the inner shell is inside the outer one if the signed crossings (exits minus entries) of a ray from it along x do not sum
+//! to 0; if the outer shell's orientation is inconsistent, if their number is odd. Every sign is exact ([`robust`]); a ray through
+//! an edge passes on the side of larger z, or else of larger y, so that each crossing is counted exactly once. A vertex on the outer
+//! shell is undecided. Only some vertices are tested, and one that is outside is conclusive: shells that touch or cross each other
+//! do not contain each other.
 //!
-//! Cost: boxes over the triangles of closed shells once; a ray looks at the boxes that it meets, and at the triangles in the last of
-//! these.
+//! Cost: building a bounding-box tree over the triangles of closed shells once; a ray tests the boxes that it meets, and the triangles
+//! in the leaves.
 
 use glam::DVec3;
 use robust::{Coord, Coord3D, orient2d, orient3d};
@@ -23,14 +23,14 @@ const ASKED: usize = 8;
 pub(super) struct Insides<'a> {
     mesh: &'a Mesh,
     shells: &'a Shells,
-    /// A triangle of each shell in [`ASKED`] places.
+    /// [`ASKED`] triangles of each shell.
     asked: Vec<[u32; ASKED]>,
     /// Triangles of closed shells in the order of the tree.
     triangles: Vec<u32>,
     tree: Tree,
 }
 
-/// Position of a point relative to a closed shell that it is not outside.
+/// Position of a point that is not outside a closed shell.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum ShellPosition {
     Within,
@@ -66,7 +66,7 @@ impl<'a> Insides<'a> {
         }
     }
 
-    /// The smallest of the closed shells that contain a closed shell wholly.
+    /// The smallest closed shell that wholly contains the given closed shell.
     pub(super) fn smallest_around(&self, shell: u32) -> Option<u32> {
         let all = &self.shells.shells;
         let inner = &all[shell as usize];
@@ -104,7 +104,7 @@ impl<'a> Insides<'a> {
             .min_by(|a, b| all[*a as usize].by_size(&all[*b as usize]).then(a.cmp(b)))
     }
 
-    /// The closed shells but one that a point is in or on.
+    /// The closed shells, except `but`, that a point is in or on.
     fn places(&self, point: DVec3, but: u32) -> Vec<(u32, ShellPosition)> {
         let beside = |b: &Bounds| {
             let (y, z) = (point.y, point.z);
@@ -154,7 +154,7 @@ fn asked(shells: &Shells) -> Vec<[u32; ASKED]> {
     let mut passed = vec![0_usize; counts.len()];
     for (triangle, shell) in (0..).zip(&shells.of_triangles) {
         let shell = *shell as usize;
-        // The place that each of them begins, and those that a small shell leaves to the same triangle.
+        // Index of the first slot of each triangle; in a small shell several slots fall to the same triangle.
         let place = |triangles: usize| (triangles * ASKED).div_ceil(counts[shell]);
         asked[shell][place(passed[shell])..place(passed[shell] + 1)].fill(triangle);
         passed[shell] += 1;
@@ -166,7 +166,7 @@ fn holds(outer: &Bounds, inner: &Bounds) -> bool {
     outer.min.cmple(inner.min).all() && outer.max.cmpge(inner.max).all()
 }
 
-/// The direction in which the ray from a point along x crosses a triangle, if it does: 1 to its outer side.
+/// The direction in which the ray from a point along x crosses a triangle, if it does: 1 towards its outer side.
 fn crossing(point: DVec3, corners: [DVec3; 3]) -> Option<i32> {
     let across = |p: DVec3| Coord { x: p.y, y: p.z };
     let mut turns = 0;
@@ -176,7 +176,7 @@ fn crossing(point: DVec3, corners: [DVec3; 3]) -> Option<i32> {
         if !(is_up || is_down) {
             continue;
         }
-        // Of the side from its lower end, which it has in common with the triangle next to it.
+        // Evaluated from the side's lower end, so that both triangles at the side compute the same sign.
         let (low, high) = if is_up { (from, to) } else { (to, from) };
         if orient2d(across(low), across(high), across(point)) > 0.0 {
             turns += if is_up { 1 } else { -1 };
@@ -205,7 +205,7 @@ fn is_on(point: DVec3, corners: [DVec3; 3]) -> bool {
     signs.iter().all(|s| *s >= 0.0) || signs.iter().all(|s| *s <= 0.0)
 }
 
-/// Positive behind a triangle, negative before it, 0 in its plane.
+/// Positive behind a triangle, negative in front of it, 0 in its plane.
 fn behind(point: DVec3, corners: [DVec3; 3]) -> f64 {
     let [a, b, c, p] = [corners[0], corners[1], corners[2], point].map(|p| Coord3D {
         x: p.x,

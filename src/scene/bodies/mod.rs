@@ -1,24 +1,24 @@
-//! The bodies of a mesh: pieces that can be removed without tearing the surface.
+//! The bodies of a mesh: fragments that can be removed without tearing the surface.
 //!
-//! A *shell* is a piece of surface whose triangles are connected over edges (see [`shells`]); a vertex alone joins nothing. A body is a
-//! shell with its cavities. Shells that are closed nest: of those that contain a shell wholly, the smallest is around it.
+//! A *shell* is an edge-connected component of the surface (see [`shells`]); a shared vertex alone does not connect. A body is a shell
+//! with its cavities. Closed shells nest: the parent of a shell is the smallest shell that wholly contains it.
 //!
-//! | the shell | is |
+//! | a shell | is |
 //! |---|---|
-//! | around it is nothing | a body |
-//! | around it is a body that faces the same way | a body of its own: solids that overlap |
-//! | around it is a body that faces the other way | a cavity of that body |
-//! | around it is a cavity | a body, whichever way it faces |
-//! | it is open | a body: nothing is inside |
+//! | without a parent | a body |
+//! | whose parent is a body that faces the same way | a body of its own: the solids overlap |
+//! | whose parent is a body that faces the other way | a cavity of that body |
+//! | whose parent is a cavity | a body, whichever way it faces |
+//! | that is open | a body: it contains nothing |
 //!
-//! So a mesh that is inside out as a whole has the bodies that it has the right way round. Where orientation says nothing, because
-//! triangles of a shell contradict each other or it is flat, what is directly in a body is its cavity: parity.
+//! So a mesh that is inside out as a whole has the same bodies as its correctly oriented version. Where orientation is undefined, because
+//! a shell's triangles contradict each other or it is flat, parity decides: every child of a body is its cavity.
 //!
 //! Bodies are numbered by their first triangles.
 //!
-//! Cost: one parallel sort of three numbers per triangle; where there are shells that do not face out, boxes over the triangles of closed
-//! shells, and up to eight rays per shell ([`inside`]). Cannot: join the sheets of a solid whose edges are open, or tell a surface of which
-//! every face is there twice, once each way, from two solids in one place.
+//! Cost: one parallel sort of three numbers per triangle; if some shells do not face out, also a box tree over the triangles of closed
+//! shells and up to eight rays per shell ([`inside`]). Cannot: join the sheets of a solid whose edges are open, or distinguish a surface
+//! that has every face twice, once each way, from two coincident solids.
 
 mod around_edge;
 mod inside;
@@ -37,7 +37,7 @@ use super::Mesh;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bodies {
     of_triangles: Vec<u32>,
-    /// Per body.
+    /// Per body, true if it is closed.
     is_closed: Vec<bool>,
 }
 
@@ -46,7 +46,7 @@ impl Bodies {
     pub fn of(mesh: &Mesh) -> Self {
         let shells = Shells::of(mesh);
         let heads = heads(mesh, &shells);
-        // Bodies in the order of their first triangles, whichever shell of theirs has it.
+        // Bodies are ordered by their first triangle, in whichever of their shells it is.
         let mut numbers: Vec<Option<u32>> = vec![None; heads.len()];
         let mut is_closed = Vec::new();
         let of_triangles = (shells.of_triangles.iter())
@@ -94,13 +94,13 @@ impl Bodies {
     }
 }
 
-/// The shell that each shell is a body with: itself, or the one whose cavity it is.
+/// Per shell, the outer shell of its body: itself, or the shell whose cavity it is.
 fn heads(mesh: &Mesh, shells: &Shells) -> Vec<u32> {
     let all = &shells.shells;
     let mut heads: Vec<u32> = (0..all.len() as u32).collect();
     let faces_out = |s: &shells::Shell| s.facing == Some(Facing::Out);
     if all.iter().all(|s| !s.is_closed || faces_out(s)) {
-        // Whatever is in what, there is no cavity.
+        // However the shells nest, there is no cavity.
         return heads;
     }
     let insides = Insides::of(mesh, shells);
@@ -108,7 +108,7 @@ fn heads(mesh: &Mesh, shells: &Shells) -> Vec<u32> {
         .into_par_iter()
         .map(|shell| insides.smallest_around(shell))
         .collect();
-    // What is around a shell is larger, and comes before it.
+    // A shell's parent is larger, so it comes first.
     let mut order: Vec<u32> = (0..all.len() as u32).collect();
     order.sort_by(|a, b| all[*b as usize].by_size(&all[*a as usize]).then(b.cmp(a)));
     for shell in order {
@@ -177,7 +177,7 @@ mod tests {
         all
     }
 
-    /// Vertices at equal places are one.
+    /// The mesh with vertices at equal positions merged.
     fn welded(mesh: &Mesh) -> Mesh {
         let mut positions: Vec<DVec3> = Vec::new();
         let numbers: Vec<u32> = (mesh.positions.iter())
@@ -198,7 +198,7 @@ mod tests {
         }
     }
 
-    /// The body of each of some meshes that are joined, which each must be in one.
+    /// The body of each of several joined meshes, each of which must lie in a single body.
     fn bodies_of(meshes: &[Mesh]) -> Vec<u32> {
         let bodies = Bodies::of(&joined(meshes));
         let mut first = 0;
@@ -259,7 +259,7 @@ mod tests {
             cube([9.0, 0.0, 0.0], 1.0, IN),
         ];
         assert_eq!(bodies_of(&two), [0, 1, 1, 0, 2]);
-        // In the box of an L, and not in the L.
+        // Inside the bounding box of an L shape, but outside the L.
         let mut l = joined(&[
             cuboid([0.0; 3], [3.0, 1.0, 1.0], OUT),
             cuboid([0.0, 1.0, 0.0], [1.0, 3.0, 1.0], OUT),
@@ -281,7 +281,7 @@ mod tests {
             cube([0.0; 3], 1.0, OUT),
         ];
         assert_eq!(bodies_of(&filled), [0, 0, 1]);
-        // With vertices in common there is no telling which triangle is whose but by orientation.
+        // With shared vertices, only orientation shows which solid a triangle belongs to.
         let shared = welded(&joined(&filled));
         let bodies = Bodies::of(&shared);
         assert_eq!(bodies.count(), 2);
@@ -326,7 +326,7 @@ mod tests {
         }
         let bodies = Bodies::of(&welded(&joined(&cubes)));
         assert_eq!(bodies.count(), 8);
-        // Another diagonal: triangles at the same angle that are not the same.
+        // Split along the other diagonal: triangles at the same angle that differ.
         let mut other = cuboid([1.0, 0.0, 0.0], [2.0, 1.0, 1.0], OUT);
         let at = |t: &[u32; 3]| t.iter().all(|i| other.positions[*i as usize].x == 1.0);
         let ends: Vec<usize> = (0..12).filter(|t| at(&other.triangles[*t])).collect();
@@ -350,7 +350,7 @@ mod tests {
         finned.triangles.push([0, 1, 8]);
         let bodies = Bodies::of(&finned);
         assert_eq!((bodies.count(), bodies.open()), (2, 1));
-        // Three sheets at an edge, of which no two belong together.
+        // Three sheets at an edge, no two of which belong together.
         let sheets = Mesh {
             positions: (0..5)
                 .map(|i| DVec3::new(f64::from(i), f64::from(i * i), f64::from(i % 2)))
@@ -416,7 +416,7 @@ mod tests {
         }
     }
 
-    /// Corners of all triangles, each beginning with its least, sorted.
+    /// Corners of all triangles, each rotated to start with its smallest corner, sorted.
     fn as_a_set<'a>(meshes: impl Iterator<Item = &'a Mesh>) -> Vec<[[u64; 3]; 3]> {
         let mut all: Vec<_> = meshes
             .flat_map(|mesh| (0..mesh.triangles.len()).map(|t| mesh.corners(t)))
@@ -447,7 +447,7 @@ mod tests {
         for seed in 0..60 {
             let mut numbers = Numbers(seed);
             let count = 1 + (numbers.next() * 9.0) as usize;
-            // On a coarse grid, so that some touch, some coincide and some are in others.
+            // On a coarse grid, so that some touch, some coincide and some contain others.
             let mut placed = Vec::new();
             for _ in 0..count {
                 let mut mesh = shapes[(numbers.next() * shapes.len() as f64) as usize].clone();
@@ -473,7 +473,7 @@ mod tests {
             assert_eq!(pieces.len(), bodies.count().max(1), "seed {seed}");
             let again = as_a_set(pieces.iter().map(|p| &*p.mesh));
             assert!(again == as_a_set(std::iter::once(&whole)), "seed {seed}");
-            // Every piece is whole by itself, and its numbers come in order.
+            // Every body is complete in itself, and bodies are in the order of their first triangles.
             let firsts: Vec<_> = (bodies.triangles().iter()).map(|t| t[0]).collect();
             assert!(firsts.is_sorted(), "seed {seed}");
             // A body that is split is one body.
@@ -481,7 +481,7 @@ mod tests {
                 assert_eq!(Bodies::of(&piece.mesh).count(), 1, "seed {seed}");
             }
         }
-        // The control: a set notices one triangle that is turned, and one that is gone.
+        // Control: the comparison detects one flipped and one missing triangle.
         let whole = shapes[0].clone();
         let (mut turned, mut torn) = (whole.clone(), whole.clone());
         turned.triangles[0].swap(0, 1);
@@ -493,7 +493,7 @@ mod tests {
 
     #[test]
     fn a_lattice_of_thousands_of_bodies_comes_apart() {
-        // Boxes with cavities, 16,000 shells of 192,000 triangles: by pairs it would take minutes.
+        // Boxes with cavities, 16,000 shells with 192,000 triangles in total: testing all pairs would take minutes.
         let mut all = Vec::new();
         for i in 0..8000_u32 {
             let at = [i % 20, i / 20 % 20, i / 400].map(f64::from);

@@ -1,8 +1,8 @@
-//! Parts taken apart into their bodies, with all that moves them.
+//! Splits parts into their bodies, with their motion and rig.
 //!
-//! A body keeps the order of its triangles, their normals, the vertices that they use, and what its part has: place, look, role, motion
-//! and the rig of its file. A part that is one body stays the part that it is. Parts that share a mesh, as the wheels of a car do, share
-//! those of its bodies.
+//! A body keeps the order of its triangles, their normals, the vertices that they use, and its part's placement, material, role, motion
+//! and the rig from its file. A part with a single body stays unchanged. Parts that share a mesh, such as the wheels of a car, also
+//! share the meshes of its bodies.
 
 use std::sync::Arc;
 
@@ -10,7 +10,7 @@ use super::super::motion::Bound;
 use super::super::{Mesh, Motion, Part, is_same_motion};
 use super::Bodies;
 
-/// The bodies of a mesh as meshes of their own.
+/// The bodies of a mesh as separate meshes.
 #[derive(Debug)]
 pub struct Pieces {
     whole: Arc<Mesh>,
@@ -23,12 +23,12 @@ pub struct Pieces {
 struct Piece {
     mesh: Arc<Mesh>,
     motion: Option<Arc<Motion>>,
-    /// The mesh as its file bound it, and as the file shows it at rest.
+    /// The mesh as its file bound it, and in the file's rest pose.
     bound: Option<(Arc<Bound>, Arc<Mesh>)>,
 }
 
 impl Pieces {
-    /// Takes a part apart into bodies, which are those of a mesh with the same triangles.
+    /// Splits a part into bodies; `bodies` must come from a mesh with the same triangles.
     pub fn of(part: &Part, bodies: &Bodies) -> Self {
         let pieces = match bodies.count() {
             0 | 1 => Vec::new(),
@@ -44,7 +44,7 @@ impl Pieces {
         }
     }
 
-    /// Returns true if they belong to a part.
+    /// Returns true if these are the bodies of the part.
     pub fn are_of(&self, part: &Part) -> bool {
         let bound = match (bound_of(part), &self.bound) {
             (Some(a), Some(b)) => Arc::ptr_eq(a, b),
@@ -56,7 +56,7 @@ impl Pieces {
             && is_same_motion(self.motion.as_ref(), part.motion.as_ref())
     }
 
-    /// The parts that a part comes apart into, all by its name; itself if it is one body.
+    /// The parts that a part splits into, all with its name; the part itself if it has one body.
     pub fn parts(&self, part: &Part) -> Vec<Part> {
         if self.pieces.is_empty() {
             return vec![part.clone()];
@@ -98,7 +98,7 @@ impl Piece {
             };
             (Arc::new(own_bound), rest)
         });
-        // The same mesh in both places where it was the same before.
+        // If both places shared one mesh before, they share one again.
         let mesh = match &bound {
             Some((_, rest)) if **rest == *mesh => Arc::clone(rest),
             _ => mesh,
@@ -111,7 +111,7 @@ impl Piece {
     }
 }
 
-/// Binding of a part by its file, if the part still has the triangles of that file.
+/// The part's binding from its file, if the part still has the file's triangles.
 pub(in crate::scene) fn bound_of(part: &Part) -> Option<&Arc<Bound>> {
     let driver = part.driver.as_ref()?;
     let has_its_mesh = [driver.rest_mesh(), &driver.bound().mesh]
@@ -121,8 +121,8 @@ pub(in crate::scene) fn bound_of(part: &Part) -> Option<&Arc<Bound>> {
 }
 
 impl Part {
-    /// The bodies of the part as parts of their own, named `NAME/1`, `NAME/2` and so on; itself if it is one body ([`Bodies`]). A part
-    /// whose mesh is no longer that of its file has left its file's animations behind.
+    /// The bodies of the part as separate parts named `NAME/1`, `NAME/2` and so on; the part itself if it has one body ([`Bodies`]). A part
+    /// whose mesh is no longer that of its file loses the file's animations.
     #[must_use]
     pub fn split(&self) -> Vec<Self> {
         let mut parts = Pieces::of(self, &Bodies::of(&self.mesh)).parts(self);
@@ -135,7 +135,7 @@ impl Part {
     }
 }
 
-/// Name of a body, numbered from 1, of a part or another named item.
+/// Name of the body with a number, from 1, of a part or another named item.
 pub fn body_name(of: &str, number: usize) -> String {
     format!("{of}/{number}")
 }

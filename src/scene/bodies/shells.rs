@@ -1,12 +1,12 @@
-//! Shells: pieces of surface whose triangles are connected over edges.
+//! Shells: edge-connected components of the surface.
 //!
-//! An edge of two triangles joins them, however they are turned. Where more meet, the order of the triangles comes first: files write one
-//! solid after the other, so triangles that are closed by themselves once the last of them comes are apart from all others ([`runs`]).
-//! Of the others, a shell that uses the edge as often in one direction as in the other is complete by itself: two cubes that share an edge
-//! are two shells. The rest go together around the edge so that each wedge of
-//! solid has its two walls ([`around_edge`](super::around_edge)), or all of them if that fails. Thus a sheet attached to
-//! a solid by one edge comes off it, and cubes that share a face, twice there, come apart. A mesh of negative volume is taken the other way
-//! round, so that cubes come apart there too.
+//! An edge with two triangles joins them, whatever their orientation. Where more meet, the order of the triangles decides first: files
+//! write one solid after the other, so a run of consecutive triangles that is closed in itself is separate from all others ([`runs`]).
+//! Of the others, a shell that uses the edge equally often in both directions is complete by itself: two cubes that share an edge
+//! are two shells. The rest are paired around the edge so that each wedge of
+//! solid has its two walls ([`around_edge`](super::around_edge)), or all are joined if that fails. Thus a sheet attached to
+//! a solid by one edge is separated from it, and so are cubes with a common face that is present twice. A mesh of negative volume is
+//! treated with reversed orientation, so that cubes are separated there too.
 
 use std::cmp::Ordering;
 
@@ -14,7 +14,7 @@ use super::super::{Bounds, Mesh};
 use super::around_edge::walls;
 use crate::scene::meshes::topology::{EdgeUse, EdgeUses, Sets};
 
-/// A shell with a smaller mean thickness, as a share of its size, is flat: rounding decides which way it faces.
+/// A shell whose mean thickness, as a share of its size, is smaller than this is flat: rounding decides which way it faces.
 const FLAT: f64 = 1e-9;
 
 /// Orientation of a closed shell.
@@ -27,18 +27,18 @@ pub(super) enum Facing {
 /// Properties of a shell.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Shell {
-    /// Every edge has an even number of uses in it.
+    /// True if the shell uses every edge an even number of times.
     pub(super) is_closed: bool,
-    /// Every edge has as many uses in one direction as in the other.
+    /// True if the shell uses every edge equally often in both directions.
     pub(super) is_consistent: bool,
-    /// Set for a closed shell if its triangles agree and it is not flat.
+    /// Set for a closed shell if its orientation is consistent and it is not flat.
     pub(super) facing: Option<Facing>,
     pub(super) bounds: Bounds,
     volume: f64,
 }
 
 impl Shell {
-    /// Orders shells so that a shell is not less than one that it contains.
+    /// Orders shells so that no shell sorts below one that it contains.
     pub(super) fn by_size(&self, other: &Self) -> Ordering {
         let span = |s: &Self| s.bounds.size().element_sum();
         let by_volume = |a: &Self, b: &Self| a.volume.abs().total_cmp(&b.volume.abs());
@@ -86,7 +86,7 @@ impl Shells {
     }
 }
 
-/// An edge used downwards takes back one used upwards.
+/// Sign of an edge use: upward and downward uses cancel.
 fn step(of: EdgeUse) -> i32 {
     if of.is_down { -1 } else { 1 }
 }
@@ -111,7 +111,7 @@ fn joined(mesh: &Mesh, uses: &EdgeUses) -> Vec<u32> {
     };
     let mut shared: Vec<([u32; 2], Vec<EdgeUse>)> = Vec::new();
     for (edge, mut of_edge) in crowded {
-        // Uses are in the order of triangles within each direction, not over both.
+        // Uses are sorted by triangle within each direction, not overall.
         of_edge.sort_by_key(|of| of.triangle);
         for of_run in
             of_edge.chunk_by(|a, b| run_of[a.triangle as usize] == run_of[b.triangle as usize])
@@ -123,7 +123,7 @@ fn joined(mesh: &Mesh, uses: &EdgeUses) -> Vec<u32> {
             }
         }
     }
-    // By the patches that edges of two triangles have joined, so that no edge depends on the order of those before it.
+    // Uses the patches joined over two-triangle edges, so that the result does not depend on the order in which edges are visited.
     let patches: Vec<u32> = match shared.is_empty() {
         true => Vec::new(),
         false => (0..count as u32).map(|t| sets.find(t)).collect(),
@@ -152,8 +152,8 @@ fn joined(mesh: &Mesh, uses: &EdgeUses) -> Vec<u32> {
         .collect()
 }
 
-/// The number of the closed run that each triangle is in: triangles in order, until each edge has as many uses in one direction as in the
-/// other. What is left in the end is a run, too.
+/// Per triangle, the number of its closed run: consecutive triangles up to the point where every edge is used equally often in both
+/// directions. The remaining triangles at the end also form a run.
 fn runs(count: usize, uses: &EdgeUses) -> Vec<u32> {
     let mut edges_of: Vec<Vec<(u32, i32)>> = vec![Vec::with_capacity(3); count];
     let mut edges = 0;
@@ -179,7 +179,7 @@ fn runs(count: usize, uses: &EdgeUses) -> Vec<u32> {
         .collect()
 }
 
-/// Pairs of triangles to join at an edge of more than two.
+/// Pairs of triangles to join at an edge with more than two.
 fn pairs_at(mesh: &Mesh, edge: [u32; 2], mut run: Vec<EdgeUse>, patches: &[u32]) -> Vec<[u32; 2]> {
     let patch = |u: &EdgeUse| patches[u.triangle as usize];
     run.sort_by_key(|u| (patch(u), u.triangle));

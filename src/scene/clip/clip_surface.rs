@@ -1,8 +1,8 @@
-//! Clip-surfaces: a plane, or a plane with an offset map, as Trapp & Döllner 2013 parametrise them.
+//! Clip-surfaces: a plane, or a plane with an offset map, parametrised as in Trapp & Döllner 2013.
 //!
 //! Notation of the paper: `O` origin, `U`, `V` orthogonal directions whose lengths stretch the map, `S` scale, `OM` offset
 //! map, `N = U/|U| x V/|V|`. A point is removed iff `(P - O).N + f(OM, T).Sz < 0`, with
-//! `T = ((P_N - O).Û / |U| Sx, (P_N - O).V̂ / |V| Sy)`. Three slips of the paper are mended here: its Eq. 2 lacks the
+//! `T = ((P_N - O).Û / |U| Sx, (P_N - O).V̂ / |V| Sy)`. Three errors of the paper are corrected here: its Eq. 2 lacks the
 //! parentheses around `P_N - O` in the second coordinate, its `N = |U| x |V|` means the normalised directions, and its
 //! listing 1 divides both coordinates by `|U|`. The surface therefore lies at distance `-f.Sz` along `N`, and the side
 //! that `N` points to is kept.
@@ -24,9 +24,9 @@ pub struct ClipSurface {
     pub u: DVec3,
     /// `V`, orthogonal to `U`.
     pub v: DVec3,
-    /// `S`: repeats of the map per `|U|` and per `|V|`, and the height of a texel of value 1 in world units.
+    /// `S`: map repeats per `|U|` and per `|V|`, and the height of a texel with value 1, in world units.
     pub scale: DVec3,
-    /// `OM`; a plane has none.
+    /// `OM`; `None` for a plane.
     pub relief: Option<Arc<OffsetMap>>,
     /// Address mode of the map outside 0..1.
     pub wrap: Wrap,
@@ -44,14 +44,14 @@ pub struct SurfaceFrame {
 }
 
 impl ClipSurface {
-    /// [`ClipSurface::upright`] where +Y is up.
+    /// [`ClipSurface::upright`] with +Y up.
     pub fn plane(origin: DVec3, normal: DVec3) -> Self {
         Self::upright(origin, normal, Up::PlusY)
     }
 
-    /// A plane through a point that keeps the side of its normal. `U` and `V` depend on the direction of the normal alone: seen
-    /// from the removed side `U` is to the right and `V` points down, so that an image on the plane stands upright and is not
-    /// mirrored. In a level plane `U` is the x axis.
+    /// A plane through a point that keeps the side its normal points to. `U` and `V` depend only on the normal's direction: seen
+    /// from the removed side `U` points right and `V` points down, so that an image on the plane is upright and not mirrored.
+    /// In a level plane `U` is the x axis.
     pub fn upright(origin: DVec3, normal: DVec3, up: Up) -> Self {
         let [u, v] = directions(normal.normalize_or(DVec3::Z), up);
         Self {
@@ -65,7 +65,7 @@ impl ClipSurface {
     }
 
     /// Returns the reason if the parameters are invalid: all numbers must be finite, the lengths of `U` and `V`
-    /// between 1e-150 and 1e150 so that their squares are numbers, and the angle between them right to 1e-6.
+    /// between 1e-150 and 1e150 so that their squares neither overflow nor underflow, and the angle between them right to 1e-6.
     pub fn defect(&self) -> Option<String> {
         let vectors = [
             ("origin", self.origin),
@@ -93,8 +93,8 @@ impl ClipSurface {
         })
     }
 
-    /// Returns the reason if the surface cannot be drawn with a model of these bounds: devices compute in radii of the model and in
-    /// f32, whose range must hold repeats of the map and heights.
+    /// Returns the reason if the surface cannot be drawn with a model of these bounds: devices compute in f32, in units of the model's
+    /// radius, and map repeats and heights must fit the range of f32.
     pub fn defect_beside(&self, model: &Bounds) -> Option<String> {
         if let Some(what) = self.defect() {
             return Some(what);
@@ -142,7 +142,7 @@ impl ClipSurface {
         )
     }
 
-    /// Signed amount by which a point is kept: `(P - O).N + f(OM, T).Sz`, negative where removed.
+    /// Signed height of a point over the surface: `(P - O).N + f(OM, T).Sz`, negative where removed.
     pub fn kept_height(&self, point: DVec3) -> f64 {
         let height = self.relief.as_ref().map_or(0.0, |map| {
             map.sample(self.wrap, self.map_from_world(point)).0
@@ -159,7 +159,7 @@ impl ClipSurface {
         }
     }
 
-    /// The same surface turned in itself by an angle in radians, `U` towards `V`, about its origin.
+    /// The same surface with its map rotated in the plane about its origin by an angle in radians, `U` towards `V`.
     #[must_use]
     #[doc(hidden)]
     pub fn spun(&self, angle: f64) -> Self {
@@ -301,7 +301,7 @@ mod tests {
     #[test]
     fn the_printed_listing_stretches_the_map_unless_u_and_v_are_alike() {
         let mut surface = relief(Wrap::Repeat);
-        // The end of V is one repeat away, whatever its length: that is what V means.
+        // By definition the end of V is one repeat away, whatever its length.
         let end_of_v = surface.origin + surface.v;
         assert!(
             (surface.map_from_world(end_of_v).y - surface.scale.y).abs() < 1e-12,
@@ -326,7 +326,7 @@ mod tests {
 
     #[test]
     fn the_projection_onto_the_plane_leaves_t_alone() {
-        // T is defined by P_N, the foot of P; N is orthogonal to U and V, so P itself gives the same.
+        // T is defined by P_N, the projection of P onto the plane; N is orthogonal to U and V, so P itself gives the same T.
         let surface = relief(Wrap::Mirror);
         let n = surface.frame().normal;
         for p in scattered(500) {

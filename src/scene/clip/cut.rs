@@ -1,31 +1,31 @@
 //! Cuts: removed regions, and the parts they apply to.
 //!
-//! A part can have a region of its own: an [`Offset`] moves all clip-surfaces of a cut for the parts that it names.
+//! A part can have its own removed region: an [`Offset`] moves all clip-surfaces of a cut for the parts that it names.
 
 use crate::scene::{Breakaway, ClipSurface, Cutter, Part, Role};
 
-/// The intersection of the removed sides of its clip-surfaces and of its cutter, removed from the parts it applies to.
+/// Removes the intersection of the removed sides of its clip-surfaces and cutter from the parts it applies to.
 #[derive(Clone, Debug)]
 pub struct Cut {
     /// Name for reports and keys.
     pub name: String,
     /// At least one clip-surface, unless there is a cutter.
     pub surfaces: Vec<ClipSurface>,
-    /// A closed mesh that acts as one more clip-surface, after the others.
+    /// A closed mesh that acts as an additional clip-surface after the others.
     pub volume: Option<Cutter>,
-    /// Parameters of a cutter that places itself: see [`Scene::open_breakaways`](crate::scene::Scene::open_breakaways).
+    /// Parameters of an automatically placed cutter: see [`Scene::open_breakaways`](crate::scene::Scene::open_breakaways).
     pub breakaway: Option<Breakaway>,
-    /// The number of its opening, from 0: a breakaway with several is several cuts. Set where breakaways are opened.
+    /// The number of its opening, from 0: a breakaway with several openings becomes several cuts. Set when breakaways are opened.
     pub opening: usize,
-    /// Names of the whole parts among what its opening shows, which it does not hide. Set where breakaways are opened.
+    /// Names of the [whole](crate::scene::Role::Whole) parts that its opening shows, so does not hide. Set when breakaways are opened.
     pub shows: Vec<String>,
-    /// Globs of the parts that are cut; `*` and `?` are understood.
+    /// Globs of the parts that are cut, with `*` and `?` as wildcards.
     pub applies_to: Vec<String>,
     /// Globs of the parts that are spared.
     pub except: Vec<String>,
     /// Parts from which more or less is removed.
     pub offsets: Vec<Offset>,
-    /// True if the cut removes anything. The clip-surfaces of a cut that is off keep their numbers.
+    /// False if the cut is switched off and removes nothing; its clip-surfaces keep their numbers.
     pub enabled: bool,
 }
 
@@ -69,7 +69,7 @@ impl Cut {
         self.is_on() && part.role == Role::Exterior && self.names(part)
     }
 
-    /// Returns false if the cut is off, or if no place was found for its opening.
+    /// Returns false if the cut is switched off, or if its opening could not be placed.
     pub(crate) fn is_on(&self) -> bool {
         self.enabled && (self.breakaway.is_none() || self.volume.is_some())
     }
@@ -81,8 +81,8 @@ impl Cut {
         any(&self.applies_to) && !any(&self.except)
     }
 
-    /// By how much more of a part is kept than the clip-surfaces say, in world units. The name itself counts before globs that
-    /// match it, and of those the first.
+    /// Distance by which the cut's clip-surfaces are moved to keep more of a part, in world units. An entry with the part's exact name
+    /// takes precedence over globs; among matching globs the first wins.
     pub fn offset_for(&self, part: &Part) -> f64 {
         let exact = self.offsets.iter().find(|o| o.parts == part.name);
         let first = || {
@@ -96,7 +96,7 @@ impl Cut {
 /// `*` stands for any run of characters, `?` for one, everything else for itself.
 pub fn glob_matches(glob: &str, name: &str) -> bool {
     let (glob, name): (Vec<char>, Vec<char>) = (glob.chars().collect(), name.chars().collect());
-    // Positions to return to when the characters after the last `*` do not fit.
+    // Positions to backtrack to if the characters after the last `*` do not match.
     let (mut g, mut n, mut star) = (0, 0, None);
     while n < name.len() {
         if g < glob.len() && glob[g] == '*' {

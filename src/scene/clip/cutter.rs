@@ -1,11 +1,11 @@
-//! Cutters: closed meshes whose inside a cut removes.
+//! Cutters: closed meshes whose interior a cut removes.
 //!
-//! What is inside follows from parity: a point from which a ray crosses the mesh an odd number of times. Solids of one file count
-//! together, so that where two of them overlap nothing is removed; which way faces are turned does not matter.
+//! Parity decides: a point is inside if a ray from it crosses the mesh an odd number of times. Solids from one file are counted
+//! together, so where two of them overlap nothing is removed; the orientation of faces does not matter.
 //!
-//! A cutter must be closed, each edge with an even number of faces: parity of an open mesh would remove streaks up to infinity,
-//! and a frame could not tell them from what was meant. A part may be open and is drawn with doubtful pixels marked; a
-//! cutter is refused at the door.
+//! A cutter must be closed: each edge has an even number of faces. The parity of an open mesh would remove streaks up to infinity,
+//! which a frame could not distinguish from intended cuts. An open part is drawn with doubtful pixels marked; an open cutter is
+//! refused on loading.
 
 use std::sync::Arc;
 
@@ -26,26 +26,26 @@ pub fn too_far(cutter: &Bounds, model: &Bounds) -> Option<String> {
     range::beside(reach.max_element(), model).map(|what| format!("reaches {what},"))
 }
 
-/// A closed mesh with a place in the world.
+/// A closed mesh placed in the world.
 #[derive(Clone, Debug)]
 pub struct Cutter {
     name: String,
     mesh: Arc<Mesh>,
     /// Placement.
     pub world_from_cutter: DAffine3,
-    /// The outside is removed and the inside kept.
+    /// True if the outside is removed and the inside kept.
     pub keeps_inside: bool,
-    /// Its walls are shaded as if they were round where edges turn by less than
-    /// [`DEFAULT_CREASE_DEG`](crate::scene::DEFAULT_CREASE_DEG): normals of caps, and nothing else.
+    /// True if its walls are shaded smoothly across edges that turn by less than
+    /// [`DEFAULT_CREASE_DEG`](crate::scene::DEFAULT_CREASE_DEG). This affects only the normals of caps.
     pub is_smooth: bool,
 }
 
 impl Cutter {
-    /// A cutter where its mesh is; the reason where the mesh cannot be one.
+    /// A cutter from a mesh, at the mesh's own position; an error if the mesh cannot be a cutter.
     pub fn new(name: impl Into<String>, mesh: impl Into<Arc<Mesh>>) -> Result<Self> {
         let (name, mesh) = (name.into(), mesh.into());
         if let Some(defect) = mesh.defect() {
-            let help = "use a mesh of finite vertices with triangles between them";
+            let help = "use a mesh with finite vertices and valid triangles";
             return Err(Error::input(name, defect.to_string(), help));
         }
         let open = Edges::of(&mesh.triangles).count().open;
@@ -67,7 +67,7 @@ impl Cutter {
         })
     }
 
-    /// A cutter of solids as they stand in the world.
+    /// A cutter from solids as they are placed in the world.
     pub fn from_parts(name: impl Into<String>, parts: &[Part]) -> Result<Self> {
         let mut all = Mesh::default();
         for part in parts {
@@ -88,7 +88,7 @@ impl Cutter {
         self
     }
 
-    /// The same cutter with what it removes and what it keeps exchanged.
+    /// The same cutter with removed and kept sides exchanged.
     #[must_use]
     pub fn flipped(mut self) -> Self {
         self.keeps_inside = !self.keeps_inside;

@@ -7,13 +7,13 @@ use crate::Error;
 use crate::error::did_you_mean;
 use crate::scene::describe::Described;
 
-/// Interpolator of heights that a strategy evaluates at points.
+/// How a strategy interpolates heights at points.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash, Described)]
 pub enum HeightFilter {
-    /// The shader, from four texels in f32: the definition of a relief.
+    /// The shader interpolates four texels in f32, which is how a relief is defined.
     #[default]
     Exact,
-    /// The sampler of the GPU, which keeps the place within a cell in few bits, 8 on nearly all devices.
+    /// The GPU's sampler, which keeps only a few bits of the position within a cell, 8 on nearly all devices.
     Hardware,
 }
 

@@ -1,8 +1,8 @@
 //! Offset maps: the heights of a relief over its plane.
 //!
 //! `f` is bilinear between texel centres, `(i + 0.5) / width`, from four texels; addresses outside 0..width follow the
-//! wrap mode. Nothing else interpolates heights, on either side: a hardware sampler keeps only about eight bits of the
-//! weight, which would tear a cap from the mesh it closes. Callers can select one to measure its error ([`HeightFilter`]).
+//! wrap mode. CPU and GPU both interpolate heights only this way: a hardware sampler keeps only about eight bits of the
+//! weight, which would tear a cap from the mesh it closes. Callers can select it to measure its error ([`HeightFilter`]).
 //!
 //! [`HeightFilter`]: crate::scene::HeightFilter
 
@@ -23,12 +23,12 @@ pub enum Wrap {
     Repeat,
     /// The map repeats, every other copy mirrored.
     Mirror,
-    /// The border texels go on for ever.
+    /// The border texels continue for ever.
     Clamp,
 }
 
 impl Wrap {
-    /// The texel that an address stands for, in `0..size`.
+    /// The texel that an address refers to, in `0..size`.
     pub fn texel(self, address: i64, size: u32) -> u32 {
         let n = i64::from(size);
         let i = match self {
@@ -52,7 +52,7 @@ impl Wrap {
     }
 }
 
-/// Heights on a grid, finite, row by row.
+/// Finite heights on a grid, row by row.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OffsetMap {
     size: [u32; 2],
@@ -61,7 +61,7 @@ pub struct OffsetMap {
 }
 
 impl OffsetMap {
-    /// A map from heights; the reason if it cannot be one.
+    /// A map from heights; the reason if they do not make a valid map.
     pub fn new(size: [u32; 2], texels: Vec<f32>) -> Result<Self, String> {
         if size[0] == 0 || size[1] == 0 {
             return Err(format!("the map is {} x {} texels", size[0], size[1]));
@@ -78,7 +78,7 @@ impl OffsetMap {
             let w = size[0] as usize;
             return Err(format!("texel ({}, {}) is {}", i % w, i / w, texels[i]));
         }
-        // Denormals would be flushed on some adapters and not on others.
+        // Some adapters flush denormals to zero and others do not.
         let texels = texels
             .into_iter()
             .map(|h| if h.is_subnormal() { 0.0 } else { h })
@@ -118,7 +118,7 @@ impl OffsetMap {
         f64::from(self.texels[(wrap.texel(y, h) * w + wrap.texel(x, w)) as usize])
     }
 
-    /// Height and its gradient by `T`, at texture coordinates `t` (1 = the whole map), by bilinear interpolation in f64.
+    /// Height and its gradient with respect to `T`, at texture coordinates `t` (1 = the whole map), by bilinear interpolation in f64.
     pub fn sample(&self, wrap: Wrap, t: DVec2) -> (f64, DVec2) {
         let size = DVec2::new(f64::from(self.size[0]), f64::from(self.size[1]));
         let p = t * size - 0.5;
@@ -129,7 +129,7 @@ impl OffsetMap {
             reason = "cells far outside i64 have no meaning"
         )]
         let (x, y) = (cell.x as i64, cell.y as i64);
-        // Saturating, because the cast is: far outside i64 the neighbour of the last cell is that cell.
+        // Saturating like the cast above: far outside i64 the last cell is its own neighbour.
         let h = [[0, 0], [1, 0], [0, 1], [1, 1]]
             .map(|[i, j]| self.texel(wrap, x.saturating_add(i), y.saturating_add(j)));
         let (bx, by, bxy) = (h[1] - h[0], h[2] - h[0], (h[3] - h[2]) - (h[1] - h[0]));
@@ -180,7 +180,7 @@ mod tests {
             let map = &map(w, h);
             let [w, h] = [i64::from(w), i64::from(h)];
             for wrap in WRAPS {
-                // Five copies along one axis as the words of the modes say; the map proper is the third.
+                // Five copies along one axis, written out as the modes are documented; the original map is the third.
                 let line = |n: i64| -> Vec<i64> {
                     let there: Vec<i64> = (0..n).collect();
                     let back: Vec<i64> = (0..n).rev().collect();

@@ -1,4 +1,4 @@
-//! Sections: planes as one word of the command line or the scene file.
+//! Sections: planes written as one word on the command line or in the scene file.
 //!
 //! ```text
 //! z=10          the plane at z = 10, keeping z > 10; -z=10 keeps z < 10
@@ -7,8 +7,8 @@
 //! nx,ny,nz,d    nx x + ny y + nz z = d
 //! ```
 //!
-//! The side that the normal points to is kept. Normals of any length are taken; along an axis they give the frame of
-//! the surface without rounding.
+//! The side that the normal points to is kept. Normals may have any length; along an axis they give the surface's frame
+//! without rounding.
 
 use std::fmt;
 
@@ -30,7 +30,7 @@ enum Plane {
     Offset { normal: DVec3, offset: f64 },
 }
 
-/// A section as the user wrote it; percentages wait for the bounds.
+/// A section as the user wrote it; percentages are resolved once the bounds are known.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlaneSpec {
     text: String,
@@ -48,7 +48,7 @@ impl PlaneSpec {
             .map_err(|what| Error::input(format!("section `{text}`"), what, EXAMPLES))
     }
 
-    /// The plane through a point, whose normal, of any length, points to the side that is kept.
+    /// The plane through a point with a normal of any length, which points to the kept side.
     pub fn through(point: DVec3, normal: DVec3) -> Result<Self> {
         let text = format!("{}@{}", listed(normal), listed(point));
         if normal == DVec3::ZERO {
@@ -64,8 +64,8 @@ impl PlaneSpec {
         Ok(Self { text, plane })
     }
 
-    /// The plane in world space, upright for an up axis. Where the spec leaves it open, the origin lies next to the middle of
-    /// the bounds.
+    /// The plane in world space, upright for an up axis. Unless the spec gives an origin, it is the point of the plane nearest
+    /// to the centre of the bounds.
     pub fn surface(&self, bounds: &Bounds, up: Up) -> Result<ClipSurface> {
         let percent = |a: &Amount| matches!(a, Amount::Percent(_));
         let relative = match &self.plane {
@@ -95,7 +95,7 @@ impl PlaneSpec {
             }
             Plane::Offset { normal, offset } => (foot(middle, normal, offset), unit(normal)),
         };
-        // Nor is NaN at most that much.
+        // Written so that NaN fails, too.
         if !origin.to_array().iter().all(|c| c.abs() <= LARGEST) {
             return fault(
                 "the plane is too far away to be computed with",
@@ -108,12 +108,12 @@ impl PlaneSpec {
 
 /// Number of decimals of a moved plane's percentages.
 const PERCENT_DECIMALS: i32 = 3;
-/// Lengths of one are rounded to this share of the model.
+/// A moved plane's lengths are rounded to this share of the model.
 const FINEST_SHARE: f64 = 1e-6;
 
 impl PlaneSpec {
-    /// The same plane, moved along its normal by a distance in world units: with the percentages that it had, rounded to what a hand can
-    /// tell.
+    /// The same plane, moved along its normal by a distance in world units. Percentages stay percentages, rounded to steps that a user
+    /// can notice.
     #[must_use]
     pub fn moved(&self, distance: f64, bounds: &Bounds) -> Self {
         let moved = |at: Amount, by: f64, axis: usize| match at {
@@ -166,12 +166,12 @@ impl PlaneSpec {
         })
     }
 
-    /// A plane of another normal, through the point of this one that is next to the middle of the bounds. Along an axis its place is in
-    /// percent.
+    /// A plane with another normal, through the point of this one nearest to the centre of the bounds. Along an axis its position is
+    /// given in percent.
     ///
     /// # Errors
     ///
-    /// A plane that is invalid for such bounds.
+    /// If the plane is invalid for these bounds.
     pub fn turned(&self, normal: DVec3, bounds: &Bounds) -> Result<Self> {
         let through = self.surface(bounds, Up::PlusY)?.origin;
         let normal = unit(normal);
@@ -222,7 +222,7 @@ impl fmt::Display for Plane {
     }
 }
 
-/// A length rounded to the smallest significant step in a model.
+/// A length rounded to the smallest step that matters in a model of this size.
 fn rounded(length: f64, bounds: &Bounds) -> f64 {
     let finest = (bounds.max - bounds.min).max_element() * FINEST_SHARE;
     match finest > 0.0 && finest.is_finite() {
@@ -232,18 +232,18 @@ fn rounded(length: f64, bounds: &Bounds) -> f64 {
 }
 
 impl ClipSurface {
-    /// The plane of a spec, as `--section` takes it, where +Y is up: [`PlaneSpec::parse`] and [`PlaneSpec::surface`] in one. Percent are
-    /// of `bounds`, which is the box of what is cut.
+    /// The plane of a spec, as accepted by `--section`, with +Y up: [`PlaneSpec::parse`] and [`PlaneSpec::surface`] in one. Percentages
+    /// refer to `bounds`, the box of the geometry that is cut.
     ///
     /// # Errors
     ///
-    /// What is wrong with the text, or that it asks for percent of an empty box.
+    /// If the text is invalid, or uses percentages and `bounds` is empty.
     pub fn parse(text: &str, bounds: &Bounds) -> Result<Self> {
         PlaneSpec::parse(text)?.surface(bounds, Up::PlusY)
     }
 
-    /// Returns true if the surface, with all the heights its relief can have, passes by a box: then it cuts nothing or removes
-    /// everything in it. One that only touches the box does not miss it.
+    /// Returns true if the surface, at every height its relief can have, misses a box: then it removes nothing or everything in the
+    /// box. A surface that only touches the box does not miss it.
     pub fn misses(&self, bounds: &Bounds) -> bool {
         if bounds.is_empty() {
             return true;
@@ -273,7 +273,7 @@ fn parse_plane(text: &str) -> Result<Plane, String> {
             "x" | "X" => 0,
             "y" | "Y" => 1,
             "z" | "Z" => 2,
-            _ => return Err(format!("`{axis}` is no axis")),
+            _ => return Err(format!("`{axis}` is not an axis")),
         };
         let at = Amount::parse(at)?;
         return Ok(Plane::Axis { axis, sign, at });
@@ -323,12 +323,12 @@ fn direction(numbers: &[Amount]) -> Result<DVec3, String> {
     Ok(normal)
 }
 
-/// A vector of length 1, for any finite vector but zero: the greatest component is made 1 first, so nothing overflows.
+/// The unit vector of any finite vector except zero: the largest component is scaled to 1 first, so nothing overflows.
 fn unit(v: DVec3) -> DVec3 {
     (v / v.abs().max_element()).normalize()
 }
 
-/// The point of a plane next to `p`. Along an axis that coordinate is exactly the plane's.
+/// The point of a plane nearest to `p`. For a plane across an axis, that coordinate is exactly the plane's.
 fn foot(p: DVec3, normal: DVec3, offset: f64) -> DVec3 {
     for axis in 0..3 {
         if normal == DVec3::AXES[axis] * normal[axis] {

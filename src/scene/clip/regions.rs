@@ -1,16 +1,16 @@
-//! Boxes and wedges: removed regions in few numbers, as unions of intersections of planes.
+//! Boxes and wedges: removed regions given by a few numbers, as unions of intersections of half spaces.
 //!
-//! A region is made into faces: planes that keep the outside. A wedge of up to 180 degrees is the intersection of two half spaces, which
-//! at 180 degrees coincide but for their reliefs; a wider one is their union: two alternatives, and no wall inside. Angles
-//! count counter-clockwise about the axis, seen from its tip, and multiples of 90 degrees about an axis of the world give planes
-//! without rounding. A region without an inside still has its faces, so that clip-surfaces keep their numbers while it opens; a cut
-//! with such a region should be switched off.
+//! A region is converted to faces: planes that keep the outside. A wedge of up to 180 degrees is the intersection of two half spaces,
+//! which at 180 degrees coincide except for their reliefs; a wider one is their union: two alternatives, with no wall between them. Angles
+//! count counter-clockwise about the axis, seen from its tip, and multiples of 90 degrees about a world axis give planes without
+//! rounding. An empty region still has its faces, so that clip-surfaces keep their numbers while it opens; a cut with such a region
+//! should be switched off.
 
 use glam::DVec3;
 
 use crate::scene::{ClipSurface, Up};
 
-/// Intersection of two unions of intersections of removed sides, as such a union.
+/// Intersection of two removed regions, each given as a union of intersections of removed sides, in the same form.
 pub fn in_common(a: &[Vec<ClipSurface>], b: &[Vec<ClipSurface>]) -> Vec<Vec<ClipSurface>> {
     let pairs = a
         .iter()
@@ -27,7 +27,7 @@ pub struct RegionFace {
     pub plane: ClipSurface,
 }
 
-/// A box along the axes of the world; sides that are not given are open.
+/// A box along the world axes; sides that are `None` are unbounded.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Block {
     /// Least coordinates.
@@ -37,7 +37,7 @@ pub struct Block {
 }
 
 impl Block {
-    /// The first axis along which the box ends before it begins.
+    /// The first axis along which the box's maximum is below its minimum.
     pub fn inverted_axis(&self) -> Option<usize> {
         (0..3).find(|i| matches!((self.min[*i], self.max[*i]), (Some(a), Some(b)) if a > b))
     }
@@ -47,7 +47,7 @@ impl Block {
         (0..3).any(|i| matches!((self.min[i], self.max[i]), (Some(a), Some(b)) if a >= b))
     }
 
-    /// Its faces, upright for an up axis. Their planes begin as near to `middle` as they can.
+    /// Its faces, upright for an up axis. The origin of each plane is its point nearest to `middle`.
     pub fn faces(&self, middle: DVec3, up: Up) -> Vec<RegionFace> {
         let faces = (0..6).filter_map(|i| {
             let (axis, upper) = (i / 2, i % 2 == 1);
@@ -90,13 +90,13 @@ impl Wedge {
         is_flat || self.to_deg <= self.from_deg
     }
 
-    /// Its faces, of which all together make the region; for more than half a turn those of two regions that make it up. A full
-    /// turn has only the faces along the axis. Of half a turn `from` and `to` have one plane, which is there once unless
-    /// the two are `ragged`: their reliefs may differ. They are upright for an up axis.
+    /// Its faces as one list, or as two lists (a union of two regions) for more than half a turn. A full turn has only the end faces
+    /// along the axis. For half a turn, `from` and `to` have the same plane, which is listed once unless the two are `ragged` and
+    /// their reliefs may differ. The planes are upright for an up axis.
     pub fn alternatives(&self, ragged: bool, up: Up) -> Vec<Vec<RegionFace>> {
         let turn_deg = self.to_deg - self.from_deg;
         let across = self.along.cross(self.zero);
-        // Removed is what lies on from `from` and back from `to`: the kept side is the other one.
+        // The wedge lies beyond `from` and before `to` in the direction of growing angles; the other side of each plane is kept.
         let tangent = |degrees: f64| {
             let [cosine, sine] = cosine_and_sine(degrees);
             across * cosine - self.zero * sine
@@ -132,7 +132,7 @@ impl Wedge {
     }
 }
 
-/// The axis after the one nearest to `along`, made perpendicular: y for x, z for y, x for z. Where angles begin.
+/// Direction of 0 degrees: the axis after the one nearest to `along` (y for x, z for y, x for z), made perpendicular to `along`.
 pub fn next_axis(along: DVec3) -> DVec3 {
     let nearest = (0..3)
         .rev()
@@ -245,7 +245,7 @@ mod tests {
             let found = removes(&alternatives, beside.extend(z));
             assert_eq!(found, expected, "z = {z}");
         }
-        // A full turn is all around.
+        // A full turn removes everything around the axis.
         let disc = Wedge {
             to_deg: 360.0,
             ..ended

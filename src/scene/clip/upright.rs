@@ -1,15 +1,15 @@
-//! The directions `U` and `V` in a plane, from the direction of its normal alone.
+//! The directions `U` and `V` in a plane, determined by its normal's direction alone.
 //!
-//! An image on the plane stands upright and is not mirrored, seen from the removed side, which is what `render` and
-//! `section` show: `U` is to the right and `V`, along which the rows of an image follow each other, points down. In a
-//! level plane the right is the x axis of the world.
+//! Seen from the removed side, as `render` and `section` show it, an image on the plane is upright and not mirrored: `U`
+//! points right, and `V`, along which the rows of an image follow each other, points down. In a level plane, right is
+//! the world's x axis.
 //!
-//! Notation: `N` normal, `P` up axis, `h = N.P`. Upright is `U = N x P`; it has no limit where `N` reaches `P`, and goes over
-//! into the projection of the x axis between `|h|` = [`UPRIGHT`] and [`LEVEL`]. No field of directions on the sphere is continuous
-//! everywhere (Poincaré 1885, Hopf 1927). This one is, but for one normal in either hemisphere, and neither is in a plane of
-//! two axes: a normal that a key turns through an axis, or from one axis to another, does not make the relief jump. The common
-//! construction of Duff et al. 2017, *Building an orthonormal basis, revisited* (JCGT 6.1), jumps where `N.z` changes sign, and by
-//! the sign of a zero.
+//! Notation: `N` normal, `P` up axis, `h = N.P`. Upright means `U = N x P`; this has no limit as `N` approaches `P`, so it is blended
+//! into the projection of the x axis between `|h|` = [`UPRIGHT`] and [`LEVEL`]. No tangent direction field on the sphere is
+//! continuous everywhere (Poincaré 1885, Hopf 1927). This one is, except at one normal per hemisphere, and neither lies in a plane
+//! spanned by two axes: turning a normal through an axis, or from one axis to another, does not make the relief jump. The common
+//! construction of Duff et al. 2017, *Building an orthonormal basis, revisited* (JCGT 6.1), jumps where `N.z` changes sign, even
+//! between the two signed zeros.
 
 use glam::DVec3;
 
@@ -20,9 +20,9 @@ const UPRIGHT: f64 = 0.85;
 /// From this `|N.P|` on planes are level.
 const LEVEL: f64 = 0.98;
 
-/// `U` and `V` of length 1 of a plane with the unit normal `n`; of an axis they are without rounding.
+/// The unit vectors `U` and `V` of a plane with the unit normal `n`; exact if `n` is an axis.
 pub(in crate::scene) fn directions(n: DVec3, up: Up) -> [DVec3; 2] {
-    // Adding zero leaves one zero: which of the two a direction was given with says nothing.
+    // Adding zero turns -0 into 0: the sign of a zero has no meaning here.
     let n = n + DVec3::ZERO;
     let up = up.axis();
     let upright = n.cross(up);
@@ -30,7 +30,7 @@ pub(in crate::scene) fn directions(n: DVec3, up: Up) -> [DVec3; 2] {
     let share = share * share * (3.0 - 2.0 * share);
     let u = if share > 0.0 {
         let level = DVec3::X - n * n.x;
-        // Where the two are opposite the third term keeps the sum from 0, between any two axes.
+        // Where the two are opposite, the third term keeps the sum away from 0, also between any two axes.
         let aside = n.cross(upright);
         upright * (1.0 - share) + level * share + aside * (share * (1.0 - share))
     } else {
@@ -53,7 +53,7 @@ mod tests {
 
     #[test]
     fn on_every_axis_it_is_upright_from_the_removed_side() {
-        // What looks at the removed side looks along the normal: to the right is N x up.
+        // A camera that sees the removed side looks along the normal: right is N x up.
         for (up, n, right, down) in [
             (Up::PlusY, DVec3::X, DVec3::Z, DVec3::NEG_Y),
             (Up::PlusY, DVec3::NEG_X, DVec3::NEG_Z, DVec3::NEG_Y),

@@ -1,10 +1,10 @@
-//! Faces of parts that lie in faces of a cutter, differently divided into triangles as they may be.
+//! Faces of parts that coincide with faces of a cutter, even if they are triangulated differently.
 //!
-//! As in a plane, depth cannot tell on which side of the cutter such a face is, and a solid is taken without its boundary: where a ray enters
-//! the solid by the face, it is behind the crossing with the cutter, where it leaves, before.
+//! As in a plane, depth cannot decide on which side of the cutter such a face lies, so a solid is treated as open, without its boundary:
+//! where a ray enters the solid through the face, the face is behind the crossing with the cutter; where it leaves, in front of it.
 //!
-//! Cost: for each triangle of the part within the cutter's box a look at the cutter's triangles whose planes are as far from the origin: few,
-//! but many for a fine ball around it.
+//! Cost: each of the part's triangles in the cutter's box is tested against the cutter's triangles whose planes are equally far from the
+//! origin: few, but many for a finely tessellated ball around the origin.
 
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
@@ -12,10 +12,10 @@ use robust::{Coord3D, orient3d};
 
 use crate::scene::{Bounds, PreparedVolume};
 
-/// Greatest difference, in scene units, of two planes' distances from the origin at which their points are compared: more than rounding.
+/// Two planes are compared if their distances from the origin differ by at most this, in scene units: more than rounding.
 const NEAR: f64 = 1e-5;
 
-/// Returns true if three points are in the plane of a triangle, to the last bit.
+/// Returns true if three points lie exactly in the plane of a triangle.
 pub fn lies_in(points: [DVec3; 3], face: [DVec3; 3]) -> bool {
     let of = |p: DVec3| Coord3D {
         x: p.x,
@@ -27,14 +27,14 @@ pub fn lies_in(points: [DVec3; 3], face: [DVec3; 3]) -> bool {
 }
 
 impl PreparedVolume {
-    /// The triangles of a part that lie in the plane of one of the cutter's and within its box, in order.
+    /// The triangles of a part that reach into the cutter's box and are coplanar with one of its triangles, in order.
     pub(crate) fn shared_faces(&self, positions: &[Vec3], triangles: &[[u32; 3]]) -> Vec<u32> {
         let corners = |of: &[Vec3], t: &[u32; 3]| t.map(|i| of[i as usize].as_dvec3());
         let mut faces: Vec<(f64, [DVec3; 3])> = (self.triangles().iter())
             .map(|t| corners(&self.positions, t))
             .flat_map(|face| {
                 let distance = distance_of(face);
-                // The plane has two normals.
+                // Both orientations of the plane's normal.
                 [(distance, face), (-distance, face)]
             })
             .filter(|(distance, _)| distance.is_finite())

@@ -1,10 +1,10 @@
 //! Finds solids that touch, and assigns classes such that no two touching solids share one.
 //!
-//! Surfaces are sampled more finely than the cells of a grid; parts that share a cell, or have neighbouring ones, are neighbours. So
-//! parts closer than a cell get different classes, whether they touch or not. Costs a sample for each triangle and each part of a cell
-//! that it covers, sorted. Boxes would not do: nested rings all have boxes that meet.
+//! Surfaces are sampled more finely than a grid's cells; parts that occupy the same or adjacent cells are neighbours. So parts closer
+//! than a cell get different classes, whether they touch or not. Costs one or more samples per triangle, as many as it covers
+//! fractions of cells, and their sort. Bounding boxes would not do: those of nested rings all overlap.
 //!
-//! Cannot: see contacts of parts that meet only in another pose.
+//! Cannot: detect contacts of parts that touch only in another pose.
 
 use std::cmp::Reverse;
 
@@ -13,10 +13,10 @@ use rayon::prelude::*;
 
 use crate::scene::{Bounds, Mesh, longest_edge};
 
-/// Most samples along a side of a triangle: what is larger is missed by no more than its own inside.
+/// Maximum number of samples along a triangle's side; in larger triangles some contacts in the interior may be missed.
 const MOST_STEPS: f64 = 512.0;
 
-/// The neighbours of each of some placed meshes, by index, where cells are `cell` wide in the world.
+/// The neighbours of each placed mesh, by index; cells are `cell` wide in world units.
 pub(crate) fn contacts(parts: &[(&Mesh, DAffine3)], cell: f64) -> Vec<Vec<usize>> {
     let corners = parts.iter().flat_map(|(mesh, placed)| {
         let corners = mesh.bounds().corners();
@@ -54,20 +54,20 @@ pub(crate) fn contacts(parts: &[(&Mesh, DAffine3)], cell: f64) -> Vec<Vec<usize>
     neighbours
 }
 
-/// Number of parts of a cell that are tested as neighbours: among hundreds within one cell, directions cannot separate any.
+/// Maximum number of parts per cell that are tested as neighbours: with hundreds in one cell, hatch directions cannot tell them apart.
 const MOST_IN_A_CELL: usize = 32;
 
-/// Greatest number of items that get classes in the best order; if there are more, each gets its class in input order.
+/// Maximum number of items that get classes in the best order; if there are more, classes are assigned in input order.
 const MOST_IN_ORDER: usize = 4096;
 
-/// Bits of a coordinate in the key of a cell.
+/// Bits per coordinate in a cell's key.
 const BITS: u32 = 20;
 
 const fn key_step(x: i64, y: i64, z: i64) -> i64 {
     (z << (2 * BITS)) + (y << BITS) + x
 }
 
-/// From a cell to itself and to half of the 26 around it: the other half finds it.
+/// Key offsets from a cell to itself and to half of its 26 neighbours; the other half finds the cell from their side.
 const AHEAD: [i64; 14] = [
     key_step(0, 0, 0),
     key_step(1, 0, 0),
@@ -87,7 +87,7 @@ const AHEAD: [i64; 14] = [
 
 fn cells_of(mesh: &Mesh, placed: &DAffine3, origin: DVec3, cell: f64) -> Vec<u64> {
     let most = (1 << BITS) - 2;
-    // Keys are of coordinates from 1 on, so that a step back stays a key.
+    // Cell coordinates start at 1, so that a step back still gives a valid key.
     let key = |p: DVec3| {
         let at = ((p - origin) / cell).floor().as_ivec3() + IVec3::ONE;
         let [x, y, z] = at
@@ -100,7 +100,7 @@ fn cells_of(mesh: &Mesh, placed: &DAffine3, origin: DVec3, cell: f64) -> Vec<u64
     for corners in &mesh.triangles {
         let points = corners.map(|i| placed.transform_point3(mesh.positions[i as usize]));
         let [a, b, c] = points;
-        // Samples are closer than a cell is wide.
+        // Sample spacing is smaller than a cell.
         let steps = (longest_edge(points) / (0.7 * cell))
             .ceil()
             .clamp(1.0, MOST_STEPS);
@@ -115,8 +115,8 @@ fn cells_of(mesh: &Mesh, placed: &DAffine3, origin: DVec3, cell: f64) -> Vec<u64
     keys
 }
 
-/// A class for each of some things such that no two neighbours have the same, and few classes: the one with the most classes about it is
-/// next, of those the one with the most neighbours, then the first (Brélaz 1979, DSATUR).
+/// Greedy graph colouring with few classes, so that no two neighbours share one. Next is the item with the most classes among its
+/// neighbours, among those the one with the most neighbours, then the first (Brélaz 1979, DSATUR).
 pub(crate) fn classes(neighbours: &[Vec<usize>]) -> Vec<u16> {
     let mut classes: Vec<Option<u16>> = vec![None; neighbours.len()];
     let mut about: Vec<Vec<u16>> = vec![Vec::new(); neighbours.len()];

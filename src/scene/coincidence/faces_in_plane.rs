@@ -1,20 +1,20 @@
 //! Faces of a part that lie in a flat clip-surface: decided here, once, for the reference, all strategies, sections and export.
 //!
-//! CAD writes a face that was turned or moved with coordinates that are a step of `f32` apart, and people type coordinates as they are
-//! printed. So a planar face lies in a plane where all of its vertices are within [`STEPS`] such steps, taken at the largest coordinate of
-//! the mesh in its file's coordinates. It then lies in the plane as a whole: its triangles on the solid's side, and its vertices
-//! on the plane, for all triangles that share them. Coordinates are not moved.
+//! In CAD files, the coordinates of a rotated or moved planar face differ by steps of `f32`, and users type coordinates as they are
+//! printed. So a face lies in a plane if all its vertices are within [`STEPS`] such steps of it, measured at the mesh's largest
+//! coordinate in its file. It then lies in the plane as a whole: its triangles count as on the solid's side, and its vertices as on the
+//! plane, for all triangles that share them. Coordinates are not moved.
 //!
-//! Which side the solid is on follows from the orientation of the face, turned round where the mesh as a whole is inside out. Slivers, whose
-//! orientation is rounding, go with the face that they touch.
+//! The face's orientation determines which side the solid is on, reversed if the mesh as a whole is inside out. Slivers, whose orientation
+//! is rounding error, belong to the face that they touch.
 //!
-//! Two faces with solid between them that is thinner than the tolerance are no faces in the plane, unless their vertices are on it to the
-//! last bit: which of them is nearer is then left to their coordinates.
+//! Two faces with solid between them that is thinner than the tolerance do not count as faces in the plane, unless their vertices are
+//! exactly on it: their coordinates then decide which of them is nearer.
 //!
-//! Cost: for triangles within the tolerance only, a few hash lookups each.
+//! Cost: a few hash lookups for each triangle within the tolerance.
 //!
-//! Cannot: take in a face that is tilted against the plane by more than the tolerance; of a curved or tilted surface the triangles that are
-//! within it are one face.
+//! Cannot: include a face that is tilted against the plane by more than the tolerance; those triangles of a curved or tilted surface that
+//! are within the tolerance count as one face.
 
 use std::collections::{HashMap, HashSet};
 
@@ -22,8 +22,8 @@ use glam::{DAffine3, DVec3};
 
 use crate::scene::{Bounds, FlatSurface, SceneSpace, Side, longest_edge};
 
-/// So many steps of `f32` a vertex of a face may be off a plane: a turned face that straddles its plane by 4 steps along each axis is
-/// 7 off it.
+/// Number of `f32` steps that a vertex of a face may be off a plane: a rotated face that straddles its plane by 4 steps along each axis
+/// is 7 off it.
 const STEPS: f64 = 8.0;
 
 /// Rounding error of a vertex and the plane in `f32` in scene space, in scene units.
@@ -32,10 +32,10 @@ const SCENE_ROUNDING: f64 = f32::EPSILON as f64;
 /// Triangles whose altitude is no more than this multiple of the tolerance are slivers.
 const SLIVER: f64 = 4.0;
 
-/// Solid between two faces that are farther apart than this share of the tolerance is there; nearer ones touch.
+/// Two faces closer than this share of the tolerance touch; farther apart, there is solid between them.
 const TOUCHING: f64 = 0.25;
 
-/// Greatest distance from a plane of the vertices of a face in it, in scene units. `in_part` holds the mesh as read, before placement.
+/// Maximum distance in scene units at which vertices of a face count as in a plane. `in_part` bounds the mesh as read, before placement.
 pub(crate) fn plane_tolerance(in_part: &Bounds, placed: &DAffine3, space: &SceneSpace) -> f64 {
     let largest = in_part.min.abs().max(in_part.max.abs()).max_element() as f32;
     let step = f64::from(largest.next_up()) - f64::from(largest);
@@ -49,15 +49,15 @@ pub(crate) fn plane_tolerance(in_part: &Bounds, placed: &DAffine3, space: &Scene
     }
 }
 
-/// Triangles of which some may lie in a plane, in scene space.
+/// Triangles that may lie in a plane, in scene space.
 pub(crate) struct Candidates<'a, P> {
     /// Triangles of the whole mesh.
     pub(crate) triangles: &'a [[u32; 3]],
-    /// Place of a vertex; of parts of a scene that of [`PreparedPart::positions`](crate::scene::PreparedPart::positions).
+    /// Position of a vertex; for parts of a scene, from [`PreparedPart::positions`](crate::scene::PreparedPart::positions).
     pub(crate) position: P,
-    /// The triangles to look at: at least all with three vertices within the tolerance.
+    /// The triangles to test, including at least those with all three vertices within the tolerance.
     pub(crate) near: Vec<u32>,
-    /// Greatest distance of vertices from the plane; at 0 only those on the plane to the last bit count.
+    /// Maximum distance of vertices from the plane; at 0 only those exactly on the plane count.
     pub(crate) tolerance: f64,
     /// Returns true if the mesh encloses a negative volume; called only if a face is found.
     pub(crate) is_inside_out: &'a dyn Fn() -> bool,
@@ -66,9 +66,9 @@ pub(crate) struct Candidates<'a, P> {
 /// The faces of a part that lie in a plane.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct FacesInPlane {
-    /// In order of the triangles, each with the side of the plane that the solid behind it is on.
+    /// Triangles in order, each with the side of the plane that the solid behind it lies on.
     faces: Vec<(u32, Side)>,
-    /// Bits of the coordinates of their vertices.
+    /// Coordinates of their vertices, as bits.
     places: HashSet<[u64; 3]>,
 }
 
@@ -83,7 +83,7 @@ impl FacesInPlane {
         &self.faces
     }
 
-    /// The side that a triangle of a face lies on; none of other triangles.
+    /// The side that a triangle of a face lies on; `None` for other triangles.
     pub(crate) fn side(&self, triangle: u32) -> Option<Side> {
         let at = self.faces.binary_search_by_key(&triangle, |f| f.0).ok()?;
         Some(self.faces[at].1)
@@ -95,7 +95,7 @@ impl FacesInPlane {
     }
 }
 
-/// Bits of coordinates; both zeros are one.
+/// The bits of the coordinates; -0 and 0 give the same.
 fn place_of(position: DVec3) -> [u64; 3] {
     (position + DVec3::ZERO).to_array().map(f64::to_bits)
 }
@@ -104,12 +104,12 @@ fn place_of(position: DVec3) -> [u64; 3] {
 struct Near {
     triangle: u32,
     places: [[u64; 3]; 3],
-    /// The direction that it faces along the normal of the plane; of a sliver none.
+    /// True if it faces along the plane's normal, false if against it; `None` for a sliver.
     faces_up: Option<bool>,
-    /// All vertices are on the plane to the last bit.
+    /// True if all vertices are exactly on the plane.
     is_exact: bool,
     bounds: Bounds,
-    /// Mean height of its corners.
+    /// Mean height of its corners over the plane.
     height: f64,
 }
 
@@ -144,7 +144,7 @@ impl FlatSurface {
                 None => slivers.push(one),
             }
         }
-        // A sliver beyond another one touches the face through it.
+        // A sliver may touch the face only through another sliver.
         let mut left = slivers.len() + 1;
         while slivers.len() < left {
             left = slivers.len();
@@ -238,7 +238,7 @@ fn thin(near: &[Near], tolerance: f64) -> Vec<bool> {
     region_of.iter().map(|r| thin.contains(r)).collect()
 }
 
-/// The number of the first triangle of the face that each is of: those that face one way and share places.
+/// Per triangle, the index of the first triangle of its face. A face's triangles face the same way and are connected by shared positions.
 fn regions(near: &[Near]) -> Vec<u32> {
     let mut first: Vec<u32> = (0..near.len() as u32).collect();
     fn root(first: &mut [u32], mut at: u32) -> u32 {
@@ -285,7 +285,7 @@ mod tests {
 
     #[test]
     fn a_face_that_straddles_the_plane_is_in_it_with_its_slivers() {
-        // Two triangles, one above and one below, and a sliver along an edge that rounding has turned over.
+        // Two triangles, one above and one below, and a sliver along an edge, flipped by rounding.
         let points = [
             [0.0, 0.0, STEP],
             [1.0, 0.0, -STEP],
@@ -301,7 +301,7 @@ mod tests {
         assert!(found.holds(DVec3::new(0.0, 1.0, -4.0 * STEP)));
         assert!(!found.holds(DVec3::new(0.5, 0.5, 9.0 * STEP)));
         assert_eq!(found.side(1), Some(below));
-        // A vertex nine steps off takes its triangle out; the sliver alone is no face.
+        // A vertex nine steps off excludes its triangle; the sliver alone is not a face.
         assert_eq!(
             faces(&points, &[[0, 1, 5], [0, 1, 4]]),
             FacesInPlane::default()

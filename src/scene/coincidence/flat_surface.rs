@@ -4,20 +4,20 @@ use glam::DVec3;
 
 use crate::scene::geometry::exact_sum::sum_of_products;
 
-/// Rounding of a height in f64, as a share of the sum of its terms' magnitudes: less than 6 halves of an ulp.
+/// Rounding error of a height in f64, as a share of the sum of its terms' magnitudes: less than 3 ulp.
 const RELATIVE_ROUNDING: f64 = 1e-15;
 
 /// A side of a clip-surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Side {
-    /// The side that stays.
+    /// The side that is kept.
     Kept,
-    /// The side that the clip-surface removes, where the others of its cut do too.
+    /// The side that the clip-surface removes where all other clip-surfaces of its cut do too.
     Removed,
 }
 
 impl Side {
-    /// The opposite one.
+    /// The opposite side.
     #[must_use]
     pub fn other(self) -> Self {
         match self {
@@ -27,7 +27,7 @@ impl Side {
     }
 }
 
-/// A clip-surface without relief, or with a flat one: the points with `(P - O).N + lift = 0`; those with less are removed.
+/// A clip-surface without relief, or with a flat one: the points with `(P - O).N + lift = 0`; points with a negative value are removed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FlatSurface {
     /// `O`.
@@ -39,7 +39,7 @@ pub struct FlatSurface {
 }
 
 impl FlatSurface {
-    /// Kept height of a point, of which only the sign is exact: it is zero only on the surface.
+    /// Kept height of a point; only its sign is exact, so it is zero only on the surface.
     pub fn height(&self, point: DVec3) -> f64 {
         let terms = (point - self.origin) * self.normal;
         let sum = terms.element_sum() + self.lift;
@@ -51,12 +51,12 @@ impl FlatSurface {
         }
     }
 
-    /// Kept height of a point, give or take what f64 rounds.
+    /// Kept height of a point, with the rounding error of f64.
     pub(crate) fn rough_height(&self, point: DVec3) -> f64 {
         (point - self.origin).dot(self.normal) + self.lift
     }
 
-    /// Kept height of a point, rounded once. Some 100 ns.
+    /// Kept height of a point, rounded once. Takes about 100 ns.
     pub fn exact_height(&self, point: DVec3) -> f64 {
         let (p, o, n) = (point, self.origin, self.normal);
         sum_of_products([

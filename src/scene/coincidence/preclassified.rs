@@ -1,21 +1,21 @@
 //! On which side of a flat clip-surface the triangles close to it lie: decided once per triangle, by signs, never by depth.
 //!
-//! A cut along a face of a part is the commonest of all in CAD, and there the depth of a fragment and that of the clip-surface are the
-//! same number but for rounding. So depths are not compared. A triangle within [`CLOSE`] of the surface is *preclassified* where its vertices
-//! leave no doubt:
+//! Cuts along a face of a part are the most common ones in CAD, and there the depths of a fragment and of the clip-surface are equal
+//! except for rounding. So depths are not compared. A triangle within [`CLOSE`] of the surface is *preclassified* if its vertices
+//! decide its side:
 //!
-//! - all on one side, or on the surface: it lies on that side; so do triangles that share a vertex with one so close, as the walls
-//!   around a face do;
-//! - of a face in the surface ([`FacesInPlane`](super::faces_in_plane)): it lies on the side on which its solid is. A cut thus leaves
-//!   nothing without thickness: a solid is taken without its boundary (design: a face by which a ray enters is infinitesimally farther, one
-//!   by which it leaves infinitesimally nearer, which is the same, whichever way the ray runs). Vertices of such a face are on the surface.
+//! - All vertices are on one side, or on the surface: the triangle lies on that side. The same holds for triangles that share a vertex
+//!   with such a close triangle, like the walls around a face.
+//! - It belongs to a face in the surface ([`FacesInPlane`](super::faces_in_plane)): it lies on its solid's side. A cut thus leaves nothing
+//!   without thickness: a solid is treated as open, without its boundary (by design, a face where a ray enters is infinitesimally farther,
+//!   one where it leaves infinitesimally nearer, whichever way the ray runs). Vertices of such a face are on the surface.
 //!
-//! Signs are those of the exact real numbers that the f64s define.
+//! Signs are exact for the real numbers that the f64 values represent.
 //!
-//! Cost: one product per vertex and surface; where three vertices are close a look at every triangle, and where something is preclassified another.
+//! Cost: one product per vertex and surface; if three vertices are close, a pass over all triangles; if any is preclassified, another.
 //!
 //! Cannot: classify triangles that the surface crosses, reliefs that are not flat, or parts in a pose that bends them, whose vertices
-//! the device makes. A mesh of which single faces are turned the wrong way has those faces on the wrong side.
+//! the device computes. Single faces that are oriented the wrong way end up on the wrong side.
 
 use std::collections::BTreeMap;
 
@@ -25,11 +25,11 @@ use rayon::prelude::*;
 use super::faces_in_plane::Candidates;
 use crate::scene::{Bounds, FlatSurface, Prepared, PreparedPart, PreparedSurface, Side};
 
-/// Distance from a surface within which triangles are preclassified, in scene units: about the error in depth along a surface due to the
-/// 1/256 px of a rasteriser's vertices in a picture of 60 px, and more than any rounding.
+/// Distance from a surface within which triangles are preclassified, in scene units: about the depth error along a surface caused by
+/// snapping vertices to 1/256 px in a 60 px picture, and more than any rounding.
 const CLOSE: f64 = 1.0 / 16384.0;
 
-/// The greatest sine of the angle between a preclassified triangle that does not lie in the surface and the surface.
+/// Maximum sine of the angle between the surface and a preclassified triangle that does not lie in it.
 const STEEPEST: f64 = 0.02;
 
 /// A triangle whose side of a clip-surface is known.
@@ -46,7 +46,7 @@ pub struct PreclassifiedTriangle {
 /// A triangle whose side of one clip-surface is known.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ClassifiedTriangle {
-    /// Its number.
+    /// Its index.
     pub(crate) triangle: u32,
     /// Side on which it lies.
     pub(crate) side: Side,
@@ -139,7 +139,7 @@ impl FlatSurface {
     }
 }
 
-/// The side that all of some heights are on or touch, if they are not all on the surface.
+/// The side that all heights are on or touch; `None` if they are on both sides or all on the surface.
 fn side_of_all(heights: [f64; 3]) -> Option<Side> {
     let is_above = heights.iter().any(|h| *h > 0.0);
     let is_below = heights.iter().any(|h| *h < 0.0);
@@ -150,7 +150,7 @@ fn side_of_all(heights: [f64; 3]) -> Option<Side> {
     }
 }
 
-/// A number with the sign of the volume that triangles enclose.
+/// A number with the sign of the volume that the triangles enclose.
 fn volume_sign(positions: &[Vec3], triangles: &[[u32; 3]]) -> f64 {
     let middle = positions.first().map_or(DVec3::ZERO, |p| p.as_dvec3());
     let volumes = triangles.par_iter().with_min_len(1 << 13).map(|t| {
@@ -161,7 +161,7 @@ fn volume_sign(positions: &[Vec3], triangles: &[[u32; 3]]) -> f64 {
 }
 
 impl PreparedSurface {
-    /// The height of a relief that is flat, which makes it a plane; `None` for a true relief and 0 for a plane.
+    /// The height of a flat relief, which is a plane; 0 for a plane and `None` for any other relief.
     pub fn flat_height(&self) -> Option<f64> {
         let Some(map) = &self.relief else {
             return Some(0.0);
@@ -190,7 +190,7 @@ impl PreparedSurface {
 }
 
 impl Prepared {
-    /// The triangles of one of the parts that are preclassified by the flat clip-surfaces of its cuts, in order.
+    /// The triangles of a part that are preclassified by the flat clip-surfaces of its cuts, in order.
     pub fn preclassified(&self, part: &PreparedPart) -> Vec<PreclassifiedTriangle> {
         if part.is_posed {
             return Vec::new();

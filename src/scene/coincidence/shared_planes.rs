@@ -1,15 +1,15 @@
-//! Planes in which faces of several parts lie that face the same way: found here, once, for the reference and all strategies.
+//! Planes that contain faces of several parts with the same orientation: found here, once, for the reference and all strategies.
 //!
-//! A pin flush with its plate has two faces in one place, and the depths of both are the same number but for rounding, which every
-//! triangle does for itself. So such faces have no depths of their own: a sample of either has the depth of the plane, and of parts
-//! at one depth the first in rank is drawn. A plane is that of its largest triangle; others belong to it if all of their vertices are
-//! within the tolerance of both parts ([`plane_tolerance`](super::faces_in_plane::plane_tolerance)) and they face the same way.
+//! A pin flush with its plate has a face coplanar with the plate's, and the depths of both are equal except for rounding, which differs
+//! per triangle. So such faces have no depths of their own: samples of both have the plane's depth, and among parts at the same depth
+//! the first in rank is drawn. The largest triangle defines a plane; others belong to it if all of their vertices are within the
+//! tolerance of both parts ([`plane_tolerance`](super::faces_in_plane::plane_tolerance)) and they face the same way.
 //!
-//! Cost: nothing but a look at pairs of boxes where no boxes of parts overlap; else, for triangles where they do, a sort by area and for
-//! each at most 16 cells of [`MOST_IN_CELL`] planes. Kept from frame to frame as long as the parts that are looked at keep their vertices.
+//! Cost: if no boxes of parts overlap, only the test of box pairs; else, for the triangles in the overlaps, a sort by area and for each
+//! at most 16 cells of [`MOST_IN_CELL`] planes. Results are reused between frames as long as the searched parts keep their vertices.
 //!
-//! Cannot: take in parts in a pose or that the device places, slivers, or triangles so small that rounding tilts them; more than
-//! [`MOST_MEMBERS`] parts of planes, of which those with the largest triangles count; scenes of more than [`MOST_PARTS`] parts.
+//! Cannot: include posed parts, parts that the device places, slivers, or triangles so small that rounding tilts them; more than
+//! [`MOST_MEMBERS`] plane members (those with the largest triangles are kept); scenes with more than [`MOST_PARTS`] parts.
 
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -18,17 +18,17 @@ use glam::{DVec2, DVec3, Vec3};
 
 use crate::scene::{Bounds, PreparedPart, View, longest_edge};
 
-/// Greatest number of parts of planes that are preclassified; with the sides of cuts they fit into the groups of a frame.
+/// Maximum number of plane members (a part in a plane) that are preclassified; together with the sides of cuts they fit a frame's groups.
 const MOST_MEMBERS: usize = 256;
 
-/// Greatest number of parts that are tested for overlap in pairs: each takes a group of a frame, and leaves half of them to preclassified faces.
+/// Maximum number of parts tested for overlap in pairs: each takes one of a frame's groups, leaving half of them for preclassified faces.
 const MOST_PARTS: usize = 512;
 
-/// Greatest number of planes per cell of normals and offsets, those with the largest triangles: bounds the search on curved
-/// and on rough surfaces, where each triangle has a plane of its own.
+/// Maximum number of planes per cell of normals and offsets; those with the largest triangles are kept. It limits the search on
+/// curved and rough surfaces, where each triangle has its own plane.
 const MOST_IN_CELL: usize = 64;
 
-/// Cells of a unit normal's component, and of the distance from the origin.
+/// Cells per unit, for components of the unit normal and for the distance from the origin.
 const CELLS: [f64; 2] = [128.0, 512.0];
 
 /// Distance from the border of a cell, in cells, within which the next cell is searched too.
@@ -37,22 +37,22 @@ const BESIDE: f64 = 0.25;
 /// Triangles whose altitude is no more than this multiple of the tolerance are slivers.
 const SLIVER: f64 = 4.0;
 
-/// An eye nearer to a plane than this, in scene units, or a parallel view with so small a sine to it, sees it edge-on.
+/// A plane is seen edge-on if the eye is nearer to it than this, in scene units, or the sine of a parallel view's angle to it is smaller.
 const EDGE_ON: f64 = 1e-4;
 
 /// A plane with faces of several parts that overlap in it.
 #[derive(Clone, Debug)]
 pub struct SharedPlane {
-    /// The way that the faces face.
+    /// The normal of the faces.
     normal: DVec3,
     offset: f64,
-    /// The parts, by rank, each with its level: 1 where no later part is in its way.
+    /// The parts by rank, each with its level: 1 if the part hides no later part.
     levels: Vec<(u16, u16)>,
 }
 
 impl SharedPlane {
-    /// The value of the depth buffer in a view: how much it changes per pixel to the right and downwards, and what it is in the upper
-    /// left corner. None where the plane is seen edge-on.
+    /// The depth-buffer value of the plane in a view, as its change per pixel to the right and downwards, and its value in the upper
+    /// left corner. `None` if the plane is seen edge-on.
     pub fn in_view(&self, view: &View) -> Option<[f64; 3]> {
         let buffer = |at: DVec2| {
             let (origin, direction) = view.ray(at);
@@ -72,28 +72,28 @@ impl SharedPlane {
         (sine.abs() > EDGE_ON).then_some([slopes[0], slopes[1], corner])
     }
 
-    /// The level of a part in the plane: of two that meet in it the nearer has the higher one. 0 of a part that is not in it.
+    /// The level of a part in the plane: of two parts that overlap in it, the nearer has the higher level. 0 if the part is not in it.
     pub(crate) fn level(&self, rank: usize) -> u16 {
         let at = (self.levels.iter()).find(|(r, _)| usize::from(*r) == rank);
         at.map_or(0, |(_, level)| *level)
     }
 }
 
-/// The vertices and the triangles of a part; none of one whose faces are not looked for.
+/// The vertices and triangles of a part; `None` for parts that are not searched.
 type FoundIn = Option<(Arc<Vec<Vec3>>, Arc<Vec<[u32; 3]>>)>;
 
 /// The planes that parts of a scene share.
 #[derive(Clone, Debug, Default)]
 pub struct SharedPlanes {
-    /// Per part by rank: the input in which they were found.
+    /// Per part by rank, the mesh data in which the planes were found.
     meshes: Vec<FoundIn>,
     planes: Vec<SharedPlane>,
-    /// By rank: triangles in order, each with the number of its plane.
+    /// Per part by rank, its triangles in shared planes, in order, each with the number of its plane.
     faces: Vec<Arc<[(u32, u16)]>>,
 }
 
 impl SharedPlanes {
-    /// Those of some parts, by rank; those of `before` where nothing has changed.
+    /// Finds the shared planes of parts, given by rank; reuses `before` if nothing has changed.
     pub(crate) fn of(parts: &[PreparedPart], before: Option<&Arc<Self>>) -> Arc<Self> {
         if let Some(before) = before.filter(|b| b.is_of(parts)) {
             return before.clone();
@@ -155,13 +155,13 @@ impl SharedPlanes {
         &self.planes
     }
 
-    /// The triangles of a part that lie in some of them, in order, each with the number of the plane.
+    /// The triangles of a part that lie in shared planes, in order, each with its plane's number.
     pub fn faces(&self, rank: usize) -> Arc<[(u32, u16)]> {
         self.faces.get(rank).cloned().unwrap_or_default()
     }
 }
 
-/// A triangle that may lie in the plane of one of another part.
+/// A triangle that may be coplanar with a triangle of another part.
 struct CandidateFace {
     rank: usize,
     triangle: u32,
@@ -180,21 +180,21 @@ impl CandidateFace {
         self.normal.dot(plane.normal) > 0.5 && self.points.iter().all(|p| height(p) <= tolerance)
     }
 
-    /// Its place among the cells.
+    /// Its coordinates in cells: those of its normal and its distance.
     fn place(&self) -> [f64; 4] {
         let [x, y, z] = (self.normal * CELLS[0]).to_array();
         [x, y, z, self.offset * CELLS[1]]
     }
 }
 
-/// Returns true if boxes have an area in common, or touch along one.
+/// Returns true if the intersection of two boxes, including touching faces, has an area.
 fn meet(a: &Bounds, b: &Bounds, tolerance: f64) -> bool {
     let common = (a.max.min(b.max) - a.min.max(b.min)).to_array();
     common.iter().all(|c| *c >= -tolerance)
         && common.iter().filter(|c| **c > tolerance).count() >= 2
 }
 
-/// The pairs of boxes that meet, by their places, of a list in order of their least x.
+/// Calls `pair` with the indices of each two boxes that meet; the list is sorted by minimum x.
 fn meeting(boxes: &[(Bounds, f64)], mut pair: impl FnMut(usize, usize)) {
     let mut order: Vec<usize> = (0..boxes.len()).collect();
     order.sort_by(|a, b| boxes[*a].0.min.x.total_cmp(&boxes[*b].0.min.x));
@@ -213,12 +213,12 @@ fn meeting(boxes: &[(Bounds, f64)], mut pair: impl FnMut(usize, usize)) {
     }
 }
 
-/// Returns true if the faces of a part are searched, regardless of its cuts, since they may move.
+/// Returns true if the part's faces are searched. Its cuts play no role, since they may move.
 fn is_looked_at(part: &PreparedPart) -> bool {
     !part.is_posed && !part.is_on_device && !part.triangles.is_empty()
 }
 
-/// The parts, by rank, whose boxes meet those of others, each with a box that holds where they do.
+/// The parts, by rank, whose boxes meet those of others, each with a box around the overlaps.
 fn near_others(parts: &[PreparedPart]) -> Vec<(usize, Bounds)> {
     let here: Vec<usize> = (0..parts.len())
         .filter(|r| is_looked_at(&parts[*r]))
@@ -243,7 +243,7 @@ fn near_others(parts: &[PreparedPart]) -> Vec<(usize, Bounds)> {
     met.filter(|(_, room)| room.min.x <= room.max.x).collect()
 }
 
-/// The triangles of a part that reach into a box, less its slivers.
+/// The triangles of a part that reach into a box, without slivers.
 fn faces_within<'a>(
     part: &'a PreparedPart,
     rank: usize,
@@ -272,7 +272,7 @@ fn faces_within<'a>(
         })
 }
 
-/// Faces that lie in one plane, by the number of the first, which makes it; `all` are in order of area.
+/// Faces grouped by plane, with the index of the face that defines it; `all` is sorted by area.
 fn planes_of(all: &[CandidateFace]) -> Vec<(usize, Vec<usize>)> {
     let mut planes: Vec<(usize, Vec<usize>)> = Vec::new();
     let mut cells: HashMap<[i32; 4], Vec<usize>> = HashMap::new();
@@ -281,7 +281,7 @@ fn planes_of(all: &[CandidateFace]) -> Vec<(usize, Vec<usize>)> {
         let ends = place.map(|c| [c - BESIDE, c + BESIDE].map(|c| c.floor() as i32));
         let near = (0..16_usize).filter_map(|corner| {
             let is_second = |axis: usize| (corner >> axis) & 1 == 1;
-            // An axis along which both are one cell is gone along once.
+            // If both ends of an axis are in the same cell, it is searched once.
             let is_new = (0..4).all(|i| !is_second(i) || ends[i][0] != ends[i][1]);
             is_new.then(|| [0, 1, 2, 3].map(|i| ends[i][usize::from(is_second(i))]))
         });
@@ -306,7 +306,7 @@ fn planes_of(all: &[CandidateFace]) -> Vec<(usize, Vec<usize>)> {
     planes
 }
 
-/// The parts whose faces of one plane meet those of others, by falling rank, each with its level: one above those that it hides.
+/// The parts whose faces in one plane overlap those of others, by descending rank index, each with its level: one above those it hides.
 fn overlapping<'a>(faces: impl Iterator<Item = &'a CandidateFace>) -> Vec<(u16, u16)> {
     let mut boxes: HashMap<usize, (Bounds, f64)> = HashMap::new();
     for face in faces {
@@ -325,7 +325,7 @@ fn overlapping<'a>(faces: impl Iterator<Item = &'a CandidateFace>) -> Vec<(u16, 
     pairs.sort_unstable_by(|a, b| b.cmp(a));
     let mut levels: Vec<(u16, u16)> = Vec::new();
     for (rank, other) in pairs {
-        // Later parts have their levels already.
+        // Levels of later parts are already known.
         let hidden = levels.iter().find(|(r, _)| other > rank && *r == other);
         let least = hidden.map_or(1, |(_, level)| level + 1);
         match levels.last_mut() {

@@ -1,20 +1,20 @@
-//! The axes of a solid, and which of them a cutout goes along (Diepstraten, Weiskopf and Ertl 2003, rule R3).
+//! The main axes of a solid, and the choice of a cutout's axis among them (Diepstraten, Weiskopf and Ertl 2003, rule R3).
 //!
-//! They are the eigenvectors of the covariance of the surface of the convex hull, integrated in closed form over its triangles as in
-//! Gottschalk's oriented boxes: vertices of the mesh lie where it is finely divided, and those of the hull anywhere at all. (The paper sums
-//! from 0 to n over n triangles.) Disc-like solids have two axes of greatest spread that are as good as each other: what one cuts around is
-//! the third.
+//! They are the eigenvectors of the covariance of the convex hull's surface, integrated in closed form over its triangles as in
+//! Gottschalk's oriented boxes. Vertices would not do: those of the mesh are dense where it is finely divided, and those of the hull are
+//! distributed arbitrarily. (The paper sums from 0 to n over n triangles.) Disc-like solids have two equivalent axes of greatest spread;
+//! the cutout then goes around the third.
 //!
-//! Cost: one pass over the faces of the hull. Cannot: tell the axes of a cube, a ball or anything as even; that is said.
+//! Cost: one pass over the hull's faces. Cannot: find axes of a cube, a ball or any equally even solid; this is reported.
 
 use glam::{DMat3, DVec3};
 
 use crate::scene::geometry::hull::ConvexHull;
 use crate::scene::{Part, Role, View, next_axis};
 
-/// Gaps between spreads, as shares of the greatest: by less two axes are alike.
+/// Two axes are alike if their spreads differ by less than this share of the greatest.
 const ALIKE: f64 = 0.02;
-/// By less two axes may be exchanged where the third is far from both.
+/// Two axes are interchangeable if their spreads differ by less than this share and the third spread is far from both.
 const DISC: f64 = 0.10;
 /// Sweeps of Jacobi's method: it converges quadratically, and three rows take about five.
 const SWEEPS: usize = 16;
@@ -22,9 +22,9 @@ const SWEEPS: usize = 16;
 /// The axes of a convex hull.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MainAxes {
-    /// The middle of the surface.
+    /// The centroid of the hull's surface.
     pub centre: DVec3,
-    /// Orthonormal axes, the greatest spread first; the greatest component of each is positive.
+    /// Orthonormal axes, the greatest spread first; the largest component of each is positive.
     pub axes: [DVec3; 3],
     /// Variances along them, in square units.
     pub spreads: [f64; 3],
@@ -40,7 +40,7 @@ pub enum AxisRule {
     Main,
     /// Axis of the least spread.
     Symmetry,
-    /// A direction.
+    /// An explicit direction.
     Along(DVec3),
 }
 
@@ -89,7 +89,7 @@ impl MainAxes {
         (a - b) / a < DISC && (b - c) / a > DISC
     }
 
-    /// The axis that a rule means, with two across it, so that all three are right-handed.
+    /// The axis that a rule selects, and two perpendicular axes; the three are right-handed.
     fn by(&self, rule: AxisRule, up: DVec3) -> [DVec3; 3] {
         let [e1, _, e3] = self.axes;
         let along = match rule {
@@ -100,7 +100,7 @@ impl MainAxes {
             AxisRule::Auto if self.is_disc() => e3,
             AxisRule::Auto => e1,
         };
-        // The axis that lies most across, unless that across both is as good.
+        // The axis nearest to perpendicular, unless the one perpendicular to both is equally good.
         let mut across: Vec<(f64, f64, DVec3)> = (self.axes.iter().zip(self.spreads))
             .map(|(axis, spread)| (axis.dot(along).abs(), spread, *axis))
             .collect();
@@ -160,7 +160,7 @@ pub struct CutoutFrame {
 }
 
 impl CutoutFrame {
-    /// The frame of a cutout through the exteriors among some parts, as they are seen in a view in world space; `None` where they are flat.
+    /// The frame of a cutout through the exterior parts, for a view in world space; `None` if these parts are flat.
     pub fn of<'a>(
         parts: impl Iterator<Item = &'a Part>,
         rule: AxisRule,
@@ -212,7 +212,7 @@ mod tests {
         let turn = DMat3::from_rotation_z(0.7) * DMat3::from_rotation_x(-0.4);
         let mut points: Vec<DVec3> = box_of(size).into_iter().map(|p| turn * p + 5.0).collect();
         let plain = MainAxes::of(&points).unwrap_or_else(|| panic!("a hull"));
-        // Many more points on one face, and some within.
+        // Many more points on one face, and some inside.
         points.extend((0..200).map(|i| {
             let t = f64::from(i) / 200.0 - 0.5;
             turn * DVec3::new(1.5, 2.0 * t, (13.0 * t).rem_euclid(1.0) - 0.5) + 5.0
@@ -250,7 +250,7 @@ mod tests {
         assert!(along.abs_diff_eq(DVec3::Y, 1e-9) && is_even, "{along}");
         let (along, _) = axis(DVec3::new(1.0, 5.0, 1.0), AxisRule::Auto);
         assert!(along.abs_diff_eq(DVec3::Y, 1e-9), "{along}");
-        // A cube has no axes that rounding does not make.
+        // The axes of a cube are rounding error.
         let turned: Vec<DVec3> = box_of(DVec3::ONE)
             .into_iter()
             .map(|p| DMat3::from_rotation_x(0.5) * p)
@@ -351,7 +351,7 @@ mod tests {
                 [axes.spreads[0] - solid.along, across - solid.across]
             };
             let [coarse, fine] = [64, 128].map(of);
-            // A polyhedron is off with the square of its edges: what two of them agree on is the round solid.
+            // A polyhedron's error grows with the square of its edge length, so extrapolation from two of them gives the round solid.
             let limit: Vec<f64> = (off(&coarse).into_iter().zip(off(&fine)))
                 .map(|(coarse, fine)| (4.0 * fine - coarse) / 3.0)
                 .collect();

@@ -1,12 +1,12 @@
-//! Breakaways: an opening through which what is inside is seen from the eye (Diepstraten, Weiskopf and Ertl 2003, rules R6 and R7).
+//! Breakaways: openings through which the eye sees interior parts (Diepstraten, Weiskopf and Ertl 2003, rules R6 and R7).
 //!
-//! The hull of the interiors, extended by a ball, is swept towards the eye by a cone of all directions from it to the eye; the hull of
-//! the two ends is a closed convex mesh: a cutter like any other, so its walls have caps. The paper clips exteriors before the
-//! foremost surface of the extended hull in the picture, and can show walls in parts alone.
+//! The convex hull of the interior parts, extended by a ball, is swept towards the eye along a cone of all directions from it to the
+//! eye. The hull of both ends is a closed convex mesh: a cutter like any other, so its walls have caps. The paper clips exterior parts
+//! in front of the foremost surface of the extended hull in the picture, and can show walls only in part.
 //!
-//! All points between an interior and the eye are within: of a point p of the extended hull and a direction u of the cone, p + t u is in
-//! the hull of both ends for all t up to the sweep's length. Cost: the hull of the vertices of the interiors, and one of some ten thousand
-//! points for each opening. Cannot: open towards an eye that is within the extended hull; there is none then.
+//! All points between an interior part and the eye are inside: for a point p of the extended hull and a direction u of the cone, p + t u
+//! is in the hull of both ends for all t up to the sweep's length. Cost: the hull of the interior parts' vertices, and a hull of some ten
+//! thousand points per opening. Cannot: open towards an eye inside the extended hull; there is no opening then.
 
 use std::sync::LazyLock;
 
@@ -21,32 +21,32 @@ use crate::scene::{Amount, Bounds, Cutter, Mesh, View};
 const SIDES: u32 = 24;
 /// The extended hull's corners lie farther out than the ball by this factor, for rounding.
 const SLACK: f64 = 1.001;
-/// Points that protrude by less than this share of the distance are left out of the hull; the distance is enlarged by as much.
+/// Points that protrude by less than this share of the distance are left out of the hull; the distance grows by the same amount.
 const LEFT_OUT: f64 = 0.05;
 /// The widest half angle of a cone.
 const WIDEST_DEG: f64 = 80.0;
-/// Length of the opening as a share of the distance to the eye, if that ends outside the model.
+/// Length of the opening as a share of the distance to the eye, if it then ends outside the model.
 const NEAR_THE_EYE: f64 = 0.75;
-/// Steps towards the point of a difference of two hulls that is nearest to the origin.
+/// Maximum number of steps towards the point of two hulls' difference nearest to the origin.
 const MOST_STEPS: usize = 256;
 
-/// An opening that is placed by what it shows.
+/// An opening placed automatically by the parts that it shows.
 #[derive(Clone, Copy, Debug, PartialEq, Described)]
 pub struct Breakaway {
-    /// Clearance between the opening and what is inside.
+    /// Clearance between the opening and the interior parts.
     ///
-    /// Percent are of the scene's diagonal.
+    /// Percentages refer to the scene's diagonal.
     #[value(range = 0.0.., unit = "units", example = "1%")]
     pub distance: Amount,
     /// Angle by which the opening is wider than the lines of sight.
     ///
-    /// At 0 the walls are hardly seen.
+    /// At 0 the walls are hardly visible.
     #[value(range = 0.0..=60.0, unit = "degrees", example = 12)]
     pub bevel_deg: f64,
     /// One opening, or one per cluster of interior parts.
     #[value(example = "one")]
     pub clusters: Clusters,
-    /// Follows the camera, or stays open to the first one.
+    /// Whether the opening follows the camera or stays open towards the first camera position.
     #[value(example = "first")]
     pub view: BreakawayView,
 }
@@ -54,20 +54,20 @@ pub struct Breakaway {
 /// Number of openings of a breakaway.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Described)]
 pub enum Clusters {
-    /// One around all that is inside, as in the paper.
+    /// One opening around all interior parts, as in the paper.
     One,
-    /// One for all whose extended hulls meet.
+    /// One opening per group of interior parts whose extended hulls intersect.
     #[default]
     Auto,
 }
 
-/// Eye that a breakaway opens to.
+/// The camera position that a breakaway opens towards.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Described)]
 pub enum BreakawayView {
-    /// The eye of each frame, as in the paper.
+    /// The camera position of each frame, as in the paper.
     #[default]
     Each,
-    /// The eye of the first: it stays where it is while the camera moves.
+    /// The camera position of the first frame; the opening stays fixed while the camera moves.
     First,
 }
 
@@ -91,12 +91,12 @@ impl Breakaway {
         }
     }
 
-    /// The extended hulls of solids by their points in world space, each solid its own; those that meet together.
+    /// The extended hulls of solids, given by their points in world space; solids whose extended hulls intersect share one.
     pub(crate) fn hulls(&self, solids: Vec<Vec<DVec3>>, bounds: &Bounds) -> Vec<ConvexHull> {
         let distance = self.distance_in(bounds);
         let mut apart: Vec<(Vec<DVec3>, ConvexHull)> = Vec::new();
         for mut own in solids {
-            // Those that it meets are taken in, and what they were met by may be met by it.
+            // Merge the hulls that it intersects; the merged hull may then intersect further ones.
             while let Some((corners, extended)) = extended(&own, distance) {
                 let met = apart.iter().position(|(_, other)| match self.clusters {
                     Clusters::One => true,
@@ -117,7 +117,7 @@ impl Breakaway {
         apart.into_iter().map(|(_, hull)| hull).collect()
     }
 
-    /// The opening of an extended hull, towards the eye of a view in world space; `None` where the eye is in the hull, or too near to it.
+    /// The opening of an extended hull towards the eye of a view in world space; `None` if the eye is inside the hull or too near to it.
     pub(crate) fn cutter(
         &self,
         hull: &ConvexHull,
@@ -140,7 +140,7 @@ impl Breakaway {
             return Ok(None);
         }
         let half_angle = (widest + self.bevel_deg.to_radians()).min(WIDEST_DEG.to_radians());
-        // The sides of the cone touch the round one from outside.
+        // The polygonal cone is circumscribed about the round one.
         let spread = half_angle.tan() / (std::f64::consts::PI / f64::from(SIDES)).cos();
         let corners = bounds.corners();
         let out_of_model = corners
@@ -157,7 +157,7 @@ impl Breakaway {
             true => out_of_model + back,
             false => match NEAR_THE_EYE * to_eye.length() {
                 near if near >= out_of_model + back => near,
-                // An eye near the model or in it is within the opening.
+                // An eye near or inside the model is inside the opening.
                 _ => to_eye.length() + out_of_model + back,
             },
         };
@@ -183,8 +183,8 @@ impl Breakaway {
     }
 }
 
-/// The corners that matter, and the hull of these and a ball around each; `None` if that has no inside. The ball is larger by the
-/// protrusion of the corners that were left out.
+/// The significant corners, and the hull of a ball around each of them; `None` if it has no volume. The ball's radius is enlarged by
+/// the protrusion of the corners that were left out.
 fn extended(points: &[DVec3], distance: f64) -> Option<(Vec<DVec3>, ConvexHull)> {
     let size = Bounds::from_points(points.iter().copied()).size().length();
     let aside = (LEFT_OUT * distance / size).clamp(1e-6, 1e-3);
@@ -202,7 +202,7 @@ fn extended(points: &[DVec3], distance: f64) -> Option<(Vec<DVec3>, ConvexHull)>
 
 static BALL: LazyLock<Vec<DVec3>> = LazyLock::new(ball);
 
-/// Points whose hull holds the unit ball: the middles of faces and the corners of an icosahedron, so far out that no face of theirs cuts it.
+/// Points whose hull contains the unit ball: face centres and corners of an icosahedron, moved out until no face of their hull cuts it.
 fn ball() -> Vec<DVec3> {
     let golden = (1.0 + 5.0_f64.sqrt()) / 2.0;
     let signs = [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)];
@@ -225,7 +225,7 @@ fn ball() -> Vec<DVec3> {
         .chain(middles)
         .map(|p| p.normalize_or(DVec3::X))
         .collect();
-    // The nearest of the faces of their hull is at this distance.
+    // Distance of the nearest face of their hull.
     let nearest = ConvexHull::of(&points).map_or(1.0, |hull| {
         let distances = hull.faces().map(|[a, b, c]| {
             let normal = (b - a).cross(c - a).normalize_or(DVec3::X);
@@ -236,9 +236,9 @@ fn ball() -> Vec<DVec3> {
     points.into_iter().map(|p| p * (SLACK / nearest)).collect()
 }
 
-/// Returns true if two hulls intersect, by the point of their difference that is nearest to the origin (Frank and Wolfe 1956): if this
-/// finds a plane between them they do not. If it finds none in time, as between long solids near each other, the planes of their faces are
-/// tried; hulls that only a pair of edges separates are then taken to intersect.
+/// Returns true if two hulls intersect. Searches the point of their difference nearest to the origin (Frank and Wolfe 1956); if this
+/// finds a separating plane, they do not. If it finds none within the step limit, as between long solids close together, the planes of
+/// their faces are tried; hulls that only a plane along two edges separates are then taken to intersect.
 fn meet(a: &ConvexHull, b: &ConvexHull) -> bool {
     let Some((first, second)) = a.corners.first().zip(b.corners.first()) else {
         return false;
@@ -324,7 +324,7 @@ mod tests {
         };
         assert_eq!(hulls(&[0.0, 1.1, 5.0], Clusters::Auto), 2);
         assert_eq!(hulls(&[0.0, 1.5, 3.0], Clusters::Auto), 3);
-        // The middle one comes last and joins the others.
+        // The middle one comes last and merges the others.
         assert_eq!(hulls(&[0.0, 2.2, 1.1], Clusters::Auto), 1);
         assert_eq!(hulls(&[0.0, 1.5, 3.0], Clusters::One), 1);
         assert_eq!(hulls(&[], Clusters::Auto), 0);

@@ -1,5 +1,5 @@
-//! Cutaways that place themselves (Diepstraten, Weiskopf and Ertl 2003): which parts are inside, the axis to cut around, and the opening
-//! through which what is inside is seen.
+//! Automatically placed cutaways (Diepstraten, Weiskopf and Ertl 2003): which parts are interior, the axis to cut around, and the
+//! opening through which interior parts are seen.
 
 mod axes;
 mod breakaway;

@@ -1,6 +1,6 @@
 //! Breakaways of a scene, opened towards an eye.
 //!
-//! Cost: the hull of what is inside and one for each opening, whenever the eye moves; nothing else of the scene is looked at.
+//! Cost: the hull of the interior parts and one hull per opening, whenever the eye moves; the rest of the scene is not touched.
 
 use glam::DVec3;
 
@@ -9,13 +9,13 @@ use crate::error::{Error, Result};
 use crate::scene::{Camera, Cut, Outline, Part, Role, Scene, View};
 
 impl Scene {
-    /// Opens breakaways ([`Cut::breakaway`]) towards the scene camera's eye in a picture of a size: each gets its cutter, and one with
-    /// several openings becomes several cuts. Call it again when the camera or the interior has moved; those that open to the
-    /// first eye alone ([`BreakawayView::First`]) stay as they are then.
+    /// Opens breakaways ([`Cut::breakaway`]) towards the scene camera's eye, for a picture of the given size: each gets its cutter, and
+    /// one with several openings becomes several cuts. Call it again when the camera or an interior part has moved; breakaways that
+    /// open only towards the first camera position ([`BreakawayView::First`]) then stay unchanged.
     ///
     /// # Errors
     ///
-    /// A breakaway of a scene in which no part is interior; the scene stays as it was.
+    /// If there is a breakaway but no interior part; the scene then stays unchanged.
     pub fn open_breakaways(&mut self, size_px: [u32; 2]) -> Result<()> {
         if !self.has_breakaways() {
             return Ok(());
@@ -33,7 +33,7 @@ impl Scene {
         self.cuts.iter().any(|cut| cut.breakaway.is_some())
     }
 
-    /// Opens breakaways towards the eyes of views in world space, those that have one.
+    /// Opens the breakaways for which there is a view, each towards its view's eye in world space.
     #[doc(hidden)]
     pub fn open_breakaways_to<'a>(
         &mut self,
@@ -56,7 +56,7 @@ impl Scene {
         Ok(())
     }
 
-    /// A breakaway as a cut for each of its openings; closed, where it has none.
+    /// A breakaway as one cut per opening; a closed cut if it has none.
     fn openings(&self, cut: &Cut, breakaway: &Breakaway, view: &View) -> Result<Vec<Cut>> {
         let bounds = self.bounds();
         let interiors = self.parts.iter().filter(|p| p.role == Role::Interior);
@@ -102,7 +102,7 @@ impl Scene {
         Ok(openings.collect())
     }
 
-    /// The view of a camera in world space, fitted to what that of the scene is.
+    /// The view of a camera in world space, fitted to the same geometry as the scene's camera.
     #[doc(hidden)]
     pub fn view_through(&self, camera: &Camera, size_px: [u32; 2]) -> View {
         let outline = self.fitted_outline();

@@ -1,9 +1,9 @@
-//! Classifies parts as seen from outside or only once others are gone: the classification that Diepstraten, Weiskopf and Ertl (2003, rule
-//! R1) leave to the author of the scene.
+//! Classifies parts as visible from outside or only once others are removed: Diepstraten, Weiskopf and Ertl (2003, rule R1) leave this
+//! classification to the scene's author.
 //!
-//! All parts are viewed from 26 sides, uncut. A part whose seen share is less than [`LEAST_SEEN`] of that expected from its area lies
-//! within; parts seen once all others are gone are one level deeper. Cost: 26 pictures of 256 x 256 of the corners of all triangles, on
-//! all cores. Cannot: classify parts much smaller than a pixel, nor take for interior parts that an opening shows as well as a wall would.
+//! All parts are viewed from 26 sides, uncut. A part whose visible share is less than [`LEAST_SEEN`] of that expected from its area lies
+//! inside; parts visible once these outer parts are removed are one level deeper. Cost: rasterising all triangles in 26 pictures of 256 x
+//! 256, on all cores. Cannot: classify parts much smaller than a pixel, or recognise interior parts that show through an opening.
 
 use glam::DVec3;
 use rayon::prelude::*;
@@ -12,19 +12,19 @@ use crate::scene::{Bounds, Part};
 
 /// Pixels along each side of a picture.
 const SIDE_PX: usize = 256;
-/// Share of the pixels of all over share of the area of all, from which a part counts as seen.
+/// A part counts as seen from this ratio of its share of all pixels to its share of the total area.
 const LEAST_SEEN: f64 = 0.15;
 /// A part with a smaller expected pixel count in all pictures together is not classified.
 const FEWEST_PX: f64 = 40.0;
-/// No solid has more layers than this that matter.
+/// Maximum number of levels; deeper nesting does not matter in practice.
 const MOST_LEVELS: u32 = 16;
 
 /// Visibility of a part from outside.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sight {
-    /// Share of the pixels of all parts over share of the area of all; 1 is the expected value.
+    /// Ratio of the part's share of all pixels to its share of the total area; 1 is the expected value.
     pub seen: f64,
-    /// 0 for a part seen from outside, 1 for one seen once level 0 is gone, and so on; `None` if the part is too small to classify.
+    /// 0 for a part seen from outside, 1 for one seen once level 0 is removed, and so on; `None` if the part is too small to classify.
     pub level: Option<u32>,
 }
 
@@ -89,12 +89,12 @@ impl PartTriangles {
 
 /// Visibility of a shape in the pictures.
 struct Seen {
-    /// Share of the pixels over share of the area.
+    /// Ratio of the share of pixels to the share of area.
     share: f64,
     expected_px: f64,
 }
 
-/// Visibility of some of the shapes in the absence of all others.
+/// Visibility of the shapes in `of`, with all others removed.
 fn seen_of(shapes: &[PartTriangles], of: &[usize]) -> Vec<Seen> {
     let corners = of.iter().flat_map(|i| &shapes[*i].corners).flatten();
     let bounds = Bounds::from_points(corners.copied());
@@ -126,7 +126,7 @@ fn seen_of(shapes: &[PartTriangles], of: &[usize]) -> Vec<Seen> {
     of.iter().zip(&counts).map(seen).collect()
 }
 
-/// Number of visible pixels of each shape in a picture through parallel rays.
+/// Number of visible pixels of each shape in a parallel projection.
 fn counts_from(
     shapes: &[PartTriangles],
     of: &[usize],
@@ -158,7 +158,7 @@ fn counts_from(
     counts
 }
 
-/// The pixels whose middles a triangle covers, with its depth there.
+/// Calls `at` for the pixels whose centres a triangle covers, with its depth there.
 fn draw([a, b, c]: [DVec3; 3], mut at: impl FnMut(usize, f64)) {
     let twice = (b - a).truncate().perp_dot((c - a).truncate());
     if twice == 0.0 {

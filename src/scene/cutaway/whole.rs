@@ -1,20 +1,20 @@
-//! Parts that are never cut, and hidden if they lie wholly in the removed region: bolts, pins, shafts. A pin that is spared would stand in
-//! the air before the cut.
+//! Parts that are never cut, but hidden if they lie wholly in the removed region: bolts, pins, shafts. A spared pin would float in the
+//! air in front of the cut.
 //!
-//! A part is hidden where each of its triangles lies in one of the cuts with all its corners; of a cutter that is not convex its edges may
-//! leave it in between. A breakaway does not hide the parts that it shows. Cost: for each such part the sides of its corners, up to the
-//! first triangle that is kept.
+//! A part is hidden if each of its triangles has all its corners in one of the cuts; edges may still leave a non-convex cutter between
+//! corners. A breakaway does not hide the parts that it shows. Cost: for each such part, classifying corners up to the first triangle
+//! that is kept.
 
 use glam::{DVec2, DVec3};
 use robust::{Coord, orient2d};
 
 use crate::scene::{Bounds, ClipSurface, Cut, Cutter, Part, Role, Scene};
 
-/// Points within this share of the scene's size of a clip-surface lie on it, so that no part of zero thickness is left.
+/// A point closer to a clip-surface than this share of the scene's size lies on it, so that no part of zero thickness is left.
 const FLUSH: f64 = 1e-9;
 
-/// Returns true if each triangle of a whole part lies in the removed region of some cut. `world` is the result of [`Scene::bounds`], which
-/// may have to read every vertex.
+/// Returns true if each triangle of a whole part lies in some cut's removed region. `world` is the result of [`Scene::bounds`], passed in
+/// because computing it may read every vertex.
 pub(crate) fn is_removed_whole(scene: &Scene, world: &Bounds, part: &Part) -> bool {
     if part.role != Role::Whole {
         return false;
@@ -101,14 +101,14 @@ impl Inside {
                 return false;
             }
             let normal = (b - a).cross(c - a);
-            // Above the point: along z to the plane.
+            // True if the plane is above the point, measured along z.
             normal.z != 0.0 && (a - point).dot(normal) / normal.z > 0.0
         };
         self.triangles.iter().filter(crosses).count() % 2 == 1
     }
 }
 
-/// Side of an edge that a point is on, the same for both triangles of the edge; points on it count to one side.
+/// The side of an edge that a point is on, the same for both triangles of the edge; points on the edge count as on one side.
 fn side_of(from: DVec2, to: DVec2, point: DVec2) -> bool {
     let is_turned = (to.x, to.y) < (from.x, from.y);
     let (first, last) = if is_turned { (to, from) } else { (from, to) };

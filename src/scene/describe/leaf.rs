@@ -1,4 +1,4 @@
-//! Types of Rust as types of values.
+//! Maps Rust types to value types.
 
 use std::path::PathBuf;
 
@@ -7,7 +7,7 @@ use glam::{DVec2, DVec3, Vec3};
 use super::ValueType;
 use crate::scene::units::amount::Amount;
 
-/// A value that is given for a field, of the type that the field takes.
+/// A value given for a field, of the field's type.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Given {
     /// True or false.
@@ -24,27 +24,27 @@ pub enum Given {
     Amounts(Vec<Amount>),
     /// A colour, sRGB in 0..=1.
     Color(Vec3),
-    /// A text or a word.
+    /// A text or a keyword.
     Text(String),
     /// Several texts.
     Texts(Vec<String>),
 }
 
-/// A type of Rust that holds one value.
+/// A Rust type that holds one value.
 pub trait Leaf: Sized {
     /// The type of the value.
     const TYPE: ValueType;
 
-    /// True if the value has forms that no type describes: its reader takes it from the table.
+    /// True if the value has forms that no [`ValueType`] describes, so that its reader takes it from the table directly.
     const IS_READ_BY_HAND: bool = false;
 
-    /// The value of Rust for one of that type; `None` for others.
+    /// Converts a given value of that type; `None` for other types.
     fn of(given: Given) -> Option<Self>;
 
     /// The value, if there is one.
     fn get(&self) -> Option<Given>;
 
-    /// Takes a value of the type; returns false for others, which change nothing.
+    /// Sets a value of the type; returns false and changes nothing for other types.
     fn set(&mut self, given: Given) -> bool {
         match Self::of(given) {
             Some(value) => {
@@ -69,7 +69,7 @@ impl<T: Leaf> Leaf for Option<T> {
     }
 }
 
-/// A type that is one variant of [`Given`].
+/// Implements [`Leaf`] for a type that corresponds to one variant of [`Given`].
 macro_rules! leaf {
     ($($type:ty, $takes:expr, $variant:ident, $from:expr, $to:expr;)*) => {$(
         impl Leaf for $type {
@@ -149,7 +149,7 @@ impl Leaf for [u32; 2] {
     }
 }
 
-/// Factors of the three directions, which one number for all may stand for.
+/// Factors along the three axes; may be given as one number for all.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Factors(pub DVec3);
@@ -166,13 +166,13 @@ impl Leaf for Factors {
     }
 }
 
-/// A value, or one of some words, which its declaration lists.
+/// A value, or one of the keywords that its declaration lists.
 #[doc(hidden)]
 #[derive(Clone, Debug, PartialEq)]
 pub enum OrWord<T> {
     /// A value.
     Value(T),
-    /// A word.
+    /// A keyword.
     Word(String),
 }
 
@@ -195,7 +195,7 @@ impl<T: Leaf> Leaf for OrWord<T> {
     }
 }
 
-/// The number in f64 that is written as this one is: 0.1, not 0.10000000149.
+/// The f64 with the same decimal notation: 0.1, not 0.10000000149.
 fn written(value: f32) -> f64 {
     value.to_string().parse().unwrap_or(f64::from(value))
 }

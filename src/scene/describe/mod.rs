@@ -1,4 +1,4 @@
-//! Descriptions: what users set by keys, each value declared once, at the field that holds it.
+//! Descriptions of the values that users set by key; each value is declared once, at the field that holds it.
 //!
 //! ```
 //! use cutaway::scene::describe::{Described, Given};
@@ -12,12 +12,12 @@
 //! # Ok::<(), &str>(())
 //! ```
 //!
-//! `#[derive(Described)]` makes the list of [`Field`]s of a struct, with access to the values by their place in it. Readers of scene files,
-//! the list of paths, help, ranges and the panels of a window are made from that list; so a range that is published is the one that is
-//! checked.
+//! `#[derive(Described)]` generates a struct's list of [`Field`]s, with access to the values by their index in it. Scene-file readers,
+//! the list of paths, help, ranges and the panels of a window are all made from that list, so the documented range is the one that
+//! is checked.
 //!
-//! Cost: a `match` for each access. Cannot: check ranges and what concerns several values, which readers of files do; be derived in a
-//! crate that renames this one.
+//! Cost: a `match` for each access. Cannot: check ranges or constraints between several values, which file readers do; be derived in
+//! a crate that renames this one.
 
 mod leaf;
 mod value_type;
@@ -29,27 +29,27 @@ pub use value_type::ValueType;
 /// Declaration of a value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Field {
-    /// Key in its table; empty where the values of `below` are beside those of the table.
+    /// Key in its table; empty if the values of `below` are placed directly in the table.
     pub key: &'static str,
     /// Description in one line.
     pub help: &'static str,
     /// Type and range.
     pub takes: ValueType,
-    /// Unit of its numbers; empty where they have none.
+    /// Unit of its numbers; empty if they have none.
     pub unit: &'static str,
-    /// A value that it takes, as TOML.
+    /// An example value, as TOML.
     pub example: &'static str,
-    /// True if an animation can move it.
+    /// True if it can be animated.
     pub moves: bool,
-    /// True if it has forms that no type describes.
+    /// True if it has forms that no [`ValueType`] describes.
     #[doc(hidden)]
     pub is_read_by_hand: bool,
-    /// Declarations of the values below it, where it is a table.
+    /// Declarations of the values in it, if it is a table.
     pub below: &'static [Self],
 }
 
 impl Field {
-    /// A value. Numbers and flags move.
+    /// A value. Numbers and flags can be animated.
     pub const fn leaf(
         key: &'static str,
         help: &'static str,
@@ -82,7 +82,7 @@ impl Field {
         Self { unit, ..self }
     }
 
-    /// The same, as far as `T` is read by hand.
+    /// The same, read by hand if `T` is.
     #[doc(hidden)]
     #[must_use]
     pub const fn read_as<T: Leaf>(self) -> Self {
@@ -92,7 +92,7 @@ impl Field {
         }
     }
 
-    /// The same, which no animation moves.
+    /// The same, but not animatable.
     #[must_use]
     pub const fn fixed(self) -> Self {
         Self {
@@ -102,24 +102,24 @@ impl Field {
     }
 }
 
-/// Values by their place in the list of declarations.
+/// Access to values by their index in the list of declarations.
 pub trait Described {
     /// The declarations.
     fn fields(&self) -> &'static [Field];
 
-    /// Sets a value to one of its type; returns false for another type, which changes nothing. Ranges are for the caller to check.
+    /// Sets a value of the field's type; returns false and changes nothing for other types. The caller checks ranges.
     fn set(&mut self, field: usize, given: Given) -> bool;
 
     /// The value; `None` if it is not set, or a table.
     fn get(&self, field: usize) -> Option<Given>;
 
-    /// The values below a field that is a table.
+    /// The values in a field that is a table.
     fn below(&self, field: usize) -> Option<&dyn Described> {
         let _ = field;
         None
     }
 
-    /// The same, to be set.
+    /// The same, mutable.
     fn below_mut(&mut self, field: usize) -> Option<&mut dyn Described> {
         let _ = field;
         None

@@ -23,17 +23,17 @@ pub enum ValueType {
     OneOrMore(&'static Self, usize),
     /// True or false.
     Flag,
-    /// One of some words.
+    /// One of several keywords.
     Choice(&'static [&'static str]),
-    /// A colour: `"#8a94a6"`, or its name in CSS.
+    /// A colour: `"#8a94a6"` or a CSS colour name.
     Color,
-    /// A value of another type, or one of some words.
+    /// A value of another type, or one of several keywords.
     Or(&'static Self, &'static [&'static str]),
-    /// The name of a file, from the folder of the scene.
+    /// A file name, relative to the scene's folder.
     File,
     /// Text.
     Text,
-    /// A name, or the number of something that has one.
+    /// The name or the number of a named item.
     Name,
     /// A list of texts.
     Texts,
@@ -44,11 +44,11 @@ pub enum ValueType {
 }
 
 impl ValueType {
-    /// The same, whose numbers are from `least` to `most`. Of a type without a range it does not compile where the result is a constant.
+    /// The same type with numbers from `least` to `most`. For a type without a range, a constant fails to compile.
     ///
     /// # Panics
     ///
-    /// A type without a range.
+    /// If the type has no range.
     #[must_use]
     pub const fn within(self, least: f64, most: f64) -> Self {
         match self {
@@ -61,7 +61,7 @@ impl ValueType {
         }
     }
 
-    /// The least and the greatest number, of types that have some; infinite where there is none.
+    /// The least and the greatest allowed number, infinite if unlimited; `None` for types without numbers.
     pub const fn range(self) -> Option<(f64, f64)> {
         match self {
             Self::Number(least, most)
@@ -74,7 +74,7 @@ impl ValueType {
         }
     }
 
-    /// Returns true if it consists of numbers, or is true or false: what an animation can move.
+    /// Returns true if it consists of numbers or is a flag, and so can be animated.
     pub const fn is_numeric(self) -> bool {
         match self {
             Self::Or(one, _) | Self::OneOrMore(one, _) => one.is_numeric(),
@@ -158,7 +158,7 @@ impl fmt::Display for ValueType {
     }
 }
 
-/// Returns true if the least number stands for all above 0.
+/// Returns true if this minimum means any number above 0.
 fn is_open(least: f64) -> bool {
     least > 0.0 && least <= SMALLEST
 }
@@ -170,7 +170,7 @@ impl fmt::Display for Range {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self(least, most) = self;
         let is_open = is_open(*least);
-        // The ends of the types of Rust are none that a user meets.
+        // Limits that come only from a Rust type's range are not shown to users.
         let is_end = |end: f64| end.is_finite() && end.abs() < f64::from(i32::MAX);
         match (is_end(*least), is_end(*most)) {
             (true, true) if is_open => write!(f, " above 0, up to {most}"),

@@ -12,13 +12,13 @@ pub struct Bounds {
 }
 
 impl Bounds {
-    /// The box of nothing: the neutral element of [`Bounds::union`].
+    /// The empty box: the neutral element of [`Bounds::union`].
     pub const EMPTY: Self = Self {
         min: DVec3::INFINITY,
         max: DVec3::NEG_INFINITY,
     };
 
-    /// The least box around points.
+    /// The smallest box around points.
     pub fn from_points(points: impl IntoIterator<Item = DVec3>) -> Self {
         points.into_iter().fold(Self::EMPTY, |b, p| Self {
             min: b.min.min(p),
@@ -26,7 +26,7 @@ impl Bounds {
         })
     }
 
-    /// The least box around two boxes.
+    /// The smallest box around two boxes.
     #[must_use]
     pub fn union(self, other: Self) -> Self {
         Self {
@@ -35,7 +35,7 @@ impl Bounds {
         }
     }
 
-    /// True if the box holds no point.
+    /// True if the box contains no point.
     pub fn is_empty(&self) -> bool {
         self.min.cmpgt(self.max).any()
     }
@@ -58,7 +58,7 @@ impl Bounds {
         }
     }
 
-    /// Radius of the ball around the box.
+    /// Radius of the box's circumscribed ball.
     pub fn radius(&self) -> f64 {
         self.size().length() * 0.5
     }

@@ -1,12 +1,12 @@
-//! Sums of products of f64s without rounding, for signs that must be right.
+//! Exact sums of products of f64 values, for signs that must be right.
 //!
 //! Every product is an integer of 106 bits times a power of two; they are added as integers of as many bits as their
 //! exponents span, at most 4,200, and rounded once at the end. No input overflows or underflows on the way. Cost: some
 //! 100 ns for six products of like size.
 
-/// Bits of a digit; digits are added up before carries are passed on.
+/// Bits per digit; digits are summed before carries are propagated.
 const DIGIT_BITS: u32 = 32;
-/// From the least bit of the product of two subnormals to the greatest bit of that of two maxima, and room for carries.
+/// Digits from the lowest bit of two subnormals' product to the highest bit of two maxima's product, with room for carries.
 const DIGITS: usize = 4_200 / DIGIT_BITS as usize + 5;
 
 /// The sum of products of pairs, rounded once to the nearest f64: zero only if it is exactly zero, and infinite only if it is too
@@ -48,7 +48,7 @@ pub(crate) fn sum_of_products<const N: usize>(pairs: [[f64; 2]; N]) -> f64 {
     if is_negative { -magnitude } else { magnitude }
 }
 
-/// The integer and the power of two that a finite number is made of, without its sign.
+/// The integer mantissa and the power of two of a finite number, without its sign.
 fn integer_and_exponent(x: f64) -> (u64, i32) {
     let bits = x.to_bits();
     let exponent = ((bits >> 52) & 0x7ff) as i32;
@@ -59,7 +59,7 @@ fn integer_and_exponent(x: f64) -> (u64, i32) {
     }
 }
 
-/// Makes all digits but the last ones of 0..2^32; the last one keeps the sign.
+/// Propagates carries so that all digits except the last are in 0..2^32; the last one keeps the sign.
 fn carry(digits: &mut [i64]) {
     let last = digits.len() - 1;
     for i in 0..last {
@@ -69,7 +69,7 @@ fn carry(digits: &mut [i64]) {
     }
 }
 
-/// The number that digits of 0..2^32 make, the first of them worth `2^exponent`.
+/// The number with digits in 0..2^32, of which the first has the weight `2^exponent`.
 fn rounded(digits: &[i64], exponent: i32) -> f64 {
     let Some(top) = digits.iter().rposition(|d| *d != 0) else {
         return 0.0;
@@ -77,7 +77,7 @@ fn rounded(digits: &[i64], exponent: i32) -> f64 {
     let first = top.saturating_sub(2);
     let leading = digits[first..=top].iter().rev();
     let mut integer = leading.fold(0_u128, |sum, d| (sum << DIGIT_BITS) | *d as u128);
-    // At least 65 bits lead whenever any follow: one of them tells the rounding that there are more.
+    // If any bits follow, at least 65 leading bits are kept; the lowest of them is a sticky bit for the rounding.
     integer |= u128::from(digits[..first].iter().any(|d| *d != 0));
     let value = scaled(
         integer as f64,
@@ -86,7 +86,7 @@ fn rounded(digits: &[i64], exponent: i32) -> f64 {
     value.max(f64::from_bits(1))
 }
 
-/// `x * 2^exponent`, where the power alone may be no f64.
+/// `x * 2^exponent`, where the power alone may be outside the range of f64.
 fn scaled(mut x: f64, mut exponent: i32) -> f64 {
     let power = |e: i32| f64::from_bits(((e + 1023) as u64) << 52);
     while exponent > 1000 {
@@ -106,7 +106,7 @@ mod tests {
 
     #[test]
     fn what_f64_loses_is_kept() {
-        // Each sum is one that rounding gets wrong.
+        // Each is a sum that plain f64 arithmetic gets wrong.
         for (pairs, exact) in [
             ([[1e16, 1.0], [1.0, 1.0], [-1e16, 1.0]], 1.0),
             ([[1e200, 1e100], [1e-200, 1e-100], [-1e200, 1e100]], 1e-300),

@@ -1,29 +1,29 @@
-//! Places the eye so that some points are centred in its picture, as large as its borders allow.
+//! Places the eye so that points are centred in its picture and as large as the picture's borders allow.
 //!
-//! Points are given along the axes of the picture: to the right, up, and into it. In perspective each border is a plane through the
-//! eye. A point is on the inner side of the right one, at eye `(x, y, z)` and with half a width of `t` at depth 1, if
-//! `p.x - t p.z <= x - t z`; so the greatest `p.x - t p.z` is all that matters of the points. Left and right together determine
-//! the eye's distance, as do the lower and the upper border; of the two the farther eye sees all. That is exact, and in
-//! one pass over the points. On the axis that has room to spare the eye is put where the margins are equal in the picture.
+//! Points are given along the picture's axes: to the right, up, and into it. In perspective each border is a plane through the
+//! eye. With the eye at `(x, y, z)` and a half width of `t` at depth 1, a point is on the inner side of the right border if
+//! `p.x - t p.z <= x - t z`; so only the greatest `p.x - t p.z` of all points matters. Left and right border together determine
+//! the eye's distance, and so do the lower and the upper border; the farther of the two eyes sees all points. This is exact and
+//! needs one pass over the points. On the axis with room to spare, the eye is placed where both margins are equal in the picture.
 
 use glam::{DVec2, DVec3};
 
 /// Share of the picture's shorter side that is left on each side.
 const MARGIN: f64 = 0.06;
 
-/// The eye keeps so far from the points, as a share of their extent: a wide view of a tip would begin in it.
+/// Minimum distance of the eye from the points, as a share of their extent: a wide view of a tip would otherwise start inside it.
 const NEAREST: f64 = 0.05;
 
-/// Steps of a bisection, after which a span is as short as f64 tells.
+/// Steps of a bisection, after which the interval is as short as f64 can resolve.
 const CENTRING_HALVINGS: u32 = 50;
 
-/// Shares of half the width and of half the height that are filled.
+/// Shares of the half width and of the half height that are filled.
 fn filled(size_px: [u32; 2]) -> DVec2 {
     let size = DVec2::from_array(size_px.map(f64::from));
     1.0 - 2.0 * MARGIN * size.min_element() / size
 }
 
-/// Centre of the points in the picture and half the picture's height, of a parallel view.
+/// For a parallel view: the centre of the points in the picture, and half the picture's height.
 pub(in crate::scene) fn fit_parallel(points: &[DVec3], size_px: [u32; 2]) -> (DVec2, f64) {
     let [least, most] = extent(points);
     let half = (most - least).truncate() / 2.0 / filled(size_px);
@@ -32,7 +32,7 @@ pub(in crate::scene) fn fit_parallel(points: &[DVec3], size_px: [u32; 2]) -> (DV
     ((least + most).truncate() / 2.0, half_height)
 }
 
-/// The eye, in perspective with so much of half a height at depth 1.
+/// The eye of a perspective view with the given half height at depth 1.
 pub(in crate::scene) fn fit_perspective(
     points: &[DVec3],
     half_height: f64,
@@ -48,7 +48,7 @@ pub(in crate::scene) fn fit_perspective(
     };
     let z = nearest.min(farthest_back(0)).min(farthest_back(1));
     let middle = |axis: usize| {
-        // Where the margins are equal lies between where what sticks out farthest on either side would touch the axis.
+        // The position with equal margins lies between those where the outermost point of either side would be on the axis.
         let (mut low, mut high) = (least[axis], most[axis]);
         for _ in 0..CENTRING_HALVINGS {
             let at = (low + high) / 2.0;
@@ -62,7 +62,7 @@ pub(in crate::scene) fn fit_perspective(
     DVec3::new(middle(0), middle(1), z)
 }
 
-/// Excess of the points' reach on the greater side of the picture over that on the lesser, from an eye.
+/// Seen from an eye, the points' reach on the positive side of the picture minus that on the negative side.
 fn lean(points: &[DVec3], axis: usize, at: f64, z: f64) -> f64 {
     let slopes = points.iter().map(|p| (p[axis] - at) / (p.z - z));
     let [least, most] = slopes.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], s| {
@@ -71,7 +71,7 @@ fn lean(points: &[DVec3], axis: usize, at: f64, z: f64) -> f64 {
     least + most
 }
 
-/// The greatest offsets of points from the two borders along an axis.
+/// The greatest offsets of points along an axis, relative to both borders.
 fn sides(points: &[DVec3], axis: usize, border: f64) -> [f64; 2] {
     let none = [f64::NEG_INFINITY; 2];
     points.iter().fold(none, |[low, high], p| {
@@ -80,7 +80,7 @@ fn sides(points: &[DVec3], axis: usize, border: f64) -> [f64; 2] {
     })
 }
 
-/// Distance of an eye that looks at the origin of the points, in perspective: nothing is centred.
+/// Distance of a perspective eye that looks at the points' origin; the points are not centred.
 pub fn distance_around(points: &[DVec3], half_height: f64, size_px: [u32; 2]) -> f64 {
     let aspect = f64::from(size_px[0]) / f64::from(size_px[1]);
     let borders = DVec2::new(half_height * aspect, half_height) * filled(size_px);
@@ -88,7 +88,7 @@ pub fn distance_around(points: &[DVec3], half_height: f64, size_px: [u32; 2]) ->
     points.iter().map(distance).fold(1e-6, f64::max)
 }
 
-/// Half the height of a parallel view of the origin of the points.
+/// Half the height of a parallel view that looks at the points' origin.
 pub fn half_height_around(points: &[DVec3], size_px: [u32; 2]) -> f64 {
     let aspect = f64::from(size_px[0]) / f64::from(size_px[1]);
     let half =

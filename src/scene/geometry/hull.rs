@@ -1,12 +1,12 @@
-//! The convex hull of points: all that their extent in any direction depends on.
+//! The convex hull of points, which alone determines their extent in any direction.
 //!
-//! Quickhull (Barber, Dobkin & Huhdanpaa 1996, *The Quickhull algorithm for convex hulls*, ACM TOMS 22.4). Every point that is not
-//! decided yet is kept with one facet that it lies before; the farthest of them joins the hull, and takes the place of all facets that
-//! it sees. What it sees is decided by exact signs (Shewchuk 1997), and a facet that it lies in is not seen: so what is seen is a
-//! disk, whatever lies in one plane, and its border one ring with no edge in line with the point.
+//! Quickhull (Barber, Dobkin & Huhdanpaa 1996, *The Quickhull algorithm for convex hulls*, ACM TOMS 22.4). Every undecided point is
+//! kept with one facet that it lies in front of; the farthest of them joins the hull and replaces all facets visible from it.
+//! Visibility is decided by exact signs (Shewchuk 1997), and a facet coplanar with the point is not visible: so the visible region
+//! is always a disk, however many points are coplanar, and its border is one ring with no edge collinear with the point.
 //!
-//! If only extents are needed, points that stand out by less than [`ASIDE`] are left out: a ball of a million corners has some ten
-//! thousand that matter. Cost: time in proportion to the points, times the logarithm of the corners. Points of one plane have no hull.
+//! If only extents are needed, points that protrude by less than [`ASIDE`] are left out: of a ball's million corners some ten
+//! thousand matter. Cost: proportional to the points times the logarithm of the corners. Coplanar points have no hull.
 
 use std::collections::BTreeMap;
 
@@ -19,19 +19,19 @@ const ASIDE: f64 = 1e-4;
 /// A convex hull as a closed mesh.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct ConvexHull {
-    /// In no order.
+    /// In no particular order.
     pub(crate) corners: Vec<DVec3>,
-    /// Counter-clockwise from outside; flat faces are made of several.
+    /// Counter-clockwise from outside; planar faces may consist of several triangles.
     pub(crate) triangles: Vec<[u32; 3]>,
 }
 
 impl ConvexHull {
-    /// The hull of all points; `None` where they lie in one plane.
+    /// The hull of all points; `None` if they are coplanar.
     pub(crate) fn of(points: &[DVec3]) -> Option<Self> {
         Hull::around(points, 0.0).map(|hull| hull.as_mesh())
     }
 
-    /// The hull of points, some optional: those that protrude by less than a ten-thousandth of the thickness may be left out.
+    /// The hull of points; those that protrude by less than a ten-thousandth of the thickness may be left out.
     pub(crate) fn nearly(points: &[DVec3]) -> Option<Self> {
         Self::roughly(points, ASIDE)
     }
@@ -48,7 +48,7 @@ impl ConvexHull {
             .unwrap_or_default()
     }
 
-    /// Returns true if a point lies in it or on it.
+    /// Returns true if a point lies inside or on the hull.
     pub(crate) fn holds(&self, point: DVec3) -> bool {
         self.faces()
             .all(|[a, b, c]| (b - a).cross(c - a).dot(point - a) <= 0.0)
@@ -63,11 +63,11 @@ impl ConvexHull {
 struct Facet {
     /// Counter-clockwise from outside.
     corners: [usize; 3],
-    /// Across the edge from each corner to the next.
+    /// The facet across the edge from each corner to the next.
     neighbours: [usize; 3],
-    /// Length 1.
+    /// Unit normal.
     normal: DVec3,
-    /// Points before it that are not decided yet.
+    /// Undecided points in front of it.
     before: Vec<usize>,
     is_gone: bool,
 }
@@ -78,7 +78,7 @@ struct Hull<'a> {
     aside: f64,
 }
 
-/// The corners of the convex hull, in no order.
+/// The corners of the convex hull, in no particular order.
 pub(in crate::scene) fn hull_corners(points: &[DVec3]) -> Vec<DVec3> {
     match ConvexHull::nearly(points) {
         Some(hull) => hull.corners,
@@ -87,7 +87,7 @@ pub(in crate::scene) fn hull_corners(points: &[DVec3]) -> Vec<DVec3> {
 }
 
 impl<'a> Hull<'a> {
-    /// The hull of points, of which those that stand out by less than a share of the thickness may be left out.
+    /// The hull of points; those that protrude by less than the share `aside` of the thickness may be left out.
     fn around(points: &'a [DVec3], aside: f64) -> Option<Self> {
         let mut hull = Self::begin(points, aside)?;
         let mut next = 0;
@@ -112,7 +112,7 @@ impl<'a> Hull<'a> {
         }
     }
 
-    /// The hull of four points that lie in no plane.
+    /// The hull of four points that are not coplanar.
     fn begin(points: &'a [DVec3], aside: f64) -> Option<Self> {
         let farthest = |of: &dyn Fn(DVec3) -> f64| {
             let all = points.iter().enumerate().map(|(i, p)| (i, of(*p)));
@@ -134,7 +134,7 @@ impl<'a> Hull<'a> {
             return None;
         }
         let [a, b] = if side > 0.0 { [b, a] } else { [a, b] };
-        // The last corner lies behind the first three now.
+        // The last corner now lies behind the first three.
         let corners = [[a, b, c], [b, a, d], [c, b, d], [a, c, d]];
         for corners in corners {
             hull.push(corners, [0; 3]);
@@ -149,7 +149,7 @@ impl<'a> Hull<'a> {
         Some(hull)
     }
 
-    /// Positive where a point lies before the plane of three others, which is exact.
+    /// Positive if a point lies in front of the plane of three others; the sign is exact.
     fn side(&self, corners: [usize; 3], point: usize) -> f64 {
         let of = |i: usize| {
             let DVec3 { x, y, z } = self.points[i];
@@ -177,7 +177,7 @@ impl<'a> Hull<'a> {
         normal.dot(self.points[point] - self.points[corners[0]])
     }
 
-    /// Gives each point to a facet, from a first one on, that it lies before; those of none are decided.
+    /// Assigns each point to a facet, from `first` on, that it lies in front of; points without one are decided.
     fn share_out(&mut self, points: impl Iterator<Item = usize>, first: usize) {
         for point in points {
             let mut all = first..self.facets.len();
@@ -199,11 +199,11 @@ impl<'a> Hull<'a> {
         })
     }
 
-    /// Lets a point that lies before a facet join.
+    /// Adds a point in front of the facet `seen_first` to the hull.
     fn add(&mut self, point: usize, seen_first: usize) {
         let mut seen = vec![seen_first];
         self.facets[seen_first].is_gone = true;
-        // Edges of the ring by their first corners: the second, and the facet beyond.
+        // Edges of the ring by their first corner: the second corner, and the facet beyond.
         let mut ring: BTreeMap<usize, (usize, usize)> = BTreeMap::new();
         let mut looked_at = 0;
         while let Some(facet) = seen.get(looked_at).copied() {
@@ -281,7 +281,7 @@ mod tests {
                 "short by {short} towards {direction}"
             );
         }
-        // The control: without the farthest towards somewhere it falls short there.
+        // Control: without the farthest point in some direction, the hull falls short there.
         let aside = DVec3::new(1.0, 0.3, 0.2).normalize_or(DVec3::X);
         let farthest = reach(&corners, aside);
         let fewer: Vec<DVec3> = corners
@@ -317,7 +317,7 @@ mod tests {
             .map(|p| DVec3::from_array(p.map(f64::from)) / 8.0 - 0.5)
             .collect();
         holds_all(&grid, 8);
-        // A drum, whose ends have all their corners in a plane, twice over.
+        // A drum, the corners of whose ends are all coplanar, with every point duplicated.
         let drum: Vec<DVec3> = (0..720)
             .flat_map(|i| {
                 let (sin, cos) = f64::from(i).to_radians().sin_cos();

@@ -1,4 +1,4 @@
-//! Geometry that belongs to no mesh: bounds, convex hulls, exact sums.
+//! Geometry independent of meshes: bounds, convex hulls, exact sums.
 
 pub(super) mod bounds;
 pub(super) mod exact_sum;

@@ -1,4 +1,4 @@
-//! Cap materials: the look of a cut's surface (Trapp and Döllner 2013, sections 4.1 and 4.2, Fig. 11).
+//! Cap materials: the appearance of cut surfaces (Trapp and Döllner 2013, sections 4.1 and 4.2, Fig. 11).
 
 use std::sync::Arc;
 
@@ -13,12 +13,12 @@ pub enum SolidTexture {
     Marble,
     /// Grains of three colours.
     Granite,
-    /// Images one behind the other, along the third axis of the part's own box, which they fill; at least one, all of one size.
+    /// Stack of images along the third axis of the part's own box, which they fill; at least one, all of the same size.
     Stack(Vec<Arc<Texture>>),
 }
 
 impl SolidTexture {
-    /// Textures that need no file, by their names.
+    /// Built-in solid textures by name.
     pub const NAMED: [(&'static str, Self); 3] = [
         ("wood", Self::Wood),
         ("marble", Self::Marble),
@@ -26,25 +26,25 @@ impl SolidTexture {
     ];
 }
 
-/// Material of caps. Images lie in the (u, v) of the clip-surface, its relief's repeats or `size`, and repeat without end; a solid texture
-/// lies in the part.
+/// Material of caps. Images are mapped to the (u, v) of the clip-surface, scaled by its relief's repeats or `size`, and repeat endlessly;
+/// a solid texture is mapped in part space.
 #[derive(Clone, Debug, Default)]
 pub struct CapMaterial {
-    /// Colour, in the place of the colour of the cap where it is opaque.
+    /// Colour; replaces the cap's colour where it is opaque.
     pub diffuse: Option<Arc<Texture>>,
-    /// Directions in the frame (u, up in the picture; n): red to the right, green up, blue outward. They add to the relief's own.
+    /// Normal map in the frame (u, image up, n): red to the right, green up, blue outward. It adds to the relief's own normals.
     pub normal: Option<Arc<Texture>>,
-    /// Share of the light, by its red channel.
+    /// Share of light received, in the red channel.
     pub light: Option<Arc<Texture>>,
     /// Material throughout the solid.
     pub solid: Option<SolidTexture>,
-    /// Length of a repeat of the images, or of the solid texture, in world units or percent of the diagonal of the scene. Without it
-    /// images lie on the relief, texel by texel as they are, and other things take 10 %.
+    /// Length of one repeat of the images or of the solid texture, in world units or percent of the scene's diagonal. Without it,
+    /// images are mapped texel by texel onto the relief; anything else uses 10 %.
     pub size: Option<Amount>,
 }
 
 impl CapMaterial {
-    /// Its textures: colours, normals, light, then the images of a stack, of those that are there.
+    /// Its textures, as far as present: colours, normals, light, then the images of a stack.
     pub fn textures(&self) -> impl Iterator<Item = &Arc<Texture>> {
         let stack: &[Arc<Texture>] = match &self.solid {
             Some(SolidTexture::Stack(images)) => images,

@@ -1,11 +1,11 @@
-//! Colours as they are written, and as they are mixed: sRGB and linear light, a channel at a time (IEC 61966-2-1).
+//! Colour parsing, and conversion between sRGB and linear light per channel (IEC 61966-2-1).
 
 use glam::Vec3;
 
 use super::color_names::COLOR_NAMES;
 use crate::error::nearest;
 
-/// A channel in linear light, of one as sRGB encodes it, both in 0..=1 (IEC 61966-2-1).
+/// Converts an sRGB channel to linear light, both in 0..=1 (IEC 61966-2-1).
 pub fn linear_from_srgb(v: f32) -> f32 {
     if v <= 0.040_45 {
         v / 12.92
@@ -14,7 +14,7 @@ pub fn linear_from_srgb(v: f32) -> f32 {
     }
 }
 
-/// A channel as sRGB encodes it, of one in linear light, both in 0..=1 (IEC 61966-2-1).
+/// Converts a channel in linear light to sRGB, both in 0..=1 (IEC 61966-2-1).
 pub fn srgb_from_linear(v: f32) -> f32 {
     if v <= 0.003_130_8 {
         12.92 * v
@@ -23,12 +23,12 @@ pub fn srgb_from_linear(v: f32) -> f32 {
     }
 }
 
-/// A function of each channel.
+/// Applies a function to each channel.
 pub fn map_channels(color: Vec3, of: impl Fn(f32) -> f32) -> Vec3 {
     Vec3::new(of(color.x), of(color.y), of(color.z))
 }
 
-/// A colour from its digits, `#rrggbb` or `#rgb`, or from its name in CSS, as sRGB in 0..=1.
+/// Parses a colour, `#rrggbb`, `#rgb` or a CSS name, to sRGB in 0..=1.
 pub fn parse_color(text: &str) -> Option<Vec3> {
     let Some(digits) = text.strip_prefix('#') else {
         let name = text.to_ascii_lowercase();
@@ -51,14 +51,15 @@ pub fn color_help(text: &str) -> String {
     let names: Vec<&str> = COLOR_NAMES.iter().map(|(name, _)| *name).collect();
     match nearest(&text.to_ascii_lowercase(), &names) {
         Some(near) => {
-            format!("did you mean `{near}`? Colours are #rrggbb or have their names in CSS")
+            format!("did you mean `{near}`? Colours are #rrggbb or CSS names")
         }
-        None => "write #rrggbb, for example #8a94a6, or a name of CSS, for example darkorange"
-            .to_owned(),
+        None => {
+            "write #rrggbb, for example #8a94a6, or a CSS name, for example darkorange".to_owned()
+        }
     }
 }
 
-/// A colour of three channels with `bits` bits each.
+/// A colour from three channels with `bits` bits each.
 fn of_bits(value: u32, bits: u32) -> Vec3 {
     let most = (1 << bits) - 1;
     let channel = |i: u32| ((value >> (bits * i)) & most) as f32 / most as f32;

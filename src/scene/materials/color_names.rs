@@ -1,6 +1,6 @@
-//! The 148 colours that CSS has names for (CSS Color Module Level 4, section 6.1), as 0xrrggbb.
+//! The 148 named colours of CSS (CSS Color Module Level 4, section 6.1), as 0xrrggbb.
 
-/// In the order of their names.
+/// Sorted by name.
 pub(in crate::scene) const COLOR_NAMES: [(&str, u32); 148] = [
     ("aliceblue", 0xf0f8ff),
     ("antiquewhite", 0xfaebd7),

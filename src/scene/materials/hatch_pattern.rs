@@ -1,16 +1,16 @@
-//! Patterns of hatches by material: families of parallel lines, as drawings have them.
+//! Hatch patterns for materials: families of parallel lines, as used in technical drawings.
 //!
-//! A pattern has no size of its own: its lines are as far apart as the hatch of the part asks, on the mean over those of one direction.
+//! A pattern has no size of its own: it is scaled so that the mean spacing of the lines in one direction is that of the part's hatch.
 
 use std::sync::Arc;
 
-/// The most strokes and dots of a period of dashes.
+/// Maximum number of strokes and dots in a dash period.
 pub const MOST_STROKES: usize = 4;
 
-/// Hatch of a part's caps, in styles that have hatches.
+/// Hatch of a part's caps, in styles with hatches.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum CapHatch {
-    /// Parallel lines.
+    /// Plain parallel lines.
     #[default]
     General,
     /// Nothing.
@@ -26,7 +26,7 @@ pub enum CapHatch {
 pub struct HatchPattern {
     /// Name of the pattern.
     pub name: String,
-    /// At least one; their directions are over that of the hatch's first class less 45 degrees.
+    /// At least one; their angles are relative to the direction of the hatch's first class minus 45 degrees.
     pub families: Vec<LineFamily>,
 }
 
@@ -35,27 +35,27 @@ pub struct HatchPattern {
 pub struct LineFamily {
     /// Direction of the lines, in degrees from the horizontal.
     pub angle_deg: f64,
-    /// A point that a line begins at.
+    /// A point where one of the lines, and its dashes, start.
     pub origin: [f64; 2],
     /// Offset of each line from the previous one along the line direction.
     pub shift: f64,
     /// Distance from line to line; not 0.
     pub spacing: f64,
-    /// Stretches of a line from the origin, of which [`MOST_STROKES`] are drawn at most; none for lines without end.
+    /// Dashes of a line from the origin, of which at most [`MOST_STROKES`] are drawn; empty for continuous lines.
     pub dashes: Vec<Dash>,
 }
 
-/// A stretch of a dashed line.
+/// A stroke or gap of a dashed line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dash {
-    /// 0 is a dot.
+    /// Length; 0 is a dot.
     pub length: f64,
     /// True for a stroke, false for a gap.
     pub is_drawn: bool,
 }
 
 impl LineFamily {
-    /// Length after which the dashes repeat; 0 for lines without end.
+    /// Length after which the dashes repeat; 0 for continuous lines.
     pub fn period(&self) -> f64 {
         self.dashes.iter().map(|d| d.length).sum()
     }
@@ -68,7 +68,7 @@ impl LineFamily {
 }
 
 impl HatchPattern {
-    /// The mean distance from line to line over the families of one direction, the least of all directions.
+    /// Mean distance between lines over all families with the same direction, for the direction where it is smallest.
     pub fn unit(&self) -> f64 {
         let distance = |of: &LineFamily| {
             let alike = self.families.iter().filter(|f| f.is_parallel_to(of));
@@ -80,7 +80,7 @@ impl HatchPattern {
             .fold(f64::INFINITY, f64::min)
     }
 
-    /// Returns true if lines run in more than one direction, so that a quarter turn may change nothing.
+    /// Returns true if lines run in more than one direction, in which case a quarter turn may not change the pattern.
     pub fn is_crossed(&self) -> bool {
         let first = self.families.first();
         first.is_some_and(|first| !self.families.iter().all(|f| f.is_parallel_to(first)))

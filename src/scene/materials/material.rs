@@ -1,4 +1,4 @@
-//! Look of a part; nothing here changes visibility.
+//! Appearance of a part; nothing here changes visibility.
 
 use std::sync::Arc;
 
@@ -13,7 +13,7 @@ pub struct Material {
     pub color: Vec3,
     /// Colour of the cap; `None` derives a warm, lighter tone from `color`.
     pub cap_color: Option<Vec3>,
-    /// Hatch of the cap, where a style has hatches.
+    /// Hatch of the cap, in styles with hatches.
     pub hatch: CapHatch,
     /// True if `color` replaces the vertex paint of the mesh, if there is one ([`Mesh::vertex_paint`](crate::scene::Mesh::vertex paint)).
     pub is_painted_over: bool,
@@ -54,8 +54,8 @@ impl Material {
             .unwrap_or_else(|| self.color * 0.35 + Vec3::new(0.60, 0.32, 0.20) * 0.75)
     }
 
-    /// The colour given to the `index`-th part of a file that names no materials: steps of the golden angle around the
-    /// hue circle, so that neighbours differ however many parts there are.
+    /// The colour of the `index`-th part of a file without materials: steps of the golden angle around the hue circle, so
+    /// that neighbouring parts differ, however many there are.
     pub fn of_index(index: usize) -> Self {
         if index == 0 {
             return Self::default();

@@ -1,4 +1,4 @@
-//! Colours, textures and hatches, of surfaces and of caps.
+//! Colours, textures and hatches of surfaces and caps.
 
 pub(super) mod cap_material;
 pub(super) mod color;

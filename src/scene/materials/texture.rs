@@ -1,7 +1,7 @@
-//! Textures: images of colours or of data with all their smaller sizes, as shaders read them.
+//! Textures: images of colours or data with all their mip levels, as shaders read them.
 //!
-//! The smaller sizes are made once, each texel the mean of those it covers: of colours in linear light, of data as they are. They take a
-//! third more memory. Cannot: hold more than 8 bits a channel.
+//! Mip levels are computed once, each texel as the mean of those it covers: colours in linear light, data unconverted. They take a
+//! third more memory. Cannot: store more than 8 bits per channel.
 
 use std::sync::Arc;
 
@@ -14,24 +14,24 @@ use crate::scene::{linear_from_srgb, map_channels, srgb_from_linear};
 pub enum TextureKind {
     /// Colours, sRGB.
     Color,
-    /// Normals or shares, as they are.
+    /// Normals or shares, without colour conversion.
     Data,
 }
 
-/// An image, repeated on all sides.
+/// An image that repeats on all sides.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Texture {
     size: [u32; 2],
     kind: TextureKind,
-    /// RGBA of all sizes, the largest first, rows from the top.
+    /// RGBA of all mip levels, the largest first, rows from the top.
     texels: Vec<[u8; 4]>,
 }
 
-/// Texels along a side at most.
+/// Maximum number of texels along a side.
 pub const MOST_TEXELS_ALONG: u32 = 8192;
 
 impl Texture {
-    /// The number of a texture among known ones, of which it becomes the last where none is the same object.
+    /// The index of a texture among known ones; it is appended if none is the same object.
     #[doc(hidden)]
     pub fn number_among(known: &mut Vec<Arc<Self>>, texture: &Arc<Self>) -> usize {
         let number = known.iter().position(|k| Arc::ptr_eq(k, texture));
@@ -45,7 +45,7 @@ impl Texture {
     ///
     /// # Errors
     ///
-    /// A size that is 0 or more than [`MOST_TEXELS_ALONG`], or that the texels do not fill.
+    /// If a side is 0 or more than [`MOST_TEXELS_ALONG`], or the number of texels does not match the size.
     pub fn new(size: [u32; 2], texels: Vec<[u8; 4]>, kind: TextureKind) -> Result<Self, String> {
         let [width, height] = size;
         if !(1..=MOST_TEXELS_ALONG).contains(&width) || !(1..=MOST_TEXELS_ALONG).contains(&height) {
@@ -78,7 +78,7 @@ impl Texture {
         self.kind
     }
 
-    /// Columns and rows of a smaller size, and its texels with those of all that are smaller still; 0 is the image itself.
+    /// Columns and rows of a mip level, and the texels of this and all smaller levels; level 0 is the image itself.
     #[doc(hidden)]
     pub fn level_on(&self, level: u32) -> ([u32; 2], &[[u8; 4]]) {
         let (mut size, mut first) = (self.size, 0);
@@ -92,7 +92,7 @@ impl Texture {
         (size, &self.texels[first..])
     }
 
-    /// The next smaller size of the one that begins at `first`: each texel is the mean of the two to three that it covers along each side.
+    /// The next mip level after the one that starts at `first`: each texel is the mean of the two or three that it covers along each axis.
     fn halved(&self, first: usize, [width, height]: [u32; 2]) -> Vec<[u8; 4]> {
         let [columns, rows] = half([width, height]);
         let span = |i: u32, of: u32, into: u32| i * of / into..((i + 1) * of).div_ceil(into);

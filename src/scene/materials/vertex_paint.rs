@@ -1,5 +1,4 @@
-//! Vertex paint: what colours a surface has besides that of its part, as files paint it: colours of vertices, and images laid on by texture
-//! coordinates.
+//! Vertex paint: surface colours from files in addition to the part's colour: vertex colours, and images mapped by texture coordinates.
 
 use std::sync::Arc;
 
@@ -10,7 +9,7 @@ use crate::scene::Texture;
 /// The colours of a surface, triangle by triangle.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct VertexPaint {
-    /// Images that triangles name.
+    /// Images that triangles refer to.
     pub images: Vec<Arc<Texture>>,
     /// For each triangle of the mesh.
     pub triangles: Vec<TexturedTriangle>,
@@ -28,7 +27,7 @@ pub struct TexturedTriangle {
 }
 
 impl TexturedTriangle {
-    /// Returns true if it has colours of its own: there is no image, or it is tinted.
+    /// Returns true if its corner colours matter: it has no image, or its image is tinted.
     #[doc(hidden)]
     pub fn has_colors(&self) -> bool {
         self.image.is_none() || self.colors != [[255; 4]; 3]
@@ -36,7 +35,7 @@ impl TexturedTriangle {
 }
 
 impl VertexPaint {
-    /// Some of its triangles.
+    /// The paint of the given triangles.
     #[must_use]
     pub(crate) fn picked(&self, triangles: &[u32]) -> Self {
         Self {

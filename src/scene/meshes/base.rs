@@ -1,8 +1,8 @@
 //! Finds the up axis of a mesh whose file does not state it: the axis along which it stands on a flat base.
 //!
-//! The measure is the area of downward faces in the lowest plane perpendicular to an axis. A printed or machined part has such
-//! a base along its design's upright axis, and most have none, or a smaller one, along another. A mesh without a base, such as a scan,
-//! keeps the default of its format. Cannot: recognise a part that lies on its side. Cost: one pass over the triangles.
+//! The measure is the area of downward faces in the lowest plane perpendicular to an axis. A printed or machined part has such a base
+//! along the up axis of its design, and usually none, or a smaller one, along other axes. A mesh without a base, such as a scan, keeps
+//! its format's default. Cannot: recognise a part that lies on its side. Cost: one pass over the triangles.
 
 use glam::DVec3;
 
@@ -11,13 +11,13 @@ use crate::scene::{Bounds, Part, Up};
 /// Greatest distance of a base face from the lowest plane, as a share of the diagonal.
 const THIN: f64 = 1e-3;
 
-/// The least base, as a share of the box across the axis.
+/// Smallest base area that counts, as a share of the box's cross-section perpendicular to the axis.
 const LEAST_BASE: f64 = 0.02;
 
-/// Least ratio of the other axis' base to the default axis' base at which the other axis is chosen.
+/// The other axis is chosen if its base is at least this many times as large as that of the default axis.
 const CLEARLY: f64 = 2.5;
 
-/// Up axis by the base of the parts; otherwise the default `habit`.
+/// Up axis found from the parts' base; the default `habit` if none stands out.
 pub fn standing_up(parts: &[Part], habit: Up) -> Up {
     let bounds = parts.iter().map(Part::bounds_in_world);
     let bounds = bounds.fold(Bounds::EMPTY, Bounds::union);
@@ -33,7 +33,7 @@ pub fn standing_up(parts: &[Part], habit: Up) -> Up {
     }
 }
 
-/// Area of the base across an axis, or 0 where there is hardly one.
+/// Area of the base perpendicular to an axis, or 0 if it is negligible.
 fn base(parts: &[Part], bounds: &Bounds, axis: usize) -> f64 {
     let most = bounds.min[axis] + THIN * bounds.size().length();
     let mut area = 0.0;
@@ -66,7 +66,7 @@ mod tests {
     use super::*;
     use crate::generate::shapes::shape;
 
-    /// A shape with its y axis turned to another.
+    /// A shape with its y axis rotated to another axis.
     fn turned(name: &str, by: DAffine3) -> Vec<Part> {
         let mut parts = shape(name).expect(name);
         for part in &mut parts {
@@ -78,7 +78,7 @@ mod tests {
     #[test]
     fn what_stands_on_a_flat_base_stands_upright() {
         let habits = [Up::PlusY, Up::PlusZ];
-        // A slab lies on its large face, whatever the habit.
+        // A slab lies on its large face, whatever the default.
         for habit in habits {
             for (size, expected) in [
                 (DVec3::new(3.0, 0.2, 2.0), Up::PlusY),
@@ -87,7 +87,7 @@ mod tests {
                 let slab = turned("cube", DAffine3::from_scale(size));
                 assert_eq!(standing_up(&slab, habit), expected, "{size}, {habit:?}");
             }
-            // What has no base, or one as large along both, is left to the habit.
+            // Without a base, or with equally large ones along both axes, the default is used.
             assert_eq!(
                 standing_up(&turned("cube", DAffine3::IDENTITY), habit),
                 habit

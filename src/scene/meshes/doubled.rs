@@ -1,23 +1,23 @@
-//! Faces on the same three positions as another face, in whichever order: sheets without thickness, and solids that touch.
+//! Faces with the same three positions as another face, in any order: sheets without thickness, and solids that touch.
 //!
-//! Positions are compared, not indices, so that vertices that were not welded count too. Of faces that coincide the one that faces the eye is
-//! shown, and rasterisers, which find one depth for both, are to know which that is.
+//! Positions are compared, not indices, so vertices that were not welded count too. Of coincident faces the one that faces the eye is
+//! shown; rasterisers compute the same depth for both, so they need to know these faces.
 //!
-//! Cost: a number for each position and a parallel sort of one number for each triangle; faces are compared only where these are equal.
+//! Cost: one hash per position and a parallel sort of one hash per triangle; faces are compared only if their hashes are equal.
 
 use glam::DVec3;
 use rayon::prelude::*;
 
 use crate::scene::Mesh;
 
-/// The triangles that lie on another one, in order: both of a pair.
+/// The triangles that coincide with another one, in order; both of a pair are listed.
 pub(crate) fn doubled_faces(mesh: &Mesh) -> Vec<u32> {
     let names: Vec<u64> = (mesh.positions.par_iter().with_min_len(1 << 13))
         .map(|p| name_of(*p))
         .collect();
     let mut order: Vec<(u64, u32)> = (mesh.triangles.par_iter().enumerate().with_min_len(1 << 13))
         .map(|(index, t)| {
-            // The same in any order of the corners.
+            // Independent of the order of the corners.
             let sum = t
                 .map(|i| names[i as usize])
                 .into_iter()
@@ -53,9 +53,9 @@ pub(crate) fn doubled_faces(mesh: &Mesh) -> Vec<u32> {
     doubled
 }
 
-/// A number that is the same for equal positions, and hardly for others (the finaliser of Steele, Lea & Flood's SplitMix, 2014).
+/// A hash of a position (the finaliser of Steele, Lea & Flood's SplitMix, 2014).
 fn name_of(position: DVec3) -> u64 {
-    // Adding 0 makes 0 of -0.
+    // Adding 0 turns -0 into 0.
     (position + DVec3::ZERO)
         .to_array()
         .into_iter()
@@ -82,7 +82,7 @@ mod tests {
         let count = mesh.triangles.len() as u32;
         let [a, b, c] = mesh.triangles[3];
         for (i, again) in [[a, b, c], [c, b, a], [b, a, c]].into_iter().enumerate() {
-            // With vertices of its own.
+            // The added face has its own vertices.
             let first = mesh.positions.len() as u32;
             let own = again.map(|i| mesh.positions[i as usize]);
             mesh.positions.extend(own);

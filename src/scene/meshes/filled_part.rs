@@ -1,6 +1,6 @@
-//! Parts with triangles added between the vertices that they have: the mesh at rest and as its file bound it, with all that moves them.
+//! Parts with triangles added between their existing vertices, both in the rest mesh and in the mesh as bound by the file, with their rig.
 //!
-//! The added triangles are flat, and have the colours that their corners have in triangles before them, without images.
+//! The added triangles are flat-shaded and take their corner colours from existing triangles, without images.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -14,7 +14,7 @@ use crate::scene::{Mesh, Motion, Part, TexturedTriangle};
 pub(crate) struct FilledPart {
     mesh: Arc<Mesh>,
     motion: Option<Arc<Motion>>,
-    /// The mesh as its file bound it before, and after, and as the file shows it at rest.
+    /// The mesh as bound by its file, without and with the added triangles, and in the file's rest pose.
     bound: Option<(Arc<Bound>, Arc<Bound>, Arc<Mesh>)>,
 }
 
@@ -43,7 +43,7 @@ impl FilledPart {
         });
         Self {
             motion: part.motion.as_ref().map(|m| Arc::new(of_motion(m))),
-            // The same mesh in both places where it was the same before.
+            // If both places shared one mesh before, they share one again.
             mesh: match &bound {
                 Some((_, _, rest)) if **rest == *mesh => Arc::clone(rest),
                 _ => mesh,
@@ -52,7 +52,7 @@ impl FilledPart {
         }
     }
 
-    /// Returns true if a part with the source mesh has the same binding as the source.
+    /// Returns true if a part with the source's mesh also has the source's binding.
     pub(crate) fn is_of(&self, part: &Part) -> bool {
         match (bound_of(part), &self.bound) {
             (Some(a), Some((b, ..))) => Arc::ptr_eq(a, b),

@@ -1,6 +1,6 @@
 //! Triangle meshes as the rest of the crate sees them: f64 positions shared by index.
 //!
-//! Topology lives in `triangles`; a position is stored once, so an edge is a pair of indices. Normals for shading are
+//! Topology is in `triangles`; each position is stored once, so an edge is a pair of indices. Shading normals are
 //! kept per triangle corner and never influence topology. A mesh may be open, non-manifold or inconsistently oriented;
 //! it may not have NaN, infinite coordinates or indices out of range ([`Mesh::defects`] lists them).
 
@@ -15,9 +15,9 @@ pub struct Mesh {
     pub positions: Vec<DVec3>,
     /// Counter-clockwise seen from outside, indices into `positions`.
     pub triangles: Vec<[u32; 3]>,
-    /// Normals for shading at the corners of `triangles`, where the file has them.
+    /// Shading normals at the corners of `triangles`, if the file has them.
     pub corner_normals: Option<Vec<[Vec3; 3]>>,
-    /// Colours that vary over the surface, for each of `triangles`.
+    /// Colours that vary over the surface, one entry per triangle.
     pub vertex_paint: Option<VertexPaint>,
 }
 
@@ -36,12 +36,12 @@ pub enum MeshDefect {
         /// The coordinate.
         value: f64,
     },
-    /// A corner that names no vertex.
+    /// A triangle corner that refers to a missing vertex.
     #[error("triangle {triangle} refers to vertex {index}, but there are only {vertices}")]
     OutOfRange {
         /// Index of the triangle, from 0.
         triangle: usize,
-        /// The index it holds.
+        /// The invalid vertex index.
         index: u32,
         /// Number of vertices.
         vertices: usize,
@@ -49,7 +49,7 @@ pub enum MeshDefect {
 }
 
 impl Mesh {
-    /// The first reason to refuse the mesh, if any.
+    /// The first defect for which the mesh is refused, if any.
     pub fn defect(&self) -> Option<MeshDefect> {
         if self.triangles.is_empty() {
             return Some(MeshDefect::Empty);
@@ -74,7 +74,7 @@ impl Mesh {
         })
     }
 
-    /// The least box around the positions.
+    /// The smallest box around the positions.
     pub fn bounds(&self) -> Bounds {
         Bounds::from_points(self.positions.iter().copied())
     }
@@ -84,7 +84,7 @@ impl Mesh {
         self.triangles[triangle].map(|i| self.positions[i as usize])
     }
 
-    /// Some triangles as a mesh of their own, and the vertices that it has of the whole, in order.
+    /// The given triangles as a separate mesh, and the original index of each of its vertices, in order.
     #[doc(hidden)]
     pub fn picked(&self, triangles: &[u32]) -> (Self, Vec<u32>) {
         let corners = triangles.iter().map(|t| self.triangles[*t as usize]);

@@ -1,4 +1,4 @@
-//! Triangle meshes: their topology, how vertices are joined and smoothed, and what is found of them before they are cut.
+//! Triangle meshes: their topology, welding and smoothing of vertices, and analyses made before cutting.
 
 pub(super) mod base;
 pub(super) mod doubled;

@@ -1,9 +1,9 @@
-//! Vertices for drawing: positions split where the surface has a crease, with a unit normal each.
+//! Vertices for drawing: positions split where the surface has a crease, each with a unit normal.
 //!
 //! Topology shares a position among all triangles around it; shading needs one normal per smooth patch. Around each
 //! position, corners are grouped across edges whose triangles turn by less than the crease angle, and each group gets the
 //! mean of its face normals weighted by the corner angles (Thürmer and Wüthrich 1998), which does not depend on how flat
-//! regions are triangulated. Normals of the file win where there are any. Normals never move a position or an edge.
+//! regions are triangulated. Normals from the file take precedence. Normals never move a position or an edge.
 //!
 //! Cost: one bucket sort of the corners, then every position on its own, in parallel; the result does not depend on the
 //! number of threads. Limit: a triangle without area gets the normal of some adjacent triangle, or `+Z`.
@@ -11,10 +11,10 @@
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 
-/// Edges that turn more are drawn sharp.
+/// Default crease angle in degrees: edges that turn by more are drawn sharp.
 pub const DEFAULT_CREASE_DEG: f32 = 40.0;
 
-/// Positions per parallel task: enough to be worth a task, few enough to share out.
+/// Positions per parallel task: enough to be worth a task, few enough to balance the load.
 const CHUNK: usize = 1 << 14;
 
 /// The triangles of a part or a cutter in scene space.
@@ -24,7 +24,7 @@ pub struct Faces<'a> {
     pub positions: &'a [Vec3],
     /// Indices of positions.
     pub triangles: &'a [[u32; 3]],
-    /// Normals at the corners of the triangles, where they have some of their own.
+    /// Normals at the triangles' corners, if the mesh has its own.
     pub corner_normals: Option<&'a [[Vec3; 3]]>,
 }
 
@@ -39,14 +39,14 @@ pub struct ShadingMesh {
     pub triangles: Vec<[u32; 3]>,
 }
 
-/// Vertices of a run of positions, and which of them each of the run's corners takes.
+/// Vertices for a run of positions, and the vertex of each corner in the run.
 struct Chunk {
     positions_of_vertex: Vec<u32>,
     normals: Vec<Vec3>,
     vertex_of_corner: Vec<u32>,
 }
 
-/// A corner in a bucket of its position.
+/// A triangle corner in its position's bucket.
 #[derive(Clone, Copy)]
 struct Corner {
     /// Neighbours along the two edges that meet here.
@@ -62,8 +62,8 @@ struct Corner {
 }
 
 impl ShadingMesh {
-    /// Splits the vertices of triangles. `crease_deg` is the turn from which an edge is sharp; it is ignored if the triangles
-    /// have normals of their own.
+    /// Splits the vertices of triangles for shading. An edge that turns by at least `crease_deg` is sharp; this is ignored if the
+    /// triangles have their own normals.
     pub fn new(of: Faces<'_>, crease_deg: f32) -> Self {
         let buckets = Buckets::of(of);
         let normals: Vec<DVec3> = (of.triangles.par_iter())
@@ -97,7 +97,7 @@ impl ShadingMesh {
     }
 }
 
-/// Corners (three times the triangle plus the place in it) by position, in order.
+/// Corners (numbered three times the triangle plus the corner in it) by position, in order.
 struct Buckets {
     start: Vec<u32>,
     corners: Vec<u32>,
@@ -174,7 +174,7 @@ fn chunk(
 }
 
 fn angle(a: DVec3, b: DVec3) -> f64 {
-    // Good for tiny and for nearly straight angles alike, and 0 where an edge has no length.
+    // Accurate for tiny and for nearly straight angles, and 0 if an edge has no length.
     a.cross(b).length().atan2(a.dot(b))
 }
 
@@ -187,7 +187,7 @@ fn group(around: &mut [Corner], ends: &mut Vec<(u32, u32)>, least_cos: f64) {
     ends.sort_unstable();
     for pair in ends.windows(2) {
         let (i, j) = (pair[0].1 as usize, pair[1].1 as usize);
-        // A face without area is at an angle to everything.
+        // A face without area is never smooth with another.
         if pair[0].0 == pair[1].0 && around[i].face.dot(around[j].face) > least_cos {
             let (a, b) = (root(around, i), root(around, j));
             around[a.max(b)].group = a.min(b) as u32;
@@ -205,7 +205,7 @@ fn root(around: &[Corner], mut i: usize) -> usize {
     i
 }
 
-/// Makes a vertex for each different normal at a position.
+/// Adds a vertex for each different normal at a position.
 fn append(out: &mut Chunk, position: u32, around: &mut [Corner]) {
     let first = out.normals.len();
     let fallback = around
@@ -231,7 +231,7 @@ fn append(out: &mut Chunk, position: u32, around: &mut [Corner]) {
     }
 }
 
-/// The vertex with a normal among those since `first`, made if there is none.
+/// The vertex with the given normal among those from `first` on; added if there is none.
 fn vertex_of(out: &mut Chunk, first: usize, position: u32, normal: Vec3) -> u32 {
     let known = out.normals[first..].iter().position(|n| *n == normal);
     let vertex = known.map_or(out.normals.len(), |k| first + k);

@@ -1,7 +1,7 @@
-//! Properties of a mesh as the boundary of a solid: closed or open, number of pieces, depth complexity.
+//! Properties of a mesh as the boundary of a solid: closed or open, number of connected components, depth complexity.
 //!
-//! An edge is an unordered pair of vertex indices; its *uses* are the triangles that have it. Only vertices that a
-//! triangle names count.
+//! An edge is an unordered pair of vertex indices; its *uses* are the triangles that contain it. Vertices that no triangle
+//! refers to are not counted.
 //!
 //! Cost: parallel sorts of three keys per triangle, of the positions and of the triangles; three passes over them. Limit: 2^31 vertices.
 
@@ -20,7 +20,7 @@ use crate::scene::{Bounds, Mesh, Part};
 /// Number of open edges kept as examples.
 const EXAMPLES: usize = 16;
 
-/// The facts of a mesh that decide how well it can be capped.
+/// The properties of a mesh that decide how well it can be capped.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Topology {
@@ -31,8 +31,8 @@ pub struct Topology {
     /// Every edge has an even number of uses, hence every ray crosses the surface an even number of times and the solid
     /// is well defined by parity. A closed mesh may still have non-manifold or inconsistent edges.
     pub closed: bool,
-    /// Faces on the same three positions as another face, turned either way; both of a pair count. A mesh may be closed with them,
-    /// and has no inside where they are.
+    /// Faces with the same three positions as another face, in either orientation; both of a pair count. A mesh with such faces may
+    /// be closed, but has no volume between them.
     pub coincident_faces: usize,
     /// Edges with one use.
     pub boundary_edges: usize,
@@ -40,7 +40,7 @@ pub struct Topology {
     pub non_manifold_edges: usize,
     /// Edges whose two uses run in the same direction: the triangles disagree about the outside.
     pub inconsistent_edges: usize,
-    /// Pieces that share no vertex.
+    /// Connected components: they share no vertex.
     pub components: usize,
     /// Vertices minus edges plus faces.
     pub euler: i64,
@@ -60,7 +60,7 @@ pub struct Topology {
     rays: Rays,
 }
 
-/// A box as reports write it.
+/// A box in the form used by reports.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Extent {
@@ -74,14 +74,14 @@ pub struct Extent {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct DepthComplexity {
-    /// Most crossings of any ray, along any axis.
+    /// Maximum number of crossings of any ray, along any axis.
     pub largest: u32,
     /// Mean over the rays of all three axes that hit anything.
     pub mean: f64,
 }
 
 impl Topology {
-    /// The facts of a mesh. Indices must be in range ([`Mesh::defect`]).
+    /// Measures a mesh. Indices must be in range ([`Mesh::defect`]).
     pub fn new(mesh: &Mesh) -> Self {
         let edges = Edges::of(&mesh.triangles);
         let count = edges.count();
@@ -113,8 +113,7 @@ impl Topology {
         facts
     }
 
-    /// The facts of parts as they stand in the world, taken together: vertices are not shared between parts, rays cross
-    /// all of them.
+    /// Measures placed parts together: vertices are not shared between parts, but each ray crosses all parts.
     pub fn from_parts(parts: &[Part]) -> Self {
         let mut all = Mesh::default();
         for part in parts {
@@ -135,8 +134,8 @@ impl Topology {
         Self::new(&all)
     }
 
-    /// Several meshes summed up, as if their rays never met: `largest` is that of the deepest one. For parts that overlap
-    /// along rays, ask [`Topology::from_parts`].
+    /// The totals of several meshes, as if no ray crossed two of them: `largest` is the maximum of all. For parts that overlap
+    /// along rays, use [`Topology::from_parts`].
     pub fn total(of: &[Self]) -> Self {
         let mut sum = Self {
             closed: of.iter().all(|t| t.closed),
@@ -170,7 +169,7 @@ impl Topology {
         sum
     }
 
-    /// Midpoints of some open edges, in the space of the mesh: where to look for the holes. At most 16.
+    /// Midpoints of at most 16 open edges, in part space, as examples of where the holes are.
     pub fn where_open(&self) -> &[DVec3] {
         &self.open_at
     }
@@ -205,7 +204,7 @@ impl From<Bounds> for Extent {
     }
 }
 
-/// Vertices in use, and how many pieces they form.
+/// Number of vertices in use, and of connected components that they form.
 fn pieces(vertices: usize, triangles: &[[u32; 3]]) -> (usize, usize) {
     let mut sets = Sets::new(vertices);
     let mut used = vec![false; vertices];
@@ -343,7 +342,7 @@ mod tests {
     fn faces_on_each_other_are_counted_by_position_whichever_way_they_face() {
         let cube = cuboid(DVec3::ZERO, DVec3::ONE);
         assert_eq!(Topology::new(&cube).coincident_faces, 0);
-        // An own copy of all vertices, two of its triangles in another order, one of them turned.
+        // A second copy with its own vertices, two triangles with a different corner order, one of them flipped.
         let mut doubled = joined(&cube, &cube);
         doubled.positions[8].x = -0.0;
         doubled.triangles[12].rotate_left(1);

@@ -1,21 +1,21 @@
-//! Boxes over triangles that lie near each other, eight to a box, for the question which of them a plane or a ray can cross.
+//! A tree of bounding boxes, eight neighbouring triangles per box, to find the triangles that a plane or a ray can cross.
 //!
-//! Triangles are sorted along a Z-order curve through their middles (Morton 1966) and grouped in that order, level over level.
-//! Cost: one parallel sort; about 7 bytes of boxes a triangle. A plane then looks at some boxes per triangle that it crosses,
-//! where triangles are small; a mesh of needles in all directions gains little.
+//! Triangles are sorted along a Z-order curve through their centres (Morton 1966) and grouped in that order, level by level.
+//! Cost: one parallel sort; boxes take about 7 bytes per triangle. If triangles are small, a plane then tests a few boxes per
+//! triangle that it crosses; a mesh of needles in all directions gains little.
 
 use glam::DVec3;
 use rayon::prelude::*;
 
 use crate::scene::Bounds;
 
-/// Triangles to a box, and boxes to the box over them.
+/// Triangles per box, and boxes per box of the next level.
 pub(crate) const BRANCHES: usize = 8;
 
 /// A tree of boxes over groups of triangles in order.
 #[derive(Debug, Default)]
 pub(crate) struct Tree {
-    /// From the boxes of triangles up to at most [`BRANCHES`] boxes.
+    /// Levels from the boxes of triangles up to one with at most [`BRANCHES`] boxes.
     levels: Vec<Vec<Bounds>>,
 }
 
@@ -36,7 +36,7 @@ impl Tree {
         Self { levels }
     }
 
-    /// Numbers of the groups whose boxes are not missed, in order.
+    /// Indices of the groups whose boxes are not missed, in order.
     pub(crate) fn groups(&self, misses: impl Fn(&Bounds) -> bool) -> Vec<usize> {
         let Some(top) = self.levels.last() else {
             return Vec::new();
@@ -54,14 +54,14 @@ impl Tree {
     }
 }
 
-/// Sorts triangles so that those in a row lie near each other; of equal places the given order is kept.
+/// Sorts triangles so that consecutive ones lie near each other; the sort is stable.
 pub(crate) fn sort(positions: &[DVec3], triangles: &mut Vec<[u32; 3]>) {
     *triangles = (order(positions, triangles).par_iter())
         .map(|i| triangles[*i as usize])
         .collect();
 }
 
-/// The numbers of triangles in the order in which [`sort`] puts them.
+/// The indices of triangles in the order produced by [`sort`].
 pub(crate) fn order(positions: &[DVec3], triangles: &[[u32; 3]]) -> Vec<u32> {
     let middle = |t: &[u32; 3]| {
         let [a, b, c] = t.map(|i| positions[i as usize] / 3.0);
@@ -82,7 +82,7 @@ pub(crate) fn order(positions: &[DVec3], triangles: &[[u32; 3]]) -> Vec<u32> {
     order.into_par_iter().map(|(_, i)| i).collect()
 }
 
-/// Position of a point of the unit cube on a Z-order curve: the leading 21 bits of each coordinate, interleaved.
+/// Position of a point in the unit cube on a Z-order curve: the leading 21 bits of each coordinate, interleaved.
 fn place_on_curve(share: DVec3) -> u64 {
     let steps = (share * f64::from(1 << 21)).to_array();
     let spread = |step: f64| {

@@ -1,4 +1,4 @@
-//! Measures of a triangle that several judgements share.
+//! Triangle measures used in several places.
 
 use glam::DVec3;
 

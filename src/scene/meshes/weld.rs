@@ -1,11 +1,11 @@
-//! Joins vertices that a file stored apart, so that edges have two sides again.
+//! Joins vertices that a file stored separately, so that edges have two faces again.
 //!
-//! STL repeats every corner and glTF splits vertices at seams of normals; both tear a closed solid open. A mesh that is
-//! closed by its own indices is left alone: two solids that only touch stay two. Otherwise
+//! STL repeats every corner and glTF splits vertices at normal seams; both tear a closed solid open. A mesh that is
+//! closed by its own indices is left unchanged, so two solids that only touch stay separate. Otherwise
 //!
 //! 1. vertices with equal coordinates become one (`-0.0` equals `0.0`): no point moves;
-//! 2. if edges are still open, vertices *of open edges* within 1e-8 of the bounds' diagonal become one, the first one's
-//!    place winning; kept only if fewer edges are open afterwards and no edge has become non-manifold.
+//! 2. if edges are still open, vertices *of open edges* within 1e-8 of the bounds' diagonal become one at the first one's
+//!    position; this is kept only if fewer edges are open afterwards and no edge has become non-manifold.
 //!
 //! Cost: one parallel sort of the vertices, up to three of the edges.
 
@@ -17,8 +17,8 @@ use rayon::prelude::*;
 use super::topology::{EdgeCount, Edges, Sets};
 use crate::scene::Bounds;
 
-/// Distance that still counts as the same place, as a share of the diagonal: a fifth of the last bit that f32 keeps of a
-/// coordinate as large as the diagonal, so nothing that f32 can tell apart out there is joined.
+/// Distance up to which vertices are joined, as a share of the diagonal: a fifth of the last f32 bit of a coordinate as large
+/// as the diagonal, so no vertices that f32 can distinguish there are joined.
 const NEAR_SHARE: f64 = 1e-8;
 
 /// Map from old vertices to welded ones.
@@ -32,7 +32,7 @@ pub struct Weld {
     pub note: String,
 }
 
-/// Welds a mesh with open edges; `None` if nothing is to be joined. Indices must be in range, coordinates finite.
+/// Welds a mesh with open edges; `None` if there is nothing to join. Indices must be in range, coordinates finite.
 pub fn weld(positions: &[DVec3], triangles: &[[u32; 3]]) -> Option<Weld> {
     let open_before = Edges::of(triangles).count().open;
     if open_before == 0 {
@@ -88,7 +88,7 @@ fn closing(before: usize, after: usize) -> String {
     }
 }
 
-/// New indices in order of first appearance, equal where coordinates are.
+/// New indices in order of first appearance; equal coordinates get equal indices.
 fn joined_where_equal(positions: &[DVec3]) -> Vec<u32> {
     // Adding 0.0 turns -0.0 into 0.0 and leaves every other number as it is.
     let mut order: Vec<([u64; 3], u32)> = positions
@@ -106,7 +106,7 @@ fn joined_where_equal(positions: &[DVec3]) -> Vec<u32> {
     numbered(&first)
 }
 
-/// Consecutive numbers for representatives that are the least of their sets.
+/// Consecutive new indices for set representatives; each is the smallest member of its set.
 fn numbered(first: &[u32]) -> Vec<u32> {
     let mut number = Vec::with_capacity(first.len());
     let mut next = 0;
@@ -121,7 +121,7 @@ fn numbered(first: &[u32]) -> Vec<u32> {
     number
 }
 
-/// The place of each new vertex: that of its first old one.
+/// The position of each new vertex: that of its first old one.
 fn places(positions: &[DVec3], new_from_old: &[u32]) -> Vec<DVec3> {
     let mut at = Vec::new();
     for (p, &i) in positions.iter().zip(new_from_old) {
@@ -137,7 +137,7 @@ fn moved(triangles: &[[u32; 3]], new_from_old: &[u32]) -> Vec<[u32; 3]> {
     triangles.iter().map(to).filter(has_three).collect()
 }
 
-/// True for a triangle with three different vertices.
+/// True if a triangle has three different vertices.
 pub fn has_three(t: &[u32; 3]) -> bool {
     t[0] != t[1] && t[1] != t[2] && t[2] != t[0]
 }
@@ -257,7 +257,7 @@ mod tests {
 
     #[test]
     fn near_welding_that_would_make_an_edge_non_manifold_is_dropped() {
-        // Three fins along one edge, a hair apart: joining any would leave an edge with three uses.
+        // Three fins along one edge, a tiny distance apart: joining any would leave an edge with three uses.
         let far = [DVec3::Y, DVec3::Z, -DVec3::Y];
         let mut positions = Vec::new();
         for (k, tip) in far.iter().enumerate() {

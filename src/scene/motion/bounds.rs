@@ -1,34 +1,34 @@
-//! Bounds of a posed part without posing it.
+//! Bounds of a posed part, computed without posing it.
 //!
-//! A skin moves every position to a weighted mean of where its joints take it, so the mesh stays within the boxes that the
-//! joints make of the boxes of what they pull. Morph targets widen those by the boxes of their displacements, times their
-//! weights. The boxes are measured once per mesh and motion; a pose then costs joints times targets. Bounds are never too
-//! small; they are too large where a joint turns its box, or pulls a little at what is far away.
+//! A skin moves every position to a weighted mean of its transforms by the joints, so the mesh stays within the transformed
+//! boxes of the positions that each joint influences. Morph targets widen these boxes by those of their displacements, times
+//! their weights. The boxes are measured once per mesh and motion; a pose then costs joints times targets. Bounds are never
+//! too small; they are too large if a joint rotates its box, or has a small influence on distant positions.
 //!
-//! Deformers have no such shortcut here: with one, all positions are posed.
+//! There is no such shortcut for deformers: with one, all positions are posed.
 
 use glam::{DAffine3, DVec3};
 
 use super::{Motion, Pose};
 use crate::scene::{Bounds, Mesh};
 
-/// Roundings of posing and of this, as a share of the largest number on the way.
+/// Rounding error of posing and of these bounds, as a share of the largest intermediate value.
 const ROUNDING: f64 = 1e-13;
 
-/// Positions that one joint pulls, or none.
+/// Positions influenced by one joint, or by none.
 #[derive(Clone, Debug)]
 struct Pulled {
     joint: Option<u16>,
     rest: Bounds,
-    /// Per target: where it moves them at weight 1.
+    /// Per target, the bounds of its displacements of them at weight 1.
     moves: Vec<Bounds>,
 }
 
-/// Bounds of the positions that a mesh can take.
+/// Data for the bounds of a mesh in any pose.
 #[derive(Clone, Debug)]
 pub(in crate::scene) struct Reach {
     pulled: Vec<Pulled>,
-    /// Least and greatest sum of the weights of a position.
+    /// Smallest and largest sum of a position's weights.
     weight_sum: [f64; 2],
     /// True if a weight is negative or NaN, so that positions leave the boxes.
     is_wild: bool,
@@ -44,7 +44,7 @@ impl Reach {
             weight_sum: [1.0, 1.0],
             is_wild: false,
         };
-        // By joint; the last is for positions that none pulls.
+        // By joint; the last entry is for positions that no joint influences.
         let joints = motion.pulls.iter().map(|p| usize::from(p.joint) + 1);
         let free = joints.max().unwrap_or(0);
         let mut slot_of = vec![usize::MAX; free + 1];
@@ -63,7 +63,7 @@ impl Reach {
                 add(free, None);
                 continue;
             }
-            // A pull of weight 0 makes no difference.
+            // A joint influence with weight 0 has no effect.
             for pull in pulls.iter().filter(|p| p.weight.abs() > 0.0) {
                 add(usize::from(pull.joint), Some(pull.joint));
             }
@@ -71,7 +71,7 @@ impl Reach {
             let sum: f64 = weights.clone().sum();
             reach.weight_sum[0] = reach.weight_sum[0].min(sum);
             reach.weight_sum[1] = reach.weight_sum[1].max(sum);
-            // Written so that NaN is wild, too.
+            // Written so that NaN counts as wild, too.
             let is_tame = weights.clone().all(|w| w >= 0.0) && sum > 0.0;
             reach.is_wild |= !is_tame;
         }
@@ -121,7 +121,7 @@ impl Reach {
     }
 }
 
-/// The box of a moved box.
+/// The bounds of a transformed box.
 fn moved(bounds: Bounds, by: DAffine3) -> Bounds {
     let (centre, half) = (
         (bounds.min + bounds.max) * 0.5,

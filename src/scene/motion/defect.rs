@@ -1,18 +1,18 @@
-//! Defects of a [`Motion`] that was built by hand.
+//! Defects of a manually built [`Motion`].
 //!
-//! Nothing panics over a motion with defects: what is missing moves nothing, a joint that the pose lacks stays where it was
-//! bound. Only the result is wrong, which this check finds.
+//! A motion with defects causes no panic: missing data moves nothing, and a joint that the pose lacks stays in its bind pose.
+//! Only the result is wrong; this check finds the cause.
 
 use super::Motion;
 
-/// Pulls of a position may sum to 1 with this tolerance: some roundings of f32.
+/// Tolerance of the sum of a position's weights, which should be 1: a few f32 roundings.
 const WEIGHT_SUM: f64 = 1e-5;
 
-/// Reason for which a motion does not fit its mesh.
+/// Reason why a motion does not fit its mesh.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum MotionDefect {
-    /// A target that is shorter or longer than the mesh.
+    /// A target with fewer or more positions than the mesh.
     #[error("morph target {target} moves {found} positions, the mesh has {positions}")]
     Target {
         /// Index of the target.
@@ -23,15 +23,15 @@ pub enum MotionDefect {
         positions: usize,
     },
     /// A displacement that is NaN or infinite.
-    #[error("morph target {target} moves position {position} to where nothing is")]
+    #[error("morph target {target} moves position {position} by NaN or infinity")]
     NotFinite {
         /// Index of the target.
         target: usize,
         /// Index of the position.
         position: usize,
     },
-    /// Beginnings of pulls that are too few, too many, do not ascend, or lie outside the list of pulls.
-    #[error("the pulls of position {position} are not in the list of pulls")]
+    /// The list of first influences per position has the wrong length, is not ascending, or exceeds the list of joint influences.
+    #[error("the joint influences of position {position} are not in the list of influences")]
     Pulls {
         /// The first such position.
         position: usize,
@@ -47,7 +47,7 @@ pub enum MotionDefect {
 }
 
 impl Motion {
-    /// The first reason why it is not a motion of a mesh with `positions` positions, if any.
+    /// The first defect of this motion for a mesh with `positions` positions, if any.
     pub fn defect(&self, positions: usize) -> Option<MotionDefect> {
         for (target, moves) in self.targets.iter().enumerate() {
             if moves.len() != positions {
@@ -77,7 +77,7 @@ impl Motion {
         (0..positions).find_map(|position| {
             let weights = self.pulls_of(position).iter().map(|p| f64::from(p.weight));
             let sum: f64 = weights.clone().sum();
-            // Written so that NaN is a defect, too; a position without pulls stays where it is.
+            // Written so that NaN is a defect, too; a position without joint influences stays where it is.
             let is_whole = weights.clone().all(|w| w >= 0.0) && (sum - 1.0).abs() <= WEIGHT_SUM;
             let is_fine = is_whole || weights.count() == 0;
             (!is_fine).then_some(MotionDefect::Weights { position, sum })

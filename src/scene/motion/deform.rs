@@ -1,18 +1,18 @@
 //! Deformers: closed-form motions of space that bend any mesh.
 //!
-//! All act in part space; all but [`Deformer::Inflate`] act about an [`Axis`]. A deformer moves points, never edges: a mesh
-//! that was closed stays closed. It may fold through itself; what is inside then follows from parity, like that of any
-//! self-crossing mesh.
+//! All act in part space; all except [`Deformer::Inflate`] act about an [`Axis`]. A deformer moves points and keeps the
+//! connectivity: a closed mesh stays closed. It may come to intersect itself; its interior then follows from parity, as for
+//! any self-intersecting mesh.
 //!
 //! # Notation
 //!
 //! `C`, `A` and `B` are `centre`, `along` and `across` of the axis, and `D = A x B`: `(B, D, A)` is right-handed. A point
-//! `P = C + x B + y D + h A` has the place `(x, y, h)`, a normal `n = p B + q D + r A` the components `(p, q, r)`. Primes
-//! mark what comes out. Normals are multiplied by the cofactors of the Jacobian, which keeps them outward where the map
-//! keeps its hand; their length means nothing between deformers.
+//! `P = C + x B + y D + h A` has the coordinates `(x, y, h)`, a normal `n = p B + q D + r A` the components `(p, q, r)`. Primes
+//! mark results. Normals are multiplied by the Jacobian's cofactors, which keeps them outward where the map preserves
+//! handedness; their length has no meaning between deformers.
 //!
-//! Deformers are applied in their order, each to the point and the normal that the one before gave; before the first come
-//! the targets, which leave the normal as it is, and the skin, which multiplies it by the cofactors of its linear part.
+//! Deformers are applied in order, each to the point and normal produced by the previous one. Before the first come the morph
+//! targets, which do not change the normal, and the skin, which multiplies it by the cofactors of its linear part.
 
 use std::f64::consts::{PI, TAU};
 
@@ -23,18 +23,18 @@ use crate::scene::Bounds;
 /// A line about which a deformer acts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Axis {
-    /// A point on it: where nothing turns, and a wave has run its phase.
+    /// A point on the axis, where the turn is 0 and a wave is at its phase.
     pub centre: DVec3,
     /// Unit vector along it.
     pub along: DVec3,
-    /// Unit vector at a right angle to `along`: where bending goes and waves swing.
+    /// Unit vector perpendicular to `along`: the direction of bending and of a wave's displacement.
     pub across: DVec3,
 }
 
 /// A motion of space.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Deformer {
-    /// Turns about the axis, by more the farther along it: right-handed about `along` by `t = turn_per_unit h`.
+    /// Turns about the axis in proportion to the position along it: right-handed about `along` by `t = turn_per_unit h`.
     ///
     /// ```text
     /// x' = x cos t - y sin t     p1 = p cos t - q sin t     p' = p1
@@ -42,7 +42,7 @@ pub enum Deformer {
     /// h' = h                                                r' = r - turn_per_unit (x' q1 - y' p1)
     /// ```
     Twist {
-        /// About what.
+        /// Axis of the twist.
         axis: Axis,
         /// Radians per unit of length along the axis.
         turn_per_unit: f64,
@@ -57,16 +57,16 @@ pub enum Deformer {
     /// ```
     ///
     /// For `k = 0` it is the identity; near it, `(1 - cos t) / k` is `h s(t/2) sin(t/2)` and `sin t / k` is `h s(t)` with
-    /// `s(a) = sin a / a`, which loses no digits. The arc has no end: what lies beyond the part goes on rolling with the same
-    /// curvature, and comes round to itself after `|h| = pi / |k|`. Points beyond the middle of the arc, `k x > 1`, come
-    /// out on its other side with the hand reversed.
+    /// `s(a) = sin a / a`, which loses no digits. The arc has no end: it continues beyond the part with the same curvature, and
+    /// meets itself after `|h| = pi / |k|`. Points beyond the centre of the arc, `k x > 1`, end up on its other side with
+    /// reversed handedness.
     Bend {
         /// Axis that is bent.
         axis: Axis,
         /// Radians per unit of length along the axis: the arc's curvature.
         turn_per_unit: f64,
     },
-    /// Moves points along `across` by a sine of their place along the axis; a growing phase runs towards `along`.
+    /// Moves points along `across` by a sine of their position along the axis; with growing phase the wave travels towards `along`.
     ///
     /// ```text
     /// a = 2 pi h / period - phase
@@ -75,17 +75,17 @@ pub enum Deformer {
     /// h' = h                       r' = r - p amplitude (2 pi / period) cos a
     /// ```
     Wave {
-        /// Along what it runs.
+        /// Axis along which the wave travels.
         axis: Axis,
-        /// Greatest displacement.
+        /// Largest displacement.
         amplitude: f64,
         /// Length of a period, not zero.
         period: f64,
-        /// Radians by which it has run.
+        /// Radians by which the wave has travelled.
         phase: f64,
     },
     /// Moves every position by `by n / |n|` along its own normal, which starts as [`Motion::outward`](super::Motion::outward)
-    /// and stays what it was. Where there is no normal (or `n = 0`) nothing moves.
+    /// and stays unchanged. Where there is no normal (or `n = 0`) nothing moves.
     Inflate {
         /// Distance; negative shrinks.
         by: f64,
@@ -141,14 +141,14 @@ impl Deformer {
         }
     }
 
-    /// A box around all places that the points of a box can take. It is the least one for no deformer, and holds them for all.
+    /// A box that contains the images of all points of a box, for every deformer; it need not be the smallest one.
     pub fn bounds(&self, of: Bounds) -> Bounds {
         if of.is_empty() {
             return of;
         }
         let moved = match self {
             Self::Twist { axis, .. } => {
-                // Distance from the axis and place along it stay: a cylinder.
+                // Distance from the axis and position along it do not change: a cylinder.
                 let corners = of.corners().map(|c| axis.components(c - axis.centre));
                 let radius = corners
                     .iter()
@@ -171,7 +171,7 @@ impl Deformer {
             } => grown(of, axis.across.abs() * amplitude.abs()),
             Self::Inflate { by } => grown(of, DVec3::splat(by.abs())),
         };
-        // What rounding can add, here and in `apply`.
+        // Margin for rounding errors, here and in `apply`.
         let far = [of, moved].map(|b| b.min.abs().max(b.max.abs()).max_element());
         grown(moved, DVec3::splat(far[0].max(far[1]) * 1e-12))
     }
@@ -216,11 +216,11 @@ fn bent(turn_per_unit: f64, at: DVec3, n: DVec3) -> (DVec3, DVec3) {
     )
 }
 
-/// Sums of the extremes of each term: wider than need be where the terms are not extreme at once.
+/// Sums the extremes of each term: too wide where the terms do not reach their extremes together.
 fn bounds_of_bent(axis: &Axis, turn_per_unit: f64, of: Bounds) -> Bounds {
     let at = Bounds::from_points(of.corners().map(|c| axis.components(c - axis.centre)));
-    // Sines, cosines and what follows from them are extreme at the ends and at multiples of a quarter turn: all of the latter
-    // that are inside, or one whole turn of them.
+    // Sines, cosines and terms derived from them have their extremes at the ends and at multiples of a quarter turn: take all
+    // such multiples in the interval, or those of one whole turn.
     let quarter = PI * 0.5;
     let ends = [at.min.z, at.max.z].map(|h| turn_per_unit * h);
     let [first, last] = [ends[0].min(ends[1]), ends[0].max(ends[1])];
@@ -242,7 +242,7 @@ fn bounds_of_bent(axis: &Axis, turn_per_unit: f64, of: Bounds) -> Bounds {
             products.into_iter().fold(f64::NEG_INFINITY, f64::max),
         ]
     };
-    // The place along the axis that turns by `t`; without curvature every turn is 0 and the ends are the extremes.
+    // The position along the axis that turns by `t`; without curvature every turn is 0 and the ends are the extremes.
     let (rise, run) = if turn_per_unit.abs() > 0.0 {
         (
             range(&|t| t / turn_per_unit * sinc(t * 0.5) * (t * 0.5).sin()),

@@ -8,8 +8,8 @@ use rayon::prelude::*;
 use super::Deformer;
 use crate::scene::Mesh;
 
-/// Applies deformers in their order. `outward` has a direction for each position, where something inflates; corner normals
-/// go with the surface they are on.
+/// Applies deformers in order. `outward` has a direction per position if any of them inflates; corner normals are transformed
+/// with their surface.
 pub(super) fn deform(mesh: &mut Mesh, outward: &[DVec3], deformers: &[Deformer]) {
     if deformers.is_empty() {
         return;

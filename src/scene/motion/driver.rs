@@ -1,12 +1,12 @@
-//! Drivers: what ties a part to the rig of its file, and puts it where a clip has it at a time.
+//! Drivers: they connect a part to its file's rig, and pose it for a time in a clip.
 //!
-//! A part shows its rest as a plain mesh: a skin or morph targets that bend it at rest are applied when it is loaded. At a
-//! time it shows the mesh as it was bound and a [`Pose`], so that the mesh stays the same from time to time and only a few
-//! matrices change. Part space is the same at rest and at all times: that of the mesh where its node or a single joint
-//! places it as a whole, else that in which it was posed at rest. Deformers therefore mean the same at all times.
+//! In its rest pose a part is a plain mesh: a skin or morph targets that bend it in this pose are applied on loading. At a time
+//! in a clip it is the bound mesh and a [`Pose`], so that the mesh stays the same over time and only a few matrices change.
+//! Part space is the same in the rest pose and at all times: the mesh's space if its node or a single joint places it as a
+//! whole, otherwise the space in which the rest pose was computed. Deformers therefore have the same meaning at all times.
 //!
-//! A clip that leaves a part alone leaves it at rest, so nothing is posed that does not move. Where a clip takes a part to
-//! places that are not finite, the part stays at rest.
+//! A part that a clip does not move stays in its rest pose, so only moving parts are posed. If a clip gives a part positions
+//! that are not finite, the part stays in its rest pose.
 
 use std::sync::{Arc, OnceLock};
 
@@ -17,7 +17,7 @@ use super::rig::{Clip, Moment, Rig};
 use super::{Motion, is_same_motion, pose};
 use crate::scene::{Mesh, Pose};
 
-/// A mesh as it was bound, and what can move it.
+/// A mesh in its bind pose, and its motion data.
 #[derive(Debug)]
 pub struct Bound {
     pub(crate) mesh: Arc<Mesh>,
@@ -36,7 +36,7 @@ impl Bound {
         }
     }
 
-    /// Reach of this very mesh and motion; `None` if they are others.
+    /// Reach of the bound mesh and motion; `None` if the arguments are other objects.
     fn reach_of(&self, mesh: &Arc<Mesh>, motion: Option<&Arc<Motion>>) -> Option<&Reach> {
         let same_mesh = Arc::ptr_eq(&self.mesh, mesh);
         let same_motion = is_same_motion(self.motion.as_ref(), motion);
@@ -47,19 +47,19 @@ impl Bound {
     }
 }
 
-/// Node or joints that a part is attached to.
+/// The node or joints that a part is attached to.
 #[derive(Clone, Debug)]
 pub enum RigAttachment {
-    /// Its node, as a whole.
+    /// The part as a whole is attached to its node.
     Node,
-    /// One joint of a skin, as a whole.
+    /// The part as a whole is attached to one joint of a skin.
     Joint { skin: usize, joint: usize },
-    /// The joints of a skin, vertex by vertex. If `with_node`, the node follows the last joint as one more, for vertices
-    /// that no joint pulls.
+    /// Each vertex is attached to joints of a skin. If `with_node`, the node is appended as an extra joint, for vertices
+    /// without joint influences.
     Skin { skin: usize, with_node: bool },
 }
 
-/// A part's place in the rig of its file.
+/// A part's attachment to its file's rig.
 #[derive(Clone, Debug)]
 pub struct Driver {
     rig: Arc<Rig>,
@@ -67,16 +67,16 @@ pub struct Driver {
     hold: RigAttachment,
     bound: Arc<Bound>,
     rest_weights: Vec<f64>,
-    /// The mesh that is shown at rest.
+    /// The mesh in its rest pose.
     rest_mesh: Arc<Mesh>,
-    /// Placement at rest: from part space to the file's world.
+    /// Placement in the rest pose: from part space to the file's world.
     file_from_part: DAffine3,
     /// The user's placement of the file's world.
     placed: DAffine3,
 }
 
 impl Driver {
-    /// Ties a bound mesh to a node. `rest_weights` are those of its morph targets.
+    /// Attaches a bound mesh to a node. `rest_weights` are its morph-target weights in the rest pose.
     #[doc(hidden)]
     pub fn new(
         rig: &Arc<Rig>,
@@ -99,7 +99,7 @@ impl Driver {
         driver
     }
 
-    /// Finds out where the part is at rest, and how its mesh stands there.
+    /// Computes the part's placement and mesh in the rest pose.
     fn rest(&mut self) {
         let mut pose = Pose {
             weights: self.rest_weights.clone(),
@@ -120,7 +120,7 @@ impl Driver {
         }
     }
 
-    /// Common transform of the mesh by all joints in use at rest; `None` if they differ or it has no inverse.
+    /// The transform that all joints in use share in the rest pose; `None` if they differ or it has no inverse.
     fn common_place(&self) -> Option<DAffine3> {
         let joints = self.file_joints(None);
         let motion = self.bound.motion.as_deref()?;
@@ -149,17 +149,17 @@ impl Driver {
         joints.map(|joint| part_from_file * joint).collect()
     }
 
-    /// The mesh as it was bound, with what can move it.
+    /// The mesh in its bind pose, with its motion data.
     pub(crate) fn bound(&self) -> &Arc<Bound> {
         &self.bound
     }
 
-    /// The mesh that is shown at rest.
+    /// The mesh in its rest pose, which is shown without a clip.
     pub(crate) fn rest_mesh(&self) -> &Arc<Mesh> {
         &self.rest_mesh
     }
 
-    /// The same for a piece of the mesh, as bound and as at rest: the piece moves as it did as part of the whole.
+    /// The driver for a fragment of the mesh, given in bind and rest pose: the fragment moves as it did in the whole mesh.
     pub(crate) fn of_piece(&self, bound: &Arc<Bound>, rest_mesh: &Arc<Mesh>) -> Self {
         Self {
             bound: Arc::clone(bound),
@@ -168,7 +168,7 @@ impl Driver {
         }
     }
 
-    /// The mesh and its place at rest.
+    /// The mesh in its rest pose, and its placement.
     #[doc(hidden)]
     pub fn at_rest(&self) -> (Arc<Mesh>, DAffine3) {
         (
@@ -177,7 +177,7 @@ impl Driver {
         )
     }
 
-    /// Returns true if the mesh and its placement at rest are finite.
+    /// Returns true if the mesh and its placement are finite in the rest pose.
     #[doc(hidden)]
     pub fn is_finite(&self) -> bool {
         let is_bound = Arc::ptr_eq(&self.rest_mesh, &self.bound.mesh);
@@ -185,7 +185,7 @@ impl Driver {
         self.file_from_part.is_finite() && (is_bound || positions.iter().all(|p| p.is_finite()))
     }
 
-    /// Reach of the file's mesh and motion; `None` if the arguments are others.
+    /// Reach of the file's mesh and motion; `None` if the arguments are other objects.
     pub(in crate::scene) fn reach_of(
         &self,
         mesh: &Arc<Mesh>,
@@ -221,7 +221,7 @@ impl Driver {
             joints: Vec::new(),
         };
         let moment = Moment {
-            // NaN is the beginning, too.
+            // NaN becomes 0, too.
             time_s: moment.time_s.max(0.0),
             ..moment
         };
@@ -264,15 +264,15 @@ impl Driver {
 pub(in crate::scene) struct Driven {
     pub(in crate::scene) mesh: Arc<Mesh>,
     pub(in crate::scene) world_from_part: DAffine3,
-    /// Motion of the mesh; none at rest.
+    /// Motion of the mesh; `None` in the rest pose.
     pub(in crate::scene) motion: Option<Arc<Motion>>,
-    /// Weights of its morph targets; empty at rest.
+    /// Weights of its morph targets; empty in the rest pose.
     pub(in crate::scene) weights: Vec<f64>,
-    /// Joints of its skin in part space; empty at rest.
+    /// Joints of its skin in part space; empty in the rest pose.
     pub(in crate::scene) joints: Vec<DAffine3>,
 }
 
-/// Joints whose matrices differ by less move the mesh as one; relative to the matrix' largest entry.
+/// Joints whose matrices differ by less than this, relative to the largest entry, move the mesh as one.
 const SAME_MATRIX: f64 = 1e-5;
 
 fn alike(a: &DAffine3, b: &DAffine3) -> bool {

@@ -1,16 +1,16 @@
-//! Motion of a part's vertices: morph targets, a skin and deformers, and the pose at one time.
+//! Motion of a part's vertices: morph targets, a skin and deformers, and poses.
 //!
-//! A [`Motion`] is the constant data per position of the part's mesh; a [`Pose`] is the small rest that changes from
-//! time to time, in f64. Two paths apply a pose: [`Part::posed_mesh`] in f64 on the CPU, which the exact reference uses,
-//! and the pose pass of a frame in f32 on the GPU. They share the numbers of the pose and nothing else.
+//! A [`Motion`] is the constant data per position of the part's mesh; a [`Pose`] is the small amount of data that changes
+//! over time, in f64. Two paths apply a pose: [`Part::posed_mesh`] in f64 on the CPU, which the exact reference uses,
+//! and a frame's pose pass in f32 on the GPU. They share the pose's numbers and nothing else.
 //!
-//! The files of parts bring a rig with them: nodes, skins and clips, which give a pose for a time ([`Part::at_time`]).
+//! Files may contain a rig for their parts: nodes, skins and clips, which determine the pose at a time ([`Part::at_time`]).
 //!
 //! [`Part::posed_mesh`]: super::Part::posed_mesh
 //! [`Part::at_time`]: super::Part::at_time
 //!
-//! The order is fixed: rest, plus weighted targets, then the blend of the joints (linear blend skinning), then deformers in
-//! their order; all in part space. The placement of the part follows. Normals go with the cofactors of what was applied.
+//! The order is fixed: rest position plus weighted targets, then linear blend skinning by the joints, then deformers in
+//! order; all in part space. The part's placement follows. Normals are transformed by the cofactors of these maps.
 
 mod bounds;
 mod defect;

@@ -1,16 +1,16 @@
-//! Outward directions of positions: what inflating goes along.
+//! Outward directions at positions, along which inflating moves them.
 //!
-//! The direction at a position is the mean of the normals of the triangles around it, each weighted by its angle there, so
-//! that it does not depend on how flat faces are cut into triangles (Thürmer and Wüthrich 1998). It is of the rest mesh.
-//! Cost: once per mesh, in proportion to its triangles; 24 bytes a position. A mesh whose triangles are turned inside out
-//! gets inward directions; a position that only flat triangles use, or none, gets zero.
+//! The direction at a position is the mean of the adjacent triangles' normals, weighted by their angles there, so that it
+//! does not depend on how flat faces are triangulated (Thürmer and Wüthrich 1998). It is computed from the rest mesh.
+//! Cost: once per mesh, proportional to its triangles; 24 bytes per position. A mesh that is inside out gets inward
+//! directions; a position that only degenerate triangles use, or none, gets zero.
 
 use glam::DVec3;
 
 use crate::scene::Mesh;
 
 impl Mesh {
-    /// The unit vectors out of the mesh at its positions; zero where there is none.
+    /// Unit vectors that point out of the mesh, per position; zero where there is none.
     pub fn outward(&self) -> Vec<DVec3> {
         let mut sums = vec![DVec3::ZERO; self.positions.len()];
         for (index, triangle) in self.triangles.iter().enumerate() {

@@ -1,8 +1,8 @@
 //! Poses applied on the CPU, in f64, for the exact reference.
 //!
-//! Written from the definitions alone and sharing nothing with the GPU's pose pass, so that each can be held against the
-//! other. Cost: time in proportion to positions times targets and pulls. Applying a pose is total: a displacement that a target
-//! lacks is zero, a joint that the pose lacks is the identity, a weight without a target does nothing.
+//! Written from the definitions alone and sharing nothing with the GPU's pose pass, so that the two can be compared.
+//! Cost: proportional to positions times targets and joint influences. Applying a pose never fails: a displacement that a
+//! target lacks is zero, a joint that the pose lacks is the identity, a weight without a target has no effect.
 
 use glam::{DAffine3, DMat3, DVec3, Vec3};
 use rayon::prelude::*;
@@ -41,7 +41,7 @@ pub(in crate::scene) fn posed(mesh: &Mesh, motion: &Motion, pose: &Pose) -> Mesh
         positions,
         triangles: mesh.triangles.clone(),
         corner_normals,
-        // The vertex paint of the mesh at rest is drawn.
+        // The vertex paint is drawn from the rest mesh.
         vertex_paint: None,
     };
     if !pose.deformers.is_empty() {
@@ -63,7 +63,7 @@ fn morphed(motion: &Motion, pose: &Pose, index: usize, rest: DVec3) -> DVec3 {
     })
 }
 
-/// Blended transform of a position by its joints.
+/// Blend of a position's joint transforms.
 fn blend(motion: &Motion, pose: &Pose, index: usize) -> DAffine3 {
     let pulls = motion.pulls_of(index);
     if pulls.is_empty() || pose.joints.is_empty() {

@@ -1,7 +1,7 @@
 //! Rigs: the nodes of a file, the skins attached to them, and the clips that move them.
 //!
-//! A rig computes the transform of a node at a moment; all parts of a file share it. One node costs its ancestors, a skin all
-//! nodes of the file. Nodes that a clip does not move keep their transforms from the file.
+//! A rig computes a node's transform at a moment; all parts of a file share it. Evaluating one node visits its ancestors, a
+//! skin all nodes of the file. Nodes that a clip does not move keep their transforms from the file.
 
 use std::collections::BTreeMap;
 
@@ -44,13 +44,13 @@ impl NodeTransform {
 pub struct RigNode {
     /// Index into [`Rig::nodes`], less than that of the node itself.
     pub parent: Option<usize>,
-    /// Transform while no clip moves it.
+    /// Transform in the rest pose.
     pub rest: DAffine3,
-    /// The same in pieces; `None` for a matrix that does not come apart.
+    /// The same, decomposed; `None` for a matrix that cannot be decomposed.
     pub stand: Option<NodeTransform>,
 }
 
-/// Joints that pull at the vertices of a mesh.
+/// Joints that influence a mesh's vertices.
 #[derive(Clone, Debug, Default)]
 pub struct RigSkin {
     /// Nodes and their inverse bind matrices.
@@ -76,14 +76,14 @@ impl NodeTracks {
 #[derive(Clone, Debug, Default)]
 struct Moves {
     of_node: BTreeMap<usize, NodeTracks>,
-    /// Per node: whether it or a node above it moves.
+    /// Per node, whether it or one of its ancestors moves.
     is_moved: Vec<bool>,
 }
 
 /// Nodes, skins and clips that move the parts of a file.
 #[derive(Clone, Debug, Default)]
 pub struct Rig {
-    /// Parents first.
+    /// Nodes, parents before children.
     pub nodes: Vec<RigNode>,
     pub skins: Vec<RigSkin>,
     clips: Vec<Clip>,
@@ -105,7 +105,7 @@ impl Rig {
         &self.clips
     }
 
-    /// Adds a clip by what it changes of each node. A node may have tracks only if it comes apart.
+    /// Adds a clip with its tracks per node. A node may have tracks only if its transform is decomposed.
     pub fn add(&mut self, clip: Clip, of_node: BTreeMap<usize, NodeTracks>) {
         let mut is_moved: Vec<bool> = Vec::with_capacity(self.nodes.len());
         for (index, node) in self.nodes.iter().enumerate() {
@@ -122,7 +122,7 @@ impl Rig {
         self.moves.pop();
     }
 
-    /// Returns true if a clip moves a node, by itself or with its parent.
+    /// Returns true if a clip moves a node, directly or through an ancestor.
     pub(crate) fn moves(&self, clip: usize, node: usize) -> bool {
         let moves = self.moves.get(clip);
         moves.is_some_and(|m| m.is_moved.get(node) == Some(&true))
@@ -159,9 +159,9 @@ impl Rig {
         stand.affine()
     }
 
-    /// World transform of a node; at rest without a moment.
+    /// World transform of a node; in the rest pose if there is no moment.
     pub(crate) fn world(&self, node: usize, moment: Option<Moment>) -> DAffine3 {
-        // From the root down, as `worlds` multiplies: the same node must not be in two places by a rounding.
+        // Multiplied from the root down, as in `worlds`, so that rounding does not give one node two different transforms.
         let above = |n: &usize| self.nodes[*n].parent;
         let mut chain: Vec<usize> = std::iter::successors(Some(node), above).collect();
         let root = chain.pop().unwrap_or(node);
@@ -182,7 +182,7 @@ impl Rig {
         worlds
     }
 
-    /// Transforms of vertices by the joints of a skin, from bind space to the file's world.
+    /// Vertex transforms for the joints of a skin, from bind space to the file's world.
     pub fn palette(&self, skin: usize, moment: Option<Moment>) -> Vec<DAffine3> {
         let worlds = self.worlds(moment);
         let joints = self.skins[skin].joints.iter();
@@ -191,7 +191,7 @@ impl Rig {
             .collect()
     }
 
-    /// Transform of vertices by one joint of a skin.
+    /// Vertex transform for one joint of a skin.
     pub(crate) fn joint(&self, skin: usize, joint: usize, moment: Option<Moment>) -> DAffine3 {
         let (node, inverse) = self.skins[skin].joints[joint];
         self.world(node, moment) * inverse

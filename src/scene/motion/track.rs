@@ -1,34 +1,34 @@
-//! Tracks: values that change over time between keys, as glTF's samplers have them.
+//! Tracks: values interpolated over time between keys, like glTF's animation samplers.
 //!
-//! Before its first key a track has its first value, after its last key its last. In between it steps, goes straight, or
-//! follows a cubic Hermite spline. Rotations go straight along the shorter arc at constant speed, and are made unit again
-//! after a spline; where a spline passes through zero, no rotation is there to be found and the key before holds on.
-//! The caller that picks the time decides whether a motion repeats. Cost: a binary search for the keys around.
+//! Before its first key a track has the first value, after its last key the last one. In between it is constant, linear, or a
+//! cubic Hermite spline. Linear rotations follow the shorter arc at constant speed; splines of rotations are normalised.
+//! Where such a spline passes through zero it defines no rotation, and the previous key's value is kept. The caller that
+//! chooses the time decides whether a motion repeats. Cost: a binary search for the adjacent keys.
 
 use glam::{DQuat, DVec3};
 
 /// Interpolation of a track between keys.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Way {
-    /// Stays until the next key.
+    /// Keeps the value until the next key.
     Step,
-    /// Goes evenly to the next key.
+    /// Interpolates linearly to the next key.
     Straight,
-    /// Follows the tangents: every key has one in, its value, and one out, in that order.
+    /// Cubic spline: every key has an in-tangent, its value and an out-tangent, in that order.
     Cubic,
 }
 
 /// Type of the values of a track.
 pub trait Value: Clone {
-    /// Sum of values times factors.
+    /// Sum of values multiplied by factors.
     fn sum(terms: &[(f64, &Self)]) -> Self;
 
-    /// Between two values; `share` from 0 to 1.
+    /// Interpolates between two values; `share` is from 0 to 1.
     fn between(a: &Self, b: &Self, share: f64) -> Self {
         Self::sum(&[(1.0 - share, a), (share, b)])
     }
 
-    /// The value as it may be used; what cannot be used gives way to `otherwise`.
+    /// The value made valid for use (a rotation is normalised); `otherwise` if that is impossible.
     fn preclassified(self, otherwise: &Self) -> Self {
         let _ = otherwise;
         self
@@ -37,7 +37,7 @@ pub trait Value: Clone {
     /// Returns true if all its numbers are finite.
     fn is_finite(&self) -> bool;
 
-    /// Returns the reason if it cannot be a key, apart from numbers that are not finite.
+    /// Returns the reason if it cannot be a key; finiteness is checked separately.
     fn fault(&self) -> Option<&'static str> {
         None
     }
@@ -66,7 +66,7 @@ impl Value for Vec<f64> {
     }
 }
 
-/// A rotation shorter than this has lost its direction.
+/// A quaternion shorter than this no longer defines a rotation.
 const SHORTEST_ROTATION: f64 = 1e-6;
 
 impl Value for DQuat {
@@ -77,7 +77,7 @@ impl Value for DQuat {
 
     fn between(a: &Self, b: &Self, share: f64) -> Self {
         let b = if a.dot(*b) < 0.0 { -*b } else { *b };
-        // Exact for angles of any size, where the arc cosine of the dot product loses small ones.
+        // Accurate for angles of any size, unlike the arc cosine of the dot product, which loses small ones.
         let angle = 2.0 * (b - *a).length().atan2((b + *a).length());
         let whole = angle.sin();
         if whole <= f64::MIN_POSITIVE {
@@ -105,13 +105,13 @@ impl Value for DQuat {
     }
 }
 
-/// Keys and the way between them.
+/// Keys and the interpolation between them.
 #[derive(Clone, Debug)]
 pub struct Track<V> {
-    /// Ascending, at least one.
+    /// Key times, ascending, at least one.
     times_s: Vec<f64>,
     way: Way,
-    /// One per key, three per key of a cubic track.
+    /// One value per key, or three per key of a cubic track.
     values: Vec<V>,
 }
 

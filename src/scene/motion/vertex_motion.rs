@@ -1,4 +1,4 @@
-//! Data that can move the vertices of a mesh, and their pose at one time: plain data.
+//! Plain data: the data that can move a mesh's vertices, and a pose at one time.
 
 use std::sync::Arc;
 
@@ -6,12 +6,12 @@ use glam::{DAffine3, DVec3};
 
 use super::Deformer;
 
-/// One joint's share of a position.
+/// One joint's influence on a position.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct JointWeight {
     /// Index into [`Pose::joints`].
     pub joint: u16,
-    /// Share; those of a position sum to 1.
+    /// Weight; the weights of a position sum to 1.
     pub weight: f32,
 }
 
@@ -20,12 +20,12 @@ pub struct JointWeight {
 pub struct Motion {
     /// Morph targets: how far each moves every position at weight 1, in part space.
     pub targets: Vec<Vec<DVec3>>,
-    /// Index of the first pull of each position, and one more for the end; empty without a skin.
+    /// Index of each position's first joint influence, and one more entry for the end; empty without a skin.
     pub first_pull: Vec<u32>,
-    /// Pulls of all positions, one after the other.
+    /// Joint influences of all positions, one after the other.
     pub pulls: Vec<JointWeight>,
-    /// Unit vectors out of the rest mesh, as [`Mesh::outward`](crate::scene::Mesh::outward) finds them; empty unless something
-    /// inflates the part.
+    /// Outward unit vectors of the rest mesh, from [`Mesh::outward`](crate::scene::Mesh::outward); empty unless a deformer inflates
+    /// the part.
     pub outward: Vec<DVec3>,
 }
 
@@ -39,7 +39,7 @@ pub fn is_same_motion(a: Option<&Arc<Motion>>, b: Option<&Arc<Motion>>) -> bool 
 }
 
 impl Motion {
-    /// The pulls on a position; none without a skin, or where the lists are not what they should be.
+    /// The joint influences on a position; empty without a skin, or if the lists are invalid.
     pub fn pulls_of(&self, position: usize) -> &[JointWeight] {
         let bounds = self.first_pull.get(position..position + 2);
         let Some(&[first, end]) = bounds else {
@@ -59,7 +59,7 @@ impl Motion {
             .unwrap_or_default()
     }
 
-    /// Motion of a choice of the positions, in the order of the choice.
+    /// The motion data of the chosen positions, in the given order.
     #[doc(hidden)]
     pub fn of_positions(&self, chosen: &[u32]) -> Self {
         let of_target = |t| {
@@ -88,14 +88,14 @@ impl Motion {
 pub struct Pose {
     /// Weights of [`Motion::targets`].
     pub weights: Vec<f64>,
-    /// Transforms of vertices by each joint, in part space.
+    /// Vertex transform of each joint, in part space.
     pub joints: Vec<DAffine3>,
     /// Applied last, in order.
     pub deformers: Vec<Deformer>,
 }
 
 impl Pose {
-    /// Returns true if it leaves the mesh as it is.
+    /// Returns true if it leaves the mesh unchanged.
     pub fn is_rest(&self) -> bool {
         self.joints.is_empty()
             && self.deformers.is_empty()

@@ -1,8 +1,8 @@
-//! The cuts of a scene as they are prepared: one for each distance that parts have from it.
+//! Prepared cuts of a scene: each cut once, and once more for each offset that parts have from it.
 //!
-//! A part for which a cut is offset has a copy of the cut to itself, moved in world space before anything is rounded; parts with
-//! equal offsets share one. Copies come after all cuts of the scene, so that those keep their numbers. Nothing downstream knows
-//! of offsets, and what no part has costs nothing there.
+//! A part with an offset from a cut gets its own copy of the cut, moved in world space before rounding; parts with equal offsets
+//! share a copy. Copies come after all cuts of the scene, so that these keep their numbers. Later stages do not deal with offsets,
+//! and unused offsets cost nothing there.
 
 use std::sync::Arc;
 
@@ -13,7 +13,7 @@ use crate::scene::{Cutter, Part, Scene};
 pub(super) struct CutTable(Vec<(usize, f64)>);
 
 impl CutTable {
-    /// The cuts of the scene, then those at an offset.
+    /// The cuts of the scene, then their copies with offsets.
     pub(super) fn of(scene: &Scene) -> Self {
         let mut table: Vec<(usize, f64)> = (0..scene.cuts.len()).map(|cut| (cut, 0.0)).collect();
         for (index, cut) in scene.cuts.iter().enumerate() {
@@ -30,7 +30,7 @@ impl CutTable {
         Self(table)
     }
 
-    /// Indices of the cuts that remove something of a part.
+    /// Indices of the cuts that apply to a part.
     pub(super) fn cuts_of(&self, scene: &Scene, part: &Part) -> Vec<usize> {
         let cuts = scene.cuts.iter().enumerate();
         cuts.filter(|(_, cut)| cut.applies_to(part))
@@ -41,7 +41,7 @@ impl CutTable {
             .collect()
     }
 
-    /// The cuts and their clip-surfaces in scene space; a cutter, which no offset moves, follows the other clip-surfaces of its cut.
+    /// The cuts and their clip-surfaces in scene space; a cutter follows the other clip-surfaces of its cut and is not moved by offsets.
     pub(super) fn placed(
         &self,
         scene: &Scene,

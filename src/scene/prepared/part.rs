@@ -1,7 +1,6 @@
 //! A part in scene space: posed, placed, rounded to f32 once, and split for shading.
 //!
-//! What is large is shared, so that a copy costs nothing. A part that a device places has only its outline here: bounds that
-//! hold it, and its triangles.
+//! Large data is shared, so copies are cheap. A part that a device places has only its bounds and its triangles here.
 
 use std::sync::Arc;
 
@@ -19,27 +18,27 @@ pub struct PreparedPart {
     pub part: usize,
     /// Name of the part.
     pub name: String,
-    /// Vertices in scene space, rounded to f32; none where the device places them.
+    /// Vertices in scene space, rounded to f32; empty if the device places them.
     pub positions: Arc<Vec<Vec3>>,
     /// Counter-clockwise from outside, indices of positions.
     pub triangles: Arc<Vec<[u32; 3]>>,
-    /// Unit normals at the corners of `triangles`, in scene space, where the mesh has them.
+    /// Unit normals at the corners of `triangles`, in scene space, if the mesh has them.
     pub corner_normals: Option<Arc<Vec<[Vec3; 3]>>>,
-    /// Vertices for drawing: `positions` split where the surface has a crease, with a normal each.
+    /// Vertices for drawing: `positions` split where the surface has a crease, each with a normal.
     pub shading: Arc<ShadingMesh>,
-    /// True if it stands in a pose that moves its vertices against each other.
+    /// True if its pose moves its vertices relative to each other.
     pub is_posed: bool,
-    /// A pass of the frame places the vertices, by the pose and the placement of the part: they are not here.
+    /// True if a pass of the frame computes the vertices from the part's pose and placement; they are absent here.
     pub is_on_device: bool,
     /// True if it is [whole](crate::scene::Role::Whole) and cuts remove it entirely: it has no triangles here.
     pub is_hidden: bool,
     /// True if some cut removes the whole part.
     pub is_removed: bool,
-    /// Bounds of `positions`, or a box that holds what the device makes of them.
+    /// Bounds of `positions`, or a box that contains the vertices that the device computes.
     pub bounds: Bounds,
-    /// Greatest distance from a plane of the vertices of a face in it, in scene units; 0 in a pose.
+    /// Maximum distance in scene units at which vertices of a face count as in a plane; 0 for posed parts.
     pub(crate) plane_tolerance: f64,
-    /// Volume of the mesh in its rest pose, as it is placed, in world units: ranks solids that share a point.
+    /// Volume of the placed mesh in its rest pose, in world units; used to rank overlapping solids.
     pub volume_at_rest: f64,
     /// Look.
     pub material: Material,
@@ -50,8 +49,8 @@ pub struct PreparedPart {
 }
 
 impl PreparedPart {
-    /// Moves a part to scene space as it stands in its pose. A mirroring placement turns the triangles round, so that outside
-    /// stays outside.
+    /// Moves a part, in its pose, to scene space. If the placement mirrors, triangle corners are reversed so that faces still
+    /// point outward.
     pub(crate) fn place(index: usize, part: &Part, space: &SceneSpace, cuts: Vec<usize>) -> Self {
         let m = part.world_from_part;
         let mirrored = m.matrix3.determinant() < 0.0;
@@ -90,7 +89,7 @@ impl PreparedPart {
         }
     }
 
-    /// A part that the device places inside of `bounds`, of a mesh with so much volume in part space.
+    /// A part that the device places within `bounds`, from a mesh with the given volume in part space.
     pub(crate) fn outline(
         index: usize,
         part: &Part,
@@ -119,7 +118,7 @@ impl PreparedPart {
     }
 }
 
-/// [`PreparedPart::plane_tolerance`] of a part whose mesh fills `in_part`.
+/// [`PreparedPart::plane_tolerance`] of a part whose mesh has the bounds `in_part`.
 pub(crate) fn tolerance_of(part: &Part, in_part: &Bounds, space: &SceneSpace) -> f64 {
     match part.pose.is_rest() {
         true => plane_tolerance(in_part, &part.world_from_part, space),
@@ -127,7 +126,7 @@ pub(crate) fn tolerance_of(part: &Part, in_part: &Bounds, space: &SceneSpace) ->
     }
 }
 
-/// The corners of a triangle, the other way round where its placement mirrors.
+/// The corners of a triangle, in reversed order if its placement mirrors.
 pub(crate) fn facing_out<T>([a, b, c]: [T; 3], mirrored: bool) -> [T; 3] {
     if mirrored { [a, c, b] } else { [a, b, c] }
 }

@@ -1,4 +1,4 @@
-//! Parts that a cut removes entirely: they have no surface and no cap, closed or open, in the reference as in strategies.
+//! Parts that a cut removes entirely: whether closed or open, they have no surface and no cap, in the reference and in all strategies.
 //!
 //! In an open part, crossings along a ray do not separate inside from outside; but a part wholly on the removed side has no point in
 //! a clip-surface, so it has no cap there.
@@ -32,7 +32,7 @@ fn is_beyond(part: &PreparedPart, surface: &PreparedSurface) -> bool {
     let height = |p: DVec3| (p - surface.origin).dot(surface.frame.normal) + highest;
     let tolerance = part.plane_tolerance;
     let corners = part.bounds.corners().map(height);
-    // What has no thickness may be a face in the surface.
+    // A part without thickness may be a face in the surface.
     if corners.iter().all(|h| *h >= -tolerance) {
         return false;
     }

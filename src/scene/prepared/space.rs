@@ -1,4 +1,4 @@
-//! Scene space: its place in the world, and conversions to it.
+//! Scene space: its position in the world, and conversions to it.
 
 use glam::{DAffine3, DMat3, DVec3, Vec3};
 
@@ -14,7 +14,7 @@ pub struct SceneSpace {
 }
 
 impl SceneSpace {
-    /// The space of data that is in scene space already.
+    /// The identity, for data that is already in scene space.
     pub(crate) const ITSELF: Self = Self {
         centre_in_world: DVec3::ZERO,
         scale: 1.0,
@@ -28,7 +28,7 @@ impl SceneSpace {
         } else {
             1.0
         };
-        // 2^-10 of the radius: few enough bits that moving by it is exact for coordinates that have few bits themselves.
+        // 2^-10 of the radius: few enough bits that the offset is exact for coordinates that have few bits themselves.
         let grid = 1.0 / (scale * 1024.0);
         Self {
             centre_in_world: (world.centre() / grid).round() * grid,
@@ -36,17 +36,17 @@ impl SceneSpace {
         }
     }
 
-    /// A point of the world.
+    /// Converts a point from world space.
     pub fn point(&self, world: DVec3) -> DVec3 {
         (world - self.centre_in_world) * self.scale
     }
 
-    /// A vertex: a point of the world rounded to `f32`.
+    /// Converts a point from world space and rounds it to `f32`, as for vertices.
     pub(crate) fn vertex(&self, world: DVec3) -> Vec3 {
         self.point(world).as_vec3()
     }
 
-    /// A flat clip-surface of the world, in the form of [`PreparedSurface::flat`].
+    /// Converts a flat clip-surface from world space, to the form of [`PreparedSurface::flat`].
     pub(crate) fn flat(&self, world: &FlatSurface) -> FlatSurface {
         FlatSurface {
             origin: rounded_near(self.point(world.origin)),
@@ -55,7 +55,7 @@ impl SceneSpace {
         }
     }
 
-    /// The map from world space.
+    /// The transform from world space.
     pub fn from_world(&self) -> DAffine3 {
         DAffine3::from_mat3_translation(
             DMat3::from_diagonal(DVec3::splat(self.scale)),
@@ -64,10 +64,10 @@ impl SceneSpace {
     }
 }
 
-/// Coordinates up to this are rounded as those of vertices are: the model reaches to 1.
+/// Coordinates up to this are rounded like those of vertices; the model's reach up to 1.
 pub(super) const NEAR_MODEL: f64 = 4.0;
 
-/// The origin of a clip-surface, rounded as vertices are where it is near the model.
+/// The origin of a clip-surface, rounded like vertices if it is near the model.
 pub(super) fn rounded_near(origin: DVec3) -> DVec3 {
     DVec3::from_array((origin.to_array()).map(|c| match c.abs() <= NEAR_MODEL {
         true => f64::from(c as f32),

@@ -10,7 +10,7 @@ use crate::scene::{OffsetMap, SurfaceFrame, Wrap};
 /// A clip-surface in scene space. `T = map_from_scene * (P - origin)`, kept height `(P - origin).N + f(T).height_scale`.
 #[derive(Clone, Debug)]
 pub struct PreparedSurface {
-    /// `O`, rounded to f32 where it is near the model; of a relief that repeats, the repeat of `O` near the model.
+    /// `O`, rounded to f32 if it is near the model; for a repeating relief, the repeat of `O` near the model.
     pub origin: DVec3,
     /// `Û`, `V̂`, `N`.
     pub frame: SurfaceFrame,
@@ -22,21 +22,21 @@ pub struct PreparedSurface {
     pub relief: Option<Arc<OffsetMap>>,
     /// Address mode of the map outside 0..1.
     pub wrap: Wrap,
-    /// A closed mesh in the place of plane and relief: its inside is the removed side.
+    /// A closed mesh that replaces plane and relief: its inside is the removed side.
     pub volume: Option<Arc<PreparedVolume>>,
     /// Index into [`Prepared::cuts`](crate::scene::Prepared::cuts).
     pub cut: usize,
 }
 
-/// A cut by the numbers of its clip-surfaces.
+/// A cut, as the indices of its clip-surfaces.
 #[derive(Clone, Debug)]
 pub struct PreparedCut {
     /// Name of the cut.
     pub name: String,
     /// Index in [`Scene::cuts`](crate::scene::Scene::cuts).
     pub of: usize,
-    /// Extra kept distance over the cut of the scene, in world units ([`Cut::offsets`](crate::scene::Cut::offsets)).
+    /// Offset from the scene's cut, in world units; positive keeps more ([`Cut::offsets`](crate::scene::Cut::offsets)).
     pub keeps: f64,
-    /// Indices into [`Prepared::surfaces`](crate::scene::Prepared::surfaces); all removed sides together make the removed region.
+    /// Indices into [`Prepared::surfaces`](crate::scene::Prepared::surfaces); their removed sides' intersection is the removed region.
     pub surfaces: Vec<usize>,
 }

@@ -1,7 +1,7 @@
-//! A cutter in scene space: placed and rounded to f32 once, as parts are.
+//! A cutter in scene space: placed and rounded to f32 once, like parts.
 //!
-//! Everything large is shared. Orientation is not kept: what is inside follows from parity, and a normal is that of the triangle,
-//! or of its smooth patch, turned towards the viewer.
+//! Large data is shared. Orientation is not kept: parity decides what is inside, and normals are those of the triangle or of its
+//! smooth patch, turned towards the viewer.
 
 use std::sync::Arc;
 
@@ -17,13 +17,13 @@ pub struct PreparedVolume {
     pub name: String,
     /// Vertices in scene space, rounded to f32.
     pub positions: Arc<Vec<Vec3>>,
-    /// The mesh as it was given: its triangles are indices of `positions`.
+    /// The original mesh, whose triangles are indices into `positions`.
     pub mesh: Arc<Mesh>,
-    /// Vertices for shading its caps, if it is smooth: `positions` split at creases, with a normal each.
+    /// Vertices for shading its caps, if it is smooth: `positions` split at creases, each with a normal.
     pub shading: Option<Arc<ShadingMesh>>,
     /// Bounds of `positions`.
     pub bounds: Bounds,
-    /// The outside is the removed side.
+    /// True if the outside is the removed side.
     pub keeps_inside: bool,
     placement: DAffine3,
     space: SceneSpace,
@@ -70,7 +70,7 @@ impl PreparedVolume {
         }
     }
 
-    /// Corners of the triangles, as indices of the vertices.
+    /// Corners of the triangles, as vertex indices.
     pub fn triangles(&self) -> &[[u32; 3]] {
         &self.mesh.triangles
     }

@@ -1,4 +1,4 @@
-//! Offset maps made into one.
+//! Blending of two offset maps into one.
 
 use glam::DVec2;
 use rayon::prelude::*;
@@ -16,9 +16,9 @@ pub enum BlendOp {
     Min,
     /// The higher one.
     Max,
-    /// `1 - (1 - a) (1 - b)`: what is high in either is high, and nothing beyond 1.
+    /// `1 - (1 - a) (1 - b)`: high where either map is high, and never above 1 for maps of 0..=1.
     Screen,
-    /// The product twice where the first is below one half, and the screen of what is left above: the second deepens and raises the first.
+    /// Twice the product where the first is below one half, otherwise a screen of the remainder: the second deepens and raises the first.
     Overlay,
     /// Absolute difference.
     Difference,
@@ -42,7 +42,7 @@ impl BlendOp {
         "mix",
     ];
 
-    /// The operation of a name; `mix` takes one half of each.
+    /// The operation with a given name; `mix` takes one half of each map.
     pub fn named(name: &str) -> Option<Self> {
         Some(match name {
             "add" => Self::Add,
@@ -71,14 +71,14 @@ impl BlendOp {
         }
     }
 
-    /// Blends two maps at the larger width and the larger height; a smaller map is interpolated, as a repeating one.
-    /// What is wrong, if a sum or product leaves the range of f32.
+    /// Blends two maps at the larger width and the larger height; a smaller map is interpolated with repeat addressing.
+    /// Returns an error text if a sum or product leaves the range of f32.
     pub fn blend(self, a: &OffsetMap, b: &OffsetMap) -> Result<OffsetMap, String> {
         let size = [a.size()[0].max(b.size()[0]), a.size()[1].max(b.size()[1])];
         let extent = DVec2::new(f64::from(size[0]), f64::from(size[1]));
         let height = |map: &OffsetMap, x: u32, y: u32| {
             if map.size() == size {
-                // At texel centres interpolation gives the texel, but for rounding.
+                // At texel centres interpolation would give the same texel, except for rounding.
                 return map.texel(Wrap::Repeat, i64::from(x), i64::from(y));
             }
             let t = (DVec2::new(f64::from(x), f64::from(y)) + 0.5) / extent;

@@ -1,20 +1,20 @@
-//! Data derived from an offset map (Trapp and Döllner 2013, section 4.2): its normals, and the visible share of the sky per texel.
+//! Data derived from an offset map (Trapp and Döllner 2013, section 4.2): normals and sky visibility, per texel.
 //!
-//! Normals are of the gradient at texel centres, the mean of those of the four adjacent cells. The sky is sampled in slices through the
-//! plane's normal; each searches the horizon to both sides along growing steps up to two repeats, and the part between them is
-//! integrated in closed form with the cosine to the surface (the integral of ground-truth occlusion, Jimenez et al. 2016).
+//! Normals use the gradient at texel centres, the mean of the four adjacent cells' gradients. The sky is sampled in slices through the
+//! plane's normal; each slice searches the horizon on both sides in growing steps up to two repeats, and the sky between the horizons is
+//! integrated in closed form, weighted by the cosine to the surface (the ground-truth occlusion integral of Jimenez et al. 2016).
 //!
-//! Cost: two texels per normal; [`SLICES`] times twice [`STEPS`] heights per sky value, on all cores. Cannot: see anything farther than
-//! two repeats, or steps over ridges that are thinner than the last steps.
+//! Cost: two texels per normal; [`SLICES`] times twice [`STEPS`] heights per sky value, on all cores. Cannot: detect occluders beyond
+//! two repeats; ridges thinner than the last steps may be missed.
 
 use glam::{DVec2, DVec3, Vec3};
 use rayon::prelude::*;
 
 use crate::scene::{ClipSurface, OffsetMap, Wrap};
 
-/// Directions that are looked along, to both sides.
+/// Number of slices, each searched on both sides.
 const SLICES: u32 = 12;
-/// Heights to each side.
+/// Number of heights sampled on each side of a slice.
 const STEPS: u32 = 48;
 
 /// Placement of a map on its plane.
@@ -49,7 +49,7 @@ impl OffsetMap {
         places.collect()
     }
 
-    /// Share of an even sky's light that reaches each texel centre, 0 to 1, row by row.
+    /// Share of a uniform sky's light that reaches each texel centre, 0 to 1, row by row.
     pub fn visibility(&self, scale: &MapScale) -> Vec<f32> {
         let places: Vec<[u32; 2]> = self.places().collect();
         let visibility = places
@@ -58,7 +58,7 @@ impl OffsetMap {
         visibility.collect()
     }
 
-    /// The same heights on a grid of at least `texels` texels along each side: a smaller map repeats and is interpolated.
+    /// The same heights on a grid with at least `texels` texels along each side: a smaller map is repeated and interpolated.
     #[must_use]
     pub fn at_least(&self, texels: u32) -> Self {
         let size = self.size().map(|n| n.max(1) * texels.div_ceil(n.max(1)));
@@ -94,7 +94,7 @@ impl OffsetMap {
         let slices = (0..SLICES).map(|slice| {
             let turn = std::f64::consts::PI * (f64::from(slice) + 0.5) / f64::from(SLICES);
             let along = DVec2::from_angle(turn);
-            // From the normal of the plane, negative to the back.
+            // Angle from the plane's normal, negative backwards.
             let horizon = |way: f64| {
                 let steepest = (0..STEPS).fold(f64::NEG_INFINITY, |steepest: f64, step| {
                     let share = (f64::from(step) + 1.0) / f64::from(STEPS);
@@ -147,7 +147,7 @@ mod tests {
         });
         let most = most.fold(0.0, f64::max);
         assert!(most < 1e-3, "{most}");
-        // Heights that are linear in cells have the slope of these, but for the rounding of texels.
+        // If heights are linear within cells, normals have their slope, except for the rounding of texels.
         let ramp = profile(64, |t| t);
         let normals = ramp.normals(&scale);
         let truth = DVec3::new(-scale.height / scale.repeat.x, 0.0, 1.0).normalize();

@@ -1,8 +1,8 @@
-//! The heights of procedures.
+//! Computes the heights of procedures.
 //!
 //! Every procedure gives heights in 0..=1 and is periodic over the map, so it tiles without a seam under
 //! [`Wrap::Repeat`](crate::scene::Wrap::Repeat). All but `sawtooth` and `constant` are stretched to reach 0 and 1
-//! exactly, so a scale of `Sz` always means a relief that is `Sz` high. Cost: one evaluation per texel, rows in parallel.
+//! exactly, so a scale of `Sz` always gives a relief of height `Sz`. Cost: one evaluation per texel, rows in parallel.
 
 use glam::DVec2;
 use rayon::prelude::*;
@@ -12,7 +12,7 @@ use super::procedures::{Procedure, ProcedureKind};
 use crate::scene::OffsetMap;
 
 impl Procedure {
-    /// The heights.
+    /// Computes the offset map.
     pub fn map(&self) -> OffsetMap {
         let [w, h] = self.size;
         let heights: Vec<f64> = match self.kind {
@@ -33,7 +33,7 @@ impl Procedure {
         (extent([x, y]) + 0.5) / extent(self.size)
     }
 
-    /// Number of cells on each axis, square or nearly so in texels, for `cells` along the longer side.
+    /// Number of cells along each axis, with `cells` along the longer side; cells are square or nearly square in texels.
     fn grid(&self, cells: u32) -> [u32; 2] {
         let longer = f64::from(self.size[0].max(self.size[1]));
         self.size
@@ -83,7 +83,7 @@ fn broken(t: DVec2, grid: [u32; 2], width: f64, seed: u64) -> f64 {
         let (x, y) = (cell.x as i64, cell.y as i64);
         noise::hash(x.rem_euclid(nx), y.rem_euclid(ny), seed)
     };
-    // Sites keep off the cell borders, so that no two coincide; the two cells around the nearest one hold its neighbours.
+    // Sites keep off the cell borders, so that no two coincide; all neighbours of the nearest site are at most two cells away.
     let site_of = |cell: DVec2| cell + 0.05 + 0.9 * noise::pair(hash_of(cell));
     let around = |centre: DVec2| {
         (-2..=2).flat_map(move |y| {
@@ -107,7 +107,7 @@ fn broken(t: DVec2, grid: [u32; 2], width: f64, seed: u64) -> f64 {
     let edge = (to_groove / width).clamp(0.0, 1.0);
     let own = noise::pair(hash_of(nearest).rotate_left(17));
     let tilt = (own * 2.0 - 1.0).dot(p - site);
-    // Every facet falls to 0 in its grooves, so neighbours of different height meet there.
+    // Every facet drops to 0 in its grooves, so neighbours of different heights join there.
     edge * edge * (3.0 - 2.0 * edge) * (0.6 + 0.4 * own.x + 0.3 * tilt)
 }
 
@@ -122,7 +122,7 @@ fn tread(t: f64, levels: u32) -> u32 {
     if k < levels { k } else { treads - k }
 }
 
-/// Heights moved and scaled to span 0..=1; one half where all are equal.
+/// Heights shifted and scaled to span 0..=1; one half if all are equal.
 fn stretched(mut heights: Vec<f64>) -> Vec<f64> {
     let lo = heights.iter().copied().fold(f64::INFINITY, f64::min);
     let hi = heights.iter().copied().fold(f64::NEG_INFINITY, f64::max);

@@ -1,7 +1,7 @@
-//! Offset maps in three dimensions: layers of one size, and a place between them.
+//! Three-dimensional offset maps: layers of the same size, and interpolation between them.
 //!
-//! Layer `i` lies at the coordinate `i`, as texels lie at their centres; beyond the first and the last the layers go on as the
-//! wrap mode says, so that under `repeat` the last is followed by the first again. The map at a coordinate is the linear
+//! Layer `i` lies at the coordinate `i`, as texels lie at their centres; beyond the first and the last, layers continue as the
+//! wrap mode defines, so that under `repeat` the first follows the last. The map at a coordinate is the linear
 //! interpolation of its two neighbours, in f64 and rounded to f32 once per texel: bilinear interpolation of that map is the
 //! trilinear one of the layers, but for this rounding, and the device and the exact reference evaluate the same
 //! map. At a whole coordinate it is the layer itself. Cost: one pass over the texels whenever the coordinate changes.
@@ -12,7 +12,7 @@ use rayon::prelude::*;
 
 use crate::scene::{OffsetMap, Wrap};
 
-/// The map at a coordinate across layers; why there is none otherwise.
+/// The map at a coordinate across layers; an error text if there is none.
 pub fn between_layers(
     layers: &[Arc<OffsetMap>],
     at: f64,

@@ -1,6 +1,6 @@
-//! Sources of a relief's heights: a procedure, an image, numbers, a blend of two others or a place between layers.
+//! Sources of a relief's heights: a procedure, an image, numbers, a blend of other reliefs, or a position between layers.
 //!
-//! A [`Relief`] describes the source of heights; [`resolve`] turns named ones, which may blend each other, into offset maps;
+//! A [`Relief`] describes the source of heights; [`resolve`] converts named reliefs, which may use each other, to offset maps;
 //! [`ClipSurface::with_relief`](super::ClipSurface::with_relief) puts a map on a section, scaled by a [`Placement`].
 
 mod blend;
@@ -29,11 +29,11 @@ use crate::error::{Error, Result, did_you_mean};
 /// A source of heights.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Relief {
-    /// Computed.
+    /// Computed by a procedure.
     Procedure(Procedure),
     /// The map of an image file.
     Image(Image),
-    /// Named reliefs made into one, from the first on: the second goes onto the first, the third onto what that gives.
+    /// Named reliefs blended in order: the second with the first, the third with that result, and so on.
     Blend {
         /// Their names, at least two.
         of: Vec<String>,
@@ -42,7 +42,7 @@ pub enum Relief {
     },
     /// Heights in a row along `U`, all the same along `V`.
     Profile(Vec<f64>),
-    /// A place between named reliefs of one size ([`between_layers`]).
+    /// A position between named reliefs of the same size ([`between_layers`]).
     Layers {
         /// Names of the layers, in order.
         of: Vec<String>,
@@ -53,7 +53,7 @@ pub enum Relief {
     },
 }
 
-/// The heights of an image file, read and shared. Images are the same that are of one file and one reading.
+/// The heights of an image file, read and shared. Images are equal if they come from the same file and the same read.
 #[derive(Clone, Debug)]
 pub struct Image {
     /// The file.
@@ -69,7 +69,7 @@ impl PartialEq for Image {
 }
 
 impl Relief {
-    /// Names of the reliefs that it is made of.
+    /// Names of the reliefs that it uses.
     pub fn of(&self) -> &[String] {
         match self {
             Self::Blend { of, .. } => of,
@@ -79,7 +79,7 @@ impl Relief {
     }
 }
 
-/// The offset map of a named relief, from those it is made of. Maps already made are in `done` and stay there.
+/// The offset map of a named relief, computed from the reliefs it uses. `done` caches finished maps.
 pub fn resolve(
     name: &str,
     reliefs: &BTreeMap<String, Relief>,
@@ -104,7 +104,7 @@ fn resolve_within(
         return Err(Error::input(culprit, what, help));
     }
     let Some(relief) = reliefs.get(name) else {
-        // Images that are layers have names that no user can write, so they are no help.
+        // Images used as layers have internal names that a user cannot write, so they are not suggested.
         let known = reliefs.keys().map(String::as_str);
         let mut known = known
             .filter(|n| !n.starts_with(char::is_control))

@@ -1,8 +1,8 @@
 //! Periodic noise from integer hashes: the same seed gives the same texels on every machine.
 //!
-//! Lattice coordinates are taken modulo the period before they are hashed, so noise that covers the map with a whole
-//! number of lattice cells has no seam under [`Wrap::Repeat`](crate::scene::Wrap::Repeat). Gradients come from the bits
-//! of the hash, not from sines, whose last digit differs between platforms.
+//! Lattice coordinates are taken modulo the period before they are hashed, so noise with a whole number of lattice cells
+//! across the map has no seam under [`Wrap::Repeat`](crate::scene::Wrap::Repeat). Gradients come from the hash's bits,
+//! not from sines, whose last digits differ between platforms.
 
 use glam::DVec2;
 
@@ -18,7 +18,7 @@ pub(super) fn hash(x: i64, y: i64, seed: u64) -> u64 {
     h
 }
 
-/// Two numbers in 0..1 from the halves of a hash.
+/// Two numbers in 0..1 from the two halves of a hash.
 pub(super) fn pair(hash: u64) -> DVec2 {
     let unit = |bits: u64| f64::from((bits & 0xFFFF_FFFF) as u32) / 4_294_967_296.0;
     DVec2::new(unit(hash >> 32), unit(hash))

@@ -1,8 +1,8 @@
-//! Places a map of heights on a section.
+//! Places a height map on a section.
 //!
-//! The section plane runs through the middle of the heights: the surface never leaves the slab of half its amplitude on either
-//! side, and flat heights give back the plane. The middle of the map lies over the middle of the bounds. Height 1 of the map
-//! rises from the kept side, so grooves of a map are grooves of the solid.
+//! The section plane runs through the middle of the height range: the surface stays within half its amplitude on either side of
+//! the plane, and a flat map gives the plane itself. The map's centre lies over the centre of the bounds. Height 1 of the map
+//! rises from the kept side, so grooves in the map are grooves in the solid.
 
 use std::sync::Arc;
 
@@ -17,12 +17,12 @@ use crate::scene::{Bounds, ClipSurface, OffsetMap, Wrap};
 pub struct Placement {
     /// Height from the lowest to the highest point of the relief.
     ///
-    /// Percent are of the bounds' diagonal.
+    /// Percentages refer to the bounds' diagonal.
     #[value(unit = "units", example = "6%")]
     pub amplitude: Amount,
     /// Length of one repeat of the relief.
     ///
-    /// Along `U`. `None` is a share of the diagonal that suits the relief.
+    /// Along `U`. `None` selects a share of the diagonal that suits the relief.
     #[value(range = SMALLEST.., unit = "units", example = "40%")]
     pub period: Option<Amount>,
     /// Wrap mode of the relief.
@@ -40,8 +40,8 @@ impl Default for Placement {
     }
 }
 
-/// The period in percent of the diagonal where none is given: one clamped map over all of the model, about ten teeth of
-/// a saw-tooth, whose map is 2 x 2, and little more than one repeat of the others.
+/// Default period in percent of the diagonal: one clamped map over the whole model, about ten teeth of a sawtooth, whose map
+/// is 2 x 2, or little more than one repeat of other maps.
 fn usual_period(map: &OffsetMap, wrap: Wrap) -> f64 {
     match (wrap, map.size()) {
         (Wrap::Clamp, _) => 100.0,
@@ -51,12 +51,12 @@ fn usual_period(map: &OffsetMap, wrap: Wrap) -> f64 {
 }
 
 impl ClipSurface {
-    /// The same with a map on it, scaled by a placement; percentages are of the diagonal of `bounds`, which is the box of
-    /// the cut geometry. Texels of images that have both a width and a height stay as square as they are.
+    /// The same surface with a map on it, scaled by a placement; percentages refer to the diagonal of `bounds`, the box of the
+    /// cut geometry. Texels of images that have both a width and a height keep their aspect ratio.
     ///
     /// # Errors
     ///
-    /// A placement without length, or one out of the range that can be computed for a model of this size.
+    /// If the placement has a zero length, or is out of the range that can be computed for a model of this size.
     pub fn with_relief(
         self,
         map: impl Into<Arc<OffsetMap>>,
@@ -70,8 +70,8 @@ impl ClipSurface {
     }
 }
 
-/// Puts a map on a plane; an error text if the placement has no length. Texels of images that have both a width and a
-/// height stay as square as they are: `|V|` follows from the period, `|U|`.
+/// Puts a map on a plane; an error text if the placement has a zero length. Texels of images that have both a width and a
+/// height keep their aspect ratio: `|V|` follows from the period, `|U|`.
 pub fn place_map(
     surface: ClipSurface,
     map: Arc<OffsetMap>,
@@ -104,7 +104,7 @@ pub fn place_map(
     if let Some(what) = range::beside(amplitude, bounds) {
         return Err(format!("the amplitude {amplitude:.2e} is {what}"));
     }
-    // As many repeats of the map lie across the model.
+    // The diagonal divided by the period is the number of map repeats across the model.
     if diagonal > 0.0 && shortest < diagonal / range::MOST_RADII {
         let (most, shortest) = (range::MOST_RADII, shortest);
         return Err(format!(

@@ -1,8 +1,8 @@
-//! Reliefs that need no file: their names, numbers and usual values. `heights.rs` computes them.
+//! Procedural reliefs, which need no file: names, parameters and default values. `heights.rs` computes them.
 
 use crate::scene::describe::{Described, Field, Given, Leaf, ValueType};
 
-/// Most texels of a map: 128 MiB of f32, the largest buffer every WebGPU adapter can bind.
+/// Maximum number of texels of a map: 128 MiB of f32, the largest buffer that every WebGPU adapter can bind.
 pub const MAX_TEXELS: u64 = 1 << 25;
 
 /// Function that a procedure computes.
@@ -11,7 +11,7 @@ pub enum ProcedureKind {
     /// The 2 x 2 map of Diepstraten et al. 2003: repeated, its bilinear interpolation is a zigzag along `U`, one tooth
     /// per repeat and straight along `V`. Under mirror or clamp it has only one flank.
     Sawtooth,
-    /// Egg-crate of cosines, by whole waves along `U` and `V`; 0 waves leaves that direction straight.
+    /// Egg-crate of cosines, with a whole number of waves along `U` and `V`; 0 waves leaves that direction straight.
     Waves {
         /// Waves along `U` and along `V`.
         count: [u32; 2],
@@ -22,19 +22,19 @@ pub enum ProcedureKind {
         cells: u32,
         /// Number of octaves; those finer than two texels are left out, since they would only alias.
         octaves: u32,
-        /// Height of an octave over that of the coarser one.
+        /// Amplitude of an octave relative to the next coarser one.
         gain: f64,
     },
-    /// Broken ground: Voronoi cells (Worley 1996), each a tilted facet of its own height, parted by grooves.
+    /// Cracked ground: Voronoi cells (Worley 1996), each a tilted facet with its own height, separated by grooves.
     Cracks {
         /// Cells along the longer side of the map.
         cells: u32,
         /// Half width of a groove, in cells.
         width: f64,
     },
-    /// Terraces: treads up and down again along `U` and along `V`, with risers one texel wide.
+    /// Terraces: steps up and down again along `U` and `V`, with risers one texel wide.
     Steps {
-        /// Heights in each direction, at least 2.
+        /// Number of heights in each direction, at least 2.
         levels: u32,
     },
     /// One height everywhere.
@@ -61,7 +61,7 @@ impl Procedure {
         "sawtooth", "waves", "fractal", "cracks", "steps", "constant",
     ];
 
-    /// The procedure of a name, with defaults that suit most models.
+    /// The procedure with a given name, with defaults that suit most models.
     pub fn named(name: &str) -> Option<Self> {
         use ProcedureKind::{Constant, Cracks, Fractal, Sawtooth, Steps, Waves};
         let (kind, size) = match name {
@@ -100,7 +100,7 @@ impl Procedure {
             .then(|| format!("{w} x {h} is more than {MAX_TEXELS} texels"))
     }
 
-    /// Declarations of the numbers of all kinds.
+    /// Declarations of the parameters of all kinds.
     pub const FIELDS: &'static [Field] = &[
         SIZE, SEED, COUNT, CELLS, OCTAVES, GAIN, WIDTH, LEVELS, VALUE,
     ];
@@ -163,7 +163,7 @@ const VALUE: Field = Field::leaf(
     "0.5",
 );
 
-/// The numbers of its kind.
+/// The parameters of its kind.
 impl Described for Procedure {
     fn fields(&self) -> &'static [Field] {
         match self.kind {

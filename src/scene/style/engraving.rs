@@ -1,18 +1,18 @@
-//! Engraving: tone as lines on surfaces.
+//! Engraving: tone shown by lines on surfaces.
 
 use super::lengths::MIL;
 use crate::scene::describe::Described;
 
-/// Parallel lines on surfaces, wider where it is darker: where the surface meets a family of parallel planes of the scene, so that they
-/// need no parametrisation and stay where they are while the camera moves. Between two scales every second line thins out.
+/// Parallel lines on surfaces, wider in darker areas. They are the intersections with a family of parallel planes fixed in the scene, so
+/// they need no parametrisation and stay in place while the camera moves. Between two scales every second line thins out.
 #[derive(Clone, Copy, Debug, PartialEq, Described)]
 pub struct Engraving {
     /// Approximate distance between lines on surfaces (engraved).
     #[value(range = 1.0..=1000.0, unit = MIL, example = 6.7)]
     pub spacing: f32,
-    /// Direction across the lines, in the world.
+    /// Direction across the lines, in world space.
     ///
-    /// Of any length but 0.
+    /// May have any length except 0.
     #[value(example = [1, 0.25, 0.1])]
     pub across: [f32; 3],
     /// Direction across the second set of lines, drawn in dark tones only.

@@ -1,11 +1,11 @@
-//! Ghost: removed geometry that is still shown.
+//! Ghost: removed geometry that is still drawn.
 
 use glam::Vec3;
 
 use super::lengths::{MIL, WIDEST};
 use crate::scene::describe::Described;
 
-/// The uncut solids where a cut has taken something of them away.
+/// Drawing of the uncut solids where a cut has removed parts of them.
 #[derive(Clone, Copy, Debug, PartialEq, Described)]
 pub struct Ghost {
     /// Drawing of removed geometry.
@@ -25,7 +25,7 @@ pub struct Ghost {
     pub color: Option<Vec3>,
 }
 
-/// Elements that are drawn of the removed geometry.
+/// How removed geometry is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default, PartialOrd, Ord, Described)]
 pub enum GhostKind {
     /// Nothing.
@@ -33,7 +33,7 @@ pub enum GhostKind {
     None,
     /// Phantom lines: a long dash and two dots (ISO 128-2, 05.1).
     Lines,
-    /// Glass, seen where it is grazed.
+    /// Glass, visible at grazing angles.
     Glass,
     /// Both.
     Both,

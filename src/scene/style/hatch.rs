@@ -5,8 +5,8 @@ use glam::Vec3;
 use super::lengths::{MIL, WIDEST};
 use crate::scene::describe::Described;
 
-/// Parallel lines on caps, in units of the scene: they stay where they are while the camera moves. Parts that touch have unlike ones.
-/// Lengths are in thousandths of the picture's height, as the scene was first seen.
+/// Parallel lines on caps, fixed in scene units, so they stay in place while the camera moves. Touching parts have different hatches.
+/// Lengths are in thousandths of the picture's height in the first view of the scene.
 #[derive(Clone, Copy, Debug, PartialEq, Described)]
 pub struct Hatch {
     /// Width of hatch lines on caps; 0 for none.
@@ -18,7 +18,7 @@ pub struct Hatch {
     /// Colour of hatch lines, instead of the line colour.
     #[value(example = "#9cc4ff")]
     pub color: Option<Vec3>,
-    /// Line direction on the first of a group of touching parts.
+    /// Line direction on the first part of a group of touching parts.
     #[value(unit = "degrees", example = 45)]
     pub angle_deg: f32,
     /// Line spacing as a multiple of the mean thickness of the part.
@@ -35,25 +35,25 @@ pub struct Hatch {
     /// Parts with a smaller mean thickness are filled instead of hatched.
     #[value(range = 0.0..=1000.0, unit = MIL, example = 2.9)]
     pub solid_below: f32,
-    /// Frame that lines are fixed to: the part that moves, or the cut.
+    /// Frame that lines are fixed to: the moving part, or the cut.
     #[value(example = "cut")]
     pub anchor: HatchAnchor,
-    /// Keeps lines when the camera comes closer, or doubles and halves their number.
+    /// Whether lines keep their spacing in the scene when the camera moves closer, or double and halve it.
     #[value(example = "banded")]
     pub zoom: HatchZoom,
 }
 
-/// Anchor of the lines of a hatch.
+/// Anchor of hatch lines.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default, PartialOrd, Ord, Described)]
 pub enum HatchAnchor {
-    /// The part, where that moves as a whole: lines turn about the normal of the cut and shift along it as the part does.
+    /// The part, if it moves as a whole: lines follow its rotation about the cut's normal and its shift.
     #[default]
     Part,
     /// The clip-surface.
     Cut,
 }
 
-/// Behaviour of the distances between lines when the camera comes nearer.
+/// Behaviour of the line spacing when the camera moves closer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default, PartialOrd, Ord, Described)]
 pub enum HatchZoom {
     /// Distances are fixed in the scene.

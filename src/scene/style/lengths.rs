@@ -3,5 +3,5 @@
 /// Unit of lengths.
 pub(super) const MIL: &str = "1/1000 of the height";
 
-/// Greatest width of a line, in that unit.
+/// Largest line width, in that unit.
 pub(super) const WIDEST: f64 = 20.0;

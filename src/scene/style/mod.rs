@@ -1,10 +1,10 @@
-//! Style: everything about how a picture looks and nothing about what it shows.
+//! Style: how a picture looks, not what it shows.
 //!
 //! Colours of parts come from their materials; a style takes their hue and sets lightness and chroma ([`Tint`]), so that an assembly of a
-//! hundred parts stays calm. Lengths are in thousandths of the picture's height ([`Style::px`]): a picture looks the same at 768 and at
-//! 4000 rows. What a style does not ask for costs nothing: no pass, no binding, no instruction.
+//! hundred parts looks calm. Lengths are in thousandths of the picture's height ([`Style::px`]): a picture looks the same at 768 and at
+//! 4000 rows. Effects that a style does not use cost nothing: no pass, no binding, no instruction.
 //!
-//! The default is `lit`, which is what measurements take. The others are files (`crates/io/src/document/styles`).
+//! The default style is `lit`, which measurements use. The other styles are files (`crates/io/src/document/styles`).
 
 mod engraving;
 mod ghost;
@@ -36,7 +36,7 @@ pub struct Style {
     pub paper: Paper,
     /// Line colour.
     ///
-    /// Of strokes and hatches.
+    /// Used for strokes and hatches.
     #[value(example = "#20262e")]
     pub ink: Vec3,
     /// Shading model.
@@ -54,7 +54,7 @@ pub struct Style {
     /// Lines on caps.
     #[value(table)]
     pub hatch: Hatch,
-    /// Darkening of what lies deep.
+    /// Darkening of recessed areas.
     #[value(table)]
     pub occlusion: Occlusion,
     /// Drawing of removed geometry.
@@ -66,7 +66,7 @@ pub struct Style {
     /// Lines on surfaces, used if `shading` selects them.
     #[value(table)]
     pub engraving: Engraving,
-    /// Lines between what differs.
+    /// Outlines, contours and creases.
     #[value(table)]
     pub strokes: Strokes,
 }
@@ -112,7 +112,7 @@ impl Default for SurfaceLook {
     }
 }
 
-/// Differences of caps from surfaces.
+/// Settings for caps that differ from those for surfaces.
 #[derive(Clone, Copy, Debug, PartialEq, Described)]
 pub struct CapLook {
     /// Colours of caps.
@@ -120,12 +120,12 @@ pub struct CapLook {
     pub tint: Tint,
     /// Share of the light that caps receive (calm).
     ///
-    /// At 0 they have their colour whatever the light.
+    /// At 0 caps have their plain colour, regardless of lighting.
     #[value(range = 0.0..=1.0, example = 1)]
     pub light: f32,
     /// Share of cap shading that depends on the normal (calm).
     ///
-    /// The rest is even, as of paper.
+    /// The rest is uniform, like paper.
     #[value(range = 0.0..=1.0, example = 0.6)]
     pub relief: f32,
 }
@@ -182,7 +182,7 @@ pub enum Shading {
     /// A key light over the left shoulder, a cool fill, highlights.
     #[default]
     Lit,
-    /// The same lights, soft and without highlights, on colours of one lightness.
+    /// The same lights, soft and without highlights, on colours of equal lightness.
     Calm,
     /// No light at all.
     Flat,
@@ -196,8 +196,8 @@ pub enum Shading {
     Engraved,
 }
 
-/// Light from cool to warm: cool is a blue and a share of the own colour, warm a yellow and a share of that (Gooch et al. 1998, b, y, alpha
-/// and beta).
+/// Shading from cool to warm: cool is a blue plus a share of the part's colour, warm a yellow plus a share of it (Gooch et al. 1998: b, y,
+/// alpha and beta).
 #[derive(Clone, Copy, Debug, PartialEq, Described)]
 pub struct Gooch {
     /// Amount of blue in the cool tone (gooch).
@@ -216,7 +216,7 @@ pub struct Gooch {
 
 impl Default for Gooch {
     fn default() -> Self {
-        // Less green on metal than with the 0.4, 0.4, 0.2, 0.6 of the paper.
+        // Gives metal less green than the paper's values 0.4, 0.4, 0.2, 0.6.
         Self {
             blue: 0.40,
             yellow: 0.30,
@@ -226,8 +226,8 @@ impl Default for Gooch {
     }
 }
 
-/// Widths of strokes by the class of border that they are on, in thousandths of the picture's height; 0 draws none. A border is between
-/// two samples of the picture, strongest class first.
+/// Stroke widths by class of border, strongest class first, in thousandths of the picture's height; 0 draws none. A border lies between
+/// two samples of the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Described)]
 pub struct Strokes {
     /// Width of strokes around the model; 0 for none.
@@ -235,13 +235,13 @@ pub struct Strokes {
     pub outline: f32,
     /// Width of strokes around caps.
     ///
-    /// Unless the model ends there.
+    /// Except where the model ends there.
     #[value(range = 0.0..=WIDEST, unit = MIL, example = 2.1)]
     pub cut: f32,
     /// Width of strokes between parts.
     #[value(range = 0.0..=WIDEST, unit = MIL, example = 1.5)]
     pub part: f32,
-    /// Width of strokes between caps of one part by two clip-surfaces.
+    /// Width of strokes between a part's caps on two clip-surfaces.
     #[value(range = 0.0..=WIDEST, unit = MIL, example = 1.3)]
     pub face: f32,
     /// Width of strokes where a part occludes itself.

@@ -1,8 +1,8 @@
-//! Occlusion: darkening of places that see little of the sky.
+//! Occlusion: darkening of points from which little of the sky is visible.
 
 use crate::scene::describe::Described;
 
-/// Darkening of what lies deep, from the layers of a picture.
+/// Darkening of recessed areas, computed from a picture's layers.
 #[derive(Clone, Copy, Debug, PartialEq, Described)]
 pub struct Occlusion {
     /// Ambient-occlusion method.
@@ -14,7 +14,7 @@ pub struct Occlusion {
     /// Planes searched for horizons per pixel (horizon).
     #[value(range = 1.0..=32.0, example = 3)]
     pub slices: u32,
-    /// Samples on each side of a plane (horizon).
+    /// Samples along each plane on either side of the pixel (horizon).
     #[value(range = 1.0..=64.0, example = 6)]
     pub steps: u32,
     /// Standard deviation of the blur, in percent of the picture's diagonal (unsharp).
@@ -31,9 +31,9 @@ pub struct Occlusion {
     /// Weight of occlusion on caps.
     #[value(range = 0.0..=1.0, example = 0.35)]
     pub cap: f32,
-    /// Weight of a cap's occlusion by its own relief.
+    /// Weight of the occlusion of caps by their own relief.
     ///
-    /// Whatever the kind.
+    /// Applies to every method.
     #[value(range = 0.0..=1.0, example = 0.5)]
     pub relief: f32,
 }
@@ -44,10 +44,10 @@ pub enum OcclusionKind {
     /// No occlusion.
     #[default]
     None,
-    /// The share of the sky over the horizons around, weighted by the cosine: of what the picture shows the true one (Jimenez et al. 2016).
+    /// Cosine-weighted share of the sky above the surrounding horizons: ground truth for the visible geometry (Jimenez et al. 2016).
     Horizon,
-    /// The difference of depth and blurred depth (Luft, Colditz and Deussen 2006), as Trapp and Döllner 2013 have it (4.5): sets apart in
-    /// depth and leaves narrow gaps as they are.
+    /// Difference of depth and blurred depth (Luft, Colditz and Deussen 2006), as in Trapp and Döllner 2013 (4.5): emphasises depth steps
+    /// and leaves narrow gaps unchanged.
     Unsharp,
 }
 

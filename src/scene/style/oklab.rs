@@ -1,4 +1,4 @@
-//! OKLab, a space of colours in which equal steps look equal (Björn Ottosson, "A perceptual color space for image processing", 2020).
+//! OKLab, a colour space in which equal steps look equal (Björn Ottosson, "A perceptual color space for image processing", 2020).
 
 use glam::{Mat3, Vec3};
 
@@ -11,20 +11,20 @@ const CONES_FROM_LINEAR: Mat3 = Mat3::from_cols(
     Vec3::new(0.051_445_993, 0.107_396_96, 0.629_978_7),
 );
 
-/// From the cube roots of the responses to lightness and the two axes of hue, by columns.
+/// From the cube roots of the cone responses to lightness and the two colour axes, by columns.
 const LAB_FROM_ROOTS: Mat3 = Mat3::from_cols(
     Vec3::new(0.210_454_26, 1.977_998_5, 0.025_904_037),
     Vec3::new(0.793_617_8, -2.428_592_2, 0.782_771_77),
     Vec3::new(-0.004_072_047, 0.450_593_7, -0.808_675_77),
 );
 
-/// Lightness, green to red, blue to yellow.
+/// Lightness, green-red axis, blue-yellow axis.
 pub(super) fn oklab_from_srgb(color: Vec3) -> Vec3 {
     let cones = CONES_FROM_LINEAR * map_channels(color, linear_from_srgb);
     LAB_FROM_ROOTS * map_channels(cones, f32::cbrt)
 }
 
-/// The nearest by each channel where the colour is none of sRGB.
+/// Converts to sRGB; each channel of a colour outside sRGB is clamped.
 pub(super) fn srgb_from_oklab(lab: Vec3) -> Vec3 {
     let roots = LAB_FROM_ROOTS.inverse() * lab;
     let linear = CONES_FROM_LINEAR.inverse() * (roots * roots * roots);

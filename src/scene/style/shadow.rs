@@ -1,18 +1,18 @@
-//! Shadow: what stands on a ground darkens it.
+//! Shadow: the model darkens the ground that it stands on.
 
 use crate::scene::describe::Described;
 
-/// The shadow on a level ground below all kept geometry, of light from straight above. Lights of a style shine from the camera; this one
-/// shows the ground contact. It is drawn only on request: by `render` and `animate`, and for a [`Model`](crate::Model) that was
-/// given one by [`Model::on_ground`](crate::Model::on_ground), which its updates forget.
+/// The shadow on level ground below all kept geometry, of light from straight above. A style's lights shine from the camera; this one
+/// shows ground contact. It is drawn only on request: by `render` and `animate`, and for a [`Model`](crate::Model) that was
+/// given one by [`Model::on_ground`](crate::Model::on_ground), which an update of the model removes.
 #[derive(Clone, Copy, Debug, PartialEq, Described)]
 pub struct Shadow {
     /// Darkness of the ground shadow; 0 for none.
     ///
-    /// Share of the light that is missing in full shadow.
+    /// Share of light missing in full shadow.
     #[value(range = 0.0..=1.0, example = 0.35)]
     pub strength: f32,
-    /// Angular radius of the light around the zenith; a larger one makes softer shadows.
+    /// Angular radius of the light around the zenith; larger values give softer shadows.
     #[value(range = 0.0..=70.0, unit = "degrees", example = 25)]
     pub spread_deg: f32,
 }

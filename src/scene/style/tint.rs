@@ -1,4 +1,4 @@
-//! Colours of parts as a style has them.
+//! Part colours as modified by a style.
 
 use glam::Vec3;
 
@@ -17,10 +17,10 @@ pub enum Tint {
     Hue(Hue),
 }
 
-/// Lightness and chroma of all parts, whose hues stay their own.
+/// Lightness and chroma for all parts; each part keeps its hue.
 #[derive(Clone, Copy, Debug, PartialEq, Described)]
 pub struct Hue {
-    /// OKLab lightness; hues stay those of the parts.
+    /// OKLab lightness; parts keep their hues.
     #[value(range = 0.0..=1.0, example = 0.8)]
     pub lightness: f32,
     /// Largest OKLab chroma.
@@ -93,7 +93,7 @@ impl Tint {
         Hue::FIELDS[2],
     ];
 
-    /// The colour of a part in a colour of its own; what the part is given for this very place comes before all.
+    /// The tinted colour of a part; `given`, a colour set for the part itself here, takes precedence over the tint.
     pub(super) fn of(self, color: Vec3, given: Option<Vec3>) -> Vec3 {
         if let Some(given) = given {
             return given;

@@ -1,4 +1,4 @@
-//! Lengths in units, or in percent of what a key names.
+//! Lengths in units or in percent of a reference length.
 
 use std::fmt;
 
@@ -7,7 +7,7 @@ use std::fmt;
 pub enum Amount {
     /// In world units.
     Units(f64),
-    /// In percent of something the user of the amount names.
+    /// In percent of a reference that the caller chooses.
     Percent(f64),
 }
 
@@ -32,7 +32,7 @@ impl Amount {
         })
     }
 
-    /// The coordinate between two others; 0 % and 100 % are exactly they.
+    /// The coordinate in a range; 0 % and 100 % give exactly its ends.
     pub fn between(self, min: f64, max: f64) -> f64 {
         match self {
             Self::Units(v) => v,

@@ -1,4 +1,4 @@
-//! Numbers as documents have them, rounded so that they are read easily.
+//! Rounding of numbers in documents for readability.
 
 /// Rounds to a number of decimals, which may be negative; never returns -0. A value without such a neighbour is returned unchanged.
 pub fn to_decimals(value: f64, decimals: i32) -> f64 {

@@ -1,4 +1,4 @@
-//! Length of a model's unit, as formats state it.
+//! Length units of models, as specified by file formats.
 
 /// A unit of length.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -18,7 +18,7 @@ pub enum LengthUnit {
 }
 
 impl LengthUnit {
-    /// All, the shortest first.
+    /// All units, the shortest first.
     pub const ALL: [Self; 6] = [
         Self::Micron,
         Self::Mm,
@@ -52,7 +52,7 @@ impl LengthUnit {
         }
     }
 
-    /// The word of 3MF for it.
+    /// Its name in 3MF.
     pub fn in_3mf(self) -> &'static str {
         match self {
             Self::Micron => "micron",

@@ -1,4 +1,4 @@
-//! Numbers: their range, their units, and how documents and readers have them.
+//! Numbers: their range, their units, and their formatting for documents and human readers.
 
 pub(super) mod amount;
 pub(super) mod decimals;

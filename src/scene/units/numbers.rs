@@ -1,4 +1,4 @@
-//! Numbers for readers.
+//! Formatting of numbers for human readers.
 
 /// A number with six significant digits and no more zeros than it needs.
 pub fn round(value: f64) -> String {
@@ -17,7 +17,7 @@ pub fn round(value: f64) -> String {
     }
 }
 
-/// A coordinate with as many digits as `f32` needs to read it back: typed into a plane, a face that is there is in the plane.
+/// A coordinate with enough digits to read it back as `f32`, so that a face there lies in a plane typed with this number.
 pub(crate) fn coordinate(value: f64) -> String {
     let short = round(value);
     match short.parse::<f32>() {

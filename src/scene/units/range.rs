@@ -4,10 +4,10 @@
 
 use crate::scene::Bounds;
 
-/// Largest magnitude of coordinates and of numbers that are written for a scene: the product of three is still a number.
+/// Largest magnitude of coordinates and other numbers in a scene: the product of three is still finite.
 pub const LARGEST: f64 = 1e100;
 
-/// Least length that is not 0, for the same reason.
+/// Smallest nonzero length, for the same reason.
 pub const SMALLEST: f64 = 1e-100;
 
 /// Greatest distance in radii of the model: farther away, coordinates overflow f32 in the model's space.

@@ -1,7 +1,7 @@
-//! The camera as the user states it, and the [`View`] that it resolves to.
+//! The camera as the user specifies it, and the [`View`] that it resolves to.
 //!
-//! An orbit looks at the model from a direction, at a distance that shows all that it is fitted to ([`Fit`]): the box of the model, or
-//! the silhouette of the geometry that the cuts keep. An explicit viewpoint stays where it is.
+//! An orbit looks at the model from a direction, at a distance that shows everything it is fitted to ([`Fit`]): the model's box, or the
+//! silhouette of the geometry that the cuts keep. An explicit viewpoint is not moved.
 
 use glam::{DVec2, DVec3};
 
@@ -17,7 +17,7 @@ pub enum Projection {
         /// Between the lower and the upper border of the picture.
         fov_y_deg: f64,
     },
-    /// Parallel rays; the height of the picture in world units, or what shows everything.
+    /// Parallel rays; the picture's height in world units, or fitted if it is `None`.
     Orthographic {
         /// World units from the lower to the upper border.
         height: Option<f64>,
@@ -34,14 +34,14 @@ pub enum Viewpoint {
         /// Height above the horizon.
         elevation_deg: f64,
     },
-    /// In a direction that is given outright, far enough to show all that it is fitted to.
+    /// In an explicit direction, far enough to show everything it is fitted to.
     Along {
         /// Into the picture, in world space.
         forward: DVec3,
         /// Direction that points up in the picture.
         view_up: DVec3,
     },
-    /// Given outright, in world space.
+    /// An explicit position in world space.
     Explicit {
         /// The eye.
         position: DVec3,
@@ -75,13 +75,13 @@ pub struct Camera {
     pub near: Option<f64>,
     /// Geometry that an orbit is fitted to.
     pub fit: Fit,
-    /// Magnification over the fitted size.
+    /// Magnification relative to the fitted size.
     pub zoom: f64,
     /// Shift of the picture to the right and up, in picture heights. The eye does not move, so occlusion does not change.
     pub pan: DVec2,
-    /// Draw a cap where the near plane cuts a solid. Without it a ray that begins inside a solid shows what it *enters* next, a
-    /// surface or a cap: neither the near plane's section nor the wall by which it leaves. Strategies tell that wall by its back,
-    /// exact by counting; they agree where faces face outward and no mesh overlaps itself.
+    /// Draw a cap where the near plane cuts a solid. Without it, a ray that starts inside a solid shows what it *enters* next, a
+    /// surface or a cap: neither the near plane's section nor the wall where it leaves. Strategies recognise that wall as back-facing,
+    /// `exact` by counting; they agree if faces point outward and no mesh overlaps itself.
     pub near_cap: bool,
 }
 
@@ -175,7 +175,7 @@ impl Camera {
                 .map(|p| DVec3::from_array(axes.map(|axis| p.dot(axis))))
                 .collect()
         });
-        // How far the corners reach from the middle of the picture.
+        // Extent of the corners from the picture's centre.
         let reach = bounds.corners().map(|c| {
             let d = c - centre;
             DVec3::new(d.dot(right), d.dot(up), d.dot(forward))

@@ -1,15 +1,15 @@
-//! Cameras that are turned to where cuts are seen: from a usual place half of all sections show only their backs.
+//! Turns cameras so that cut faces are visible: from a default viewpoint, half of all sections show only their backs.
 
 use glam::DVec3;
 
 use crate::scene::{Bounds, Camera, ClipSurface, Cut, Up, Viewpoint};
 
-/// A cut face counts as seen if the cosine between its normal and the view is more.
+/// A cut face counts as seen if the cosine between its normal and the view is greater than this.
 const LEAST_COSINE: f64 = 0.1;
 
 impl Viewpoint {
-    /// Straight at the plane of a clip-surface, from the side that it removes. What is up in the picture is what is upright on the plane,
-    /// as of [`ClipSurface::upright`].
+    /// Looks straight at a clip-surface's plane, from the side that it removes. Up in the picture is the plane's upright direction, as in
+    /// [`ClipSurface::upright`].
     pub fn facing(surface: &ClipSurface, up: Up) -> Self {
         let normal = surface.frame().normal;
         let upright = ClipSurface::upright(surface.origin, normal, up);
@@ -21,15 +21,15 @@ impl Viewpoint {
 }
 
 impl Camera {
-    /// The same orbit, mirrored or from behind, from where most faces of some cuts are seen; of equals this one. A viewpoint that is
-    /// explicit stays.
+    /// This orbit, a mirrored one or one from behind, whichever sees most of the cuts' faces; with equal counts this one. An explicit
+    /// viewpoint is unchanged.
     #[must_use]
     pub fn facing<'a>(self, cuts: impl IntoIterator<Item = &'a Cut, IntoIter: Clone>) -> Self {
         let viewpoint = self.viewpoint_facing(cuts.into_iter(), [true; 2]);
         Self { viewpoint, ..self }
     }
 
-    /// As [`Camera::facing`], where azimuth and elevation may be `free` or not.
+    /// As [`Camera::facing`], but `free` decides whether azimuth and elevation may change.
     #[doc(hidden)]
     pub fn viewpoint_facing<'a>(
         &self,

@@ -1,16 +1,16 @@
-//! Views from the matrices of a host, and its depth buffer.
+//! Views from a host's camera matrices, and its depth buffer.
 //!
-//! A host has a camera already: where it stands (`world_from_view`) and how it projects (`clip_from_view`), with depth from 0 to 1 as
-//! WebGPU, Direct3D and Metal have it. Both are column-major as glam's. A perspective camera looks along that axis of `z` along which
-//! `w` grows, a parallel one along negative `z`, as in glam's right-handed matrices. Off-centre projections and jitter by parts of a
-//! pixel are kept. Cannot: draw pixels that are not square, or a mirrored world.
+//! A host already has a camera: its pose (`world_from_view`) and projection (`clip_from_view`), with depth from 0 to 1 as in WebGPU,
+//! Direct3D and Metal. Both matrices are column-major, like glam's. A perspective camera looks along the direction of `z` in which
+//! `w` grows, a parallel one along negative `z`, as in glam's right-handed matrices. Off-centre projections and sub-pixel jitter are
+//! kept. Cannot: draw pixels that are not square, or a mirrored world.
 
 use glam::{DMat4, DVec2, DVec3};
 
 use crate::scene::{Precision, Prepared, View};
 use crate::{Error, Result};
 
-/// By how much pixels may be off square, and axes off unit length.
+/// Tolerance for non-square pixels and for axes without unit length.
 const TOLERANCE: f64 = 1e-4;
 
 /// Map from the distance to the eye, along the viewing direction, to the depth buffer of a host.
@@ -54,7 +54,7 @@ impl HostDepth {
         a * d - b * c < 0.0
     }
 
-    /// The distance that becomes a depth.
+    /// The distance at a depth.
     fn distance(&self, depth: f64) -> f64 {
         let [a, b, c, d] = self.coefficients;
         (b - depth * d) / (depth * c - a)
@@ -66,7 +66,7 @@ impl Prepared {
     ///
     /// # Errors
     ///
-    /// Pixels that are not square, axes that are no turn, and matrices that are no projection.
+    /// If pixels are not square, the axes are not a rotation, or the matrix is not a projection.
     pub fn view_from(
         &self,
         world_from_view: &DMat4,

@@ -4,8 +4,8 @@
 //! its corners at vertices that are kept, where edges cross clip-surfaces, where two planes of different cuts meet in a triangle, and
 //! where three meet inside the solid. Planes are met exactly. Along a relief edges are followed in steps and the crossing is found by
 //! bisection; what rises between them is looked up at points of a grid, and where three meet inside a solid they count as planes.
-//! A cutter is taken for nothing, and one that keeps its inside for its box: what is fitted to is then
-//! too large, as it is by less than the height of a relief where a section is hollow.
+//! A cutter is ignored, and one that keeps its inside is replaced by its box: the outline is then too
+//! large, as it also is, by less than the height of a relief, where a section is hollow.
 //!
 //! Cost: one pass over the vertices and triangles of each part that is cut, one over the vertices of the rest, and the hull.
 

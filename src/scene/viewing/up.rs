@@ -7,11 +7,11 @@ use crate::scene::describe::Described;
 /// Up axis of the world.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Described)]
 pub enum Up {
-    /// The habit of graphics.
+    /// The convention in graphics.
     #[default]
     #[value(name = "+Y")]
     PlusY,
-    /// The habit of CAD and printing.
+    /// The convention in CAD and 3D printing.
     #[value(name = "+Z")]
     PlusZ,
 }

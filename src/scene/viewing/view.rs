@@ -33,13 +33,13 @@ pub struct View {
     pub far: f64,
     /// True if the near plane makes caps.
     pub near_cap: bool,
-    /// The first row and all rows of the picture that this is a band of, by [`View::rows`]; of a whole picture 0 and its height.
+    /// First row of this band and height of the whole picture, by [`View::rows`]; 0 and its own height for a whole picture.
     pub band: [u32; 2],
     /// Number of rows at the top and at the bottom that are drawn only as neighbours for effects: the picture does not keep them.
     pub halo_rows: [u32; 2],
-    /// Number of such views along each side that make one picture, by [`View::sampled_at`]: filters of effects cover less of a pixel by it.
+    /// Number of views per side that are combined to one picture, by [`View::sampled_at`]; effect filters shrink accordingly.
     pub fineness: u32,
-    /// Precision of triangle placement in the picture that is judged. Plans are recorded with that of their
+    /// Precision of triangle placement in the evaluated picture. Plans are recorded with that of their
     /// [`DrawOptions`](crate::strategies::DrawOptions) instead.
     pub precision: Precision,
 }

@@ -1,13 +1,13 @@
-//! Solid of a mesh by a fill rule, where its bodies overlap: with voids where an even number of them do, or as one.
+//! The solid of a mesh by a fill rule, if its bodies overlap: with voids where an even number of them overlap, or merged into one.
 //!
-//! Cost: a comparison of the boxes of all bodies; an operation for each body whose box meets that of another, where the rule is even-odd.
+//! Cost: comparing the boxes of all bodies; with the even-odd rule, one operation for each body whose box meets that of another.
 
 use super::solid::{ManifoldSolid, Undivided};
 use super::turned;
 use crate::scene::meshes::topology::Sets;
 use crate::scene::{Bodies, Bounds, Fill, Mesh};
 
-/// The solid, and the numbers that its faces are found by later, which are called after the triangles of the mesh.
+/// The solid, and the mesh numbers by which its faces are found later; face numbers are triangle numbers of the mesh.
 pub(super) fn filled(mesh: &Mesh, fill: Fill) -> Result<(ManifoldSolid, Vec<u32>), Undivided> {
     let bodies = match fill {
         Fill::EvenOdd => overlapping(mesh),
@@ -44,7 +44,7 @@ pub(super) fn filled(mesh: &Mesh, fill: Fill) -> Result<(ManifoldSolid, Vec<u32>
     }
 }
 
-/// A solid that faces out.
+/// A solid whose faces point outwards.
 fn outward(mesh: &Mesh, face: impl Fn(usize) -> u32) -> Result<(ManifoldSolid, u32), Undivided> {
     match mesh.volume() < 0.0 {
         true => ManifoldSolid::new(&turned(mesh), face),
@@ -52,7 +52,7 @@ fn outward(mesh: &Mesh, face: impl Fn(usize) -> u32) -> Result<(ManifoldSolid, u
     }
 }
 
-/// The triangles of each body of a mesh, in sets whose boxes meet; one body for all that meet no other. Empty where none meet.
+/// The triangles of each body of a mesh, in sets whose boxes meet; all bodies that meet no other count as one. Empty if none meet.
 fn overlapping(mesh: &Mesh) -> Vec<Vec<Vec<u32>>> {
     let bodies = Bodies::of(mesh).triangles();
     let bounds: Vec<Bounds> = (bodies.iter())

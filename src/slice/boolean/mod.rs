@@ -1,16 +1,16 @@
-//! Kept and removed half of a mesh, where reliefs and cutters are among the removing surfaces.
+//! Kept and removed half of a mesh, when the removing surfaces include reliefs or cutters.
 //!
-//! Each region becomes a closed mesh: a block around the part, divided by the planes of the region as [`halves`] divides meshes, in common
-//! with what lies below its reliefs ([`sheet`]) and within or around its cutter. The part in common with all regions is what is removed,
-//! the part without them what is left. Booleans are those of `manifold-rust`: the algorithm of Manifold (Lalish) where meshes are manifold
-//! and do not pass through themselves, else an arrangement in rational numbers.
+//! Each region becomes a closed mesh: a block around the part, divided by the region's planes as [`halves`] divides meshes, intersected
+//! with the volume below its reliefs ([`sheet`]) and inside or around its cutter. The part's intersection with all regions is the removed
+//! half, the part minus the regions the kept half. The Boolean operations are those of `manifold-rust`: Manifold's algorithm (Lalish) for
+//! manifold meshes without self-intersections, otherwise an arrangement in rational numbers.
 //!
-//! Cost: n log n in the triangles of part and regions together, with those of a relief growing with the square of its cells; many times
-//! that where the part passes through itself.
+//! Cost: n log n in the triangles of part and regions together, where a relief's triangles grow with the square of its cells; many times
+//! that if the part intersects itself.
 //!
-//! Cannot: cut open meshes, which are refused. Bodies of a part that overlap become the solid that the fill rule of the part makes of them
-//! ([`filled`]). A body that passes through itself becomes the solid that it winds around, without walls inside; one that is inside out is
-//! turned over first. Reliefs are followed to within what [`Sheet::off`](sheet::Sheet::off) says.
+//! Cannot: cut open meshes, which are refused. Overlapping bodies of a part become the solid that the part's fill rule makes of them
+//! ([`filled`]). A body that intersects itself becomes the solid that it winds around, without inner walls; one that is inside out is
+//! reversed first. Reliefs are followed to within the error [`Sheet::off`](sheet::Sheet::off).
 
 mod filled;
 mod sheet;
@@ -26,9 +26,9 @@ use super::capped::{Cap, Half, Halves, halves, of_used};
 use super::in_world::in_world;
 use crate::scene::{Bounds, ClipSurface, Cutter, Edges, Fill, Mesh};
 
-/// Region that a cut removes from a part.
+/// A region that a cut removes from a part.
 pub(super) struct Region<'a> {
-    /// In world space, moved by the offset of the part.
+    /// The region's clip-surfaces in world space, moved by the part's offset.
     pub(super) surfaces: Vec<ClipSurface>,
     pub(super) cutter: Option<&'a Cutter>,
 }
@@ -40,21 +40,21 @@ pub(super) struct Divided {
     pub(super) off: f64,
 }
 
-/// Name of the faces of a block: no clip-surface.
+/// Name of a block's faces: no clip-surface.
 const BLOCK: u32 = u32::MAX;
 
-/// Source of the cap faces of a mesh: the mesh, its region, and the clip-surface; `None` where its faces keep the name of their source.
+/// Source of a mesh's cap faces: the mesh, its region and the clip-surface; `None` if its faces keep the name of their source.
 struct CapOf {
     mesh: u32,
     region: usize,
     surface: Option<usize>,
 }
 
-/// Divides a mesh into what lies in any region, and the rest. Reliefs get about `cells` cells along the longer side of the mesh.
+/// Divides a mesh into what lies in any region, and the rest. Reliefs get about `cells` cells along the mesh's longer side.
 ///
 /// # Errors
 ///
-/// A mesh or a cutter that is not closed, and operations that fail.
+/// Fails for a mesh or cutter that is not closed, and if an operation fails.
 pub(super) fn divided(
     mesh: &Mesh,
     fill: Fill,
@@ -91,7 +91,7 @@ pub(super) fn divided(
 }
 
 impl Region<'_> {
-    /// Its part of a block; none where nothing of the block is in it.
+    /// The region's part of a block; none if no part of the block lies in it.
     fn solid(
         &self,
         index: usize,
@@ -155,15 +155,15 @@ impl Region<'_> {
     }
 }
 
-/// The faces of a solid that are of the part, then its caps by region and clip-surface.
+/// A solid's faces that come from the part, then its caps by region and clip-surface.
 fn half(solid: &ManifoldSolid, part: &[u32], caps: &[CapOf]) -> Result<Half, Undivided> {
     let (mesh, origins) = solid.mesh();
     if Edges::of(&mesh.triangles).count().open > 0 {
         return Err(Undivided::Failed {
-            what: "it left the mesh open".to_owned(),
+            what: "the result is an open mesh".to_owned(),
         });
     }
-    // Faces of the part are before all caps; then by region and clip-surface.
+    // Faces of the part come before all caps, which are sorted by region and clip-surface.
     let place = |origin: &Origin| {
         let cap = caps.iter().find(|c| c.mesh == origin.mesh);
         cap.map(|cap| (cap.region, cap.surface.unwrap_or(origin.face as usize)))
@@ -200,7 +200,7 @@ fn half(solid: &ManifoldSolid, part: &[u32], caps: &[CapOf]) -> Result<Half, Und
     Ok(made)
 }
 
-/// The mesh with its inside out.
+/// The mesh turned inside out.
 fn turned(mesh: &Mesh) -> Mesh {
     Mesh {
         positions: mesh.positions.clone(),
@@ -211,7 +211,7 @@ fn turned(mesh: &Mesh) -> Mesh {
     }
 }
 
-/// Bounds that hold others with room on all sides.
+/// Bounds that contain others with a margin on all sides.
 fn around(bounds: &Bounds) -> Bounds {
     let room = bounds.radius() / 16.0;
     Bounds {
@@ -222,7 +222,7 @@ fn around(bounds: &Bounds) -> Bounds {
 
 /// A block.
 fn block_mesh(bounds: &Bounds) -> Mesh {
-    // Corners in the order of `Bounds::corners`; each face from outside, counter-clockwise.
+    // Corners in the order of `Bounds::corners`; each face counter-clockwise, seen from outside.
     const FACES: [[u32; 4]; 6] = [
         [0, 4, 6, 2],
         [1, 3, 7, 5],

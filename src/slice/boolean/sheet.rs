@@ -1,12 +1,12 @@
 //! The removed side of a relief as a closed mesh: a sheet of triangles over a block, with walls and a floor beneath it.
 //!
-//! A relief is bilinear between the centres of its texels. Corners of the sheet lie on those centres and on equal parts of the way between
-//! them; where texels are smaller than cells, on every nth centre. Between corners lie two triangles, which differ from
-//! the relief by up to a quarter of the twist of the cell, or by what lies between texels that were passed over.
+//! A relief is bilinear between texel centres. The sheet's corners lie on texel centres and divide the distance between them into equal
+//! steps; if texels are smaller than cells, corners lie on every nth centre. Between corners are two triangles, which differ from
+//! the relief by up to a quarter of the cell's twist, or by the heights of texels that were skipped.
 //!
-//! Cost: one look at the map for each corner and three for each cell.
+//! Cost: one map lookup per corner and three per cell.
 //!
-//! Cannot: follow a relief of which a texel is smaller than a cell. How far off it is is measured, at the middles of cells and edges.
+//! Cannot: follow a relief whose texels are smaller than a cell. The error is measured at the middles of cells and edges.
 
 use glam::{DVec2, DVec3};
 
@@ -16,7 +16,7 @@ use crate::scene::{Bounds, ClipSurface, Mesh};
 #[derive(Clone, Debug)]
 pub(super) struct Sheet {
     pub(super) mesh: Mesh,
-    /// Largest distance to the relief along `N` that was found, in world units.
+    /// Largest distance to the relief found along `N`, in world units.
     pub(super) off: f64,
 }
 
@@ -28,7 +28,7 @@ struct Axis {
 }
 
 impl Axis {
-    /// Corners that cover a range, about `step` apart, on the centres of texels where they can be.
+    /// Corners that cover a range, about `step` apart, on texel centres where possible.
     fn covering([low, high]: [f64; 2], texel: f64, step: f64) -> Self {
         let ratio = texel / step;
         let (step, phase) = match (ratio.is_finite() && ratio > 0.0, ratio >= 1.0) {
@@ -50,8 +50,8 @@ impl Axis {
     }
 }
 
-/// Solid below a relief, around a block and farther down than it. There are about `cells` cells along the longer side of the block, as
-/// it is seen along `N`.
+/// Solid below a relief, extending around a block and farther down than it. It has about `cells` cells along the longer side of the block,
+/// as seen along `N`.
 pub(super) fn below(surface: &ClipSurface, block: &Bounds, cells: u32) -> Sheet {
     let frame = surface.frame();
     let in_frame = |p: DVec3| {

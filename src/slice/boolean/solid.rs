@@ -1,4 +1,4 @@
-//! Solids of the Boolean crate, made of meshes and made into meshes.
+//! Solids of the Boolean crate, converted from and to meshes.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -9,7 +9,7 @@ use manifold_rust::types::{BooleanEngine, Error, MeshGLP, OpType};
 
 use crate::scene::Mesh;
 
-/// A face of a result: its source mesh and its face in that mesh.
+/// Where a face of a result comes from: its source mesh and its face in that mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Origin {
     /// Number of the mesh.
@@ -18,16 +18,16 @@ pub(super) struct Origin {
     pub(super) face: u32,
 }
 
-/// A closed mesh that operations are done with.
+/// A closed mesh to which operations are applied.
 #[derive(Clone)]
 pub(super) struct ManifoldSolid(Manifold);
 
 impl ManifoldSolid {
-    /// A solid, and the number that its faces are found by later. Neighbours in one plane whose faces have different names stay apart.
+    /// A solid, and the mesh number by which its faces are found later. Coplanar neighbours whose faces have different names stay separate.
     ///
     /// # Errors
     ///
-    /// A mesh that is not closed or is too large.
+    /// Fails for a mesh that is not closed or is too large.
     pub(super) fn new(mesh: &Mesh, face: impl Fn(usize) -> u32) -> Result<(Self, u32), Undivided> {
         let number = Manifold::reserve_ids(1);
         let count = mesh.triangles.len();
@@ -68,7 +68,7 @@ impl ManifoldSolid {
         .map(Self)
     }
 
-    /// Its faces, and where each is from.
+    /// Its faces, and the origin of each.
     pub(super) fn mesh(&self) -> (Mesh, Vec<Origin>) {
         let made: MeshGLP<f64, u32> = self.0.get_mesh_glp(-1);
         let mut vertex: Vec<u32> = (0..made.num_vert() as u32).collect();
@@ -123,15 +123,15 @@ impl Undivided {
     }
 }
 
-/// Operations at work.
+/// Number of operations in progress.
 static AT_WORK: AtomicUsize = AtomicUsize::new(0);
 
-/// Returns true if a panic may come from the Boolean crate: it becomes an error and is not printed.
+/// Returns true if a panic may come from the Boolean crate: such a panic becomes an error and is not printed.
 pub fn is_at_work() -> bool {
     AT_WORK.load(Ordering::SeqCst) > 0
 }
 
-/// Result of an operation, or the reason for its failure. A fault of the crate is no reason to end the program.
+/// Result of an operation, or the reason for its failure. A panic in the crate must not end the program.
 fn guarded(operation: impl FnOnce() -> Manifold) -> Result<Manifold, Undivided> {
     AT_WORK.fetch_add(1, Ordering::SeqCst);
     let made = catch_unwind(AssertUnwindSafe(operation));
@@ -139,7 +139,7 @@ fn guarded(operation: impl FnOnce() -> Manifold) -> Result<Manifold, Undivided> 
     let failed = |what: &str| Undivided::Failed {
         what: what.to_owned(),
     };
-    let made = made.map_err(|_| failed("it broke off"))?;
+    let made = made.map_err(|_| failed("the Boolean library panicked"))?;
     match made.status() {
         Error::NoError => Ok(made),
         Error::NotClosed | Error::NotManifold => Err(Undivided::Open),

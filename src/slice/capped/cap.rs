@@ -1,15 +1,15 @@
-//! The cap that closes what a plane leaves open.
+//! The cap that closes the opening left by a plane.
 //!
-//! The outline is what the directed edges in the plane, of all faces above it, do not cancel among themselves. Its curves are those of a
-//! [`Section`](crate::slice::Section), and the cap covers what they wind around, each point as often as they do: the winding number
-//! of the mesh at each point stays what it was on the kept side and becomes 0 on the other. So any fill rule finds in what is left
-//! the solid that it found in the mesh, and halves add up to the whole, also where shells overlap. Bodies that overlap are capped one by
+//! The outline consists of the directed edges in the plane, from all faces above it, that do not cancel. Its curves are those of a
+//! [`Section`](crate::slice::Section), and the cap covers each point as often as they wind around it: the mesh's winding number
+//! at each point is unchanged on the kept side and becomes 0 on the other. So every fill rule finds in the rest of the mesh
+//! the solid that it found in the whole mesh, and halves add up to the whole, even if shells overlap. Overlapping bodies are capped one by
 //! one ([`groups`](super::groups)).
 //!
-//! Where faces do not agree which side is out there is no winding number, but for a closed mesh its parity: the cap is then where curves
-//! wind an odd number of times, once.
+//! If faces disagree about which side is outside, there is no winding number, but a closed mesh has a parity: the cap then covers once
+//! the points around which curves wind an odd number of times.
 //!
-//! Cost: n log n in the points of the outline; with a look at all faces where loops cross or vertices coincide.
+//! Cost: n log n in the points of the outline, plus a pass over all faces if loops cross or vertices coincide.
 
 use std::collections::BTreeMap;
 
@@ -21,16 +21,16 @@ use super::super::loops::{self, Curves, join};
 use super::complex::{CAP, Complex, ComplexFace, MarkedPlane, Splits, State};
 use crate::scene::meshes::weld::has_three;
 
-/// A use of an edge in a plane by a candidate.
+/// A candidate face's use of an edge in a plane.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct PlaneUse {
     /// Group of the candidate.
     group: u32,
-    /// The lesser first.
+    /// The ends, lesser first.
     ends: [u32; 2],
-    /// From the greater to the lesser.
+    /// True if the edge is used from the greater to the lesser end.
     is_down: bool,
-    /// By a face above the plane.
+    /// True if the face is above the plane.
     is_above: bool,
 }
 
@@ -55,7 +55,7 @@ pub(super) struct Piece {
     is_oriented: bool,
 }
 
-/// Edges that the faces above a plane do not cancel, group by group.
+/// Edges of the faces above a plane that do not cancel, group by group.
 pub(super) fn pieces(mut uses: Vec<PlaneUse>) -> Vec<Piece> {
     uses.sort_unstable();
     let mut pieces = Vec::new();
@@ -88,7 +88,7 @@ pub(super) fn pieces(mut uses: Vec<PlaneUse>) -> Vec<Piece> {
 }
 
 impl Complex<'_> {
-    /// Closes the candidates of a group at a plane, below which they are, along their outline.
+    /// Closes a group's candidates, which are below a plane, with a cap along their outline.
     pub(super) fn cap(&mut self, number: usize, pieces: &[Piece]) {
         let Some(group) = pieces.first().map(|piece| piece.group) else {
             return;
@@ -101,7 +101,7 @@ impl Complex<'_> {
                 loops::Piece { from, to }
             })
             .collect();
-        // Adding zero leaves only one zero.
+        // Adding zero turns -0 into +0.
         let place = |v: u32| plane.coordinates(self.positions[v as usize]) + DVec2::ZERO;
         let Curves {
             points,
@@ -118,7 +118,7 @@ impl Complex<'_> {
             .collect();
         vertices.sort_unstable();
         vertices.dedup();
-        // Of vertices in one place the first stands for all.
+        // The first of several coincident vertices stands for all.
         let mut vertex_of = vec![u32::MAX; points.len()];
         for (number, vertex) in vertices.iter().rev() {
             vertex_of[*number] = *vertex;
@@ -185,7 +185,7 @@ impl Complex<'_> {
         }
     }
 
-    /// Puts vertices in the places of others.
+    /// Merges vertices into the ones that replace them.
     fn merge(&mut self, moved: &BTreeMap<u32, u32>) {
         if moved.is_empty() {
             return;
@@ -200,7 +200,7 @@ impl Complex<'_> {
         self.faces.retain(|f| has_three(&f.corners));
     }
 
-    /// Divides faces where edges of the outline pass other points than their ends.
+    /// Divides faces at points through which edges of the outline pass between their ends.
     fn pass(&mut self, paths: Vec<Vec<u32>>, vertex_of: &[u32]) {
         let mut splits = Splits::new();
         for path in paths {

@@ -1,23 +1,23 @@
-//! Triangles that are divided by planes and stay one surface: the faces of a mesh and the caps of what is removed from it.
+//! Triangles divided by planes that stay one surface: the faces of a mesh and the caps of the regions removed from it.
 //!
 //! # Invariant
 //!
-//! The faces that are kept, taken as a sum of oriented triangles, have the boundary of the mesh and no other: of a closed mesh each
-//! directed edge as often as its opposite. Three things are done, and none changes that:
+//! The kept faces, taken as a sum of oriented triangles, have the same boundary as the mesh: in a closed mesh each
+//! directed edge occurs as often as its opposite. Only three operations are applied, and none changes that:
 //!
-//! - an edge gets vertices, and all faces that have it are divided there, whatever has become of them;
-//! - vertices become one, and triangles that have one twice are left out;
-//! - a closed surface is taken away: what lies in a convex region, with the caps of its planes. Its caps stay, turned over.
+//! - an edge gets new vertices, and all faces with this edge are divided there, whatever their state;
+//! - vertices are merged, and triangles that then have a vertex twice are dropped;
+//! - a closed surface is subtracted: everything in a convex region, with the caps of its planes. Its caps stay, reversed.
 //!
-//! So walls between regions that touch cancel of themselves, and no coordinate decides whether the result is closed.
+//! So walls between touching regions cancel automatically, and whether the result is closed does not depend on coordinates.
 //!
 //! # Sides
 //!
-//! The sign of a vertex is exact ([`SlicePlane::is_above`]); a vertex that was made on a plane is on it, whatever its rounded coordinates
-//! say. Only an edge between both sides is crossed, in one new vertex, computed from the lesser end by coordinates. A triangle in
-//! the plane is assigned to the side of the solid behind it: a face is never doubled by a cap, and nothing without thickness is left.
+//! The sign of a vertex is exact ([`SlicePlane::is_above`]); a vertex made on a plane counts as on it, whatever its rounded coordinates
+//! are. Only an edge between both sides is crossed, in one new vertex, computed from the lesser end by coordinates. A triangle in
+//! the plane is assigned to the side of the solid behind it: no face is doubled by a cap, and nothing without thickness remains.
 //!
-//! Cost: for each plane a look at all vertices and faces, in parallel, and sorts of what it meets.
+//! Cost: for each plane a parallel pass over all vertices and faces, and sorts of the elements it meets.
 
 use std::collections::HashMap;
 
@@ -34,24 +34,24 @@ use crate::scene::{Bounds, FacesInPlane, Mesh, Side};
 /// State of a face.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum State {
-    /// It is a face of what is kept.
+    /// A face of the kept half.
     Kept,
-    /// It may lie in the region that is being removed.
+    /// A face that may lie in the region that is being removed.
     Candidate,
-    /// It is a face of what is removed, and of the mesh.
+    /// A face of the removed half that comes from the mesh.
     Removed,
-    /// It is a cap of nothing any more.
+    /// A cap that is no longer needed.
     Gone,
 }
 
-/// A triangle of the mesh or a part of one, or of a cap.
+/// A triangle, or part of one, of the mesh or of a cap.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ComplexFace {
     pub(super) corners: [u32; 3],
-    /// Number of the triangle of the mesh; of a cap [`CAP`] and the number of its plane.
+    /// Number of the mesh triangle; for a cap, [`CAP`] and the number of its plane.
     pub(super) source: u32,
     pub(super) state: State,
-    /// The bodies that it is capped with ([`groups`]).
+    /// The group of bodies with which it is capped ([`groups`]).
     pub(super) group: u32,
 }
 
@@ -65,35 +65,35 @@ impl ComplexFace {
     }
 }
 
-/// A plane, and the mark of vertices that were made on it; planes that are the same share one.
+/// A plane, and the mark of the vertices made on it; equal planes share one mark.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct MarkedPlane {
     pub(super) plane: SlicePlane,
     pub(super) mark: u64,
 }
 
-/// Vertices to put on edges, by the ends of each, the lesser first, in order from there.
+/// Vertices to insert on edges, keyed by the edge's ends, lesser first, and ordered from the lesser end.
 pub(super) type Splits = HashMap<[u32; 2], Vec<u32>>;
 
-/// See above.
+/// Triangles that planes divide, as described in the module documentation.
 pub(super) struct Complex<'a> {
     /// Mesh that planes divide.
     pub(super) mesh: &'a Mesh,
     pub(super) planes: Vec<MarkedPlane>,
     pub(super) positions: Vec<DVec3>,
-    /// The planes that each vertex was made on.
+    /// Marks of the planes on which each vertex was made.
     pub(super) marks: Vec<u64>,
     pub(super) faces: Vec<ComplexFace>,
     pub(super) defects: Vec<SectionDefect>,
     /// A point near the mesh.
     pub(super) middle: DVec3,
     pub(super) is_inside_out: bool,
-    /// The faces in each plane, where that was decided beforehand.
+    /// The faces in each plane, if these were decided beforehand.
     pub(super) in_planes: Vec<FacesInPlane>,
 }
 
 impl<'a> Complex<'a> {
-    /// All triangles of a mesh but some, kept.
+    /// All usable triangles of a mesh, as kept faces.
     pub(super) fn new(
         mesh: &'a Mesh,
         planes: &[SlicePlane],
@@ -139,7 +139,7 @@ impl<'a> Complex<'a> {
         }
     }
 
-    /// Removes what lies below all planes of a range.
+    /// Removes everything that lies below all planes of a range.
     pub(super) fn remove(&mut self, region: std::ops::Range<usize>) {
         for face in self.faces.iter_mut().filter(|f| f.state == State::Kept) {
             face.state = State::Candidate;
@@ -170,8 +170,8 @@ impl<'a> Complex<'a> {
         self.faces.retain(|f| f.state != State::Gone);
     }
 
-    /// Divides the candidates by a plane, and keeps those above. The outline that is to be capped: directed edges with the solid on
-    /// their left, seen from above. Caps of planes from `first` on are of the region itself, and end at the plane.
+    /// Divides the candidates by a plane, and keeps those above. Returns the outline to be capped: directed edges with the solid on
+    /// their left, seen from above. Caps of planes from `first` on belong to the region itself, and end at the plane.
     fn cut(&mut self, plane: usize, first: usize) -> Vec<Piece> {
         let in_plane = self.in_planes.get(plane).cloned().unwrap_or_default();
         let MarkedPlane { plane, mark } = self.planes[plane];
@@ -266,7 +266,7 @@ impl<'a> Complex<'a> {
         self.positions.len() as u32 - 1
     }
 
-    /// Divides all faces that have some edges.
+    /// Divides all faces that have any of the split edges.
     pub(super) fn divide(&mut self, splits: &Splits) {
         if splits.is_empty() {
             return;
@@ -299,7 +299,7 @@ impl<'a> Complex<'a> {
                 [on(a, b), on(b, c), on(c, a)],
                 &mut parts,
             );
-            // What a vertex of its own sides lies on has parts without area between two vertices: they bound nothing.
+            // A vertex that lies on its own sides gives parts without area between two vertices: they bound nothing.
             let mut parts = (parts.iter().filter(|t| has_three(t))).map(|corners| ComplexFace {
                 corners: *corners,
                 ..face
@@ -313,8 +313,8 @@ impl<'a> Complex<'a> {
     }
 }
 
-/// Triangles between the corners of one and the vertices on its sides, in order from each corner to the next. Vertices on two sides
-/// next to a corner are joined: nothing crosses the line between them.
+/// Triangles between a triangle's corners and the vertices on its sides, in order from each corner to the next. Neighbouring vertices
+/// of a corner on two sides are joined: no edge crosses the line between them.
 pub(super) fn divided(
     at: &[DVec3],
     corners: [u32; 3],
@@ -322,7 +322,7 @@ pub(super) fn divided(
     parts: &mut Vec<[u32; 3]>,
 ) {
     let [a, b, c] = corners;
-    // Of the two diagonals that divide the rest next to a corner, take the one with the shorter new edge.
+    // Of the two diagonals that divide the rest next to a corner, the one with the shorter new edge is used.
     let length = |i: &u32, j: u32| at[*i as usize].distance_squared(at[j as usize]);
     let across = |i: usize| sides[i].first().map(|v| length(v, [c, a, b][i]));
     let first = (0..3)
@@ -342,13 +342,13 @@ pub(super) fn divided(
     }
 }
 
-/// On which side of a plane a point is: 1 above, 0 on it, -1 below.
+/// Side of a plane on which a point lies: 1 above, 0 on it, -1 below.
 fn side(plane: &SlicePlane, point: DVec3) -> i8 {
     let height = plane.signed(point);
     i8::from(height > 0.0) - i8::from(height < 0.0)
 }
 
-/// Planes with their marks. After 64 different ones vertices are no longer known by them, but by their coordinates.
+/// Planes with their marks. From the 65th different plane on, vertices are identified by their coordinates instead of by marks.
 fn marked(planes: &[SlicePlane]) -> Vec<MarkedPlane> {
     let mut marked: Vec<MarkedPlane> = Vec::with_capacity(planes.len());
     let mut marks = 0;

@@ -1,14 +1,14 @@
-//! Bodies that are capped by themselves: where two overlap, each gets the cap that it would get alone, and halves are as manifold as the mesh.
+//! Bodies that are capped separately: if two overlap, each gets the cap that it would get alone, and halves are as manifold as the mesh.
 //!
-//! Bodies with vertices in common are capped together, for what is done to a vertex is done to all faces at it; so are all that are open,
+//! Bodies that share vertices are capped together, because a change to a vertex affects all its faces; so are all open bodies,
 //! because their outlines may close each other.
 //!
-//! Cost: a pass over the triangles; those of [`Bodies`] where not all of them hang together.
+//! Cost: a pass over the triangles, plus that of [`Bodies`] if they are not all connected.
 
 use crate::scene::meshes::topology::Sets;
 use crate::scene::{Bodies, Mesh};
 
-/// The group of each of some triangles of a mesh.
+/// The group of each of the given triangles of a mesh.
 pub(super) fn groups(mesh: &Mesh, triangles: &[[u32; 3]]) -> Vec<u32> {
     let mut sets = Sets::new(mesh.positions.len());
     for [a, b, c] in triangles {

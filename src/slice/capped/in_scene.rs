@@ -1,6 +1,6 @@
-//! Faces of a part that lie in a plane, decided as in the picture of its scene.
+//! Faces of a part that lie in a plane, decided exactly as when the scene is drawn.
 //!
-//! Cost: for each plane a look at all vertices.
+//! Cost: for each plane a pass over all vertices.
 
 use rayon::prelude::*;
 
@@ -8,14 +8,14 @@ use super::super::SlicePlane;
 use super::complex::{Complex, MarkedPlane};
 use crate::scene::{Candidates, FacesInPlane, Mesh, Part, SceneSpace, tolerance_of};
 
-/// Space in which faces are decided, and the tolerance for their vertices there.
+/// Space in which faces are tested, and the tolerance for their vertices there.
 pub(super) struct InScene {
     space: SceneSpace,
     tolerance: f64,
 }
 
 impl InScene {
-    /// Builds it for a part of a scene.
+    /// The space and tolerance for a part of a scene.
     pub(super) fn of(part: &Part, space: &SceneSpace) -> Self {
         Self {
             space: *space,
@@ -23,7 +23,7 @@ impl InScene {
         }
     }
 
-    /// The faces of a mesh of the world that lie in a plane.
+    /// The faces of a world-space mesh that lie in a plane.
     fn faces_in(&self, mesh: &Mesh, plane: &SlicePlane, is_inside_out: bool) -> FacesInPlane {
         let flat = self.space.flat(&plane.flat());
         let position = |i: u32| self.space.vertex(mesh.positions[i as usize]).as_dvec3();
@@ -45,7 +45,7 @@ impl InScene {
 }
 
 impl Complex<'_> {
-    /// Takes faces for faces in planes, and their vertices for vertices on them.
+    /// Marks the faces decided to lie in planes as such, and their vertices as lying on the planes.
     pub(super) fn take_in(&mut self, decided: &InScene) {
         for MarkedPlane { plane, mark } in self.planes.clone() {
             let faces = decided.faces_in(self.mesh, &plane, self.is_inside_out);

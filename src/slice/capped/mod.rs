@@ -1,22 +1,22 @@
-//! Division of a mesh into the kept and the removed half, each a mesh with caps.
+//! Divides a mesh into the kept and the removed half, each a mesh with caps.
 //!
-//! A cut removes the intersection of the removed sides of its planes, a scene the union of its cuts. Regions are removed one after the
-//! other, and each by its planes one after the other: what is above a plane stays, what is below all of them goes, and the caps of what
-//! goes, turned over, close what stays ([`complex`]). The surface stays one all the while, so that no wall
-//! is left between regions that touch; triangles that planes divide beyond their regions are put together again ([`restore`]), and edges
-//! without length that division made become points ([`slivers`]).
+//! A cut removes the intersection of its planes' removed sides, a scene the union of its cuts. Regions are removed one after the
+//! other, and each by one plane after the other: what is above a plane stays, what is below all of them is removed, and the caps of the
+//! removed part, reversed, close what stays ([`complex`]). Throughout, the triangles form one surface, so that no wall
+//! remains between touching regions; triangles divided by planes outside the planes' regions are reassembled ([`restore`]), and edges
+//! of nearly zero length that the division made are collapsed ([`slivers`]).
 //!
-//! A closed mesh whose faces agree which side is out gives two closed meshes whose faces do, whatever the planes meet and however often
-//! the mesh passes through itself. Both share their vertices on the caps to the last bit, and their volumes add up to that of the mesh but
-//! for rounding. An open mesh stays open where it was, and where a curve of the section does not close.
+//! A closed mesh whose faces agree about the outside gives two closed meshes whose faces do too, whatever the planes meet and however often
+//! the mesh intersects itself. Both share their cap vertices to the last bit, and their volumes add up to that of the mesh except
+//! for rounding. An open mesh stays open where it was, and where a section curve does not close.
 //!
-//! Cost: each plane tests all triangles, in parallel; then n log n in the elements it meets. Memory: some 60 bytes a triangle on top of
+//! Cost: each plane tests all triangles, in parallel; then n log n in the elements it meets. Memory: about 60 bytes per triangle on top of
 //! the mesh and the result.
 //!
-//! Reliefs and cutters are not of planes: parts that they cut are divided by Boolean operations, with the feature `boolean`.
+//! Reliefs and cutters are not planes: parts that they cut are divided by Boolean operations, with the feature `boolean`.
 //!
-//! Limits: 2^31 triangles. Triangles with coordinates beyond 1e300 are left out and reported. Normals and colours of
-//! corners are not carried over: [`Half::sources`] says where a face had them.
+//! Limits: 2^31 triangles. Triangles with coordinates beyond 1e300 are left out and reported. Normals and colours of corners
+//! are not carried over: [`Half::sources`] names the source triangle of each face.
 
 mod cap;
 mod complex;
@@ -48,18 +48,18 @@ pub struct Halves {
     pub kept: Half,
     /// Removed half.
     pub removed: Half,
-    /// Defects of the mesh that put caps in doubt, plane by plane.
+    /// Defects of the mesh that make caps unreliable, plane by plane.
     pub defects: Vec<SectionDefect>,
 }
 
 /// One of the two parts that a mesh is divided into.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Half {
-    /// Faces of the mesh, then caps; they share vertices. It has no triangles where nothing is left.
+    /// Faces of the mesh, then caps; they share vertices. It has no triangles if nothing is left.
     pub mesh: Mesh,
     /// Per face, the triangle of the mesh that contains it.
     pub sources: Vec<u32>,
-    /// The caps, by their planes.
+    /// The caps, plane by plane.
     pub caps: Vec<Cap>,
 }
 
@@ -68,19 +68,19 @@ pub struct Half {
 pub struct Cap {
     /// Index of the region that was removed.
     pub region: usize,
-    /// Index of the plane in the region; of what a scene cuts, of the clip-surface in the cut, its cutter after the others.
+    /// Index of the plane in the region; for a scene, of the clip-surface in the cut, where the cutter comes after all others.
     pub plane: usize,
     /// Its triangles.
     pub triangles: Range<usize>,
 }
 
 impl Half {
-    /// Number of triangles that are faces of the mesh: caps follow.
+    /// Number of triangles that are faces of the mesh; the caps follow them.
     pub fn surface_triangles(&self) -> usize {
         self.sources.len()
     }
 
-    /// Area of all caps together, in square units.
+    /// Total area of all caps, in square units.
     pub fn cap_area(&self) -> f64 {
         let caps = self.surface_triangles()..self.mesh.triangles.len();
         caps.map(|t| {
@@ -91,8 +91,8 @@ impl Half {
     }
 }
 
-/// Divides a mesh into what lies below all planes of any region, which is removed, and the rest. Planes are in the space of the
-/// mesh; a region without planes is the whole mesh.
+/// Divides a mesh into what lies below all planes of any region, which is removed, and the rest. Planes are in the mesh's
+/// space; a region without planes is the whole mesh.
 ///
 /// ```
 /// use cutaway::generate::shapes::shape;
@@ -113,7 +113,7 @@ pub fn halves(mesh: &Mesh, regions: &[Vec<SlicePlane>]) -> Halves {
     halves_in(mesh, regions, None)
 }
 
-/// [`halves`], where the faces that lie in planes are decided in a scene.
+/// [`halves`], with the faces that lie in planes decided in a scene.
 fn halves_in(mesh: &Mesh, regions: &[Vec<SlicePlane>], decided: Option<&InScene>) -> Halves {
     let planes: Vec<SlicePlane> = regions.concat();
     let usable: Vec<bool> = mesh.triangles.iter().map(|t| is_usable(mesh, t)).collect();
@@ -178,9 +178,9 @@ fn is_usable(mesh: &Mesh, triangle: &[u32; 3]) -> bool {
     has_three(triangle) && triangle.iter().all(is_there)
 }
 
-/// The mesh of some faces, with the vertices that they have in their order.
+/// The mesh of the given faces, keeping the order of the vertices that they use.
 fn half(positions: &[DVec3], mut faces: Vec<ComplexFace>, first_planes: &[usize]) -> Half {
-    // Caps behind faces, by planes; stable, so that faces stay in the order of the mesh but for what was divided.
+    // Caps after faces, by plane; a stable sort, so that faces stay in mesh order except for divided ones.
     faces.sort_by_key(|f| f.source);
     let mut caps = Vec::new();
     let mut first = 0;
@@ -206,7 +206,7 @@ fn half(positions: &[DVec3], mut faces: Vec<ComplexFace>, first_planes: &[usize]
     }
 }
 
-/// The mesh of some triangles with the vertices that they have, in their order.
+/// The mesh of the given triangles, keeping the order of the vertices that they use.
 pub(super) fn of_used(positions: &[DVec3], mut triangles: Vec<[u32; 3]>) -> Mesh {
     let mut number_of = vec![u32::MAX; positions.len()];
     for i in triangles.iter().flatten() {

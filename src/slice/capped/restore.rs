@@ -1,17 +1,17 @@
-//! Triangles that were divided for nothing, made whole again.
+//! Reassembles triangles that were divided unnecessarily.
 //!
-//! Planes go on where the regions that they bound end, and divide what they meet there. A triangle of the mesh all of whose parts have
-//! the same fate is put together again. Of the vertices on its sides it keeps those that something else has, which is not put together;
-//! its neighbours across a side ask the same of the same vertices, so that no edge opens.
+//! Planes extend beyond the regions that they bound, and divide whatever they meet there. If all parts of a mesh triangle end up in
+//! the same state, the triangle is reassembled. On its sides it keeps the vertices that are also used by faces that are not reassembled;
+//! its neighbours across a side apply the same test to the same vertices, so that no edge opens.
 //!
-//! Cost: a sort of the parts of divided triangles, and a look at all faces.
+//! Cost: a sort of the parts of divided triangles, and a pass over all faces.
 
 use std::collections::BTreeMap;
 
 use super::complex::{Complex, ComplexFace, divided};
 use crate::scene::meshes::weld::has_three;
 
-/// A triangle of the mesh that can be put together: the vertices on its sides, and one of its faces.
+/// A mesh triangle that can be reassembled: the vertices on its sides, and one of its faces.
 struct Whole {
     face: ComplexFace,
     corners: [u32; 3],
@@ -19,7 +19,7 @@ struct Whole {
 }
 
 impl Complex<'_> {
-    /// Puts together what need not be divided.
+    /// Reassembles triangles that need not be divided.
     pub(super) fn restore(&mut self) {
         let mut parts_of = vec![0_u32; self.mesh.triangles.len()];
         let of_mesh = |f: &&ComplexFace| f.plane().is_none();
@@ -51,7 +51,7 @@ impl Complex<'_> {
         }
         self.faces
             .retain(|f| f.plane().is_some() || !is_whole[f.source as usize]);
-        // Vertices of the mesh stay: a triangle without area may have been left out because its side passed one.
+        // Vertices of the mesh stay: a triangle without area may have been left out because its side passed through one.
         let mut is_needed = vec![true; self.mesh.positions.len()];
         is_needed.resize(self.positions.len(), false);
         for i in self.faces.iter().flat_map(|f| f.corners) {
@@ -81,7 +81,7 @@ impl Complex<'_> {
     }
 }
 
-/// The vertices on the sides of a triangle, from each corner to the next, where what its parts bound is one loop through the corners.
+/// The vertices on the sides of a triangle, from each corner to the next, if the boundary of its parts is one loop through the corners.
 fn sides(parts: &[ComplexFace], corners: [u32; 3]) -> Option<[Vec<u32>; 3]> {
     let edges = |f: &ComplexFace| {
         let [a, b, c] = f.corners;

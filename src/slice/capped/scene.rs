@@ -1,4 +1,4 @@
-//! The parts of a scene with their caps: where they stand in the world, in their poses.
+//! The parts of a scene with their caps, placed in the world in their poses.
 
 use rayon::prelude::*;
 
@@ -11,24 +11,24 @@ use crate::slice::boolean::{self, Region};
 use crate::slice::in_world::in_world;
 use crate::{Error, Result};
 
-/// Result of the cuts of a scene for one part.
+/// Result of a scene's cuts for one part.
 #[derive(Clone, Debug, Default)]
 pub struct CappedPart {
     /// Index of the part in the scene.
     pub part: usize,
-    /// Indices of the cuts that apply to it, in the order of the regions of its caps.
+    /// Indices of the cuts that apply to the part, in the order of the regions of its caps.
     pub cuts: Vec<usize>,
     /// Kept and removed half, in world space.
     pub halves: Halves,
-    /// Largest distance along `N` between caps and the reliefs that they follow, in world units, as found at the middles of cells.
+    /// Largest distance along `N` between caps and the reliefs that they follow, in world units, measured at the middles of cells.
     pub relief_off: f64,
 }
 
-/// Cells of a relief along the longer side of a part, by default.
+/// Default number of relief cells along the longer side of a part.
 pub const RELIEF_CELLS: u32 = 256;
 
-/// Divides each part by the cuts of a scene into kept and removed meshes with caps, in world space. Each part is a solid of its own,
-/// also where parts overlap; a part that is never cut is left whole.
+/// Divides each part of a scene by its cuts into kept and removed meshes with caps, in world space. Each part is a separate solid,
+/// even if parts overlap; a part that is never cut stays whole.
 ///
 /// ```
 /// use cutaway::generate::shapes::shape;
@@ -48,7 +48,7 @@ pub const RELIEF_CELLS: u32 = 256;
 ///
 /// # Errors
 ///
-/// As of [`capped_with`].
+/// Those of [`capped_with`].
 pub fn capped(scene: &Scene) -> Result<Vec<CappedPart>> {
     capped_with(scene, RELIEF_CELLS)
 }
@@ -57,7 +57,7 @@ pub fn capped(scene: &Scene) -> Result<Vec<CappedPart>> {
 ///
 /// # Errors
 ///
-/// By name, a part that is open and cut by a relief or a cutter; without the feature `boolean`, a cut with either.
+/// Names a part that is open and cut by a relief or a cutter; without the feature `boolean`, a cut with either.
 pub fn capped_with(scene: &Scene, relief_cells: u32) -> Result<Vec<CappedPart>> {
     let world = scene.bounds();
     let space = SceneSpace::new(&world);
@@ -98,7 +98,7 @@ pub fn capped_with(scene: &Scene, relief_cells: u32) -> Result<Vec<CappedPart>> 
     scene.parts.par_iter().enumerate().map(capped).collect()
 }
 
-/// The planes of a cut as they cut a part; none where it has something else.
+/// The planes of a cut for a part; none if the cut has a surface that is not a plane.
 #[doc(hidden)]
 pub fn planes_of(cut: &Cut, part: &Part) -> Option<Vec<SlicePlane>> {
     let keeps = cut.offset_for(part);
@@ -107,7 +107,7 @@ pub fn planes_of(cut: &Cut, part: &Part) -> Option<Vec<SlicePlane>> {
     planes.filter(|_| cut.volume.is_none())
 }
 
-/// Result of cuts of any kind for a part, and the distance of its caps from their reliefs.
+/// Result of any kind of cut for a part, and the distance of its caps from their reliefs.
 #[cfg(feature = "boolean")]
 fn divided<'a>(
     part: &Part,

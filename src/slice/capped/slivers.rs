@@ -1,24 +1,24 @@
 //! Collapses edges that division left too short to be distinguished from points.
 //!
-//! A plane that misses a vertex by rounding crosses the edges at that vertex a hair away, and leaves triangles without area. Programs
-//! that read halves take such vertices for one, each in its own way, and find the mesh open. So an end that division made goes to the other
-//! end, which stays where it is; only an axis-aligned plane moves it onto itself, by less than such an edge. Ends of the mesh are never
-//! joined to each other.
+//! A plane that misses a vertex by a rounding error crosses the vertex's edges extremely close to it, and leaves triangles without area.
+//! Programs that read the halves merge such vertices, each in its own way, and find the mesh open. So an end that division made is moved to
+//! the other end, which stays where it is, except that an axis-aligned plane moves it onto itself, by less than such an edge. Original mesh
+//! vertices are never merged with each other.
 //!
-//! Cost: a look at all faces, and a sort of the short edges.
+//! Cost: a pass over all faces, and a sort of the short edges.
 
 use super::complex::{Complex, State};
 use crate::scene::Bounds;
 use crate::scene::meshes::weld::has_three;
 
-/// Edges shorter than this share of the diagonal of the mesh are points: half of what f32 tells apart at that size.
+/// Edges shorter than this share of the mesh's diagonal count as points: half of what f32 can resolve at that size.
 const SHORT: f64 = 1.0 / 33_554_432.0;
 
-/// Passes over short edges: some are left where both ends of one were the goals of others.
+/// Passes over short edges: some remain if both ends of one were merge targets of others.
 const PASSES: usize = 4;
 
 impl Complex<'_> {
-    /// Makes points of short edges that the mesh did not have.
+    /// Collapses short edges that were not in the mesh.
     pub(super) fn collapse(&mut self) {
         for _ in 0..PASSES {
             if !self.collapse_once() {
@@ -32,7 +32,7 @@ impl Complex<'_> {
         let used = self.faces.iter().flat_map(|f| f.corners);
         let used = used.map(|i| self.positions[i as usize]);
         let short = SHORT * Bounds::from_points(used).size().length();
-        // Those to vertices of the mesh first.
+        // Edges to mesh vertices come first.
         let mut edges: Vec<(bool, f64, u32, u32)> = Vec::new();
         for [a, b, c] in self.faces.iter().map(|f| f.corners) {
             for [from, to] in [[a, b], [b, c], [c, a]] {
@@ -56,7 +56,7 @@ impl Complex<'_> {
         let mut is_goal = vec![false; to.len()];
         for (.., new, into) in edges {
             let [new, into] = [new as usize, into as usize];
-            // No vertex goes farther than along one edge.
+            // No vertex moves farther than along one edge.
             if to[new] as usize == new && to[into] as usize == into && !is_goal[new] {
                 to[new] = into as u32;
                 is_goal[into] = true;
@@ -74,7 +74,7 @@ impl Complex<'_> {
         true
     }
 
-    /// Takes away faces that lie back to back in the same half.
+    /// Removes faces that lie back to back in the same half.
     fn cancel(&mut self) {
         let key = |corners: [u32; 3]| {
             let mut sorted = corners;

@@ -1,20 +1,20 @@
-//! Holes of open meshes, closed by triangles between the vertices that they have: planar ones of any size, and small ones.
+//! Holes of open meshes, closed by triangles between existing vertices: planar holes of any size, and small holes.
 //!
-//! A hole is a closed way along edges that one triangle has. It is
+//! A hole is a closed path along edges that belong to only one triangle. It is
 //! - *planar* if all its vertices are within [`PLANAR`] of the hole's size from a plane. Its triangles are those of the constrained
-//!   Delaunay triangulation that caps have; holes in one plane are filled together, so that the end of a pipe is a ring. Where edges
+//!   Delaunay triangulation, as for caps; coplanar holes are filled together, so that the end of a pipe becomes a ring. If edges
 //!   cross, or pass through vertices, nothing is filled.
-//! - *small* where it has [`SMALL_EDGES`] edges at most, or is no longer around than [`SMALL_SHARE`] of the diagonal of the mesh's box and
-//!   has [`MOST_EDGES`] edges at most. Its triangles are those of least area in all (Barequet & Sharir, *Filling gaps in the boundary of
+//! - *small* if it has at most [`SMALL_EDGES`] edges, or if its perimeter is at most [`SMALL_SHARE`] of the diagonal of the mesh's box and
+//!   it has at most [`MOST_EDGES`] edges. Its triangles are those of least total area (Barequet & Sharir, *Filling gaps in the boundary of
 //!   a polyhedron*, 1995).
 //!
-//! What is neither stays open. No triangle is added that folds back onto its neighbour, which is what would close a sheet, or that
-//! has an edge between two vertices that have one already, where three or four triangles would meet. So each open edge of a closed hole
-//! has two triangles, turned alike, and all other edges of them too. Vertices stay as they are, and so do the triangles that there are.
+//! Other holes stay open. No triangle is added that folds back onto its neighbour, as would happen when closing a sheet, or that
+//! adds a second edge between two vertices, where three or four triangles would meet. So each open edge of a closed hole then
+//! has two triangles with consistent orientation, as do all new edges. Vertices and existing triangles are unchanged.
 //!
-//! Cost: a sort of the edges; for planar holes n log n in their edges, for small ones their cube, some ten milliseconds for 256 edges.
-//! Limits: edges between triangles that disagree which side is out, and edges of three triangles, are around no hole. Whether what closes
-//! a small hole meets other triangles further away is not looked at. Triangles that stand alone within a hole that is not planar stay alone.
+//! Cost: a sort of the edges; for planar holes n log n in their edges, for small ones their cube, about ten milliseconds for 256 edges.
+//! Limits: edges between triangles with inconsistent orientation, and edges of three triangles, belong to no hole. Whether the filling
+//! of a small hole meets other triangles farther away is not checked. Isolated triangles within a hole that is not planar stay isolated.
 
 mod parts;
 mod planar;
@@ -30,23 +30,23 @@ use crate::scene::{Bounds, Mesh};
 pub use parts::close_holes_of;
 use planar::Plane;
 
-/// Tolerance of a planar hole: distance of vertices from a plane, as a share of the diagonal of the hole's box: the rounding of a
-/// small hole far from the origin, in f32.
+/// Tolerance of a planar hole: distance of vertices from a plane, as a share of the diagonal of the hole's box: the f32 rounding error of
+/// a small hole far from the origin.
 const PLANAR: f64 = 1e-4;
 
-/// Edges of a small hole, however long.
+/// Maximum edges of a small hole, whatever its perimeter.
 const SMALL_EDGES: usize = 12;
 
-/// Length of the edges of a small hole together, as a share of the diagonal of the mesh's box.
+/// Maximum perimeter of a small hole, as a share of the diagonal of the mesh's box.
 const SMALL_SHARE: f64 = 0.5;
 
-/// Most edges of a hole that is closed because it is short.
+/// Maximum edges of a hole that is closed because its perimeter is small.
 const MOST_EDGES: usize = 256;
 
-/// Cosine of the angle between the normals of neighbours beyond which one is folded back onto the other: 179 degrees.
+/// Cosine of the angle between neighbours' normals beyond which one is folded back onto the other: 179 degrees.
 const FOLDED: f64 = -0.999_85;
 
-/// A closed way along open edges.
+/// A closed path along open edges.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Hole {
     /// Its vertices in order, so that triangles inside are oriented like their neighbours.
@@ -62,25 +62,25 @@ pub enum HoleDefect {
     /// It is neither planar nor small.
     #[error("neither planar nor small")]
     Large,
-    /// Filling would lie on its neighbours, as for the rim of a sheet.
-    #[error("closed it would lie on its own surface")]
+    /// The filling would lie on its neighbours, as for the rim of a sheet.
+    #[error("the filling would lie on the mesh itself")]
     Folded,
-    /// It is planar, and its edges cross, or pass through vertices.
+    /// It is planar, but its edges cross, or pass through vertices.
     #[error("its edges cross or touch")]
     Crossing,
-    /// Every way to close it needs an edge that there is already.
-    #[error("what closes it would meet other triangles in an edge")]
+    /// Every way to close it needs an edge that already exists.
+    #[error("the filling would share an edge with other triangles")]
     Taken,
 }
 
 /// Triangles that close a mesh.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Closing {
-    /// Triangles to be added.
+    /// Triangles to add.
     pub triangles: Vec<[u32; 3]>,
-    /// All holes, in the order of their least vertices.
+    /// All holes, ordered by their least vertices.
     pub holes: Vec<Hole>,
-    /// Open edges that are around no hole.
+    /// Number of open edges that belong to no hole.
     pub loose_edges: usize,
 }
 
@@ -148,12 +148,12 @@ pub fn close_holes(mesh: &Mesh) -> Closing {
     closing
 }
 
-/// Surface data at the holes.
+/// The surface around the holes.
 struct Surface<'a> {
     mesh: &'a Mesh,
-    /// The normals of triangles at open edges, by the edges as holes have them.
+    /// The normals of triangles at open edges, keyed by the edges in the direction of the holes.
     normals: BTreeMap<[u32; 2], DVec3>,
-    /// Edges between vertices of holes, the lesser vertex first.
+    /// Edges between vertices of holes, lesser vertex first.
     edges: BTreeSet<[u32; 2]>,
 }
 
@@ -191,7 +191,7 @@ impl<'a> Surface<'a> {
         self.edges.contains(&sorted(ends))
     }
 
-    /// Closes those holes in one plane that can be closed together, and says which are left.
+    /// Closes those holes in one plane that can be closed together, and returns the others.
     fn close_together(
         &mut self,
         closing: &mut Closing,
@@ -204,8 +204,8 @@ impl<'a> Surface<'a> {
         if self.close(closing, &group, planes).is_ok() {
             return Vec::new();
         }
-        // What cannot be closed by itself must not keep others from being closed together: alone, the two rims at the end of a pipe
-        // would be two disks.
+        // A hole that cannot be closed alone must not keep others from being closed together. All are tried together first: closed alone,
+        // the two rims at the end of a pipe would become two disks.
         let can_alone = |hole: &usize| self.filling(&closing.holes, &[*hole], planes).is_ok();
         let (able, unable): (Vec<usize>, Vec<usize>) = group.iter().partition(|h| can_alone(h));
         let is_subset = able.len() > 1 && !unable.is_empty();
@@ -230,7 +230,7 @@ impl<'a> Surface<'a> {
         Ok(())
     }
 
-    /// Triangles that close some holes in one plane.
+    /// Triangles that close the given coplanar holes.
     fn filling(
         &self,
         holes: &[Hole],
@@ -245,7 +245,7 @@ impl<'a> Surface<'a> {
         self.checked(holes, numbers, triangles)
     }
 
-    /// Triangles that close exactly some holes and agree with the surface.
+    /// Triangles that close exactly the given holes and agree with the surface.
     fn checked(
         &self,
         holes: &[Hole],
@@ -289,14 +289,14 @@ impl<'a> Surface<'a> {
     }
 }
 
-/// Triangles that close some holes.
+/// Triangles that close holes.
 struct Filling {
     triangles: Vec<[u32; 3]>,
-    /// Its edges that are of no hole, the lesser vertex first.
+    /// Edges of the filling that belong to no hole, lesser vertex first.
     edges: Vec<[u32; 2]>,
 }
 
-/// The edges of a closed way.
+/// The edges of a closed path.
 fn edges_of(rim: &[u32]) -> impl Iterator<Item = [u32; 2]> {
     let next = rim.iter().cycle().skip(1);
     rim.iter().zip(next).map(|(a, b)| [*a, *b])
@@ -306,12 +306,12 @@ fn sorted([a, b]: [u32; 2]) -> [u32; 2] {
     [a.min(b), a.max(b)]
 }
 
-/// The unit normal of a triangle, zero where it has none.
+/// The unit normal of a triangle, or zero if it has none.
 fn normal([a, b, c]: [DVec3; 3]) -> DVec3 {
     (b - a).cross(c - a).normalize_or_zero()
 }
 
-/// Length of all edges of a closed way together.
+/// Total length of the edges of a closed path.
 fn perimeter(points: &[DVec3]) -> f64 {
     let next = points.iter().cycle().skip(1);
     points.iter().zip(next).map(|(a, b)| a.distance(*b)).sum()

@@ -11,14 +11,14 @@ use crate::scene::meshes::weld::thousands;
 use crate::scene::units::numbers::round;
 use crate::scene::{FilledPart, Mesh, Part};
 
-/// Holes reported one by one, per kind and part.
+/// Maximum holes reported individually, per kind and part.
 const MOST_TOLD: usize = 4;
 
-/// Parts reported one by one.
+/// Maximum parts reported individually.
 const MOST_PARTS_TOLD: usize = 16;
 
-/// Closes the planar and small holes of parts, and says which. Parts that share a mesh share what closes it; closed ones stay as they
-/// are.
+/// Closes the planar and small holes of parts, and returns notes about them. Parts that share a mesh share the result; closed parts
+/// are unchanged.
 pub fn close_holes_of<'a>(parts: impl IntoIterator<Item = &'a mut Part>) -> Vec<String> {
     let mut known: Vec<(Arc<Mesh>, Closing, Option<FilledPart>)> = Vec::new();
     let mut notes = Vec::new();
@@ -66,11 +66,11 @@ impl Closing {
     }
 }
 
-/// Note about a part, if it is open.
+/// Note about a part if it is open.
 fn note(part: &Part, closing: &Closing) -> Option<String> {
     let loose = match closing.loose_edges {
         0 => String::new(),
-        edges => format!("; {} open edges are around no hole", thousands(edges)),
+        edges => format!("; {} open edges belong to no hole", thousands(edges)),
     };
     if closing.holes.is_empty() {
         return (closing.loose_edges > 0).then(|| format!("{}: closed no hole{loose}", part.name));
@@ -100,7 +100,7 @@ fn note(part: &Part, closing: &Closing) -> Option<String> {
         }
         if why == HoleDefect::Large && closing.holes.iter().any(|h| h.defect == Some(why)) {
             text.push_str(&format!(
-                " (small: {SMALL_EDGES} edges at most, or {MOST_EDGES} and {} % of the model's diagonal around)",
+                " (small: at most {SMALL_EDGES} edges, or at most {MOST_EDGES} edges and a perimeter of {} % of the model's diagonal)",
                 round(100.0 * SMALL_SHARE)
             ));
         }
@@ -131,7 +131,7 @@ impl HolePlace {
     }
 }
 
-/// The longest holes, and the number of the others.
+/// The holes with the largest perimeters, and the number of the others.
 fn list(before: &str, mut places: Vec<HolePlace>) -> String {
     if places.is_empty() {
         return String::new();

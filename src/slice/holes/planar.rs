@@ -1,4 +1,4 @@
-//! Planar holes: the plane of each, those in one plane, and their triangles.
+//! Planar holes: the plane of each, groups of coplanar holes, and their triangles.
 
 use std::collections::BTreeMap;
 
@@ -8,7 +8,7 @@ use super::super::cover::cover;
 use super::{HoleDefect, PLANAR, box_of, points_of};
 use crate::scene::Mesh;
 
-/// Holes are filled together whose planes agree to this, in the normal and as a share of the mesh's diagonal.
+/// Holes are filled together if their planes agree to this, in the normal and in the offset as a share of the mesh's diagonal.
 const SAME_PLANE: f64 = 1e-3;
 
 /// The plane of a hole.
@@ -19,7 +19,7 @@ pub(super) struct Plane {
 }
 
 impl Plane {
-    /// The plane of a planar hole.
+    /// The plane of a hole, if it is planar.
     pub(super) fn of(mesh: &Mesh, rim: &[u32]) -> Option<Self> {
         let points = points_of(mesh, rim);
         let bounds = box_of(&points);
@@ -43,7 +43,7 @@ impl Plane {
         })
     }
 
-    /// The triangles within rims, which are in this plane.
+    /// The triangles within rims that lie in this plane.
     pub(super) fn triangles(
         &self,
         mesh: &Mesh,
@@ -87,7 +87,7 @@ impl Plane {
     }
 }
 
-/// The numbers of planar holes, those in one plane together.
+/// The indices of planar holes, grouped by plane.
 pub(super) fn groups(planes: &[Option<Plane>], diagonal: f64) -> Vec<Vec<usize>> {
     let mut groups: BTreeMap<[i64; 4], Vec<usize>> = BTreeMap::new();
     for (number, plane) in planes.iter().enumerate() {
@@ -97,7 +97,7 @@ pub(super) fn groups(planes: &[Option<Plane>], diagonal: f64) -> Vec<Vec<usize>>
         let cell = |x: f64| (x / SAME_PLANE).round() as i64;
         let step = cell(origin.dot(*normal) / diagonal);
         let [x, y, z] = normal.to_array().map(cell);
-        // Seen from either side it is one plane.
+        // A plane is the same seen from either side.
         let key = [x, y, z, step].max([-x, -y, -z, -step]);
         groups.entry(key).or_default().push(number);
     }

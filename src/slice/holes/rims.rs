@@ -1,7 +1,7 @@
-//! Closed ways along the open edges of a mesh.
+//! Closed paths along the open edges of a mesh.
 //!
-//! Each edge that one triangle has is walked against that triangle. Where a way comes back to a vertex that it has passed, what lies
-//! between is a hole of its own: holes that touch in a vertex come apart, and no hole passes a vertex twice.
+//! Each edge with a single triangle is walked against that triangle's direction. If a path returns to a vertex that it has passed, the
+//! part in between is a separate hole: holes that touch in a vertex are separated, and no hole passes a vertex twice.
 //!
 //! Cost: a sort of the edges, and one walk over the open ones.
 
@@ -12,9 +12,9 @@ use crate::scene::meshes::topology::EdgeUses;
 /// The rims of holes.
 #[derive(Debug, Default)]
 pub(super) struct Rims {
-    /// Each from its least vertex on, sorted.
+    /// Loops, each starting at its least vertex, sorted.
     pub(super) loops: Vec<Vec<u32>>,
-    /// Edges that are in none.
+    /// Number of open edges that are in no loop.
     pub(super) loose: usize,
 }
 
@@ -47,7 +47,7 @@ pub(super) fn rims(triangles: &[[u32; 3]]) -> Rims {
     rims
 }
 
-/// Walks steps from vertex to vertex, each once; the closed ways among them.
+/// Walks each step from vertex to vertex once; returns the closed paths found.
 fn walk(steps: &[[u32; 2]]) -> Vec<Vec<u32>> {
     let mut loops = Vec::new();
     let mut is_walked = vec![false; steps.len()];
@@ -67,7 +67,7 @@ fn walk(steps: &[[u32; 2]]) -> Vec<Vec<u32>> {
                 });
                 loops.push(rim);
             }
-            // Where all of the path was a hole there is nothing to go on from.
+            // If the whole path was a hole, there is no vertex to continue from.
             if path.is_empty() {
                 break;
             }

@@ -1,9 +1,9 @@
-//! Small holes: of all ways to fill them with triangles the one of least area.
+//! Small holes: the filling with the least total area of triangles.
 //!
-//! The least area between two vertices of the rim is that of the triangle on their edge and of what it leaves on either side, for the
-//! vertex where this is least (dynamic programming).
+//! The least area between two rim vertices is that of the triangle on the edge between them plus the least areas on its other two sides,
+//! minimised over the triangle's third vertex (dynamic programming).
 //!
-//! Cost: the cube of the edges in time, their square in memory.
+//! Cost: cubic in the edges in time, quadratic in memory.
 
 use super::{MOST_EDGES, SMALL_EDGES, SMALL_SHARE, perimeter, points_of};
 use crate::scene::Mesh;
@@ -14,7 +14,7 @@ pub(super) fn is_small(mesh: &Mesh, rim: &[u32], diagonal: f64) -> bool {
     rim.len() <= SMALL_EDGES || (rim.len() <= MOST_EDGES && is_short())
 }
 
-/// The triangles within a rim, none of whose inner edges is taken; `None` where there are none.
+/// The triangles within a rim that need no edge that is already taken; `None` if there are none.
 pub(super) fn triangles(
     mesh: &Mesh,
     rim: &[u32],
@@ -22,7 +22,7 @@ pub(super) fn triangles(
 ) -> Option<Vec<[u32; 3]>> {
     let count = rim.len();
     let points = points_of(mesh, rim);
-    // Least area between two vertices, and the vertex of the triangle at their edge.
+    // Least area between two vertices, and the third vertex of the triangle on the edge between them.
     let mut least = vec![(f64::INFINITY, 0); count * count];
     for from in 0..count - 1 {
         least[from * count + from + 1].0 = 0.0;

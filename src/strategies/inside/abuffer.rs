@@ -1,17 +1,16 @@
 //! `abuffer`: all fragments of each pixel, kept as lists (Carpenter 1984).
 //!
-//! One pass over the mesh counts the fragments of each pixel, a prefix sum lays their lists out one after the other, and the
-//! pass that finds the surfaces fills them with depths. A pass per pixel then counts the crossings before each depth and
-//! turns the list into the very words that `mask` writes at once: a crossing is inside where an odd number of depths lies
-//! behind it. No list is sorted, for parity asks for no order.
+//! One pass over the mesh counts the fragments of each pixel, a prefix sum lays their lists out one after the other, and the pass that
+//! finds the surfaces fills them with depths. A pass per pixel then counts the crossings in front of each depth and converts the list into
+//! the same words that `mask` writes directly: a crossing is inside where an odd number of depths lies behind it. No list is sorted,
+//! because parity does not depend on order.
 //!
-//! Per frame: two mesh passes (the compute rasteriser takes the vertices to a screen for each), a prefix sum of one to five
-//! passes, one reduction, one resolve; 4 bytes per pixel and per fragment, 8 per fragment where several parts are cut. Exact
-//! for closed meshes up to ties of f32, as `mask` is; the full depth is kept. What it has over `mask`: the fragments
-//! themselves, to ask other questions of.
+//! Per frame: two mesh passes (the compute rasteriser transforms the vertices for each), a prefix sum of one to five passes, one reduction,
+//! one resolve; 4 bytes per pixel and per fragment, 8 per fragment if several parts are cut. Exact for closed meshes up to ties of f32, as
+//! `mask` is; depths keep full precision. Advantage over `mask`: the fragments themselves, for other queries.
 //!
-//! Cannot: know before a frame how many fragments there will be. A frame that needs more than the last is drawn twice; where
-//! they are more than a storage binding holds, in bands of rows.
+//! Cannot: predict the number of fragments of a frame. A frame that needs more than the previous one is drawn twice; if the fragments
+//! exceed a storage binding, in bands of rows.
 
 use crate::effects::{FrameOutput, finish};
 use crate::passes::{
@@ -23,7 +22,7 @@ use crate::shader::Shader;
 use crate::strategies::row::{Abilities, CapSurface, InsideTestKind, InsideTestRow, StrategyInfo};
 use crate::strategies::surface;
 
-/// Name of the bounded buffer, for the report of a frame that needs more.
+/// Name of the bounded buffer, reported when a frame needs more.
 const FRAGMENTS_OF_PIXELS: &str = "fragments of the A-buffer";
 
 /// The row of the table.

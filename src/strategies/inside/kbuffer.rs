@@ -1,15 +1,15 @@
-//! `kbuffer:K`: of each pixel and part the K nearest fragments, and how many there are (Bavoil et al. 2007).
+//! `kbuffer:K`: the K nearest fragments per pixel and part, and the number of fragments (Bavoil et al. 2007).
 //!
-//! A fragment is offered to the slots of its pixel from the nearest on; each keeps the greater depth-buffer value and offers
-//! the other to the next, by one atomic maximum: no lock, no order, no list to lay out. Behind a crossing are all fragments
-//! except those in front, so that what the near plane cuts off does no harm: it is missing from both numbers. A pass per
-//! pixel turns counts and slots into the very words that `mask` writes at once.
+//! A fragment is offered to its pixel's slots, starting at the nearest; each slot keeps the greater depth-buffer value and passes the other
+//! on, by one atomic maximum: no lock, no order, no list to lay out. The fragments behind a crossing are all except those in front, so
+//! fragments clipped by the near plane do no harm: they are missing from both numbers. A pass per pixel converts counts and slots into the
+//! same words that `mask` writes directly.
 //!
-//! Per frame: one mesh pass of up to K + 1 atomics a fragment, one reduction, one resolve; 4 (K + 1) bytes per pixel and cut
-//! part. Exact, as `mask` is, where no crossing lies behind the K-th fragment of a pixel that has more.
+//! Per frame: one mesh pass with up to K + 1 atomics per fragment, one reduction, one resolve; 4 (K + 1) bytes per pixel and cut part. As
+//! exact as `mask`, except where a crossing lies behind the K-th fragment of a pixel with more fragments.
 //!
-//! Cannot: tell what lies behind the K-th. There it marks the pixel, and the frame reports how many it would have needed; K is
-//! the user's number and does not grow by itself.
+//! Cannot: decide what lies behind the K-th fragment. It marks such pixels, and the frame reports the K it would have needed; the user
+//! chooses K, and it does not grow by itself.
 
 use crate::effects::{FrameOutput, finish};
 use crate::passes::{

@@ -1,18 +1,17 @@
 //! `ldi:RES`: layered depth images (Shade et al. 1998) of all cut parts, built in one go in every frame.
 //!
-//! The image of a part is that of `vds`: along the shortest axis of its box, orthographic, depth in 0..1. But instead of
-//! peeling layer after layer, one pass over the mesh counts the fragments of each texel of all images, a prefix sum lays
-//! their lists out, and a second pass fills them. The parity test counts the depths behind a point, in whatever order they
-//! came. So a mesh may move or change from frame to frame at the price of two passes, whatever its depth complexity, and
-//! faces of equal depth are all kept, which peeling loses.
+//! The image of a part is that of `vds`: along the shortest axis of its box, orthographic, depth in 0..1. But instead of peeling layer
+//! after layer, one pass over the mesh counts the fragments of each texel of all images, a prefix sum lays their lists out, and a second
+//! pass fills them. The parity test counts the depths behind a point, in any order. So a mesh may move or change from frame to frame at the
+//! cost of two passes, whatever its depth complexity, and coincident faces, which peeling loses, are all kept.
 //!
-//! By the GPU's own rasteriser all images are drawn at once; the compute rasteriser takes the parts one by one.
+//! The hardware rasteriser draws all images at once; the compute rasteriser draws the parts one by one.
 //!
-//! Per frame: two mesh passes at RES x RES, a prefix sum of three to five, as many loads per question as the texel has
-//! depths; 4 bytes per texel of each part and 4 per fragment. Error: that of `vds`, in proportion to 1/RES along silhouettes.
+//! Per frame: two mesh passes at RES x RES, a prefix sum of three to five passes, one load per query for each depth in the texel; 4 bytes
+//! per texel of each part and 4 per fragment. Error: that of `vds`, in proportion to 1/RES along silhouettes.
 //!
-//! Cannot: know before a frame how many fragments there will be, as `abuffer`; hold more texels and fragments than a storage
-//! binding, 128 MiB in core WebGPU.
+//! Cannot: predict the number of fragments, as `abuffer`; hold more texels and fragments than fit in a storage binding, 128 MiB in core
+//! WebGPU.
 
 use super::vds;
 use crate::passes::{
@@ -26,7 +25,7 @@ use crate::plan::{
 use crate::shader::Shader;
 use crate::strategies::row::{Abilities, InsideTestKind, InsideTestRow, Parameter, StrategyInfo};
 
-/// Name of the bounded buffer, for the report of a frame that needs more.
+/// Name of the bounded buffer, reported when a frame needs more.
 const FRAGMENTS_OF_TEXELS: &str = "fragments of the layered depth images";
 
 /// The row of the table.
@@ -56,7 +55,7 @@ pub(crate) static ROW: InsideTestRow = InsideTestRow {
     }),
 };
 
-/// Records the images of the parts that are cut.
+/// Records the images of the cut parts.
 fn record(plan: &mut Plan, scene: &SceneBuffers<'_>, resolution: u32) -> Result<Volume, Refusal> {
     let input = scene.input;
     let ranks = input.active_cuts.cut_parts();
@@ -118,7 +117,7 @@ fn record(plan: &mut Plan, scene: &SceneBuffers<'_>, resolution: u32) -> Result<
     })
 }
 
-/// The boxes of the parts, by place.
+/// The boxes of the parts, by index in the part table.
 fn table(plan: &mut Plan, scene: &SceneBuffers<'_>, resolution: u32) -> Binding {
     let parts = &scene.input.model.prepared.parts;
     let ranks = scene.input.active_cuts.cut_parts().iter().zip(0_u32..);
@@ -134,7 +133,7 @@ fn table(plan: &mut Plan, scene: &SceneBuffers<'_>, resolution: u32) -> Binding 
     Binding::read("sprites", plan.add_resource(images))
 }
 
-/// A pass in which the fragments of all images leave what a store keeps.
+/// A pass in which the fragments of all images are passed to the store.
 fn draw(
     scene: &SceneBuffers<'_>,
     name: &str,
@@ -161,7 +160,7 @@ fn draw(
     )
 }
 
-/// A part on the screen that is its image.
+/// The compute rasteriser's screen for the image of a part.
 fn screen(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,

@@ -1,30 +1,30 @@
 //! `mask`: parity without storage.
 //!
-//! The crossings of every pixel are known before the mesh is drawn. One pass over the mesh XORs into the pixel's lane one bit
-//! for each crossing that the fragment lies behind; bit i ends as the parity of the fragments behind crossing i, which is
-//! whether crossing i is inside the solid. XOR commutes: no order, no sort, no list of fragments, no limit to depth
-//! complexity. The top bit of a lane gets every fragment and ends at 0 wherever the mesh is closed. Ancestor: Eisemann &
-//! Décoret, *Single-pass GPU solid voxelization* (2008), with uniform voxels in the place of the few depths that matter.
+//! The crossings of every pixel are known before the mesh is drawn. One pass over the mesh XORs into the pixel's lane one bit for each
+//! crossing that the fragment lies behind; bit i ends as the parity of the fragments behind crossing i, that is, whether crossing i is
+//! inside the solid. XOR commutes: no order, no sort, no fragment list, no limit on depth complexity. Every fragment toggles the top bit of
+//! a lane, which ends at 0 wherever the mesh is closed. Ancestor: Eisemann & Décoret, *Single-pass GPU solid voxelization* (2008), with
+//! uniform voxels instead of the few relevant depths.
 //!
-//! A part filled by the nonzero rule has counts in the place of bits: a fragment adds 1 or -1, by the side it shows, to a byte
-//! for each crossing it lies behind, and crossing i is inside where its byte is not 0. One word more holds the sum over all
-//! fragments, which a closed mesh ends with at 0, and their number, which says whether a byte may have run over: more than 254
-//! fragments in a pixel are marked. The other parts of the scene keep their bits.
+//! A part filled by the nonzero rule has counts instead of bits: a fragment adds 1 or -1, depending on its facing, to one byte for each
+//! crossing that it lies behind, and crossing i is inside where its byte is not 0. One more word holds the sum over all fragments, which is
+//! 0 for a closed mesh, and their number, which shows whether a byte may have overflowed: pixels with more than 254 fragments are marked.
+//! The other parts of the scene keep their bits.
 //!
-//! By the compute rasteriser with one plane as the only clip-surface there is no list: each sample tests the plane. No result for a
-//! cut part depends on the testing pass, because each sample is judged once, and all that are kept lie on one side.
+//! If one plane is the only clip-surface, the compute rasteriser needs no list: each sample tests the plane. The results for a cut part do
+//! not depend on which pass tests, because each sample is judged once, and all kept samples lie on one side.
 //!
-//! Why the nearest kept fragment is a true boundary though inner shells are fragments too: were the ray inside the part
-//! before it as well as after, it would have come inside by a fragment, which would be kept and nearer; or by leaving what is
-//! removed, which is a cap and nearer; or at the near plane, which has a cap of its own.
+//! Why the nearest kept fragment is a true boundary although inner shells are fragments too: if the ray were inside the part both before
+//! and after it, it would have entered by a fragment, which would be kept and nearer; or by leaving the removed region, at a cap that is
+//! nearer; or at the near plane, which has its own cap.
 //!
-//! Per frame: one mesh pass, one resolve; 2 to 32 bits per pixel and cut part, 8 to 36 bytes where it is
-//! filled nonzero, and more where a pixel has more than 31 crossings. Exact for closed meshes up to ties of f32.
-//! The resolve looks at every lane of a pixel, so its time grows with the number of cut parts.
+//! Per frame: one mesh pass, one resolve; 2 to 32 bits per pixel and cut part, 8 to 36 bytes if it is filled nonzero, and more where a
+//! pixel has more than 31 crossings. Exact for closed meshes up to ties of f32. The resolve reads every lane of a pixel, so its time grows
+//! with the number of cut parts.
 //!
-//! Cannot: repair an open mesh; it marks the pixels where the total is odd or, under the nonzero rule, not 0, which faces that
-//! do not agree on what is out make as well. Where the near plane meets a part's box an odd
-//! total may as well say that the ray starts inside, so there it marks nothing.
+//! Cannot: repair an open mesh; it marks the pixels where the total is odd or, under the nonzero rule, not 0, which inconsistently oriented
+//! faces also cause. Where the near plane meets a part's box an odd total may also mean that the ray starts inside, so nothing is marked
+//! there.
 
 use crate::effects::{FrameOutput, finish};
 use crate::passes::{

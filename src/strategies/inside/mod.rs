@@ -1,7 +1,7 @@
 //! Inside tests.
 //!
-//! Ray tests record the frame of a cap surface themselves. Point tests record images, which are sampled at every crossing of
-//! the camera's rays here, or by the paper's rule ([`paper`](super::surface::paper)) about every fragment of a cap.
+//! Ray tests record the frame of a cap surface themselves. Point tests record images, which are sampled here at every crossing of the
+//! camera's rays, or by the paper's rule ([`paper`](super::surface::paper)) at every cap fragment.
 
 pub(crate) mod abuffer;
 pub(crate) mod kbuffer;
@@ -21,8 +21,8 @@ use crate::passes::{
 };
 use crate::plan::{Binding, Plan, ResourceId};
 
-/// Lists crossings, at most `capacity` per pixel, and draws the mesh with fragments that store nothing: the inside test uses other data, or
-/// draws the mesh again. Its mask begins empty.
+/// Lists crossings, at most `capacity` per pixel, and draws the mesh with fragments that store nothing, for an inside test that uses other
+/// data or draws the mesh again. Its mask starts empty.
 fn leaving_nothing(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,
@@ -37,8 +37,7 @@ fn leaving_nothing(
     Ok((crossings, nearest))
 }
 
-/// Records the frame of listed crossings with the images of volumes that `images` makes, each with the places of the parts that it
-/// answers for.
+/// Records the frame of listed crossings with the volume images that `images` makes, each with the part-table indices that it covers.
 pub(super) fn probed(
     plan: &mut Plan,
     input: &Input<'_>,

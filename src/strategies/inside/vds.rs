@@ -1,19 +1,19 @@
 //! `vds:RES`: the volumetric depth sprite of Trapp & Döllner 2013 (after their *Real-time volumetric tests using layered depth
 //! images*, 2008): a layered depth image of one part, built once by depth peeling, and a parity test on it.
 //!
-//! The sprite looks along one axis of scene space, the shortest of the part's box, orthographically and with linear depth
-//! in 0..1. As many layers as the depth complexity at the resolution used: it is counted first, since grazing silhouettes
-//! make it grow with the resolution. The test loads texels without filtering, for filtering would blend different surfaces.
+//! The sprite looks along one axis of scene space, the shortest of the part's box, orthographically and with linear depth in 0..1. It has
+//! as many layers as the depth complexity at its resolution, which is counted first, since grazing silhouettes make it grow with the
+//! resolution. The test loads texels unfiltered, because filtering would blend different surfaces.
 //!
-//! Per solid: one counting pass and d peeling passes; 4 d RES² bytes a part, and 4 RES² to count. Per frame: d loads per cap
-//! fragment. Error: a point is tested up to half a texel away from its position, so wrong pixels line the silhouettes in
-//! proportion to 1/RES. Cannot: follow a moving mesh without a rebuild; keep coincident faces apart (peeling loses ties).
+//! Per solid: one counting pass and d peeling passes; 4 d RES² bytes per part, and 4 RES² for counting. Per frame: d loads per cap
+//! fragment. Error: a point is tested up to half a texel away from its position, so wrong pixels line the silhouettes in proportion to
+//! 1/RES. Cannot: follow a moving mesh without a rebuild; keep coincident faces apart (peeling loses ties).
 //!
-//! Slips of the paper mended here: its listing 2 samples slices at their boundary, where filtering blends two layers; its
-//! VPT formula is true in gaps outside the solid as well, its listing's parity is right.
+//! Corrections to the paper: its listing 2 samples slices at their boundary, where filtering blends two layers; its VPT formula is also
+//! true in gaps outside the solid, while the parity in its listing is right.
 //!
-//! With `raycast`, in the place of the paper's grid, the crossings of each pixel are looked up in the sprites one part after
-//! the other, and the answers become the words of a mask: its caps lie where they should, and only their rims err.
+//! With `raycast` instead of the paper's grid, the crossings of each pixel are looked up in the sprites of one part after the other, and
+//! the answers become mask words: its caps lie at the right depth, and only their rims are inexact.
 
 use glam::{DVec2, DVec3};
 
@@ -62,7 +62,7 @@ pub(crate) static ROW: InsideTestRow = InsideTestRow {
     }),
 };
 
-/// Layers beyond which a sprite is not built: a texture has no more.
+/// Most layers of a sprite: a texture has no more.
 pub(crate) const MOST_LAYERS: u32 = 256;
 
 /// Records the sprite of a part, by rank.
@@ -74,7 +74,7 @@ fn record(
     counts: ResourceId,
 ) -> Volume {
     let part = &scene.input.model.prepared.parts[rank];
-    // By the part's number in the scene, which no cut changes: a sprite stays when other parts begin or cease to be cut.
+    // Keyed by the part's number in the scene, which cuts do not change: a sprite is kept when other parts begin or cease to be cut.
     let number = part.part as u32;
     let name = &part.name;
     let layers = scene.input.capacities.layers_of(rank);
@@ -161,8 +161,8 @@ fn record(
     }
 }
 
-/// Axes of a sprite, s, t and depth, and how many sprites long a unit of scene space is: the shortest side of the box is the
-/// depth, and a margin of two texels is left.
+/// Axes of a sprite, s, t and depth, and the scale from scene space to the sprite: depth is along the shortest side of the box, with a
+/// margin of two texels.
 fn axes(bounds: &Bounds, resolution: u32) -> ([DVec3; 3], f64) {
     let size = bounds.size();
     let all = [DVec3::X, DVec3::Y, DVec3::Z];
@@ -194,7 +194,7 @@ pub(super) fn sprite(bounds: &Bounds, resolution: u32, layers: u32, slot: u32) -
     }
 }
 
-/// The same as a view, one pixel to a texel.
+/// The sprite's projection as a view, one pixel per texel.
 pub(super) fn view(bounds: &Bounds, resolution: u32) -> View {
     let ([s, t, depth], per_unit) = axes(bounds, resolution);
     let half = 0.5 / per_unit;

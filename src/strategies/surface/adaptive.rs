@@ -1,20 +1,19 @@
 //! `adaptive:TAU`: a tessellation rebuilt for every view, just fine enough to stay within TAU pixels of the relief.
 //!
-//! Squares of texels are halved into right triangles, and these at the middle of their longest edge again and again, below a texel
-//! too (Lindstrom & Pascucci, *Visualization of large terrains made easy*, 2001). What a triangle would be off by is measured on the
-//! map, once for each cut; its visible part follows from the least depth at which it may be seen. The halving of an edge is decided
-//! at its middle, in integers where it matters, so that neighbours agree without communication and no crack can arise. Triangles
-//! outside the picture or outside the box of the cut solids are left out: no crossings are needed there.
+//! Squares of texels are halved into right triangles, and these repeatedly at the middle of their longest edge, even below a texel
+//! (Lindstrom & Pascucci, *Visualization of large terrains made easy*, 2001). A triangle's error is measured on the map, once per cut; how
+//! much of it is visible follows from the least depth at which it may be seen. Whether an edge is halved is decided at its middle, in
+//! integers where it matters, so that neighbours agree without communication and no crack can arise. Triangles outside the picture or the
+//! box of the cut solids are left out: no crossings are needed there.
 //!
-//! Per cut: a texel is looked at once for each size of edge and of square, up to 13 times; 8 bytes per texel around the cut solids.
-//! Per frame: a workgroup per patch, and several where an invocation would walk through more than 2,000 triangles; time in proportion to the
-//! triangles that come out; 12 bytes for each that there is room for, and 4 for each patch. The device draws what it made: nothing is
-//! read back.
+//! Per cut: a texel is read once for each size of edge and of square, up to 13 times; 8 bytes per texel around the cut solids. Per frame: a
+//! workgroup per patch, or several if an invocation would visit more than 2,000 triangles; time in proportion to the resulting triangles;
+//! 12 bytes per triangle of capacity, and 4 per patch. The device draws the triangles itself: nothing is read back.
 //!
-//! Cannot: halve a texel more often than 16 bits can count, where a map has very many; an error of TAU asks for more only where a
-//! single texel is hundreds of pixels high. Keep its measurements where a relief moves across its texels, or the box of the solids that are
-//! cut does: all is measured again. Say which pixels miss triangles that found no room: the frame is drawn again with as many as it needs.
-//! Refuses reliefs of more texels than a storage binding holds: `raycast` draws those.
+//! Cannot: halve a texel more often than 16 bits can count, if a map has very many; an error of TAU requires more only where a single texel
+//! is hundreds of pixels high. Keep its measurements when a relief or the box of the cut solids moves across its texels: all is measured
+//! again. Mark the pixels of triangles beyond the capacity: the frame is drawn again with enough. Refuses reliefs with more texels than a
+//! storage binding holds: `raycast` draws those.
 
 mod domain;
 mod measure;
@@ -29,7 +28,7 @@ use crate::plan::{
 };
 use crate::strategies::row::{Abilities, CapSurfaceRow, Caps, Parameter, StrategyInfo};
 
-/// Steps of TAU in a pixel.
+/// Steps of the parameter TAU per pixel.
 const STEPS_PER_PX: u32 = 1000;
 
 /// The row of the table.
@@ -44,7 +43,7 @@ pub(crate) static ROW: CapSurfaceRow = CapSurfaceRow {
             most: 100 * STEPS_PER_PX,
             steps_per_unit: STEPS_PER_PX,
         }),
-        about: "triangles as fine as TAU pixels of error ask for, chosen and drawn on the device",
+        about: "triangles just fine enough for an error of TAU pixels, chosen and drawn on the device",
         limit: "",
         rebuilds: "",
         can: Abilities::ALL,
@@ -58,9 +57,9 @@ pub(crate) static ROW: CapSurfaceRow = CapSurfaceRow {
     }),
 };
 
-/// Triangles that each relief is given room for until a frame reports what it needs.
+/// Capacity of each relief, in triangles, until a frame reports its need.
 const FIRST_TRIANGLES: u32 = 1 << 16;
-/// Most triangles of all reliefs: 128 MiB of indices.
+/// Most triangles of all reliefs together: 128 MiB of indices.
 const MOST_TRIANGLES: u32 = (128 << 20) / 12;
 
 /// The reliefs as triangles and, on request, the planes as a square each. Returns the reason if a relief is too large.
@@ -119,7 +118,7 @@ fn tessellation(
     })
 }
 
-/// The patches of the clip-surfaces before one, by its index in the table.
+/// The number of patches of all clip-surfaces before the given one, by its index in the table.
 fn first_patch(rows: &[Domain], index: usize) -> u32 {
     rows[..index]
         .iter()
@@ -127,7 +126,7 @@ fn first_patch(rows: &[Domain], index: usize) -> u32 {
         .sum()
 }
 
-/// Triangles that each relief has room for: powers of two, so that a camera that moves seldom asks for another buffer.
+/// Triangle capacity of each relief: a power of two, so that a moving camera rarely needs another buffer.
 fn room(capacities: &Capacities, reliefs: u32) -> u32 {
     let need = capacities.triangles.unwrap_or(0);
     let wanted = need.max(FIRST_TRIANGLES).checked_next_power_of_two();
@@ -135,7 +134,7 @@ fn room(capacities: &Capacities, reliefs: u32) -> u32 {
     wanted.map_or(need, |w| w.min(most).max(need))
 }
 
-/// A uniform with a row for each clip-surface, bound as a variable.
+/// A uniform with one row per clip-surface, bound as a variable.
 fn table<T: bytemuck::Pod>(
     plan: &mut Plan,
     variable: &'static str,
@@ -160,9 +159,9 @@ fn square_indices(plan: &mut Plan) -> ResourceId {
 struct Reliefs<'a> {
     /// The domains of all clip-surfaces.
     rows: &'a [Domain],
-    /// Those that are reliefs, by index in the table.
+    /// The reliefs, by index in the table.
     surfaces: &'a [u32],
-    /// Triangles that each has room for.
+    /// Capacity of each relief, in triangles.
     capacity: u32,
 }
 

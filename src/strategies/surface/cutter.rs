@@ -1,14 +1,14 @@
 //! Cutters: closed meshes drawn as sheets, whatever the cap surface is.
 //!
-//! Each cutter that matters is drawn once to leave its fragments; they go into the one list of crossings with normals to shade by, and
-//! from there on a cutter is a clip-surface like any other. The side on which a ray begins follows from parity: an odd number of its
-//! fragments ahead is inside. So the eye may be in the cutter, and the near plane may cut it. Where neither is so an odd number of
-//! fragments marks the pixel.
+//! Each relevant cutter is drawn once to store its fragments; they go into the per-pixel list of crossings with normals for shading, and
+//! from there on a cutter is a clip-surface like any other. The side on which a ray begins follows from parity: it begins inside if an odd
+//! number of the cutter's fragments lies ahead. So the eye may be in the cutter, and the near plane may cut it. If neither is the case, an
+//! odd number of fragments marks the pixel.
 //!
-//! Per frame: the triangles of the cutters, by the GPU's rasteriser, and what [`Sheets`] cost. Per cut: the vertices of the
-//! cutters that moved.
+//! Per frame: the cutters' triangles, by the hardware rasteriser, and the cost of [`Sheets`]. Per cut: the vertices of the cutters that
+//! moved.
 //!
-//! Cannot: say on which side of a cutter a point lies that is on no ray of the picture. The paper's rule asks that.
+//! Cannot: tell on which side of a cutter a point lies unless it is on a ray of the picture. The paper's rule needs that.
 
 use super::raycast;
 use crate::passes::{Crossings, Input, Refusal, SceneBuffers, SheetDraw, Sheets, Store};
@@ -23,8 +23,8 @@ pub(super) fn bits(input: &Input<'_>) -> u32 {
         .fold(0, |bits, (index, _)| bits | 1 << index)
 }
 
-/// Records the passes that write the list of crossings where no other clip-surface is made of triangles: planes and reliefs as
-/// `raycast` finds them, then the cutters, if there are some.
+/// Records the passes that write the list of crossings where no other clip-surface is made of triangles: planes and reliefs as in
+/// `raycast`, then the cutters, if any.
 pub(super) fn list(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,

@@ -1,8 +1,8 @@
 //! `grid:N`: the paper's tessellation, a quad refined N x N and displaced by the offset map in the vertex stage.
 //!
-//! As coarse as it is everywhere: between vertices it runs straight where the clip-surface bends, by up to a quarter of the twist of
-//! a texel where cells are texels, and by as much as the relief is high where they are much larger. By the paper's rule that opens
-//! gaps; with one list of crossings it moves the cap and its rim.
+//! Its resolution is the same everywhere: between vertices it is flat where the clip-surface bends, with an error of up to a quarter of a
+//! texel's twist if cells are texels, and up to the relief's height if they are much larger. By the paper's rule that opens gaps; with a
+//! per-pixel list of crossings it shifts the cap and its rim.
 //!
 //! Per cut: a quad of 64 bytes and N² x 24 bytes of indices. Per frame: (N + 1)² vertices for each drawn clip-surface.
 
@@ -42,7 +42,7 @@ pub(crate) static ROW: CapSurfaceRow = CapSurfaceRow {
     caps: Caps::Triangles(|plan, scene, cells, _| Ok(tessellation(plan, scene, cells))),
 };
 
-/// All clip-surfaces as grids of `cells` cells along a side.
+/// All clip-surfaces as grids of `cells` cells along each side.
 fn tessellation(plan: &mut Plan, scene: &SceneBuffers<'_>, cells: u32) -> Tessellation {
     let input = scene.input;
     let kept = &input.model.grid_indices;
@@ -103,7 +103,7 @@ fn quad(surface: &PreparedSurface, input: &Input<'_>, cells: u32) -> Quad {
     let (u_hat, v_hat) = (surface.frame.u_hat, surface.frame.v_hat);
     let ((u, u_step), (v, v_step)) = (range(u_hat), range(v_hat));
     let row = |p: DVec3| p.as_vec3().extend(0.0).to_array();
-    // A flat map is a plane, which the vertex shader does not displace: its height goes into the corner.
+    // A flat map is a plane, which the vertex shader does not displace: its height is added to the corner.
     let lift = surface.frame.normal * -surface.flat_height().unwrap_or(0.0);
     Quad {
         corner: row(surface.origin + lift + u_hat * u + v_hat * v),

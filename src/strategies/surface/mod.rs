@@ -1,7 +1,7 @@
 //! Cap surfaces.
 //!
-//! Most fill the one list of crossings per pixel ([`list`]), which every inside test that sees the camera's rays asks about. The
-//! tessellated ones are drawn by the paper's rule as well ([`paper::record`]), where an inside test answers for points instead.
+//! Most write the per-pixel list of crossings ([`list`]), which every inside test along the camera's rays reads. The tessellated ones can
+//! also be drawn by the paper's rule ([`paper::record`]), with an inside test that answers for points.
 
 pub(crate) mod adaptive;
 mod cutter;
@@ -17,8 +17,8 @@ use crate::plan::Plan;
 
 pub(crate) use raycast::capacity;
 
-/// Records the passes that write the list of crossings, with the given capacity per pixel, and makes every pixel ready for its first
-/// fragment on the way; a refusal where a cap surface has none.
+/// Records the passes that write the list of crossings, with the given capacity per pixel, and that prepare every pixel for its first
+/// fragment; a refusal if the cap surface has no list.
 pub(crate) fn list(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,

@@ -1,12 +1,12 @@
-//! The paper's rule (Trapp & Döllner 2013): chi at every fragment of the mesh, and the cap drawn by itself.
+//! The paper's rule (Trapp & Döllner 2013): chi at every fragment of the mesh, and a separately drawn cap.
 //!
-//! The mesh is clipped by chi and the tessellated clip-surface is drawn into the same depth buffer, each fragment tested against the
-//! depth sprite of its part, or its layered depth image. Two approximations of one surface meet at the rim: between vertices the cap
-//! runs straight where the clip test bends, and the *gap* shows what lies behind. No finite tessellation closes it where a solid
-//! meets the clip-surface at a grazing angle; it is counted (`crack_px`), not hidden.
+//! The mesh is clipped by chi and the tessellated clip-surface is drawn into the same depth buffer, each fragment tested against its part's
+//! depth sprite or layered depth image. Two approximations of one surface meet at the rim: between vertices the cap is flat where the clip
+//! test bends, and the *gap* shows what lies behind. No finite tessellation closes it where a solid meets the clip-surface at a grazing
+//! angle; it is counted (`crack_px`), not hidden.
 //!
-//! Per frame: the mesh once, the triangles for each part and clip-surface, d loads for each cap fragment. Where the near
-//! plane meets a part, each pixel samples the image once more: the paper has no cap there. Cannot: draw by the compute rasteriser.
+//! Per frame: the mesh once, the triangles for each part and clip-surface, d loads per cap fragment. Where the near plane meets a part,
+//! each pixel samples the image once more: the paper has no cap there. Cannot: draw by the compute rasteriser.
 
 use std::ops::Range;
 
@@ -18,8 +18,8 @@ use crate::passes::{
 use crate::plan::{Draw, Plan, Vertices};
 use crate::shader::Shader;
 
-/// Records the frame: the triangles that `tessellate` makes, and each image of volumes that `images` makes with the places of the parts
-/// that it answers for.
+/// Records the frame: the triangles that `tessellate` makes, and the volume images that `images` makes, each with the part-table indices
+/// that it covers.
 pub(crate) fn record(
     plan: &mut Plan,
     input: &Input<'_>,
@@ -56,7 +56,7 @@ pub(crate) fn record(
     surfaces.draw(plan, clip);
     surfaces.draw_plain_parts(plan, &scene, false);
 
-    // Parts that only the near plane opens have no clip-surface to draw triangles of.
+    // Parts that only the near plane opens have no clip-surface to draw as triangles.
     if !input.active_cuts.surfaces.is_empty() {
         let tessellation = tessellate(plan, &scene)?;
         for (ranks, volume) in &images {
@@ -74,7 +74,7 @@ pub(crate) fn record(
     Ok(finish(plan, &scene, layered))
 }
 
-/// The caps that the near plane makes in the parts that an image of volumes answers for, by rank.
+/// The near-plane caps of the parts that a volume image covers, by rank.
 fn near_caps(scene: &SceneBuffers<'_>, ranks: &[usize], volume: &Volume) -> Option<DrawPass> {
     let input = scene.input;
     let view = input.view;
@@ -108,7 +108,7 @@ fn near_caps(scene: &SceneBuffers<'_>, ranks: &[usize], volume: &Volume) -> Opti
     })
 }
 
-/// The caps of the parts that an image of volumes answers for.
+/// The caps of the parts that a volume image covers.
 fn caps(
     scene: &SceneBuffers<'_>,
     tessellation: &Tessellation,

@@ -1,27 +1,27 @@
-//! `planar`: the section of each part by each plane, sliced and triangulated on the CPU and drawn as what is inside.
+//! `planar`: the section of each part by each plane, sliced and triangulated on the CPU and drawn as the inside test.
 //!
-//! The list of crossings of planes in closed form clips the mesh as it does for every inside test. The inside test of a crossing
-//! then does not use the part's fragments but the part's section by that plane: a fragment of the section flips the bit of
-//! its plane's crossing in the part's lane of the mask, and the same resolve as that of `mask` shades. So any number of planes,
-//! parts, priorities and filters goes, and the mesh is drawn once without any atomics.
+//! The list of plane crossings in closed form clips the mesh as for every inside test. The inside test of a crossing then does not use the
+//! part's fragments but the part's section by that plane: a fragment of the section flips the bit of its plane's crossing in the part's
+//! mask lane, and the same resolve as that of `mask` shades. So it supports any number of planes, parts, priorities and filters, and the
+//! mesh is drawn once without any atomics.
 //!
-//! The sections are of the same f32 vertices that are drawn, so both are of one solid. But which fragments stay and what is inside are
-//! decided by different numbers here: where the rasteriser rounds them apart, at a rim or in a face in the plane that is seen from
-//! along it, a pixel may look past both, which `mask` rules out.
+//! The sections use the same f32 vertices that are drawn, so both describe one solid. But here kept fragments and the inside test are
+//! decided by different numbers: where the rasteriser rounds them apart, at a rim or in a coplanar face seen edge-on, a pixel may show
+//! neither, which `mask` rules out.
 //!
-//! Per cut: slicing and triangulating what the planes meet, on all cores; bytes in proportion to it. Per frame: the mesh once, the
-//! sections once, one resolve; 2 to 32 bits per pixel and cut part. A camera that moves slices nothing.
+//! Per cut: slicing and triangulating what the planes meet, on all cores, with memory in proportion. Per frame: the mesh once, the sections
+//! once, one resolve; 2 to 32 bits per pixel and cut part. A camera move causes no slicing.
 //!
-//! Cannot: cut by reliefs; cap at the near plane; follow a large mesh that moves as fast as others do, for it is posed on the CPU and
-//! its slicer rebuilt in each step. It refuses where the near plane, which continues beyond the picture, meets the box of a part that
-//! is cut, even if none of that is visible.
+//! Cannot: cut by reliefs; cap at the near plane; animate a large mesh as fast as others do, because it is posed on the CPU and its slicer
+//! is rebuilt in each step. It refuses where the near plane, which continues beyond the picture, meets the box of a cut part, even if none
+//! of that is visible.
 //!
-//! Open meshes are capped as far as their sections close, for what is closed says by itself what it encloses. Where a section does not
-//! close, nothing says how far it would have reached but the box of the part: pixels whose ray enters the part's half of space through
-//! the plane within that box are marked. So are those with an odd total of a part's fragments, as `mask` marks them. A ray that enters
-//! beyond the box has all fragments behind its crossing, so that parity caps nothing there that the total does not tell. Marked are
-//! thus all pixels that parity would draw otherwise, and many that are right: also those where something nearer hides the plane. An
-//! open mesh whose sections close is drawn unmarked, for they are known; what its holes let through to is what there is.
+//! Open meshes are capped as far as their sections close, because a closed outline defines what it encloses. Where a section does not
+//! close, only the part's box limits how far it would have reached: pixels whose ray enters the part's half-space through the plane within
+//! that box are marked. So are those with an odd total of a part's fragments, as in `mask`. A ray that enters outside the box has all
+//! fragments behind its crossing, so parity caps nothing there without an odd total. Thus every pixel that parity would draw differently is
+//! marked, and many correct ones, including those where something nearer hides the plane. An open mesh with closed sections is drawn
+//! unmarked, because its sections are known; what shows through its holes is real.
 
 use crate::effects::{FrameOutput, finish};
 use crate::passes::{
@@ -97,7 +97,7 @@ fn draw(
     crossings: &Crossings,
 ) {
     let depth = DepthTarget {
-        // The depths of surfaces are read later.
+        // The surface depths are read later.
         clear: matches!(nearest, NearestKept::Swept(_)),
         ..DepthTarget::untouched(scene.depth)
     };
@@ -142,7 +142,7 @@ fn draw(
     }
 }
 
-/// Refuses a near plane that opens what is cut.
+/// Refuses a near plane that opens a cut part.
 fn near_plane_is_free(input: &Input<'_>) -> Result<(), Refusal> {
     match input
         .cut_part_in_near_plane()
@@ -152,7 +152,7 @@ fn near_plane_is_free(input: &Input<'_>) -> Result<(), Refusal> {
         Some(met) => Err(Refusal::new(
             Unsupported::NearPlane,
             format!(
-                "the near plane meets `{}`: its cap is no section that planar makes",
+                "the near plane meets `{}`: planar cannot make its cap",
                 met.name
             ),
         )),

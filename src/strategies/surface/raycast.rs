@@ -1,16 +1,16 @@
 //! `raycast`: all crossings of each pixel's ray with the clip-surfaces, as one sorted list of depths per pixel.
 //!
-//! No mesh, no tessellation: planes in closed form, reliefs by a walk over the cells of the offset map with the sign carried
-//! from cell to cell and citardauq roots. Where a ray meets many cells, as in grazing views, it passes whole blocks of them by a pyramid of
-//! least and greatest heights, to the same list. The list decides surface, cap and inside together, so no pixel of a closed mesh shows the
-//! inside of the shell while buffers hold what they must. Per frame: one invocation per pixel, time in proportion to the cells met inside
-//! the slab of heights and the box of the cut solids; 8 bytes per pixel and 4 (one clip-surface) or 8 per crossing it can hold.
+//! No mesh, no tessellation: planes in closed form, reliefs by a walk over the cells of the offset map, with the sign carried from cell to
+//! cell and citardauq roots. Where a ray meets many cells, as in grazing views, a pyramid of least and greatest heights lets it skip whole
+//! blocks, with the same list. The list decides surface, cap and inside together, so no pixel of a closed mesh shows the inside of the
+//! shell unless a buffer overflows. Per frame: one invocation per pixel, time in proportion to the cells met inside the height slab and the
+//! box of the cut solids; 8 bytes per pixel and 4 (one clip-surface) or 8 per crossing of capacity.
 //!
-//! Before the compute rasteriser rays through reliefs are followed only between the depths of what is cut in their tile of the picture
+//! With the compute rasteriser, rays through reliefs are followed only between the depths of the cut parts in their picture tile
 //! ([`SceneBuffers::on_screen_first`]).
 //!
-//! Lists are as long as the longest one that a frame needed. Cannot: hold more than 1023 crossings per pixel, or lists of more
-//! than 2 GiB in a picture: 512 crossings at 1024 x 768, 64 at 3840 x 2160. A longer list keeps the nearest, marks the pixel and
+//! Lists have the length of the longest one that a frame needed. Cannot: hold more than 1023 crossings per pixel, or lists of more than 2
+//! GiB in a picture: 512 crossings at 1024 x 768, 64 at 3840 x 2160. A list that overflows keeps the nearest crossings, marks the pixel and
 //! reports its need.
 
 mod choice;
@@ -44,10 +44,10 @@ pub(crate) static ROW: CapSurfaceRow = CapSurfaceRow {
     caps: Caps::Rays(cutter::list),
 };
 
-/// Crossings that one relief or cutter is given room for until a frame reports what it needs: with its parity bit a lane of 8.
+/// Capacity for one relief or cutter, in crossings, until a frame reports its need: with its parity bit a lane of 8.
 const FIRST_PER_RELIEF: u32 = 7;
 
-/// Bytes of the lists of a whole picture, in all of its bands together.
+/// Bytes of the lists of a whole picture, over all of its bands.
 const MOST_BYTES: u64 = 2 << 30;
 
 /// Capacity of a pixel's list, in crossings.
@@ -72,8 +72,8 @@ pub(crate) fn capacity(input: &Input<'_>) -> u32 {
     most.clamp(1, most_that_fit(input))
 }
 
-/// The longest lists that fit in bands of a picture, with their lanes: by the limits of core WebGPU, because the plan of a frame
-/// must not depend on the adapter.
+/// The longest lists that fit in bands of a picture, with their lanes: by core WebGPU limits, because the plan of a frame must not depend
+/// on the adapter.
 fn most_that_fit(input: &Input<'_>) -> u32 {
     let parts = &input.model.prepared.parts;
     let cut = input.active_cuts.cut_parts();
@@ -90,8 +90,8 @@ fn most_that_fit(input: &Input<'_>) -> u32 {
     most.clamp(fewest, u64::from(Capacities::MOST_CROSSINGS)) as u32
 }
 
-/// Records the pass that writes the list, and makes every pixel ready for its first fragment on the way. Clip-surfaces with a bit
-/// in `sheets` are left to the passes that draw them as triangles.
+/// Records the pass that writes the list, and prepares every pixel for its first fragment. Clip-surfaces with a bit in `sheets` are left to
+/// the passes that draw them as triangles.
 pub(super) fn record(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,
@@ -175,7 +175,7 @@ pub(super) fn record(
     }
     let pass = Pass::new(
         "crossings",
-        format!("the one list of depths per pixel; {how}"),
+        format!("the list of depths per pixel; {how}"),
         shader.with_all(&files).with(crossings.surfaces_file),
         bindings,
         work,

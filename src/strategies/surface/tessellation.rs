@@ -1,9 +1,8 @@
-//! Clip-surfaces as triangles, for the two uses that strategies make of them: as sheets, whose crossings go into the one list of
-//! depths per pixel, and by the paper's rule, which draws them as they are.
+//! Clip-surfaces as triangles, for the two uses in strategies: as sheets, whose crossings go into the per-pixel list of depths, and by the
+//! paper's rule, which draws them directly.
 //!
-//! A tessellation is a file that fills the open module `cutaway::tessellation` and an index buffer for each clip-surface; there are
-//! no vertex buffers, since a vertex follows from its index. Triangles turn with `U` and `V`, so that they show their front to the
-//! kept side.
+//! A tessellation is a file that fills the open module `cutaway::tessellation` and an index buffer for each clip-surface; there are no
+//! vertex buffers, since a vertex follows from its index. Triangles are oriented with `U` and `V`, so that their front faces the kept side.
 
 use std::ops::Range;
 
@@ -16,19 +15,19 @@ use crate::plan::{Arguments, Binding, Draw, Plan, ResourceId, Vertices};
 use crate::scene::{PreparedSurface, View};
 use crate::shader::Shader;
 
-/// Clip-surfaces per part in the number of an instance: `surface_of` and `place_of` in `shaders/lib/reliefs/facets.wgsl`.
+/// Clip-surfaces per part in an instance number: `surface_of` and `place_of` in `shaders/lib/reliefs/facets.wgsl`.
 const SURFACES_PER_PLACE: u32 = 32;
 
-/// Least distance in scene units by which a tessellation reaches farther than rays do beyond the box of the cut solids.
+/// Least distance in scene units by which a tessellation extends beyond the reach of rays around the box of the cut solids.
 const BEYOND_RAYS: f64 = 1e-4;
 
-/// Least distance in scene units by which a tessellation reaches beyond the box of the cut solids: farther than rays are followed beyond
-/// a face of the box. Beyond its corners rays may go on, by more than vertices are moved.
+/// Least distance in scene units by which a tessellation extends beyond the box of the cut solids: farther than rays are followed beyond a
+/// box face. Beyond the box corners rays may go on, by more than the vertex displacement.
 pub(super) fn beyond_box(view: &View) -> f64 {
     most_box_margin(view.precision) + BEYOND_RAYS
 }
 
-/// Interval that the box of the cut solids spans along an axis, from the origin of a clip-surface.
+/// Interval that the box of the cut solids spans along an axis, relative to the origin of a clip-surface.
 pub(super) fn span(surface: &PreparedSurface, input: &Input<'_>, axis: DVec3) -> [f64; 2] {
     let corners = input.active_cuts.cut_box.corners();
     let at = corners.map(|c| (c - surface.origin).dot(axis));
@@ -37,16 +36,16 @@ pub(super) fn span(surface: &PreparedSurface, input: &Input<'_>, axis: DVec3) ->
     [low, high]
 }
 
-/// Places along a pixel that rasterisers tell apart.
+/// Positions along a pixel that rasterisers distinguish.
 const SUBPIXELS: f64 = 256.0;
 /// Slope assumed for the error of a displaced triangle.
 const STEEP: f64 = 4.0;
 /// Least displacement assumed for triangles, in scene units.
 const LEAST_ROUNDING: f64 = 2e-4;
 
-/// Error by which rasterised triangles may be displaced, in scene units: a 256th of a pixel along a steep slope, at the far end
-/// of the box of the cut solids. In powers of two, for a shader is compiled for each. Adapters with 4 sub-pixel bits get no more: in 80
-/// random scenes three tessellations drew the same pictures with 16 times as much.
+/// Error by which rasterised triangles may be displaced, in scene units: a 256th of a pixel along a steep slope, at the far end of the box
+/// of the cut solids. Rounded to powers of two, because a shader is compiled for each value. Adapters with 4 sub-pixel bits get no more: in
+/// 80 random scenes three tessellations drew the same pictures with 16 times as much.
 pub(super) fn rounding(input: &Input<'_>) -> f64 {
     let view = input.view;
     let farthest = view.farthest_in(&input.active_cuts.cut_box);
@@ -58,19 +57,19 @@ pub(super) fn rounding(input: &Input<'_>) -> f64 {
 /// Clip-surfaces as triangles.
 #[derive(Clone, Debug)]
 pub(crate) struct Tessellation {
-    /// File that fills `cutaway::tessellation`, and what it needs.
+    /// File that fills `cutaway::tessellation`, and its dependencies.
     pub files: Vec<&'static str>,
-    /// Bindings of the heights.
+    /// Bindings for relief heights.
     pub heights: Vec<Binding>,
-    /// Bindings in addition to frame, table of cuts and heights.
+    /// Bindings in addition to frame, cut table and heights.
     pub bindings: Vec<Binding>,
-    /// File that fills `cutaway::sheet_side`, and what it needs.
+    /// File that fills `cutaway::sheet_side`, and its dependencies.
     pub side: Vec<&'static str>,
-    /// Bindings for the side test in addition to frame, table of cuts and heights.
+    /// Bindings for the side test in addition to frame, cut table and heights.
     pub side_bindings: Vec<Binding>,
-    /// By how much the answer of that file may be off, in scene units.
+    /// Largest error of the side test's height, in scene units.
     pub beside: f64,
-    /// The triangles of each clip-surface that has some.
+    /// The triangles of each clip-surface that has any.
     pub facets: Vec<Facets>,
 }
 
@@ -82,11 +81,11 @@ pub(crate) struct Facets {
     /// Index buffer.
     pub indices: ResourceId,
     pub range: Range<u32>,
-    /// Indirect arguments by which the device limits the range; none if the whole range is drawn.
+    /// Indirect arguments by which the device limits the index range; none if the whole range is drawn.
     pub arguments: Option<Arguments>,
 }
 
-/// Draws that one pass can hold.
+/// Draws that fit in one pass.
 #[derive(Clone, Debug)]
 pub(crate) struct Batch {
     /// Override constants.
@@ -96,13 +95,13 @@ pub(crate) struct Batch {
     pub draws: Vec<Draw>,
 }
 
-/// The instance that is a clip-surface for the part at a place of the table.
+/// The instance number of a clip-surface for the part at a part-table index.
 pub(crate) fn instance(place: u32, surface: u32) -> u32 {
     place * SURFACES_PER_PLACE + surface
 }
 
 impl Tessellation {
-    /// The draws of some instances, one for each that has triangles.
+    /// The draws of the given instances, one for each that has triangles.
     pub(crate) fn batches(&self, instances: &[u32]) -> Vec<Batch> {
         let mut batches: Vec<Batch> = Vec::new();
         for instance in instances {
@@ -118,7 +117,7 @@ impl Tessellation {
                 arguments: facets.arguments,
             };
             if facets.arguments.is_some() {
-                // Such a draw has no instance of its own: a constant gives it to the shader.
+                // Such a draw has no instance number of its own: a constant passes it to the shader.
                 draw.instance = 0;
                 batches.push(Batch {
                     constants: vec![("first_instance", f64::from(*instance))],
@@ -140,7 +139,7 @@ impl Tessellation {
         batches
     }
 
-    /// Bindings for every use of the triangles.
+    /// Bindings needed for every use of the triangles.
     pub(crate) fn bindings(&self, scene: &SceneBuffers<'_>) -> Vec<Binding> {
         let mut bindings = vec![scene.frame.clone(), scene.cut_table.clone()];
         bindings.extend(self.heights.iter().cloned());
@@ -149,8 +148,8 @@ impl Tessellation {
     }
 }
 
-/// Records the passes that write the list of crossings: planes in closed form, for a sheet adds nothing to them, and reliefs by
-/// the sheets that `tessellate` makes. Without reliefs there is no sheet.
+/// Records the passes that write the list of crossings: planes in closed form, because a sheet adds nothing for them, and reliefs as the
+/// sheets that `tessellate` makes. Without reliefs there are no sheets.
 pub(crate) fn list(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,
@@ -168,7 +167,7 @@ pub(crate) fn list(
         return cutter::list(plan, scene, capacity, store);
     }
     let by_facing = reliefs.iter().fold(0, |bits, s| bits | 1 << s);
-    // First, for it may have work to do on slower clocks.
+    // First, because it may have work to do on slower clocks.
     let tessellation = tessellate(plan, scene)?;
     let by_triangles = by_facing | cutter::bits(input);
     let crossings = raycast::record(plan, scene, capacity, store, by_triangles);

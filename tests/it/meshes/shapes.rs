@@ -386,7 +386,7 @@ fn bad_specs_are_refused_by_name() {
         ("crank?throws=12&detail=1600", "detail=1600", "20 million"),
         ("torus?minor=0.6", "minor=0.6", "minor < major"),
         ("knot?p=2&q=4", "p=2&q=4", "common divisor"),
-        ("knot?tube=0.3", "tube=0.3", "meet itself"),
+        ("knot?tube=0.3", "tube=0.3", "intersect itself"),
         ("conduit?inner=0.3", "inner=0.3", "inner < outer"),
         ("conduit?angle=300&leg=2", "leg=2", "shorten"),
         ("conduit?angle=250&segments=2", "segments=2", "120"),

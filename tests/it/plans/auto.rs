@@ -85,7 +85,7 @@ fn adapter_wish_and_refusal_choose_who_rasterises() {
     for asked in [Rasteriser::Hardware, Rasteriser::Compute] {
         let (by, reason) = chosen(&one, DrawOptions::by(asked), true);
         assert_eq!(by, Some(asked));
-        assert!(reason.contains("asked for"), "{reason}");
+        assert!(reason.contains("requested"), "{reason}");
     }
     let (by, reason) = chosen(&row(1025), any, true);
     assert_eq!(by, hardware, "more parts than the table holds");

@@ -261,7 +261,7 @@ fn scene_files_and_options_ask_for_it() {
         ("plan wrong.toml", "wrong.toml:1:1: `height_filter`"),
         (
             "plan usual.toml --height-filter soft",
-            "say exact or hardware",
+            "possible values: exact, hardware",
         ),
         (
             "plan asks.toml --strategy raycast+mask",

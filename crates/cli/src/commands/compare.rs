@@ -45,12 +45,12 @@ pub(crate) struct CompareArgs {
     scene: SceneArgs,
     #[command(flatten)]
     when: TimeArgs,
-    /// Strategies to measure, or all that are built with their usual parameters; `winding` asks for winding numbers on the CPU,
-    /// which copes with meshes that are open. After an @ what differs from the usual: hardware,
-    /// compute, 32-bit (no atomics of 64 bits), cells, pyramid
+    /// Strategies to measure, or all built-in ones with their usual parameters; `winding` computes winding numbers on the CPU,
+    /// which handles open meshes. After an @, deviations from the default: hardware,
+    /// compute, 32-bit (no 64-bit atomics), cells, pyramid
     #[arg(long, value_name = "A,B,..|all", default_value = "all")]
     strategies: String,
-    /// Measured rounds, after one to warm up
+    /// Number of measured rounds, after one warm-up round
     #[arg(
         long,
         value_name = "N",
@@ -58,13 +58,13 @@ pub(crate) struct CompareArgs {
         value_parser = clap::value_parser!(u32).range(1..=10_000)
     )]
     rounds: u32,
-    /// All numbers as JSON; with `-` instead of the table
+    /// All results as JSON; `-` prints them instead of the table
     #[arg(long, value_name = "FILE|-", help_heading = "Output")]
     json: Option<String>,
-    /// Folder for a picture and a heat map of each strategy, the picture of exact, and a legend
+    /// Folder for a picture and a heat map per strategy, the exact picture, and a legend
     #[arg(long, value_name = "DIR", help_heading = "Output")]
     heatmaps: Option<PathBuf>,
-    /// Exit 1 if a strategy that draws has more decided wrong pixels, or if more than 1/1000 of the pixels that show something are
+    /// Exit 1 if a strategy that draws has more decided wrong pixels than this, or if more than 1/1000 of the non-background pixels are
     /// undecided
     #[arg(long, value_name = "N", help_heading = "Test")]
     max_decided_wrong: Option<usize>,
@@ -148,7 +148,7 @@ fn verdict(report: &Measurement, most: Option<usize>, console: &Console) -> Verd
     }
     if most.is_some() && doubt.is_some() {
         console.failed(format!(
-            "exact: {} undecided pixels, at most {} of those that show something are allowed",
+            "exact: {} undecided pixels, at most {} of the non-background pixels are allowed",
             report.exact.undecided_px, MOST_UNDECIDED
         ));
         verdict = Verdict::Failed;
@@ -160,7 +160,7 @@ fn verdict(report: &Measurement, most: Option<usize>, console: &Console) -> Verd
         let own = (strategy.undecided_px).filter(|px| report.exact.is_doubtful_with(*px));
         if let Some(undecided_px) = own {
             console.failed(format!(
-                "{}: {undecided_px} undecided pixels, at most {MOST_UNDECIDED} of those that show something are allowed: the rasteriser of {} \
+                "{}: {undecided_px} undecided pixels, at most {MOST_UNDECIDED} of the non-background pixels are allowed: the rasteriser of {} \
                  leaves them to rounding\n  help: compare what the compute rasteriser draws, such as raycast+mask@compute",
                 strategy.name, report.adapter.name
             ));
@@ -177,7 +177,7 @@ fn verdict(report: &Measurement, most: Option<usize>, console: &Console) -> Verd
     verdict
 }
 
-/// The strategies of a list, each once.
+/// Parses a list of strategies and removes duplicates.
 fn parse_renderers(list: &str) -> Result<Vec<Renderer>> {
     let mut renderers: Vec<Renderer> = Vec::new();
     for name in split_list(list) {
@@ -190,7 +190,7 @@ fn parse_renderers(list: &str) -> Result<Vec<Renderer>> {
     Ok(renderers)
 }
 
-/// The names of a list. What follows an `@` may have commas of its own: `a+b@compute,32-bit,c+d` is two names.
+/// Splits a list into names. The part after an `@` may contain commas: `a+b@compute,32-bit,c+d` is two names.
 fn split_list(list: &str) -> Vec<&str> {
     let mut names = Vec::new();
     let mut from = 0;
@@ -252,8 +252,8 @@ fn add_pictures(
     Ok(())
 }
 
-/// The colours of the classes from left to right, in the order of [`legend_text`]. A crate that draws no text draws no
-/// labels either.
+/// The class colours from left to right, in the order of [`legend_text`]. There are no labels, because this crate does not
+/// draw text.
 fn legend_picture() -> RgbaImage {
     const SWATCH: u32 = 48;
     let entries = legend();
@@ -263,7 +263,7 @@ fn legend_picture() -> RgbaImage {
     })
 }
 
-/// The classes with their colours, the gravest first.
+/// The classes with their colours, the most serious first.
 fn legend_text() -> String {
     legend()
         .iter()

@@ -1,6 +1,6 @@
-//! `completions` and `man`: scripts for shells and pages for the manual, out of the tables that arguments are read by.
+//! `completions` and `man`: shell scripts and manual pages, generated from the definitions of the arguments.
 //!
-//! Takes milliseconds. Scripts know options, commands and values that are chosen among, but no names of parts or methods in a file.
+//! Takes milliseconds. The scripts complete options, commands and enumerated values, but no names of parts or methods in a file.
 
 use std::fs;
 use std::path::PathBuf;
@@ -34,7 +34,7 @@ pub(crate) struct CompletionsArgs {
 /// Options of `man`.
 #[derive(Args)]
 pub(crate) struct ManArgs {
-    /// Folder for cutaway.1 and a page for each command; made if it is not there
+    /// Folder for cutaway.1 and a page for each command; created if missing
     folder: PathBuf,
     /// Write Markdown instead: commands.md with all commands, scene.md with all values of a scene file
     #[arg(long)]

@@ -1,7 +1,7 @@
-//! `demo`: the main job on data of our own. No download, nothing to prepare.
+//! `demo`: the main task on built-in data. No download, nothing to prepare.
 //!
-//! It leaves an experiment in the folder, measures it and reports it, as `measure` and `report` do with those of others. Only the pictures
-//! are drawn once more, finer: those of a record have one sample in a pixel.
+//! It writes an experiment into the folder, measures and reports it, as `measure` and `report` do with other experiments. Only the pictures
+//! are drawn again with more samples: a record's pictures have one sample per pixel.
 
 use std::path::{Path, PathBuf};
 
@@ -32,7 +32,7 @@ and lays any two under a slider.";
 /// The experiment: a corner cut out of the crank along two ragged reliefs.
 const EXPERIMENT: &str = include_str!("demo.toml");
 
-/// Its name, which that of its file is.
+/// Name of the experiment and of its file.
 const NAME: &str = "demo";
 
 /// Options of `demo`.
@@ -49,7 +49,7 @@ pub(crate) struct DemoArgs {
         value_parser = declared("resolution")
     )]
     resolution: Value,
-    /// Measured rounds, after one to warm up
+    /// Number of measured rounds, after one warm-up round
     #[arg(
         long,
         value_name = "N",
@@ -66,7 +66,7 @@ pub(crate) struct DemoArgs {
 }
 
 impl DemoArgs {
-    /// The text of the experiment, with what the options set.
+    /// The experiment's text with the values of the options.
     fn experiment(&self) -> String {
         let set = self.options.values().map(|(path, _, value)| {
             value.map_or_else(String::new, |value| format!("\"{path}\" = {value}\n"))
@@ -126,7 +126,7 @@ pub(crate) fn run(args: &DemoArgs) -> Result<Verdict> {
     Ok(Verdict::Done)
 }
 
-/// Draws the pictures of a record again, with four samples in a pixel.
+/// Draws a record's pictures again, with four samples per pixel.
 fn smooth(record: &Record, args: &DemoArgs) -> Result<()> {
     let console = Console::new(args.console, record.pictures.len());
     let timeline = record.scene.timeline(&mut Assets::default())?;
@@ -145,7 +145,7 @@ fn smooth(record: &Record, args: &DemoArgs) -> Result<()> {
     Ok(())
 }
 
-/// The table, and where everything is.
+/// The table, and the locations of all results.
 fn say(folder: &Path, record: &Record) -> Result<()> {
     let text = format!(
         "\n{}\npictures, heat maps and the report are in {}\n  open {}\nanother view of the same scene:\n  cutaway render {} --camera-azimuth-angle=60 -o crank.png\n",

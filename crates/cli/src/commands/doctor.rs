@@ -1,10 +1,10 @@
-//! `doctor`: which adapters there are, what the chosen one can do, and whether what is claimed of exact strategies holds on it.
+//! `doctor`: lists the adapters and the features of the chosen one, and tests the claims about exact strategies on it.
 //!
-//! The self-test has a budget of [`SELF_TEST_S`] seconds. It asks small pictures of the table of [hard cases](cutaway_lab::hard_cases), then
-//! random scenes, of each exact strategy by each rasteriser, and prints how much it got through. What it finds wrong is a fault of the
-//! adapter's driver or of this program; either belongs in a bug report, with the rest of what is printed.
+//! The self-test has a budget of [`SELF_TEST_S`] seconds. It draws small pictures of the [hard cases](cutaway_lab::hard_cases), then
+//! of random scenes, with each exact strategy on each rasteriser, and prints how many it completed. A wrong result is a fault of the
+//! adapter's driver or of this program; report either one with the complete output.
 //!
-//! Cannot: prove. A table without a fault means that none was found in N pictures of 64 px.
+//! Cannot: prove correctness. A table without a fault means that none was found in N pictures of 64 px.
 
 use clap::Args;
 use cutaway::gpu::Gpu;
@@ -29,17 +29,17 @@ Examples:
 
 It is the first thing that a report of a fault needs. Exit code 1: something that is claimed of a strategy does not hold on this adapter.";
 
-/// So long a self-test goes on, but for the picture it is at.
+/// Time budget of the self-test in seconds; the picture in progress is completed.
 const SELF_TEST_S: f64 = 20.0;
-/// Seconds of the self-test for hard cases.
+/// Part of the budget for hard cases, in seconds.
 const CASES_S: f64 = 12.0;
-/// Sides of the pictures of hard cases.
+/// Side lengths of the hard cases' pictures.
 const SIDE_PX: u32 = 64;
-/// More faults of one strategy in random scenes tell nothing new.
+/// Maximum number of faults per strategy in random scenes: more add no information.
 const MOST_FAULTS: usize = 5;
-/// Seed of the random scenes. Any value would do; a fixed one makes two reports comparable.
+/// Seed of the random scenes, fixed so that two reports are comparable.
 const SEED: u64 = 34;
-/// The strategies that are claimed to be exact, by each rasteriser that draws them.
+/// The strategies claimed to be exact, with each rasteriser that draws them.
 const EXACT: [&str; 8] = [
     "raycast+mask@hardware",
     "raycast+mask@compute",
@@ -54,7 +54,7 @@ const EXACT: [&str; 8] = [
 /// Options of `doctor`.
 #[derive(Args)]
 pub(crate) struct DoctorArgs {
-    /// The same as JSON; with `-` instead of the text
+    /// The same as JSON; `-` prints it instead of the text
     #[arg(long, value_name = "FILE|-", help_heading = "Output")]
     json: Option<String>,
     #[command(flatten)]
@@ -63,14 +63,14 @@ pub(crate) struct DoctorArgs {
     console: ConsoleArgs,
 }
 
-/// Result of the self-test for a strategy.
+/// Self-test result of a strategy.
 #[derive(Clone, Debug, Default, Serialize)]
 struct Examined {
-    /// Its name, with the rasteriser.
+    /// Name of the strategy, with the rasteriser.
     strategy: String,
-    /// Hard cases that came out as the table of them expects.
+    /// Number of hard cases with the expected result.
     cases: usize,
-    /// Random scenes that it drew.
+    /// Number of random scenes drawn.
     scenes: usize,
     /// Deviations from the claims; at most one for each case.
     faults: Vec<String>,
@@ -91,7 +91,7 @@ pub(crate) fn run(args: &DoctorArgs) -> Result<Verdict> {
     ];
     let is_text = json != Some(Output::Stdout);
     if is_text {
-        // Before the self-test, which a driver may not survive.
+        // Printed before the self-test, which may crash a driver.
         write_stdout(about(&adapters, gpu, &can).as_bytes())?;
     }
     let console = Console::new(args.console, list().count());
@@ -123,7 +123,7 @@ pub(crate) fn run(args: &DoctorArgs) -> Result<Verdict> {
     Ok(verdict)
 }
 
-/// The adapters, which one was chosen, and what it can do.
+/// The adapters, the chosen one and its features.
 fn about(adapters: &[String], gpu: &Gpu, can: &[(&str, bool)]) -> String {
     let report = gpu.report();
     let chosen = report.in_words();
@@ -158,7 +158,7 @@ fn table_of(examined: &[Examined]) -> Table {
     table
 }
 
-/// Asks as much as there is time for.
+/// Runs as many tests as the budget allows.
 fn examine(session: &mut Session, console: &Console) -> Result<(Vec<Examined>, f64)> {
     let watch = Stopwatch::start();
     let is_before = |seconds: f64| watch.ms() < seconds * 1e3;

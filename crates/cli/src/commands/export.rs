@@ -1,9 +1,9 @@
-//! `export`: what cuts leave of a model, and what they remove, as mesh files with their caps. Needs no adapter.
+//! `export`: the kept and removed halves of a cut model as mesh files with caps. Needs no adapter.
 //!
-//! Parts are cut in f64, in world space, in their poses; nothing is rounded but for the format of the file. The file of what is removed
-//! has the name of the other with `.removed` before its extension, as the material library of an OBJ file has `.mtl` behind its stem, and an
-//! image of OBJ and PLY `.0.png`.
-//! All of them are written next to their destinations before the first is renamed ([`Results`]), and none if one destination is a folder.
+//! Parts are cut in f64, in world space, in their poses; only the file format rounds coordinates. The file of the removed half
+//! has the same name with `.removed` before the extension; the material library of an OBJ file has `.mtl` after the stem, and an
+//! image of an OBJ or PLY file `.0.png`.
+//! All files are written next to their destinations before the first is renamed ([`Results`]), and none if one destination is a folder.
 
 mod summary;
 
@@ -54,7 +54,7 @@ SIGTERM has ended it, without a file.";
 /// Options of `export`.
 #[derive(Args)]
 pub(crate) struct ExportArgs {
-    /// Meshes, `shape:NAME?param=value`, or one scene (.toml), which brings its own cuts
+    /// Meshes, `shape:NAME?param=value`, or one scene (.toml) with its own cuts
     #[arg(required = true, value_name = "SCENE|MODEL")]
     inputs: Vec<String>,
     #[command(flatten)]
@@ -67,15 +67,15 @@ pub(crate) struct ExportArgs {
     when: TimeArgs,
     #[command(flatten)]
     split: SplitArgs,
-    /// Fill rule where bodies of a part overlap, for all parts: even-odd or nonzero. Reliefs and cutters cut that solid; planes leave
-    /// the bodies as they are, each with its own cap [default: that of the scene, or even-odd]
+    /// Fill rule for overlapping bodies of a part: even-odd or nonzero, for all parts. Reliefs and cutters cut the resulting solid; planes
+    /// keep the bodies separate, each with its own cap [default: the scene's rule, or even-odd]
     #[arg(long, value_name = "RULE", value_parser = parse_fill)]
     fill: Option<Fill>,
     #[command(flatten)]
     defects: DefectArgs,
     #[command(flatten)]
     holes: HoleArgs,
-    /// Output file for what is left: .stl, .ply, .obj (with .mtl), .glb or .3mf; images lie next to .ply and .obj
+    /// Output file for the kept half: .stl, .ply, .obj (with .mtl), .glb or .3mf; images lie next to .ply and .obj
     #[arg(
         long,
         short,
@@ -84,13 +84,13 @@ pub(crate) struct ExportArgs {
         help_heading = "Output"
     )]
     output: String,
-    /// Write what is removed as well, to FILE with .removed before its extension
+    /// Also write the removed half, to FILE with .removed before its extension
     #[arg(long, help_heading = "Output")]
     both: bool,
-    /// Triangles, volumes, areas of caps and open edges as JSON
+    /// Triangles, volumes, cap areas and open edges as JSON
     #[arg(long, value_name = "FILE|-", help_heading = "Output")]
     json: Option<String>,
-    /// Length unit of the model, for 3MF; other formats do not store it [default: that of the model, or mm]
+    /// Length unit of the model, for 3MF; other formats do not store it [default: the model's unit, or mm]
     #[arg(long, value_parser = crate::input::unit::parser(), value_name = "UNIT", help_heading = "Output")]
     unit: Option<LengthUnit>,
     /// Cells of a relief along the longer side of a part, 1 to 4096
@@ -109,7 +109,7 @@ pub(crate) struct ExportArgs {
 /// Runs `export`.
 pub(crate) fn run(args: &ExportArgs) -> Result<Verdict> {
     let outputs = Outputs::checked(args)?;
-    // Before a file begins, which Ctrl-C would leave behind half written.
+    // Before any file begins, which Ctrl-C would otherwise leave half written.
     let interrupt = Interrupt::listen("export", "step")?;
     let console = Console::new(args.console, 3);
     console.step("opening");
@@ -148,7 +148,7 @@ pub(crate) fn run(args: &ExportArgs) -> Result<Verdict> {
     if off > 0.0 {
         let share = 100.0 * off / scene.bounds().size().length();
         console.note(format!(
-            "caps follow their reliefs to {off:.2e} units, {share:.2} % of the size of the model; a larger --relief-cells does better"
+            "caps follow their reliefs to within {off:.2e} units, {share:.2} % of the model's size; a larger --relief-cells reduces this"
         ));
     }
     console.step("writing");
@@ -156,7 +156,7 @@ pub(crate) fn run(args: &ExportArgs) -> Result<Verdict> {
         (Some(unit), _) | (None, Some(unit)) => unit,
         (None, None) => {
             if outputs.kept.format == Format::ThreeMf {
-                console.note("nothing says how long a unit of the model is: it is written as a millimetre, unless --unit says otherwise");
+                console.note("nothing says how long a unit of the model is: it is written as a millimetre, unless --unit sets another one");
             }
             LengthUnit::Mm
         }
@@ -181,7 +181,7 @@ pub(crate) fn run(args: &ExportArgs) -> Result<Verdict> {
     }
     results.place()?;
     if outputs.kept.format == Format::ThreeMf && summary.iter().any(|f| f.kept.open_edges > 0) {
-        console.note("3MF asks for closed meshes: programs may refuse or mend what is open");
+        console.note("3MF requires closed meshes: programs may refuse or repair open ones");
     }
     Ok(verdict(&summary, &parts, &console))
 }
@@ -190,12 +190,12 @@ pub(crate) fn run(args: &ExportArgs) -> Result<Verdict> {
 struct MeshFile {
     path: PathBuf,
     format: Format,
-    /// Description of its content.
+    /// The half in the file, in a word.
     what: &'static str,
 }
 
 impl MeshFile {
-    /// Paths of the file and of those that may lie next to it, for solids with `images` images.
+    /// Paths of the file and of its possible companions, for solids with `images` images.
     fn all(&self, images: usize) -> impl Iterator<Item = PathBuf> {
         let stem = self.path.file_stem().unwrap_or_default();
         let beside = self.format.beside(&stem.to_string_lossy(), images);
@@ -230,12 +230,12 @@ impl Outputs {
         };
         let extension = path.extension().unwrap_or_default().to_string_lossy();
         let Some(format) = Format::of_extension(&extension) else {
-            let what = "it is no file, and has no extension that names a format";
+            let what = "it is not a regular file, and its name has no mesh extension";
             let help = "name a file that ends in .stl, .ply, .obj, .glb or .3mf";
             return Err(Error::input(format!("--output {value}"), what, help));
         };
         if args.unit.is_some() && format != Format::ThreeMf {
-            let what = format!("a .{extension} file does not say how long a unit is");
+            let what = format!("a .{extension} file does not store a length unit");
             return Err(Error::input("--unit", what, "leave it out, or write .3mf"));
         }
         let json = args
@@ -267,7 +267,7 @@ impl Outputs {
         Ok(outputs)
     }
 
-    /// All files but images, by the options that ask for them.
+    /// All files except images, with the options that request them.
     fn all(&self) -> Vec<(&'static str, PathBuf)> {
         self.with_images(0)
     }
@@ -282,10 +282,10 @@ impl Outputs {
     }
 }
 
-/// A vertex that moves by more than this share of the model's size is worth a word.
+/// A note is printed if rounding moves a vertex by more than this share of the model's size.
 const COARSE: f64 = 1e-5;
 
-/// Source of the files.
+/// Everything needed to write the files.
 struct Writer<'a> {
     scene: &'a Scene,
     unit: LengthUnit,
@@ -307,7 +307,7 @@ impl Writer<'_> {
             .collect();
         if solids.is_empty() {
             let what = format!(
-                "nothing of the model is {}, and a mesh is not empty",
+                "nothing of the model is {}, and a mesh cannot be empty",
                 to.what
             );
             let help = "move the section, keep the other side (--flip), or leave --both out";
@@ -317,14 +317,14 @@ impl Writer<'_> {
         let off = rounding(to.format, &solids).filter(|off| *off > COARSE * size);
         if let Some(off) = off {
             self.console.note(format!(
-                "{}: the format rounds coordinates by up to {off:.1e} units, for the model is far from the origin: move it there, or \
+                "{}: the format rounds coordinates by up to {off:.1e} units, because the model is far from the origin: move it there, or \
                  write .ply, .obj or .3mf",
                 to.path.display()
             ));
         }
         if let Some(what) = leaves_out(to.format, &solids) {
             self.console.note(format!(
-                "{}: without {what} of the model, which the format does not hold as it is written here: .glb does",
+                "{}: written without {what} of the model, which this format does not store here; .glb does",
                 to.path.display()
             ));
         }
@@ -341,7 +341,7 @@ impl Writer<'_> {
     }
 }
 
-/// Says which caps are missing, and which parts came in open.
+/// Warns of missing caps and of open input parts.
 fn verdict(summary: &[ExportSummary], parts: &[CappedPart], console: &Console) -> Verdict {
     let mut verdict = Verdict::Done;
     for (summary, part) in summary.iter().zip(parts) {
@@ -366,7 +366,7 @@ fn verdict(summary: &[ExportSummary], parts: &[CappedPart], console: &Console) -
         if *open_edges > 0 {
             let [before, after] = [*open_edges, kept.open_edges].map(thousands);
             console.note(format!(
-                "{name} came in with {before} open edges; what is left has {after}"
+                "{name} has {before} open edges in the input, and {after} after the cut"
             ));
         }
     }

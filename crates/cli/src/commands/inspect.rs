@@ -1,4 +1,4 @@
-//! `inspect`: what a model is like, part by part and in total.
+//! `inspect`: properties of a model, per part and in total.
 
 use clap::Args;
 use cutaway::scene::numbers::{describe_bounds, round};
@@ -53,7 +53,7 @@ pub(crate) struct InspectArgs {
     when: TimeArgs,
     #[command(flatten)]
     split: SplitArgs,
-    /// Say which role each part has for cutouts and breakaways, and where that is said; where it is not, roles are found by what is seen
+    /// Show the role of each part in cutouts and breakaways, and where it is set; unset roles are found from the parts that are visible
     /// from outside
     #[arg(long)]
     roles: bool,
@@ -61,7 +61,7 @@ pub(crate) struct InspectArgs {
     defects: DefectArgs,
     #[command(flatten)]
     holes: HoleArgs,
-    /// The same as JSON; with `-` instead of the table
+    /// The same as JSON; `-` prints it instead of the table
     #[arg(long, value_name = "FILE|-", help_heading = "Output")]
     json: Option<String>,
     #[command(flatten)]
@@ -120,12 +120,12 @@ pub(crate) fn run(args: &InspectArgs) -> Result<Verdict> {
     Ok(Verdict::Done)
 }
 
-/// Summary of a part, or of all.
+/// Summary of a part, or of all parts.
 #[derive(Clone)]
 struct MeshSummary<'a> {
     name: &'a str,
     topology: Topology,
-    /// Into how many parts `--split` would take it apart.
+    /// Number of parts that `--split` would produce.
     bodies: usize,
 }
 
@@ -139,7 +139,7 @@ impl<'a> MeshSummary<'a> {
     }
 }
 
-/// A clip, as `--clip` takes it.
+/// An animation clip, as selected by `--clip`.
 fn describe((number, clip): (usize, &Clip)) -> String {
     let length = round(clip.duration_s);
     format!("clip {number}: {}, {length} s\n", clip.name)
@@ -214,7 +214,7 @@ fn to_text(facts: &[MeshSummary<'_>], total: &MeshSummary<'_>) -> String {
         }
         if facts.coincident_faces > 0 {
             text.push_str(&format!(
-                "{name} has {} faces that lie on another: two of them cancel, and the solid has no inside there\n",
+                "{name} has {} faces that lie on another: two of them cancel, and the solid has no interior there\n",
                 facts.coincident_faces
             ));
         }

@@ -36,7 +36,7 @@ pub(crate) struct PlanArgs {
     when: TimeArgs,
     #[arg(long, value_name = "NAME", help = strategy_help())]
     strategy: Option<String>,
-    /// The same as JSON; with `-` instead of the text
+    /// The same as JSON; `-` prints it instead of the text
     #[arg(long, value_name = "FILE|-", help_heading = "Output")]
     json: Option<String>,
     #[command(flatten)]
@@ -85,7 +85,7 @@ pub(crate) fn run(args: &PlanArgs) -> Result<Verdict> {
     subject.save_beside(paths_of(&[("--json", json.as_ref())]), &args.scene.edits)?;
     let SceneAtTime { model, .. } = SceneAtTime::new(&subject.scene);
     let view = subject.view(&model.prepared);
-    // A plan needs no device, but the automatic choice of a renderer may depend on one.
+    // A plan needs no device, but the automatic choice of the renderer may depend on one.
     let gpu = match renderer_request {
         RendererRequest::Auto(_) => Gpu::open(&GpuOptions::default()).ok(),
         RendererRequest::Named(_) => None,
@@ -109,7 +109,7 @@ pub(crate) fn run(args: &PlanArgs) -> Result<Verdict> {
     Ok(Verdict::Done)
 }
 
-/// The method, which alone has passes.
+/// The method of a renderer; other renderers have no passes.
 fn passes_of(renderer: Renderer) -> Result<Method> {
     renderer.method().ok_or_else(|| {
         Error::input(

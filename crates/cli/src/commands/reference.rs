@@ -1,7 +1,7 @@
-//! `man --markdown`: the reference of the book, from the tables that arguments and scene files are read by.
+//! `man --markdown`: the book's reference, from the definitions that arguments and scene files are parsed with.
 //!
-//! One page for the commands, from the definitions of `clap`, and one for scene files, from [`paths`]. Written here because the generators
-//! there are (`clap-markdown` 0.1) lose the headings under which options stand.
+//! One page for the commands, from the definitions of `clap`, and one for scene files, from [`paths`]. Written here because existing
+//! generators (`clap-markdown` 0.1) lose the headings of options.
 //!
 //! Takes milliseconds.
 
@@ -11,7 +11,7 @@ use clap::{Arg, Command};
 use cutaway::generate::shapes::SHAPES;
 use cutaway_io::document::paths::{self, Path};
 
-/// Heading of options that have none of their own.
+/// Heading of options without their own heading.
 const OPTIONS: &str = "Options";
 
 /// The page of all commands.
@@ -65,7 +65,7 @@ fn command_section(command: &Command) -> String {
     text
 }
 
-/// All options but help, which each command has.
+/// All options except `--help`, which every command has.
 fn options(command: &Command) -> impl Iterator<Item = &Arg> {
     let is_shown = |a: &&Arg| !a.is_positional() && !a.is_hide_set();
     let known = ["help", "version"];
@@ -131,7 +131,7 @@ fn spelling(arg: &Arg) -> String {
     }
 }
 
-/// Help as Markdown: what stands in backticks is code already, elsewhere signs of Markdown are themselves.
+/// Help as Markdown: text in backticks is already code; elsewhere Markdown characters are escaped.
 fn escaped(help: &str) -> String {
     let spans = help.split('`').enumerate();
     let spans = spans.map(|(at, span)| match at % 2 {
@@ -165,12 +165,12 @@ fn shapes() -> String {
     text
 }
 
-/// Text as a cell of a table.
+/// Text as a table cell.
 fn cell(text: &str) -> String {
     escaped(text).replace('|', "\\|")
 }
 
-/// Sections of the page of scene files: the first word of their paths, and what it is about. The first holds what has no such word.
+/// Sections of the scene-file page: the first word of their paths, and a description. The first section holds all other paths.
 const SECTIONS: &[(&str, &str)] = &[
     ("", "Values at the top of the file."),
     (
@@ -233,7 +233,7 @@ pub(crate) fn scene() -> String {
     text
 }
 
-/// The section that a path stands in.
+/// The section of a path.
 fn group_of(path: &Path) -> &str {
     match path.path.split_once('.') {
         Some((first, _)) => first,

@@ -1,4 +1,4 @@
-//! `relief`: what is known of a relief, as images: its heights, its normals and how much of the sky each place sees.
+//! `relief`: a relief as images: its heights, its normals, and its ambient occlusion (the visible share of the sky).
 
 use std::io::Cursor;
 use std::path::{Path, PathBuf};
@@ -29,7 +29,7 @@ offset.png has 16 bits of grey from the lowest to the highest place. normal.png 
 plane, -1 to 1 as 0 to 255. occlusion.png is white where all of the sky is seen. They hang on how high the relief is over how long: on
 `amplitude` and `period`, of which percentages are of a cube's diagonal.";
 
-/// The images, of heights, normals and occlusion.
+/// File names of the height, normal and occlusion images.
 const MAPS: [&str; 3] = ["offset.png", "normal.png", "occlusion.png"];
 
 /// Minimum size of an image along each side, in pixels.
@@ -38,7 +38,7 @@ const FEWEST_TEXELS: u32 = 128;
 /// Options of `relief`.
 #[derive(Args)]
 pub(crate) struct ReliefCommandArgs {
-    /// A relief as `--relief` takes it: sawtooth, waves, fractal, cracks, steps, constant or an image, with
+    /// A relief, in the syntax of `--relief`: sawtooth, waves, fractal, cracks, steps, constant or an image, with
     /// `:amplitude=5%,period=40%,seed=7,size=256` and the like
     relief: String,
     /// Write offset.png, normal.png and occlusion.png into this folder
@@ -60,7 +60,7 @@ pub(crate) fn run(args: &ReliefCommandArgs) -> Result<Verdict> {
     let surface = surface.on_from(&cube, &mut assets)?;
     let Some(map) = &surface.relief else {
         let help = "write for example sawtooth, or the name of an image";
-        return Err(Error::input(&args.relief, "it is no relief", help));
+        return Err(Error::input(&args.relief, "it is not a relief", help));
     };
     if let Some(folder) = &args.maps {
         checked_folder("--maps", folder)?;
@@ -69,7 +69,7 @@ pub(crate) fn run(args: &ReliefCommandArgs) -> Result<Verdict> {
         inputs.keep_from(MAPS.map(|name| ("--maps", folder.join(name))))?;
     }
     let scale = MapScale::of(&surface);
-    // Of a map of few texels the slopes lie between these.
+    // Enlarged, because a small map's slopes lie between its texels.
     let texels = map.size();
     let map = &map.at_least(FEWEST_TEXELS);
     console.step("normals");

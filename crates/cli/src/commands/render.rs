@@ -45,23 +45,23 @@ pub(crate) struct RenderArgs {
     scene: SceneArgs,
     #[command(flatten)]
     when: TimeArgs,
-    /// The picture, .png; `-` for standard output
+    /// Output picture, .png; `-` for standard output
     #[arg(long, short, value_name = "FILE|-", help_heading = "Output")]
     output: String,
     #[command(flatten)]
     look: LookArgs,
-    /// Outcome, times, bytes and counts of pixels as JSON
+    /// Outcome, times, bytes and pixel counts as JSON
     #[arg(long, value_name = "FILE|-", help_heading = "Output")]
     json: Option<String>,
-    /// Depth (infinite where nothing is), kind (0 nothing, 1 surface, 2 cap), part and clip-surface (numbered from 0; -1
-    /// is none), normal of every pixel and whether it may be wrong, .exr; names of the parts, the camera and the units are
-    /// its attributes
+    /// Layers per pixel, .exr: depth (infinite for background), kind (0 background, 1 surface, 2 cap), part and clip-surface (from 0; -1
+    /// for none), normal, and whether the pixel may be wrong; names of the parts, the camera and the units are
+    /// stored as attributes
     #[arg(long, value_name = "FILE", help_heading = "Output")]
     layers: Option<String>,
-    /// Compare the picture with this one: exit 1 and a .diff.png next to the output where it differs
+    /// Compare the picture with this one; if it differs, exit with 1 and write a .diff.png next to the output
     #[arg(long, value_name = "IMAGE", help_heading = "Test")]
     reference: Option<PathBuf>,
-    /// Largest allowed difference of a channel of any pixel, 0 to 1
+    /// Largest allowed difference in any channel of any pixel, 0 to 1
     #[arg(
         long,
         value_name = "X",
@@ -109,7 +109,7 @@ pub(crate) fn run(args: &RenderArgs) -> Result<Verdict> {
     let facts = PlainFrame::of(&mut session, &shown, &view, renderer, &outputs)?;
     let mut verdict = Verdict::Done;
     if let Some(layers) = &facts.layers {
-        // What a full buffer dropped is reported below, and need not be a fault of the mesh.
+        // Pixels dropped by a full buffer are reported below, and need not be a fault of the mesh.
         if facts.outcome == Outcome::Complete {
             verdict = warn_of_doubt(&facts.may_be_wrong, renderer, &subject.scene, &console);
         }
@@ -121,7 +121,7 @@ pub(crate) fn run(args: &RenderArgs) -> Result<Verdict> {
     console.step("picture");
     let has_shadow = shown.model.prepared.style.shadow.is_drawn();
     let drawn = match renderer {
-        // The frame that was looked at is the picture.
+        // The checked frame is the picture.
         Renderer::Method(method) if subject.supersample() == 1 && !has_shadow => {
             picture::plain(&session.picture(method)?, view.size_px)
         }
@@ -147,7 +147,7 @@ pub(crate) fn run(args: &RenderArgs) -> Result<Verdict> {
         results.add(output, format!("{json:#}\n").into_bytes())?;
     }
     if let Outcome::Overflowed(reason) = &facts.outcome {
-        console.failed(format!("{renderer} did not draw all of it: {reason}"));
+        console.failed(format!("{renderer} drew an incomplete picture: {reason}"));
         verdict = Verdict::Failed;
     }
     if let (Some(reference), Some(path)) = (reference, outputs.picture.path()) {
@@ -172,7 +172,7 @@ struct Outputs {
     picture: Output,
     json: Option<Output>,
     layers: Option<Output>,
-    /// Those that are files, by the options that name them.
+    /// The outputs that are files, with the options that name them.
     paths: Vec<(&'static str, PathBuf)>,
 }
 
@@ -193,7 +193,7 @@ impl Outputs {
             (Some(_), None) => {
                 return Err(Error::input(
                     "--reference",
-                    "there is no place for the difference image beside standard output",
+                    "the difference image is written next to the picture, but the picture goes to standard output",
                     "write the picture to a file: --output FILE.png",
                 ));
             }
@@ -220,10 +220,10 @@ impl Outputs {
     }
 }
 
-/// Data of the frame at the plain resolution.
+/// Data of the frame without supersampling.
 struct PlainFrame {
     outcome: Outcome,
-    /// None unless data was requested that needs a second, exact evaluation.
+    /// `None` unless the requested data needs a second, exact evaluation.
     layers: Option<Layers>,
     /// Per pixel: true if its layers may be wrong.
     may_be_wrong: Vec<bool>,
@@ -317,7 +317,7 @@ fn parse_threshold(text: &str) -> Result<f64, String> {
     })
 }
 
-/// Description of the time taken to make a device ready.
+/// Text of the time taken to prepare a device.
 fn in_words(took: &Preparation) -> String {
     let ms = |time: Duration| format!("{:.0} ms", time.as_secs_f64() * 1e3);
     format!(

@@ -1,4 +1,4 @@
-//! `report`: pages and tables of what was measured. Needs no graphics adapter.
+//! `report`: pages and tables of measured results. Needs no graphics adapter.
 
 use std::path::{Path, PathBuf};
 
@@ -28,45 +28,45 @@ strategy) and report.json (all records). With --method it writes method-NAME.htm
 /// Options of `report`.
 #[derive(Args)]
 pub(crate) struct ReportArgs {
-    /// Folders of runs, as `cutaway measure --out DIR` writes them, or of outside baselines alone
+    /// Folders of runs, as `cutaway measure --out DIR` writes them, or folders with outside baselines only
     #[arg(required = true, value_name = "DIR")]
     pub(crate) folders: Vec<PathBuf>,
     /// Folder for the report [default: the first folder]
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
-    /// Leave the pictures in their files, and link to them
+    /// Link to the picture files instead of embedding them
     #[arg(long)]
     pub(crate) link: bool,
-    /// Results of one method at all points: its errors, times, memory, and what it refuses and why
+    /// Report one method at all points: its errors, times, memory, and the points it refuses, with reasons
     #[arg(long, value_name = "NAME", conflicts_with = "link")]
     pub(crate) method: Option<String>,
-    /// Exit code 1 where points are missing that the experiments ask for
+    /// Exit with 1 if points that the experiments define are missing
     #[arg(long)]
     pub(crate) complete: bool,
     #[command(flatten)]
     pub(crate) console: ConsoleArgs,
 }
 
-/// Missing points that are named.
+/// Maximum number of missing points listed by name.
 const MOST_NAMED: usize = 10;
 
 /// The files of a report.
 const NAMES: [&str; 4] = ["report.html", "report.md", "report.csv", "report.json"];
 
-/// The files of the folders in a folder of a run: records and their pictures. Beside `run.json` an earlier report may be.
+/// The files in the subfolders of a run's folder: records and their pictures. An earlier report may lie beside `run.json`.
 fn files_below(folder: &Path) -> Vec<PathBuf> {
     let of = |folder: &Path| {
         let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
         entries.map(|e| e.path()).collect::<Vec<_>>()
     };
-    // Other folders are of something else, of an earlier report perhaps.
+    // Other folders are unrelated, perhaps from an earlier report.
     let is_read =
         |path: &PathBuf| path.ends_with("peers") || path.join("experiment.json").is_file();
     let folders = of(folder).into_iter().filter(is_read);
     let records = folders.flat_map(|folder| of(&folder));
     let is_run = |path: &PathBuf| Run::is_file(path);
     let is_alone = !of(folder).iter().any(is_run);
-    // A folder without a run may be one of outside baselines.
+    // A folder without a run may contain outside baselines.
     let is_baseline = |path: &PathBuf| is_alone && path.extension().is_some_and(|e| e == "json");
     let own = of(folder).into_iter();
     let own = own.filter(|path| {
@@ -75,7 +75,7 @@ fn files_below(folder: &Path) -> Vec<PathBuf> {
     records.chain(own).filter(|path| path.is_file()).collect()
 }
 
-/// The file of a method, without its ending: `method-grid-256+vds-1024`.
+/// A method's file name without extension: `method-grid-256+vds-1024`.
 fn stem_of(method: &str) -> String {
     let is_plain = |c: char| c.is_ascii_alphanumeric() || matches!(c, '+' | '.' | '-' | '_');
     let letters = method.chars().map(|c| if is_plain(c) { c } else { '-' });
@@ -120,7 +120,7 @@ pub(crate) fn run(args: &ReportArgs) -> Result<Verdict> {
     Ok(verdict)
 }
 
-/// The texts of the files of [`NAMES`].
+/// Contents of the files named in [`NAMES`].
 fn all_of(recorded: &Recorded, args: &ReportArgs, out: &Path) -> Vec<String> {
     let options = PictureOptions {
         out: out.to_owned(),
@@ -131,7 +131,7 @@ fn all_of(recorded: &Recorded, args: &ReportArgs, out: &Path) -> Vec<String> {
     vec![pages.html, pages.markdown, pages.csv, pages.json]
 }
 
-/// Says which points are missing.
+/// Warns of missing points.
 fn completeness(recorded: &Recorded, args: &ReportArgs, console: &Console) -> Verdict {
     let (there, asked, missing) = recorded.completeness();
     if missing.is_empty() {

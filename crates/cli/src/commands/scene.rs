@@ -1,4 +1,4 @@
-//! `scene`: what a scene can hold.
+//! `scene`: the values that a scene file can contain.
 
 use clap::Args;
 use cutaway::{Error, Result};
@@ -21,7 +21,7 @@ of the bounds or of their diagonal.";
 /// Options of `scene`.
 #[derive(Args)]
 pub(crate) struct SceneCommandArgs {
-    /// Only paths that contain this
+    /// List only paths that contain this text
     part: Option<String>,
     /// The list as JSON
     #[arg(long, value_name = "FILE|-", help_heading = "Output")]
@@ -39,7 +39,7 @@ pub(crate) fn run(args: &SceneCommandArgs) -> Result<Verdict> {
     if let (true, Some(part)) = (asked.is_empty(), &args.part) {
         let help =
             "`cutaway scene` lists them all; names and numbers of parts and cuts are `*` there";
-        return Err(Error::input(part, "no path has this in it", help));
+        return Err(Error::input(part, "no path contains this", help));
     }
     if let Some(output) = &json {
         let all: Vec<_> = (asked.iter())
@@ -62,7 +62,7 @@ pub(crate) fn run(args: &SceneCommandArgs) -> Result<Verdict> {
     Ok(Verdict::Done)
 }
 
-/// Returns true if a path contains a part, in which names may stand for `*`: `part.0.scale`, `cut.front`.
+/// Returns true if a path contains `part`, in which any name matches `*`: `part.0.scale`, `cut.front`.
 fn has(path: &str, part: &str) -> bool {
     let part = part.to_lowercase();
     let (known, asked): (Vec<_>, Vec<_>) = (path.split('.').collect(), part.split('.').collect());
@@ -82,7 +82,7 @@ pub(crate) fn long_help() -> String {
     format!("{}\n{EXAMPLES}", listed(paths::all().iter()))
 }
 
-/// Two lines for each: what it takes, and what it is.
+/// Two lines per path: what it takes, and its meaning.
 fn listed<'a>(paths: impl Iterator<Item = &'a Path>) -> String {
     let mut text = String::new();
     for p in paths {

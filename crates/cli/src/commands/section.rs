@@ -1,7 +1,7 @@
-//! `section`: what planes cut out of a model, as a drawing (SVG, DXF), as data, or as a table of areas. Needs no adapter.
+//! `section`: plane sections of a model, as a drawing (SVG, DXF), as data, or as a table of areas. Needs no adapter.
 //!
-//! Every part is sliced by every plane of the cuts that apply to it: in f64, in world space, in its pose. Nothing is rounded to what a
-//! GPU draws. A section is the cap: what the rest of its cut and the other cuts leave of the plane ([`planes`]).
+//! Every part is sliced by every plane of the cuts that apply to it: in f64, in world space, in its pose, without rounding to the
+//! precision of a GPU. A section is the cap: the part of the plane left by the rest of its cut and by the other cuts ([`planes`]).
 
 use std::cmp::Reverse;
 use std::path::PathBuf;
@@ -53,7 +53,7 @@ closes.";
 /// Options of `section`.
 #[derive(Args)]
 pub(crate) struct SectionCommandArgs {
-    /// Meshes, `-` for one from standard input, `shape:NAME?param=value`, or one scene (.toml), which brings its own cuts
+    /// Meshes, `-` for one from standard input, `shape:NAME?param=value`, or one scene (.toml) with its own cuts
     #[arg(required = true, value_name = "SCENE|MODEL")]
     inputs: Vec<String>,
     #[command(flatten)]
@@ -70,19 +70,19 @@ pub(crate) struct SectionCommandArgs {
     defects: DefectArgs,
     #[command(flatten)]
     holes: HoleArgs,
-    /// Rule for the points that each mesh encloses: even-odd or nonzero [default: that of the scene, or even-odd]
+    /// Fill rule for each mesh's interior: even-odd or nonzero [default: the scene's rule, or even-odd]
     #[arg(long, value_name = "RULE", value_parser = crate::input::args::parse_fill)]
     fill: Option<Fill>,
-    /// Slice all of the model by every plane, whatever the rest of its cut keeps and other cuts remove
+    /// Slice the whole model by every plane, ignoring the rest of its cut and all other cuts
     #[arg(long)]
     whole: bool,
-    /// The drawing, .svg or .dxf, or the data, .json; `-` for an SVG drawing on standard output
+    /// Output drawing, .svg or .dxf, or data, .json; `-` for an SVG drawing on standard output
     #[arg(long, short, value_name = "FILE|-", help_heading = "Output")]
     output: Option<String>,
-    /// Areas, perimeters, loops and planes as JSON; with `-` instead of the table
+    /// Areas, perimeters, loops and planes as JSON; `-` prints it instead of the table
     #[arg(long, value_name = "FILE|-", help_heading = "Output")]
     json: Option<String>,
-    /// Length unit of the model: an SVG drawing gets the size of the model, a DXF drawing states it [default: fitted to 1000 pixels; none]
+    /// Length unit of the model, for a true-size SVG drawing or the unit of a DXF drawing [default: SVG fitted to 1000 pixels; DXF none]
     #[arg(long, value_parser = crate::input::unit::parser(), value_name = "UNIT", help_heading = "Output")]
     unit: Option<LengthUnit>,
     #[command(flatten)]
@@ -137,7 +137,7 @@ pub(crate) fn run(args: &SectionCommandArgs) -> Result<Verdict> {
 struct Outputs {
     drawing: Option<Output>,
     json: Option<Output>,
-    /// Those that are files, by the options that name them.
+    /// The outputs that are files, with the options that name them.
     paths: Vec<(&'static str, PathBuf)>,
 }
 
@@ -238,11 +238,11 @@ fn sliced(scene: &Scene, planes: &[Plane], is_whole: bool) -> SectionReport {
     }
 }
 
-/// Section of a part by a plane.
+/// A part's section by a plane.
 enum Sliced {
-    /// Nothing: it passes the part by, or is not for it.
+    /// No section: the plane misses the part, or does not apply to it.
     Missed,
-    /// All that there is in the plane.
+    /// The whole section in the plane.
     Whole(PartReport),
     /// The section trimmed by the rest of its cut and by other cuts, if anything is left.
     Trimmed(Option<PartReport>),
@@ -288,7 +288,7 @@ fn to_text(report: &SectionReport) -> String {
     table.to_text()
 }
 
-/// Says which outlines do not close, and notes what else is doubtful.
+/// Warns of outlines that do not close, and of other doubts.
 fn verdict(report: &SectionReport, console: &Console) -> Verdict {
     let mut verdict = Verdict::Done;
     for plane in &report.sections {

@@ -1,7 +1,7 @@
-//! `view`: a window in which cuts are dragged and strategies compared.
+//! `view`: a window for dragging cuts and comparing strategies.
 //!
-//! The window is a program of its own, `cutaway-viewer`, so that this one is built without a toolkit. It is this command with a [`Window`]:
-//! it takes the same words, makes the same document of them, and refuses the same mistakes. Without a window the command looks for that
+//! The window is a separate program, `cutaway-viewer`, so that this one builds without a GUI toolkit. It is this command with a [`Window`]:
+//! it takes the same arguments, builds the same document and refuses the same errors. Without a window the command looks for that
 //! program in its own folder and passes its arguments on.
 
 use std::env;
@@ -27,7 +27,7 @@ Examples:
   cutaway view scene.toml
   cutaway view                    # an empty window: drop a file into it";
 
-/// The program that has a window.
+/// Name of the program with the window.
 const PROGRAM: &str = "cutaway-viewer";
 
 /// Options of `view`.
@@ -45,7 +45,7 @@ pub(crate) struct ViewArgs {
     options: DrawOptionArgs,
     #[command(flatten)]
     console: ConsoleArgs,
-    /// Say at the end what the frames of the window cost the CPU
+    /// Report the CPU cost of the window's frames at exit
     #[arg(long, help_heading = "Measuring")]
     profile: bool,
 }
@@ -53,11 +53,11 @@ pub(crate) struct ViewArgs {
 /// Initial state of a window.
 #[derive(Debug, Default)]
 pub struct Opened {
-    /// The document that results from the arguments; empty if they name nothing.
+    /// The document that results from the arguments; empty if they name no input.
     pub document: Document,
     /// The files that were read for it.
     pub assets: Assets,
-    /// Part of the name of the adapter that is wanted.
+    /// Part of the requested adapter's name.
     pub adapter: Option<String>,
     /// True if the cost of frames is reported at the end.
     pub profile: bool,
@@ -77,7 +77,7 @@ pub(crate) fn run(args: &ViewArgs, window: Option<Window>) -> ExitCode {
     }
 }
 
-/// Refuses a model from standard input: a window reads files again, and saves scenes by their names.
+/// Refuses a model from standard input: a window reloads files, and saves scenes that name them.
 fn must_be_files(inputs: &[String]) -> Result<()> {
     if inputs.iter().any(|input| input == stdin::WORD) {
         let what = "a window reads its files again, and standard input is read once";
@@ -114,7 +114,7 @@ fn open(args: &ViewArgs) -> Result<Opened> {
     })
 }
 
-/// Starts the program that has a window with the words of this one, and ends as it ends.
+/// Starts the program with the window, with this program's arguments, and exits with its code.
 fn hand_over() -> Result<ExitCode> {
     let program = PROGRAM.to_owned() + env::consts::EXE_SUFFIX;
     let beside = env::current_exe()
@@ -130,7 +130,7 @@ fn hand_over() -> Result<ExitCode> {
             "install it from the folder of cutaway with `cargo install --path crates/viewer`, or put it beside this program or into a folder of $PATH",
         )
     })?;
-    // A process that a signal has ended has no code of its own.
+    // A process ended by a signal has no exit code.
     let code = ended.code().and_then(|code| u8::try_from(code).ok());
     Ok(ExitCode::from(code.unwrap_or(1)))
 }

@@ -38,11 +38,11 @@ pub(crate) struct SceneArgs {
     pub(crate) defects: DefectArgs,
     #[command(flatten)]
     holes: HoleArgs,
-    /// Rule for the points that each mesh encloses: even-odd, where an odd number of crossings lies before them, or nonzero, wherever it
-    /// winds around them, which unites shells that overlap [default: that of the scene, or even-odd]
+    /// Fill rule for each mesh's interior: even-odd, points that a ray reaches after an odd number of crossings, or nonzero, points with a
+    /// nonzero winding number, which unites overlapping shells [default: the scene's rule, or even-odd]
     #[arg(long, value_name = "RULE", value_parser = parse_fill)]
     fill: Option<Fill>,
-    /// Hatch the caps that several solids share, by default in #ff00aa [default: that of the scene, or not at all]
+    /// Hatch caps where several solids overlap; without a colour in #ff00aa [default: the scene's setting, or off]
     #[arg(
         long,
         value_name = "COLOUR",
@@ -53,7 +53,7 @@ pub(crate) struct SceneArgs {
         help_heading = "Output"
     )]
     interference: Option<Value>,
-    /// Width and height of the picture in pixels [default: that of the scene, or 1024,768]
+    /// Width and height of the picture in pixels [default: the scene's resolution, or 1024,768]
     #[arg(long, value_name = "W,H", value_parser = declared("resolution"), allow_hyphen_values = true, help_heading = "Output")]
     resolution: Option<Value>,
     #[command(flatten)]
@@ -61,7 +61,7 @@ pub(crate) struct SceneArgs {
 }
 
 impl SceneArgs {
-    /// The document of these options; numbered meshes are played at a rate, where the output has one.
+    /// The document of these options; numbered meshes play at the output's frame rate, if it has one.
     pub(crate) fn document(&self, played_fps: Option<f64>) -> Result<Document> {
         let mut document = document(&self.inputs, self.stdin, played_fps)?;
         self.split.amend(&mut document)?;
@@ -79,7 +79,7 @@ impl SceneArgs {
         Ok(document)
     }
 
-    /// Opens the document of these options with what others have amended, and says what is doubtful about it.
+    /// Opens the document of these options as amended by other options, and warns of doubts.
     pub(crate) fn open(
         &self,
         document: Document,
@@ -94,7 +94,7 @@ impl SceneArgs {
     }
 }
 
-/// Sets a value that an option says, if it does.
+/// Sets a value if the option is given.
 pub(crate) fn say(
     document: &mut Document,
     path: &str,
@@ -110,7 +110,7 @@ pub(crate) fn say(
     }
 }
 
-/// Fills all parts by the rule that an option says.
+/// Sets the fill rule of all parts to the option's.
 pub(crate) fn fill_by(document: &mut Document, rule: Option<Fill>) -> Result<()> {
     let Some(rule) = rule else {
         return Ok(());
@@ -122,7 +122,7 @@ pub(crate) fn fill_by(document: &mut Document, rule: Option<Fill>) -> Result<()>
 /// Choice of the device.
 #[derive(Args, Clone)]
 pub(crate) struct AdapterArgs {
-    /// Part of the adapter's name [default: that in $CUTAWAY_ADAPTER, or the fastest]
+    /// Part of the adapter's name [default: $CUTAWAY_ADAPTER, or the fastest adapter]
     #[arg(
         long,
         value_name = "NAME",
@@ -134,7 +134,7 @@ pub(crate) struct AdapterArgs {
 }
 
 impl AdapterArgs {
-    /// A session on the device, which takes the times of what it draws where they are reported.
+    /// A session on the device, with timing if times are reported.
     pub(crate) fn session(&self, is_timed: bool) -> Result<Session> {
         let session = Session::new(self.open()?);
         Ok(match is_timed {
@@ -152,21 +152,21 @@ impl AdapterArgs {
     }
 }
 
-/// By which means frames are drawn.
+/// Options for the means of drawing frames.
 #[derive(Args)]
 pub(crate) struct DrawOptionArgs {
-    /// Rasteriser of the mesh: hardware, or compute (mask, abuffer and kbuffer, and raycast with ldi) [default: that of the scene, or
-    /// hardware; with the strategy auto whichever takes less time on the adapter]
+    /// Rasteriser of the mesh: hardware, or compute (mask, abuffer and kbuffer, and raycast with ldi) [default: the scene's, or
+    /// hardware; with the strategy auto, the faster one on the adapter]
     #[arg(long, value_name = "WHO", value_parser = declared("strategy.rasteriser"), help_heading = "Device")]
     rasteriser: Option<Value>,
-    /// Interpolation of the heights of reliefs: exact, from four texels, or hardware, the sampler of the GPU (grid alone, for
-    /// the error that it makes) [default: that of the scene, or exact]
+    /// Interpolation of relief heights: exact, from four texels, or hardware, by the GPU's sampler (only grid, to show
+    /// the sampler's error) [default: the scene's setting, or exact]
     #[arg(long, value_name = "WHO", value_parser = declared("height_filter"), help_heading = "Device")]
     height_filter: Option<Value>,
 }
 
 impl DrawOptionArgs {
-    /// Path in a document, option and value of each setting.
+    /// Document path, option and value of each setting.
     pub(crate) fn values(&self) -> [(&'static str, &'static str, Option<Value>); 2] {
         [
             (
@@ -182,7 +182,7 @@ impl DrawOptionArgs {
         ]
     }
 
-    /// Puts them into a document.
+    /// Writes the settings into a document.
     pub(crate) fn amend(&self, document: &mut Document) -> Result<()> {
         let mut values = self.values().into_iter();
         values.try_for_each(|(path, option, value)| say(document, path, option, value))

@@ -1,4 +1,4 @@
-//! `--camera-...` and `--up`: where a scene is seen from.
+//! `--camera-...` and `--up`: the viewpoint.
 
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
@@ -51,7 +51,7 @@ pub(crate) struct CameraArgs {
         help_heading = "Camera"
     )]
     view: Option<Value>,
-    /// Turn around the up axis, in degrees [default: that of the scene, or 35, mirrored to where the cut is seen]
+    /// Azimuth around the up axis, in degrees [default: the scene's, or 35, mirrored if only so the cut is visible]
     #[arg(
         long = "camera-azimuth-angle",
         value_name = "DEG",
@@ -60,7 +60,7 @@ pub(crate) struct CameraArgs {
         help_heading = "Camera"
     )]
     azimuth_deg: Option<Value>,
-    /// Height above the horizon, in degrees [default: that of the scene, or 25, from below if only so the cut is seen]
+    /// Elevation above the horizon, in degrees [default: the scene's, or 25, from below if only so the cut is visible]
     #[arg(
         long = "camera-elevation-angle",
         value_name = "DEG",
@@ -72,7 +72,7 @@ pub(crate) struct CameraArgs {
     /// Parallel rays, without perspective
     #[arg(long = "camera-orthographic", help_heading = "Camera")]
     orthographic: bool,
-    /// Fit of the view: kept, the silhouette of what the cuts keep, or all, the box of the model [default: that of the scene;
+    /// Extent fitted into the view: kept, the silhouette of the kept solid, or all, the model's bounding box [default: the scene's;
     /// kept for pictures, all where strategies are compared]
     #[arg(
         long = "camera-fit",
@@ -81,7 +81,7 @@ pub(crate) struct CameraArgs {
         help_heading = "Camera"
     )]
     fit: Option<Value>,
-    /// Magnification of the model over the fitted view [default: that of the scene, or 1]
+    /// Magnification relative to the fitted view [default: the scene's, or 1]
     #[arg(
         long = "camera-zoom-factor",
         value_name = "FACTOR",
@@ -90,7 +90,7 @@ pub(crate) struct CameraArgs {
         help_heading = "Camera"
     )]
     zoom: Option<Value>,
-    /// Moves the model right and up in the picture, in picture heights: 0.1,-0.05 [default: that of the scene, or 0,0]
+    /// Moves the model right and up in the picture, in picture heights: 0.1,-0.05 [default: the scene's, or 0,0]
     #[arg(
         long = "camera-pan",
         value_name = "X,Y",
@@ -99,7 +99,7 @@ pub(crate) struct CameraArgs {
         help_heading = "Camera"
     )]
     pan: Option<Value>,
-    /// Up axis of the model [default: that of the scene, or +Y; +Z in pictures of .3mf alone; of .stl and .ply a guess, which is reported]
+    /// Up axis of the model [default: the scene's, or +Y; +Z in pictures of .3mf models only; for .stl and .ply a reported guess]
     #[arg(
         long,
         value_name = "AXIS",
@@ -112,7 +112,7 @@ pub(crate) struct CameraArgs {
 }
 
 impl CameraArgs {
-    /// Puts them into a document. What contradicts them there goes; angles that are not given are found.
+    /// Writes the options into a document and removes contradicting values; missing angles are chosen automatically.
     pub(crate) fn amend(&self, document: &mut Document) -> Result<()> {
         let is_new = document.root().get("camera").is_none();
         let is_orbit = self.azimuth_deg.is_some() || self.elevation_deg.is_some();
@@ -163,7 +163,7 @@ impl CameraArgs {
     }
 }
 
-/// Axes by their names in documents; the sign may be left out.
+/// Axes by their document names; the plus sign may be omitted.
 fn up_axis() -> impl TypedValueParser<Value = Value> {
     let axes = Up::ALL.map(|(name, _)| PossibleValue::new(name).alias(&name[1..]));
     PossibleValuesParser::new(axes).map(|name| {

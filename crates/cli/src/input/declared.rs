@@ -1,11 +1,11 @@
-//! Options that only carry a value of the scene: their words are read and checked by its declaration.
+//! Options that set one value of the scene: parsed and checked by the value's declaration.
 
 use clap::builder::{PossibleValuesParser, TypedValueParser as _, ValueParser};
 use cutaway::Error;
 use cutaway_io::document::paths::{self, ValueType};
 use cutaway_io::document::{Value, parse_value};
 
-/// The parser of an option that carries the value of a path.
+/// Parser of an option for the value at a path.
 pub(crate) fn declared(path: &'static str) -> ValueParser {
     let Some(path) = paths::all().iter().find(|known| known.path == path) else {
         unreachable!("`{path}` is no path of a scene");
@@ -17,7 +17,7 @@ pub(crate) fn declared(path: &'static str) -> ValueParser {
     let parse = move |text: &str| -> Result<Value, String> {
         parse_value(path, text).map_err(|e| match e {
             Error::Input { what, .. } if path.takes.is_numeric() => {
-                // Elements of a list have their numbers for a key.
+                // Elements of a list are keyed by number.
                 let what = match what.split_once("`: ") {
                     Some((_, what)) => what.to_owned(),
                     None => what,

@@ -1,4 +1,4 @@
-//! `--defect`: meshes broken on purpose, after all else that makes them and before anything is cut.
+//! `--defect`: meshes broken on purpose, after all other processing and before any cut.
 
 use clap::Args;
 use cutaway::Result;
@@ -8,8 +8,8 @@ use cutaway_io::document::{Document, defect};
 #[derive(Args, Clone)]
 pub(crate) struct DefectArgs {
     /// Break the meshes of all parts, to test robustness: holes, flipped, duplicated or t-junctions (amount: share of the faces,
-    /// 5% without it), gaps or soup (a length, or percent of the diagonal of the mesh's box, 1%), overlap (size of the copies that
-    /// stick in it, 20%), open (share of the box that is gone, 20%). Further keys: seed, patch, charts, copies, axis. May be
+    /// default 5%), gaps or soup (a length, or percent of the diagonal of the mesh's box, default 1%), overlap (size of the copies that
+    /// intersect it, default 20%), open (removed share of the box, default 20%). Further keys: seed, patch, charts, copies, axis. May be
     /// repeated
     #[arg(
         long = "defect",

@@ -1,4 +1,4 @@
-//! `--set`, `--save`, `--force`: the document of a command line, changed and kept.
+//! `--set`, `--save`, `--force`: changes to the command line's document, and saving it.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -13,16 +13,16 @@ use crate::writing::output::Output;
 
 #[derive(Args, Clone, Debug, Default)]
 pub(crate) struct EditArgs {
-    /// Sets a value of the scene, after all other options: `camera.azimuth_deg=20`, `cut.front.surfaces.0.section=z=10%`. The path is
-    /// that of a `[[key]]`, with names as they are (no quotes); the value is TOML, or text without quotes. `cutaway help scene` lists
+    /// Sets a value of the scene, after all other options: `camera.azimuth_deg=20`, `cut.front.surfaces.0.section=z=10%`. The path has the
+    /// form of a `[[key]]` path, with names unquoted; the value is TOML, or text without quotes. `cutaway help scene` lists
     /// the paths. Repeatable
     #[arg(long, value_name = "PATH=VALUE", value_parser = parse_setting, help_heading = HEADING)]
     set: Vec<String>,
-    /// Writes the scene that results from this command line: drawn again from that file, the picture is the same. Other requests, such as
+    /// Writes the scene that results from this command line, which draws the same picture. Other requests, such as
     /// the strategies of `compare` or a turntable, are not saved. An existing file with other content is kept, except with --force
     #[arg(long, value_name = "FILE.toml", help_heading = HEADING)]
     save: Option<String>,
-    /// Lets --save replace a file, also the scene that is read
+    /// Lets --save replace an existing file, even the input scene
     #[arg(long, requires = "save", help_heading = HEADING)]
     force: bool,
 }
@@ -30,7 +30,7 @@ pub(crate) struct EditArgs {
 const HEADING: &str = "Scene";
 
 impl EditArgs {
-    /// Sets the values in their order.
+    /// Sets the values in order.
     pub(crate) fn amend(&self, document: &mut Document) -> Result<()> {
         let is_new = document.root().get("camera").is_none();
         for setting in &self.set {
@@ -44,7 +44,7 @@ impl EditArgs {
         Ok(())
     }
 
-    /// Path of the saved document, if any. A file with other content is replaced only with `--force`.
+    /// Path for the saved document, if any. A file with other content is replaced only with `--force`.
     pub(crate) fn place(&self, document: &Document) -> Result<Option<PathBuf>> {
         let Some(save) = &self.save else {
             return Ok(None);
@@ -59,7 +59,7 @@ impl EditArgs {
         if !self.force && place.exists() && !holds(&place, &document.moved_to(&path)?) {
             let is_read = same_file::is_same_file(&place, document.path()).unwrap_or(false);
             let what = match is_read {
-                true => "it is the scene that is read, and would be overwritten",
+                true => "it is the input scene, and would be overwritten",
                 false => "there is such a file, and it holds something else",
             };
             let help = "save to another file, or add --force to replace it";
@@ -79,7 +79,7 @@ fn holds(path: &Path, document: &Document) -> bool {
     fs::read_to_string(path).is_ok_and(|text| text == document.to_string())
 }
 
-/// A path and a value. Names may hold `=`, as those of cuts do: of several places to divide the text it is the first whose path is one.
+/// Splits a setting into path and value. Names may contain `=`, as those of cuts do: the text is split at the first `=` after a valid path.
 fn parted<'a>(text: &'a str, document: &Document) -> (&'a str, &'a str) {
     let divided = || {
         let places = text.match_indices('=').map(|(at, _)| at);
@@ -89,7 +89,7 @@ fn parted<'a>(text: &'a str, document: &Document) -> (&'a str, &'a str) {
     known.or_else(|| divided().next()).unwrap_or((text, ""))
 }
 
-/// Refuses words that are no setting.
+/// Refuses a text that is not a setting.
 fn parse_setting(text: &str) -> Result<String, String> {
     match text.split_once('=') {
         Some((path, _)) if !path.trim().is_empty() => Ok(text.to_owned()),

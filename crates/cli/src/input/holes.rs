@@ -1,4 +1,4 @@
-//! `--close-holes`: open meshes closed where that is no guess, before they are cut.
+//! `--close-holes`: closes the unambiguous holes of open meshes, before they are cut.
 
 use clap::Args;
 use cutaway::Result;
@@ -7,8 +7,8 @@ use cutaway_io::document::{Document, Node, Origin};
 /// Option that closes holes.
 #[derive(Args, Clone, Copy)]
 pub(crate) struct HoleArgs {
-    /// Close the planar holes of all parts and the small ones, of 12 edges at most or half of the part's diagonal around, and say
-    /// which; what is neither stays open [default: as the scene says, or not]
+    /// Close the planar and the small holes of all parts (at most 12 edges, or a perimeter of half the part's diagonal), and report
+    /// them; other holes stay open [default: the scene's setting, or off]
     #[arg(long)]
     close_holes: bool,
 }

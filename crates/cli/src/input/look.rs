@@ -12,12 +12,12 @@ use cutaway_io::document::{Document, Timeline, Value, named_style, style_names};
 /// Default style of pictures.
 const USUAL_STYLE: &str = "technical";
 
-/// Values for settings that the document leaves open.
+/// Defaults for settings that the document omits.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Defaults {
     /// Style of the picture.
     pub(crate) style: Style,
-    /// Extent that its cameras are fitted to.
+    /// Extent that cameras are fitted to.
     pub(crate) fit: Fit,
     /// True if the up axis is guessed for meshes that do not state it.
     pub(crate) guesses_up: bool,
@@ -46,7 +46,7 @@ impl Defaults {
 pub(crate) struct LookArgs {
     #[arg(long, value_name = "NAME", help = strategy_help())]
     strategy: Option<String>,
-    /// Draw N times as fine along each side and average in linear light, 1 to 4 [default: that of the scene, or 2]
+    /// Draw at N times the resolution along each side and average in linear light, 1 to 4 [default: the scene's, or 2]
     #[arg(
         long,
         value_name = "N",
@@ -56,16 +56,16 @@ pub(crate) struct LookArgs {
     supersample: Option<Value>,
     #[arg(long, value_name = "NAME|FILE", help = style_help(), help_heading = "Output")]
     style: Option<String>,
-    /// One colour for the surfaces of all parts, #rrggbb or a name of CSS, as the style lights it [default: those of the parts]
+    /// One colour for the surfaces of all parts, #rrggbb or a CSS name, lit by the style [default: the parts' colours]
     #[arg(long, value_name = "COLOUR", value_parser = declared("style.surface.color"), help_heading = "Output")]
     color: Option<Value>,
-    /// One colour for all caps [default: that of the style]
+    /// One colour for all caps [default: the style's]
     #[arg(long, value_name = "COLOUR", value_parser = declared("style.cap.color"), help_heading = "Output")]
     cap_color: Option<Value>,
-    /// Background behind the model: paper, from the style, gradient, none, or a colour [default: that of the scene, or paper]
+    /// Background behind the model: paper (the style's colour), gradient, none, or a colour [default: the scene's, or paper]
     #[arg(long, value_name = "WHAT", value_parser = declared("background"), help_heading = "Output")]
     background: Option<Value>,
-    /// Show what cuts remove: as phantom lines, glass or both
+    /// Show the removed parts as phantom lines, glass or both
     #[arg(
         long,
         value_name = "KIND",
@@ -76,7 +76,7 @@ pub(crate) struct LookArgs {
         help_heading = "Output"
     )]
     ghost: Option<Value>,
-    /// Let the model stand on a ground that it darkens, by so much from 0 to 1
+    /// Add a ground below the model, darkened by its shadow, with a strength from 0 to 1
     #[arg(
         long,
         value_name = "STRENGTH",
@@ -87,7 +87,7 @@ pub(crate) struct LookArgs {
         help_heading = "Output"
     )]
     shadow: Option<Value>,
-    /// Leave what shows no model transparent: --background none
+    /// Make the background transparent, as --background none
     #[arg(long, help_heading = "Output", conflicts_with = "background")]
     pub(crate) no_background: bool,
 }
@@ -108,7 +108,7 @@ fn strategy_help() -> String {
 }
 
 impl LookArgs {
-    /// Puts them into a document.
+    /// Writes the options into a document.
     pub(crate) fn amend(&self, document: &mut Document) -> Result<()> {
         RendererRequest::named(self.strategy.as_deref(), DrawOptions::default())?;
         let strategy = self.strategy.as_deref().map(Value::from);
@@ -144,7 +144,7 @@ impl LookArgs {
     }
 }
 
-/// Lets changes on a style stand where a document names one alone.
+/// Turns a plain style name in the document into a table, so that it can hold changes.
 fn change_style(document: &mut Document) -> Result<()> {
     let Some(style) = document.root().get("style").cloned() else {
         return Ok(());
@@ -156,7 +156,7 @@ fn change_style(document: &mut Document) -> Result<()> {
     Ok(())
 }
 
-/// Takes away the changes on hues that one colour stands in the place of.
+/// Removes changes to hues that a single colour replaces.
 fn forget_hue(document: &mut Document, path: &str) -> Result<()> {
     let table = path.trim_end_matches("color");
     ["lightness", "chroma", "warmth"]

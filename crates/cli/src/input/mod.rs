@@ -1,4 +1,4 @@
-//! Subject of a command line: the scene that results from its arguments, and how to draw it.
+//! Input of a command line: the scene that results from its arguments, and how to draw it.
 
 pub(crate) mod args;
 pub(crate) mod camera;

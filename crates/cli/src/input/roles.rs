@@ -1,4 +1,4 @@
-//! `--roles`: which parts are inside and which are never cut, and where that is said.
+//! `--roles`: which parts are interior and which are never cut, and where that is set.
 
 use cutaway::Result;
 use cutaway::scene::{Part, Role};
@@ -6,18 +6,18 @@ use cutaway_io::document::{Document, Node, Origin, RoleBy, Value};
 use cutaway_lab::report::Table;
 use serde_json::{Value as Json, json};
 
-/// One word of `--roles`.
+/// One value of `--roles`.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum RoleWord {
-    /// By what is seen from outside.
+    /// Roles from visibility: parts not seen from outside are interior.
     Auto,
-    /// A key of `roles`, and a glob of the parts that have it.
+    /// A key of `roles`, and a glob for its parts.
     Glob(&'static str, String),
 }
 
 const KEYS: [&str; 3] = ["interior", "exterior", "whole"];
 
-/// Reads a word.
+/// Parses a value.
 pub(crate) fn parse(text: &str) -> Result<RoleWord, String> {
     let word = text.split_once('=').and_then(|(role, glob)| {
         let key = KEYS.into_iter().find(|key| *key == role)?;
@@ -30,7 +30,7 @@ pub(crate) fn parse(text: &str) -> Result<RoleWord, String> {
     }
 }
 
-/// Puts them into a document. Where nothing says what is inside, that is found if it `is_needed`.
+/// Writes the roles into a document. If none sets interior parts, they are found if it `is_needed`.
 pub(crate) fn amend(document: &mut Document, words: &[RoleWord], is_needed: bool) -> Result<()> {
     let root = document.root();
     let parts = root.get("part").map_or(&[] as &[_], Node::items);
@@ -42,7 +42,7 @@ pub(crate) fn amend(document: &mut Document, words: &[RoleWord], is_needed: bool
     if let (Some(Value::Text(text)), false) =
         (root.get("roles").map(|n| &n.value), words.is_empty())
     {
-        // What is neither is for the reader to refuse.
+        // Any other value is refused by the reader.
         if let Some(auto) = [("auto", true), ("none", false)]
             .iter()
             .find(|(word, _)| **text == **word)
@@ -88,7 +88,7 @@ pub(crate) fn to_text(roles: &[(Part, RoleBy)]) -> String {
     table.to_text()
 }
 
-/// The same as JSON: what `inspect` reports of a part in addition to its mesh.
+/// The roles as JSON, which `inspect` reports for each part in addition to its mesh.
 pub(crate) fn to_json(part: &Part, by: &RoleBy) -> Json {
     let sight = match by {
         RoleBy::Sight(sight) => Some(sight),

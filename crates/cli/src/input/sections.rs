@@ -1,7 +1,7 @@
 //! `--section`, `--relief`, `--flip`, `--box`, `--wedge`, `--cut`, `--cutter`, `--exclude`: the cuts of the command line.
 //!
-//! The order of the words counts: a relief or a flip belongs to the section before it, or to the first one where none
-//! is before it, so that with one section any order will do.
+//! The order of the options counts: a relief or a flip belongs to the section before it, or to the first section if none
+//! precedes it, so with a single section any order works.
 
 use clap::{ArgMatches, Args, Command, FromArgMatches, ValueEnum};
 use cutaway::scene::{Cut, Scene};
@@ -15,15 +15,15 @@ const HEADING: &str = "Cuts";
 
 #[derive(Args)]
 struct Words {
-    /// A plane; the side its normal points to stays. `z=10`, `-z=50%` (of the bounds), `nx,ny,nz@px,py,pz`,
+    /// Cuts by a plane and keeps the side its normal points to: `z=10`, `-z=50%` (of the bounds), `nx,ny,nz@px,py,pz`,
     /// `nx,ny,nz,d`. Repeatable
     #[arg(long, value_name = "SPEC", allow_hyphen_values = true, help_heading = HEADING)]
     section: Vec<String>,
-    /// Makes the section before it (no other, and no box or wedge) a relief: sawtooth, waves, fractal, cracks, steps, constant or an image,
-    /// with `:amplitude=5%,period=40%,seed=7,size=256,wrap=mirror` and the like
+    /// Turns the preceding section (not a box or wedge) into a relief: sawtooth, waves, fractal, cracks, steps, constant or an image,
+    /// with parameters such as `:amplitude=5%,period=40%,seed=7,size=256,wrap=mirror`
     #[arg(long, value_name = "SPEC", help_heading = HEADING)]
     relief: Vec<String>,
-    /// Keeps the other side of the section before it
+    /// Keeps the other side of the preceding section
     #[arg(
         long,
         action = clap::ArgAction::Append,
@@ -32,14 +32,14 @@ struct Words {
         help_heading = HEADING
     )]
     flip: Vec<bool>,
-    /// Removes a box: `MIN:MAX`, as `0,0,0:1,1,1` or `50%,50%,50%:` (open where a corner is left out). Repeatable
+    /// Removes a box `MIN:MAX`, such as `0,0,0:1,1,1` or `50%,50%,50%:` (unbounded at an omitted corner). Repeatable
     #[arg(long = "box", value_name = "MIN:MAX", allow_hyphen_values = true, help_heading = HEADING)]
     boxes: Vec<String>,
-    /// Removes a slice of pie: `AXIS:FROM:TO[@X,Y,Z]` in degrees counter-clockwise about the axis, from the next axis (x for z,
-    /// y for x, z for y), as `z:0:90` or `-y:-30:200@0,50%,0`. Repeatable
+    /// Removes a wedge `AXIS:FROM:TO[@X,Y,Z]`, in degrees counter-clockwise about the axis, from the next axis (x for z,
+    /// y for x, z for y), such as `z:0:90` or `-y:-30:200@0,50%,0`. Repeatable
     #[arg(long = "wedge", value_name = "SPEC", allow_hyphen_values = true, help_heading = HEADING)]
     wedges: Vec<String>,
-    /// Removes a wedge of N degrees (110) about the main axis, open to the camera; or `axis=z,angle_deg=90,turn_deg=20`
+    /// Removes a wedge of N degrees (default 110) about the main axis, open to the camera; or `axis=z,angle_deg=90,turn_deg=20`
     #[arg(
         long,
         value_name = "DEG|SPEC",
@@ -49,8 +49,8 @@ struct Words {
         help_heading = HEADING
     )]
     cutout: Option<String>,
-    /// Opens what hides the interior parts from the camera, so far away from them (1%); or `distance=3%,bevel_deg=0,view=first`.
-    /// Finds out which parts are interior, unless --roles or the scene says it
+    /// Removes what hides the interior parts from the camera, with a margin (default 1%); or `distance=3%,bevel_deg=0,view=first`.
+    /// Interior parts are detected unless --roles or the scene sets them
     #[arg(
         long,
         value_name = "DIST|SPEC",
@@ -60,31 +60,31 @@ struct Words {
         help_heading = HEADING
     )]
     breakaway: Option<String>,
-    /// Parts that are never cut: `auto`, those that are not seen from outside; or `interior=GLOB`, `whole=GLOB` (hidden where wholly
+    /// Sets parts that are never cut: `auto`, those not visible from outside; or `interior=GLOB`, `whole=GLOB` (hidden if entirely
     /// removed), `exterior=GLOB`. Repeatable
     #[arg(long, value_name = "ROLES", value_parser = roles::parse, help_heading = HEADING)]
     roles: Vec<RoleWord>,
-    /// Several sections, boxes and wedges: remove what any of them removes (union) or all of them (intersection)
+    /// How several sections, boxes and wedges combine: remove what any of them removes (union) or what all of them remove (intersection)
     #[arg(long, value_enum, default_value = "union", help_heading = HEADING)]
     cut: Combination,
-    /// Removes what is inside a closed mesh, or a `shape:NAME?param=value`, where it is. Repeatable
+    /// Removes the interior of a closed mesh, or of a `shape:NAME?param=value`, at its position. Repeatable
     #[arg(long, value_name = "MESH", help_heading = HEADING)]
     cutter: Vec<String>,
-    /// Parts that no section and no cutter of the command line cuts; `*` and `?` are understood. Repeatable
+    /// Parts not cut by the command line's sections and cutters; with the wildcards `*` and `?`. Repeatable
     #[arg(long, value_name = "PART-GLOB", help_heading = HEADING)]
     exclude: Vec<String>,
 }
 
-/// Combination of several sections.
+/// How several sections combine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Combination {
-    /// Each section removes its side.
+    /// Removes what any section removes.
     Union,
-    /// Only what all sections remove is removed.
+    /// Removes only what all sections remove.
     Intersection,
 }
 
-/// A section and what belongs to it.
+/// A section with its relief and flip.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 struct Section {
     section: String,
@@ -92,7 +92,7 @@ struct Section {
     flip: bool,
 }
 
-/// An option that belongs to no section.
+/// An option without a section to apply to.
 #[derive(Clone, Debug)]
 struct Stray {
     option: String,
@@ -112,7 +112,7 @@ impl Stray {
     fn relief_of_region(relief: &str) -> Self {
         Self {
             option: format!("--relief {relief}"),
-            what: "it goes on sections, and there is none",
+            what: "it applies to sections, and there is none",
             help: "faces of boxes and wedges take theirs from a scene file, or by --set relief.ragged.kind=fractal --set \
                    cut.0.wedge.relief=ragged --set cut.0.wedge.amplitude=4%",
         }
@@ -125,7 +125,7 @@ pub(crate) struct SectionArgs {
     sections: Vec<Section>,
     boxes: Vec<String>,
     wedges: Vec<String>,
-    /// Option that applies to no section.
+    /// Option without a section to apply to, if any.
     stray: Option<Stray>,
     combination: Combination,
     cutters: Vec<String>,
@@ -159,7 +159,7 @@ impl FromArgMatches for SectionArgs {
                 ..Section::default()
             })
             .collect();
-        // The last section before a place, else the first one.
+        // The last section before a position on the command line, else the first one.
         let owner = |place: usize| {
             places_of_sections
                 .iter()
@@ -193,7 +193,7 @@ impl FromArgMatches for SectionArgs {
         let regions = [&words.boxes, &words.wedges, &words.cutter];
         let opens = words.cutout.is_some() || words.breakaway.is_some();
         let cuts_nothing = !opens && sections.is_empty() && regions.iter().all(|r| r.is_empty());
-        // A plane that moves is cut by as well.
+        // A sweeping plane is a cut as well.
         let sweeps = matches!(matches.try_contains_id("sweep"), Ok(true));
         if cuts_nothing && !sweeps && !words.exclude.is_empty() {
             stray = Some(Stray::without_section("--exclude"));
@@ -231,7 +231,7 @@ impl SectionArgs {
         roles::amend(document, &self.roles, self.breakaway.is_some())
     }
 
-    /// A cut that spares what no cut of the command line cuts.
+    /// The cut, except for the parts that the command line excludes.
     pub(crate) fn spare(&self, cut: CutDraft) -> CutDraft {
         cut.except(&self.exclude)
     }
@@ -251,8 +251,8 @@ impl SectionArgs {
         cuts
     }
 
-    /// Refuses boxes and wedges that remove nothing, of the document that they were added to: in a file they may be a moment of one that
-    /// opens, or be switched off.
+    /// Refuses the command line's boxes and wedges that remove nothing; in a file they may be one moment of an animated
+    /// region, or be disabled.
     pub(crate) fn must_be_of_use(&self, document: &Document, scene: &Scene) -> Result<()> {
         let cuts = document.root().get("cut").map_or(&[] as &[_], Node::items);
         let own = cuts.iter().rev().take(self.drafts().len());
@@ -263,7 +263,7 @@ impl SectionArgs {
         match scene.cuts.iter().find(is_empty) {
             Some(cut) => {
                 let help = "let the first end be less than the second";
-                Err(Error::input(&cut.name, "it has no inside", help))
+                Err(Error::input(&cut.name, "it is empty", help))
             }
             None => Ok(()),
         }

@@ -1,6 +1,6 @@
-//! `--shard`: which share of the work is this process's, said in numbers or by the scheduler that started it.
+//! `--shard`: the share of the work for this process, given in numbers or by the scheduler that started it.
 //!
-//! A shard says nothing of the others and waits for none: all work out the same division from the same files, and write into one folder.
+//! Shards do not communicate or wait: all compute the same division from the same files, and write into one folder.
 
 use std::fmt;
 use std::str::FromStr;
@@ -8,16 +8,16 @@ use std::str::FromStr;
 /// One share out of several.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Shard {
-    /// From 0.
+    /// Index of the share, from 0.
     pub(crate) index: u32,
-    /// Never 0.
+    /// Number of shares; never 0.
     pub(crate) count: u32,
 }
 
-/// Most shares: more are a typing error.
+/// Maximum number of shares: more are probably a typing error.
 const MOST: u32 = 1_000_000;
 
-/// Variables of a scheduler: number of a task, number of the first, step between them, and their count or the number of the last.
+/// A scheduler's variables: number of the task, number of the first task, step between numbers, and the task count or the last number.
 struct Scheduler {
     name: &'static str,
     task: &'static str,
@@ -25,7 +25,7 @@ struct Scheduler {
     step: Option<&'static str>,
     count: Option<&'static str>,
     last: Option<&'static str>,
-    /// The number of the first where none is set.
+    /// Number of the first task if the variable is not set.
     usual_first: u32,
 }
 
@@ -75,7 +75,7 @@ const SCHEDULERS: [Scheduler; 6] = [
         last: None,
         usual_first: 1,
     },
-    // Kubernetes and HyperQueue say which task it is, and not of how many.
+    // Kubernetes and HyperQueue set the number of the task, but not the count.
     Scheduler {
         name: "HyperQueue",
         task: "HQ_TASK_ID",
@@ -88,16 +88,16 @@ const SCHEDULERS: [Scheduler; 6] = [
 ];
 
 impl Shard {
-    /// All of the work.
+    /// The whole work as one share.
     pub(crate) const WHOLE: Self = Self { index: 0, count: 1 };
 
-    /// Contiguous range of this share among `things` items in a row.
+    /// This share's contiguous range of `things` items.
     pub(crate) fn of_row(self, things: u32) -> std::ops::Range<u32> {
         let at = |k: u32| (u64::from(things) * u64::from(k) / u64::from(self.count)) as u32;
         at(self.index)..at(self.index + 1)
     }
 
-    /// The share of things that cost so much each: by falling cost, each to the shard that has least so far (Graham 1969). In their order.
+    /// This share of items with given costs: by decreasing cost, each item goes to the least loaded shard (Graham 1969). In item order.
     pub(crate) fn of_costs(self, costs: &[f64]) -> Vec<usize> {
         let mut order: Vec<usize> = (0..costs.len()).collect();
         order.sort_by(|a, b| costs[*b].total_cmp(&costs[*a]));
@@ -119,12 +119,12 @@ impl Shard {
         own
     }
 
-    /// By what a scheduler has set: the share of the task. `count` is how many there are, where the command says it.
+    /// The task's share by the scheduler's variables. `count` is the number of tasks, if given on the command line.
     fn auto(count: Option<u32>, variable: &dyn Fn(&str) -> Option<String>) -> Result<Self, String> {
         let number = |name: &str| {
             let text = variable(name)?;
             Some(text.trim().parse::<u32>().map_err(|_| {
-                format!("${name} is {text:?}, which is no number\n  help: write the share, for example --shard 0/8")
+                format!("${name} is {text:?}, which is not a number\n  help: write the share, for example --shard 0/8")
             }))
         };
         for scheduler in &SCHEDULERS {
@@ -134,7 +134,7 @@ impl Shard {
             let task = task?;
             let set = |name: Option<&str>, usual: u32| name.and_then(number).unwrap_or(Ok(usual));
             let step = set(scheduler.step, 1)?.max(1);
-            // A share of a number that is said is that of the task, whichever tasks were submitted this time.
+            // With an explicit count, the share depends on the task's number only, whichever tasks were resubmitted.
             let first = match count {
                 Some(_) => scheduler.usual_first,
                 None => set(scheduler.first, scheduler.usual_first)?,
@@ -155,10 +155,10 @@ impl Shard {
             let name = scheduler.name;
             return match (index, count) {
                 (_, Some(count)) if !(1..=MOST).contains(&count) => Err(format!(
-                    "{name} speaks of {count} tasks, and shares are 1 to {MOST}\n  help: say how many there are, for example --shard auto/8"
+                    "{name} gives {count} tasks, but shares must be 1 to {MOST}\n  help: give their number, for example --shard auto/8"
                 )),
                 (_, None) => Err(format!(
-                    "{name} does not say how many tasks there are\n  help: say it, for example --shard auto/8"
+                    "{name} does not say how many tasks there are\n  help: give their number, for example --shard auto/8"
                 )),
                 (Some(index), Some(count)) if index < count => Ok(Self { index, count }),
                 (_, Some(count)) => Err(format!(
@@ -231,7 +231,7 @@ mod tests {
             ("SLURM_ARRAY_TASK_STEP", "2"),
             ("SLURM_ARRAY_TASK_COUNT", "5"),
         ];
-        // Submitted again alone.
+        // Only this task is resubmitted.
         let again = [
             ("SLURM_ARRAY_TASK_ID", "3"),
             ("SLURM_ARRAY_TASK_MIN", "3"),

@@ -1,4 +1,4 @@
-//! `--split`: parts taken apart into their connected bodies, before all else that is done to them.
+//! `--split`: splits parts into their connected components, before all other processing.
 
 use clap::Args;
 use cutaway::Result;
@@ -7,8 +7,8 @@ use cutaway_io::document::{Document, Node, Origin};
 /// Division of meshes into parts.
 #[derive(Args, Clone, Copy)]
 pub(crate) struct SplitArgs {
-    /// Make each connected body a part of its own, NAME/1, NAME/2 and so on: a gearbox in one STL file gets a colour and a hatch for each
-    /// of its wheels. Cavities stay with the body around them [default: as the scene says, or not]
+    /// Make each connected body a separate part, NAME/1, NAME/2 and so on: a gearbox in one STL file gets a colour and a hatch for each
+    /// wheel. Cavities stay with the body around them [default: the scene's setting, or off]
     #[arg(long)]
     split: bool,
 }

@@ -1,8 +1,8 @@
-//! `-` among the models of a command: a model from standard input, whose format is found in its content.
+//! `-` as an input: a model from standard input, whose format is recognised from its content.
 //!
-//! It is read once, whole, before anything else is opened, and from then on it is a file in memory, `-/stdin.stl`, which only this
-//! process has. A process has one standard input, and so one copy of its bytes: the assets of documents opened later
-//! find it as well.
+//! It is read once and completely before anything else is opened. From then on it is a file in memory, `-/stdin.stl`, which only this
+//! process has. A process has one standard input, and so keeps one copy of its bytes: documents opened later
+//! read the same copy.
 
 use std::borrow::Cow;
 use std::io::{self, ErrorKind, IsTerminal, Read};
@@ -13,7 +13,7 @@ use clap::Args;
 use cutaway::{Error, Result};
 use cutaway_io::load::{Assets, Disk, Files, MESH_FORMATS, MOST_BYTES, input_file, mesh_format};
 
-/// The word that stands for standard input.
+/// The argument for standard input.
 pub(crate) const WORD: &str = "-";
 
 static PIPED: OnceLock<Arc<Piped>> = OnceLock::new();
@@ -21,13 +21,13 @@ static PIPED: OnceLock<Arc<Piped>> = OnceLock::new();
 /// Options for standard input.
 #[derive(Args, Clone, Copy)]
 pub(crate) struct StdinArgs {
-    /// Format of the model that comes from standard input, where its content does not tell
+    /// Format of the model from standard input, if it cannot be recognised from the content
     #[arg(long, value_name = "FORMAT", value_parser = parse_format)]
     input_format: Option<&'static str>,
 }
 
 impl StdinArgs {
-    /// Reads the model from standard input if one of the inputs stands for it, and gives that input the name that it then has.
+    /// Reads the model from standard input if one of the inputs is `-`, and replaces that input by the name of the file in memory.
     pub(crate) fn classify(self, inputs: &[String]) -> Result<Vec<String>> {
         let count = inputs.iter().filter(|input| *input == WORD).count();
         match (count, self.input_format) {
@@ -45,7 +45,7 @@ impl StdinArgs {
         }
         let piped = Piped::read(self.input_format)?;
         let place = piped.place.to_string_lossy().into_owned();
-        // A second command in one process would be another one.
+        // A second command in the same process keeps the first one's bytes.
         PIPED.get_or_init(|| Arc::new(piped));
         let named = |input: &String| match input.as_str() {
             WORD => place.clone(),
@@ -55,7 +55,7 @@ impl StdinArgs {
     }
 }
 
-/// Assets of the disk, and of standard input where it was read.
+/// Assets from disk, and from standard input if it was read.
 pub(crate) fn assets() -> Assets {
     match PIPED.get() {
         Some(piped) => Assets::from_files(Arc::<Piped>::clone(piped)),
@@ -63,7 +63,7 @@ pub(crate) fn assets() -> Assets {
     }
 }
 
-/// Unpacked bytes of standard input; none if it was not read.
+/// Unpacked bytes of standard input; `None` if it was not read.
 pub(crate) fn bytes() -> Option<&'static [u8]> {
     PIPED.get().map(|piped| piped.bytes.as_slice())
 }
@@ -75,7 +75,7 @@ pub(crate) fn is_it(input: &str) -> bool {
         .is_some_and(|piped| piped.place == Path::new(input))
 }
 
-/// Refuses to keep what cannot be read again.
+/// Refuses to save a reference to standard input, which cannot be read again.
 pub(crate) fn must_not_be_kept(culprit: &str) -> Result<()> {
     match PIPED.get() {
         Some(_) => {
@@ -97,7 +97,7 @@ fn parse_format(text: &str) -> Result<&'static str, String> {
     })
 }
 
-/// A model in memory, and the files of the disk.
+/// A model in memory, and the files on disk.
 #[derive(Debug)]
 struct Piped {
     place: PathBuf,
@@ -124,12 +124,12 @@ impl Piped {
             let what = "nothing came from standard input".to_owned();
             return Err(wrong(
                 what,
-                "look whether the program before the pipe has failed",
+                "check whether the program before the pipe has failed",
             ));
         }
         let bytes = input_file::unpack(Path::new(WORD), packed)?;
         let format = format.or_else(|| mesh_format(&bytes)).ok_or_else(|| {
-            let what = "what came from standard input is in no format that is known by its content";
+            let what = "the format of standard input cannot be recognised from its content";
             wrong(
                 what.to_owned(),
                 "name the format, for example by --input-format stl",

@@ -1,4 +1,4 @@
-//! Subject of a command: the document that results from its arguments, and its scene.
+//! Input of a command: the document that results from its arguments, and its scene.
 
 use std::path::{Path, PathBuf};
 
@@ -23,23 +23,23 @@ use crate::writing::places::InputFiles;
 /// Default supersampling factor of pictures.
 const USUAL_SUPERSAMPLE: u32 = 2;
 
-/// A document and what it shows.
+/// A document and its scene.
 pub(crate) struct Subject {
-    /// The scene at the moment that is meant.
+    /// The scene at the requested time.
     pub(crate) scene: Scene,
-    /// The same over time.
+    /// The scene over time.
     pub(crate) timeline: Timeline,
-    /// All files that were read.
+    /// All files read.
     pub(crate) files: InputFiles,
     document: Document,
     assets: Assets,
-    /// Path of the saved document.
+    /// Path for the saved document.
     saved: Option<PathBuf>,
 }
 
 impl Subject {
-    /// Opens a document that options have amended, at a time or at the moment that it asks for itself, with what holds where it says
-    /// nothing.
+    /// Opens a document amended by options, at a given time or at the document's own, with defaults for what it
+    /// omits.
     pub(crate) fn open(
         mut document: Document,
         at_s: Option<f64>,
@@ -87,8 +87,8 @@ impl Subject {
         Ok(subject)
     }
 
-    /// The scene as pictures show it. Inputs of hatches are taken at time 0, so that a picture equals that of an animation at its time, in
-    /// any division into pieces.
+    /// The scene as drawn in pictures. Hatches are laid out at time 0, so that a picture equals an animation's frame at its time, with
+    /// any division into shares.
     pub(crate) fn shown(&self) -> Result<SceneAtTime> {
         match self.timeline.moves() && self.scene.style.hatch.is_drawn() {
             true => Ok(SceneAtTime::new(&self.timeline.at(0.0)?).updated(&self.scene)),
@@ -96,25 +96,25 @@ impl Subject {
         }
     }
 
-    /// Refuses cuts of the command line that remove nothing.
+    /// Refuses command-line cuts that remove nothing.
     pub(crate) fn must_be_cut_by(&self, sections: &SectionArgs) -> Result<()> {
         sections.must_be_of_use(&self.document, &self.scene)
     }
 
-    /// Says what is nearly always a slip, and refuses a camera whose rays would be no numbers.
+    /// Notes probable mistakes, and refuses a camera whose rays would not be finite.
     pub(crate) fn doubt(&self, console: &Console) -> Result<()> {
         doubts(&self.scene).iter().for_each(|d| console.remark(d));
         check_view(&self.scene, self.size_px())
     }
 
-    /// Refuses outputs that would replace what is read, or each other; then saves the document, if it is to be. Each is an option and
-    /// the file that it names.
+    /// Refuses outputs that would replace inputs, or each other; then saves the document, if requested. Each output is an option and
+    /// its file.
     pub(crate) fn save_beside<'a>(
         &self,
         outputs: impl IntoIterator<Item = (&'a str, PathBuf)>,
         edits: &EditArgs,
     ) -> Result<()> {
-        // Only the scene itself may be replaced, where that is wanted.
+        // Only the input scene may be replaced, if requested.
         let is_own = |path: &Path| place_of(path) == place_of(self.document.path());
         let is_checked = |path: &PathBuf| !(edits.is_forced() && is_own(path));
         let save = self.saved.clone().filter(is_checked);
@@ -126,7 +126,7 @@ impl Subject {
         }
     }
 
-    /// Length unit of the model, if all of its files state the same.
+    /// Length unit of the model, if all its files state the same one.
     pub(crate) fn unit(&self) -> Option<LengthUnit> {
         self.assets.unit()
     }
@@ -136,7 +136,7 @@ impl Subject {
         &self.document
     }
 
-    /// The document, and what was read for it.
+    /// The document, and the assets read for it.
     pub(crate) fn into_document(self) -> (Document, Assets) {
         (self.document, self.assets)
     }
@@ -152,12 +152,12 @@ impl Subject {
         asked.unwrap_or(USUAL_SUPERSAMPLE)
     }
 
-    /// By which means frames are drawn.
+    /// The means by which frames are drawn.
     pub(crate) fn options(&self) -> Result<DrawOptions> {
         draw_options(self.timeline.settings())
     }
 
-    /// Requested renderer; these options apply unless it names others.
+    /// Requested renderer, with these means unless its name sets others.
     pub(crate) fn renderer_request(&self) -> Result<RendererRequest> {
         let name = self.timeline.settings().strategy.name.as_deref();
         RendererRequest::named(name, self.options()?)
@@ -169,12 +169,12 @@ impl Subject {
     }
 }
 
-/// Note on a probable up axis: `is_set` if the document sets it now, else for a file, which keeps its own.
+/// Note on a probable up axis: `is_set` if the guess is applied to the document; a scene file keeps its own axis.
 fn said_of(likely: &GuessedUp, is_set: bool) -> Option<String> {
     let why = match likely.reason {
         UpReason::Specification if is_set => return None,
         UpReason::Specification => "the specification of the format",
-        UpReason::Habit => "the habit of the format",
+        UpReason::Habit => "the usual axis of the format",
         UpReason::Base => "it stands on a flat base that way",
     };
     let [own, other] = [likely.up, likely.up.other()].map(Up::name);
@@ -184,11 +184,11 @@ fn said_of(likely: &GuessedUp, is_set: bool) -> Option<String> {
         ));
     }
     (likely.up != Up::default()).then(|| format!(
-        "up is {other}, for the scene file does not say it; its meshes look like {own} ({why}): `up = \"{own}\"` under [camera], or --up {own}"
+        "up is {other}, as the scene file does not set it; its meshes look like {own} ({why}): `up = \"{own}\"` under [camera], or --up {own}"
     ))
 }
 
-/// The document of the positional inputs: one scene file, or models.
+/// The document of the positional arguments: one scene file, or models.
 pub(crate) fn document(
     inputs: &[String],
     stdin: StdinArgs,
@@ -222,7 +222,7 @@ pub(crate) fn document(
     Ok(document)
 }
 
-/// Refuses a file that is not there; a built-in shape has its prefix forgotten more often than not.
+/// Refuses a missing file; often the prefix of a built-in shape was forgotten.
 pub(crate) fn check_model(input: &str) -> Result<()> {
     let path = Path::new(input);
     if input.starts_with("shape:") || stdin::is_it(input) || Pattern::is_in(input) || path.exists()
@@ -240,13 +240,13 @@ pub(crate) fn check_model(input: &str) -> Result<()> {
     Err(Error::file(path, "there is no such file", help).missing())
 }
 
-/// Returns true if an input is a scene file by its name.
+/// Returns true if an input has the name of a scene file.
 fn is_scene(input: &str) -> bool {
     let extension = Path::new(input).extension();
     !input.starts_with("shape:") && extension.is_some_and(|e| e.eq_ignore_ascii_case("toml"))
 }
 
-/// Refuses a camera whose rays would be no numbers.
+/// Refuses a camera whose rays would not be finite.
 fn check_view(scene: &Scene, size_px: [u32; 2]) -> Result<()> {
     let bounds = scene.bounds();
     let space = SceneSpace::new(&bounds);

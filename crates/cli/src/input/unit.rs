@@ -1,9 +1,9 @@
-//! Units of length as values of options: `mm`, `in` and so on.
+//! Length units as option values: `mm`, `in` and so on.
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use cutaway::scene::LengthUnit;
 
-/// Takes the symbol of a unit. The help of the option lists all of them.
+/// Parses a unit symbol. The option's help lists all of them.
 pub(crate) fn parser() -> impl TypedValueParser<Value = LengthUnit> {
     PossibleValuesParser::new(LengthUnit::ALL.map(LengthUnit::symbol)).try_map(|symbol| {
         let mut all = LengthUnit::ALL.into_iter();

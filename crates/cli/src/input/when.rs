@@ -1,4 +1,4 @@
-//! `--time` and `--clip`: which moment of a moving scene is meant.
+//! `--time` and `--clip`: the requested moment of a moving scene.
 
 use clap::Args;
 use cutaway::Result;
@@ -7,26 +7,26 @@ use cutaway_io::document::{Document, Value};
 use super::args::{parse_finite, say};
 use super::declared::declared;
 
-/// The moment that is shown.
+/// Option for the moment to show.
 #[derive(Args, Default)]
 pub(crate) struct TimeArgs {
-    /// The scene as it stands at this time [default: at rest, as in the file]
+    /// Show the scene at this time in seconds [default: without animation, as in the file]
     #[arg(long = "time", value_name = "SECONDS", value_parser = declared("time_s"), allow_hyphen_values = true, help_heading = "Time")]
     time_s: Option<Value>,
     #[command(flatten)]
     clip: ClipArgs,
 }
 
-/// The animation that is shown.
+/// Option for the animation to play.
 #[derive(Args, Clone, Default)]
 pub(crate) struct ClipArgs {
-    /// Animation of a file that has several, by its name or its number from 0 [default: the first]
+    /// Animation to use from a file with several, by name or by number from 0 [default: the first]
     #[arg(long, value_name = "NAME|NUMBER", help_heading = "Time")]
     clip: Option<String>,
 }
 
 impl ClipArgs {
-    /// Puts the requested animation into a document.
+    /// Writes the requested animation into a document.
     pub(crate) fn amend(&self, document: &mut Document) -> Result<()> {
         let clip = self.clip.as_deref().map(Value::from);
         say(document, "clip", "--clip", clip)
@@ -34,14 +34,14 @@ impl ClipArgs {
 }
 
 impl TimeArgs {
-    /// Puts the moment that is meant into a document.
+    /// Writes the requested moment into a document.
     pub(crate) fn amend(&self, document: &mut Document) -> Result<()> {
         say(document, "time_s", "--time", self.time_s.clone())?;
         self.clip.amend(document)
     }
 }
 
-/// Reads a time in seconds.
+/// Parses a time in seconds.
 pub(crate) fn parse_time(text: &str) -> Result<f64, String> {
     let seconds = parse_finite(text).ok().filter(|s| *s >= 0.0);
     seconds.ok_or_else(|| {

@@ -1,16 +1,16 @@
 //! Layers as OpenEXR: one float channel each for depth, kind, part, clip-surface, the normal and whether the pixel may be wrong.
 //!
-//! `depth` is in the units of the model and infinite where there is nothing, `kind` is 0 for background, 1 for surface, 2
-//! for cap, `part` and `clip_surface` count from 0 in the order of the scene and are -1 where there is none,
-//! `normal.X`, `.Y`, `.Z` is a unit vector in the axes of the model, and `unreliable` is 1 where the pixel may be wrong
-//! ([`may_be_wrong`](cutaway_lab::compare::may_be_wrong)). Numbers are exact: no channel is quantised.
+//! `depth` is in model units and infinite for background, `kind` is 0 for background, 1 for surface, 2
+//! for cap, `part` and `clip_surface` count from 0 in scene order and are -1 for none,
+//! `normal.X`, `.Y`, `.Z` is a unit vector in the model's axes, and `unreliable` is 1 if the pixel may be wrong
+//! ([`may_be_wrong`](cutaway_lab::compare::may_be_wrong)). No channel is quantised.
 //!
-//! A style that draws more than colours adds what it drew: `stroke` and `hatch` are the share of the pixel that strokes and lines of hatches
-//! cover, `cap.U` and `cap.V` where the pixel is on the plane that carries its hatch, to the right and up, and `occlusion` the share of the
-//! light that is left.
+//! A style with strokes, hatches or occlusion adds channels: `stroke` and `hatch` are the share of the pixel that strokes and hatch lines
+//! cover, `cap.U` and `cap.V` the pixel's position on the plane of its hatch, to the right and up, and `occlusion` the remaining share of
+//! the light.
 //!
-//! Attributes say what the numbers mean: `parts` are names by number, `clip_surfaces` the names of the cuts that they belong
-//! to, `units` says what is measured in what, and `camera.*` is where the picture was taken from, in the space of the model.
+//! Attributes explain the values: `parts` are the part names by number, `clip_surfaces` the names of the cuts that they belong
+//! to, `units` lists the units of the channels, and `camera.*` describes the viewpoint, in model space.
 
 use std::io::Cursor;
 
@@ -25,16 +25,16 @@ use exr::prelude::{
 };
 use glam::DVec3;
 
-/// Source of the layers.
+/// Input for the file.
 pub(crate) struct LayersSource<'a> {
     pub(crate) scene: &'a Scene,
-    /// The same in scene space.
+    /// The scene in scene space.
     pub(crate) prepared: &'a Prepared,
     /// Camera of the frame.
     pub(crate) view: &'a View,
     /// Per pixel, in order: true if its layers may be wrong.
     pub(crate) may_be_wrong: &'a [bool],
-    /// Channels that the style drew over them.
+    /// Additional channels drawn by the style.
     pub(crate) drawn: &'a StyleChannels,
 }
 
@@ -89,7 +89,7 @@ impl LayersSource<'_> {
                 AttributeValue::F32((view.near / prepared.scale) as f32),
             ),
         ];
-        // A list without entries is none: the format has no empty ones.
+        // Empty lists are left out, because the format does not allow them.
         let is_there = |(_, value): &(_, AttributeValue)| !matches!(value, AttributeValue::TextVector(v) if v.is_empty());
         all.into_iter().filter(is_there).collect()
     }

@@ -1,4 +1,4 @@
-//! Output of results: files that are whole or not there, and never in the place of an input.
+//! Output of results: files are written completely or not at all, and never replace an input.
 
 pub(crate) mod layers_file;
 pub(crate) mod output;

@@ -1,8 +1,8 @@
-//! Output of results: checked before the work starts, written whole or not at all.
+//! Output of results: checked before the work starts, written completely or not at all.
 //!
-//! A file is written next to its destination under a temporary name and then renamed. A reader never finds half a file, an older one
-//! survives a failure, and processes that write one file at the same time do not meet: the last to end wins, on one machine or on
-//! several that share a folder. Devices and pipes cannot be renamed onto; they are written to directly.
+//! A file is written next to its destination under a temporary name and then renamed. A reader never finds a partial file, an older file
+//! survives a failure, and processes that write the same file do not interfere: the last to finish wins, on one machine or on
+//! several that share a folder. Devices and pipes cannot be replaced by renaming; they are written directly.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -24,7 +24,7 @@ pub(crate) enum Output {
 }
 
 impl Output {
-    /// The destination of an option's value. `extensions` are those it may have; none means any.
+    /// Checks the destination given by an option's value. `extensions` are the allowed ones; an empty list allows any.
     pub(crate) fn checked(option: &str, value: &str, extensions: &[&str]) -> Result<Self> {
         if value == "-" {
             return Ok(Self::Stdout);
@@ -42,7 +42,7 @@ impl Output {
             let list: Vec<String> = extensions.iter().map(|e| format!(".{e}")).collect();
             return Err(Error::input(
                 culprit(),
-                "the extension names no format that can be written here",
+                "the extension is not a format that can be written here",
                 format!("let the name end in {}", list.join(" or ")),
             ));
         }
@@ -67,7 +67,7 @@ impl Output {
     }
 }
 
-/// A folder for several files, made if need be.
+/// Checks a folder for several files, which is created if missing.
 pub(crate) fn checked_folder(option: &str, path: &Path) -> Result<()> {
     let culprit = format!("{option} {}", path.display());
     let place = place_of(path);
@@ -78,7 +78,7 @@ pub(crate) fn checked_folder(option: &str, path: &Path) -> Result<()> {
     check_folder(&culprit, &place)
 }
 
-/// Writes text or bytes to standard output. A reader that has gone away, as `head` does, is no error.
+/// Writes text or bytes to standard output. A closed pipe, as after `head`, is not an error.
 pub(crate) fn write_stdout(bytes: &[u8]) -> Result<()> {
     let mut out = std::io::stdout().lock();
     match out.write_all(bytes).and_then(|()| out.flush()) {
@@ -91,53 +91,53 @@ pub(crate) fn write_stdout(bytes: &[u8]) -> Result<()> {
     }
 }
 
-/// Writes a file, whole or not at all, making its folder. Whoever reads it meanwhile, or where this fails, finds the old one.
+/// Writes a file completely or not at all, creating its folder. Until it is complete, and after a failure, readers find the old file.
 ///
 /// # Errors
 ///
-/// A place that takes no file, or a disk that is full.
+/// A path that cannot be written, or a full disk.
 pub fn write_file(path: &Path, bytes: &[u8]) -> Result<()> {
     begun_with(path, bytes)?.place()
 }
 
-/// A file with all that it will hold, not yet in its place.
+/// A complete file, not yet at its destination.
 pub(crate) fn begun_with(path: &Path, bytes: &[u8]) -> Result<Pending> {
     let (pending, mut file) = Pending::begin(path)?;
     file.write_all(bytes).map_err(|e| pending.failed(&e))?;
     Ok(pending)
 }
 
-/// Files that are begun and not in their places: what Ctrl-C removes where nothing is dropped any more.
+/// Unfinished files, for removal when Ctrl-C ends the process without running destructors.
 static PENDING: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
 
 fn pending_files() -> MutexGuard<'static, BTreeSet<PathBuf>> {
     PENDING.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Removes all files that are not whole, before the process ends on the spot.
+/// Removes all unfinished files, before the process ends at once.
 pub(crate) fn remove_pending() {
     for beside in &*pending_files() {
-        // An error can no longer be reported.
+        // An error cannot be reported any more.
         let _ = fs::remove_file(beside);
     }
 }
 
-/// A file that is written in pieces next to its destination and renamed at the end. Dropped before that, it leaves nothing
-/// behind, nor the folders that were made for it.
+/// A file that is written step by step next to its destination and renamed at the end. Dropped before that, it leaves neither the file
+/// nor the folders created for it.
 pub(crate) struct Pending {
-    /// As it is named.
+    /// Destination, as given by the user.
     path: PathBuf,
     place: PathBuf,
     beside: PathBuf,
-    /// Folders that were made for it, the innermost first.
+    /// Folders created for it, the innermost first.
     made: Vec<PathBuf>,
     is_placed: bool,
 }
 
 impl Pending {
-    /// Begins a file, making its folder. The handle is for writing to it; [`Pending::place`] wants it closed.
+    /// Begins a file, creating its folder. Write through the handle and close it before [`Pending::place`].
     pub(crate) fn begin(path: &Path) -> Result<(Self, fs::File)> {
-        // A link is followed: what it points to is replaced, not the link.
+        // A link is followed: its target is replaced, not the link.
         let place = place_of(path);
         let path = path.to_owned();
         let fault = |e: std::io::Error| cannot_write(&path, &e);
@@ -169,17 +169,17 @@ impl Pending {
         Ok((pending, file))
     }
 
-    /// Temporary path until the file is whole.
+    /// Temporary path until the file is complete.
     pub(crate) fn beside(&self) -> &Path {
         &self.beside
     }
 
-    /// The error of a write that failed.
+    /// Error for a failed write.
     pub(crate) fn failed(&self, e: &std::io::Error) -> Error {
         cannot_write(&self.path, e)
     }
 
-    /// Flushes the whole file to disk: network file systems report only now that they are full.
+    /// Flushes the file to disk: network file systems report a full disk only now.
     pub(crate) fn sync(&self) -> Result<()> {
         if self.is_placed {
             return Ok(());
@@ -189,13 +189,13 @@ impl Pending {
         synced.map_err(|e| self.failed(&e))
     }
 
-    /// Puts it into its place, whole.
+    /// Moves the complete file to its destination.
     pub(crate) fn place(self) -> Result<()> {
         self.sync()?;
         self.place_synced()
     }
 
-    /// The same after all bytes are on disk.
+    /// The same, for a file already flushed to disk.
     pub(crate) fn place_synced(mut self) -> Result<()> {
         if self.is_placed {
             return Ok(());
@@ -210,25 +210,25 @@ impl Drop for Pending {
     fn drop(&mut self) {
         pending_files().remove(&self.beside);
         if !self.is_placed {
-            // What went wrong is being said; a rest that cannot be removed changes nothing about it.
+            // The original error is being reported; a failed removal does not change it.
             let _ = fs::remove_file(&self.beside);
-            // One that holds something by now stays.
+            // A folder that is no longer empty stays.
             let _ = self.made.iter().try_for_each(fs::remove_dir);
         }
     }
 }
 
-/// Characters of a file's name, of four bytes at most, that its temporary name begins with.
+/// Number of leading characters of the file name kept in its temporary name; each takes at most four bytes.
 const MOST_OF_NAME: usize = 50;
 
-/// Creates a file next to a path, under a name that no other process takes: process ids repeat on several machines, and in containers.
+/// Creates a file next to a path, under a name unique across processes: process ids repeat on several machines, and in containers.
 fn unnamed(path: &Path, folder: &Path) -> std::io::Result<(fs::File, PathBuf)> {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let mut builder = tempfile::Builder::new();
-    // As any other file: the mask of the process decides.
+    // Default permissions, by the process's umask.
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    // A name of 255 bytes is the longest that file systems take.
+    // File systems allow names of at most 255 bytes.
     let begin: String = name.chars().take(MOST_OF_NAME).collect();
     let prefix = format!(".{begin}.");
     let file = builder.prefix(&prefix).suffix(".tmp").tempfile_in(folder)?;
@@ -239,7 +239,7 @@ fn cannot_write(path: &Path, e: &std::io::Error) -> Error {
     Error::file(
         path,
         format!("cannot be written: {e}"),
-        "check the folder's permissions and the room on the disk",
+        "check the folder's permissions and the free disk space",
     )
 }
 
@@ -250,8 +250,8 @@ fn folder_of(path: &Path) -> &Path {
     }
 }
 
-/// Checks that files can be made in a folder, or that the folder can be made. In an existing folder it makes a file without a
-/// name: a process that ends here leaves none behind.
+/// Checks that files can be created in a folder, or that the folder can be created. In an existing folder it creates an unnamed
+/// file, so that a process that ends here leaves none behind.
 pub(crate) fn check_folder(culprit: &str, folder: &Path) -> Result<()> {
     let there = folder
         .ancestors()

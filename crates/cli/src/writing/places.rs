@@ -1,7 +1,7 @@
-//! No result replaces an input, and none replaces another: looked at before anything is drawn or written.
+//! Checks that no result replaces an input or another result, before anything is drawn or written.
 //!
-//! Two names are of one file where they lead to the same one, through `..`, symbolic links or hard links, and also where a folder on the
-//! way is yet to be made: each is compared by the place that it will have ([`place_of`]).
+//! Two names denote one file if they lead to it through `..`, symbolic links or hard links, even if a folder on the
+//! way does not exist yet: each is compared by its future path ([`place_of`]).
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -14,24 +14,24 @@ use same_file::is_same_file;
 
 use super::output::Output;
 
-/// The files that a command reads; meshes are opened in parallel.
+/// The input files of a command, added by several threads.
 #[derive(Debug, Default)]
 pub(crate) struct InputFiles(Mutex<BTreeSet<PathBuf>>);
 
 impl InputFiles {
-    /// Adds files that are read.
+    /// Adds input files.
     pub(crate) fn add(&self, files: impl IntoIterator<Item = PathBuf>) {
         let mut all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         all.extend(files);
     }
 
-    /// All of them, in order of their names.
+    /// All input files, sorted by name.
     pub(crate) fn all(&self) -> Vec<PathBuf> {
         let all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         all.iter().cloned().collect()
     }
 
-    /// Refuses outputs that would replace one of them, or each other. Each is an option and the file that it names.
+    /// Refuses outputs that would replace an input, or each other. Each output is an option and its file.
     pub(crate) fn keep_from<'a>(
         &self,
         outputs: impl IntoIterator<Item = (&'a str, PathBuf)>,
@@ -69,7 +69,7 @@ impl InputFiles {
     }
 }
 
-/// Every result has a place of its own: one at most is on standard output, and none replaces another.
+/// Checks that results have different destinations: at most one is standard output, and none replaces another.
 pub(crate) fn no_place_twice(outputs: &[(&str, Option<&Output>)]) -> Result<()> {
     InputFiles::default().keep_from(paths_of(outputs))?;
     let taken: Vec<&str> = outputs
@@ -97,14 +97,14 @@ pub(crate) fn paths_of<'a>(
     })
 }
 
-/// Returns true if two names lead to one existing file, through links of both kinds. Most differ in length, the cheapest test.
+/// Returns true if two names lead to one existing file, through symbolic or hard links. Lengths are compared first, the cheapest test.
 pub fn is_one_file(a: &Path, b: &Path) -> bool {
     let length = |path: &Path| fs::metadata(path).ok().map(|m| m.len());
     let lengths = (length(a), length(b));
     matches!(lengths, (Some(a), Some(b)) if a == b) && is_same_file(a, b).unwrap_or(false)
 }
 
-/// A device or a pipe, which nothing replaces.
+/// Returns true for a device or a pipe, which is never replaced.
 pub(crate) fn is_special(path: &Path) -> bool {
     fs::metadata(path).is_ok_and(|m| !m.is_file() && !m.is_dir())
 }

@@ -1,13 +1,13 @@
 //! The results of a command, all or none: if the disk is full or standard output fails, the command reports the error and leaves no file.
 //!
-//! Files are written whole next to their destinations as they are added. At the end standard output is written, and then each file is
+//! Files are written next to their destinations as they are added. At the end standard output is written, and then each file is
 //! renamed.
 
 use cutaway::Result;
 
 use super::output::{Output, Pending, begun_with, write_stdout};
 
-/// Results of a command, not yet in their places.
+/// Results of a command, not yet at their destinations.
 #[derive(Default)]
 pub(crate) struct Results {
     files: Vec<Pending>,
@@ -15,7 +15,7 @@ pub(crate) struct Results {
 }
 
 impl Results {
-    /// Adds a result; of standard output there is one.
+    /// Adds a result; only one may go to standard output.
     pub(crate) fn add(&mut self, output: &Output, bytes: Vec<u8>) -> Result<()> {
         match output {
             Output::Stdout => self.stdout = Some(bytes),
@@ -24,7 +24,7 @@ impl Results {
         Ok(())
     }
 
-    /// Puts all of them into their places.
+    /// Moves all results to their destinations.
     pub(crate) fn place(mut self) -> Result<()> {
         self.files.iter().try_for_each(Pending::sync)?;
         if let Some(bytes) = &self.stdout {
@@ -37,7 +37,7 @@ impl Results {
 }
 
 impl Drop for Results {
-    /// The first may have made the folder of the others, which is removed when it is empty.
+    /// Files are dropped in reverse order, because the first may have created the folder of the others, which is removed when empty.
     fn drop(&mut self) {
         while self.files.pop().is_some() {}
     }

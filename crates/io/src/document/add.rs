@@ -1,4 +1,4 @@
-//! Parts and cuts added to a document, under names that are free, with their files named from its folder.
+//! Adds parts and cuts to a document, with unique names, and with file paths relative to its folder.
 
 use std::path::Path;
 
@@ -13,7 +13,7 @@ impl Document {
     ///
     /// # Errors
     ///
-    /// What is wrong with the words of the draft, or a document whose `part` is no list.
+    /// Invalid words in the draft, or a document whose `part` is not a list.
     pub fn add_part(&mut self, draft: PartDraft) -> Result<()> {
         if let Some(fault) = draft.fault {
             return Err(fault);
@@ -23,7 +23,7 @@ impl Document {
         self.push("part", Node { value, origin })
     }
 
-    /// Puts a style, by its name or its file, under the changes that the document has on it.
+    /// Sets the style, by name or file, below the document's own style changes.
     ///
     /// # Errors
     ///
@@ -39,11 +39,11 @@ impl Document {
         self.set_node(path, Node::new(name).said(&origin))
     }
 
-    /// Adds a cut, and the reliefs of its surfaces.
+    /// Adds a cut with the reliefs of its surfaces.
     ///
     /// # Errors
     ///
-    /// What is wrong with the words of the draft, or a document whose `cut` is no list.
+    /// Invalid words in the draft, or a document whose `cut` is not a list.
     pub fn add_cut(&mut self, mut draft: CutDraft) -> Result<()> {
         let of_surfaces = draft.surfaces.iter_mut().find_map(|s| s.fault.take());
         if let Some(fault) = of_surfaces.or(draft.fault) {
@@ -87,7 +87,7 @@ impl Document {
         }
         for (key, node) in self.seen_from_here(draft.table, &["volume"]) {
             match table.iter_mut().find(|(held, _)| *held == key) {
-                // Its name is one that is free.
+                // The name was made unique.
                 Some(_) if *key == *"name" => {}
                 Some((_, held)) => *held = node,
                 None => table.push((key, node)),
@@ -96,7 +96,7 @@ impl Document {
         self.push("cut", Node::new(Value::Table(table)))
     }
 
-    /// Adds a relief, or finds the one that is like it; what it is called then.
+    /// Adds a relief, or finds an equal one; returns its name.
     fn add_relief(&mut self, name: &str, relief: Node) -> Result<String> {
         let relief = match relief.value {
             Value::Table(table) => Node {
@@ -118,7 +118,7 @@ impl Document {
         Ok(name)
     }
 
-    /// A name that no entry of a list or table has yet.
+    /// Returns a name that no entry of a list or table has yet.
     fn free_name(&self, list: &str, wanted: &str) -> String {
         let is_taken = |name: &str| match self.root().get(list).map(|n| &n.value) {
             Some(Value::List(entries)) => entries.iter().any(|n| n.name() == Some(name)),
@@ -130,7 +130,7 @@ impl Document {
         names.find(|name| !is_taken(name)).unwrap_or_default()
     }
 
-    /// Entries whose files are named from the current folder, named from the folder of the document.
+    /// Converts file paths relative to the current folder to paths relative to the document's folder.
     fn seen_from_here(&self, mut table: Table, files: &[&str]) -> Table {
         for (_, node) in table.iter_mut().filter(|(key, _)| files.contains(&&**key)) {
             if let Value::Text(name) = &node.value

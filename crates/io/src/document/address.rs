@@ -1,7 +1,7 @@
 //! Dotted paths: `cut.front.surfaces.0.origin`.
 //!
-//! A path goes by the keys of tables; entries of lists go by their `name` or by their number, from 0. Names with dots in
-//! them are understood: every way to read the path is tried.
+//! A path consists of table keys, and for lists of entry names or indices from 0. Names with dots are
+//! supported: every possible way to split the path is tried.
 
 use std::borrow::Cow;
 
@@ -9,22 +9,22 @@ use cutaway::error::did_you_mean;
 
 use super::node::{Node, Place, Value};
 
-/// Error of a path, and its remedy.
+/// Error message for a path, and the help for it.
 pub(crate) type Lost = (String, String);
 
 /// Result of following a path.
 #[derive(Clone)]
 pub(crate) struct PathStep<'a> {
-    /// The value that it leads to.
+    /// The value that the path leads to.
     pub(crate) node: &'a Node,
     pub(crate) place: Place,
-    /// The path so far as errors write it: entries by name where they have one.
+    /// The resolved path in the form used by errors: entries by name if they have one.
     pub(crate) path: String,
-    /// Rest of the path, which leads to nothing.
+    /// Unresolved rest of the path.
     pub(crate) rest: String,
 }
 
-/// Follows a path as far as it goes.
+/// Follows a path as far as it resolves.
 pub(crate) fn walk<'a>(root: &'a Node, path: &str) -> PathStep<'a> {
     go_on(PathStep {
         node: root,
@@ -34,7 +34,7 @@ pub(crate) fn walk<'a>(root: &'a Node, path: &str) -> PathStep<'a> {
     })
 }
 
-/// Goes on from a step as far as its path leads.
+/// Continues from a step as far as its path resolves.
 fn go_on(from: PathStep<'_>) -> PathStep<'_> {
     let mut farthest = from.clone();
     for (index, (names, child)) in children(from.node).into_iter().enumerate() {
@@ -70,7 +70,7 @@ fn go_on(from: PathStep<'_>) -> PathStep<'_> {
     farthest
 }
 
-/// Returns the direct children of a value with all their names, the usual one first.
+/// Returns the direct children of a value with all their names, the preferred one first.
 pub(crate) fn children(node: &Node) -> Vec<(Vec<Cow<'_, str>>, &Node)> {
     match &node.value {
         Value::Table(table) => (table.iter())
@@ -96,7 +96,7 @@ pub(crate) fn farther(node: &Node) -> String {
     format!("go on to one of: {}", names.join(", "))
 }
 
-/// A path that leads nowhere.
+/// Error for a path that does not resolve.
 pub(crate) fn astray(step: &PathStep<'_>) -> Lost {
     let below = children(step.node);
     let names = || below.iter().map(|(names, _)| &*names[0]);

@@ -1,4 +1,4 @@
-//! Documents made by programs, and by the options of a command line: the nodes that a file would hold, in one expression.
+//! Documents built by programs and command-line options: the nodes of a scene file, in one expression.
 //!
 //! ```
 //! use cutaway_io::document::{Document, cut, part, section};
@@ -11,8 +11,8 @@
 //! assert_eq!(scene.cuts[0].surfaces.len(), 1);
 //! # Ok::<(), cutaway::Error>(())
 //! ```
-//!
-//! A draft keeps what is wrong with its words until it is added. Each value remembers the words that it is from, and errors about it
+//! Errors in a draft's words are reported when it is added. Each value records its source words, and errors about it
+//! quote those.
 //! name those.
 
 use std::sync::Arc;
@@ -53,13 +53,13 @@ pub struct CutDraft {
     pub(super) surfaces: Vec<SurfaceDraft>,
     pub(super) boxes: Vec<Node>,
     pub(super) wedges: Vec<Node>,
-    /// Default names, after the contents of the cut.
+    /// Default names, from the contents of the cut.
     pub(super) names: Vec<String>,
     pub(super) table: Table,
     pub(super) fault: Option<Error>,
 }
 
-/// A part of a mesh file, numbered frames (`walk_%04d.ply`) or a built-in shape (`shape:crank?throws=3`).
+/// A part from a mesh file, numbered frames (`walk_%04d.ply`) or a built-in shape (`shape:crank?throws=3`).
 pub fn part(model: &str) -> PartDraft {
     let origin = Origin::Option(model.into());
     let (key, value) = match model.strip_prefix("shape:") {
@@ -75,20 +75,20 @@ pub fn part(model: &str) -> PartDraft {
     draft
 }
 
-/// A plane: the side that its normal points to stays. `z=10`, `-z=50%` (of the bounds), `nx,ny,nz@px,py,pz`, `nx,ny,nz,d`.
+/// A plane that keeps the side its normal points to. `z=10`, `-z=50%` (of the bounds), `nx,ny,nz@px,py,pz`, `nx,ny,nz,d`.
 pub fn section(spec: &str) -> SurfaceDraft {
     let origin = Origin::Option(format!("section `{spec}`").into());
     SurfaceDraft::of(spec.to_owned(), origin, [("section", spec.into())])
 }
 
-/// A plane through a point, whose normal points to the side that stays.
+/// A plane through a point, whose normal points to the kept side.
 pub fn plane(normal: DVec3, origin: DVec3) -> SurfaceDraft {
     let list = |v: DVec3| Value::from(v.to_array().to_vec());
     let entries = [("normal", list(normal)), ("origin", list(origin))];
     SurfaceDraft::of("plane".to_owned(), Origin::Program, entries)
 }
 
-/// A cut that removes what all of its surfaces remove.
+/// A cut that removes the intersection of the sides that its surfaces remove.
 pub fn cut(surfaces: impl IntoIterator<Item = SurfaceDraft>) -> CutDraft {
     let mut draft = CutDraft::default();
     for surface in surfaces {
@@ -119,20 +119,20 @@ fn table_of(entries: Entries, origin: &Origin) -> Node {
 }
 
 impl PartDraft {
-    /// Its name, which paths and globs go by.
+    /// Sets the name used in paths and globs.
     #[must_use]
     pub fn name(self, name: &str) -> Self {
         self.with("name", name)
     }
 
-    /// Any other key of `[[part]]`.
+    /// Sets any other key of `[[part]]`.
     #[must_use]
     pub fn with(mut self, key: &str, value: impl Into<Value>) -> Self {
         put(&mut self.table, key, value.into(), &self.origin);
         self
     }
 
-    /// Breaks its mesh: `holes:amount=5%,seed=1`.
+    /// Adds a mesh defect: `holes:amount=5%,seed=1`.
     #[must_use]
     pub fn defect(mut self, words: &str) -> Self {
         match defect(words) {
@@ -151,11 +151,11 @@ impl PartDraft {
     }
 }
 
-/// A defect in words, `holes:amount=5%,seed=1`, as an entry of the list `defects` of a part.
+/// Parses words of a defect, `holes:amount=5%,seed=1`, into an entry of a part's `defects` list.
 ///
 /// # Errors
 ///
-/// Words that are no defect.
+/// Words that are not a defect.
 pub fn defect(words: &str) -> Result<Node> {
     let origin = Origin::Option(format!("defect `{words}`").into());
     let node = table_of(spec::defect(words)?, &origin);
@@ -163,11 +163,11 @@ pub fn defect(words: &str) -> Result<Node> {
     Ok(node)
 }
 
-/// The defect that words are.
+/// Parses words into a defect.
 ///
 /// # Errors
 ///
-/// Words that are no defect.
+/// Words that are not a defect.
 pub fn parse_defect(words: &str) -> Result<Defect> {
     read::defect(&defect(words)?)
 }
@@ -187,7 +187,7 @@ impl SurfaceDraft {
         draft
     }
 
-    /// Puts a relief on it: `fractal:amplitude=5%,period=40%,seed=7`, or an image file.
+    /// Adds a relief: `fractal:amplitude=5%,period=40%,seed=7`, or an image file.
     #[must_use]
     pub fn relief(mut self, words: &str) -> Self {
         let origin = Origin::Option(format!("relief `{words}`").into());
@@ -209,7 +209,7 @@ impl SurfaceDraft {
         self.with("flip", true)
     }
 
-    /// Any other key of a surface.
+    /// Sets any other key of a surface.
     #[must_use]
     pub fn with(mut self, key: &str, value: impl Into<Value>) -> Self {
         put(&mut self.table, key, value.into(), &self.origin);
@@ -225,11 +225,11 @@ impl SurfaceDraft {
         self.on_from(bounds, &mut Assets::default())
     }
 
-    /// The clip-surface itself, with the images of a host.
+    /// Builds the clip-surface like [`SurfaceDraft::on`], with the host's images.
     ///
     /// # Errors
     ///
-    /// As of [`SurfaceDraft::on`].
+    /// The errors of [`SurfaceDraft::on`].
     pub fn on_from(self, bounds: &Bounds, assets: &mut Assets) -> Result<ClipSurface> {
         if let Some(fault) = self.fault {
             return Err(fault);
@@ -249,14 +249,14 @@ impl SurfaceDraft {
 }
 
 impl CutDraft {
-    /// Its name; without one it is called after its surfaces.
+    /// Sets the name; the default is built from the cut's surfaces.
     #[must_use]
     pub fn name(mut self, name: &str) -> Self {
         put(&mut self.table, "name", name.into(), &Origin::Program);
         self
     }
 
-    /// Removes no more than what is in a box, `MIN:MAX`: `0,0,0:1,1,1` or `50%,50%,50%:`, open where a corner is left out.
+    /// Limits the removed region to a box, `MIN:MAX`: `0,0,0:1,1,1` or `50%,50%,50%:`, unbounded where a corner is left out.
     #[must_use]
     pub fn block(mut self, words: &str) -> Self {
         let name = format!("box {words}");
@@ -269,7 +269,7 @@ impl CutDraft {
         self
     }
 
-    /// Removes no more than what is in a slice of pie, `AXIS:FROM:TO[@X,Y,Z]`: `z:0:90` or `-y:-30:200@0,50%,0`.
+    /// Limits the removed region to a wedge, `AXIS:FROM:TO[@X,Y,Z]`: `z:0:90` or `-y:-30:200@0,50%,0`.
     #[must_use]
     pub fn wedge(mut self, words: &str) -> Self {
         let name = format!("wedge {words}");
@@ -282,7 +282,7 @@ impl CutDraft {
         self
     }
 
-    /// Removes no more than what is in a closed mesh, of a file or of a `shape:NAME?param=value`.
+    /// Limits the removed region to a closed mesh, from a file or as `shape:NAME?param=value`.
     #[must_use]
     pub fn volume(mut self, model: &str) -> Self {
         let origin = Origin::Option(model.into());
@@ -291,13 +291,13 @@ impl CutDraft {
         self
     }
 
-    /// Removes a wedge that places itself, `ANGLE` or `key=value,...` of what a file has under `cutout`; the usual for no words.
+    /// Removes a wedge with automatic placement, `ANGLE` or `key=value,...` with the keys of `cutout`; no words mean the defaults.
     #[must_use]
     pub fn cutout(self, words: &str) -> Self {
         self.opening("cutout", words, &["angle_deg", "axis", "turn_deg"])
     }
 
-    /// Opens what hides the interiors, `DISTANCE` or `key=value,...` of what a file has under `breakaway`; the usual for no words.
+    /// Removes material that hides the interiors, `DISTANCE` or `key=value,...` with the keys of `breakaway`; no words mean the defaults.
     #[must_use]
     pub fn breakaway(self, words: &str) -> Self {
         let keys = ["distance", "bevel_deg", "clusters", "view"];
@@ -317,7 +317,7 @@ impl CutDraft {
         self
     }
 
-    /// Spares the parts whose names fit one of these globs.
+    /// Excludes the parts whose names match one of these globs.
     #[must_use]
     pub fn except(mut self, globs: &[String]) -> Self {
         let node = |glob: &String| {
@@ -331,14 +331,14 @@ impl CutDraft {
         self
     }
 
-    /// Any other key of `[[cut]]`.
+    /// Sets any other key of `[[cut]]`.
     #[must_use]
     pub fn with(mut self, key: &str, value: impl Into<Value>) -> Self {
         put(&mut self.table, key, value.into(), &Origin::Program);
         self
     }
 
-    /// All that two cuts remove both.
+    /// Intersects two cuts: the result removes the region that both remove.
     #[must_use]
     pub fn and(mut self, other: Self) -> Self {
         self.surfaces.extend(other.surfaces);
@@ -364,7 +364,7 @@ impl CutDraft {
             (Some(held), value) if *held == value => {}
             (Some(_), _) => {
                 let what = "both cuts have it, and they differ";
-                let fault = Error::input(format!("`{key}`"), what, "let each be a cut of its own");
+                let fault = Error::input(format!("`{key}`"), what, "make each a separate cut");
                 self.fault.get_or_insert(fault);
             }
         }

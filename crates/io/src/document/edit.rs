@@ -1,4 +1,4 @@
-//! Values set, added and taken away: in the tree and in the text at once, so that neither is ever made of the other.
+//! Setting, adding and removing values. Tree and text are changed together, so that neither has to be generated from the other.
 
 use std::path::Path;
 
@@ -9,20 +9,20 @@ use super::node::{Node, Origin, Place, Value};
 use super::{Document, PathStep, astray, farther, lost, text, walk};
 
 impl Document {
-    /// Sets the value at a path. A key that a table does not have yet is added, with the tables that lead to it.
+    /// Sets the value at a path. A missing key is added to its table, with any missing tables above it.
     ///
     /// # Errors
     ///
-    /// A path through something that is no table: an entry that a list does not have, or a number. A value in the place of a table.
+    /// A path through a value that is not a table: a missing list entry, or a number. A value that would replace a table.
     pub fn set(&mut self, path: &str, value: impl Into<Value>) -> Result<()> {
         self.set_node(path, Node::new(value))
     }
 
-    /// The document with other values, each at its path, set in order.
+    /// Returns the document with other values, each set at its path, in order.
     ///
     /// # Errors
     ///
-    /// As of [`Document::set`].
+    /// The errors of [`Document::set`].
     pub fn with_changes<'a>(
         &self,
         changes: impl IntoIterator<Item = &'a (String, Node)>,
@@ -34,11 +34,11 @@ impl Document {
         Ok(changed)
     }
 
-    /// [`Document::set`] with where the value is said, which errors about it name.
+    /// [`Document::set`] with the source position of the value, for errors about it.
     ///
     /// # Errors
     ///
-    /// As of [`Document::set`].
+    /// The errors of [`Document::set`].
     pub fn set_node(&mut self, path: &str, node: Node) -> Result<()> {
         let step = self.to_be_set(path)?;
         let is_table = matches!(step.node.value, Value::Table(_));
@@ -68,7 +68,7 @@ impl Document {
         Ok(())
     }
 
-    /// Adds a value to the end of the list of a key, in each entry of a list of tables.
+    /// Appends a value to the list at a key, in each entry of a list of tables.
     ///
     /// # Errors
     ///
@@ -87,7 +87,7 @@ impl Document {
         Ok(())
     }
 
-    /// Takes away the value at a path, if it is there.
+    /// Removes the value at a path, if it exists.
     ///
     /// # Errors
     ///
@@ -112,7 +112,7 @@ impl Document {
         Ok(())
     }
 
-    /// The entries of a list of tables, and in each the value of a key if it is there.
+    /// The entries of a list of tables, each with its value at a key, if it has one.
     fn in_each(&self, list: &str, key: &str) -> Vec<(Place, Option<Place>)> {
         let step = walk(&self.root, list);
         let Value::List(entries) = &step.node.value else {
@@ -130,7 +130,7 @@ impl Document {
         entries.iter().enumerate().map(within).collect()
     }
 
-    /// Adds a key to the table at a place, with the tables that lead to it.
+    /// Adds a key to the table at a place, with any missing tables above it.
     pub(super) fn add_at(&mut self, place: &Place, new: &[&str], mut node: Node) -> Result<()> {
         let text = edited(&mut self.edited, &self.text, &self.path)?;
         text::set(text, (&self.root, place), new, &node.value);
@@ -147,7 +147,7 @@ impl Document {
         Ok(())
     }
 
-    /// Adds a value to the list at a place.
+    /// Appends a value to the list at a place.
     fn push_at(&mut self, place: &Place, node: Node) -> Result<()> {
         let text = edited(&mut self.edited, &self.text, &self.path)?;
         text::push(text, (&self.root, place), &node.value);
@@ -157,12 +157,12 @@ impl Document {
         Ok(())
     }
 
-    /// Puts a value in the place of another.
+    /// Replaces the value at a place.
     pub(super) fn set_at(&mut self, place: &Place, node: Node) -> Result<()> {
         let text = edited(&mut self.edited, &self.text, &self.path)?;
         text::set(text, (&self.root, place), &[], &node.value);
         match self.root.at_mut(place) {
-            // What a file says in a line is still said there.
+            // A value set by a program keeps the source position of the value that it replaces.
             Some(held) if node.origin == Origin::Program => held.value = node.value,
             Some(held) => *held = node,
             None => {}
@@ -170,11 +170,11 @@ impl Document {
         Ok(())
     }
 
-    /// Adds a value to the end of the list at a path, which is made if it is not there: `push("cut", ..)`.
+    /// Appends a value to the list at a path, and creates a missing list: `push("cut", ..)`.
     ///
     /// # Errors
     ///
-    /// A path to something else than a list, or through something that is no table.
+    /// A path to a value that is not a list, or through a value that is not a table.
     pub fn push(&mut self, path: &str, node: Node) -> Result<()> {
         let step = self.to_be_set(path)?;
         if !step.rest.is_empty() {
@@ -184,7 +184,7 @@ impl Document {
         }
         if !matches!(step.node.value, Value::List(_)) {
             let help = "put it into a list, such as `cut`, or set the value itself";
-            return Err(lost(path, ("it is no list".into(), help.into())));
+            return Err(lost(path, ("it is not a list".into(), help.into())));
         }
         self.push_at(&step.place, node)
     }
@@ -195,7 +195,7 @@ impl Document {
         self.to_be_set(path).is_ok()
     }
 
-    /// Returns true if two paths lead to the same value, or one to a part of the other.
+    /// Returns true if two paths lead to the same value, or one to a descendant of the other.
     #[doc(hidden)]
     pub fn overlap(&self, one: &str, other: &str) -> bool {
         let [a, b] = [one, other].map(|path| {
@@ -209,7 +209,7 @@ impl Document {
         a.starts_with(&b) || b.starts_with(&a)
     }
 
-    /// The end of a path at which a value can be set.
+    /// The end of a path where a value can be set.
     fn to_be_set(&self, path: &str) -> Result<PathStep<'_>> {
         if path.split('.').any(str::is_empty) {
             let help = "write keys with points between them, as in `camera.azimuth_deg`";
@@ -246,7 +246,7 @@ fn is_number(key: &str) -> bool {
     !key.is_empty() && key.bytes().all(|b| b.is_ascii_digit())
 }
 
-/// The text that is changed together with the tree.
+/// The text that is edited together with the tree.
 fn edited<'a>(
     edited: &'a mut Option<DocumentMut>,
     text: &str,
@@ -256,7 +256,7 @@ fn edited<'a>(
         Some(text) => Ok(text),
         None => {
             let parsed = text.parse().map_err(|e| {
-                let help = "report it: one reader of TOML takes the text and another does not";
+                let help = "report it: one TOML parser accepts the text and another does not";
                 Error::file(path, format!("{e}"), help)
             })?;
             Ok(edited.insert(parsed))

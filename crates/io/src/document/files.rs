@@ -1,4 +1,4 @@
-//! The files that a document names, and how they are named from elsewhere.
+//! The files that a document names, and the conversion of their paths for another folder.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -12,8 +12,8 @@ use crate::load::frames::Pattern;
 use crate::load::{Files, companions, place_of};
 
 impl Document {
-    /// The files that it names by its keys, and those that they name in turn: of numbered ones those that there are. A file
-    /// that is not in the store yet is listed without what it names: a host that fetches files calls this again after each, until nothing
+    /// The files named by the document's keys, and those that these files name; for a frame pattern, the existing frames. A file
+    /// that is not in the store yet is listed without its companions: a host that fetches files repeats the call after each, until nothing
     /// new is listed.
     pub fn files(&self, store: &dyn Files) -> Vec<PathBuf> {
         let mut files = Vec::new();
@@ -32,7 +32,7 @@ impl Document {
         files
     }
 
-    /// The same document as a file of another name, for which what it names is found from there.
+    /// Returns the same document under another file name, with the paths in it converted to lead to the same files.
     ///
     /// # Errors
     ///
@@ -50,16 +50,16 @@ impl Document {
     }
 }
 
-/// A file or a pattern of numbered ones, as it is named.
+/// A file, or a pattern of numbered files, as named in the document.
 struct Named<'a> {
     /// Position in the document tree.
     place: Place,
     name: &'a str,
-    /// The number of the first, where it is said.
+    /// The number of the first file of a pattern, if given.
     first: Option<u32>,
 }
 
-/// All files that are named.
+/// All files named in a document.
 fn names(root: &Node) -> Vec<Named<'_>> {
     let mut names = Vec::new();
     for path in paths::all()
@@ -123,7 +123,7 @@ fn named_below<'a>(
     }
 }
 
-/// The file of a style, in the place of its name or of that of its base.
+/// The file of a style, named directly or as its base.
 fn style(at: usize, node: &Node) -> Option<Named<'_>> {
     let (place, node) = match &node.value {
         Value::Table(fields) => {
@@ -140,12 +140,12 @@ fn style(at: usize, node: &Node) -> Option<Named<'_>> {
     })
 }
 
-/// A file that is named from one folder, as it is named from another; none if it is named alike.
+/// Converts a path relative to one folder to a path relative to another; `None` if it does not change.
 pub(super) fn renamed(name: &str, from: &Path, to: &Path) -> Option<String> {
     if Path::new(name).is_absolute() || from == to {
         return None;
     }
-    // In a pattern `%` is written twice, so what is before its first one is a name like any other.
+    // `%` is written twice in a pattern, except in its placeholder; the folder above the placeholder is an ordinary path.
     let first = if Pattern::is_in(name) {
         name.find('%')
     } else {
@@ -165,20 +165,20 @@ pub(super) fn renamed(name: &str, from: &Path, to: &Path) -> Option<String> {
     })
 }
 
-/// A path as it is named from a folder, with slashes.
+/// Path relative to a folder, with slashes.
 fn from_folder(path: &Path, to: &Path) -> String {
     let renamed = pathdiff::diff_paths(path, folder(to)).unwrap_or_else(|| path.to_owned());
     let text = renamed.to_string_lossy();
     text.replace(std::path::MAIN_SEPARATOR, "/")
 }
 
-/// A file in the place of its folder; a link is not followed, for names are found from where it is.
+/// Resolves the folder of a path. The file itself may be a link, which is kept because companions are relative to the link.
 fn place(path: &Path) -> PathBuf {
     let name = path.file_name().unwrap_or_default();
     folder(path.parent().unwrap_or_else(|| Path::new(""))).join(name)
 }
 
-/// The place of a folder, of which an empty path is the present one.
+/// Canonical path of a folder; an empty path is the current folder.
 fn folder(path: &Path) -> PathBuf {
     place_of(&Path::new(".").join(path))
 }
@@ -222,7 +222,7 @@ volume = \"../c.stl\"
 [relief.rock]
 image = \"maps/rock.png\"
 ";
-        // Folders that there are: links and `..` are followed.
+        // Existing folders: links and `..` are resolved.
         let document = Document::parse("src/document/scene.toml", text).expect("a document");
         let moved = document
             .moved_to(Path::new("src/scene.toml"))
@@ -232,7 +232,7 @@ image = \"maps/rock.png\"
             .replace("../c.stl", "c.stl")
             .replace("maps/", "document/maps/");
         assert_eq!(moved.to_string(), expected);
-        // Of a pattern the number stays open, and nothing of its folder is taken for one.
+        // A pattern keeps its placeholder, and a `%` in its folder is not taken for one.
         for (name, from, to, expected) in [
             ("w_%d.stl", "src/d%d", "src", "d%%d/w_%d.stl"),
             ("a%%b/w_%d.stl", "src", "src/d%d", "../a%%b/w_%d.stl"),

@@ -11,13 +11,13 @@
 //! # Ok::<(), cutaway::Error>(())
 //! ```
 //!
-//! A path goes by the keys of tables and by the names of entries, or their numbers from 0: `cut.front.surfaces.0.amplitude`. It is what
-//! `[[key]]` has as its target. A document holds any TOML: what it means is for the readers of [`Document::timeline`] to say.
+//! A path consists of table keys and of entry names, or indices from 0: `cut.front.surfaces.0.amplitude`. The `target` of
+//! `[[key]]` has the same form. A document holds any TOML; the readers of [`Document::timeline`] interpret it.
 //!
-//! Cost: the tree; and from the first value that is set on the text once more, with its comments. Both are changed together, and nothing
+//! Cost: the tree; and after the first change also the text with its comments. Both are changed together, and nothing
 //! is parsed again.
 //!
-//! Cannot: add a key with a point in its name.
+//! Not supported: adding a key with a dot in its name.
 
 mod add;
 mod address;
@@ -59,16 +59,16 @@ pub use read::{Key, RoleBy, named_style, parse_value, style_names};
 pub use timeline::Timeline;
 pub use upright::{GuessedUp, UpReason};
 
-/// The tree of a scene.
+/// A scene as a tree of values.
 #[derive(Clone, Debug)]
 pub struct Document {
     path: PathBuf,
     root: Node,
-    /// As it was read.
+    /// Text as it was read.
     text: Arc<str>,
-    /// The text as it is now, if something was changed.
+    /// Text after changes, if there are any.
     edited: Option<DocumentMut>,
-    /// True if the file holds more than the document.
+    /// True if the document is only a part of its file.
     is_within: bool,
 }
 
@@ -79,7 +79,7 @@ impl Default for Document {
 }
 
 impl Document {
-    /// An empty one, of no file. Files that it names are looked for in the current folder.
+    /// An empty document without a file. Paths in it are relative to the current folder.
     pub fn new() -> Self {
         Self {
             path: PathBuf::new(),
@@ -94,17 +94,17 @@ impl Document {
     ///
     /// # Errors
     ///
-    /// A file that cannot be read or is no TOML, with its line.
+    /// A file that cannot be read or is not TOML, with the line.
     pub fn read(path: &Path) -> Result<Self> {
         Self::read_from(path, &Disk)
     }
 
-    /// Reads a file from where a host has it. What it names is read when it is opened: through
+    /// Reads a file from a host's store. The files that it names are read when it is opened, through
     /// [`Assets::from_files`].
     ///
     /// # Errors
     ///
-    /// As of [`Document::read`].
+    /// The errors of [`Document::read`].
     pub fn read_from(path: &Path, store: &dyn Files) -> Result<Self> {
         let bytes = input_file::read(path, store)?;
         let text = std::str::from_utf8(&bytes).map_err(|e| {
@@ -115,11 +115,11 @@ impl Document {
         Self::parse(path, text.trim_start_matches('\u{feff}'))
     }
 
-    /// Parses a text. Files that it names are looked for in the folder of `path`, which errors name too.
+    /// Parses a text. Paths in it are relative to the folder of `path`, which is also named in errors.
     ///
     /// # Errors
     ///
-    /// A text that is no TOML, with its line.
+    /// A text that is not TOML, with the line.
     pub fn parse(path: impl Into<PathBuf>, text: &str) -> Result<Self> {
         let path = path.into();
         let root = parse(&path, text)?;
@@ -132,11 +132,11 @@ impl Document {
         })
     }
 
-    /// The document of a tree that stands in a file of something else.
+    /// Creates a document from a tree that is part of a file with another purpose.
     ///
     /// # Errors
     ///
-    /// A tree whose root is no table.
+    /// A tree whose root is not a table.
     pub fn of_node(path: impl Into<PathBuf>, root: Node) -> Result<Self> {
         let mut document = Self {
             path: path.into(),
@@ -146,7 +146,7 @@ impl Document {
         let Value::Table(entries) = root.value else {
             return Err(lost(
                 "scene",
-                ("it is no table".into(), "write `{ part = [..] }`".into()),
+                ("it is not a table".into(), "write `{ part = [..] }`".into()),
             ));
         };
         for (key, node) in entries {
@@ -155,17 +155,17 @@ impl Document {
         Ok(document)
     }
 
-    /// The file that it was read from; empty if it was made otherwise.
+    /// Path of the file that the document was read from; empty if there is none.
     pub fn path(&self) -> &Path {
         &self.path
     }
 
-    /// The folder that its files are named from.
+    /// Folder to which paths in the document are relative.
     pub fn folder(&self) -> &Path {
         self.path.parent().unwrap_or_else(|| Path::new(""))
     }
 
-    /// Returns the name of the document: after its file, or else after its models.
+    /// Returns the name of the document: that of its file, or else that of its models.
     pub fn name(&self) -> String {
         if let Some(stem) = self.path.file_stem().filter(|_| !self.is_within) {
             return stem.to_string_lossy().into_owned();
@@ -182,46 +182,46 @@ impl Document {
         &self.root
     }
 
-    /// A value at the top that has to be there, to be read with its place; `example` is one for the error.
+    /// A required value at the top level, with its position; `example` is used in the error.
     #[doc(hidden)]
     pub fn need(&self, key: &str, example: &str) -> Result<reader::Entry<'_>> {
         read::top(&self.path, &self.root)?.need(key, example)
     }
 
-    /// The scene at a time in seconds: [`Document::timeline`] and [`Timeline::at`] in one. For many times ask for the timeline once.
+    /// The scene at a time in seconds: [`Document::timeline`] and [`Timeline::at`] combined. For many times build the timeline once.
     ///
     /// # Errors
     ///
-    /// As of these two.
+    /// The errors of these two.
     pub fn resolve(&self, time_s: f64, assets: &mut Assets) -> Result<Scene> {
         self.timeline(assets)?.at(time_s)
     }
 
-    /// Refuses keys, shapes and files that there are not, and what it says wrong of all but the parts and cuts, which have to be opened for
+    /// Refuses unknown keys, shapes and files, and invalid values, except those of parts and cuts, which have to be opened for
     /// that.
     ///
     /// # Errors
     ///
-    /// As of [`Document::timeline`].
+    /// The errors of [`Document::timeline`].
     pub fn check(&self, assets: &Assets) -> Result<()> {
         let root = read::root(self.path(), &self.root, None)?;
         read::check(&root, self.folder(), assets)
     }
 
-    /// Opens all that it names, and checks all that it says, keys at their times and between them.
+    /// Opens all files that the document names, and checks all its values, including animated ones at their key times and between them.
     ///
     /// # Errors
     ///
-    /// What cannot be opened or makes no sense, with the line or the option that says it.
+    /// A file that cannot be opened or an invalid value, with its line or option.
     pub fn timeline(&self, assets: &mut Assets) -> Result<Timeline> {
         Timeline::of(self, assets)
     }
 
-    /// The value at a path.
+    /// Returns the value at a path.
     ///
     /// # Errors
     ///
-    /// A path that leads nowhere, with the nearest names.
+    /// A path that does not resolve, with the nearest names.
     pub fn get(&self, path: &str) -> Result<&Node> {
         let step = walk(&self.root, path);
         match step.rest.as_str() {
@@ -231,14 +231,14 @@ impl Document {
     }
 }
 
-/// Documents are equal that hold the same, whatever their files are called.
+/// Documents are equal if they hold the same values, whatever the names of their files.
 impl PartialEq for Document {
     fn eq(&self, other: &Self) -> bool {
         self.root == other.root
     }
 }
 
-/// The text of the file as it is now.
+/// The current text of the file.
 impl fmt::Display for Document {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match &self.edited {

@@ -1,7 +1,7 @@
-//! The tree of a scene: values, and where each is said.
+//! The tree of a scene: values with their source positions.
 //!
-//! A tree is made by [`parse`](super::parse) or by hand, and changed at places: the way to a value, as numbers of children. A place
-//! stays right as long as nothing is added before it.
+//! A tree is created by [`parse`](super::parse) or by a program, and edited at places: a place is the path to a value as child indices.
+//! A place is valid as long as nothing is added or removed before it.
 
 use std::fmt;
 use std::path::Path;
@@ -11,7 +11,7 @@ use cutaway::scene::Amount;
 use cutaway::scene::describe::Given;
 use glam::Vec3;
 
-/// A value and where it is said. Nodes are equal that hold the same, wherever they are from.
+/// A value with its source position. Nodes are equal if they hold equal values, whatever their positions.
 #[derive(Clone, Debug)]
 pub struct Node {
     /// The value.
@@ -23,26 +23,26 @@ pub struct Node {
 /// Source position of a value.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub enum Origin {
-    /// Nowhere that a user could look: a program has made it.
+    /// No source text: the value was set by a program.
     #[default]
     Program,
-    /// Here in the file.
+    /// In the document's file.
     Text {
-        /// The line, from 1.
+        /// Line, from 1.
         line: usize,
-        /// The character of the line, from 1.
+        /// Character within the line, from 1.
         column: usize,
     },
-    /// In another file than that of the document: in an experiment that changes it.
+    /// In another file than the document's: in an experiment that changes the document.
     Elsewhere {
         /// The file.
         file: Arc<Path>,
-        /// The line, from 1.
+        /// Line, from 1.
         line: usize,
-        /// The character of the line, from 1.
+        /// Character within the line, from 1.
         column: usize,
     },
-    /// By an option of a command line, as it is written there: `--section z=50%`.
+    /// In a command-line option, as written there: `--section z=50%`.
     Option(Arc<str>),
 }
 
@@ -55,7 +55,7 @@ pub enum Value {
     Number(Number),
     /// Text, without its quotes.
     Text(Arc<str>),
-    /// A date, which no key of a scene takes.
+    /// A date, which is not valid for any scene key.
     Date(Arc<str>),
     /// A list.
     List(Vec<Node>),
@@ -63,17 +63,17 @@ pub enum Value {
     Table(Vec<(Arc<str>, Node)>),
 }
 
-/// A number, whole or not.
+/// A number, integer or not.
 #[derive(Clone, Copy, Debug)]
 pub struct Number {
-    /// Its value; not a number where the text is out of range.
+    /// Numeric value; NaN if the text is out of range.
     pub value: f64,
-    /// The same without a point, if it is written so.
+    /// The same as an integer, if it is written without a decimal point.
     pub whole: Option<i64>,
 }
 
 impl Value {
-    /// The value that a text means: a number, a flag, a list or a table in TOML, or else the text itself.
+    /// Parses a text: as a TOML number, flag, list or table, or else as the text itself.
     pub fn read(text: &str) -> Self {
         let alone = |root: Node| match root.value {
             Self::Table(entries) => <[_; 1]>::try_from(entries).ok(),
@@ -117,7 +117,7 @@ impl From<String> for Value {
     }
 }
 
-/// As documents have a value of this type: colours as `#rrggbb`.
+/// Converts a value of this type to its form in documents: colours as `#rrggbb`.
 impl From<Given> for Value {
     fn from(given: Given) -> Self {
         match given {
@@ -143,7 +143,7 @@ impl From<Amount> for Value {
     }
 }
 
-/// A colour in sRGB as `#rrggbb`.
+/// Formats a colour in sRGB as `#rrggbb`.
 pub fn hex(srgb: Vec3) -> String {
     let byte = |channel: f32| (channel.clamp(0.0, 1.0) * 255.0).round() as u8;
     let [r, g, b] = srgb.to_array().map(byte);
@@ -167,17 +167,17 @@ impl<const N: usize> From<[(&str, Self); N]> for Value {
 /// Position of a value: the child index at each level, from the root.
 pub(crate) type Place = Vec<usize>;
 
-/// Whole numbers up to this are exact in f64.
+/// Integers up to this are exact in f64.
 const MOST_WHOLE: f64 = (1_u64 << 53) as f64;
 
 impl Number {
-    /// The number as a whole one, if it is one: 5 and 5.0 alike.
+    /// The number as an integer, if it is one: 5 and 5.0 alike.
     pub(crate) fn as_whole(&self) -> Option<i64> {
         let is_whole = self.value.fract() == 0.0 && self.value.abs() <= MOST_WHOLE;
         self.whole.or(is_whole.then_some(self.value as i64))
     }
 
-    /// A number that is written as it was: whole where it can be and `like` is.
+    /// A number in the form of `like`: an integer if `like` is one and the value allows it.
     pub(crate) fn like(value: f64, like: &Self) -> Self {
         let is_whole = value.fract().abs() <= 0.0 && value.abs() < MOST_WHOLE;
         let whole = (like.whole.is_some() && is_whole).then_some(value as i64);
@@ -223,7 +223,7 @@ impl PartialEq for Value {
     }
 }
 
-/// Numbers are equal that are written alike.
+/// Numbers are equal if they are written alike.
 impl PartialEq for Number {
     fn eq(&self, other: &Self) -> bool {
         self.value.total_cmp(&other.value).is_eq() && self.whole == other.whole
@@ -240,7 +240,7 @@ impl fmt::Display for Number {
 }
 
 impl Node {
-    /// A value that no file says.
+    /// A value without a source position.
     pub fn new(value: impl Into<Value>) -> Self {
         Self {
             value: value.into(),
@@ -248,13 +248,13 @@ impl Node {
         }
     }
 
-    /// The same, and all below it, from elsewhere.
+    /// The same node and its descendants, with another source position.
     #[must_use]
     pub fn said(self, origin: &Origin) -> Self {
         self.with_origins(&|_| origin.clone())
     }
 
-    /// The same, where what is said in the file of a document is said in this one.
+    /// The same node, with positions in the document's own file replaced by positions in `file`.
     #[must_use]
     #[doc(hidden)]
     pub fn of_file(self, file: &Arc<Path>) -> Self {
@@ -284,7 +284,7 @@ impl Node {
         }
     }
 
-    /// The value at a place, to be changed.
+    /// The value at a place, for editing.
     pub(crate) fn at_mut(&mut self, place: &[usize]) -> Option<&mut Self> {
         let Some((first, rest)) = place.split_first() else {
             return Some(self);
@@ -297,7 +297,7 @@ impl Node {
         child?.at_mut(rest)
     }
 
-    /// The values of a list; none of anything else.
+    /// The entries of a list; empty for other values.
     pub fn items(&self) -> &[Self] {
         match &self.value {
             Value::List(list) => list,
@@ -305,7 +305,7 @@ impl Node {
         }
     }
 
-    /// A child by its number.
+    /// The child with an index.
     pub(crate) fn child(&self, index: usize) -> Option<&Self> {
         match &self.value {
             Value::List(list) => list.get(index),
@@ -314,7 +314,7 @@ impl Node {
         }
     }
 
-    /// The value of a key, of a table that has it.
+    /// The value of a key, if this is a table with that key.
     pub fn get(&self, key: &str) -> Option<&Self> {
         match &self.value {
             Value::Table(entries) => entries
@@ -341,7 +341,7 @@ impl Node {
         spec.split('?').next().map(str::to_owned)
     }
 
-    /// The text that it is.
+    /// The text, if this is one.
     pub fn text(&self) -> Option<&str> {
         match &self.value {
             Value::Text(text) => Some(text),

@@ -1,4 +1,4 @@
-//! TOML as a tree, with the line and the column of every value.
+//! Parses TOML to a tree, with the line and the column of every value.
 
 use std::cell::Cell;
 use std::iter;
@@ -11,7 +11,7 @@ use toml_edit::{Item, TableLike, Value as Toml};
 
 use super::node::{Node, Number, Origin, Value};
 
-/// The tree of a text that a file holds; `path` is for errors.
+/// Parses a text to a tree; `path` is for errors.
 pub(crate) fn parse(path: &Path, text: &str) -> Result<Node> {
     let lines = Lines::of(text);
     let root = toml_edit::Document::parse(text).map_err(|e| {
@@ -25,11 +25,11 @@ pub(crate) fn parse(path: &Path, text: &str) -> Result<Node> {
     })
 }
 
-/// A text and where its lines begin.
+/// A text and the start of each of its lines.
 struct Lines<'a> {
     text: &'a str,
     begins: Vec<usize>,
-    /// The byte of the last place, and which character of its line that is: the next one is mostly behind it.
+    /// Byte and character number of the last lookup in its line: the next lookup usually follows it.
     last: Cell<(usize, usize)>,
 }
 
@@ -74,7 +74,7 @@ impl<'a> Lines<'a> {
 
     fn item(&self, item: &Item) -> Value {
         match item {
-            // Of what is taken out of a document, which none of this is.
+            // Only occurs in items removed from a document, and none are removed here.
             Item::None => Value::List(Vec::new()),
             Item::Value(value) => self.value(value),
             Item::Table(table) => self.table(table),

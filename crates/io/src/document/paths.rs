@@ -1,6 +1,6 @@
 //! Schema of a scene: every path, with its value type. `cutaway help scene` prints the list, and readers refuse any other path.
 //!
-//! A `*` stands for the name of an entry or its number: `part.*.translate` is `part.crank.translate` or `part.0.translate`.
+//! A `*` stands for an entry's name or index: `part.*.translate` is `part.crank.translate` or `part.0.translate`.
 
 use std::sync::{LazyLock, OnceLock};
 
@@ -23,11 +23,11 @@ pub struct Path {
     pub path: String,
     /// Type of its value.
     pub takes: ValueType,
-    /// Unit of its numbers; empty where they have none.
+    /// Unit of its numbers; empty if they have none.
     pub unit: &'static str,
     /// Description in one line.
     pub help: &'static str,
-    /// A value that it takes, as TOML.
+    /// Example value, as TOML.
     pub example: &'static str,
     /// True if a `[[key]]` can animate it.
     pub moves: bool,
@@ -55,7 +55,7 @@ fn append(all: &mut Vec<Path>, above: &str, fields: &'static [Field]) {
     }
 }
 
-/// Values that a style or another description has, by their paths below one.
+/// Values of a style or another description, with their paths below `above`.
 pub fn values(of: &dyn Described, above: &str) -> Vec<(String, Value)> {
     let mut all = Vec::new();
     for (index, field) in of.fields().iter().enumerate() {
@@ -135,14 +135,14 @@ const OFFSET: Field = Field::leaf(
 )
 .unit("units");
 
-/// Keys directly below a path, looked up once: those of `part.*` are `name`, `mesh` and so on.
+/// Keys directly below a path, computed once: for `part.*` these are `name`, `mesh` and so on.
 pub(crate) struct Keys {
     above: &'static str,
     found: OnceLock<Vec<&'static str>>,
 }
 
 impl Keys {
-    /// Those below a path; of the empty one those of the file.
+    /// Keys below a path; an empty path gives the top-level keys.
     pub(crate) const fn below(above: &'static str) -> Self {
         Self {
             above,
@@ -150,7 +150,7 @@ impl Keys {
         }
     }
 
-    /// All of them, in the order of [`all`].
+    /// All keys, in the order of [`all`].
     pub(crate) fn all(&self) -> &[&'static str] {
         self.found.get_or_init(|| keys_below(self.above))
     }

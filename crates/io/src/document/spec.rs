@@ -1,14 +1,14 @@
-//! Words of the command line as the tables that a scene file has for them.
+//! Conversion of command-line words to the equivalent tables of a scene file.
 //!
 //! ```text
-//! fractal:amplitude=5%,period=20,seed=7   { kind = "fractal", seed = 7 }, and amplitude and period of the surface that it is for
+//! fractal:amplitude=5%,period=20,seed=7   { kind = "fractal", seed = 7 }, and amplitude and period of its surface
 //! rock.png:wrap=mirror                    { image = "rock.png" }, and wrap
-//! 50%,50%,50%:                            box = { min = ["50%", "50%", "50%"] }: open where a corner is left out
+//! 50%,50%,50%:                            box = { min = ["50%", "50%", "50%"] }: unbounded where a corner is left out
 //! -y:-30:200@0,50%,0                      wedge = { axis = "-y", from_deg = -30, to_deg = 200, origin = [0, "50%", 0] }
 //! holes:amount=5%,patch=12                { kind = "holes", amount = "5%", patch = 12 }
 //! ```
 //!
-//! Only the form of the words is looked at here; what the values mean is for the readers to say, which are those of files.
+//! Only the syntax of the words is checked here; their values are checked by the same readers that read files.
 
 use cutaway::error::{Error, Result, did_you_mean};
 use cutaway::generate::defects::{Defect, DefectKind};
@@ -23,25 +23,25 @@ const DEFECT: &str = "write for example `holes:amount=5%,seed=1` or `soup:amount
 const BOX: &str = "write for example `0,0,0:1,1,1`, or `50%,50%,50%:` for a box that is open above";
 const WEDGE: &str = "write for example `z:0:90`, or `-y:-30:200@0,50%,0`";
 
-/// Keys of a relief in words that say where it stands, and so belong to a surface.
+/// Relief keys that define its placement, and therefore belong to a surface.
 const PLACEMENT: [&str; 3] = ["amplitude", "period", "wrap"];
 
-/// A table in the making.
+/// A table under construction.
 pub(super) type Entries = Vec<(String, Value)>;
 
 pub(super) struct ReliefWords {
-    /// Suggested name in a file.
+    /// Suggested relief name.
     pub(super) name: String,
     /// The table `[relief.NAME]`.
     pub(super) relief: Entries,
-    /// Keys of the surface that it is for.
+    /// Keys of the surface that has the relief.
     pub(super) placement: Entries,
 }
 
 /// Reads `NAME[:key=value,...]` or `IMAGE[:key=value,...]`.
 pub(super) fn relief(text: &str) -> Result<ReliefWords> {
     let fault = |what: String, help: String| Error::input(format!("relief `{text}`"), what, help);
-    // A colon may belong to a path; only what looks like keys is read as keys.
+    // A path may contain a colon; only text that looks like keys is read as keys.
     let (name, words) = match text.rsplit_once(':') {
         Some((name, tail)) if tail.contains('=') => (name.trim(), tail),
         _ => (text.trim(), ""),
@@ -121,7 +121,7 @@ pub(super) fn block(text: &str) -> Result<Entries> {
     Ok(table)
 }
 
-/// Reads `AXIS:FROM:TO`, with `@X,Y,Z` for a point of the axis.
+/// Reads `AXIS:FROM:TO`, with `@X,Y,Z` for a point on the axis.
 pub(super) fn wedge(text: &str) -> Result<Entries> {
     let fault = |what: String| Error::input(format!("wedge `{text}`"), what, WEDGE);
     let (turn, origin) = match text.split_once('@') {
@@ -130,7 +130,7 @@ pub(super) fn wedge(text: &str) -> Result<Entries> {
     };
     let words: Vec<&str> = turn.split(':').map(str::trim).collect();
     let [axis, from, to] = words[..] else {
-        return Err(fault("it is not an axis and two angles".into()));
+        return Err(fault("it must be an axis and two angles".into()));
     };
     if !["x", "y", "z"].contains(&axis.strip_prefix('-').unwrap_or(axis)) {
         return Err(fault(format!("`{axis}` is no axis")));
@@ -144,7 +144,7 @@ pub(super) fn wedge(text: &str) -> Result<Entries> {
     Ok(table)
 }
 
-/// Reads `key=value,...` of an opening that places itself, whose keys these are; a number alone is the first of them.
+/// Reads `key=value,...` of an opening with automatic placement; a number alone is the value of the first of `keys`.
 pub(super) fn opening(text: &str, what: &str, keys: &[&str]) -> Result<Entries> {
     let fault = |fault: String, help: String| Error::input(format!("{what} `{text}`"), fault, help);
     let words = match text {
@@ -192,7 +192,7 @@ pub(super) fn one(text: &str) -> Value {
     }
 }
 
-/// A number, numbers with an `x` between them, or else text.
+/// A number, several numbers separated by `x`, or else text.
 fn several(text: &str) -> Value {
     let parts: Vec<Value> = text.split('x').map(one).collect();
     let is_number = |value: &Value| matches!(value, Value::Number(_));

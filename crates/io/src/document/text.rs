@@ -1,4 +1,4 @@
-//! Values as TOML text, put where the rest of a text stays as it is written.
+//! Inserts values as TOML text, leaving the rest of the text unchanged.
 
 use std::fmt;
 
@@ -8,7 +8,7 @@ use toml_edit::{
 
 use super::node::{Node, Value};
 
-/// Sets a value: at a place of the tree of a text, or below it under `new` keys.
+/// Sets a value at a place in the tree of a text, or below it under `new` keys.
 pub(super) fn set(
     text: &mut DocumentMut,
     (root, place): (&Node, &[usize]),
@@ -29,12 +29,12 @@ pub(super) fn set(
         };
         item = parent.entry(key).or_insert_with(|| {
             let mut between = Table::new();
-            // Without a header, until it holds more than tables.
+            // No header until the table holds more than tables.
             between.set_implicit(true);
             Item::Table(between)
         });
     }
-    // What stands among tables with headers gets one too.
+    // An item next to tables with headers gets a header too.
     let is_block = item.as_table().is_some();
     if let Some(parent) = item.as_table_like_mut() {
         let item = match value {
@@ -46,7 +46,7 @@ pub(super) fn set(
     }
 }
 
-/// Adds a value to the end of the list at a place.
+/// Appends a value to the list at a place.
 pub(super) fn push(text: &mut DocumentMut, (root, place): (&Node, &[usize]), value: &Value) {
     match (find(text, root, place), value) {
         (Some(Item::ArrayOfTables(tables)), Value::Table(entries)) => tables.push(block(entries)),
@@ -55,7 +55,7 @@ pub(super) fn push(text: &mut DocumentMut, (root, place): (&Node, &[usize]), val
     }
 }
 
-/// Adds a value to a list, on a line of its own where the others have theirs: what is said behind the last one stays there.
+/// Appends a value to a list, on its own line if the others have theirs: a comment after the last value stays with it.
 fn append(array: &mut Array, mut value: Toml) {
     let text = |raw: Option<&RawString>| raw.and_then(RawString::as_str).unwrap_or("").to_owned();
     let before = array
@@ -66,7 +66,7 @@ fn append(array: &mut Array, mut value: Toml) {
         array.push(value);
         return;
     };
-    // A comment stands behind the comma if there is one, and else behind the value.
+    // A comment follows the comma if there is one, otherwise the value.
     let last = array.len() - 1;
     let mut behind = text(Some(array.trailing()));
     if let Some(last) = array.get_mut(last) {
@@ -81,7 +81,7 @@ fn append(array: &mut Array, mut value: Toml) {
     array.set_trailing("\n");
 }
 
-/// Takes a child away from a table or list.
+/// Removes a child from a table or list.
 pub(super) fn remove(text: &mut DocumentMut, (root, parent): (&Node, &[usize]), child: usize) {
     let mut node = root;
     for index in parent {
@@ -110,7 +110,7 @@ pub(super) fn remove(text: &mut DocumentMut, (root, parent): (&Node, &[usize]), 
     }
 }
 
-/// The item of a place in the tree of a text.
+/// The item at a place in the tree of a text.
 fn find<'a>(text: &'a mut DocumentMut, root: &Node, place: &[usize]) -> Option<&'a mut Item> {
     let (mut item, mut node) = (text.as_item_mut(), root);
     for index in place {
@@ -123,7 +123,7 @@ fn find<'a>(text: &'a mut DocumentMut, root: &Node, place: &[usize]) -> Option<&
     Some(item)
 }
 
-/// Puts a value in the place of another; what stands around that in its line stays, and a table keeps its header.
+/// Replaces a value; surrounding text on its line is kept, and a table keeps its header.
 fn replace(item: &mut Item, value: &Value) {
     let mut new = toml(value);
     if let Some(old) = item.as_value() {
@@ -133,7 +133,7 @@ fn replace(item: &mut Item, value: &Value) {
         && let Item::ArrayOfTables(mut tables) = blocks(list)
         && let Some(first) = old.get(0)
     {
-        // What stands above the first of them is of the file.
+        // Text above the first table belongs to the file.
         for table in tables.iter_mut() {
             table.set_position(first.position());
         }
@@ -147,7 +147,7 @@ fn replace(item: &mut Item, value: &Value) {
     match item.as_table() {
         Some(old) => {
             let decor = old.decor().clone();
-            // None but tables take the place of tables.
+            // Tables are only replaced by tables.
             if let Ok(mut table) = new.into_table() {
                 *table.decor_mut() = decor;
                 *item = Item::Table(table);
@@ -157,7 +157,7 @@ fn replace(item: &mut Item, value: &Value) {
     }
 }
 
-/// A table with a header of its own.
+/// A table with its own header.
 fn block(entries: &[(std::sync::Arc<str>, Node)]) -> Table {
     let mut table = Table::new();
     for (key, node) in entries {
@@ -178,7 +178,7 @@ fn blocks(list: &[Node]) -> Item {
     }
 }
 
-/// As TOML has it, in one line.
+/// Formats the value as TOML, in one line.
 impl fmt::Display for Value {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let mut value = toml(self);
@@ -187,7 +187,7 @@ impl fmt::Display for Value {
     }
 }
 
-/// Takes away what puts lists into several lines.
+/// Removes line breaks in lists.
 fn in_one_line(value: &mut Toml) {
     match value {
         Toml::Array(array) => {
@@ -210,7 +210,7 @@ fn toml(value: &Value) -> Toml {
             None => Toml::from(number.value),
         },
         Value::Text(text) => Toml::from(&**text),
-        // No scene has one, and its reader reports it.
+        // Dates are not valid in a scene; the reader reports them.
         Value::Date(date) => date.parse().unwrap_or_else(|_| Toml::from(&**date)),
         Value::List(list) => Toml::Array(array(list)),
         Value::Table(entries) => {
@@ -222,7 +222,7 @@ fn toml(value: &Value) -> Toml {
     }
 }
 
-/// A list; several tables stand in a line each.
+/// A list; several tables are written one per line.
 fn array(list: &[Node]) -> Array {
     let mut array: Array = list.iter().map(|n| toml(&n.value)).collect();
     let is_table = |node: &Node| matches!(node.value, Value::Table(_));

@@ -2,7 +2,7 @@
 //!
 //! STL and PLY have no up axis. It is guessed only if all meshes drawn are of these formats and no axis is given. For 3MF it is +Z by the
 //! specification, which applies only if all meshes drawn are 3MF. A scene file without an up axis means +Y, whatever its meshes are: a
-//! future, better guess must not turn its picture. The guess is computed for such a file too, but is only reported to the user.
+//! future, better guess must not turn its picture. The guess is also computed for such a file, but only reported to the user.
 
 use std::path::PathBuf;
 
@@ -28,12 +28,12 @@ pub enum UpReason {
     Specification,
     /// A flat base to stand on.
     Base,
-    /// The habit of the format, for want of a base.
+    /// The convention of the format, used if there is no flat base.
     Habit,
 }
 
 impl Document {
-    /// Puts the axis that is up into a document of meshes alone that do not say it, unless it is a file; what was found, if anything.
+    /// Sets the guessed up axis in a document of meshes only that gives no axis, unless it is a file. Returns the guess, if any.
     ///
     /// # Errors
     ///
@@ -53,19 +53,19 @@ impl Document {
         Ok(guessed)
     }
 
-    /// The axis that is likely to be up in a document of meshes alone that do not say it.
+    /// The likely up axis of a document of meshes only that gives no axis.
     ///
     /// # Errors
     ///
     /// A mesh that cannot be read.
     pub fn likely_up(&self, assets: &mut Assets) -> Result<Option<GuessedUp>> {
         let camera = self.root().get("camera");
-        // A picture whose own direction up is given needs no axis.
+        // A camera with its own up direction needs no guess.
         if camera.is_some_and(|c| c.get("up").is_some() || c.get("view_up").is_some()) {
             return Ok(None);
         }
         let entries = self.root().get("part").map_or(&[] as &[_], Node::items);
-        // What an entry turns stands on something else than its file does.
+        // A rotated entry stands on another base than its file does.
         let is_turned = |entry: &Node| {
             let mut turns = ["rotate_deg", "matrix"].iter();
             turns.any(|key| entry.get(key).is_some())
@@ -104,7 +104,7 @@ impl Document {
         Ok(Some(GuessedUp { up, reason }))
     }
 
-    /// Lets the angles be found that a camera does not say, as they are where there is none.
+    /// Makes angles that the camera does not give automatic, as in a document without a camera.
     ///
     /// # Errors
     ///

@@ -1,6 +1,6 @@
 //! Shared cache of the files that documents name: meshes, built-in shapes, height maps, textures.
 //!
-//! The first request reads a file, from disk or from the [`Files`] of a host, and keeps its content in memory. Later requests return
+//! The first request reads a file, from disk or from a host's [`Files`], and keeps its content in memory. Later requests return
 //! the same [`Arc`]s. A program that already has a mesh inserts it under the name that documents use for it. Files that
 //! change are not noticed: create new assets then.
 
@@ -26,7 +26,7 @@ pub struct Assets {
     shapes: BTreeMap<String, Vec<Part>>,
     images: BTreeMap<PathBuf, Arc<OffsetMap>>,
     textures: BTreeMap<(PathBuf, bool), Arc<Texture>>,
-    /// Values that document readers have cached, by type.
+    /// Values cached by document readers, by type.
     kept: BTreeMap<TypeId, Arc<dyn Any + Send + Sync>>,
 }
 
@@ -37,7 +37,7 @@ impl Default for Assets {
 }
 
 impl Assets {
-    /// Assets whose files are not those of the disk.
+    /// Assets whose files are read from this store instead of the disk.
     pub fn from_files(store: Arc<dyn Files>) -> Self {
         Self {
             store,
@@ -54,7 +54,7 @@ impl Assets {
         &*self.store
     }
 
-    /// Puts parts in the place of a mesh file, under the path that a document comes to: its folder and the name that it says.
+    /// Inserts parts in place of a mesh file. `path` is the path that a document resolves to: its folder joined with the name it uses.
     pub fn insert_mesh(&mut self, path: impl Into<PathBuf>, mesh: impl Into<Loaded>) {
         self.meshes.insert(path.into(), mesh.into());
         self.kept.clear();
@@ -66,13 +66,13 @@ impl Assets {
         self.kept.clear();
     }
 
-    /// Puts a map in the place of an image file.
+    /// Inserts an offset map in place of an image file.
     pub fn insert_image(&mut self, path: impl Into<PathBuf>, map: impl Into<Arc<OffsetMap>>) {
         self.images.insert(path.into(), map.into());
         self.kept.clear();
     }
 
-    /// Puts a texture in the place of an image file.
+    /// Inserts a texture in place of an image file.
     pub fn insert_texture(&mut self, path: impl Into<PathBuf>, texture: impl Into<Arc<Texture>>) {
         let (path, texture) = (path.into(), texture.into());
         for is_color in [false, true] {
@@ -96,24 +96,24 @@ impl Assets {
     ///
     /// # Errors
     ///
-    /// As of [`load_mesh_file`](super::load_mesh_file).
+    /// The errors of [`load_mesh_file`](super::load_mesh_file).
     pub fn mesh(&mut self, path: &Path) -> Result<&Loaded> {
         self.read_meshes(&[path.to_owned()])?;
         Ok(&self.meshes[path])
     }
 
-    /// Returns the length unit of the mesh files that were read: `None` unless all state the same.
+    /// Returns the length unit of the mesh files read so far: `None` unless all state the same unit.
     pub fn unit(&self) -> Option<LengthUnit> {
         let mut units = self.meshes.values().map(|loaded| loaded.unit);
         let first = units.next()??;
         units.all(|unit| unit == Some(first)).then_some(first)
     }
 
-    /// Reads mesh files that have not been read, in parallel.
+    /// Reads the mesh files that have not been read yet, in parallel.
     ///
     /// # Errors
     ///
-    /// As of [`load_mesh_file`](super::load_mesh_file), of the first that cannot be read.
+    /// The errors of [`load_mesh_file`](super::load_mesh_file), for the first file that cannot be read.
     pub fn read_meshes(&mut self, paths: &[PathBuf]) -> Result<()> {
         let missing = paths
             .par_iter()
@@ -124,11 +124,11 @@ impl Assets {
         Ok(())
     }
 
-    /// The parts of a built-in shape: `crank?throws=3`, with or without `shape:` before it.
+    /// Returns the parts of a built-in shape: `crank?throws=3`, with or without the prefix `shape:`.
     ///
     /// # Errors
     ///
-    /// As of [`shape`].
+    /// The errors of [`shape`].
     pub fn shape(&mut self, spec: &str) -> Result<&[Part]> {
         if !self.shapes.contains_key(spec) {
             self.shapes.insert(spec.to_owned(), shape(spec)?);
@@ -136,11 +136,11 @@ impl Assets {
         Ok(&self.shapes[spec])
     }
 
-    /// The heights of an image.
+    /// Returns the height map in an image file.
     ///
     /// # Errors
     ///
-    /// As of [`read_offset_map`](super::read_offset_map).
+    /// The errors of [`read_offset_map`](super::read_offset_map).
     pub fn image(&mut self, path: &Path) -> Result<&Arc<OffsetMap>> {
         if !self.images.contains_key(path) {
             let map = read_offset_map_from(path, &*self.store)?;
@@ -149,11 +149,11 @@ impl Assets {
         Ok(&self.images[path])
     }
 
-    /// The texture of an image.
+    /// Returns the texture in an image file.
     ///
     /// # Errors
     ///
-    /// As of [`read_texture_from`].
+    /// The errors of [`read_texture_from`].
     pub fn texture(&mut self, path: &Path, kind: TextureKind) -> Result<Arc<Texture>> {
         let key = (path.to_owned(), kind == TextureKind::Color);
         if !self.textures.contains_key(&key) {
@@ -163,18 +163,18 @@ impl Assets {
         Ok(self.textures[&key].clone())
     }
 
-    /// Returns the value of this type that a document reader has cached for the next document. Inserting anything that it may depend on
-    /// discards it.
+    /// Returns the value of this type that a document reader has cached for the next document. Inserting any asset that it
+    /// may depend on discards it.
     pub(crate) fn kept<T: Any + Send + Sync>(&self) -> Option<Arc<T>> {
         self.kept.get(&TypeId::of::<T>())?.clone().downcast().ok()
     }
 
-    /// Keeps it in the place of what was kept of its type.
+    /// Caches a value, replacing the cached value of the same type.
     pub(crate) fn keep<T: Any + Send + Sync>(&mut self, made: T) {
         self.kept.insert(TypeId::of::<T>(), Arc::new(made));
     }
 
-    /// All files that were read, with those that they name.
+    /// All files read so far, including the companion files that they name.
     pub fn files(&self) -> impl Iterator<Item = &Path> {
         let of_meshes = self.meshes.values().flat_map(|loaded| &loaded.files);
         let of_textures = self.textures.keys().map(|(path, _)| path);

@@ -1,12 +1,12 @@
-//! Files that a mesh file names: buffers of glTF, material libraries of OBJ. Nothing is checked here; the mesh loader does that.
+//! Companion files named by a mesh file: glTF buffers, OBJ material libraries. Nothing is checked here; the mesh loader does that.
 //!
-//! It reads the whole file, for a library may be named anywhere in an OBJ.
+//! The whole file is read, because an OBJ may name a library on any line.
 
 use std::path::{Path, PathBuf};
 
 use super::{Files, format_and_stem, gltf, input_file, mtl};
 
-/// Returns the files that a mesh file names, without the mesh file itself. None if it cannot be read.
+/// Returns the files that a mesh file names, without the mesh file itself; empty if the mesh file cannot be read.
 pub fn companions(path: &Path, store: &dyn Files) -> Vec<PathBuf> {
     let folder = path.parent().unwrap_or_else(|| Path::new(""));
     let format = format_and_stem(path).map(|(format, _)| format);

@@ -1,7 +1,7 @@
-//! The format of a mesh by its content, where no name tells it.
+//! Detection of a mesh format from the file content, for data without a file name.
 //!
-//! Binary formats are known by their first bytes, but for binary STL, which begins with whatever its writer liked: it is known by its
-//! length, which its count of triangles gives. Text is known by its first words.
+//! Binary formats are recognized by their first bytes, except binary STL, whose header is arbitrary: it is recognized by its
+//! length, which must match its triangle count. Text formats are recognized by their first words.
 
 use super::lines::lines;
 use super::{stl, without_mark};
@@ -9,12 +9,12 @@ use super::{stl, without_mark};
 /// Bytes at the start of a text that are inspected.
 const HEAD_BYTES: usize = 64 << 10;
 
-/// First words of the lines of an OBJ.
+/// First words of OBJ lines.
 const OBJ: [&str; 13] = [
     "v", "vn", "vt", "vp", "f", "l", "p", "o", "g", "s", "mtllib", "usemtl", "cstype",
 ];
 
-/// The format of bytes that are not gzipped, as the extension of a file names it. None where they could be anything.
+/// Returns the format of bytes that are not gzipped, as a file extension; `None` if the format is not recognized.
 pub fn mesh_format(bytes: &[u8]) -> Option<&'static str> {
     if bytes.starts_with(b"glTF") {
         return Some("glb");

@@ -1,9 +1,9 @@
-//! From a file's triangles to solids: the checks at the door, welding, and which groups belong together.
+//! Conversion of a file's triangles to solids: validity checks, welding, and grouping.
 //!
 //! A *group* is a unit that a file separates: an object, a material, a glTF primitive. A group is not always a solid: an
-//! exporter that writes one group per material tears closed solids open. Groups that share an open edge are therefore
-//! joined, closed groups stay apart. A closed group that is inside out is a cavity: it belongs to the smallest group around
-//! it, so that the two together are one solid by parity.
+//! exporter that writes one group per material tears closed solids open. Therefore, groups that share an open edge are
+//! joined, and closed groups stay apart. A closed group that is inside out is a cavity: it is joined with the smallest group that
+//! encloses it, so that both form one solid by parity.
 
 use std::path::Path;
 
@@ -16,12 +16,12 @@ use glam::Vec3;
 
 use super::welded;
 
-pub(super) const UNITS: &str = "scale it, or export it in another unit of length";
+pub(super) const UNITS: &str = "scale it, or export it in another length unit";
 
-/// Indices of vertices must leave one bit of 32 for the direction of an edge.
+/// Vertex indices leave one of 32 bits for the direction of an edge.
 const MOST_VERTICES: usize = 1 << 31;
 
-/// Triangles as a file has them.
+/// Triangles as the file stores them.
 #[derive(Debug, Default)]
 pub(super) struct Draft {
     pub(super) mesh: Mesh,
@@ -37,27 +37,27 @@ pub(super) struct Draft {
 pub(super) struct Group {
     pub(super) name: Option<String>,
     pub(super) color: Option<Vec3>,
-    /// Name of its material.
+    /// Name of the group's material.
     pub(super) material: Option<String>,
-    /// True if it transmits light.
+    /// True if the group's material transmits light.
     pub(super) is_transparent: bool,
 }
 
-/// A mesh that is worth being a part.
+/// A mesh that will become a part.
 #[derive(Debug)]
 pub(super) struct DraftSolid {
     pub(super) name: Option<String>,
     pub(super) color: Option<Vec3>,
-    /// Names of the materials of its groups.
+    /// Names of the materials of the solid's groups.
     pub(super) materials: Vec<String>,
-    /// True if all of them transmit light.
+    /// True if the materials of all groups transmit light.
     pub(super) is_transparent: bool,
     pub(super) mesh: Mesh,
     pub(super) motion: Motion,
 }
 
 impl Draft {
-    /// Checks, welds and splits. `notes` receives what was changed.
+    /// Checks, welds and splits the triangles. Each change adds a note to `notes`.
     pub(super) fn into_solids(
         mut self,
         path: &Path,
@@ -84,7 +84,7 @@ impl Draft {
         let flat = faces - self.mesh.triangles.len();
         if flat > 0 {
             notes.push(format!(
-                "left out {} triangles with a repeated corner: they cover nothing",
+                "left out {} triangles with a repeated corner: they have no area",
                 thousands(flat)
             ));
             self.drop_unused();
@@ -108,7 +108,7 @@ impl Draft {
         }
     }
 
-    /// Drops vertices that no triangle uses, keeps the order of the others, returns how many are left.
+    /// Drops vertices that no triangle uses, keeps the order of the others, and returns the number kept.
     fn drop_unused(&mut self) -> usize {
         let mesh = &mut self.mesh;
         let mut used = vec![false; mesh.positions.len()];
@@ -178,7 +178,7 @@ impl Draft {
                 let (mesh, vertices) = self.mesh.picked(triangles);
                 (mesh, self.motion.of_positions(&vertices))
             };
-            // One colour is that of the part; but exporters write white to every vertex, which says nothing.
+            // A single vertex colour becomes the part colour, except white: exporters often write white to every vertex by default.
             let one = mesh.vertex_paint.as_ref().and_then(VertexPaint::one_color);
             if one.is_some() {
                 mesh.vertex_paint = None;
@@ -206,7 +206,7 @@ impl Draft {
         solids
     }
 
-    /// The least group of the solid that each group belongs to.
+    /// Returns, for each group, the lowest group index in its solid.
     fn solid_of_group(&self) -> Vec<u32> {
         let groups = self.groups.len();
         let mut triangles_of: Vec<Vec<[u32; 3]>> = vec![Vec::new(); groups];

@@ -1,10 +1,10 @@
-//! Sources of file bytes: the disk, or the memory of a host that has no disk, such as a web page.
+//! Sources of file bytes: the disk, or the memory of a host without a disk, such as a web page.
 //!
-//! Loaders and scene documents read whole files, by path, through [`Files`]. Otherwise they only check if a file of
-//! some name exists; no folder is listed. A host that has to fetch files first gets their names from
+//! Loaders and scene documents read whole files, by path, through [`Files`]. Otherwise they only check whether a file
+//! exists; no folder is listed. A host that has to fetch files first gets their names from
 //! [`Document::files`](crate::Document::files).
 //!
-//! Cost: one file in memory at a time for each thread that reads; what is in memory already is lent, not copied.
+//! Cost: one file in memory per reading thread; bytes already in memory are borrowed, not copied.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -15,8 +15,8 @@ use std::path::{Path, PathBuf};
 
 use super::place::walked;
 
-/// Most bytes of a file, and of what a packed one holds: some 100 million triangles of binary STL fit, and what is made of them
-/// still fits into the memory of a workstation.
+/// Largest size of a file in bytes, and of the content of a packed one: some 100 million triangles of binary STL fit, and the data
+/// built from them still fits into the memory of a workstation.
 pub const MOST_BYTES: u64 = 8 << 30;
 
 /// Files by path.
@@ -25,15 +25,15 @@ pub trait Files: fmt::Debug + Send + Sync {
     ///
     /// # Errors
     ///
-    /// What stands after `FILE: cannot be read:`. The kind chooses the help: [`ErrorKind::NotFound`] if there is no such file,
-    /// [`ErrorKind::PermissionDenied`] if it may not be read.
+    /// The text that follows `FILE: cannot be read:`. The kind selects the help: [`ErrorKind::NotFound`] if there is no such file,
+    /// [`ErrorKind::PermissionDenied`] if the file may not be read.
     fn read(&self, path: &Path) -> io::Result<Cow<'_, [u8]>>;
 
     /// Returns true if a file of this name exists.
     fn is_file(&self, path: &Path) -> bool;
 
-    /// Returns true if links take `path` out of the folder of the file `from`, although by name `path` lies in or below it. A store without
-    /// links keeps the default.
+    /// Returns true if links take `path` out of the folder of the file `from`, although its name places it in or below that folder. A store
+    /// without links keeps the default.
     fn leads_out(&self, _path: &Path, _from: &Path) -> bool {
         false
     }
@@ -44,7 +44,7 @@ pub trait Files: fmt::Debug + Send + Sync {
 pub struct Disk;
 
 impl Disk {
-    /// The length of a file that can be read. What is no regular file is refused by what it is: a device or a pipe would be read for ever.
+    /// The length of a regular file. Other kinds are refused by kind, because reading a device or a pipe would never end.
     pub(super) fn length(path: &Path) -> io::Result<u64> {
         let metadata = fs::metadata(path)?;
         if !metadata.is_file() {
@@ -68,7 +68,7 @@ impl Files for Disk {
     fn read(&self, path: &Path) -> io::Result<Cow<'_, [u8]>> {
         let length = Self::length(path)?;
         let mut bytes = Vec::with_capacity(usize::try_from(length).unwrap_or(0));
-        // A file that grows meanwhile is read no further than its limit.
+        // A file that grows during the read is read only up to the limit.
         fs::File::open(path)?
             .take(MOST_BYTES)
             .read_to_end(&mut bytes)?;
@@ -79,7 +79,7 @@ impl Files for Disk {
         path.is_file()
     }
 
-    /// Links followed; of a `from` that is a link itself, its own folder and that of the file that it leads to count.
+    /// Follows links. If `from` is itself a link, both its own folder and the folder of its target are accepted.
     fn leads_out(&self, path: &Path, from: &Path) -> bool {
         let folder = match from.parent() {
             Some(folder) if !folder.as_os_str().is_empty() => folder,
@@ -119,7 +119,7 @@ fn kind(metadata: &fs::Metadata) -> &'static str {
     }
 }
 
-/// Files in memory. Names are compared without `.` and with `..` taken back; there is no current folder.
+/// Files in memory. Names are compared with `.` and `..` resolved; there is no current folder.
 ///
 /// ```
 /// use cutaway_io::document::Document;
@@ -138,7 +138,7 @@ fn kind(metadata: &fs::Metadata) -> &'static str {
 pub struct Memory(BTreeMap<PathBuf, Cow<'static, [u8]>>);
 
 impl Memory {
-    /// Puts a file in, in the place of one of the same name.
+    /// Inserts a file, replacing any file with the same name.
     pub fn insert(&mut self, path: impl AsRef<Path>, bytes: impl Into<Cow<'static, [u8]>>) {
         self.0.insert(normal(path.as_ref()), bytes.into());
     }

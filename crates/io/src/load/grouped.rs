@@ -1,7 +1,7 @@
 //! Merging of equal notes about many nodes or objects.
 
-/// Notes about labelled nodes or objects, `noun` of which there is one, those that differ only in their numbers as one: that of the
-/// first, and how many others have it.
+/// Merges notes about labelled nodes or objects that differ only in their numbers: each group is reported as its first note, with the
+/// count of the others. `noun` is the singular name of the labelled thing, such as "node".
 pub(super) fn grouped(said: Vec<(String, String)>, noun: &str) -> Vec<String> {
     let kind = |note: &str| note.replace(|c: char| c.is_ascii_digit() || c == ',' || c == '.', "");
     let mut groups: Vec<(String, String, usize)> = Vec::new();

@@ -1,6 +1,6 @@
-//! Reading of files: an unreadable file is an error that names it, and unpacking is limited to the size that a machine can hold.
+//! Reading of files: errors name the unreadable file, and unpacking is limited to a size that fits into memory.
 //!
-//! A model comes from anywhere, and a few kilobytes of gzip can unpack to any size, so that is looked at while they are unpacked.
+//! A model may come from an untrusted source, and a few kilobytes of gzip can unpack to any size, so the limit is checked during unpacking.
 
 use std::borrow::Cow;
 use std::io::{self, ErrorKind, Read};
@@ -11,25 +11,25 @@ use flate2::read::MultiGzDecoder;
 
 use super::files::{Disk, Files, MOST_BYTES};
 
-/// Most bytes of a packed file for each of its own. Of the real meshes at hand the best packs 1 to 23, a flat grid perhaps 1 to 100;
-/// what gzip can do at most, 1 to 1032, only files do that are made for it.
+/// Largest accepted ratio of unpacked to packed bytes. Among real meshes the best ratio was 23, and a flat grid reaches perhaps 100;
+/// only files made for that purpose reach the gzip maximum of 1032.
 const MOST_RATIO: u64 = 250;
 
-/// Unpacked size in bytes up to which the ratio is not checked: small files are harmless, and tests often use ones of one repeated value.
+/// Unpacked size in bytes up to which the ratio is not checked: small files are harmless, and test files often repeat a single value.
 const RATIO_COUNTS_FROM: u64 = 64 << 20;
 
-/// Refuses what on disk is no regular file, or too long.
+/// Refuses a path on disk that is not a regular file, and a file that is too long.
 pub fn check(path: &Path) -> Result<()> {
     Disk::length(path).map_err(|e| unreadable(path, &e))?;
     Ok(())
 }
 
-/// The bytes of a file.
+/// Returns the bytes of a file.
 pub fn read<'a>(path: &Path, store: &'a dyn Files) -> Result<Cow<'a, [u8]>> {
     store.read(path).map_err(|e| unreadable(path, &e))
 }
 
-/// The bytes of a file, unpacked if they are gzipped, whatever the name says.
+/// Returns the bytes of a file, unpacked if they are gzipped, whatever the file name.
 pub(crate) fn read_unpacked<'a>(path: &Path, store: &'a dyn Files) -> Result<Cow<'a, [u8]>> {
     let bytes = read(path, store)?;
     if bytes.starts_with(&[0x1f, 0x8b]) {
@@ -39,7 +39,7 @@ pub(crate) fn read_unpacked<'a>(path: &Path, store: &'a dyn Files) -> Result<Cow
     }
 }
 
-/// Bytes from elsewhere, unpacked if they are gzipped; `path` is what errors call them.
+/// Unpacks bytes from another source if they are gzipped; `path` is the name used in errors.
 pub fn unpack(path: &Path, bytes: Vec<u8>) -> Result<Vec<u8>> {
     match bytes.starts_with(&[0x1f, 0x8b]) {
         true => unpacked(path, &bytes),
@@ -47,7 +47,7 @@ pub fn unpack(path: &Path, bytes: Vec<u8>) -> Result<Vec<u8>> {
     }
 }
 
-/// Returns the most bytes that `packed` packed bytes may unpack to.
+/// Returns the largest size in bytes that `packed` packed bytes may unpack to.
 pub(super) fn most_unpacked(packed: u64) -> u64 {
     packed
         .saturating_mul(MOST_RATIO)
@@ -72,7 +72,7 @@ fn unpacked(path: &Path, packed: &[u8]) -> Result<Vec<u8>> {
             format!("{MOST_BYTES} bytes")
         };
         let what = format!("gzip: it unpacks to more than {limit}");
-        let help = "if that is meant, unpack it with gunzip and give the result";
+        let help = "if intended, unpack it with gunzip and give the result";
         return Err(Error::file(path, what, help));
     }
     Ok(bytes)
@@ -83,10 +83,10 @@ fn unreadable(path: &Path, e: &io::Error) -> Error {
         ErrorKind::NotFound => "check the path; in a scene file it is relative to that file",
         ErrorKind::PermissionDenied => "make the file readable",
         ErrorKind::IsADirectory | ErrorKind::InvalidInput => {
-            "give the name of a file; save what comes through a pipe to one first"
+            "give a file name; save the output of a pipe to a file first"
         }
         ErrorKind::FileTooLarge => "split it into several files",
-        ErrorKind::Unsupported => "where there is no file system, give the files as bytes",
+        ErrorKind::Unsupported => "without a file system, give the files as bytes",
         _ => "check that it is a file that can be read",
     };
     let error = Error::file(path, format!("cannot be read: {e}"), help);

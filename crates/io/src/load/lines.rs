@@ -1,11 +1,11 @@
-//! The lines of a text, whichever of LF, CR LF and CR alone ends them, and the mark that may stand before them.
+//! Splitting of text into lines that end with LF, CR LF or CR alone, and removal of a byte order mark.
 
 use std::iter::Map;
 use std::str::SplitTerminator;
 
 pub(super) type Lines<'a> = Map<SplitTerminator<'a, char>, fn(&'a str) -> &'a str>;
 
-/// The lines of a text. CR ends them where no line ends by LF.
+/// The lines of a text. CR ends a line only if the text contains no LF.
 pub(super) fn lines(text: &str) -> Lines<'_> {
     let end = if text.contains('\n') { '\n' } else { '\r' };
     let bare: fn(&str) -> &str = |line| line.strip_suffix('\r').unwrap_or(line);

@@ -1,12 +1,12 @@
-//! Files become data. Meshes: OBJ, STL, PLY, glTF, GLB and 3MF, the first three also gzipped; [`frames`] of them; images as height maps.
+//! File loading. Meshes: OBJ, STL, PLY, glTF, GLB and 3MF, the first three also gzipped; [`frames`] of meshes; images as height maps.
 //!
-//! A reader only transcribes: it turns bytes into a `Draft`, positions shared as the file shares them, and refuses what
-//! is not a mesh by file, line and reason. Everything that is decided about the mesh is decided once, in `draft`: what is
-//! refused, what is welded, what is left out, and which groups of triangles are one solid. Whatever the loader changed or
-//! could not use it says in [`Loaded::notes`].
+//! A reader only transcribes: it turns bytes into a `Draft`, in which positions are shared as in the file, and refuses invalid
+//! meshes with file, line and reason. All decisions about the mesh are made in `draft`: what is
+//! refused, what is welded, what is left out, and which groups of triangles form one solid. Anything that the loader changed or
+//! could not use is reported in [`Loaded::notes`].
 //!
-//! Files are read from disk, or through [`Files`] from wherever a host has them. Of the disk only regular ones are read, up to limits that
-//! `files` and `input_file` state, and a glTF file may name files of its own folder and below.
+//! Files are read from disk, or from a host through [`Files`]. On disk only regular files are read, up to the limits in
+//! `files` and `input_file`, and a glTF file may only name files in its own folder and below.
 
 mod assets;
 mod companions;
@@ -58,9 +58,9 @@ pub use place::place_of;
 pub struct Loaded {
     /// The solids, with unique names.
     pub parts: Vec<Part>,
-    /// Notes on geometry that was welded, left out, missing or left open, one sentence each.
+    /// Notes on geometry that was welded, left out, missing or left open; one sentence each.
     pub notes: Vec<String>,
-    /// The file and all that it names and that were read: material libraries, buffers.
+    /// The mesh file and the files that were read because it names them: material libraries, buffers.
     pub files: Vec<PathBuf>,
     /// Length unit of the parts, if the format states one: metres in glTF, the unit of the file in 3MF.
     pub unit: Option<LengthUnit>,
@@ -75,11 +75,11 @@ impl From<Vec<Part>> for Loaded {
     }
 }
 
-/// Extensions of the formats that are read.
+/// Extensions of the readable mesh formats.
 #[doc(hidden)]
 pub const MESH_FORMATS: [&str; 6] = ["obj", "stl", "ply", "glb", "gltf", "3mf"];
 
-/// Those of them that are read gzipped, too.
+/// Formats that are also read gzipped.
 const GZIPPED: [&str; 3] = ["obj", "stl", "ply"];
 
 /// Loads a mesh file from disk; its extension names the format.
@@ -95,11 +95,11 @@ pub fn load_mesh_file(path: &Path) -> Result<Loaded> {
     load_mesh_file_from(path, &Disk)
 }
 
-/// Loads a mesh file, and the files that it names, from where a host has them.
+/// Loads a mesh file, and the files that it names, from a host's store.
 ///
 /// # Errors
 ///
-/// As of [`load_mesh_file`]: a file that is not there or is no mesh.
+/// The errors of [`load_mesh_file`]: a file that is missing or is not a mesh.
 pub fn load_mesh_file_from(path: &Path, store: &dyn Files) -> Result<Loaded> {
     let (format, stem) = format_and_stem(path)?;
     let bytes = input_file::read_unpacked(path, store)?;
@@ -140,9 +140,9 @@ pub fn load_mesh_file_from(path: &Path, store: &dyn Files) -> Result<Loaded> {
     })
 }
 
-/// Reports open edges, which make inside and outside of parts ambiguous: their count, and the place of one if a single part is open.
+/// Reports open edges, which make inside and outside ambiguous: their count, and the position of one if only one part is open.
 pub(crate) fn doubt(path: &Path, parts: &[Part]) -> Option<String> {
-    const DOUBT: &str = "where a ray passes a hole, inside and outside are a guess, and such pixels are marked as unreliable";
+    const DOUBT: &str = "for rays through a hole, inside and outside are ambiguous, and such pixels are marked as unreliable";
     let edges = parts
         .iter()
         .map(|part| (part, Edges::of(&part.mesh.triangles)));
@@ -169,7 +169,7 @@ pub(crate) fn doubt(path: &Path, parts: &[Part]) -> Option<String> {
     ))
 }
 
-/// Refuses parts that stand where nothing can be computed.
+/// Refuses parts with coordinates beyond the computable range.
 fn check_range(path: &Path, parts: &[Part]) -> Result<()> {
     let mut defects =
         (parts.iter()).filter_map(|p| Some((p, range::defect(&p.bounds_in_world())?)));
@@ -197,7 +197,7 @@ pub(crate) fn has_z_up(path: &Path) -> bool {
     format_and_stem(path).is_ok_and(|(format, _)| format == "3mf")
 }
 
-/// The format by extension, in lower case and without `.gz`, and the file's name without any of that.
+/// Returns the format from the extension, in lower case and without `.gz`, and the file name without its extensions.
 fn format_and_stem(path: &Path) -> Result<(String, String)> {
     let name = path
         .file_name()
@@ -213,7 +213,7 @@ fn format_and_stem(path: &Path) -> Result<(String, String)> {
         let what = if gzipped && MESH_FORMATS.contains(&format) {
             "only .obj, .stl and .ply are read gzipped".to_owned()
         } else if format.is_empty() {
-            "the name has no extension that tells the format".to_owned()
+            "the name has no extension to identify the format".to_owned()
         } else {
             format!("`.{format}` is not a mesh format that is read")
         };

@@ -1,5 +1,5 @@
-//! Wavefront material libraries: which ones an OBJ names, their colours, the images of them, and which let light through (`Kd`, `map_Kd`,
-//! `d`, `Tr`); everything else in them is passed over, options of images too.
+//! Wavefront material libraries: the libraries named by an OBJ, and each material's colour, image and transparency (`Kd`, `map_Kd`,
+//! `d`, `Tr`); everything else in them is ignored, including image options.
 
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
@@ -14,7 +14,7 @@ use super::lines::lines;
 use super::painted::Paint;
 use super::{Files, input_file, read_texture_from, without_mark};
 
-/// The material libraries that an OBJ names, in its order, and the images that they name.
+/// The material libraries that an OBJ names, in order, and the images that those libraries name.
 pub(super) fn libraries(folder: &Path, bytes: &[u8], store: &dyn Files) -> Vec<PathBuf> {
     let text = String::from_utf8_lossy(without_mark(bytes));
     let words = lines(&text).filter_map(|l| l.trim().split_once(char::is_whitespace));
@@ -35,14 +35,14 @@ pub(super) fn libraries(folder: &Path, bytes: &[u8], store: &dyn Files) -> Vec<P
     [libraries, images].concat()
 }
 
-/// The files of an `mtllib`, which takes one name with spaces or several without.
+/// The files of an `mtllib` line, which holds either one name with spaces or several names without.
 fn named(folder: &Path, line: &str, store: &dyn Files) -> Vec<PathBuf> {
     let names: Vec<&str> = if store.is_file(&folder.join(line)) {
         vec![line]
     } else {
         line.split_whitespace().collect()
     };
-    // Written on Windows, read anywhere.
+    // Libraries written on Windows use backslashes.
     let names = names.iter().map(|name| name.replace('\\', "/"));
     names.map(|name| folder.join(name)).collect()
 }
@@ -90,7 +90,7 @@ pub(super) fn read_all(
     paints
 }
 
-/// An image that a library names, of its own folder or below; what is wrong with it becomes a note.
+/// Reads an image in the library's folder or below; a fault becomes a note.
 fn image(
     path: &Path,
     name: &str,
@@ -130,7 +130,7 @@ fn images_in(text: &str) -> impl Iterator<Item = String> {
     looks_of(text).into_iter().filter_map(|look| look.image)
 }
 
-/// All materials. A colour that does not parse leaves its material without one.
+/// Parses all materials. A material whose colour does not parse has none.
 fn looks_of(text: &str) -> Vec<Look> {
     let mut all: Vec<Look> = Vec::new();
     for line in lines(text).map(str::trim) {
@@ -159,7 +159,7 @@ fn looks_of(text: &str) -> Vec<Look> {
             .map(|c| c.clamp(Vec3::ZERO, Vec3::ONE));
         } else if let Some(rest) = line.strip_prefix("map_Kd ") {
             let rest = rest.trim();
-            // The name is what is left behind options, which begin with `-`; it may hold spaces where there are none.
+            // The name follows the options, which begin with `-`; without options the name may contain spaces.
             let name = match rest.starts_with('-') {
                 true => rest.split_whitespace().next_back().unwrap_or(rest),
                 false => rest,

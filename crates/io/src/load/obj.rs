@@ -1,13 +1,13 @@
-//! Wavefront OBJ: `v`, `vn`, `f`, `o`, `g`, `usemtl`, `mtllib`; the rest is passed over.
+//! Wavefront OBJ: `v`, `vn`, `f`, `o`, `g`, `usemtl`, `mtllib`; other lines are ignored.
 //!
-//! Written here because topology needs what the ready-made readers drop: positions stay shared by their index in the file
-//! across objects, groups and materials, and every complaint knows its line. Polygons become fans from their first corner:
-//! a concave one may overlap itself, its outline and thus the parity of every ray stay the same. Positions are all that a face needs:
-//! colours and texture coordinates are taken where they are right ([`obj_vertex_paint`](super::obj_coat)), and a normal index that names no normal
+//! This reader exists because topology needs data that available OBJ crates drop: positions stay shared by their index in the file
+//! across objects, groups and materials, and every error has its line. Polygons become fans from their first corner:
+//! a concave one may overlap itself, but its outline and thus the parity of every ray are unchanged. A face only needs positions:
+//! colours and texture coordinates are used if valid ([`obj_vertex_paint`](super::obj_vertex_paint)), and an invalid normal index
 //! is dropped with a note. So is a line whose first word is unknown.
 //!
-//! Cost: one pass over the text. A file cut off between two lines looks like a whole one, unless a face names a
-//! vertex that never comes.
+//! Cost: one pass over the text. A file truncated between two lines is not detected unless a face refers to a
+//! vertex that is missing.
 
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
@@ -48,7 +48,7 @@ struct Label {
 /// The largest index named before it was defined, and the line of the face that did.
 type Ahead = Option<(usize, usize)>;
 
-/// Something that is left out: where first, what it was there, and how often in all.
+/// An omitted element: the line and text of its first occurrence, and the total count.
 #[derive(Debug, Default)]
 struct LeftOut {
     first: Option<(usize, String)>,
@@ -224,7 +224,7 @@ impl Reader<'_> {
         })
     }
 
-    /// The index of a normal; none where there cannot be such a normal.
+    /// The index of a normal; `None` if the index cannot be valid.
     fn normal(&mut self, line: usize, word: &str) -> Option<u32> {
         let known = self.normals.len();
         let from_zero = word.parse().ok().and_then(|index| from_zero(index, known));
@@ -254,7 +254,7 @@ impl Reader<'_> {
             .map_err(|_| self.error(line, format!("a face refers to vertex {index}")))
     }
 
-    /// Remembers an index of what may still be defined.
+    /// Records an index to a vertex or normal that may be defined later.
     fn note_ahead(&mut self, kind: usize, index: usize, known: usize, line: usize) {
         if index >= known && self.ahead[kind].is_none_or(|a| a.0 < index) {
             self.ahead[kind] = Some((index, line));
@@ -286,7 +286,7 @@ impl Reader<'_> {
         group
     }
 
-    /// Takes the normals from faces that name some which never came.
+    /// Removes the normals of faces that refer to missing normals.
     fn drop_missing_normals(&mut self) {
         let there = self.normals.len();
         let Some((_, line)) = self.ahead[1].filter(|a| a.0 >= there) else {
@@ -312,7 +312,7 @@ impl Reader<'_> {
             let more = and_more(self.unknown_words.count);
             let word: String = word.chars().take(40).collect();
             notes.push(format!(
-                "{path}:{line}: passed over the line: {word:?} is no word of OBJ meshes{more}"
+                "{path}:{line}: passed over the line: {word:?} is not an OBJ keyword{more}"
             ));
         }
         if let Some((line, index)) = &self.no_normals.first {
@@ -344,7 +344,7 @@ impl Reader<'_> {
             self.corner_normals = self.normal_of_corner.iter().flatten().map(pick).collect();
             self.draft.mesh.corner_normals = Some(self.corner_normals);
         } else if with_normals > 0 && self.no_normals.count == 0 {
-            notes.push("the file gives normals to some faces only: they are not used".to_owned());
+            notes.push("only some faces have normals: they are not used".to_owned());
         }
         let paints = mtl::read_all(self.path, &self.libraries, store, (notes, files));
         let paints: Vec<Paint> = (sorted(self.labels).into_iter())
@@ -362,7 +362,7 @@ impl Reader<'_> {
     }
 }
 
-/// An index from 1, or backwards from -1, as one from 0.
+/// Converts an index that counts from 1, or backwards from -1, to one that counts from 0.
 fn from_zero(index: i64, known: usize) -> Option<usize> {
     let from_zero = if index > 0 {
         index - 1

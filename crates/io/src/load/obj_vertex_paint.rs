@@ -1,37 +1,37 @@
-//! Colours of an OBJ: `vt`, the texture indices of faces, and vertex colours after the coordinates of `v`, as scanners write them.
+//! OBJ colours: `vt`, the texture indices of faces, and vertex colours after the coordinates of `v`, as scanners write them.
 
 use cutaway::scene::VertexPaint;
 use glam::{Vec2, Vec3};
 
 use super::painted::{Paint, PaintedTriangle, vertex_paint};
 
-/// In the place of an index: there is none.
+/// Marks a missing index.
 const NONE: u32 = u32::MAX;
 
-/// Read so far.
+/// Paint data read so far.
 #[derive(Debug, Default)]
 pub(super) struct ObjVertexPaint {
-    /// Places in images, (0, 0) the upper left.
+    /// Texture coordinates; (0, 0) is the upper left.
     pub(super) places: Vec<Vec2>,
-    /// Index into `places` for each corner, resolved at the end because a face may precede them.
+    /// Index into `places` for each corner, resolved at the end because a face may precede its texture coordinates.
     place_of_corner: Vec<[u32; 3]>,
-    /// By vertex; empty until one has a colour.
+    /// Colour per vertex; empty until a vertex has a colour.
     colors: Vec<Option<Vec3>>,
-    /// The greatest channel of all: some programs write 0 to 255.
+    /// Largest channel value of all colours: some programs write 0 to 255.
     greatest: f32,
 }
 
 impl ObjVertexPaint {
-    /// A `vt`. What is no number is 0: it only paints.
+    /// Adds a `vt`. An unparsable coordinate becomes 0, because it affects only the paint.
     pub(super) fn place(&mut self, rest: &str) {
         let mut numbers = rest.split_ascii_whitespace().map(|word| word.parse().ok());
         let mut next = || numbers.next().flatten().filter(|n: &f32| n.is_finite());
         let (u, v) = (next().unwrap_or(0.0), next().unwrap_or(0.0));
-        // Upwards in the file, downwards in rows of texels.
+        // V points up in the file, and down in rows of texels.
         self.places.push(Vec2::new(u, 1.0 - v));
     }
 
-    /// The colour of the vertex of this number, if three numbers follow its coordinates.
+    /// Adds the colour of the vertex with this index, if three numbers follow its coordinates.
     pub(super) fn color(&mut self, vertex: usize, rest: &str) {
         let numbers: Vec<f32> = (rest.split_ascii_whitespace().skip(3))
             .map_while(|word| word.parse().ok())
@@ -44,13 +44,13 @@ impl ObjVertexPaint {
         }
     }
 
-    /// The corners of a triangle, by the texture indices of its face.
+    /// Adds the corners of a triangle, with the texture indices of its face.
     pub(super) fn corners(&mut self, places: [Option<u32>; 3]) {
         self.place_of_corner
             .push(places.map(|place| place.unwrap_or(NONE)));
     }
 
-    /// The vertex paint of triangles of these groups.
+    /// Builds the vertex paint of the triangles of these groups.
     pub(super) fn finish(
         &self,
         triangles: &[[u32; 3]],
@@ -75,7 +75,7 @@ impl ObjVertexPaint {
     }
 }
 
-/// All three, if all are there.
+/// All three values, if none is missing.
 fn all<T>([a, b, c]: [Option<T>; 3]) -> Option<[T; 3]> {
     Some([a?, b?, c?])
 }

@@ -1,4 +1,4 @@
-//! Vertex paints from what files say of corners and materials: the same for OBJ and glTF.
+//! Vertex paint from the corner and material attributes of a file; shared by OBJ and glTF.
 
 use std::sync::Arc;
 
@@ -8,13 +8,13 @@ use cutaway::scene::{
 };
 use glam::{Vec2, Vec3};
 
-/// The colour of a group of triangles, and the image that it is multiplied with.
+/// The colour of a group of triangles, and the image that it multiplies.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Paint {
-    /// sRGB; `None` is white under an image or colours of vertices, and the usual colour elsewhere.
+    /// sRGB; `None` means white if there is an image or vertex colours, and the default colour otherwise.
     pub(super) color: Option<Vec3>,
     pub(super) image: Option<Arc<Texture>>,
-    /// True if it transmits light.
+    /// True if the group transmits light.
     pub(super) is_transparent: bool,
 }
 
@@ -23,13 +23,13 @@ pub(super) struct Paint {
 pub(super) struct PaintedTriangle {
     /// Index of the group's [`Paint`].
     pub(super) group: u32,
-    /// Places in the image, (0, 0) its upper left.
+    /// Texture coordinates; (0, 0) is the upper left.
     pub(super) uv: Option<[Vec2; 3]>,
-    /// sRGB.
+    /// Corner colours in sRGB.
     pub(super) colors: Option<[Vec3; 3]>,
 }
 
-/// The vertex paint of a mesh; none where each group has one colour and there is but one.
+/// Builds the vertex paint of a mesh; `None` if all groups have the same plain colour.
 pub(super) fn vertex_paint(paints: &[Paint], triangles: &[PaintedTriangle]) -> Option<VertexPaint> {
     let has_images = paints.iter().any(|paint| paint.image.is_some());
     let has_colors = triangles.iter().any(|t| t.colors.is_some());

@@ -1,8 +1,8 @@
 //! Hatch patterns: the PAT files of drawing programs.
 //!
-//! `*NAME, description` begins a pattern; each line after it is a family of lines: angle, x and y of a point, distance along and across to
-//! the next line, then lengths of dashes, which are drawn where they are positive, dots where they are 0 and gaps where they are negative.
-//! What follows a `;` is a comment.
+//! `*NAME, description` begins a pattern; each line after it is a family of lines: angle, x and y of a point, offset along and across to
+//! the next line, then dash lengths: positive for dashes, 0 for dots and negative for gaps.
+//! A `;` begins a comment.
 
 use std::path::Path;
 
@@ -11,14 +11,14 @@ use cutaway::scene::{Dash, HatchPattern, LineFamily, MOST_STROKES};
 
 use super::without_mark;
 
-/// The most families of a pattern: a pixel asks for all of them.
+/// Maximum number of line families in a pattern: each pixel evaluates all of them.
 const MOST_FAMILIES: usize = 64;
 
-/// The patterns of a file by their names, in its order. What is wrong with one hinders no other.
+/// Returns the patterns of a file with their names, in file order. An invalid pattern does not affect the others.
 ///
 /// # Errors
 ///
-/// A file without patterns, or with lines before the first of them.
+/// A file without patterns, or with lines before its first pattern.
 pub fn read_patterns(path: &Path, bytes: &[u8]) -> Result<Vec<(String, Result<HatchPattern>)>> {
     let text = String::from_utf8_lossy(without_mark(bytes));
     let mut patterns: Vec<(String, Result<HatchPattern>)> = Vec::new();
@@ -71,7 +71,7 @@ pub fn read_patterns(path: &Path, bytes: &[u8]) -> Result<Vec<(String, Result<Ha
 
 fn family(line: &str) -> Result<LineFamily, String> {
     let fields = line.split(',').map(str::trim);
-    // A comma at the end is common.
+    // A trailing comma is common.
     let fields = fields.filter(|f| !f.is_empty());
     let numbers: Result<Vec<f64>, String> = fields
         .map(|f| match f.parse::<f64>() {

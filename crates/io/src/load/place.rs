@@ -1,11 +1,11 @@
-//! The place of a file by whichever words: absolute, without links and `..`, whether or not it exists yet.
+//! Canonical file paths: absolute, without links and `..`, whether or not the file exists yet.
 
 use std::fs;
 use std::path::{Component, Path, PathBuf};
 
-/// The place that a path leads to once the folders on its way are made: where `new` is no folder yet, `new/../a.stl` is `a.stl`.
+/// The canonical path of a file once its missing folders are created: if the folder `new` does not exist yet, `new/../a.stl` is `a.stl`.
 ///
-/// Two paths of one place are one file, but for hard links. A link that leads nowhere stays as it is.
+/// Two paths with the same canonical path are the same file; hard links are not detected. A link with a missing target is kept as it is.
 ///
 /// ```
 /// use cutaway_io::load::place_of;
@@ -16,11 +16,11 @@ pub fn place_of(path: &Path) -> PathBuf {
         return place;
     }
     let absolute = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
-    // What exists is followed through its links, what does not has none.
+    // An existing path is resolved through its links; a missing one has none.
     walked(&absolute, |place| fs::canonicalize(&place).unwrap_or(place))
 }
 
-/// A path without `.` and with `..` taken back, where each folder on the way may be another.
+/// Removes `.` and resolves `..` in a path; `follow` may replace each intermediate folder.
 pub(super) fn walked(path: &Path, follow: impl Fn(PathBuf) -> PathBuf) -> PathBuf {
     let mut place = PathBuf::new();
     for step in path.components() {

@@ -1,4 +1,4 @@
-//! Solids where their file puts them, and the parts that they become.
+//! Solids with their placement in the file, and the parts that they become.
 
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
@@ -8,7 +8,7 @@ use glam::{DAffine3, Vec3};
 
 use super::DraftSolid;
 
-/// A solid where the file puts it.
+/// A solid and its placement in the file.
 pub(super) struct Placed {
     pub(super) name: Option<String>,
     pub(super) color: Option<Vec3>,
@@ -36,11 +36,11 @@ impl Placed {
     }
 }
 
-/// One solid is named after the file, several after what the file calls them, made unique.
+/// A single solid is named after the file; several keep their names from the file, made unique.
 pub(super) fn parts_of(placed: Vec<Placed>, stem: &str) -> Vec<Part> {
     let alone = placed.len() == 1;
     let mut taken = HashSet::new();
-    // How often a name was wanted: thousands of parts may have one.
+    // Number of requests per name: thousands of parts may share one.
     let mut counts: HashMap<String, usize> = HashMap::new();
     let mut name_of = |given: Option<String>| {
         let wanted = match given.filter(|n| !alone && !n.trim().is_empty()) {

@@ -1,9 +1,9 @@
 //! STL, binary and ASCII. Corners are stored one by one; welding is left to the caller.
 //!
-//! A file is binary if its length is what its count says (84 + 50 n), whatever its first word: some exporters begin binary
-//! files with `solid`. Otherwise it is ASCII if it begins with `solid` and goes on as text, else a damaged binary file.
-//! Facet normals and attribute bytes are passed over: the corners say it all. ASCII is read word by word, whatever its lines are; names
-//! alone end with their lines.
+//! A file is binary if its length matches its triangle count (84 + 50 n), whatever its first word: some exporters begin binary
+//! files with `solid`. Otherwise it is ASCII if it begins with `solid` and continues as text, else a damaged binary file.
+//! Facet normals and attribute bytes are ignored: the corners define the facet. ASCII is read word by word, regardless of line breaks;
+//! only names end with their lines.
 
 use std::path::Path;
 
@@ -19,9 +19,9 @@ const HEADER_BYTES: usize = 84;
 const FACET_BYTES: usize = 50;
 const CUT_OFF: &str = "the file is cut off or damaged: export or download it again";
 
-/// Returns true if the length of `bytes` matches that of a binary file with their facet count.
+/// Returns true if `bytes` has the length of a binary file with its stated facet count.
 pub(super) fn is_binary(bytes: &[u8]) -> bool {
-    // Text read as a number of facets is too large for the product to fit where addresses have 32 bits.
+    // Text read as a facet count is so large that the product overflows on 32-bit targets.
     stated_facets(bytes).is_some_and(|n| {
         let length = n.checked_mul(FACET_BYTES);
         length.and_then(|l| l.checked_add(HEADER_BYTES)) == Some(bytes.len())
@@ -59,7 +59,7 @@ pub(super) fn read(path: &Path, bytes: &[u8], notes: &mut Vec<String>) -> Result
     ))
 }
 
-/// The count in the header of a binary file.
+/// The triangle count in the header of a binary file.
 fn stated_facets(bytes: &[u8]) -> Option<usize> {
     let count = bytes.get(HEADER_BYTES - 4..HEADER_BYTES)?;
     Some(u32::from_le_bytes(count.try_into().ok()?) as usize)
@@ -74,7 +74,7 @@ fn is_text(bytes: &[u8]) -> bool {
 fn binary(facets: &[u8]) -> Draft {
     let mut mesh = Mesh::default();
     for facet in facets.chunks_exact(FACET_BYTES) {
-        // Twelve bytes of normal first.
+        // The normal comes first: 12 bytes.
         let mut numbers = facet[12..48].chunks_exact(4).map(|b| {
             let number = b.first_chunk().map_or(f32::NAN, |b| f32::from_le_bytes(*b));
             f64::from(number)
@@ -97,7 +97,7 @@ fn push_triangle(mesh: &mut Mesh, corners: [DVec3; 3]) {
     mesh.triangles.push([first, first + 1, first + 2]);
 }
 
-/// The words that begin a statement of an ASCII file.
+/// The words that begin a statement in an ASCII file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Keyword {
     Solid,
@@ -127,7 +127,7 @@ impl Keyword {
     }
 }
 
-/// An ASCII file that is read word by word.
+/// An ASCII file, read word by word.
 struct Text<'a> {
     path: &'a Path,
     draft: Draft,
@@ -179,9 +179,9 @@ impl Text<'_> {
                     rest = self.statement(number, keyword, rest)?;
                 }
                 None if self.vertex.is_some() => self.coordinate(number, word)?,
-                // Numbers of normals, and words like `loop`, may stand anywhere.
+                // The numbers of normals and words such as `loop` may appear anywhere.
                 None if is_first && !is_passed_over(word) => {
-                    let what = format!("`{word}` is not a word of an ASCII STL");
+                    let what = format!("`{word}` is not an ASCII STL keyword");
                     return Err(self.error(number, what));
                 }
                 None => {}
@@ -191,7 +191,7 @@ impl Text<'_> {
         Ok(())
     }
 
-    /// Takes a statement in, and gives what is left of the line.
+    /// Processes a statement and returns the rest of its line.
     fn statement<'t>(&mut self, line: usize, keyword: Keyword, rest: &'t str) -> Result<&'t str> {
         match keyword {
             Keyword::Solid => {
@@ -206,7 +206,7 @@ impl Text<'_> {
             }
             Keyword::EndSolid => {
                 self.is_in_solid = false;
-                // The name, and on one line the next solid.
+                // The solid's name; the first facet may follow on the same line.
                 let (name, facets) = before_facet(rest);
                 let next = name.to_ascii_lowercase().rfind("solid ");
                 return Ok(match next {
@@ -261,7 +261,7 @@ fn is_passed_over(word: &str) -> bool {
     word.eq_ignore_ascii_case("normal") || word.eq_ignore_ascii_case("loop") || is_number()
 }
 
-/// A text up to its first facet, and from there on: a name is all of its line, but for facets behind it.
+/// Splits a text at its first facet: a name extends to the end of its line, or to a facet on the same line.
 fn before_facet(text: &str) -> (&str, &str) {
     let mut rest = text;
     while let Some((word, behind)) = first_word(rest) {

@@ -1,18 +1,18 @@
-//! Motion of welded vertices: they follow the first of them.
+//! Motion of welded vertices: each follows the first vertex of its group.
 //!
-//! Files that split vertices for normals or textures give the pieces the same motion, to a rounding. Where they do not, the
-//! seam would tear open in motion; it stays closed, and a note says that its vertices do not go where the file says.
+//! Files that split vertices for normals or textures give the copies the same motion, up to rounding. Where the motions differ, the
+//! seam would tear open; it stays closed, and a note reports that its vertices do not follow the file.
 
 use cutaway::scene::weld::thousands;
 use cutaway::scene::{Mesh, Motion};
 
-/// Weights that differ by less are the same.
+/// Weights that differ by less are considered equal.
 const SAME_WEIGHT: f64 = 1e-4;
 
-/// Displacements that differ by less are the same, as a share of the mesh's diagonal.
+/// Displacements that differ by less are considered equal, as a share of the mesh's diagonal.
 const SAME_DISPLACEMENT: f64 = 1e-6;
 
-/// The motion of a welded mesh. `mesh` and `motion` are those before welding.
+/// Computes the motion of a welded mesh. `mesh` and `motion` are those before welding.
 pub(super) fn motion(
     mesh: &Mesh,
     motion: &Motion,
@@ -43,7 +43,7 @@ pub(super) fn motion(
         .count();
     if astray > 0 {
         notes.push(format!(
-            "{} vertices move otherwise than those they were welded to, which they follow now",
+            "{} vertices move otherwise than those they were welded to; they now follow them",
             thousands(astray)
         ));
     }

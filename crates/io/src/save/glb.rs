@@ -1,9 +1,9 @@
-//! Binary glTF 2.0: a node for each solid, whose mesh has a primitive for faces and one for caps, on the same vertices; faces that have
-//! colours or images of their own have vertices of their own, and a primitive for each image.
+//! Binary glTF 2.0: a node for each solid, whose mesh has a primitive for faces and one for caps, which share vertices; faces with
+//! their own colours or images have separate vertices, and a primitive for each image.
 //!
-//! Without normals viewers shade each triangle flat, by the specification. Units and axes are those of the model; the format means metres,
-//! and +Y up. The mesh of a solid farther from the origin than [`FAR_FROM_ORIGIN`] of its sizes is around the origin of its node, whose
-//! translation readers hold in f64 or in f32: so its shape does not depend on where it stands.
+//! Without normals viewers shade each triangle flat, as the specification requires. Units and axes are the model's; the format defines
+//! metres and +Y up. If a solid is farther from the origin than [`FAR_FROM_ORIGIN`] times its size, its mesh is relative to its node,
+//! whose translation readers keep in f64 or in f32, so that its shape does not depend on its position.
 
 use std::collections::BTreeMap;
 
@@ -78,10 +78,10 @@ pub(super) fn encoded(solids: &[Solid<'_>]) -> Result<Vec<u8>, Unwritable> {
     Ok(file)
 }
 
-/// So many of its sizes from the origin a mesh loses four of the 24 bits of f32.
+/// Distance from the origin, in multiples of the mesh's size, at which f32 coordinates lose four of their 24 bits.
 const FAR_FROM_ORIGIN: f64 = 16.0;
 
-/// The point that is the origin of the node of a mesh: that of the world, but far from it the middle of the mesh.
+/// The origin of a mesh's node: the world origin, or the middle of the mesh if that is far away.
 pub(super) fn origin(mesh: &Mesh) -> DVec3 {
     let bounds = mesh.bounds();
     let farthest = bounds.min.abs().max(bounds.max.abs()).max_element();
@@ -91,20 +91,20 @@ pub(super) fn origin(mesh: &Mesh) -> DVec3 {
     }
 }
 
-/// Triangles that have one material.
+/// Triangles with the same material.
 struct Group {
     name: String,
-    /// Numbers of triangles of the solid.
+    /// Indices of triangles in the solid.
     triangles: Vec<usize>,
-    /// Linear.
+    /// Linear RGB.
     color: [f32; 3],
-    /// The number of their image among all.
+    /// Index of the group's image among all images.
     image: Option<usize>,
     /// True if corners have colours or texture coordinates.
     is_textured: bool,
 }
 
-/// Faces of a solid, which is one of several, by their images, then caps.
+/// The faces of solid number `index`, grouped by image, followed by its caps.
 fn groups(solid: &Solid<'_>, index: usize, images: &Images) -> Vec<Group> {
     let linear = |color: Vec3| {
         color
@@ -142,7 +142,7 @@ fn groups(solid: &Solid<'_>, index: usize, images: &Images) -> Vec<Group> {
     groups
 }
 
-/// A corner of a painted triangle: its vertex, its colour, and the bits of its place in an image.
+/// A corner of a painted triangle: its vertex, its colour, and the bits of its texture coordinate.
 type TexturedCorner = (u32, [u8; 4], [u32; 2]);
 
 impl Draft {
@@ -192,7 +192,7 @@ impl Draft {
             .push(json!({ "name": solid.name, "primitives": primitives }));
     }
 
-    /// The attributes of painted triangles, and their corners: a vertex for all that is unlike in one place.
+    /// The attributes of painted triangles, and their corners: one vertex per distinct combination at a position.
     fn textured(
         &mut self,
         group: &Group,
@@ -243,7 +243,7 @@ impl Draft {
         (attributes, indices)
     }
 
-    /// The accessor of some positions.
+    /// Adds positions and returns their accessor.
     fn positions(&mut self, positions: &[Vec3]) -> usize {
         let numbers: Vec<[f32; 3]> = positions.iter().map(Vec3::to_array).collect();
         let extreme = |of: fn(f32, f32) -> f32, start: f32| {
@@ -275,7 +275,7 @@ impl Draft {
         self.materials.len() - 1
     }
 
-    /// Puts bytes of any kind into the buffer.
+    /// Adds bytes of any kind to the buffer.
     fn packed(&mut self, bytes: &[u8]) -> usize {
         let offset = self.bytes.len();
         self.bytes.extend_from_slice(bytes);
@@ -285,7 +285,7 @@ impl Draft {
         self.views.len() - 1
     }
 
-    /// Puts numbers of four bytes into the buffer.
+    /// Adds four-byte numbers to the buffer.
     fn view<T: Copy>(&mut self, numbers: &[T], to_bytes: fn(T) -> [u8; 4], target: u32) -> usize {
         let offset = self.bytes.len();
         self.bytes.extend(numbers.iter().flat_map(|n| to_bytes(*n)));

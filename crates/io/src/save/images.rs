@@ -1,6 +1,6 @@
-//! The images that the faces of some solids show, each once, as PNGs.
+//! The images shown by the faces of some solids, each once, as PNGs.
 //!
-//! Cost: a pass over the painted triangles, and the packing of each image at its full size.
+//! Cost: a pass over the painted triangles, and the PNG encoding of each image at full size.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -12,10 +12,10 @@ use image::{ExtendedColorType, ImageEncoder};
 
 use super::solid::{Solid, Unwritable};
 
-/// Images by their numbers, in the order in which faces show them first.
+/// Numbered images, in the order of their first use by a face.
 pub(super) struct Images {
     all: Vec<Arc<Texture>>,
-    /// For each solid and each image of its vertex paint its number; none where no face shows it.
+    /// Number of each image of each solid's vertex paint; `None` if no face shows it.
     numbers: Vec<Vec<Option<usize>>>,
 }
 
@@ -43,12 +43,12 @@ impl Images {
         self.all.len()
     }
 
-    /// The number of the image of a face of a solid, where it has one.
+    /// The number of the image on a face of a solid, if it has one.
     pub(super) fn number(&self, solid: usize, face: &TexturedTriangle) -> Option<usize> {
         self.numbers[solid][face.image? as usize]
     }
 
-    /// The faces of a solid, which is one of several, by the numbers of their images; those without come first.
+    /// The faces of solid number `index`, grouped by image number; those without an image come first.
     pub(super) fn faces(
         &self,
         index: usize,
@@ -62,7 +62,7 @@ impl Images {
         faces
     }
 
-    /// The bytes of each as a PNG.
+    /// Each image as the bytes of a PNG.
     pub(super) fn pngs(&self) -> Result<Vec<Vec<u8>>, Unwritable> {
         self.all.iter().map(|image| png(image)).collect()
     }
@@ -74,22 +74,22 @@ impl Images {
     }
 }
 
-/// A place in an image as a key.
+/// The bits of a texture coordinate, for use as a key.
 pub(super) fn bits(place: Vec2) -> [u32; 2] {
     place.to_array().map(f32::to_bits)
 }
 
-/// A place in an image as most formats have it: upwards, where rows of texels go down.
+/// Converts a texture coordinate to the convention of most formats, with V up; rows of texels go down.
 pub(super) fn upwards(place: Vec2) -> [f64; 2] {
     [f64::from(place.x), 1.0 - f64::from(place.y)]
 }
 
-/// The name of the file of an image, as formats of lines can hold it.
+/// File name of an image, safe for line-based formats.
 pub(super) fn file_name(stem: &str, number: usize) -> String {
     format!("{}.{number}.png", word_of(stem))
 }
 
-/// Text as one word of a line: without blanks, without what begins a comment or goes on in the next line, and no option.
+/// Turns text into one word: without blanks, comment characters or line continuations, and not mistakable for an option.
 pub(super) fn word_of(text: &str) -> String {
     let is_plain = |c: char| !(c.is_whitespace() || c.is_control() || c == '#' || c == '\\');
     let word = text.chars().map(|c| if is_plain(c) { c } else { '_' });

@@ -1,21 +1,21 @@
-//! Meshes become files: STL and PLY (binary), OBJ with MTL, GLB and 3MF. So do [sections](section): SVG, DXF and JSON.
+//! Mesh files: STL and PLY (binary), OBJ with MTL, GLB and 3MF; and files of [sections](section): SVG, DXF and JSON.
 //!
-//! What is written is closed where the mesh is. Every vertex is rounded once, wherever it occurs, and triangles that have a corner twice
-//! afterwards are left out: both change which vertices are one, and nothing about which edges are closed. OBJ, PLY and 3MF hold the
-//! f64s of the mesh; STL and GLB hold f32, which moves a vertex by up to 6e-8 of its largest coordinate ([`rounding`]). In GLB a solid
-//! that is far from the origin for its size lies around the origin of its own node. No axis is turned: a mesh has the axes of its model, +Z
-//! up or +Y.
+//! The output is closed if the mesh is. Every vertex is rounded once, wherever it occurs, and triangles in which two corners then
+//! coincide are left out: both may merge vertices, but do not change which edges are closed. OBJ, PLY and 3MF hold the
+//! mesh's f64 values; STL and GLB hold f32, which moves a vertex by up to 6e-8 of its largest coordinate ([`rounding`]). In GLB a solid
+//! that is far from the origin for its size is relative to the origin of its own node. Axes are not rotated: a mesh keeps its model's axes,
+//! +Z or +Y up.
 //!
 //! | format | parts | names | colours | caps |
 //! |---|---|---|---|---|
 //! | STL | one after the other | no | no | no |
-//! | PLY | `part` of each face | comments | of each face, of vertices where vertices have some, images | `cap` of each face |
-//! | OBJ | `o` | yes | MTL, images, and behind the coordinates of vertices that have some | a group `NAME_cap` with a material of its own |
-//! | GLB | nodes | yes | materials, vertices, images | a primitive with a material of its own |
-//! | 3MF | objects | yes | base materials, colours of corners, images | triangles with a base material of their own |
+//! | PLY | `part` per face | comments | per face, per vertex if vertices have colours, images | `cap` per face |
+//! | OBJ | `o` | yes | MTL, images, and vertex colours after the coordinates | a group `NAME_cap` with its own material |
+//! | GLB | nodes | yes | materials, vertices, images | a primitive with its own material |
+//! | 3MF | objects | yes | base materials, corner colours, images | triangles with their own base material |
 //!
-//! Where vertices have colours, GLB, PLY and OBJ have a vertex for each colour that corners have in one place: readers join them by their
-//! places. Images are PNGs: within GLB and 3MF, in separate files for PLY and OBJ. [`leaves_out`] names the data that a format cannot hold.
+//! If vertices have colours, GLB, PLY and OBJ have one vertex per distinct corner colour at a position: readers merge them by
+//! position. Images are PNGs: embedded in GLB and 3MF, separate files for PLY and OBJ. [`leaves_out`] names data that a format cannot hold.
 //!
 //! Cost: one pass over the triangles, and the files in memory.
 
@@ -51,7 +51,7 @@ pub enum Format {
 }
 
 impl Format {
-    /// All, by the extensions of their files.
+    /// All formats, by file extension.
     pub const BY_EXTENSION: [(&'static str, Self); 5] = [
         ("stl", Self::Stl),
         ("ply", Self::Ply),
@@ -60,7 +60,7 @@ impl Format {
         ("3mf", Self::ThreeMf),
     ];
 
-    /// The format of an extension, in letters of any case.
+    /// Returns the format for a file extension, ignoring case.
     pub fn of_extension(extension: &str) -> Option<Self> {
         let mut all = Self::BY_EXTENSION.iter();
         let found = all.find(|(known, _)| extension.eq_ignore_ascii_case(known));
@@ -79,7 +79,7 @@ impl Format {
     }
 }
 
-/// A file of some solids, which is called `stem` but for its extension. Only 3MF says the unit.
+/// Encodes solids as a file named `stem` plus the extension. Only 3MF states the unit.
 ///
 /// # Errors
 ///
@@ -104,8 +104,8 @@ pub fn encoded(
     }
 }
 
-/// The largest distance by which a vertex moves along an axis when it is written in a format, in units of the model; none in those that
-/// hold the f64s.
+/// The largest distance by which writing a format moves a vertex along an axis, in model units; `None` for formats that
+/// hold f64.
 pub fn rounding(format: Format, solids: &[Solid<'_>]) -> Option<f64> {
     let origin = |solid: &Solid<'_>| match format {
         Format::Stl => Some(DVec3::ZERO),
@@ -130,14 +130,14 @@ pub fn leaves_out(format: Format, solids: &[Solid<'_>]) -> Option<&'static str> 
     match format {
         Format::Glb | Format::Ply | Format::Obj => None,
         Format::Stl => (vertex_paints.next().is_some()).then_some("colours of vertices and images"),
-        // Where both are, images count.
+        // If there are both, the images are written.
         Format::ThreeMf => (vertex_paints
             .any(|vertex_paint| vertex_paint.triangles.iter().any(are_both)))
         .then_some("colours of vertices under the images"),
     }
 }
 
-/// The bytes of a PLY file of a mesh alone, without a name and without colours, as [`load`](crate::load) reads it back to the last bit.
+/// The bytes of a PLY file with only a mesh, without name and colours; [`load`](crate::load) reads it back bit-exactly.
 pub fn plain_ply(mesh: &Mesh) -> Vec<u8> {
     ply::plain(mesh)
 }

@@ -1,7 +1,7 @@
-//! Wavefront OBJ: an object for each solid, a group for its faces and one for its caps, and their materials in a library; a material for
-//! each image, which lies in the same folder.
+//! Wavefront OBJ: an object for each solid, with a group for its faces and one for its caps, and their materials in a library; a
+//! material for each image, whose file is in the same folder.
 //!
-//! Numbers are as short as they can be read back from. Names are words ([`word_of`]), of parts and materials no two alike.
+//! Numbers have the fewest digits that read back exactly. Names are single words ([`word_of`]), unique among parts and among materials.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
@@ -27,7 +27,7 @@ pub(super) fn encoded(solids: &[Solid<'_>], stem: &str) -> Result<Encoded, Unwri
     })
 }
 
-/// The name of the material library of a file.
+/// File name of the material library.
 pub(super) fn library_name(stem: &str) -> String {
     format!("{}.mtl", word_of(stem))
 }
@@ -85,7 +85,7 @@ fn text(solids: &[Solid<'_>], images: &Images, names: &Names, stem: &str) -> Str
     text
 }
 
-/// Places in images, each written once, before the first face that names it.
+/// Texture coordinates, each written once, before the first face that uses it.
 #[derive(Default)]
 struct Places(BTreeMap<[u32; 2], usize>);
 
@@ -110,7 +110,7 @@ fn library(solids: &[Solid<'_>], names: &Names, stem: &str) -> String {
         }
     };
     for (solid, name) in solids.iter().zip(&names.solids) {
-        // Colours of vertices are taken times those of materials.
+        // Readers multiply vertex colours by material colours.
         let plain = |color| if solid.has_colors() { Vec3::ONE } else { color };
         put(name, plain(solid.color), None);
         put(&cap_of(name), plain(solid.cap_color), None);
@@ -125,11 +125,11 @@ fn cap_of(name: &str) -> String {
     format!("{name}_cap")
 }
 
-/// Names without blanks, no two alike, nor like the cap of another.
+/// Names without blanks, all different from each other and from the names of caps.
 struct Names {
-    /// Names of solids and of the materials of their faces.
+    /// Names of solids, also used for their face materials.
     solids: Vec<String>,
-    /// Names of the materials with images.
+    /// Names of the materials that have images.
     images: Vec<String>,
 }
 

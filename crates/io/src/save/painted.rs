@@ -1,7 +1,7 @@
-//! The colours that a surface has besides that of its part, on the faces of a half.
+//! Surface colours other than the part colour, for the faces of a half.
 //!
-//! Where a face was divided, what its corners have lies between the corners of the triangle that it was: colours in linear light, as
-//! pictures are drawn.
+//! Where a face was divided, corner attributes are interpolated between the corners of the original triangle: colours in linear light, as
+//! in rendering.
 
 use std::collections::BTreeMap;
 
@@ -13,7 +13,7 @@ use glam::{DVec3, Vec3};
 
 use super::solid::Solid;
 
-/// The vertex paint of the faces of a half; none of a part that has none or is painted over.
+/// The vertex paint of the faces of a half; `None` if the part has none or is painted over.
 pub(super) fn vertex_paint_of(part: &Part, half: &Half) -> Option<VertexPaint> {
     let vertex_paint = part.mesh.vertex_paint.as_ref();
     let vertex_paint = vertex_paint.filter(|_| !part.material.is_painted_over)?;
@@ -37,7 +37,7 @@ pub(super) fn vertex_paint_of(part: &Part, half: &Half) -> Option<VertexPaint> {
     })
 }
 
-/// Weight of each corner of a triangle at a point in it.
+/// Weight of each corner of a triangle at a point inside it.
 fn shares(corners: [DVec3; 3], at: DVec3) -> [f32; 3] {
     if let Some(corner) = corners.iter().position(|c| *c == at) {
         return [0, 1, 2].map(|i| f32::from(u8::from(i == corner)));
@@ -81,7 +81,7 @@ pub(super) struct ColoredVertex {
     pub(super) color: [u8; 4],
 }
 
-/// The mesh of a solid with one colour for each vertex: where corners in one place have unlike colours, a vertex for each.
+/// The mesh of a solid with one colour per vertex: if corners at one position differ in colour, each colour gets its own vertex.
 pub(super) fn by_vertex(solid: &Solid<'_>) -> (Vec<ColoredVertex>, Vec<[u32; 3]>) {
     let [own, cap] = [solid.color, solid.cap_color].map(|color| {
         let [r, g, b] = super::solid::bytes_of(color);

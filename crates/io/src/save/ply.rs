@@ -1,6 +1,6 @@
-//! Binary PLY, little-endian: vertices as `double`, faces with their colour, the number of their part, and whether they are a cap; and
-//! where faces show images, `texcoord` and `texnumber` of each face and a comment `TextureFile` for each image, as MeshLab has them, with
-//! -1 as the number of faces without. [`plain`] writes none of this, for meshes that have no look of their own.
+//! Binary PLY, little-endian: vertices as `double`, faces with their colour, the number of their part, and a flag for caps; and
+//! if faces show images, `texcoord` and `texnumber` for each face and a comment `TextureFile` for each image, as in MeshLab; faces without
+//! an image have -1 as their number. [`plain`] writes only positions and triangles, for meshes without an appearance.
 
 use cutaway::scene::Mesh;
 use glam::{DVec3, Vec2};
@@ -9,10 +9,10 @@ use super::images::{Images, file_name, upwards};
 use super::painted::{ColoredVertex, by_vertex};
 use super::solid::{Encoded, Solid, Unwritable, bytes_of};
 
-/// The properties of a colour.
+/// Properties that hold a colour.
 const COLOR: &str = "property uchar red\nproperty uchar green\nproperty uchar blue\n";
 
-/// The properties of a face that shows an image.
+/// Properties of a face with an image.
 const PLACE: &str = "property list uchar float texcoord\nproperty int texnumber\n";
 
 pub(super) fn encoded(solids: &[Solid<'_>], stem: &str) -> Result<Encoded, Unwritable> {
@@ -94,7 +94,7 @@ fn mean(corners: [[u8; 4]; 3]) -> [u8; 3] {
     [0, 1, 2].map(|i| (corners.map(|c| u32::from(c[i])).iter().sum::<u32>() / 3) as u8)
 }
 
-/// A mesh alone.
+/// Encodes a mesh without name and colours.
 pub(super) fn plain(mesh: &Mesh) -> Vec<u8> {
     let (vertices, faces) = (mesh.positions.len(), mesh.triangles.len());
     let mut bytes = header("", [vertices, faces], ["", ""]).into_bytes();

@@ -1,4 +1,4 @@
-//! Input and output of the writers: solids and their colours, and encoded files.
+//! Data types of the writers: solids with their colours, and encoded files.
 
 use cutaway::scene::{Mesh, Part, TexturedTriangle, VertexPaint};
 use cutaway::slice::Half;
@@ -6,14 +6,14 @@ use glam::Vec3;
 
 use super::painted;
 
-/// A solid that is to be written.
+/// A solid to be written.
 #[derive(Clone, Debug)]
 pub struct Solid<'a> {
     /// Its name.
     pub name: &'a str,
     /// Colour of its faces, sRGB in 0..=1.
     pub color: Vec3,
-    /// Colours and images of its faces in addition, if it has some.
+    /// Additional colours and images of its faces, if it has any.
     pub vertex_paint: Option<VertexPaint>,
     /// Colour of its caps.
     pub cap_color: Vec3,
@@ -24,7 +24,7 @@ pub struct Solid<'a> {
 }
 
 impl<'a> Solid<'a> {
-    /// A half of a part, in the colours of the part.
+    /// One half of a part, in the part's colours.
     pub fn of(part: &'a Part, half: &'a Half) -> Self {
         Self {
             name: &part.name,
@@ -36,7 +36,7 @@ impl<'a> Solid<'a> {
         }
     }
 
-    /// The colours and images of a face; none of a cap, nor where the solid has none.
+    /// The colours and images of a face; `None` for a cap, or if the solid has none.
     pub(super) fn face(&self, triangle: usize) -> Option<&TexturedTriangle> {
         self.vertex_paint.as_ref()?.triangles.get(triangle)
     }
@@ -51,12 +51,12 @@ impl<'a> Solid<'a> {
     }
 }
 
-/// A mesh file, and the files that it names.
+/// A mesh file with its companion files.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Encoded {
     /// Its bytes.
     pub file: Vec<u8>,
-    /// Names and bytes of the files that belong in the same folder, of those that [`Format::beside`](super::Format::beside) names.
+    /// Names and bytes of the companion files for the same folder, a subset of those that [`Format::beside`](super::Format::beside) names.
     pub beside: Vec<(String, Vec<u8>)>,
 }
 
@@ -67,33 +67,33 @@ impl Encoded {
     }
 }
 
-/// Why solids cannot be written in a format.
+/// Reason why solids cannot be written in a format.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Unwritable {
-    /// No triangle is left: there is none, or all have corners that are one in f32.
-    #[error("the numbers of the format are so coarse that no triangle is left of it")]
+    /// No triangle remains: there are none, or all have corners that coincide in f32.
+    #[error("no triangle is left at the format's precision")]
     Collapsed,
-    /// Coordinates beyond what f32 holds, 3.4e38.
-    #[error("the format has coordinates of 32 bits, and some are too large for that")]
+    /// Coordinates beyond the f32 range of 3.4e38.
+    #[error("some coordinates are too large for the format's 32 bits")]
     Infinite,
-    /// Sizes and counts are numbers of 32 bits.
+    /// Sizes or counts exceed 32 bits.
     #[error("the format holds at most 4 GiB")]
     TooLarge,
-    /// An image could not be packed.
+    /// An image could not be encoded.
     #[error("an image of it cannot be written: {0}")]
     Image(String),
-    /// The archive of 3MF could not be made.
-    #[error("its archive cannot be made: {0}")]
+    /// The 3MF archive could not be created.
+    #[error("its archive cannot be created: {0}")]
     Archive(String),
 }
 
-/// The corners of a triangle in f32; none where two of them are one.
+/// The corners of a triangle in f32; `None` if two of them coincide.
 pub(super) fn rounded(positions: &[Vec3], triangle: &[u32; 3]) -> Option<[Vec3; 3]> {
     let [a, b, c] = triangle.map(|i| positions[i as usize]);
     (a != b && b != c && c != a).then_some([a, b, c])
 }
 
-/// A colour of three bytes.
+/// Converts a colour to three bytes.
 pub(super) fn bytes_of(color: Vec3) -> [u8; 3] {
     color
         .to_array()

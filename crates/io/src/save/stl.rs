@@ -1,6 +1,6 @@
-//! Binary STL: fifty bytes a triangle, its normal and its corners in f32.
+//! Binary STL: fifty bytes per triangle, with its normal and corners in f32.
 //!
-//! A normal is computed from the rounded corners, and is 0 where they have no area.
+//! A normal is computed from the rounded corners, and is 0 for a triangle without area.
 
 use glam::Vec3;
 

@@ -1,7 +1,7 @@
-//! 3MF, core specification 1.3 and materials extension 1.2: an object for each solid, base materials for faces and for caps, a group of
-//! colours for corners that have some, and images with a group of places in each.
+//! 3MF, core specification 1.3 and materials extension 1.2: an object for each solid, base materials for faces and for caps, a colour
+//! group for corner colours, and images with a group of texture coordinates each.
 //!
-//! A triangle has one property: where colours of corners lie under an image, the image is written.
+//! A triangle has one property: where corner colours lie under an image, the image is written.
 
 use std::collections::BTreeSet;
 use std::fmt::Write;
@@ -19,7 +19,7 @@ const CONTENT_TYPES: &str = r#"<?xml version="1.0" encoding="UTF-8"?>
 /// Path of the model in the package.
 const MODEL: &str = "3D/3dmodel.model";
 
-/// A part of the package that leads to others, which are of one kind.
+/// A relationships part of the package that names targets of one kind.
 fn relationships(targets: impl Iterator<Item = String>, kind: &str) -> String {
     let mut text = r#"<?xml version="1.0" encoding="UTF-8"?>
 <Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships">"#
@@ -34,13 +34,13 @@ fn relationships(targets: impl Iterator<Item = String>, kind: &str) -> String {
     text + "</Relationships>\n"
 }
 
-/// The number of the materials among the resources.
+/// Resource number of the base materials.
 const MATERIALS: usize = 1;
 
-/// The number of the colours of corners among the resources; two for each image follow, then objects.
+/// Resource number of the corner colours; two numbers for each image follow, then the objects.
 const COLORS: usize = 2;
 
-/// All colours of corners without an image, each once.
+/// All corner colours without an image, each once.
 struct Colors(Vec<[u8; 4]>);
 
 impl Colors {
@@ -71,7 +71,7 @@ impl Colors {
     }
 }
 
-/// The images, and for each all places of corners in it, each once.
+/// The images, and all corner texture coordinates in each image, each once.
 struct Textures {
     images: Images,
     places: Vec<Vec<[u32; 2]>>,
@@ -97,7 +97,7 @@ impl Textures {
         Self { images, places }
     }
 
-    /// The number of an image among the resources, and that of its places.
+    /// The resource numbers of an image and of its texture coordinates.
     fn resources(image: usize) -> [usize; 2] {
         [1, 2].map(|i| COLORS + 2 * image + i)
     }
@@ -106,7 +106,7 @@ impl Textures {
         COLORS + 2 * self.images.count() + 1
     }
 
-    /// The places of a face of a solid: the number of its group, and one for each corner.
+    /// The texture coordinates of a face of a solid: the number of its group, and one index for each corner.
     fn property(&self, solid: usize, face: &TexturedTriangle) -> Option<(usize, [usize; 3])> {
         let image = self.images.number(solid, face)?;
         let places = &self.places[image];
@@ -229,7 +229,7 @@ fn model(solids: &[Solid<'_>], textures: &Textures, unit: &str) -> String {
     text
 }
 
-/// Text as a value of an attribute.
+/// Escapes text for an attribute value.
 fn escaped(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for c in text.chars().filter(|c| !c.is_control()) {

@@ -1,4 +1,4 @@
-//! ZIP archives of a few packed files: what an Open Packaging container needs. The same input gives the same bytes.
+//! ZIP archives of a few compressed files: what an Open Packaging container needs. The same input gives the same bytes.
 
 use std::io::{Cursor, Write};
 
@@ -6,7 +6,7 @@ use zip::result::ZipResult;
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, DateTime, ZipWriter};
 
-/// An archive of files by their names.
+/// Builds an archive of named files.
 pub(super) fn archive(files: &[(&str, &[u8])]) -> ZipResult<Vec<u8>> {
     let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
     for (name, bytes) in files {

@@ -1,22 +1,22 @@
 //! Search for the marked pixels of a frame that may be wrong.
 //!
-//! A strategy marks the pixels along whose rays the crossings of a mesh do not tell inside from outside. Only caps depend on
-//! that: whether a surface is kept is decided by the clip-surfaces alone. So a marked pixel **may be wrong** if its ray passes from
-//! what is removed to what is kept within the bounds of a part that is cut, no farther away than what the pixel shows, or if it
-//! begins within them at a near plane that makes caps. The others show what they would show whatever is inside.
+//! A strategy marks pixels where the crossings of ray and mesh do not tell inside from outside. Only caps depend on that:
+//! whether a surface is kept is decided by the clip-surfaces alone. So a marked pixel **may be wrong** if its ray passes from
+//! the removed to the kept side within the bounds of a cut part, no farther away than what the pixel shows, or if it
+//! starts within these bounds at a near plane that makes caps. Other marked pixels show the same whatever counts as inside.
 //!
-//! Reliefs are taken for the slab that their heights fill and cutters for their bounds, so that the answer is never no where it
-//! should be yes.
+//! The test is conservative: it replaces a relief by the slab between its lowest and highest heights, and a cutter by its
+//! bounds, so that the answer is never no where it should be yes.
 
 use cutaway::layers::{Layer, Layers};
 use cutaway::scene::{Bounds, Prepared, PreparedPart, PreparedSurface, View};
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 
-/// Depths are compared with so much room, as a share: those of frames are f32.
+/// Relative tolerance of depth comparisons: the depths of frames are f32.
 const SLACK: f64 = 1e-4;
 
-/// From one depth to another along a ray; there is none where the first is greater.
+/// Interval of depths along a ray; empty where the first is greater than the second.
 type Stretch = [f64; 2];
 
 const EVERYWHERE: Stretch = [f64::NEG_INFINITY, f64::INFINITY];
@@ -30,7 +30,7 @@ fn is_nowhere(stretch: Stretch) -> bool {
     stretch[0] > stretch[1]
 }
 
-/// For each pixel, whether it is marked and may be wrong.
+/// Per pixel: true if it is marked and may be wrong.
 pub fn may_be_wrong(layers: &Layers, prepared: &Prepared, view: &View) -> Vec<bool> {
     let width = layers.size_px[0] as usize;
     let pixels = layers.pixels.par_iter().enumerate();
@@ -73,14 +73,14 @@ fn leaves_what_is_removed(
         if is_nowhere(surely) {
             return !is_nowhere(both(perhaps, seen));
         }
-        // Where a relief begins, the ray may pass through one of its bumps.
+        // Where the slab of a relief begins, the ray may pass through one of its bumps.
         let bumps = [perhaps[0], surely[0]];
         let passes_bumps = bumps[0] < bumps[1] && !is_nowhere(both(bumps, seen));
         passes_bumps || !is_nowhere(both([surely[1], perhaps[1]], seen))
     })
 }
 
-/// Stretches of a ray that are possibly, and surely, on the removed side of a clip-surface.
+/// Intervals of a ray that are possibly, and certainly, on the removed side of a clip-surface.
 fn removed(surface: &PreparedSurface, (origin, direction): (DVec3, DVec3)) -> [Stretch; 2] {
     if surface.volume.is_some() {
         return [EVERYWHERE, NOWHERE];
@@ -101,7 +101,7 @@ fn removed(surface: &PreparedSurface, (origin, direction): (DVec3, DVec3)) -> [S
     })
 }
 
-/// Stretch of a ray within a box.
+/// Interval of a ray within a box.
 fn through(bounds: &Bounds, (origin, direction): (DVec3, DVec3)) -> Stretch {
     (0..3).fold(EVERYWHERE, |stretch, axis| {
         let (at, step) = (origin[axis], direction[axis]);
@@ -121,7 +121,7 @@ mod tests {
     use crate::hard_cases::scenes;
     use cutaway::layers::Kind;
 
-    /// True for each pixel of a row through the middle of a cube that may be wrong if all are marked; `shown` is the depth that they show.
+    /// Per pixel of a row through the middle of a cube, all marked: true if it may be wrong. `shown` is the depth that the pixels show.
     fn row(sections: &[&str], shown: Option<f64>) -> Vec<bool> {
         let mut scene = scenes::sectioned("cube", sections);
         scene.camera = scenes::parallel(DVec3::Z * 4.0, DVec3::ZERO, 0.2);
@@ -152,10 +152,10 @@ mod tests {
             4 + usize::from(behind[2]) + usize::from(behind[7])
         );
         assert!(behind[4] && !behind[0] && !behind[9], "{behind:?}");
-        // Nothing can come before what is nearer than the section, and much before what is farther.
+        // A cap cannot hide what is nearer than the section; it can hide much of what is farther.
         assert_eq!(count(&row(&["-z=0"], Some(3.6))), 0);
         assert_eq!(row(&["-z=0"], Some(4.4)), behind);
-        // From the kept side no ray comes out of what is removed, nor where nothing is cut there.
+        // Seen from the kept side, no ray passes from removed to kept; nor does one where the section misses the cube.
         assert_eq!(count(&row(&["z=0"], None)), 0);
         assert_eq!(count(&row(&["-z=0.7"], None)), 0);
         // Half of the cube is removed along these rays.

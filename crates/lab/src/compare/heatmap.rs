@@ -1,8 +1,8 @@
-//! A picture of what is wrong where.
+//! A heat map: a picture of where a frame is wrong, and in which way.
 //!
-//! Colours are those of Okabe and Ito (2008), which stay apart for all common kinds of colour blindness, over a dim grey
-//! rendering of the exact kinds. A single wrong pixel would drown in a large picture: each gets a ring of one pixel in a
-//! lighter tone of its colour, drawn only where nothing is wrong.
+//! The colours are those of Okabe and Ito (2008), which can be told apart with all common kinds of colour blindness, over a dim
+//! grey rendering of the exact kinds. A single wrong pixel would be overlooked in a large picture: each gets a ring of one pixel
+//! in a lighter tone of its colour, drawn only where nothing is wrong.
 
 use cutaway::layers::{Kind, Layer, Layers};
 use image::{Rgba, RgbaImage};
@@ -13,11 +13,11 @@ use crate::exact::Exact;
 /// Classes of a heat map, the gravest first: a pixel has the colour of the first class that fits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Class {
-    /// A hole: a back face, or the background away from that of exact, where no cap is due.
+    /// A hole where exact has no cap: a back face, or background that is away from the background of exact.
     Crack,
-    /// Exact says cap, the strategy does not.
+    /// Exact has a cap, the strategy does not.
     MissedCap,
-    /// The strategy says cap, exact does not.
+    /// The strategy has a cap, exact does not.
     LeakedCap,
     /// Kinds agree; part or clip-surface does not.
     WrongPart,
@@ -38,7 +38,7 @@ pub struct LegendEntry {
     pub rgb: [u8; 3],
     /// Its name, for readers.
     pub name: &'static str,
-    /// Meaning of a pixel of the class, in half a sentence.
+    /// What a pixel of the class means, in half a sentence.
     pub meaning: &'static str,
 }
 
@@ -73,7 +73,7 @@ pub fn legend() -> [LegendEntry; 7] {
             Class::WrongPart,
             [204, 121, 167],
             "wrong part",
-            "the cap or surface is that of another part or clip-surface",
+            "the cap or surface belongs to another part or clip-surface",
         ),
         entry(
             Class::Mismatch,
@@ -85,7 +85,7 @@ pub fn legend() -> [LegendEntry; 7] {
             Class::Unreliable,
             [86, 180, 233],
             "unreliable",
-            "right, and marked by the method as one that it may have got wrong",
+            "right, but marked by the method as possibly wrong",
         ),
         entry(
             Class::Undecided,
@@ -133,7 +133,7 @@ pub fn heatmap(exact: &Exact, layers: &Layers) -> RgbaImage {
     marked(exact, layers, |truth| opaque(ground(truth)))
 }
 
-/// The same marks alone, to be laid over a picture of the frame: transparent where there is no mark.
+/// The marks of [`heatmap`] alone, as an overlay for a picture of the frame: transparent where there is no mark.
 ///
 /// # Panics
 ///
@@ -178,14 +178,14 @@ fn opaque([r, g, b]: [u8; 3]) -> Rgba<u8> {
     Rgba([r, g, b, 255])
 }
 
-/// Dim grey of what is right: the nearer it faces the viewer, the lighter.
+/// Dim grey of a right pixel: the more directly its surface faces the light, the lighter.
 fn ground(truth: &Layer) -> [u8; 3] {
     let [dark, light] = match truth.kind {
         Kind::Background => return [16; 3],
         Kind::Surface => [34.0, 70.0],
         Kind::Cap => [70.0, 104.0],
     };
-    // Any fixed direction will do: the ground only has to be recognised.
+    // Any fixed light direction will do: the scene only has to be recognisable.
     let lit = truth.normal.dot(glam::Vec3::new(0.4, 0.8, 0.45)).abs();
     [(dark + (light - dark) * lit.min(1.0)) as u8; 3]
 }

@@ -1,10 +1,10 @@
-//! Layers against the exact reference: how many pixels are wrong, in which way, and by how much the others are off.
+//! Layers against the exact reference: how many pixels are wrong, in which way, and how large the errors of the others are.
 //!
 //! # Classes
 //!
-//! A pixel is *wrong* if its kind differs from exact, or its part, or the clip-surface of a cap, or if it is a crack. Each
-//! wrong pixel is in exactly one of `interior_wrong_px` and `edge_wrong_px`. What is wrong with it is counted under
-//! every class that fits, so that each number can be read by itself:
+//! A pixel is *wrong* if its kind, its part or, for a cap, its clip-surface differs from exact, or if it is a crack. Each
+//! wrong pixel is in exactly one of `interior_wrong_px` and `edge_wrong_px`. It is also counted in every class below that
+//! fits, so that each number can be read by itself:
 //!
 //! | class | exact | the strategy |
 //! |---|---|---|
@@ -14,15 +14,15 @@
 //! | crack | surface or cap, not a back face; decided | a back face; or the background, away from that of exact |
 //! | outline | the same | the background, next to that of exact |
 //!
-//! A crack is a hole: the inside of a shell is seen, or the sky through a solid. Where exact has background in the 3 x 3 block of a
-//! pixel, background is an outline that was moved, which is what a cap that is tessellated does to it, and no crack; a back face
-//! always is one. Cracks are counted among decided pixels only: a sample on an outline may rightly show the background, and a
+//! A crack is a hole: the inside of a shell shows, or the sky through a solid. Where exact has background in the 3 x 3 block of a
+//! pixel, background is no crack but a displaced outline, as tessellated caps have; a back face is always a
+//! crack. Cracks are counted among decided pixels only: a sample on an outline may rightly show the background, and a
 //! number that must be 0 cannot depend on it. The other classes count all pixels.
 //!
-//! What fits none of these (a surface where there is background, an exact back face drawn as background) is still wrong.
+//! A pixel that fits no class (a surface where exact has background, an exact back face drawn as background) is still wrong.
 //!
-//! Errors of depth and normal are taken where the pixel is right and decided, in depth too: where sampling is ambiguous,
-//! both answers are right and lie far apart.
+//! Errors of depth and normal are measured where the pixel is right and both its answer and its depth are decided: where
+//! sampling is ambiguous, two answers are right and lie far apart.
 
 mod doubt;
 mod heatmap;
@@ -36,28 +36,28 @@ use serde::{Deserialize, Serialize};
 
 use crate::exact::Exact;
 
-/// Error of one frame against exact. Fields as in the JSON of `cutaway compare`.
+/// Error of one frame against exact. The fields are those of the JSON of `cutaway compare`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Comparison {
-    /// Exact says cap, the strategy does not.
+    /// Exact has a cap, the strategy does not.
     pub missed_cap_px: usize,
-    /// The strategy says cap, exact does not.
+    /// The strategy has a cap, exact does not.
     pub leaked_cap_px: usize,
     /// Kinds agree; the part or, for a cap, the clip-surface does not.
     pub wrong_part_px: usize,
-    /// A back face where exact is sure of a surface or a cap that is none; or the background, where exact has no background
-    /// within a pixel.
+    /// Pixels where exact is sure of a cap or a front face, and the strategy shows a back face, or shows background although exact has
+    /// no background within a pixel.
     pub crack_px: usize,
-    /// The background where exact is sure of a surface or a cap, and has background within a pixel: an outline that moved, as that
-    /// of a triangulated cap does, rather than a hole.
+    /// Background where exact is sure of a front face or a cap and has background within a pixel: a displaced outline, as triangulated
+    /// caps have, rather than a hole.
     pub outline_px: usize,
     /// Wrong pixels farther than one pixel from every boundary of the exact image.
     pub interior_wrong_px: usize,
     /// The other wrong pixels.
     pub edge_wrong_px: usize,
-    /// Wrong pixels that exact is sure of. An exact strategy has none.
+    /// Wrong pixels where exact is decided. An exact strategy has none.
     pub decided_wrong_px: usize,
-    /// Those of them that the strategy does not mark: it is wrong there without a warning.
+    /// Decided wrong pixels that the strategy does not mark: it is wrong there without a warning.
     pub unmarked_wrong_px: usize,
     /// Pixels that the strategy marks: odd crossing count, or a buffer that overflowed.
     pub odd_parity_px: usize,
@@ -72,9 +72,9 @@ pub struct Comparison {
     pub depth_error_px_max: f64,
     /// Mean error of depth in edge lengths of a pixel at that depth.
     pub depth_error_px_mean: f64,
-    /// Largest angle between normals of caps.
+    /// Largest angle between the cap normals of the strategy and of exact, in degrees.
     pub normal_error_deg_max: f64,
-    /// Mean angle between normals of caps.
+    /// Mean angle between the cap normals of the strategy and of exact, in degrees.
     pub normal_error_deg_mean: f64,
 }
 
@@ -89,7 +89,7 @@ impl Comparison {
 ///
 /// # Panics
 ///
-/// If the two frames or the view differ in size: they are then no answers to the same question.
+/// If the two frames or the view differ in size: they then do not show the same pixels.
 pub fn compare(exact: &Exact, layers: &Layers, view: &View, scale: f64) -> Comparison {
     assert_eq!(
         exact.layers.size_px, layers.size_px,
@@ -173,12 +173,12 @@ fn label(layer: &Layer) -> (Kind, u16, u8) {
     }
 }
 
-/// The pixel and its eight neighbours, those that there are.
+/// The pixel and those of its eight neighbours that lie in the picture.
 fn block(exact: &Layers, index: usize) -> impl Iterator<Item = &Layer> {
     around(exact.size_px, index, 1).map(|i| &exact.pixels[i])
 }
 
-/// Indices of the pixels in a square around one, itself included, that reaches so far to each side and ends at the picture's borders.
+/// Indices of the pixels in a square around a pixel, itself included; the square extends `reach` pixels to each side, up to the borders.
 pub(crate) fn around(
     size_px: [u32; 2],
     index: usize,
@@ -190,21 +190,21 @@ pub(crate) fn around(
     near(y, height).flat_map(move |j| near(x, width).map(move |i| j * width + i))
 }
 
-/// Returns true if the pixel or one of its eight neighbours touches a boundary of the exact image: its 3 x 3 block is not all of
-/// one kind, part and clip-surface.
+/// Returns true if the pixel is within one pixel of a boundary of the exact image: the pixels of its 3 x 3 block do not all have
+/// the same kind, part and clip-surface.
 fn near_boundary(exact: &Layers, index: usize) -> bool {
     let own = label(&exact.pixels[index]);
     block(exact, index).any(|l| label(l) != own)
 }
 
-/// Angle between two normals: by the tangent of its half, which is accurate for small angles, where the cosine is not.
+/// Angle between two normals, from the tangent of half the angle, which is accurate for small angles, unlike the cosine.
 fn angle_deg(truth: &Layer, found: &Layer) -> f64 {
     let unit = |l: &Layer| l.normal.as_dvec3().normalize_or_zero();
     let (a, b) = (unit(truth), unit(found));
     (2.0 * (a - b).length().atan2((a + b).length())).to_degrees()
 }
 
-/// Largest and mean of some errors.
+/// Maximum and mean of errors.
 #[derive(Default)]
 struct Error {
     max: f64,
@@ -214,7 +214,7 @@ struct Error {
 
 impl Error {
     fn add(&mut self, error: f64) {
-        // What is no number in the frame must show, not vanish in `max`; JSON knows no infinity.
+        // A NaN in the frame must show, not vanish in `max`; JSON has no infinity.
         let error = if error.is_finite() { error } else { f64::MAX };
         self.max = self.max.max(error);
         self.sum += error;

@@ -1,16 +1,16 @@
-//! Samples whose answer depends on less than the precision of the picture.
+//! Undecided samples: those whose answer depends on differences smaller than the precision of the picture.
 //!
 //! A sample is undecided where an implementation that moves it by [`View::doubt_px`], or rounds a depth by four ulp of f32, may correctly
 //! give another answer. There are three causes: an outline nearby; two events of one ray that are too close to order ([`super::order`]; at
-//! a seam, the choice between its two triangles, as close as the worse of the two allows); and a ray that grazes a clip-surface. For the
-//! last two, nearness alone is not enough: the walk is repeated with the pair swapped, or the graze taken the other way. Only another kind,
-//! part or clip-surface leaves the sample undecided. If these stay and the depth jumps, as between the folds of a relief, only the depth is
-//! open. If only the set of solids that overlap at a cap changes, only the overlap is open. An outline leaves the sample undecided where
-//! the part is not clearly removed and nothing hides it. An outline at which the part opens also counts where the part is removed, and
-//! behind a cap that depends on it.
+//! a seam, either triangle may be hit, and the margin is that of the less precise one); and a ray that grazes a clip-surface. For the
+//! last two, nearness alone is not enough: the walk is repeated with the pair swapped, or the graze taken the other way. Only a change of
+//! kind, part or clip-surface leaves the sample undecided. If these stay and the depth jumps, as between the folds of a relief, only the
+//! depth is open. If only the set of solids that overlap at a cap changes, only the overlap is open. An outline leaves the sample undecided
+//! where the part is not clearly removed and nothing hides it. An outline at which the part may be open also counts where the part is
+//! removed, and behind a cap that depends on it.
 //!
-//! What is known of whole triangles is decided: on which side of a flat clip-surface one close to it lies (see [`super::classify`]), and
-//! of two parts that share a triangle, or a plane ([`super::classify`]), the first in rank has it.
+//! Two things are decided for whole triangles ([`super::classify`]): on which side of a nearby flat clip-surface a triangle lies, and
+//! that where two parts share a triangle or a plane, the first in rank is seen.
 
 use cutaway::scene::{Prepared, View};
 
@@ -21,7 +21,7 @@ use super::raster::{Crossing, Projected};
 use super::walk::{Cause, Event, Sight, State, restore_order, walk};
 
 /// Four ulp of f32 at a depth. Scene space has a radius of about 1 and its coordinates are rounded to ulps of 1, so
-/// depths below 1 are no better; an orthographic depth buffer has the resolution of its whole span.
+/// depths below 1 are no more precise; an orthographic depth buffer has one resolution over its whole depth range.
 pub(super) fn rounding(view: &View, depth: f64) -> f64 {
     let span = if view.orthographic {
         view.far - view.near
@@ -36,11 +36,11 @@ pub(super) fn rounding(view: &View, depth: f64) -> f64 {
 pub(super) enum Openness {
     /// The whole answer is decided.
     Nothing,
-    /// Overlap of solids at a cap may differ; all else is decided.
+    /// The overlap of solids at a cap may differ; all else is decided.
     Overlap,
-    /// The depth, and normal and overlap with it, may be another; kind, part and clip-surface are decided.
+    /// The depth may differ, and normal and overlap with it; kind, part and clip-surface are decided.
     Depth,
-    /// Anything may be another.
+    /// Anything may differ.
     All,
 }
 
@@ -64,7 +64,7 @@ pub(super) struct Case<'a> {
     pub(super) view: &'a View,
     pub(super) parts: &'a [Projected<'a>],
     pub(super) ray: Ray,
-    /// Ranks of the parts it meets.
+    /// Ranks of the parts that the ray meets.
     pub(super) ranks: &'a [u16],
     /// State before the first event.
     pub(super) start: &'a State,
@@ -74,18 +74,18 @@ pub(super) struct Case<'a> {
     pub(super) roots: &'a [Root],
     pub(super) grazes: &'a [Graze],
     pub(super) brushes: &'a [Brush],
-    /// With outlines of cutters, whose ranks follow those of the parts.
+    /// Outlines of cutters near the sample; the ranks of cutters follow those of the parts.
     pub(super) cutter_brushes: &'a [Brush],
     pub(super) cutters: &'a Cutters,
     /// The answer.
     pub(super) sight: Option<Sight>,
-    /// Crossings, and the clip-surfaces that their triangles are preclassified by, before or behind.
+    /// Crossings whose triangles are preclassified: the clip-surface, and whether the crossing is before it (-1) or behind it (1).
     pub(super) preclassified: &'a [(u32, u16, i8)],
-    /// Crossings, and the numbers of the planes that their triangles share with those of other parts.
+    /// Crossings, each with the number of the plane in which its triangle is coplanar with triangles of other parts.
     pub(super) shared: &'a [(u32, u16)],
 }
 
-/// Buffers of repeated walks.
+/// Buffers for repeated walks.
 #[derive(Default)]
 pub(super) struct Scratch {
     pub(super) events: Vec<Event>,
@@ -102,7 +102,7 @@ impl Scratch {
         }
     }
 
-    /// Takes the events as they are, to be changed.
+    /// Copies the events, so that they can be changed.
     pub(super) fn begin(&mut self, events: &[Event]) {
         self.events.clear();
         self.events.extend_from_slice(events);
@@ -110,7 +110,7 @@ impl Scratch {
 }
 
 impl Case<'_> {
-    /// Undecided part of the answer.
+    /// Degree to which the answer of this ray is undecided.
     pub(super) fn openness(&self, scratch: &mut Scratch) -> Openness {
         if self.brushed(scratch) || self.bitten() {
             return Openness::All;
@@ -126,7 +126,7 @@ impl Case<'_> {
         self.sight.map_or(f64::INFINITY, |s| s.depth)
     }
 
-    /// Distance in depth that an event may move.
+    /// Largest change of an event's depth.
     pub(super) fn margin(&self, event: &Event) -> f64 {
         let change = match event.cause {
             Cause::Mesh { rank, .. } => {
@@ -135,7 +135,7 @@ impl Case<'_> {
                     facet.depth_change(self.view, self.ray.direction, event.depth)
                 };
                 let own = change(self.crossings[event.source as usize].triangle);
-                // Who rounds corners may find a triangle beyond a seam in its place.
+                // A rasteriser that rounds corners may hit the triangle beyond a seam instead.
                 let beyond = self.brushes.iter().filter_map(|brush| {
                     let apart = (brush.depth - event.depth).abs();
                     match brush.edge {
@@ -154,8 +154,8 @@ impl Case<'_> {
         change + rounding(self.view, event.depth)
     }
 
-    /// An outline that is neither hidden nor clearly removed. One at which the part opens counts although it is removed, and although it is
-    /// hidden where a cap depends on it: an algorithm that counts the crossings behind a cap may find one more there or one fewer.
+    /// Returns true if an outline near the sample is neither hidden nor clearly removed. One at which the part may be open counts even if
+    /// it is removed, or hidden by a cap that depends on it: an algorithm that counts crossings behind the cap may find one more or fewer.
     fn brushed(&self, scratch: &mut Scratch) -> bool {
         self.brushes.iter().any(|brush| {
             let is_hidden = brush.depth - brush.margin > self.seen_depth();
@@ -167,7 +167,7 @@ impl Case<'_> {
         })
     }
 
-    /// Returns true if a cap appears or vanishes when the ray starts on another side of a part. Its faces are seen whatever that side is.
+    /// Returns true if a cap appears or vanishes when the ray starts on the other side of a part; its faces are seen either way.
     fn start_matters(&self, scratch: &mut Scratch, rank: u16) -> bool {
         let is_clip = |event: &Event| matches!(event.cause, Cause::Clip { .. });
         let shows_cap = self.sight.filter(|s| s.event.is_none_or(|e| is_clip(&e)));
@@ -194,7 +194,7 @@ impl Case<'_> {
         })
     }
 
-    /// An outline of a cutter that may change what is seen.
+    /// Returns true if an outline of a cutter may change what is seen.
     fn bitten(&self) -> bool {
         let mut brushes = self.cutter_brushes.iter();
         brushes.any(|brush| {
@@ -238,7 +238,7 @@ impl Case<'_> {
         state.removes(self.prepared, brush.rank)
     }
 
-    /// Openness caused by the grazes, taken the other way.
+    /// Openness caused by taking each graze the other way.
     fn grazed(&self, scratch: &mut Scratch) -> Openness {
         Openness::worst(self.grazes.iter().map(|graze| {
             let hidden = self.seen_depth() + rounding(self.view, graze.depth);
@@ -253,8 +253,8 @@ impl Case<'_> {
                 .count();
             let removed =
                 self.start.removed[usize::from(graze.surface)] ^ (crossed_before % 2 == 1);
-            // Where the crest touches 0, rounding may have left out the pair of roots around it, or put both on one spot:
-            // then the list of events does not say what the graze says, and the pair is still to be put in.
+            // Where the crest touches 0, rounding may have left out the pair of roots around it, or put both at one depth:
+            // then the events contradict the graze, and the pair is still to be inserted.
             if graze.crossed && removed == graze.removed {
                 let after = self.events.partition_point(|e| e.depth <= graze.depth);
                 let before = self.events[..after].iter().rposition(of_surface);
@@ -262,7 +262,7 @@ impl Case<'_> {
                 let (Some(before), Some(behind)) = (before, behind) else {
                     return Openness::Nothing;
                 };
-                // The extremum itself may lie behind what is seen: the crossing before it is what brings it into sight.
+                // The extremum itself may lie behind what is seen: what counts is the crossing before it.
                 if self.events[before].depth > hidden {
                     return Openness::Nothing;
                 }

@@ -1,11 +1,11 @@
-//! Least and greatest heights of blocks of cells of an offset map, so that a ray passes at once what it is far from.
+//! Minimum and maximum heights of blocks of cells of an offset map, so that a ray skips blocks it is far from.
 //!
-//! Block `k` of level `l` covers along each axis the cells from `k 2^l` up to `(k + 1) 2^l` of the map, or to its end; cell `i`
-//! spans the texels `i` and `i + 1`, and the last one what the map goes on with. Where the map goes on beyond its border, so do
-//! blocks: shifted, turned round with the cell between two copies given to one of them, or in their own width with the heights
-//! of the border.
+//! Along each axis, block `k` of level `l` covers the map's cells from `k 2^l` up to `(k + 1) 2^l`, or to its end. Cell `i` spans
+//! the texels `i` and `i + 1`, the last cell the last texel and the one that the wrap mode continues with. Beyond the map's border,
+//! blocks follow the wrap mode: they repeat; or they are mirrored, and the cell between two copies belongs to one of them; or they
+//! keep their width and have the heights of the border.
 //!
-//! Cost: 25 texels for each block of 4 x 4 cells once, and a sixth of the map's memory.
+//! Cost: once, reading 25 texels for each block of 4 x 4 cells; a sixth of the map's memory.
 
 use cutaway::scene::{OffsetMap, Wrap};
 
@@ -16,7 +16,7 @@ pub(super) const SMALLEST: u32 = 2;
 pub(super) struct Blocks {
     size: [i64; 2],
     wrap: Wrap,
-    /// From [`SMALLEST`] on.
+    /// Levels from [`SMALLEST`] on.
     levels: Vec<Level>,
 }
 
@@ -26,11 +26,11 @@ struct Level {
     ranges: Vec<[f32; 2]>,
 }
 
-/// A block as a ray meets it.
+/// A block, seen from a ray.
 pub(super) struct Block {
     /// Least and greatest height of the map.
     pub(super) range: [f32; 2],
-    /// Along each axis the border of cells at which the ray leaves it.
+    /// Per axis: the cell border at which the ray leaves the block.
     pub(super) ahead: [i64; 2],
 }
 
@@ -81,7 +81,7 @@ impl Blocks {
         SMALLEST + self.levels.len() as u32 - 1
     }
 
-    /// Parent block of a cell at a level, in ray direction.
+    /// The block of a level that contains a cell; the ray's direction selects the borders ahead.
     pub(super) fn block(&self, level: u32, cell: [i64; 2], up: [bool; 2]) -> Block {
         let of = |axis: usize| self.along(axis, level, cell[axis], up[axis]);
         let ((column, x), (row, y)) = (of(0), of(1));
@@ -102,7 +102,7 @@ impl Blocks {
                 (cell.clamp(0, n - 1) >> level, ahead)
             }
             Wrap::Mirror if cell.rem_euclid(2 * n) >= n => {
-                // Turned round: cell c of this copy is cell 2n - 2 - c of the map, and -1 belongs to the first block.
+                // Mirrored: cell c of this copy is cell 2n - 2 - c of the map, and -1 belongs to the first block.
                 let copy = cell - cell.rem_euclid(2 * n);
                 let turned = (2 * n - 2 - cell.rem_euclid(2 * n)).max(0);
                 let number = turned >> level;
@@ -149,7 +149,7 @@ impl Level {
 
 #[cfg(test)]
 impl Blocks {
-    /// Blocks that no ray is far from, so that all cells are looked at.
+    /// Blocks that no ray is far from, so that all cells are visited.
     pub(super) fn always_near(mut self) -> Self {
         for level in &mut self.levels {
             level.ranges.fill([f32::NEG_INFINITY, f32::INFINITY]);
@@ -157,7 +157,7 @@ impl Blocks {
         self
     }
 
-    /// Blocks of which one says nothing but a height far above all.
+    /// Blocks with a planted fault: the range of one is a height far above all others.
     pub(super) fn with_a_fault(mut self, level: u32) -> Self {
         let ranges = &mut self.levels[(level - SMALLEST) as usize].ranges;
         let middle = ranges.len() / 2;

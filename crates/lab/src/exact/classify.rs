@@ -1,15 +1,15 @@
-//! Crossings whose order against a clip-surface is known of their whole triangle, and not left to rounding.
+//! Crossings whose order against a clip-surface is decided for their whole triangle instead of being left to rounding.
 //!
-//! A triangle close to a flat clip-surface lies on one side of the surface ([`PreclassifiedTriangle`]). A crossing that rounding has put on the other
-//! side of the surface's root gets the depth of that root bit for bit, and its place before it or behind. So a face in a clip-surface is
-//! kept or removed as a whole, in every view. A sample near the rim of such faces may, moved a little, meet a triangle of another side:
-//! there the order is as open as any.
+//! A triangle close to a flat clip-surface is assigned to one side of it ([`PreclassifiedTriangle`]). A crossing that rounding has put on
+//! the other side of the surface's root gets the depth of that root bit for bit, and a place before or behind it. So a face in a
+//! clip-surface is kept or removed as a whole, in every view. A sample near the rim of such faces may, if moved a little, hit a
+//! triangle of another side: there the order is left to [`super::ambiguity`].
 //!
-//! Faces of several parts in one plane, facing the same way, have the depth of that plane, and the first part in rank has them
+//! Faces of several parts in one plane, facing the same way, get the depth of that plane, and the first part in rank is seen
 //! ([`SharedPlanes`](cutaway::scene::SharedPlanes)).
 //!
-//! A face of a part in a face of a cutter is before the cutter where the ray leaves the part by it, behind where it enters; only
-//! exact coincidence counts there, and what is merely close is left to [`super::ambiguity`].
+//! A face of a part that coincides with a face of a cutter is before the cutter where the ray leaves the part through it, and behind
+//! where the ray enters; only exact coincidence counts, and faces that are merely close are left to [`super::ambiguity`].
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -23,20 +23,20 @@ use super::ray_scratch::RayScratch;
 use super::walk::Event;
 use super::{Lines, ambiguity, cutter};
 
-/// PreclassifiedTriangle triangles of a part.
+/// The preclassified triangles of a part.
 pub(super) struct PreclassifiedFaces {
-    /// Triangles in planes that parts share, each with the number of its plane.
+    /// Triangles in planes shared by several parts, each with the number of its plane.
     shared: Arc<[(u32, u16)]>,
-    /// Per entry of `shared`: true for each edge, by its first corner, at the rim of the faces in the plane.
+    /// Per entry of `shared`: for each edge, by its first corner, true if it is at the rim of the faces in the plane.
     shared_rims: Vec<[bool; 3]>,
-    /// By triangle.
+    /// Ordered by triangle.
     all: Vec<PreclassifiedTriangle>,
-    /// Per entry of `all`: true for each edge, by its first corner, at its rim: the next triangle is on another side, or may be.
+    /// Per entry of `all`: for each edge, by its first corner, true if it is at a rim: the next triangle is, or may be, on another side.
     rims: Vec<[bool; 3]>,
 }
 
 impl PreclassifiedFaces {
-    /// Makes the preclassified faces of a part.
+    /// Collects the preclassified faces of a part.
     pub(super) fn of(prepared: &Prepared, (rank, part): (usize, &PreparedPart)) -> Self {
         let all = prepared.preclassified(part);
         let shared = prepared.shared.faces(rank);
@@ -49,13 +49,13 @@ impl PreclassifiedFaces {
         }
     }
 
-    /// The number of the plane that a triangle shares with other parts, and where its rim is.
+    /// Number of the plane that a triangle shares with other parts, and which of its edges are at the rim.
     fn plane_of(&self, triangle: u32) -> Option<(u16, [bool; 3])> {
         let at = self.shared.binary_search_by_key(&triangle, |s| s.0).ok()?;
         Some((self.shared[at].1, self.shared_rims[at]))
     }
 
-    /// PreclassifiedTriangle sides of a triangle, each with its rim edges.
+    /// Preclassified sides of a triangle, each with its rim edges.
     fn by(&self, triangle: u32) -> impl Iterator<Item = (&PreclassifiedTriangle, [bool; 3])> {
         let first = self.all.partition_point(|s| s.triangle < triangle);
         let after = self.all[first..].partition_point(|s| s.triangle == triangle);
@@ -66,7 +66,7 @@ impl PreclassifiedFaces {
     }
 }
 
-/// Per triangle: true for each edge, by its first corner, at the rim of the triangles with the same key.
+/// Per triangle: for each edge, by its first corner, true if it is at the rim of the triangles with the same key.
 fn rims<K: Ord + Copy>(
     part: &PreparedPart,
     alike: impl Iterator<Item = (u32, K)> + Clone,
@@ -85,8 +85,8 @@ fn rims<K: Ord + Copy>(
     alike.map(|s| edges(s).map(|e| uses[&e] != 2)).collect()
 }
 
-/// Returns true if two crossings are with faces of parts in one plane, and at its depth: a clip-surface may have moved one of them.
-/// `shared` are the crossings in such planes, with their numbers.
+/// Returns true if two crossings are with coplanar faces of parts and still have one depth: a clip-surface may have moved one of them.
+/// `shared` lists the crossings in shared planes, each with the number of its plane.
 pub(super) fn share_plane(shared: &[(u32, u16)], events: [&Event; 2]) -> bool {
     let of = |event: &Event| {
         let at = shared.iter().find(|(source, _)| *source == event.source);
@@ -98,7 +98,7 @@ pub(super) fn share_plane(shared: &[(u32, u16)], events: [&Event; 2]) -> bool {
 }
 
 impl Lines<'_> {
-    /// Gives crossings in a plane that parts share the depth of the plane: at one depth parts happen by rank.
+    /// Sets the depth of crossings in a shared plane to that of the plane: parts at one depth are ordered by rank.
     fn share(&self, at: DVec2, index: u32, bench: &mut RayScratch) {
         let crossing = &mut bench.crossings[index as usize];
         let rank = usize::from(crossing.rank);
@@ -116,7 +116,7 @@ impl Lines<'_> {
         }
     }
 
-    /// Puts crossings on the side of each clip-surface that their triangles are known to lie on.
+    /// Puts each crossing on the side of a clip-surface that its triangle is preclassified to.
     pub(super) fn classify(&self, at: DVec2, ray: &Ray, bench: &mut RayScratch) {
         for index in 0..bench.crossings.len() {
             self.share(at, index as u32, bench);
@@ -157,7 +157,7 @@ impl Lines<'_> {
         }
     }
 
-    /// Returns true if a crossing is with a face that lies in the face of a cutter, to the last bit.
+    /// Returns true if the face that a crossing is with lies in a face of a cutter, to the last bit.
     fn coincides(&self, ray: &Ray, root: &Root, crossing: &Crossing) -> bool {
         let distance = (crossing.depth - root.depth).abs();
         let close = ambiguity::rounding(self.view, root.depth) + root.depth_change(self.view, ray);
@@ -169,7 +169,7 @@ impl Lines<'_> {
             })
     }
 
-    /// Returns true if both triangles of a coincidence are still met when the sample moves a little.
+    /// Returns true if the sample still hits both of two coincident triangles when it moves a little.
     fn goes_on(&self, at: DVec2, root: &Root, crossing: &Crossing) -> bool {
         root.face.is_none_or(|face| {
             let of_cutter = self.mesh_of_cutter(root.surface).corners(face.triangle);

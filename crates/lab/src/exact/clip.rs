@@ -3,7 +3,7 @@
 //! `F(P) = (P - O).N + f(T(P)).Sz` is the kept height: removed iff `F < 0`. A plane, or a relief whose texels are all
 //! equal, has one root in closed form. For any other relief see [`super::relief`].
 //!
-//! Crossings alternate by construction: the side at the start of a range plus the number of crossings in it gives the
+//! Crossings alternate by construction: the side at the start of a range and the number of crossings in it determine the
 //! side at its end.
 
 use cutaway::scene::{PreparedSurface, View};
@@ -30,7 +30,7 @@ impl Ray {
 /// A triangle of a cutter.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct CutterTriangle {
-    /// Its number.
+    /// Number of the triangle.
     pub(super) triangle: u32,
     /// Range of the depths of its corners.
     pub(super) extent: f64,
@@ -49,7 +49,7 @@ pub(super) struct Root {
     pub(super) gradient: DVec3,
     /// Coefficient of the square of the depth in `F` along the ray; 0 for a plane.
     pub(super) bend: f64,
-    /// The triangle that the crossing is in, for a cutter.
+    /// For a cutter, the triangle that is crossed.
     pub(super) face: Option<CutterTriangle>,
 }
 
@@ -58,13 +58,13 @@ impl Root {
     pub(super) fn depth_change(&self, view: &View, ray: &Ray) -> f64 {
         let change = change_per_px(view, self.gradient, self.depth) * view.doubt_px();
         let slope = self.gradient.dot(ray.direction).abs();
-        // Near a tangent point the square takes over from the slope.
+        // Near a tangent point the quadratic term dominates the linear one.
         let change = (change / slope).min((change / self.bend.abs()).sqrt());
         self.face.map_or(change, |face| change.min(face.extent))
     }
 }
 
-/// A place where a ray all but touches a clip-surface, or just crosses it twice: an extremum of `F` along the ray that
+/// A point where a ray barely misses a clip-surface, or barely crosses it twice: an extremum of `F` along the ray that
 /// moving the sample by [`View::doubt_px`] may push to the other side of 0.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Graze {
@@ -72,7 +72,7 @@ pub(super) struct Graze {
     pub(super) surface: u16,
     /// Depth of the extremum.
     pub(super) depth: f64,
-    /// The surface is crossed just before and just behind.
+    /// The surface is crossed just before and just behind the extremum.
     pub(super) crossed: bool,
     /// The extremum itself is on the removed side.
     pub(super) removed: bool,
@@ -199,7 +199,7 @@ mod tests {
         p.z + map.sample(s.wrap, p.truncate()).0 * s.height_scale
     }
 
-    /// Meets a surface, checks that the crossings make sense, and returns them.
+    /// Intersects a ray with a surface, checks that the crossings are consistent, and returns them.
     fn met(s: &PreparedSurface, ray: Ray, range: [f64; 2]) -> Vec<Root> {
         let (mut roots, mut grazes) = (Vec::new(), Vec::new());
         let clip = Clip::of(0, s, 2.0);

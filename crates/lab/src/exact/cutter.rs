@@ -1,17 +1,17 @@
 //! Crossings of a ray with a cutter: the triangles of a closed mesh as one clip-surface.
 //!
-//! Parity alone decides inside, so crossings alternate in the order of their depths, whichever way faces are turned. Those of the whole
-//! line count, behind the eye too: the crossings before a range give the side at its start. A crossing is then a [`Root`] like that of any
-//! other clip-surface, with the triangle's normal for its gradient. The rules for ties and for events that are too close to order apply
+//! Inside is by parity alone, so crossings alternate in the order of their depths, whichever way faces are turned. All crossings of the
+//! line count, also those behind the eye: the crossings before a range give the side at its start. A crossing is then a [`Root`] like that
+//! of any other clip-surface, with the triangle's normal as gradient. The rules for ties and for events that are too close to order apply
 //! here too.
 //!
-//! A face of a part in a face of the cutter is before it where the ray leaves the part by it, behind it where it enters
-//! ([`super::classify`]). Unlike a plane, the cutter's face ends: where a sample is too close to an edge of either triangle
-//! ([`share_the_sample`]) to be sure to hit both, rather than one and the next triangle of the other, the order is as open as any.
+//! A part's face that coincides with a face of the cutter is before it where the ray leaves the part through it, and behind it where the
+//! ray enters ([`super::classify`]). Unlike a plane, the cutter's face ends: where a sample is so close to an edge of either triangle
+//! ([`share_the_sample`]) that it may hit only one of them and a neighbour of the other, the order is left to [`super::ambiguity`].
 //!
-//! An outline of a cutter is what a graze of a relief is: a pair of crossings that a sample moved by a hair may have or
-//! not. It leaves a sample undecided where that could change what is seen: where some part that the cut applies to may be
-//! inside there, and neither another cut nor another surface of the same cut classifies its fate ([`bites`]).
+//! An outline of a cutter is like a graze of a relief: a pair of crossings that may appear or vanish when the sample moves a
+//! little. It leaves a sample undecided where that could change what is seen: where the ray may be inside some part that the cut
+//! applies to, and neither another cut nor another surface of the same cut decides whether that part is kept ([`bites`]).
 
 use cutaway::scene::Prepared;
 use glam::DVec2;
@@ -22,7 +22,7 @@ use super::raster::{Crossing, Projected};
 use super::screen::Corner;
 use super::walk::{Cause, Event, State};
 
-/// Meshes of a picture that belong to cutters: they follow the parts, in the order of their clip-surfaces.
+/// The cutters' meshes among the meshes of a picture: they follow the parts, in the order of their clip-surfaces.
 pub(super) struct Cutters {
     parts: u16,
     surfaces: Vec<u16>,
@@ -39,7 +39,7 @@ impl Cutters {
         }
     }
 
-    /// Number of entries that belong to parts, in a list ordered by rank.
+    /// Number of entries of a list ordered by rank that belong to parts.
     pub(super) fn split<T>(&self, all: &[T], rank: impl Fn(&T) -> u16) -> usize {
         all.partition_point(|one| rank(one) < self.parts)
     }
@@ -49,12 +49,12 @@ impl Cutters {
         self.surfaces.binary_search(&surface).is_ok()
     }
 
-    /// Rank of the mesh of a cutter.
+    /// Rank of a cutter's mesh.
     pub(super) fn rank_of(&self, surface: u16) -> u16 {
         self.parts + self.surfaces.partition_point(|s| *s < surface) as u16
     }
 
-    /// The clip-surface of a mesh that is no part.
+    /// The clip-surface of a cutter's mesh.
     pub(super) fn surface_of(&self, rank: u16) -> u16 {
         self.surfaces[usize::from(rank - self.parts)]
     }
@@ -68,7 +68,7 @@ pub(super) struct Met {
     pub(super) odd: bool,
 }
 
-/// Appends the crossings in `range` as roots of clip-surface `surface`. `found` are all crossings of the line with the mesh.
+/// Appends the crossings in `range` as roots of clip-surface `surface`. `found` holds all crossings of the line with the mesh.
 pub(super) fn meet(
     (mesh, surface, keeps_inside): (&Projected<'_>, u16, bool),
     ray: &Ray,
@@ -109,15 +109,15 @@ pub(super) fn meet(
     met
 }
 
-/// Returns true if two triangles in one plane are both met wherever a sample moves within `near_px`.
+/// Returns true if a sample hits both of two coplanar triangles however it moves within `near_px`.
 pub(super) fn share_the_sample(near_px: f64, at: DVec2, triangles: [[&Corner; 3]; 2]) -> bool {
     !triangles
         .into_iter()
         .any(|corners| is_by_an_edge(near_px, at, corners))
 }
 
-/// Returns true if a sample is so close to an edge of a triangle that, moved a little, it may hit the next triangle; also where the
-/// triangle reaches behind the eye.
+/// Returns true if a sample is so close to an edge of a triangle that, moved a little, it may hit the next triangle; always true where
+/// the triangle reaches behind the eye.
 fn is_by_an_edge(near_px: f64, at: DVec2, corners: [&Corner; 3]) -> bool {
     if corners.iter().any(|c| c.at.z <= 0.0) {
         return true;
@@ -125,8 +125,8 @@ fn is_by_an_edge(near_px: f64, at: DVec2, corners: [&Corner; 3]) -> bool {
     (0..3).any(|edge| is_by_edge(near_px, at, corners, edge))
 }
 
-/// Returns true if a sample is so close to the edge of a triangle that begins at a corner that, moved a little, it may hit the next
-/// triangle; also where the edge reaches behind the eye.
+/// Returns true if a sample is so close to edge `edge` of a triangle, which begins at the corner of that index, that, moved a little, it
+/// may hit the next triangle; always true where the edge reaches behind the eye.
 pub(super) fn is_by_edge(near_px: f64, at: DVec2, corners: [&Corner; 3], edge: usize) -> bool {
     let ends = [corners[edge], corners[(edge + 1) % 3]];
     if ends.iter().any(|c| c.at.z <= 0.0) {
@@ -137,8 +137,8 @@ pub(super) fn is_by_edge(near_px: f64, at: DVec2, corners: [&Corner; 3], edge: u
     from.lerp(to, share.clamp(0.0, 1.0)).distance(at) <= near_px
 }
 
-/// Returns true if a pair of crossings with a cutter at one of its outlines, there or not, may change what is seen. `events` are those of
-/// the ray with the distance each may move, `start` is the state before them.
+/// Returns true if adding or removing a pair of crossings at an outline of a cutter may change what is seen. `events` are the ray's
+/// events, each with the largest change of its depth; `start` is the state before them.
 pub(super) fn bites<'a>(
     prepared: &Prepared,
     (brush, surface): (&Brush, u16),

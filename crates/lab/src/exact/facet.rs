@@ -1,9 +1,9 @@
-//! The plane of a triangle: at which depth a ray meets it, and how far off that may be in a picture.
+//! The plane of a triangle: the depth at which a ray meets it, and the largest error of that depth in a picture.
 //!
-//! A rasteriser moves corners by parts of a pixel, and may interpolate depths by their slopes in f32; both matter where the plane is
-//! steep. The first costs some products a crossing, the second the projection of what lies beyond the near plane.
+//! A rasteriser moves corners by fractions of a pixel, and may interpolate depths from slopes in f32; both matter where the plane is
+//! steep. The first costs some products per crossing, the second the projection of the part of the triangle beyond the near plane.
 //!
-//! Cannot: bound the rounding of every rasteriser. What it allows for slopes is twice the most that was seen of llvmpipe.
+//! Cannot bound the rounding of every rasteriser: the error allowed for slopes is twice the largest observed with llvmpipe.
 
 use cutaway::scene::{Prepared, View};
 use glam::{DVec2, DVec3};
@@ -11,12 +11,12 @@ use rayon::prelude::*;
 
 use super::screen::Corner;
 
-/// The plane of a triangle and the depths between which it lies.
+/// The plane of a triangle, and the range of the triangle's depths.
 pub(super) struct Facet {
-    /// The corners in scene space, in order of their coordinates: faces that coincide have the same depths bit for bit, whichever
-    /// corner their lists begin at.
+    /// The corners in scene space, sorted by their coordinates: coincident faces have the same depths bit for bit, whichever
+    /// corner each begins with.
     pub(super) points: [DVec3; 3],
-    /// Normal by the counter-clockwise rule, as long as twice the area.
+    /// Normal by the counter-clockwise rule; its length is twice the area.
     pub(super) normal: DVec3,
     depths: [f64; 2],
 }
@@ -25,7 +25,7 @@ impl Facet {
     /// Makes the facet of three corners in scene space with their depths.
     pub(super) fn of(points: [DVec3; 3], depths: [f64; 3]) -> Self {
         let mut points = points;
-        // Each exchange of two corners turns the normal over.
+        // Each swap of two corners flips the normal.
         let mut turn = 1.0;
         for (i, j) in [(0, 1), (1, 2), (0, 1)] {
             if points[j].to_array() < points[i].to_array() {
@@ -44,7 +44,7 @@ impl Facet {
         }
     }
 
-    /// Depth at which a ray meets the plane, kept between the depths of the corners: an edge-on triangle has no other.
+    /// Depth at which a ray meets the plane, clamped to the range of the corners' depths, which an edge-on triangle needs.
     pub(super) fn depth(&self, origin: DVec3, direction: DVec3) -> f64 {
         let [lo, hi] = self.depths;
         let depth = (self.points[0] - origin).dot(self.normal) / self.normal.dot(direction);
@@ -63,11 +63,11 @@ impl Facet {
     /// Change of the depth within the triangle when a sample moves by [`View::doubt_px`], plus the error of the interpolation in the view's
     /// rasteriser.
     pub(super) fn depth_change(&self, view: &View, direction: DVec3, depth: f64) -> f64 {
-        // Of an edge-on triangle both are infinite, or no number.
+        // For an edge-on triangle both are infinite or NaN.
         (self.plane_change(view, direction, depth) + self.slopes(view, depth)).min(self.extent())
     }
 
-    /// About how much [`Self::depth_change`] is anywhere in the triangle, of which the farthest corner is at a depth.
+    /// Approximate maximum of [`Self::depth_change`] in the triangle, whose farthest corner is at depth `far`.
     pub(super) fn greatest_change(&self, view: &View, far: f64) -> f64 {
         (self.plane_change_in_middle(view).abs() + self.slopes(view, far)).min(self.extent())
     }
@@ -80,19 +80,19 @@ impl Facet {
         }
     }
 
-    /// Change of the depth on the plane, without bound by the triangle, when a sample moves by [`View::doubt_px`].
+    /// Change of the depth on the plane when a sample moves by [`View::doubt_px`], not limited to the triangle's depths.
     pub(super) fn plane_change(&self, view: &View, direction: DVec3, depth: f64) -> f64 {
         let along = self.normal.dot(direction).abs();
         let across = lateral(view, self.normal) * view.pixel_size(depth) * view.doubt_px();
         across / along
     }
 
-    /// The same on the ray through the middle of the triangle.
+    /// [`Self::plane_change`] on the ray through the middle of the triangle.
     pub(super) fn plane_change_in_middle(&self, view: &View) -> f64 {
         self.plane_change_at(view, self.points.iter().sum::<DVec3>() / 3.0)
     }
 
-    /// The same on the ray through a point of the plane.
+    /// [`Self::plane_change`] on the ray through a point of the plane.
     pub(super) fn plane_change_at(&self, view: &View, point: DVec3) -> f64 {
         let depth = view.depth_of(point);
         let direction = match view.orthographic {
@@ -102,11 +102,11 @@ impl Facet {
         self.plane_change(view, direction, depth)
     }
 
-    /// Error of a depth that is interpolated in f32. The rasteriser interpolates the value of the depth buffer, over the piece of the
-    /// triangle beyond the near plane, as triangles that share a corner. Its slopes in the picture are found by products of edges, each
-    /// rounded to an ulp of the square of the length, and divided by the area. What that does to a value is the ratio of the two, times the
-    /// range of values: with llvmpipe up to 0.02 px at the walls of a tube that are 1200 px long and 2 px wide; of a wall that passes the
-    /// eye, which is thousands of pixels long where it meets the near plane, as much as the wall is wide.
+    /// Error of a depth that is interpolated in f32. The rasteriser interpolates the depth-buffer value over the part of the triangle
+    /// beyond the near plane, as triangles that share a corner. It computes the slopes in the picture from products of edges, each
+    /// rounded to an ulp of the squared length, divided by the area. The resulting error of a value is the ratio of the two, times the
+    /// range of values. With llvmpipe it is up to 0.02 px at the walls of a tube that are 1200 px long and 2 px wide; for a wall that
+    /// passes the eye, which is thousands of pixels long where it meets the near plane, it is as large as the wall is wide.
     fn slope_rounding(&self, view: &View, depth: f64) -> f64 {
         let corners = self.points.map(|p| Corner::of(view, p));
         let mut piece = [corners[0]; 4];
@@ -141,7 +141,7 @@ impl Facet {
             longest * range / (b - a).perp_dot(c - a).abs()
         });
         let value = f64::from(f32::EPSILON) * worst.fold(0.0, f64::max);
-        // How much depth changes with the value of the buffer.
+        // Derivative of the depth by the depth-buffer value.
         let per_value = match view.orthographic {
             true => view.far - view.near,
             false => depth * depth / view.near,
@@ -150,14 +150,14 @@ impl Facet {
     }
 }
 
-/// Returns true if, somewhere in a scene, the error of depths interpolated in f32 exceeds the margin that sub-pixel bits leave: vertices
-/// move by 0.7 of [`View::doubt_px`] at most. This is so where triangles are long and narrow.
+/// Returns true if, somewhere in a scene, the error of depths interpolated in f32 exceeds the margin that snapping leaves: vertices
+/// move by at most 0.7 of [`View::doubt_px`]. This happens where triangles are long and narrow.
 pub(super) fn slopes_matter(prepared: &Prepared, view: &View) -> bool {
     prepared.parts.par_iter().any(|part| {
         part.triangles.par_iter().any(|corners| {
             let points = corners.map(|i| part.positions[i as usize].as_dvec3());
             let depths = points.map(|p| view.depth_of(p));
-            // Farther off the first is more of the second: they are compared where the triangle is farthest.
+            // The ratio of the slope error to the margin grows with depth: they are compared where the triangle is farthest.
             let (far, depth) =
                 points
                     .into_iter()
@@ -172,10 +172,10 @@ pub(super) fn slopes_matter(prepared: &Prepared, view: &View) -> bool {
     })
 }
 
-/// Share of [`View::doubt_px`] that snapping leaves.
+/// Share of [`View::doubt_px`] that snapping does not use.
 const SPARE: f64 = 0.25;
 
-/// Length of the part of a vector that lies in the picture.
+/// Length of a vector's component in the picture plane.
 pub(super) fn lateral(view: &View, v: DVec3) -> f64 {
     v.dot(view.right).hypot(v.dot(view.up))
 }

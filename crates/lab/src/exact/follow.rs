@@ -1,7 +1,7 @@
-//! One ray: from its crossings with the meshes, over those with the clip-surfaces of the parts that it meets, to what it sees.
+//! One ray: takes its crossings with the meshes, finds those with the clip-surfaces of the parts it meets, and returns what it sees.
 //!
-//! Clip-surfaces are looked for between the first and the last crossing with a mesh, and a little around them: elsewhere there is
-//! no solid that they could open.
+//! Crossings with clip-surfaces are searched between the first and the last mesh crossing, and slightly beyond: elsewhere there
+//! is no solid to cut.
 
 use cutaway::layers::{Kind, Layer, NEAR_PLANE};
 use glam::DVec2;
@@ -13,8 +13,8 @@ use super::ray_scratch::RayScratch;
 use super::walk::{Cause, Sight, walk};
 use super::{Lines, cutter, shading};
 
-/// Distance before the first and behind the last crossing within which clip-surfaces are searched, in pixels of that depth: events farther
-/// away than this are never too close to order.
+/// Distance before the first and behind the last mesh crossing within which clip-surfaces are searched, in pixels at that depth: events
+/// farther apart than this are never too close to order.
 const PAD_PX: f64 = 4.0;
 
 /// Result of following a ray.
@@ -38,7 +38,7 @@ impl<'a> Lines<'a> {
     ) -> Followed {
         let (prepared, view) = (self.prepared, self.view);
         let (found, of_cutters) = found.split_at(self.cutters.split(found, |c| c.rank));
-        // From a little before the near plane, so that an event just before it is known to be close.
+        // From a little before the near plane, so that an event just before it is found and counted as close.
         let before_near = view.before_near(self.pad(view.near));
         let odd = bench.sort_crossings(found, brushes, before_near);
         bench.end_open_parts(found);
@@ -95,7 +95,7 @@ impl<'a> Lines<'a> {
         PAD_PX * self.view.pixel_size(depth).abs()
     }
 
-    /// Lists the crossings of the ray with the clip-surfaces of the parts it meets, and tells whether it has no side of a cutter.
+    /// Lists the ray's crossings with the clip-surfaces of the parts it meets. Returns true if its side of some cutter is undefined.
     pub(super) fn meet_clips(
         &self,
         ray: &Ray,
@@ -141,7 +141,7 @@ impl<'a> Lines<'a> {
         &self.parts[usize::from(self.cutters.rank_of(surface))]
     }
 
-    /// Fills in what is seen.
+    /// Writes what is seen into the layer.
     pub(super) fn show(&self, ray: &Ray, sight: &Sight, bench: &RayScratch, layer: &mut Layer) {
         layer.part = self.prepared.parts[sight.rank as usize].part as u16;
         layer.depth = sight.depth;

@@ -3,18 +3,18 @@
 //! Along the ray through a pixel centre the visible point is the first one, beyond the near plane, at which the ray enters some solid less
 //! what is removed from it. It shows a *surface* where the ray crosses the mesh there and a *cap* where it leaves the removed region. This
 //! module lists every crossing of the ray with every triangle (`raster`) and with every clip-surface (`clip`, `relief`, `cutter`), walks
-//! them in order (`follow`, `walk`), and marks the answers that depend on less than the precision of a picture (`ambiguity`). [`trace`]
-//! gives the list of one pixel. It shares with the strategies that it judges only the scene, including which faces lie in which plane, and
+//! them in order (`follow`, `walk`), and marks answers that depend on differences below a picture's precision (`ambiguity`). [`trace`]
+//! gives the list of one pixel. It shares only the scene with the strategies that it judges, including which faces are coplanar, and
 //! no algorithm.
 //!
-//! *Inside* is by the part's [`Fill`](cutaway::scene::Fill). The crossings of the whole line count, behind the eye too: inside
-//! at the near plane is what those before it say. An open part has pixels where all of them together still say inside: an odd
-//! number or, where the rule is nonzero, a sum that is not 0; they are marked ([`Exact::odd_parity`]) and drawn as if the line
-//! started outside, and ended where it last crosses the part. An eye that is on a mesh to the last bit has no side, and gets odd pixels
-//! too.
+//! *Inside* is by the part's [`Fill`](cutaway::scene::Fill). All crossings of the line count, also those behind the eye: the
+//! crossings before the near plane decide whether it is inside. An open part has pixels where the line still ends inside: with an odd
+//! number of crossings or, where the rule is nonzero, a sum that is not 0. They are marked ([`Exact::odd_parity`]) and drawn as if the
+//! line started outside, and ended where it last crosses the part. An eye that is on a mesh to the last bit is neither inside nor
+//! outside, and its pixels are odd too.
 //!
-//! Cost: time and memory of the crossings, plus one step per texel border near the relief between the first and the last
-//! crossing of a ray. Rows are handled in bands, each with lists of its own, on all threads.
+//! Cost: time and memory proportional to the crossings, plus one step per texel border near the relief between the first and the
+//! last crossing of a ray. Rows are processed in bands, each with its own lists, on all threads.
 
 mod ambiguity;
 mod blocks;
@@ -63,12 +63,12 @@ pub struct Exact {
     /// True where sampling itself is ambiguous: within [`View::doubt_px`] of an outline, or two events too close to order.
     pub undecided: Vec<bool>,
     /// True where kind, part and clip-surface are decided but the depth is not: it jumps within [`View::doubt_px`], as between two folds of
-    /// a relief. No undecided pixel is one of them.
+    /// a relief. False for undecided pixels.
     pub depth_open: Vec<bool>,
-    /// True where the overlap of solids at the cap is open, be it because its depth is. No undecided pixel is one of them.
+    /// True where the overlap of solids at the cap is open, possibly because its depth is. False for undecided pixels.
     pub overlap_open: Vec<bool>,
-    /// True where some part has an odd number of crossings along the whole line, or crossings that do not cancel where its rule is nonzero:
-    /// the part is open there, or its faces do not agree which side is out.
+    /// True where some part has an odd number of crossings along the line or, where its rule is nonzero, crossings that do not cancel:
+    /// the part is open there, or its faces are oriented inconsistently.
     pub odd_parity: Vec<bool>,
 }
 
@@ -144,7 +144,7 @@ struct Lines<'a> {
     clips: Vec<Clip>,
     /// By rank.
     preclassified: Vec<PreclassifiedFaces>,
-    /// By number, planes that parts share, as the depth buffer of the view has them; none of those seen edge-on.
+    /// By number: the planes shared by several parts, as depth-buffer values of the view; none for a plane seen edge-on.
     shared_in_view: Vec<Option<[f64; 3]>>,
     triangles: Bands,
     outlines: Vec<Vec<Outline>>,
@@ -156,7 +156,7 @@ struct Answer {
     open: Openness,
 }
 
-/// Selects whether outlines are made: they mark where sampling is ambiguous, and nothing else.
+/// Selects whether outlines are built: they only mark where sampling is ambiguous.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Outlining {
     With,

@@ -1,8 +1,8 @@
-//! Events of one ray that are so close that their order is open, and what another order would show.
+//! Events of one ray that are too close to order, and what the ray would show with another order.
 //!
-//! Pairs are swapped one by one, and a crossing is moved past a clip-surface alone where others lie between the two: those may be preclassified
-//! against the surface ([`super::classify`]). Costs up to two walks along the ray for each close pair. Three events in an order that no such
-//! step leads to are not looked for.
+//! Pairs are swapped one at a time. Where other crossings lie between a crossing and a clip-surface, the crossing alone is moved past the
+//! surface, as the others may be preclassified against it ([`super::classify`]). Costs up to two walks along the ray for each close pair.
+//! Orders of three events that no single such step reaches are not tried.
 
 use glam::DVec3;
 
@@ -62,7 +62,7 @@ impl Case<'_> {
         let [near, far] = [i, j].map(|k| self.events[k].depth);
         scratch.begin(self.events);
         self.put(scratch, i, far);
-        // At one depth the tie rule decides; the other order is a hair apart.
+        // At one depth the tie rule decides; to get the other order, the event is moved by the rounding error.
         let hair = (near == far).then(|| rounding(self.view, near));
         self.put(scratch, j, near - hair.unwrap_or(0.0));
         let open = self.change(scratch, margin);
@@ -72,8 +72,8 @@ impl Case<'_> {
         }
     }
 
-    /// Openness caused by moving a crossing past a clip-surface that stays where it is: crossings between the two may be preclassified against
-    /// it, so that it cannot move past those.
+    /// Openness caused by moving a crossing past a clip-surface that stays where it is: crossings between the two may be preclassified
+    /// against the surface, so that the surface cannot move past them.
     fn passed(&self, scratch: &mut Scratch, [i, j]: [usize; 2], margin: f64) -> Openness {
         let [near, far] = [i, j].map(|k| &self.events[k]);
         let (moved, depth) = match (near.cause, far.cause) {
@@ -90,7 +90,7 @@ impl Case<'_> {
         self.change(scratch, margin)
     }
 
-    /// Puts an event at another depth, along with all crossings with triangles that coincide with its own: they only move together.
+    /// Moves an event to another depth, along with all crossings of triangles that coincide with its own: they only move together.
     fn put(&self, scratch: &mut Scratch, event: usize, depth: f64) {
         let moved = &self.events[event];
         for (other, copy) in self.events.iter().zip(&mut scratch.events) {
@@ -101,27 +101,27 @@ impl Case<'_> {
         scratch.events[event].depth = depth;
     }
 
-    /// Returns true if swapping two events can change anything, and is not preclassified by exact coincidence.
+    /// Returns true if swapping two events can change anything, and their order is not fixed by exact coincidence.
     fn order_matters(&self, a: &Event, b: &Event) -> bool {
         let is_preclassified = |mesh: &Event, surface: u16| {
             (self.preclassified.iter())
                 .any(|(source, by, _)| (*source, *by) == (mesh.source, surface))
         };
         match (a.cause, b.cause) {
-            // Of one part it matters which side of the mesh is seen.
+            // For one part it matters which side of the mesh is seen.
             (Cause::Mesh { rank: p, step: s }, Cause::Mesh { rank: q, step: t }) => {
                 (p != q || s != t)
                     && !self.share_triangle(a, b)
                     && !share_plane(self.shared, [a, b])
                     && !self.is_between(a, b)
             }
-            // A part that the surface does not cut may be in front of the cap of another, or behind it.
+            // A part that the surface does not cut may be in front of the cap of another part, or behind it.
             (Cause::Mesh { .. }, Cause::Clip { surface, .. }) => !is_preclassified(a, surface),
             (Cause::Clip { surface, .. }, Cause::Mesh { .. }) => !is_preclassified(b, surface),
             (Cause::Clip { surface: s, .. }, Cause::Clip { surface: t, .. }) => {
-                // Two surfaces that are one plane happen at once, whatever the rounding.
+                // Two surfaces in one plane are crossed at once, whatever the rounding.
                 let [g, h] = [a, b].map(|e| self.roots[e.source as usize].gradient);
-                // Of a face that a cutter shares with another surface no such thing is known: triangles round each for itself.
+                // This does not hold for a face that a cutter shares with another surface: triangles are rounded one by one.
                 let of_cutter = |surface: u16| self.cutters.contains(surface);
                 let apart = a.depth != b.depth || g.cross(h) != DVec3::ZERO;
                 s != t && (apart || of_cutter(s) || of_cutter(t))
@@ -138,7 +138,7 @@ impl Case<'_> {
         of(a).any(|(_, by, place)| of(b).any(|(_, other, there)| by == other && place != there))
     }
 
-    /// Returns true if two events are crossings, at one depth, with triangles of the same corners.
+    /// Returns true if two events are crossings at one depth with triangles that have the same corners.
     fn share_triangle(&self, a: &Event, b: &Event) -> bool {
         let is_mesh = |e: &Event| matches!(e.cause, Cause::Mesh { .. });
         if a.depth != b.depth || !is_mesh(a) || !is_mesh(b) {

@@ -1,21 +1,21 @@
-//! Edges at which the number of crossings changes, or the depth at which they are found, and the samples that are too close to them.
+//! Edges at which the number or the depth of crossings changes, and the samples that are too close to them.
 //!
-//! An edge shared by exactly two faces on opposite sides in the picture is no outline: whichever a sample hits, the ray crosses
+//! An edge shared by exactly two faces on opposite sides in the picture is no outline: whichever face a sample hits, the ray crosses
 //! once. Every other edge is one: a fold (*silhouette*), a rim (*boundary*), an edge of more than two faces, and, where the rule is
-//! nonzero, one whose faces disagree which side is out. Vertices are matched by position, as a mesh may store one twice.
+//! nonzero, an edge of inconsistently oriented faces. Vertices are matched by position, as a mesh may store one twice.
 //!
-//! Where one of the two faces is far steeper than the other, or its depths are interpolated far less well, their edge is a *seam*: a sample
-//! that hits the other face finds one crossing too, but maybe at another depth.
+//! Where one of the two faces is far steeper than the other, or its depths are interpolated far less precisely, their edge is a *seam*: a
+//! sample that hits the other face also finds one crossing, but possibly at another depth.
 //!
-//! A needle narrower than the sub-pixel grid lies on no side of its edges: they are outlines too (see [`sliver_reach`]), but for needles
-//! that reach past the near plane.
+//! A needle narrower than the sub-pixel grid has no reliable side of its edges: they are outlines too (see [`sliver_reach`]), except for
+//! needles that reach past the near plane.
 //!
-//! An adapter with fewer sub-pixel bits than usual (SwiftShader) clips each triangle at the near plane for itself, so that two which
-//! share an edge part there by a step: all edges through the near plane are outlines then, beyond which the part may be open. On
-//! llvmpipe, with 8 bits, that was not seen.
+//! An adapter with fewer sub-pixel bits than usual (SwiftShader) clips each triangle at the near plane separately, so that a gap of one
+//! step can open between two triangles that share an edge: then all edges through the near plane are outlines at which the part may be
+//! open. This was not observed on llvmpipe, with 8 bits.
 //!
-//! Rasterisers snap vertices to a fraction of a pixel, 1/256 as a rule, and transforms in f32 move them too: a sample farther than
-//! [`View::doubt_px`] from every outline was hit alike by those that were tried: llvmpipe, SwiftShader, compute.
+//! Rasterisers snap vertices to a fraction of a pixel, usually 1/256, and transforms in f32 move them too. All rasterisers tried
+//! (llvmpipe, SwiftShader, compute) agreed on every sample farther than [`View::doubt_px`] from all outlines.
 
 use cutaway::scene::{View, longest_edge};
 use glam::{DVec2, DVec3};
@@ -26,13 +26,13 @@ use super::facet::lateral;
 use super::raster::{Projected, centres};
 use super::screen::Corner;
 
-/// No two depths of a scene are farther apart: it lies in a ball of radius 1. The plane of a needle seen edge-on has no such bound.
+/// Maximum difference of two depths of a scene, which lies in a ball of radius 1. The plane of a needle seen edge-on has no such bound.
 const SCENE_DIAMETER: f64 = 2.0;
 
-/// Maximum ratio of the depth changes of the two faces at an edge that is no seam.
+/// Maximum ratio of the two faces' depth changes at an edge that is no seam.
 const SEAM: f64 = 4.0;
 
-/// Two steps of f32 near 1: what is no wider than that has no plane in f32.
+/// Two steps of f32 near 1: a triangle no wider than this has no plane in f32.
 const LINE_WIDTH: f64 = 2.0 * f32::EPSILON as f64;
 
 /// An edge that is an outline, from a little before the near plane on.
@@ -48,8 +48,8 @@ pub(super) struct Outline {
 pub(super) enum Edge {
     /// There may be two more crossings.
     Fold,
-    /// The part may be open: it has an odd number of faces, or directions that do not cancel where the rule is nonzero, or a coarse adapter
-    /// parts its triangles there.
+    /// The part may be open: the edge has an odd number of faces or, where the rule is nonzero, face directions that do not cancel; or an
+    /// adapter with few sub-pixel bits separates its triangles there.
     Rim,
     /// Either of two triangles may be crossed.
     Seam([u32; 2]),
@@ -66,18 +66,18 @@ pub(super) struct Brush {
     pub(super) edge: Edge,
     /// Depth of the edge.
     pub(super) depth: f64,
-    /// Distance in depth that the faces at the edge may reach within [`View::doubt_px`].
+    /// Largest depth difference from the edge that its faces may have within [`View::doubt_px`].
     pub(super) margin: f64,
 }
 
-/// One face at an edge. `side` tells where the face lies in the picture: 1 and -1 are opposite, 0 is edge-on.
+/// One face at an edge. `side` is the face's side of the edge in the picture: 1 and -1 are opposite, 0 is edge-on.
 struct Use {
     key: (u32, u32),
     triangle: u32,
     side: i8,
-    /// 1 where the face runs along the key, -1 where it runs against it.
+    /// 1 where the face traverses the edge in the key's direction, -1 where in the other.
     direction: i8,
-    /// About how much depth on the face may move.
+    /// Approximate change of the depth on the face.
     change: f64,
 }
 
@@ -95,7 +95,7 @@ pub(super) fn outlines(view: &View, rank: u16, projected: &Projected<'_>) -> Vec
             };
             let change = depth_change(view, projected, index as u32);
             let t = t.map(|i| names[i as usize]);
-            // A triangle with two equal corners is an edge, and not one of its faces.
+            // A triangle with two equal corners is an edge and counts as no face.
             let degenerate = t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
             (0..if degenerate { 0 } else { 3 }).map(move |e| {
                 let (from, to) = (t[e], t[(e + 1) % 3]);
@@ -138,7 +138,7 @@ pub(super) fn outlines(view: &View, rank: u16, projected: &Projected<'_>) -> Vec
                     sliver_reach(view, projected, f.triangle).unwrap_or_else(within)
                 })
                 .fold(0.0, f64::max);
-            // Faces at an edge just before the near plane may reach beyond it near the edge, or by rounding.
+            // Faces at an edge just before the near plane may extend beyond the plane near the edge, or be rounded there.
             let before = view.before_near(margin + rounding(view, view.near));
             let ends = beyond(before, a, b)?;
             Some(Outline {
@@ -151,7 +151,7 @@ pub(super) fn outlines(view: &View, rank: u16, projected: &Projected<'_>) -> Vec
         .collect()
 }
 
-/// About how much depth on a triangle may move, by snapping and by how it is interpolated.
+/// Approximate change of the depth on a triangle, from snapping and interpolation.
 fn depth_change(view: &View, projected: &Projected<'_>, triangle: u32) -> f64 {
     let far = projected.corners(triangle).map(|c| c.depth);
     let far = far.into_iter().fold(view.near, f64::max);
@@ -180,15 +180,15 @@ fn points(projected: &Projected<'_>) -> Vec<u32> {
     names
 }
 
-/// Reach in depth of a needle that rounding its corners to the sub-pixel grid may turn over: the side that a rasteriser sees, and so the
-/// depth it finds, is undefined. Its edges are outlines: no sample lies reliably on one side of them.
+/// Largest depth error of a needle that rounding its corners to the sub-pixel grid may turn over: the side that a rasteriser sees, and so
+/// the depth it finds, is undefined. Its edges are outlines: no sample lies reliably on one side of them.
 ///
-/// If its depths differ by more than the width of a pixel, the reach is that difference. If by less, the change of its plane within
-/// [`View::doubt_px`] counts too, which has no bound where it is seen edge-on: some rasterisers cover samples outside it, by the rounded
-/// corners, and read the plane of the others there. Where its corners lie on a line there is no plane, and any depth may be read. However
-/// little its depth changes, the side that is seen is open: a needle that is turned over shows its back.
+/// If its depths differ by more than the width of a pixel, the error is that difference. If by less, the change of its plane within
+/// [`View::doubt_px`] counts too, which is unbounded for a needle seen edge-on: some rasterisers cover samples outside it, as its corners
+/// are rounded, and evaluate the unrounded plane there. Where its corners lie on a line there is no plane, and any depth may be read.
+/// However little its depth changes, the side that is seen is open: a needle that is turned over shows its back.
 ///
-/// None for what is no needle, nor for one that reaches past the near plane, of which only a piece is drawn.
+/// None for a triangle that is no needle, and for a needle that crosses the near plane, which is clipped.
 fn sliver_reach(view: &View, projected: &Projected<'_>, triangle: u32) -> Option<f64> {
     let corners = projected.corners(triangle);
     if corners.iter().any(|c| c.depth <= view.near) {
@@ -222,7 +222,7 @@ fn is_line(points: [DVec3; 3]) -> bool {
     (b - a).cross(c - a).length() <= LINE_WIDTH * longest_edge(points)
 }
 
-/// The piece of an edge beyond a depth.
+/// The part of an edge beyond a depth.
 fn beyond(near: f64, a: Corner, b: Corner) -> Option<[Corner; 2]> {
     match (a.depth > near, b.depth > near) {
         (true, true) => Some([a, b]),
@@ -233,14 +233,14 @@ fn beyond(near: f64, a: Corner, b: Corner) -> Option<[Corner; 2]> {
 }
 
 impl Outline {
-    /// Rows whose samples may be near.
+    /// Range of rows whose samples may be near the outline.
     pub(super) fn rows(&self, view: &View) -> Option<[u32; 2]> {
         let ([a, b], near_px) = (self.ends.map(|e| e.pixel()), view.doubt_px());
         centres(a.x.min(b.x), a.x.max(b.x), near_px, view.size_px[0])?;
         centres(a.y.min(b.y), a.y.max(b.y), near_px, view.size_px[1])
     }
 
-    /// Lists the samples of a band that are near.
+    /// Lists the samples of a band that are near the outline.
     pub(super) fn brush(
         &self,
         view: &View,
@@ -255,7 +255,7 @@ impl Outline {
         for row in lo.max(first_row)..(hi + 1).min(end_row) {
             let y = f64::from(row) + 0.5;
             let share = |y: f64| ((y - a.y) / along.y).clamp(0.0, 1.0);
-            // The piece of the edge that passes this row; the whole edge when it runs along the row.
+            // The part of the edge that passes this row; the whole edge if it runs along the row.
             let (from, to) = if along.y.abs() > near_px {
                 (share(y - near_px), share(y + near_px))
             } else {
@@ -291,7 +291,7 @@ impl Outline {
     }
 }
 
-/// Length of a vector's part in the picture, per pixel at a depth.
+/// Length of a vector's component in the picture plane, times the size of a pixel at a depth.
 pub(super) fn change_per_px(view: &View, gradient: DVec3, depth: f64) -> f64 {
     lateral(view, gradient) * view.pixel_size(depth)
 }

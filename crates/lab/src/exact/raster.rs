@@ -1,10 +1,10 @@
 //! All crossings of all samples with all triangles, band by band.
 //!
-//! A band is [`BAND_ROWS`] rows of pixels. Triangles are sorted into bands once; a band then lists its crossings by pixel
-//! and is forgotten, so memory is that of the triangles plus the crossings of one band per thread. Within a row the
-//! three edge functions bound the columns worth asking, with a slack above their error; [`Line::side`] decides.
+//! A band is [`BAND_ROWS`] rows of pixels. Triangles are sorted into bands once; the crossings of a band are listed by pixel
+//! and dropped after use, so memory is that of the triangles plus the crossings of one band per thread. Within a row the
+//! three edge functions bound the columns to test, with a slack above their error; [`Line::side`] decides.
 //!
-//! Triangles behind the eye are crossed like all others, at negative depths: only so does a closed part have an even
+//! Triangles behind the eye are crossed like all others, at negative depths: this is what gives a closed part an even
 //! number of crossings in every pixel, wherever the camera is.
 
 use cutaway::scene::{Fill, PreparedPart, PreparedVolume, ShadingMesh, View};
@@ -17,7 +17,7 @@ use super::screen::{Corner, Line, facing};
 /// Rows of pixels in a band.
 pub(super) const BAND_ROWS: u32 = 8;
 
-/// A part or a cutter as the picture sees it.
+/// A part or a cutter, projected into the picture.
 pub(super) struct Projected<'a> {
     /// Its vertices in scene space.
     pub(super) positions: &'a [Vec3],
@@ -25,7 +25,7 @@ pub(super) struct Projected<'a> {
     pub(super) triangles: &'a [[u32; 3]],
     /// Fill rule of the mesh.
     pub(super) fill: Fill,
-    /// Normals to be shown; a cutter that is not smooth has none.
+    /// Shading normals; a cutter that is not smooth has none.
     pub(super) shading: Option<&'a ShadingMesh>,
     /// Projected vertices.
     pub(super) corners: Vec<Corner>,
@@ -34,7 +34,7 @@ pub(super) struct Projected<'a> {
 }
 
 impl<'a> Projected<'a> {
-    /// Projects a part; one of which a cut removes all has nothing to be crossed.
+    /// Projects a part; a part that a cut removes entirely has no triangles to cross.
     pub(super) fn of(view: &View, part: &'a PreparedPart) -> Self {
         let triangles = match part.is_removed {
             true => &[],
@@ -104,7 +104,7 @@ pub(super) struct Crossing {
     pub(super) rank: u16,
     /// The triangle faces away from the eye.
     pub(super) back_face: bool,
-    /// Place among crossings of clip-surfaces at the same depth: -1 before them, 1 behind; 0 where its triangle lies in none.
+    /// Order relative to crossings of clip-surfaces at the same depth: -1 before them, 1 behind; 0 where its triangle lies in none.
     pub(super) place: i8,
 }
 
@@ -115,14 +115,14 @@ impl Crossing {
     }
 }
 
-/// Things sorted into bands of rows.
+/// Items sorted into bands of rows.
 pub(super) struct Bands {
     starts: Vec<usize>,
     items: Vec<(u16, u32)>,
 }
 
 impl Bands {
-    /// Sorts `(rank, index)` by the inclusive ranges of rows they touch.
+    /// Sorts items `(rank, index)` into bands by the inclusive range of rows each touches.
     pub(super) fn of(height: u32, ranges: &[Vec<Option<[u32; 2]>>]) -> Self {
         let count = height.div_ceil(BAND_ROWS) as usize;
         let each = || {
@@ -161,7 +161,7 @@ impl Bands {
     }
 }
 
-/// Inclusive range of pixels whose centres lie between two coordinates, give or take `slack`.
+/// Inclusive range of pixels whose centres lie between two coordinates, extended by `slack` on both sides.
 pub(super) fn centres(lo: f64, hi: f64, slack: f64, size: u32) -> Option<[u32; 2]> {
     let first = (lo - 0.5 - slack).ceil().max(0.0);
     let last = (hi - 0.5 + slack).floor().min(f64::from(size) - 1.0);
@@ -171,7 +171,7 @@ pub(super) fn centres(lo: f64, hi: f64, slack: f64, size: u32) -> Option<[u32; 2
 /// Far more than the rounding of a projected vertex, far less than a pixel.
 const SLACK_PX: f64 = 1e-6;
 
-/// Rows whose samples each triangle of a part may hold.
+/// Per triangle of a part: the rows with samples that it may cover.
 pub(super) fn rows_of(view: &View, projected: &Projected<'_>) -> Vec<Option<[u32; 2]>> {
     let [width, height] = view.size_px;
     (0..projected.triangles.len() as u32)
@@ -291,7 +291,7 @@ fn cross_triangle(
     }
 }
 
-/// Columns of a row that three half-planes may share.
+/// Columns of a row that may lie in all three half-planes.
 fn columns(lines: &[Line; 3], wanted: f64, y: f64, width: u32) -> Option<[u32; 2]> {
     let (mut lo, mut hi) = (0.0f64, f64::from(width));
     for line in lines {

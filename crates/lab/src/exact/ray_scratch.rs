@@ -1,4 +1,4 @@
-//! Scratch memory of one ray: its lists of crossings, roots and events, and its states, reused from ray to ray.
+//! Scratch memory for one ray: its lists of crossings, roots and events, and its states; reused from ray to ray.
 
 use cutaway::scene::Prepared;
 
@@ -8,21 +8,21 @@ use super::outline::Brush;
 use super::raster::Crossing;
 use super::walk::{Cause, Event, State, by_depth};
 
-/// Scratch memory of one ray; reused from ray to ray.
+/// Scratch memory for one ray; reused from ray to ray.
 pub(super) struct RayScratch {
     pub(super) crossings: Vec<Crossing>,
-    /// With one cutter.
+    /// Crossings with one cutter.
     pub(super) of_cutter: Vec<Crossing>,
     pub(super) roots: Vec<Root>,
     pub(super) grazes: Vec<Graze>,
     pub(super) events: Vec<Event>,
     /// Ranks of the parts the ray meets or almost meets, in order.
     pub(super) ranks: Vec<u16>,
-    /// Per surface: its roots are listed.
+    /// Per surface: true if its roots are listed.
     pub(super) met: Vec<bool>,
-    /// Crossings and the clip-surfaces that classify their triangles, each with its [`Crossing::place`]: no rounding changes their order.
+    /// Crossings, each with the clip-surface that classifies its triangle and its [`Crossing::place`]: rounding cannot change their order.
     pub(super) preclassified: Vec<(u32, u16, i8)>,
-    /// Crossings, and the numbers of the planes that their triangles share with those of other parts.
+    /// Crossings, each with the number of the plane in which its triangle is coplanar with triangles of other parts.
     pub(super) shared: Vec<(u32, u16)>,
     pub(super) start: State,
     pub(super) state: State,
@@ -50,7 +50,7 @@ impl RayScratch {
         }
     }
 
-    /// Takes the crossings beyond a depth, counts those before it, and tells whether some part is open.
+    /// Keeps the crossings beyond a depth, counts those before it, and returns whether some part is open.
     pub(super) fn sort_crossings(
         &mut self,
         found: &[Crossing],
@@ -74,7 +74,7 @@ impl RayScratch {
         self.ranks.iter().any(|r| self.end.is_inside(*r))
     }
 
-    /// Ends the parts that are open along the line where they are last crossed: beyond there is nothing of them to cap.
+    /// Ends each part that is open along the line at its last crossing: beyond, there is nothing of it to cap.
     pub(super) fn end_open_parts(&mut self, found: &[Crossing]) {
         for rank in self.ranks.iter().filter(|r| self.end.is_inside(**r)) {
             let depths = found.iter().filter(|c| c.rank == *rank).map(|c| c.depth);

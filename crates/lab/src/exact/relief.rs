@@ -1,10 +1,10 @@
 //! Crossings of a ray with a relief: visits every texel cell under the ray in turn, but skips blocks of cells far from the ray.
 //!
 //! Within a cell `f` is bilinear and `F` along the ray a quadratic. Signs decide, roots only locate: the sign at the end
-//! of a cell is carried into the next one, one root where the two ends differ, two where they agree but the vertex of the
-//! quadratic does not. Cells are counted in integers and their borders computed afresh from them, so nothing drifts. A
-//! cell is skipped when the four-corner bounds of `f` keep `F` away from 0 over the whole cell, and a block of cells when its
-//! bounds do, which skips no cell that would not be.
+//! of a cell is carried into the next one; there is one root where the signs at the two ends differ, and two where they agree but
+//! differ from that at the quadratic's vertex. Cells are counted in integers and their borders computed from these, so nothing
+//! drifts. A cell is skipped when the four-corner bounds of `f` keep `F` away from 0 over the whole cell, and a block of cells when
+//! its bounds do; blocks skip only cells that would be skipped anyway.
 //!
 //! Cost: one step per texel border in the requested range of depths, where the ray is near the relief; few steps elsewhere.
 
@@ -38,12 +38,12 @@ pub(super) struct Relief {
     map: Arc<OffsetMap>,
     origin: DVec3,
     normal: DVec3,
-    /// Texels per scene unit along the columns and the rows of the map, as vectors.
+    /// Texels per scene unit, as vectors along the columns and along the rows of the map.
     axes: [DVec3; 2],
     height: f64,
-    /// Least and greatest `f.Sz`.
+    /// Minimum and maximum of `f.Sz`.
     slab: [f64; 2],
-    /// Texels of the addresses around the scene, along each axis.
+    /// Per axis: the texels for the addresses around the scene.
     tables: [Table; 2],
     blocks: Blocks,
 }
@@ -107,7 +107,7 @@ impl Relief {
         }
     }
 
-    /// As [`super::clip::Clip::meet`].
+    /// See [`super::clip::Clip::meet`].
     pub(super) fn meet(
         &self,
         view: &View,
@@ -117,7 +117,7 @@ impl Relief {
         roots: &mut Vec<Root>,
         grazes: &mut Vec<Graze>,
     ) -> bool {
-        // Outside [lo, hi] of the plane's distance the sign is that of the distance alone. The pad exceeds rounding.
+        // Where the plane's distance is outside [lo, hi], it alone gives the sign. The pad exceeds rounding.
         let pad = 1e-9;
         let (lo, hi) = (-self.slab[1] - pad, -self.slab[0] + pad);
         let (mut from, mut to) = (start, end);
@@ -164,7 +164,7 @@ impl Relief {
     }
 }
 
-/// A ray on its way over the texel grid. Texel coordinates along it are `p + d * depth`.
+/// The traversal of the texel grid by a ray. Texel coordinates along it are `p + d * depth`.
 struct Walk<'a> {
     relief: &'a Relief,
     view: &'a View,
@@ -173,7 +173,7 @@ struct Walk<'a> {
     ray: &'a Ray,
     p: [f64; 2],
     d: [f64; 2],
-    /// Slope of `F` at the end of the cell before; NaN where that cell was skipped.
+    /// Slope of `F` at the end of the previous cell; NaN where that cell was skipped.
     slope_before: f64,
 }
 
@@ -211,7 +211,7 @@ impl Walk<'_> {
         grazes: &mut Vec<Graze>,
     ) -> bool {
         let (p, d) = (self.p, self.d);
-        // Borders come from the number of the cell, never from the border before.
+        // Borders are computed from the cell's index, never from the previous border.
         let border = |cell: i64, i: usize| {
             let side = if d[i] > 0.0 { cell + 1 } else { cell };
             if d[i] == 0.0 {
@@ -228,7 +228,7 @@ impl Walk<'_> {
         let mut level = self.relief.blocks.top();
         loop {
             let Block { range, ahead } = self.relief.blocks.block(level, [x, y], up);
-            // The cells before the borders ahead, which the ray leaves the block from.
+            // Per axis, the last cell before the border ahead: the ray leaves the block from it.
             let last = [0, 1].map(|i| if up[i] { ahead[i] - 1 } else { ahead[i] });
             let (end_x, end_y) = (border(last[0], 0), border(last[1], 1));
             let end = end_x.min(end_y).min(to).max(at);
@@ -242,7 +242,7 @@ impl Walk<'_> {
                     return first;
                 }
                 at = end;
-                // Of the borders along the other axis those were met that come before; ties step along the columns first.
+                // The ray has passed the other axis's borders that come before this one; ties step along the columns first.
                 if end_x <= end_y {
                     y = self.cell_by([y, last[1]], 1, |j| border(j, 1) < end_x, at);
                     x = last[0] + step[0];
@@ -279,8 +279,7 @@ impl Walk<'_> {
         }
     }
 
-    /// The cell along an axis that the ray is in at a depth, of those from `now` to `last`: the first one that `is_left` does not
-    /// say to have been left by then.
+    /// The cell along an axis, from `now` to `last`, that the ray is in at a depth: the first for which `is_left` is false.
     fn cell_by(
         &self,
         [now, last]: [i64; 2],
@@ -300,7 +299,7 @@ impl Walk<'_> {
         cell
     }
 
-    /// The side of a stretch of the ray that stays away from all heights between two, unless it was on the other side before.
+    /// The side of an interval of the ray that stays away from all heights between two, unless it was on the other side before.
     fn far_side(
         &self,
         [lo, hi]: [f64; 2],
@@ -308,7 +307,7 @@ impl Walk<'_> {
         removed: Option<bool>,
     ) -> Option<bool> {
         let (g0, g1) = (self.plane.at(start), self.plane.at(end));
-        // No gradient between these heights is longer than `steep`, so no small shift of the sample moves F by more than `reach`.
+        // No gradient between these heights is longer than `steep`, so a small shift of the sample moves F by at most `reach`.
         let axes = &self.relief.axes;
         let steep = 1.0 + (hi - lo) * (axes[0].length() + axes[1].length());
         let reach =
@@ -360,7 +359,7 @@ impl Walk<'_> {
             roots.push(self.root(start + r, before, f.a, at));
             roots.push(self.root(start + s, !before, f.a, at));
         }
-        // Extrema of F: inside the cell, and at the crease between it and the cell before.
+        // Extrema of F: within the cell, and at the crease between it and the previous cell.
         let crease = (self.slope_before * f.b < 0.0).then_some((0.0, self.slope_before < 0.0));
         let inside = turns.then_some((vertex, f.a > 0.0));
         for (s, least) in [crease, inside].into_iter().flatten() {
@@ -423,7 +422,7 @@ mod tests {
         Relief::of(surface, map, 2.0)
     }
 
-    /// All that a picture's rays meet, in words, and how many crossings that is.
+    /// All crossings of a picture's rays with a relief, as text, and their number.
     fn met(prepared: &Prepared, relief: &Relief) -> (String, usize) {
         let view = prepared.view([24, 24]);
         let (mut roots, mut grazes) = (Vec::new(), Vec::new());

@@ -1,16 +1,16 @@
-//! Projection of vertices into the picture, and the side of an edge that a sample is on.
+//! Projection of vertices into the picture, and the test on which side of an edge a sample lies.
 //!
-//! Notation: a vertex is `(x w, y w, w)` in pixels, `w` its depth (1 in orthographic views). The edge from `f` to `t` is
-//! the plane through the eye with normal `f x t`; `E(x, y) = (x, y, 1).(f x t)` is linear in the picture and needs no
-//! clipping where `w <= 0` (Olano & Greer 1997). A sample `q` is in a triangle before the eye iff its three `E` have the
+//! Notation: a vertex is `(x w, y w, w)` in pixels, where `w` is its depth (1 in orthographic views). The edge from `f` to `t` is
+//! represented by the plane through the eye with normal `f x t`; `E(x, y) = (x, y, 1).(f x t)` is linear in the picture and needs
+//! no clipping where `w <= 0` (Olano & Greer 1997). A sample is in a triangle before the eye iff all three `E` have the
 //! sign of `det(a, b, c)`, and in one behind the eye iff all have the other sign.
 //!
 //! Every vertex is rounded to f64 once, here, and pixel centres are exact; each sign is then exactly that of the real
-//! number, from a filter or from [`robust`]. Two triangles therefore never both take or both leave a sample of the edge they
-//! share, whichever way round they name it.
+//! number, from a filter or from [`robust`]. Two triangles therefore never both cover or both miss a sample on the edge they
+//! share, whichever direction each gives it.
 //!
-//! Tie rule: a sample stands for `(x + e, y + e^2)` with `e` infinitely small, so one on an edge belongs to the triangle to the right of
-//! the edge, or below it. This is the top-left rule of rasterisers.
+//! Tie rule: a sample stands for `(x + e, y + e^2)` with `e` infinitely small, so a sample on an edge belongs to the triangle to the
+//! right of the edge, or below it. This is the rasterisers' top-left rule.
 
 use cutaway::scene::View;
 use glam::{DVec2, DVec3};
@@ -40,17 +40,17 @@ impl Corner {
         Self { at, depth }
     }
 
-    /// The point of the picture, in pixels; meaningless where `w` is 0.
+    /// The projected point, in pixels; meaningless where `w` is 0.
     pub(super) fn pixel(&self) -> DVec2 {
         self.at.truncate() / self.at.z
     }
 
-    /// The corner at a depth on the way to another.
+    /// The point at a depth on the line to another corner.
     pub(super) fn at_depth(&self, other: &Self, depth: f64) -> Self {
         self.lerp(other, (depth - self.depth) / (other.depth - self.depth))
     }
 
-    /// The corner a share of the way to another.
+    /// The point at a fraction of the way to another corner.
     pub(super) fn lerp(&self, other: &Self, share: f64) -> Self {
         Self {
             at: self.at.lerp(other.at, share),
@@ -59,7 +59,7 @@ impl Corner {
     }
 }
 
-/// 1, -1 or 0: how `det(a, b, c)` differs from 0. Positive where the counter-clockwise side faces away from the eye.
+/// Sign of `det(a, b, c)`: 1, -1 or 0. Positive where the counter-clockwise side faces away from the eye.
 pub(super) fn facing(a: &Corner, b: &Corner, c: &Corner) -> i8 {
     sign(determinant(a.at, b.at, c.at))
 }
@@ -70,7 +70,7 @@ fn determinant(a: DVec3, b: DVec3, c: DVec3) -> f64 {
         y: p.y,
         z: p.z,
     });
-    // Differences to the origin are exact, so this is the 3 x 3 determinant itself.
+    // Differences from the origin are exact, so this is the 3 x 3 determinant itself.
     orient3d(
         a,
         b,
@@ -93,13 +93,13 @@ fn sign(x: f64) -> i8 {
     i8::from(x > 0.0) - i8::from(x < 0.0)
 }
 
-/// The edge function of two corners over a picture.
+/// The edge function of two corners, evaluated over a picture.
 pub(super) struct Line {
     from: DVec3,
     to: DVec3,
     /// `from x to`: coefficients of `x`, `y` and 1.
     pub(super) normal: DVec3,
-    /// No value in the picture is farther than this from the truth.
+    /// Maximum rounding error of its values in the picture.
     pub(super) error: f64,
 }
 
@@ -154,7 +154,7 @@ mod tests {
     #[test]
     fn a_sample_on_a_shared_edge_belongs_to_the_right_or_lower_triangle() {
         let at = DVec2::new(2.5, 2.5);
-        // (from, to, side of the interior when it lies right of or below the edge)
+        // (from, to, side of an interior that lies right of or below the edge)
         for (from, to, inner) in [
             ((2.5, 0.0), (2.5, 5.0), (9.0, 2.5)),
             ((0.0, 2.5), (5.0, 2.5), (2.5, 9.0)),

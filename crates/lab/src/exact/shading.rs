@@ -1,16 +1,16 @@
-//! Normals of what is seen. They face the camera's side and decide nothing.
+//! Shading normals of visible points. They face the camera, and affect no other part of the answer.
 
 use glam::{DVec3, Vec3};
 
 use super::clip::{CutterTriangle, Root};
 use super::raster::{Crossing, Projected};
 
-/// Normal of a cap: down the kept height, out of the kept solid.
+/// Normal of a cap: in the direction of decreasing kept height, out of the kept solid.
 pub(super) fn cap_normal(root: &Root) -> Vec3 {
     (-root.gradient).normalize_or_zero().as_vec3()
 }
 
-/// Normal of a cap on a cutter: as that of a mesh, on the side that a ray comes from which leaves the removed region.
+/// Normal of a cap on a cutter: that of its mesh, facing the side from which a ray leaves the removed region.
 pub(super) fn cutter_normal(
     mesh: &Projected<'_>,
     root: &Root,
@@ -23,13 +23,13 @@ pub(super) fn cutter_normal(
     (if is_turned { -normal } else { normal }).as_vec3()
 }
 
-/// Normal of a mesh; turned round on a back face.
+/// Normal of a mesh; reversed on a back face.
 pub(super) fn surface_normal(part: &Projected<'_>, crossing: &Crossing, point: DVec3) -> Vec3 {
     let normal = normal_at(part, crossing.triangle, point);
     (if crossing.back_face { -normal } else { normal }).as_vec3()
 }
 
-/// The shading normals of a triangle's corners, interpolated; its own where there are none.
+/// The interpolated shading normals of a triangle's corners; the triangle's own normal where there are none.
 fn normal_at(mesh: &Projected<'_>, triangle: u32, point: DVec3) -> DVec3 {
     let facet = mesh.facet(triangle);
     let own = facet.normal.normalize_or_zero();
@@ -43,7 +43,7 @@ fn normal_at(mesh: &Projected<'_>, triangle: u32, point: DVec3) -> DVec3 {
     (a * shares[0] + b * shares[1] + c * shares[2]).normalize_or(own)
 }
 
-/// Shares of the corners at a point of the triangle's plane.
+/// Barycentric coordinates of a point in the triangle's plane.
 fn barycentric([a, b, c]: [DVec3; 3], normal: DVec3, point: DVec3) -> [f64; 3] {
     let area = normal.length_squared();
     if area == 0.0 {

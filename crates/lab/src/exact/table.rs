@@ -1,11 +1,11 @@
-//! Addresses of texels wrapped once for all rays, as far as they are around the scene.
+//! Texel addresses around the scene, wrapped once for all rays.
 
 use cutaway::scene::Wrap;
 
-/// The largest table of wrapped addresses; beyond it they are wrapped one by one.
+/// Maximum number of addresses in a table; others are wrapped one by one.
 const TABLE_TEXELS: i64 = 1 << 20;
 
-/// Texels of the addresses around a point, along one axis.
+/// The texels for the addresses around a point, along one axis.
 pub(super) struct Table {
     first: i64,
     texels: Vec<u32>,

@@ -1,8 +1,8 @@
-//! The exact images of a view, by what snaps vertices: a picture is judged by the band of doubt of the rasteriser that drew it.
+//! The exact images of a view, one per precision: a picture is judged with the undecided pixels of the rasteriser that drew it.
 //!
-//! Nearly all are judged by the usual one, which is evaluated at once. That of a coarser rasteriser is evaluated when the first of its
-//! pictures is judged, and costs as much again: one of fewer sub-pixel bits, or one that interpolates depths in f32 where triangles are
-//! so long and narrow that it shows. Both have the same layers; they differ in what is undecided.
+//! Nearly all pictures are judged by the usual image, which is evaluated at once. A coarser rasteriser is one with fewer sub-pixel bits,
+//! or one that interpolates depths in f32 where triangles are so long and narrow that it shows. Its image is evaluated when its first
+//! picture is judged, and costs as much again. Both images have the same layers; they differ in what is undecided.
 
 use std::borrow::Borrow;
 use std::ops::Deref;
@@ -13,19 +13,19 @@ use cutaway::scene::{Precision, Prepared, View};
 use super::facet::slopes_matter;
 use super::{Exact, evaluate};
 
-/// The exact images of one view of a scene; as a reference it is the usual one.
+/// The exact images of one view of a scene; it dereferences to the usual one.
 pub struct Truth<P> {
     prepared: P,
     view: View,
     usual: Arc<Exact>,
-    /// True if slopes in f32 are coarser than the usual precision.
+    /// True if depth slopes in f32 are coarser than the usual precision.
     slopes_matter: OnceLock<bool>,
-    /// Image at a lower precision: an adapter has one.
+    /// Image at a lower precision; an adapter has at most one.
     coarse: OnceLock<(Precision, Arc<Exact>)>,
 }
 
 impl<P: Borrow<Prepared>> Truth<P> {
-    /// Evaluates the usual one. The scene must be whole: [`Prepared::must_be_whole`].
+    /// Evaluates the usual image. The scene must be whole: [`Prepared::must_be_whole`].
     pub fn new(prepared: P, view: View) -> Self {
         Self {
             usual: Arc::new(evaluate(prepared.borrow(), &view)),
@@ -36,7 +36,7 @@ impl<P: Borrow<Prepared>> Truth<P> {
         }
     }
 
-    /// The one for pictures that were drawn so exactly. More bits than usual are judged as the usual ones: what f32 leaves open stays open.
+    /// The image for pictures drawn with this precision. More bits than usual are judged like the usual: f32 leaves the same pixels open.
     pub fn at(&self, precision: Precision) -> Arc<Exact> {
         let usual = Precision::USUAL;
         let mut precision = Precision {

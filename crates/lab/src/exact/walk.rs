@@ -1,15 +1,15 @@
-//! The definition itself: walk the events along a ray in order of depth and stop where it first enters what is left.
+//! The definition itself: walk the events along a ray in order of depth, and stop where it first enters a kept solid.
 //!
-//! State: per part, the winding number, of which the part's rule makes inside or outside; per clip-surface, removed or kept
-//! side. A cut removes where all its
-//! surfaces do, a part loses what any of its cuts removes. A part *shows* where the ray is inside it and nothing removes
-//! it; the visible point is the first, beyond the near plane, at which some part goes from not showing to showing.
+//! State: per part, the winding number, from which the part's fill rule decides inside or outside; per clip-surface, whether the
+//! ray is on its removed or its kept side. A cut removes where all its surfaces do, and a part loses what any of its cuts
+//! removes. A part *shows* where the ray is inside it and nothing removes it; the visible point is the first, beyond the near
+//! plane, at which some part goes from not showing to showing.
 //!
 //! Ties. A solid is taken without its boundary: a mesh event whose triangle lies in a clip-surface is before the clip event where the
-//! ray leaves the solid by it, and behind it where the ray enters ([`super::classify`]); so a cut leaves nothing without thickness. Any
-//! other mesh event that happens to be at the very depth of a clip event counts as on its kept side. Clip events at one depth happen
-//! at once: two cuts that share a plane leave no sheet between them. Parts at one depth happen by rank, and of one part entering comes
-//! first, so that of faces that coincide the one that faces the eye is seen.
+//! ray leaves the solid through it, and behind it where the ray enters ([`super::classify`]); so a cut leaves no sheet of zero thickness.
+//! Any other mesh event at exactly the depth of a clip event counts as on its kept side. Clip events at one depth happen at once: two
+//! cuts that share a plane leave no sheet between them. Mesh events at one depth are ordered by the rank of their parts; within a part,
+//! entering comes first, so that of coincident faces the one that faces the eye is seen.
 
 use std::cmp::Ordering;
 
@@ -29,7 +29,7 @@ pub(super) enum Cause {
     Clip {
         /// Number of the surface.
         surface: u16,
-        /// To the kept side.
+        /// True if the ray passes to the kept side.
         to_kept: bool,
     },
 }
@@ -39,11 +39,11 @@ pub(super) enum Cause {
 pub(super) struct Event {
     /// Depth of the event.
     pub(super) depth: f64,
-    /// Place among events at that depth: -1 before all clip events, 1 behind them.
+    /// Order among the events at that depth: -1 before all clip events, 1 behind them.
     pub(super) place: i8,
     /// Cause of the event.
     pub(super) cause: Cause,
-    /// Index of the crossing or the root it stands for.
+    /// Index of the crossing or root that the event stands for.
     pub(super) source: u32,
 }
 
@@ -68,8 +68,8 @@ pub(super) fn by_depth(a: &Event, b: &Event) -> Ordering {
         .then_with(|| a.source.cmp(&b.source))
 }
 
-/// Sorts events of which all but a few are in order, by insertion: it costs as many steps as there are events, and as many more as
-/// the few are moved by.
+/// Insertion sort for events that are almost in order: it takes one step per event, plus one for each position that an event
+/// moves by.
 pub(super) fn restore_order(events: &mut [Event]) {
     for unplaced in 1..events.len() {
         let mut at = unplaced;
@@ -85,12 +85,12 @@ pub(super) fn restore_order(events: &mut [Event]) {
 pub(super) struct State {
     /// Per rank: the winding number.
     pub(super) winding: Vec<i32>,
-    /// Per rank.
+    /// Per rank: the fill rule.
     pub(super) fill: Vec<Fill>,
-    /// Per clip-surface: on its removed side.
+    /// Per clip-surface: true on its removed side.
     pub(super) removed: Vec<bool>,
-    /// Per rank: the depth from which on there is nothing of the part. Of an open part that is its last crossing, whatever the winding
-    /// number is there; of a closed one it never matters.
+    /// Per rank: the depth beyond which the part has ended. For an open part this is its last crossing, whatever the winding
+    /// number is there; for a closed part it never matters.
     pub(super) ends: Vec<f64>,
 }
 
@@ -105,7 +105,7 @@ impl State {
         }
     }
 
-    /// Becomes a copy.
+    /// Becomes a copy of another state.
     pub(super) fn set(&mut self, other: &Self) {
         self.winding.copy_from_slice(&other.winding);
         self.removed.copy_from_slice(&other.removed);
@@ -135,7 +135,7 @@ impl State {
         self.is_inside(rank) && !self.removes(prepared, rank)
     }
 
-    /// Lets an event happen.
+    /// Applies an event.
     pub(super) fn apply(&mut self, event: &Event) {
         match event.cause {
             Cause::Mesh { rank, step } => self.winding[rank as usize] += i32::from(step),
@@ -153,12 +153,12 @@ pub(super) struct Sight {
     pub(super) depth: f64,
     /// The event that brought it into sight; none where the near plane did.
     pub(super) event: Option<Event>,
-    /// A cap at which the same event brought other parts into sight too: solids overlap there.
+    /// True for a cap whose event brought other parts into sight too: solids overlap there.
     pub(super) overlap: bool,
 }
 
 impl Sight {
-    /// Properties that two sights of the same answer share: the part and, for a cap, the clip-surface; for a surface, the side it shows.
+    /// What two equal answers have in common: the part and, for a cap, the clip-surface; for a surface, the side it shows.
     pub(super) fn class(&self) -> (u16, Option<Cause>) {
         let cause = self.event.map(|e| match e.cause {
             Cause::Clip { surface, .. } => Cause::Clip {
@@ -207,7 +207,7 @@ pub(super) fn walk(
         rest = later;
         let seen = match event.cause {
             Cause::Mesh { rank, .. } => {
-                // An inner shell is passed while the part shows already.
+                // At an inner shell the part may show already.
                 let showed = state.shows(prepared, rank);
                 state.apply(event);
                 let enters = !showed && state.shows(prepared, rank);
@@ -227,8 +227,8 @@ pub(super) fn walk(
     None
 }
 
-/// Lets clip events at one depth happen, and finds the part that thereby comes to show, with the event that freed it and
-/// whether that freed others with it.
+/// Applies the clip events at one depth, and finds the part that then begins to show, with the event that freed it and
+/// whether the same event freed others too.
 pub(super) fn pass_clips(
     prepared: &Prepared,
     ranks: &[u16],
@@ -244,7 +244,7 @@ pub(super) fn pass_clips(
             prepared.parts[rank as usize].cuts.contains(&cut) && state.cut_removes(prepared, cut)
         })
     };
-    // Usually no part is inside and removed, or none comes free.
+    // Usually the ray is in no removed part, or none is freed.
     let candidates: Vec<(u16, Event)> = ranks
         .iter()
         .filter(|r| state.is_inside(**r))

@@ -1,10 +1,10 @@
-//! A camera that drifts sideways by parts of a pixel, comes nearer or goes around the scene, and how much flickers while it does.
+//! Flicker while a camera drifts sideways by fractions of a pixel, moves closer, or orbits the scene.
 //!
-//! From frame to frame some pixels change what they show, kind, part, clip-surface or side, because the picture moves. A strategy
-//! that is as good as exact changes where exact does; what it changes beyond that, and what it fails to change, is what an eye sees
-//! flicker. The frames are those of one camera whose picture is shifted: no part moves before another, so that little has to
-//! change. Costs one frame of every renderer and one of exact for each step, and as many more as pictures are held against, where
-//! they are.
+//! From frame to frame some pixels change what they show (kind, part, clip-surface or side), because the picture moves. A strategy
+//! that is as good as exact changes the same pixels as exact; what it changes in addition, or fails to change, is visible as
+//! flicker. A sideways drift shifts the picture of one camera without parallax, so that little has to change. Each step costs one
+//! frame of every renderer and one of exact, plus the frames of the reference pictures with many samples, if these are
+//! requested.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -25,15 +25,15 @@ use crate::exact::{Exact, Truth};
 pub struct Drift {
     /// Number of frames.
     pub frames: u32,
-    /// By how many pixels the picture is shifted from each to the next.
+    /// Shift of the picture from each frame to the next, in pixels.
     pub px: f64,
     /// Magnification from each frame to the next.
     pub zoom: f64,
-    /// By how many degrees the camera goes around the middle of the scene each time.
+    /// Angle by which the camera orbits the middle of the scene from each frame to the next, in degrees.
     pub turn_deg: f64,
-    /// With how many samples along each side of a pixel the pictures are drawn; 1 is what a frame has.
+    /// Samples along each side of a pixel in the judged pictures; 1 is that of a plain frame.
     pub fineness: u32,
-    /// With how many samples along each side of a pixel the pictures are drawn that pictures are held against; 0 for none.
+    /// Samples along each side of a pixel in the pictures that they are compared with; 0 for no such comparison.
     pub samples: u32,
 }
 
@@ -51,7 +51,7 @@ impl Drift {
             half_height: first.half_height / self.zoom.powf(frame),
             ..*first
         };
-        // A corner of the scene that comes nearer than any did is not to be cut by the near plane.
+        // The near plane must not cut a corner of the scene that comes closer than any did in the first frame.
         let corners = prepared.bounds.corners().into_iter();
         let nearest = corners.map(|c| turned.depth_of(c));
         let nearest = nearest.fold(f64::INFINITY, f64::min) * 0.99;
@@ -62,7 +62,7 @@ impl Drift {
             },
             ..turned
         };
-        // A camera that only shifts keeps its numbers.
+        // A camera that only shifts keeps its exact numbers.
         let moved = if self.turn_deg == 0.0 && self.zoom == 1.0 {
             *first
         } else {
@@ -72,14 +72,14 @@ impl Drift {
     }
 }
 
-/// Pixels that change while a camera drifts: the sum over all pairs of frames that follow each other.
+/// Pixels that change while a camera drifts, summed over all pairs of consecutive frames.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Flicker {
-    /// Pixels of the strategy that change.
+    /// Pixels that change in the strategy's frames.
     pub px: usize,
-    /// Pixels of exact that change.
+    /// Pixels that change in the exact images.
     pub exact_px: usize,
-    /// Pixels that exact is sure of in both frames, where one of the two changes and the other does not.
+    /// Pixels decided in both frames that change in either the strategy or exact, but not in both.
     pub excess_px: usize,
 }
 
@@ -91,7 +91,7 @@ impl Flicker {
         names.into_iter().zip(values).collect()
     }
 
-    /// Adds what changes from one frame to the next, each with its exact image.
+    /// Adds the changes from one frame to the next, each with its exact image.
     pub fn add(&mut self, [before, after]: [(&Exact, &Layers); 2]) {
         for pixel in 0..after.1.pixels.len() {
             let changes =
@@ -106,7 +106,7 @@ impl Flicker {
     }
 }
 
-/// Answer of a pixel without its depth: kind, part, clip-surface, and the side of a surface.
+/// What a pixel shows, without depth: kind, part, clip-surface, and the side of a surface.
 fn class(layer: &Layer) -> (Kind, u16, u8, bool) {
     match layer.kind {
         Kind::Background => (Kind::Background, 0, 0, false),
@@ -115,11 +115,11 @@ fn class(layer: &Layer) -> (Kind, u16, u8, bool) {
     }
 }
 
-/// A frame, and the exact image of as many sub-pixel bits.
+/// The exact image for the sub-pixel bits of a frame, and the frame.
 type Drawn = (Arc<Exact>, Layers);
 
-/// Lets the camera of a scene drift; the figures of each renderer, none of one that refuses or is no method. Ends early with `None` as soon
-/// as `goes_on` returns false.
+/// Moves the camera of a scene and returns the figures of each renderer, none for one that refuses or is no method. Ends early with
+/// `None` as soon as `goes_on` returns false.
 pub fn flicker(
     session: &mut Session,
     question: &FrameQuestion<'_>,

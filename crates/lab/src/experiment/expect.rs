@@ -1,4 +1,4 @@
-//! Expectations held against what was found.
+//! Comparison of expectations with measured results.
 
 use std::collections::BTreeMap;
 
@@ -7,7 +7,7 @@ use super::figures::figure;
 use super::sweep::{Axis, Point};
 use super::{Bound, Ending, Expectation, Measurement, Reached, Record, StrategyMeasurement};
 
-/// Holds a record that is kept against what its run expects by now. Whether anything came out otherwise than when it was written.
+/// Judges a kept record by its run's current expectations. Returns true if any result differs from the recorded one.
 pub fn judge_again(run: &SceneRun, point: &Point, record: &mut Record) -> bool {
     let found = Findings {
         measurement: &record.measurement,
@@ -19,18 +19,18 @@ pub fn judge_again(run: &SceneRun, point: &Point, record: &mut Record) -> bool {
     is_other
 }
 
-/// Measurements of a point, as input of its expectations.
+/// Measurements at a point, to be compared with its expectations.
 pub struct Findings<'a> {
     /// The strategies, in the order of the point's trials.
     pub measurement: &'a Measurement,
-    /// Figures that one frame does not have, in the same order.
+    /// Figures that need more than one frame, in the same order.
     pub figures: &'a [BTreeMap<String, f64>],
 }
 
 /// Results of all expectations of a run at a point, in the order they are written.
 pub fn reached(run: &SceneRun, point: &Point, found: &Findings<'_>) -> Vec<Reached> {
     let bits = found.measurement.adapter.sub_pixel_bits;
-    // What is not known is no excuse.
+    // An unknown number of bits does not exempt a renderer.
     let is_about =
         |c: &&Claim| (c.sub_pixel_bits.zip(bits)).is_none_or(|(least, has)| has >= least);
     run.claims
@@ -52,7 +52,7 @@ fn of_claim(run: &SceneRun, point: &Point, claim: &Claim, found: &Findings<'_>) 
     for index in &meant {
         let strategy = &found.measurement.strategies[*index];
         let ended = ending(claim, strategy);
-        // What did not end as expected has no figures that mean anything.
+        // The figures of a frame with an unexpected outcome mean nothing.
         let is_as_expected = ended.holds;
         if !is_as_expected || claim.outcome != Ending::Complete || claim.figures.is_empty() {
             all.push(ended);
@@ -126,7 +126,7 @@ fn describe(name: &str, number: Option<f64>) -> String {
     number.map_or_else(|| format!("no {name}"), |n| format!("{name} {n}"))
 }
 
-/// Bounds in words.
+/// Bounds as text.
 fn words(bound: &Bound) -> String {
     match (bound.least, bound.most) {
         (Some(least), Some(most)) if least >= most => format!("{least}"),
@@ -137,8 +137,8 @@ fn words(bound: &Bound) -> String {
     }
 }
 
-/// A figure that falls from value to value of an axis, everything else being the same: one answer for each step. What has reached 0
-/// may stay there; what is 0 from the first value on has nowhere to fall from, and says nothing of the axis.
+/// Checks that a figure falls from value to value of an axis, everything else being equal: one result for each step. A figure that
+/// reaches 0 may stay there; one that is 0 at every value cannot fall, and shows nothing about the axis.
 fn falls(
     run: &SceneRun,
     point: &Point,
@@ -178,10 +178,10 @@ fn falls(
     all
 }
 
-/// A text of the strategies, and the values of what is varied in it but for one axis.
+/// The index of a strategy text, and its values on all axes but one.
 type Chain = (usize, Vec<(String, String)>);
 
-/// The renderers that differ by an axis alone, each with the number of its value, in the order of the values.
+/// Groups of renderers that differ only in one axis, each renderer with the index of its value, in the order of the values.
 fn chains(point: &Point, axis: &Axis, meant: &[usize]) -> BTreeMap<Chain, Vec<(usize, usize)>> {
     let mut chains: BTreeMap<Chain, Vec<(usize, usize)>> = BTreeMap::new();
     for index in meant {

@@ -1,7 +1,7 @@
-//! Figures of a strategy by name: what expectations are about, and what charts have on their axes.
+//! Figures of a strategy by name: the quantities that expectations bound and charts have on their axes.
 //!
-//! Errors are the fields of [`Comparison`], whichever it has, with `wrong_px`, all wrong pixels, and
-//! `marked`, another name of `odd_parity_px`: the pixels that the strategy marks.
+//! Error figures are all fields of [`Comparison`], plus `wrong_px`, all wrong pixels, and
+//! `marked`, another name for `odd_parity_px`: the pixels that the strategy marks.
 
 use std::collections::BTreeMap;
 
@@ -10,13 +10,13 @@ use serde_json::Value;
 use super::{Measurement, Samples};
 use crate::compare::Comparison;
 
-/// Figures of a camera that drifts, see [`super::drift`].
+/// Figures of a drifting camera's frames, see [`super::drift`].
 pub const OF_DRIFT: [&str; 3] = ["flicker_px", "flicker_exact_px", "flicker_excess_px"];
 
-/// Figures of the pictures of such a camera: of all that they show, of caps away from strokes, of strokes.
+/// Figures of a drifting camera's pictures: for all covered pixels, for caps away from strokes, and for strokes.
 pub const OF_PICTURES: [&str; 3] = ["flicker_rms", "flicker_rms.cap", "flicker_rms.stroke"];
 
-/// Figures of resources other than time, and of the size of the input.
+/// Figures of memory and of the input's size.
 pub const OF_SIZE: [&str; 6] = [
     "bytes",
     "bytes.solid",
@@ -26,7 +26,7 @@ pub const OF_SIZE: [&str; 6] = [
     "pixels",
 ];
 
-/// Figures of time. No expectation uses them: they differ on each machine.
+/// Figures of time. No expectation uses them, as they differ between machines.
 pub const OF_TIME: [&str; 7] = [
     "ratio",
     "ratio.cut_moves",
@@ -46,8 +46,8 @@ pub fn of_error() -> Vec<String> {
     fields.chain(more).collect()
 }
 
-/// All figures of the strategy with this number in the measurement, by name. A figure that was not measured is absent: a frame was refused,
-/// a clock never ran. `more` holds the figures that a single frame does not have. Times come with their spread, as `.mad`.
+/// All figures of the strategy with this index in the measurement, by name. A figure that was not measured is absent: a frame was refused,
+/// or a clock never ran. `more` holds figures that need more than one frame. Times come with their spread, as `.mad`.
 pub fn figures(
     measurement: &Measurement,
     strategy: usize,

@@ -1,8 +1,8 @@
-//! Identity of a record: the point, the files it is made of, the program, the device. If a record on disk has the identity of a point,
-//! measuring the point again would give the same errors, so the record is kept.
+//! Identity of a record: a hash of the point, the files it depends on, the program and the device. If a record on disk has a point's
+//! identity, measuring the point again would give the same errors, so the record is kept.
 //!
-//! A scene is known by its document, and by the contents of the files that this names by its keys and those name in turn: buffers of
-//! glTF, material lists of OBJ.
+//! A scene is identified by its document, and by the contents of the files that the document names and that these name in turn: buffers
+//! of glTF, material lists of OBJ.
 
 use std::path::Path;
 
@@ -26,18 +26,18 @@ impl Identity {
         }
     }
 
-    /// Adds something that is said of the point. What is said apart is not the same as what is said in one.
+    /// Adds a property of the point. Two texts added separately do not hash like their concatenation.
     pub fn add(&mut self, text: impl AsRef<str>) {
         self.bytes(text.as_ref().as_bytes());
         self.bytes(&[0xff]);
     }
 
-    /// Adds what comes from no file.
+    /// Adds bytes that do not come from a file.
     pub fn add_bytes(&mut self, bytes: &[u8]) {
         self.bytes(bytes);
     }
 
-    /// Adds a file by its contents; one that cannot be read by its name.
+    /// Adds a file by its contents, or by its name if it cannot be read.
     pub fn add_file(&mut self, path: &Path) {
         match std::fs::read(path) {
             Ok(bytes) => self.bytes(&bytes),
@@ -54,7 +54,7 @@ impl Identity {
         }
     }
 
-    /// As it is written into records.
+    /// The hash as text, as written into records.
     pub fn text(self) -> String {
         format!("{:016x}", self.0)
     }

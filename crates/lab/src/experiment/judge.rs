@@ -1,12 +1,12 @@
 //! Strategies measured on one frame: error against the exact reference, time in turns.
 //!
-//! First every strategy draws its frame until its buffers are preclassified, and its layers are compared with exact, which is evaluated once
-//! ([`errors`]). Then time is taken ([`times`]): an uncounted warm-up round, then rounds in each of which every strategy and the plain
-//! drawing of the uncut scene run once, on all clocks. The order rotates by one from round to round, so that a disturbance of the machine
-//! affects all alike.
+//! First every strategy draws its frame until its buffer sizes are settled, and its layers are compared with exact, which is evaluated once
+//! ([`errors`]). Then times are taken ([`times`]): a warm-up round that is not counted, then rounds in each of which every strategy and the
+//! plain drawing of the uncut scene run once, on all clocks. The order rotates by one from round to round, so that a disturbance of the
+//! machine affects all alike.
 //!
-//! Where the device has no timestamps to trust, every pass is timed by the wall (see [`cutaway::gpu`]). What runs on the CPU, as the
-//! renderer `winding` does, always is.
+//! Where the device has no reliable timestamps, every pass is timed by the wall clock (see [`cutaway::gpu`]). Renderers that run on the
+//! CPU, such as `winding`, always are.
 
 use std::sync::Arc;
 
@@ -37,14 +37,14 @@ pub struct FrameQuestion<'a> {
     pub view: View,
     /// Other scene whose exact image is the reference, such as the whole mesh for a broken one. `None` uses the scene itself.
     pub truth: Option<&'a SceneAtTime>,
-    /// The command line that asks it again.
+    /// The command line that repeats the measurement.
     pub command: String,
-    /// By which means those draw that say no others.
+    /// Draw options for renderers that do not name their own.
     pub options: DrawOptions,
 }
 
 impl<'a> FrameQuestion<'a> {
-    /// The scene that holds the truth, in the space of the one that is shown: else their pixels could not be compared.
+    /// The scene that holds the truth. It must be framed like the scene that is shown, so that their pixels can be compared.
     fn whole(&self) -> Result<&'a Prepared> {
         let (own, whole) = (self.shown, self.truth.unwrap_or(self.shown));
         let (shown, truth) = (&own.model.prepared, whole.truth()?);
@@ -52,8 +52,8 @@ impl<'a> FrameQuestion<'a> {
         if places[0] != places[1] {
             return Err(Error::input(
                 format!("the truth about {}", self.name),
-                "it is framed in another box than the scene it is to judge",
-                "let both have the same parts in the same places, so that one camera and one section mean the same in both",
+                "it is framed in another box than the scene it judges",
+                "give both scenes the same bounds, so that cameras and sections mean the same in both",
             ));
         }
         Ok(truth)
@@ -72,7 +72,7 @@ pub struct Frame {
     exact: Arc<Exact>,
 }
 
-/// All that was found of a scene.
+/// All results for a scene.
 pub struct Judgement {
     /// The numbers; times are empty until [`times`] has run.
     pub measurement: Measurement,
@@ -91,7 +91,7 @@ impl Judgement {
         (frame.layers.as_ref()).map(|l| heatmap(&frame.exact, l))
     }
 
-    /// The picture of a frame, at the resolution that was measured: RGBA8, rows from the top.
+    /// The picture of a frame, at the measured resolution: RGBA8, rows from the top.
     pub fn picture(&self, session: &mut Session, frame: &Frame) -> Result<Vec<u8>> {
         match (frame.renderer.or(self.options), &frame.layers) {
             (Renderer::Method(method), _) => session.picture(method),
@@ -162,7 +162,7 @@ pub fn errors(
     })
 }
 
-/// Takes the time of all that was drawn, in turns. Ends early, with nothing taken and `false`, as soon as `goes_on` says no.
+/// Takes the times of all frames that were drawn, in turns. Returns `false`, without times, as soon as `goes_on` returns false.
 pub fn times(
     session: &mut Session,
     question: &FrameQuestion<'_>,
@@ -265,7 +265,7 @@ fn draw_by(
     Ok((frame, found))
 }
 
-/// Rasteriser of a renderer; the default where its options name none.
+/// Rasteriser of a renderer; the default one if its options name none.
 fn rasteriser_of(renderer: &Renderer) -> Rasteriser {
     renderer.options().rasteriser.unwrap_or_default()
 }
@@ -292,7 +292,7 @@ impl Runner {
 /// The times of a frame on the CPU.
 fn times_of(evaluator: Evaluator, question: &FrameQuestion<'_>) -> Result<RunTimes> {
     let evaluated = evaluator.evaluate(question.shown.truth()?, &question.view);
-    // Not to be left out for having no use.
+    // Keeps the optimiser from removing the evaluation.
     std::hint::black_box(&evaluated.layers);
     let pass = |name: String, clock, time_ms: f64| TimeOfPass {
         name,
@@ -309,7 +309,7 @@ fn times_of(evaluator: Evaluator, question: &FrameQuestion<'_>) -> Result<RunTim
     })
 }
 
-/// Times of each runner, by round; none if it was ended early.
+/// Times of each runner, by round; `None` if the rounds were ended early.
 fn in_turns(
     session: &mut Session,
     question: &FrameQuestion<'_>,
@@ -362,7 +362,7 @@ fn passes(runs: &[RunTimes]) -> Vec<PassTime> {
     let Some(first) = runs.first() else {
         return Vec::new();
     };
-    // All runs are of one plan: the same passes in the same order.
+    // All runs belong to one plan: they have the same passes in the same order.
     let of = |i: usize| {
         runs.iter()
             .filter_map(|r| r.passes.get(i))

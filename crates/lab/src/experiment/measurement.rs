@@ -17,11 +17,11 @@ use crate::exact::Exact;
 /// One value for each clock.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct PerClock<T> {
-    /// When the mesh changed.
+    /// For a change of the mesh.
     pub solid: T,
-    /// When a clip-surface changed.
+    /// For a change of a clip-surface.
     pub cut: T,
-    /// When the view changed.
+    /// For a change of the view.
     pub frame: T,
 }
 
@@ -33,10 +33,10 @@ impl<T> PerClock<T> {
     }
 }
 
-/// The largest share of undecided pixels, of those that show something, with which a comparison proves anything.
+/// Maximum ratio of undecided to covered pixels for which a comparison is conclusive.
 pub const MOST_UNDECIDED: f64 = 1e-3;
 
-/// So few undecided pixels are those of outlines in a small picture, whatever their share.
+/// Up to this many undecided pixels are accepted whatever their share: in a small picture outlines alone cause them.
 const FEW_UNDECIDED_PX: usize = 20;
 
 /// The exact reference of a frame.
@@ -50,10 +50,10 @@ pub struct Reference {
     pub background_px: usize,
     /// Pixels where sampling is ambiguous, so that no answer can be called wrong.
     pub undecided_px: usize,
-    /// Pixels that show something and are decided; none in records of before these were counted.
+    /// Covered pixels that are decided; `None` in records older than this field.
     #[serde(default)]
     pub judged_px: Option<usize>,
-    /// Pixels whose cap several solids share.
+    /// Pixels with a cap shared by several solids.
     pub overlap_px: usize,
     /// Time of the evaluation on the CPU.
     pub time_ms: f64,
@@ -73,22 +73,22 @@ impl Reference {
         }
     }
 
-    /// Undecided pixels per pixel that shows something.
+    /// Undecided pixels per covered pixel.
     pub fn undecided_share(&self) -> f64 {
         self.share(self.undecided_px)
     }
 
-    /// Share of the pixels that show something.
+    /// A count of pixels per covered pixel.
     fn share(&self, px: usize) -> f64 {
         px as f64 / (self.cap_px + self.surface_px).max(1) as f64
     }
 
-    /// Returns true if the undecided pixels are too many to trust the rest: more than [`MOST_UNDECIDED`], and not merely a few.
+    /// Returns true if there are too many undecided pixels to trust the rest: a share above [`MOST_UNDECIDED`], and more than a few.
     pub fn is_doubtful(&self) -> bool {
         self.is_doubtful_with(self.undecided_px)
     }
 
-    /// Same test for another count of undecided pixels, such as that of a rasteriser that is less exact than usual.
+    /// [`Self::is_doubtful`] for another number of undecided pixels, such as that of a rasteriser less exact than usual.
     pub fn is_doubtful_with(&self, undecided_px: usize) -> bool {
         undecided_px > FEW_UNDECIDED_PX && self.share(undecided_px) > MOST_UNDECIDED
     }
@@ -102,7 +102,7 @@ pub enum Ending {
     Complete,
     /// A bounded buffer was too small.
     Overflowed,
-    /// The strategy does not draw such a scene.
+    /// The strategy does not support the scene.
     Refused,
 }
 
@@ -132,7 +132,7 @@ impl Ending {
 pub enum Timing {
     /// Timestamps of the device around each pass.
     Timestamps,
-    /// The clock of the wall around each pass, where the device has no timestamps to trust.
+    /// The wall clock around each pass, where the device has no reliable timestamps.
     Wall,
 }
 
@@ -141,23 +141,23 @@ pub enum Timing {
 pub struct PassTime {
     /// Name of the pass.
     pub name: String,
-    /// When it runs.
+    /// Clock that it runs on.
     pub clock: Clock,
     /// Median over the rounds.
     pub median_ms: f64,
 }
 
-/// Cost of a cut, without the drawing: time of a frame less that of the same scene drawn with no cut by the same rasteriser, so that a
-/// faster rasteriser is not taken for a cheaper cap. The paper reports +0.366 ms at 1024 x 768, 0.47 ns per pixel.
+/// Cost of a cut alone: the time of a frame minus that of the uncut scene drawn by the same rasteriser, so that a
+/// faster rasteriser is not mistaken for a cheaper cap. The paper reports +0.366 ms at 1024 x 768, 0.47 ns per pixel.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Price {
-    /// Frame time over that of the uncut scene: the median of the quotients of each round.
+    /// Frame time divided by that of the uncut scene: the median of the per-round quotients.
     pub over_uncut: f64,
-    /// Frame time less that of the uncut scene: the median of the differences of each round. Below 0 where what is cut away spares more.
+    /// Frame time minus that of the uncut scene: the median of the per-round differences. Negative where cutting saves more than it costs.
     pub ms: f64,
-    /// The same for each pixel that shows something, in nanoseconds.
+    /// The difference per covered pixel, in nanoseconds.
     pub ns_per_px: Option<f64>,
-    /// The same for each triangle of the scene, in nanoseconds.
+    /// The difference per triangle of the scene, in nanoseconds.
     pub ns_per_triangle: Option<f64>,
 }
 
@@ -188,28 +188,28 @@ pub struct StrategyMeasurement {
     pub name: String,
     /// Outcome of the frame.
     pub outcome: Ending,
-    /// Why, where it is not complete.
+    /// Reason of an outcome other than complete.
     pub reason: Option<String>,
-    /// Error against exact; every field `null` where there was no frame to compare.
+    /// Error against exact; every field is `null` if there was no frame to compare.
     #[serde(
         flatten,
         serialize_with = "or_nulls",
         deserialize_with = "all_or_nulls"
     )]
     pub comparison: Option<Comparison>,
-    /// Undecided pixels of exact for this strategy, where they are not those of [`Measurement::exact`]: the adapter's rasteriser drew it,
-    /// and places triangles less exactly than usual ([`Precision`](cutaway::scene::Precision)).
+    /// Exact's undecided pixels for this strategy, where they differ from those of [`Measurement::exact`]: it was drawn by the adapter's
+    /// rasteriser, which places triangles less exactly than usual ([`Precision`](cutaway::scene::Precision)).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub undecided_px: Option<usize>,
-    /// Bytes of what each clock produces.
+    /// Bytes of the structures that each clock builds.
     pub bytes: PerClock<u64>,
     /// Time of each clock.
     pub time_ms: PerClock<Samples>,
-    /// Frame time over the time of the same scene drawn without any cut: the median of the quotients of each round.
+    /// Frame time divided by that of the same scene drawn without any cut: the median of the per-round quotients.
     pub frame_over_draw_only: Option<f64>,
     /// Spread of that ratio over the rounds: its median absolute deviation.
     pub frame_over_draw_only_mad: Option<f64>,
-    /// Cost of the cut alone; `null` in records older than the figure, and where no time was taken.
+    /// Cost of the cut alone; `null` in records older than this field, and where no time was taken.
     #[serde(default)]
     pub cut: Option<Price>,
     /// Times of the passes.
@@ -228,11 +228,11 @@ impl StrategyMeasurement {
 pub struct Measurement {
     /// Name of the scene.
     pub scene: String,
-    /// The command line, to do it again.
+    /// The command line that repeats it.
     pub command: String,
     /// Version of cutaway.
     pub version: String,
-    /// Triangles of all parts.
+    /// Number of triangles of all parts.
     pub triangles: usize,
     /// Width and height in pixels.
     pub resolution: [u32; 2],
@@ -244,16 +244,16 @@ pub struct Measurement {
     pub rounds: usize,
     /// The reference.
     pub exact: Reference,
-    /// The same scene drawn by the GPU with no cut at all, in the same rounds.
+    /// Times of the same scene drawn by the GPU without any cut, in the same rounds.
     pub draw_only_ms: Samples,
-    /// The same by the compute rasteriser; `null` where no strategy was drawn by it, and in records that are older than the figure.
+    /// Times of the same by the compute rasteriser; `null` where no strategy used it, and in records older than this field.
     #[serde(default)]
     pub draw_only_compute_ms: Option<Samples>,
     /// The strategies, in the order requested.
     pub strategies: Vec<StrategyMeasurement>,
 }
 
-/// The fields of a comparison, each `null` where there is none: a 0 would be read as "no error".
+/// Writes the fields of a comparison, each as `null` if there is none: a 0 would be read as "no error".
 fn or_nulls<S: Serializer>(
     comparison: &Option<Comparison>,
     serializer: S,
@@ -271,8 +271,8 @@ fn or_nulls<S: Serializer>(
     }
 }
 
-/// A comparison, or none where each of its fields is `null`. A field that is missing, or no number, is a fault of the record: what was
-/// measured must not turn into what was not.
+/// Reads a comparison, or `None` if each of its fields is `null`. A field that is missing or not a number is a fault of the record: a
+/// measured error must not be read as an unmeasured one.
 fn all_or_nulls<'de, D: Deserializer<'de>>(
     deserializer: D,
 ) -> Result<Option<Comparison>, D::Error> {

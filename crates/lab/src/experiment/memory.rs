@@ -3,10 +3,10 @@
 use cutaway::layers::Layer;
 use cutaway::{Error, Result};
 
-/// Most bytes of layers that a comparison may keep: those of exact, and of one frame for each renderer.
+/// Maximum bytes of the layers that a comparison keeps: those of exact, and of one frame per renderer.
 const MOST_LAYER_BYTES: u64 = 8 << 30;
 
-/// Refuses what would take minutes to run out of memory.
+/// Refuses a comparison that would run out of memory only after minutes.
 ///
 /// # Errors
 ///
@@ -22,7 +22,7 @@ pub fn check_memory(size_px: [u32; 2], renderers: usize) -> Result<()> {
     Err(Error::input(
         format!("--resolution {width},{height}"),
         format!(
-            "the layers of {frames} frames, exact and each strategy, would take {:.1} GiB of memory, and at most {:.0} are used",
+            "the layers of {frames} frames, of exact and each strategy, would take {:.1} GiB of memory; the limit is {:.0} GiB",
             gib(bytes),
             gib(MOST_LAYER_BYTES)
         ),

@@ -1,4 +1,4 @@
-//! Strategies measured: on one frame, and over the sweeps of an experiment.
+//! Measurement of strategies: on one frame, and over the sweeps of an experiment.
 //!
 //! An experiment is data: a file with a question, scenes, sweep axes, strategies and expectations. Running one gives a [`Record`] for each
 //! point of its sweeps, written as soon as it is found; [`crate::report`] makes pages of records and needs nothing else. Errors are found

@@ -1,4 +1,4 @@
-//! A value of what is varied, as the experiment writes it: it keeps its type from there to the record and the chart.
+//! A value on a sweep axis, as the experiment writes it: it keeps its type in the record and the chart.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -13,7 +13,7 @@ use serde::{Deserialize, Serialize};
 pub enum Parameter {
     /// True or false.
     Flag(bool),
-    /// A number without a point.
+    /// A number without a decimal point.
     Whole(i64),
     /// A number.
     Number(f64),
@@ -21,11 +21,11 @@ pub enum Parameter {
     Text(String),
 }
 
-/// Values of what is varied, by the name of the axis.
+/// The values of the sweep axes, by axis name.
 pub type Parameters = BTreeMap<String, Parameter>;
 
 impl Parameter {
-    /// Name of a value of a document; lists and tables have none.
+    /// Converts a value of a document; lists and tables have no parameter.
     pub fn of(value: &Value) -> Option<Self> {
         match value {
             Value::Flag(flag) => Some(Self::Flag(*flag)),
@@ -38,7 +38,7 @@ impl Parameter {
         }
     }
 
-    /// The number that it is, as a chart shows it: that of percent without the sign.
+    /// The value as a number for a chart; a percentage loses its sign.
     pub fn number(&self) -> Option<f64> {
         match self {
             Self::Flag(_) => None,

@@ -1,8 +1,8 @@
-//! Pictures of a scene, by a strategy or from the exact reference, smoothed by drawing them finer.
+//! Pictures of a scene, by a strategy or from the exact reference, antialiased by supersampling.
 //!
-//! Supersampling draws the picture N x N times, each time with the pixel centres elsewhere in their pixels, and averages in
-//! linear light: mixing sRGB values would darken every edge. It costs N² the time of one frame, but no larger frame on the
-//! device, and changes nothing about what is measured: layers and times are always those of the plain resolution.
+//! Supersampling draws the picture N x N times, each time with the samples elsewhere in their pixels, and averages in
+//! linear light: mixing sRGB values would darken every edge. It costs N² times the time of one frame, but no larger frame on the
+//! device, and does not affect measurements: layers and times are always those of the plain resolution.
 
 use std::io::Cursor;
 
@@ -21,7 +21,7 @@ use crate::experiment::{Renderer, SceneAtTime};
 pub struct Picture {
     /// The image.
     pub image: RgbaImage,
-    /// One for each sample, in order; none of exact.
+    /// One frame for each sample, in order; empty for exact.
     pub frames: Vec<Drawn>,
 }
 
@@ -59,7 +59,7 @@ pub fn draw(
     Ok(Picture { image, frames })
 }
 
-/// The model with its shadow on the ground, where the style has one.
+/// The model with its shadow on the ground, if the style has one.
 fn on_ground(session: &Session, shown: &SceneAtTime, renderer: Renderer) -> Result<Option<Model>> {
     if !shown.model.prepared.style.shadow.is_drawn() {
         return Ok(None);
@@ -78,7 +78,7 @@ fn on_ground(session: &Session, shown: &SceneAtTime, renderer: Renderer) -> Resu
     Ok(Some(shown.model.on_ground(shadow)))
 }
 
-/// The samples of a picture: N x N in each pixel, as if it were drawn so much finer.
+/// The samples of a picture: N x N in each pixel, as in a picture N times as large.
 struct Samples {
     size_px: [u32; 2],
     n: u32,
@@ -96,7 +96,7 @@ impl Samples {
         }
     }
 
-    /// Puts a frame into its place in every pixel.
+    /// Stores a frame as one sample of every pixel.
     fn add(&mut self, [i, j]: [u32; 2], rgba: &[u8]) {
         let [width, n] = [self.size_px[0], self.n].map(|v| v as usize);
         let (i, j, columns) = (i as usize, j as usize, width / n);
@@ -107,7 +107,7 @@ impl Samples {
     }
 }
 
-/// The strategy of a renderer, by whatever means, as JSON names it.
+/// Name of a renderer in JSON, with its draw options.
 pub fn strategy_name(renderer: Renderer) -> String {
     match renderer.method() {
         Some(method) => method.strategy.to_string(),
@@ -145,7 +145,7 @@ pub fn png(picture: &RgbaImage) -> Result<Vec<u8>> {
     Ok(bytes.into_inner())
 }
 
-/// A picture of RGBA8 words, as they come from a session.
+/// A picture from RGBA8 data, as a session returns it.
 pub fn plain(rgba: &[u8], size_px: [u32; 2]) -> RgbaImage {
     let mut samples = Samples::new(size_px, 1);
     samples.add([0, 0], rgba);
@@ -186,7 +186,7 @@ fn filtered(samples: &Samples) -> RgbaImage {
     RgbaImage::from_raw(width, height, out).unwrap_or_default()
 }
 
-/// A picture of one sample a pixel.
+/// A picture with one sample per pixel.
 fn of_one(samples: &Samples) -> RgbaImage {
     let [width, height] = samples.size_px;
     let mut rgba = samples.rgba.clone();

@@ -1,8 +1,8 @@
-//! Flicker of a picture while the camera drifts: the deviation of a pixel's colour from that of the same pixel drawn with many samples, and
-//! the change of that deviation from frame to frame.
+//! Flicker of a picture while the camera drifts: the deviation of each pixel's colour from the same pixel drawn with many samples, and
+//! how this deviation changes from frame to frame.
 //!
 //! A deviation that is equal in all frames is blur or sharpness and stands still; one that changes is seen as flicker. So the figure is the
-//! standard deviation over the frames of (picture - picture of many samples), in linear luminance, as RMS over pixels of a kind.
+//! standard deviation over frames of (picture - picture with many samples), in linear luminance, as RMS over the pixels of one kind.
 
 use std::collections::BTreeMap;
 
@@ -20,13 +20,13 @@ use super::figures::OF_PICTURES;
 struct Seen {
     sum: f64,
     squares: f64,
-    /// It was background in no frame, a cap without strokes in all, touched by a stroke in some.
+    /// It was background in no frame; a cap without strokes in all; touched by a stroke in some.
     is_other: bool,
     is_shown: bool,
     is_stroked: bool,
 }
 
-/// The pictures of a drifting camera, by one method.
+/// Accumulates the pictures of a drifting camera by one method.
 #[derive(Clone, Debug, Default)]
 pub(super) struct PictureFlicker {
     frames: f64,
@@ -34,7 +34,7 @@ pub(super) struct PictureFlicker {
 }
 
 impl PictureFlicker {
-    /// Adds a frame: its colours, those of many samples, both in linear luminance, and what is in each pixel.
+    /// Adds a frame: its picture and the one with many samples, both in linear luminance, and the layer of each pixel.
     pub(super) fn add(
         &mut self,
         picture: &[f32],
@@ -56,7 +56,7 @@ impl PictureFlicker {
         }
     }
 
-    /// As figures of a record: of all pixels that show something, of caps away from strokes, and of strokes.
+    /// The figures of a record: for all covered pixels, for caps away from strokes, and for strokes.
     pub(super) fn figures(&self) -> BTreeMap<String, f64> {
         let of = |is_of: fn(&Seen) -> bool| {
             let pixels = self.pixels.iter().filter(|p| is_of(p));
@@ -81,7 +81,7 @@ impl PictureFlicker {
     }
 }
 
-/// The picture of the last frame by a method in linear luminance.
+/// Linear luminance of a method's last frame.
 pub(super) fn luminance(session: &Session, method: Method) -> Result<Vec<f32>> {
     let rgba = session.picture(method)?;
     Ok(rgba
@@ -137,7 +137,7 @@ mod tests {
         let [whole, cap, stroke] = OF_PICTURES.map(|name| figures[name]);
         assert!((cap - 0.1).abs() < 1e-6, "{cap}");
         assert!((stroke - 0.2).abs() < 1e-6, "{stroke}");
-        // Of three pixels, one of which stands still.
+        // Over three pixels, one of which stands still.
         assert!((whole - (0.05_f64 / 3.0).sqrt()).abs() < 1e-6, "{whole}");
     }
 }

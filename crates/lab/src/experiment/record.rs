@@ -1,8 +1,8 @@
 //! Results of a run: one [`Record`] for each point of an experiment, and one [`Run`] with the machine and the program.
 //!
-//! A folder of a run holds `run.json`, and for each experiment a folder with `experiment.json` (its definition) and one JSON file for each
-//! point, next to its pictures. Each file is written whole, as soon as it is known: a run that is interrupted loses one point, and
-//! continues from the next. Nothing in a record is computed from other records: a report recomputes whatever combines several.
+//! A run's folder holds `run.json`, and for each experiment a folder with `experiment.json` (its definition) and one JSON file for each
+//! point, next to its pictures. Each file is written as a whole, as soon as its contents are known: a run that is interrupted loses one
+//! point, and continues from there. No record is computed from other records: a report recomputes whatever combines several.
 
 use std::collections::BTreeMap;
 use std::path::{Component, Path};
@@ -16,31 +16,31 @@ use super::{Measurement, Parameters};
 /// A point of an experiment, measured.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Record {
-    /// Version of this form.
+    /// Version of the record format.
     pub format: u32,
     /// Name of the experiment: the stem of its file.
     pub experiment: String,
-    /// Name of the run in it.
+    /// Name of the run in the experiment.
     pub run: String,
-    /// Values of what is varied of its scene.
+    /// Values of the sweep axes of its scene.
     pub parameters: Parameters,
     /// True if it was measured with fewer pixels, values and rounds.
     pub is_quick: bool,
-    /// Says what was measured and by what: a point is not measured again if this is what it would be.
+    /// Hash of what was measured and by what: a point is not measured again if its hash would be the same.
     pub identity: String,
-    /// The scene, as a scene file in the folder that the command was run in would have it.
+    /// The scene as a scene file; its paths are relative to the folder in which the command was run.
     #[serde(with = "as_text")]
     pub scene: Document,
-    /// The scene whose exact image is the truth, where that is another.
+    /// The scene whose exact image is the reference, if that is another scene.
     #[serde(with = "as_text_if_any")]
     pub truth: Option<Document>,
     /// The measurements.
     pub measurement: Measurement,
-    /// Sources of each strategy, in the order of the measurement: at least one, and more where several strategy texts of the experiment
+    /// Sources of each strategy, in the order of the measurement: at least one, and more where several of the experiment's strategy texts
     /// give the same renderer.
     #[serde(rename = "makers")]
     pub families: Vec<Vec<FamilyMember>>,
-    /// More figures of each strategy than one frame has, by name, in the order of the measurement.
+    /// Figures of each strategy that need more than one frame, by name, in the order of the measurement.
     pub figures: Vec<BTreeMap<String, f64>>,
     /// The expectations and their results.
     pub expectations: Vec<Reached>,
@@ -48,7 +48,7 @@ pub struct Record {
     pub warnings: Vec<Warning>,
     /// Pictures in the folder of the record.
     pub pictures: Vec<RecordedPicture>,
-    /// The command that measured it; none in records that are older than this.
+    /// The command that measured it; none in records older than this field.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[serde(rename = "sitting")]
     pub invocation: Option<Invocation>,
@@ -96,54 +96,54 @@ mod as_text_if_any {
 /// Source of a strategy in an experiment.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct FamilyMember {
-    /// Strategy text in the experiment: `grid:256+vds:{texels}`; the strategy's name, where nothing in the text is swept.
+    /// Strategy text in the experiment: `grid:256+vds:{texels}`; the strategy's name if nothing in the text is swept.
     pub family: String,
-    /// The values that took the places of the placeholders.
+    /// The values that replaced the placeholders.
     pub parameters: Parameters,
 }
 
 impl Record {
-    /// The version that is written.
+    /// The format version that is written.
     pub const FORMAT: u32 = 2;
 }
 
-/// One command that measured points: a run may take several.
+/// One command that measured points of a run: a run may take several.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Invocation {
     /// When it began: RFC 3339, UTC.
     pub began: String,
-    /// Processes that wanted to run before it began, in the mean over the last minute, where it is known.
+    /// Load average of the last minute before it began, if known.
     pub load: Option<f64>,
     /// The command line.
     pub command: String,
-    /// The device; none in records that are older than this, whose run has but one.
+    /// The device; none in records older than this field, whose run has only one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub adapter: Option<AdapterReport>,
-    /// The version of the program; none in records that are older than this, whose run has but one.
+    /// The version of the program; none in records older than this field, whose run has only one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub version: Option<String>,
-    /// The commit that the program was built from, where it is known.
+    /// The commit that the program was built from, if known.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub commit: Option<String>,
-    /// The share of the work that it was, `3/16`, where it was not all.
+    /// The shard of the work, such as `3/16`, if the command did not do all of it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub shard: Option<String>,
-    /// The job of a scheduler that it was.
+    /// The scheduler job that ran it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub job: Option<String>,
-    /// The machine, by its name, where there may be several.
+    /// Name of the machine, where there may be several.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub node: Option<String>,
 }
 
-/// A number as it is expected.
+/// Bounds of an expected number.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Bound {
-    /// The least that is allowed.
+    /// Smallest allowed number.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub least: Option<f64>,
-    /// The most that is allowed.
+    /// Largest allowed number.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub most: Option<f64>,
 }
@@ -161,7 +161,7 @@ impl Bound {
 pub struct Expectation {
     /// Short description: `0 decided wrong`, `refuses reliefs`.
     pub what: String,
-    /// Why it cannot be better, where it is a failure or a bound that is declared.
+    /// Why the result cannot be better, if the expectation declares a failure or a bound.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub why: Option<String>,
 }
@@ -182,96 +182,96 @@ pub struct Reached {
 /// A hard case: a scene with a known answer, and its results.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CaseRecord {
-    /// Its number in the list, or its letter and number where it comes from another project's users: `38`, `B8`.
+    /// Its number in the list, or a letter and number if users of another project met it: `38`, `B8`.
     pub id: String,
     /// Short description.
     pub name: String,
-    /// Expectations of each strategy, and their results.
+    /// Expectations for each strategy, and their results.
     pub expectations: Vec<Reached>,
-    /// Test of the properties that its picture cannot show, as its name is typed after `cargo test -p cutaway-tests`.
+    /// Test of the properties that its picture cannot show, as the arguments after `cargo test -p cutaway-tests`.
     pub held_by: Option<String>,
 }
 
 /// The hard cases of a run.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CaseRecords {
-    /// Version of this form, [`Record::FORMAT`].
+    /// Version of the format, [`Record::FORMAT`].
     pub format: u32,
     /// Name of the experiment: the stem of its file.
     pub experiment: String,
-    /// Name of the run in it.
+    /// Name of the run in the experiment.
     pub run: String,
-    /// As [`Record::identity`].
+    /// See [`Record::identity`].
     pub identity: String,
-    /// Pixels along the sides of the pictures.
+    /// Side lengths of the pictures in pixels.
     pub sizes_px: Vec<u32>,
     /// The cases.
     pub cases: Vec<CaseRecord>,
-    /// The command that measured them; none in records that are older than this.
+    /// The command that measured them; none in records older than this field.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub invocation: Option<Invocation>,
 }
 
-/// Warning about a figure. A closed list, so that each has its remedy.
+/// Warning about a figure. The list is closed, so that each warning has a remedy.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "kind", rename_all = "kebab-case")]
 pub enum Warning {
-    /// The adapter runs on the CPU: times say nothing about graphics cards.
+    /// The adapter runs on the CPU: its times are not those of graphics cards.
     SoftwareAdapter {
-        /// Its name.
+        /// Name of the adapter.
         adapter: String,
     },
-    /// Times were taken by the clock of the wall, around each pass.
+    /// Times were taken by the wall clock around each pass.
     WallTimes,
-    /// Other work was on the machine before the run began.
+    /// The machine did other work before the run began.
     Busy {
-        /// Processes that wanted to run, in the mean over the last minute.
+        /// Load average of the last minute.
         load: f64,
-        /// Processors there are.
+        /// Number of processors.
         cores: usize,
     },
-    /// Times of a strategy scatter.
+    /// The times of a strategy scatter.
     Noisy {
-        /// Whose.
+        /// Name of the strategy.
         strategy: String,
-        /// Median absolute deviation over median, of the frame's time.
+        /// Median absolute deviation of the frame time, divided by its median.
         spread: f64,
     },
-    /// Times of the plain drawing scatter, and every ratio with them.
+    /// The times of the plain drawing scatter, and so does every ratio to them.
     NoisyDrawOnly {
-        /// Median absolute deviation over median.
+        /// Median absolute deviation, divided by the median.
         spread: f64,
     },
-    /// Something was said when the scene was opened: a section misses the model, a mesh was mended.
+    /// Opening the scene printed a remark: a section misses the model, a mesh was repaired.
     Opening {
         /// Text of the remark.
         text: String,
-        /// Suggested remedy; empty where none was given. Records of 2026-11-21 call it `mend`.
+        /// Suggested remedy; empty if none was given. In records of 2026-11-21 the field is named `mend`.
         #[serde(alias = "mend")]
         help: String,
     },
     /// The machine slowed down from round to round.
     Throttled {
-        /// Plain drawing in the last third of the rounds over that in the first.
+        /// Time of plain drawing in the last third of the rounds, divided by that in the first third.
         slowdown: f64,
     },
     /// A bounded buffer was too small.
     Overflowed {
-        /// Whose.
+        /// Name of the strategy.
         strategy: String,
-        /// The buffer, and the excess.
+        /// The buffer, and by how much it was exceeded.
         reason: String,
     },
     /// The reference leaves many pixels undecided.
     Undecided {
-        /// Undecided pixels over covered ones.
+        /// Undecided pixels per covered pixel.
         share: f64,
     },
     /// Too few rounds for a spread to mean anything.
     FewRounds {
         /// Number of rounds.
         rounds: usize,
-        /// True if `--quick` caused it.
+        /// True if `--quick` is the cause.
         #[serde(default)]
         is_quick: bool,
     },
@@ -282,9 +282,9 @@ pub enum Warning {
 pub struct RecordedPicture {
     /// Name of the strategy that drew it, or `exact`.
     pub drawer: String,
-    /// File of what was drawn, in the folder of the record.
+    /// File of the picture, in the record's folder.
     pub file: String,
-    /// File that shows where it differs from exact.
+    /// File of the heat map, which shows where the picture differs from exact.
     pub heatmap: Option<String>,
 }
 
@@ -294,7 +294,7 @@ impl RecordedPicture {
         std::iter::once(self.file.as_str()).chain(self.heatmap.as_deref())
     }
 
-    /// Returns true if its files are in the folder of the record: a record from elsewhere must not cause files in other places to be read
+    /// Returns true if its files are in the record's folder: a record from elsewhere must not cause files in other folders to be read
     /// or removed.
     pub fn is_beside(&self) -> bool {
         let is_bare = |file: &str| {
@@ -317,26 +317,26 @@ pub struct Machine {
     pub processor: String,
     /// Processors that this process may use.
     pub cores: usize,
-    /// Memory in bytes, where it is known.
+    /// Memory in bytes, if known.
     pub memory: Option<u64>,
-    /// Processes that wanted to run before the run began, in the mean over the last minute, where it is known.
+    /// Load average of the last minute before the run began, if known.
     pub load: Option<f64>,
 }
 
 /// Machine and program of a run.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Run {
-    /// Version of this form, [`Record::FORMAT`].
+    /// Version of the format, [`Record::FORMAT`].
     pub format: u32,
     /// The command line.
     pub command: String,
     /// Version of cutaway.
     pub version: String,
-    /// Commit of its sources, with `+` where they differ from it; none where that is not known.
+    /// Commit of its sources, with `+` if they differ from it; none if unknown.
     pub commit: Option<String>,
     /// When it began: RFC 3339, UTC.
     pub began: String,
-    /// Seconds of measuring, over all invocations.
+    /// Seconds of measuring, summed over all invocations.
     pub took_s: f64,
     /// True if fewer pixels, values and rounds were requested.
     pub is_quick: bool,
@@ -357,7 +357,7 @@ impl Run {
         format!("run.{index}-of-{count}.json")
     }
 
-    /// Returns true if a file name is that of a run or of a shard.
+    /// Returns true if a file name is that of a run or a shard.
     pub fn is_file(path: &Path) -> bool {
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         name.starts_with("run.") && name.ends_with(".json")

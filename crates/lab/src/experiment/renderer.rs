@@ -1,8 +1,8 @@
-//! Renderers: what makes the layers of a frame.
+//! Renderers: the sources of a frame's layers.
 //!
 //! Methods draw on the device. Exact and `winding`, generalised winding numbers ([`Windings`](crate::exact::Windings)), are evaluated on
-//! all cores of the CPU: the one is the reference, the other is no way of drawing in a frame, but what else could be said of open meshes.
-//! The times of an evaluation are those of the wall, whatever the clocks of the device are.
+//! all cores of the CPU: exact is the reference; `winding` is not meant for drawing, but shows what else is possible for open meshes.
+//! Evaluations are always timed by the wall clock, whatever clocks the device has.
 
 use std::fmt;
 use std::str::FromStr;
@@ -24,7 +24,7 @@ pub enum Renderer {
     Cpu(Evaluator),
 }
 
-/// CPU evaluator of the layers of a frame.
+/// An evaluator of a frame's layers on the CPU.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Evaluator {
     /// The exact reference.
@@ -37,9 +37,9 @@ pub enum Evaluator {
 pub struct Evaluation {
     /// The layers.
     pub layers: Layers,
-    /// Bytes of what was built from the meshes.
+    /// Bytes of the structures built from the meshes.
     pub bytes: u64,
-    /// Time to build it, in milliseconds.
+    /// Time to build these structures, in milliseconds.
     pub solid_ms: f64,
     /// Time to evaluate the pixels, in milliseconds.
     pub frame_ms: f64,
@@ -74,11 +74,11 @@ impl Renderer {
     /// The exact reference.
     pub const EXACT: Self = Self::Cpu(Evaluator::Exact);
 
-    /// The renderers to be measured that a name stands for: `all` are all strategies with their usual parameters.
+    /// The renderers that a name stands for; `all` means all strategies with their usual parameters.
     ///
     /// # Errors
     ///
-    /// `exact`, by which the others are measured, and what is no name.
+    /// The name `exact`, as the others are measured against it, and unknown names.
     pub fn named(name: &str) -> Result<Vec<Self>> {
         if name.trim() == "all" {
             return Ok(Strategy::all().into_iter().map(Self::from).collect());
@@ -86,7 +86,7 @@ impl Renderer {
         match name.parse()? {
             Self::EXACT => Err(Error::input(
                 "`exact`",
-                "exact is what strategies are measured against",
+                "exact is the reference that strategies are measured against",
                 "leave it out; its picture and time are part of every comparison",
             )),
             renderer => Ok(vec![renderer]),
@@ -101,13 +101,13 @@ impl Renderer {
         }
     }
 
-    /// By which means it draws; the usual where it runs on the CPU.
+    /// Its draw options; the default ones if it runs on the CPU.
     pub fn options(&self) -> DrawOptions {
         self.method()
             .map_or_else(DrawOptions::default, |m| m.options)
     }
 
-    /// The same, with means for what a method leaves open.
+    /// The same renderer, with draw options where a method names none.
     #[must_use]
     pub fn or(self, usual: DrawOptions) -> Self {
         match self {
@@ -160,7 +160,7 @@ impl FromStr for Renderer {
             Some(evaluator) if options.is_none() => Ok(Self::Cpu(evaluator)),
             Some(evaluator) => Err(Error::input(
                 text,
-                format!("{evaluator} runs on the CPU: there are no means to choose"),
+                format!("{evaluator} runs on the CPU and has no draw options"),
                 "leave out the @ and what follows",
             )),
             None => text.parse().map(Self::Method),

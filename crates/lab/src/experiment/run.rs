@@ -1,9 +1,9 @@
 //! One point of an experiment, from its scene to its record.
 //!
-//! Errors come first; expectations are checked and reported before any time is taken, so that a user can end a run that has already failed.
-//! Then times are taken in turns, warnings are derived, and the pictures are drawn last.
+//! Errors are measured first; expectations are checked and reported before any time is taken, so that a user can end a run that has
+//! already failed. Then times are taken in turns, warnings are derived, and the pictures are drawn last.
 //!
-//! Progress is reported by a watcher from outside.
+//! Progress is reported to a [`Watcher`].
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -25,19 +25,19 @@ use super::{
     draw_options,
 };
 
-/// Whoever watches a run.
+/// Observer of a run.
 pub trait Watcher {
     /// A step begins.
     fn step(&self, what: String);
-    /// The scene was opened with a remark: reported once, even where the truth has the same fault.
+    /// Opening the scene gave a remark: reported once, even if the truth scene has the same fault.
     fn opened(&self, remark: &Remark);
-    /// An expectation was held against what was found.
+    /// An expectation was compared with the result.
     fn reached(&self, reached: &Reached);
-    /// Returns false to stop; a point that is not complete is not kept.
+    /// Returns false to stop the run; an incomplete point is not kept.
     fn goes_on(&self) -> bool;
 }
 
-/// A point to be measured, and the facts of its record that are not measured.
+/// A point to measure, and the fields of its record that are not measured.
 pub struct Assignment<'a> {
     /// Name of the experiment.
     pub experiment: &'a str,
@@ -49,7 +49,7 @@ pub struct Assignment<'a> {
     pub point: &'a Point,
     /// Measured rounds.
     pub rounds: usize,
-    /// True if it is measured as `--quick` does.
+    /// True if it is measured with `--quick`.
     pub is_quick: bool,
     /// True if pictures are kept.
     pub keeps_pictures: bool,
@@ -59,19 +59,19 @@ pub struct Assignment<'a> {
     pub command: String,
     /// Machine of the measurement.
     pub machine: &'a Machine,
-    /// By which command.
+    /// Command of the measurement.
     pub invocation: &'a Invocation,
 }
 
 impl SceneRun {
-    /// Number of steps that one of its points reports.
+    /// Number of steps that measuring a point reports.
     pub fn steps(&self, point: &Point, rounds: usize) -> usize {
         let drift = self.drift.map_or(0, |d| d.frames as usize);
         1 + drift + error_steps(point.trials.len()) + timing_steps(rounds)
     }
 }
 
-/// The name of the files of a point, without an extension.
+/// File name of a point's files, without extension.
 pub fn file_stem(run: &str, point: &Point) -> String {
     match point.stem.as_str() {
         "" => run.to_owned(),
@@ -79,18 +79,18 @@ pub fn file_stem(run: &str, point: &Point) -> String {
     }
 }
 
-/// Pictures by the names of their files.
+/// Pictures, each with its file name.
 pub type Images = Vec<(String, RgbaImage)>;
 
-/// A point that was measured.
+/// A measured point.
 pub struct Measured {
     /// Its record.
     pub record: Record,
-    /// Its pictures, by the names that the record gives them.
+    /// Its pictures, by their names in the record.
     pub pictures: Images,
 }
 
-/// Measures a point; none if it was ended early. Nothing stays in the session.
+/// Measures a point; `None` if it was ended early. Leaves nothing in the session.
 pub fn measure(
     session: &mut Session,
     assignment: &Assignment<'_>,
@@ -224,12 +224,12 @@ fn must_be_framed_alike(shown: &SceneAtTime, truth: Option<&SceneAtTime>) -> Res
     }
     Err(Error::input(
         "truth",
-        "its bounds are not those of the scene, so that cameras and sections in percent are elsewhere",
-        "let both fill the same box",
+        "its bounds are not those of the scene, so that cameras and sections in percent differ",
+        "give both scenes the same bounds",
     ))
 }
 
-/// Pictures of exact and of all that drew, with their names.
+/// Pictures of exact and of all renderers that drew, with their names.
 fn pictures(
     session: &mut Session,
     question: &FrameQuestion<'_>,

@@ -1,16 +1,16 @@
-//! Samples of a measurement: all are kept, and summarised by their median and its spread.
+//! Samples of a measurement: all are kept, and summarised by their median and spread.
 //!
-//! Times on a shared machine have a long tail: a mean follows its outliers, a median does not. The spread is the median absolute
-//! deviation (MAD), which up to half of the samples cannot move either. Neither assumes a distribution.
+//! Times on a shared machine have a long tail: outliers shift a mean, but not a median. The spread is the median absolute
+//! deviation (MAD), which is robust against up to half of the samples too. Neither assumes a distribution.
 
 use serde::{Deserialize, Serialize};
 
 /// Measured values with their median.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Samples {
-    /// The middle one; the mean of the two in the middle of an even number; 0 where there are none.
+    /// The median; with an even number of samples, the mean of the middle two; 0 without samples.
     pub median: f64,
-    /// The median distance from the median, in the same unit; 0 where there are none.
+    /// The median distance from the median, in the same unit; 0 without samples.
     pub mad: f64,
     /// All, in the order they were taken.
     pub samples: Vec<f64>,
@@ -28,7 +28,7 @@ impl Samples {
         }
     }
 
-    /// Least and greatest sample; zeros where there are none.
+    /// Minimum and maximum sample; zeros without samples.
     pub fn range(&self) -> [f64; 2] {
         let all = || self.samples.iter().copied();
         if self.samples.is_empty() {
@@ -40,14 +40,14 @@ impl Samples {
         ]
     }
 
-    /// Sum of several, round by round; one without samples never ran.
+    /// Sum of several clocks, round by round; a clock without samples never ran.
     pub fn sum(all: &[&Self]) -> Self {
         let rounds = all.iter().map(|s| s.samples.len()).max().unwrap_or(0);
         let of_round = |round| all.iter().filter_map(|s| s.samples.get(round)).sum();
         Self::new((0..rounds).map(of_round).collect())
     }
 
-    /// The quotients of samples taken in the same rounds: what disturbed a round disturbed both, and cancels.
+    /// The quotients of samples taken in the same rounds: a disturbance of a round affects both and cancels.
     pub fn over(&self, denominator: &Self) -> Self {
         let pairs = self.samples.iter().zip(&denominator.samples);
         Self::new(pairs.map(|(a, b)| a / b).collect())
@@ -60,7 +60,7 @@ impl Samples {
     }
 }
 
-/// The middle of some values, in any order; 0 of none.
+/// The median of values in any order; 0 without values.
 fn median(values: &[f64]) -> f64 {
     let mut sorted = values.to_vec();
     sorted.sort_by(f64::total_cmp);

@@ -1,6 +1,6 @@
-//! A scene for the strategies and for the exact reference: the one place that makes both.
+//! Prepares a scene for the strategies and for the exact reference; nothing else does.
 //!
-//! The exact reference always uses meshes posed in f64 on the CPU; strategies pose them on the device. Where nothing is posed, a
+//! The exact reference always uses meshes posed in f64 on the CPU; strategies pose them on the device. If nothing is posed, the
 //! scene is prepared once for both.
 
 use std::sync::OnceLock;
@@ -18,7 +18,7 @@ pub struct SceneAtTime {
     /// Model that strategies draw.
     pub model: Model,
     scene: Scene,
-    /// Model for the exact reference, made at the first use.
+    /// Model for the exact reference, made on first use.
     truth: OnceLock<Prepared>,
 }
 
@@ -28,7 +28,7 @@ impl SceneAtTime {
         Self::with(Model::new(scene), scene)
     }
 
-    /// Prepares a scene that follows this one in time; what has not changed is not prepared again.
+    /// Prepares a scene that follows this one in time, and reuses what has not changed.
     pub fn updated(&self, scene: &Scene) -> Self {
         Self::with(self.model.updated(scene), scene)
     }
@@ -46,7 +46,7 @@ impl SceneAtTime {
         }
     }
 
-    /// Model for the exact reference. Refused where a cap could have a number that layers cannot hold, as strategies refuse it.
+    /// Model for the exact reference. Refused, as by strategies, if a cap could have a clip-surface number too large for layers.
     pub fn truth(&self) -> Result<&Prepared> {
         let truth = if self.model.prepared.is_whole() {
             &self.model.prepared
@@ -59,7 +59,7 @@ impl SceneAtTime {
     }
 }
 
-/// The means that a document asks for.
+/// The draw options in the settings of a document.
 pub fn draw_options(settings: &Settings) -> Result<DrawOptions> {
     Ok(DrawOptions {
         rasteriser: settings
@@ -79,7 +79,7 @@ fn must_be_named(truth: &Prepared) -> Result<()> {
     match truth.parts.iter().flat_map(|p| &p.cuts).find(is_beyond) {
         Some(cut) => Err(Error::input(
             format!("cut `{}`", truth.cuts[*cut].name),
-            format!("exact names {count} clip-surfaces, and those of this cut come after them"),
+            format!("exact can number {count} clip-surfaces, and this cut's exceed that"),
             "use fewer cuts, or boxes and wedges with fewer faces",
         )),
         None => Ok(()),
@@ -96,7 +96,7 @@ mod tests {
     use cutaway::generate::shapes::shape;
     use cutaway::scene::{ClipSurface, Cut, Motion};
 
-    /// A cube whose one target takes it along x by 2.
+    /// A cube whose one morph target moves it along x by 2.
     fn cube(weight: f64) -> Scene {
         let mut parts = shape("cube").unwrap();
         let count = parts[0].mesh.positions.len();

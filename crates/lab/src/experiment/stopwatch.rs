@@ -1,12 +1,12 @@
-//! Time on the clock of the wall.
+//! Wall-clock time.
 
 use web_time::Instant;
 
-/// Runs from when it is made.
+/// A stopwatch that runs from its creation.
 pub struct Stopwatch(Instant);
 
 impl Stopwatch {
-    /// Starts one.
+    /// Starts a stopwatch.
     #[allow(
         clippy::disallowed_methods,
         reason = "the one place that reads the clock, beside the device"

@@ -1,8 +1,8 @@
-//! Sweeps: axes with values, and the points and renderers that they make.
+//! Sweeps: axes with values, and the points and renderers that these produce.
 //!
-//! An axis of the scene sets values of the document by their paths and makes *points*: one frame and one record for each value, and for
-//! each combination where there are several such axes. An axis whose name stands in braces in a strategy, `grid:{cells}+mask`, makes
-//! more *renderers* within each point, so that they are measured in turns.
+//! A scene axis sets values of the document by their paths and produces *points*: one frame and one record for each value, or for
+//! each combination if there are several such axes. An axis whose name is in braces in a strategy, `grid:{cells}+mask`, produces
+//! several *renderers* within each point, so that they are measured in turns.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -12,10 +12,10 @@ use cutaway_io::document::{Document, Node};
 
 use super::{FamilyMember, Parameter, Parameters, Renderer};
 
-/// Points that one run may have: more are a slip.
+/// Maximum number of points in a run: more are taken for a mistake.
 const MOST_POINTS: usize = 10_000;
 
-/// Renderers that one point may have: all of them are kept on the device, and measured in turns.
+/// Maximum number of renderers at a point: all of them are kept on the device, and measured in turns.
 const MOST_RENDERERS: usize = 200;
 
 /// Values of a document, by their paths, in order.
@@ -35,7 +35,7 @@ pub struct Value {
 pub struct Axis {
     /// Its name.
     pub name: String,
-    /// Paths that all its values set, where it has one list of values for them.
+    /// Paths that all its values set, if the axis is one list of values.
     pub paths: Vec<String>,
     /// Its values, in the order they are written.
     pub values: Vec<Value>,
@@ -85,14 +85,14 @@ impl Axis {
 pub struct Axes(pub Vec<Axis>);
 
 impl Axes {
-    /// Puts an axis in the place of that of the same name.
+    /// Replaces the axis of the same name.
     pub fn replace(&mut self, axis: Axis) {
         for place in self.0.iter_mut().filter(|a| a.name == axis.name) {
             *place = axis.clone();
         }
     }
 
-    /// Leaves out axes of strategies that none has any more.
+    /// Removes strategy axes that no strategy uses any more.
     pub fn forget_unused(&mut self, strategies: &[String]) {
         let is_kept = |a: &Axis| !a.is_of_strategies() || strategies.iter().any(|s| a.is_in(s));
         self.0.retain(is_kept);
@@ -114,7 +114,7 @@ impl Axes {
 pub struct Variable {
     /// The scene, before anything is varied.
     pub scene: Document,
-    /// Differences of the scene that is the truth, where that is another scene.
+    /// Changes that turn the scene into the truth scene, if that is another.
     pub truth: Option<Changes>,
     /// Names of renderers.
     pub strategies: Vec<String>,
@@ -123,13 +123,13 @@ pub struct Variable {
 /// One frame to be measured.
 #[derive(Clone, Debug)]
 pub struct Point {
-    /// Values of what is varied of its scene.
+    /// Values of the sweep axes of its scene.
     pub parameters: Parameters,
-    /// Distinguishes the point from others of its run in file names; empty where there is only one.
+    /// Distinguishes the point from others of its run in file names; empty if there is only one.
     pub stem: String,
     /// The scene.
     pub scene: Document,
-    /// The scene that is the truth, where that is another.
+    /// The truth scene, if that is another.
     pub truth: Option<Document>,
     /// Renderers to measure.
     pub trials: Vec<Trial>,
@@ -140,7 +140,7 @@ pub struct Point {
 pub struct Trial {
     /// Renderer to measure.
     pub renderer: Renderer,
-    /// Sources of the renderer: each strategy text, with its values, that gives it.
+    /// Sources of the renderer: each strategy text, by index, that gives it, with the values used.
     pub families: Vec<(usize, FamilyMember)>,
 }
 
@@ -153,13 +153,13 @@ impl Trial {
     }
 }
 
-/// Makes all points.
+/// Expands a sweep into its points.
 pub fn expand(axes: &Axes, of: &Variable) -> Result<Vec<Point>> {
     check_braces(axes, &of.strategies)?;
     let (of_renderers, of_points): (Vec<&Axis>, Vec<&Axis>) =
         axes.0.iter().partition(|a| a.is_of_strategies());
     let Some(count) = product(&of_points).filter(|count| *count <= MOST_POINTS) else {
-        let what = "the values make too many points";
+        let what = "the values give too many points";
         let help = format!("leave some out: at most {MOST_POINTS} are measured");
         return Err(Error::input("sweep", what, help));
     };
@@ -185,7 +185,7 @@ pub fn expand(axes: &Axes, of: &Variable) -> Result<Vec<Point>> {
     Ok(points)
 }
 
-/// Refuses two axes of which one sets what the other does.
+/// Refuses two axes that set the same value.
 fn must_be_apart(axes: &Axes, scene: &Document) -> Result<()> {
     let paths = |axis: &Axis| -> Vec<String> {
         let first = axis.values.first().map_or(&[] as &[_], |v| &v.sets);
@@ -196,7 +196,7 @@ fn must_be_apart(axes: &Axes, scene: &Document) -> Result<()> {
             for path in paths(axis) {
                 if paths(other).iter().any(|p| scene.overlap(p, &path)) {
                     let what = format!("axis `{}` sets `{path}` too", other.name);
-                    let help = "let each value be set by one axis: the last would count alone";
+                    let help = "set each value by one axis: the last axis would win";
                     return Err(Error::input(format!("axis `{}`", axis.name), what, help));
                 }
             }
@@ -212,7 +212,7 @@ fn named_values(axes: &[&Axis], values: &[&Value]) -> Parameters {
         .collect()
 }
 
-/// Every name in braces has values, and every axis without paths is in a strategy.
+/// Checks that every name in braces has values, and that every axis without paths is used by a strategy.
 fn check_braces(axes: &Axes, strategies: &[String]) -> Result<()> {
     let of_strategies: Vec<&str> = (axes.0.iter())
         .filter(|a| a.is_of_strategies())
@@ -221,7 +221,7 @@ fn check_braces(axes: &Axes, strategies: &[String]) -> Result<()> {
     for text in strategies {
         for name in in_braces(text)? {
             if !of_strategies.contains(&name) {
-                let what = format!("nothing says what {{{name}}} is");
+                let what = format!("{{{name}}} has no values");
                 let help = if of_strategies.is_empty() {
                     format!("add `sweep = {{ {name} = [1, 2] }}`, or leave the braces out")
                 } else {
@@ -238,7 +238,7 @@ fn check_braces(axes: &Axes, strategies: &[String]) -> Result<()> {
 fn in_braces(text: &str) -> Result<Vec<&str>> {
     let fault = || {
         let help = "write {name}, with both braces and a name between";
-        Error::input(format!("`{text}`"), "a brace stands alone", help)
+        Error::input(format!("`{text}`"), "a brace is not paired", help)
     };
     let mut names = Vec::new();
     for piece in text.split('{').skip(1) {
@@ -267,7 +267,7 @@ fn combinations<'a>(axes: &[&'a Axis]) -> Vec<Vec<&'a Value>> {
     })
 }
 
-/// A name that files of the point can have, unlike those of the others.
+/// A file name for the point that differs from those of the others.
 fn stem(values: &[&Value], taken: &mut BTreeSet<String>) -> String {
     let is_safe = |c: char| c.is_ascii_alphanumeric() || "+-".contains(c);
     let safe = |text: String| -> String {
@@ -277,7 +277,7 @@ fn stem(values: &[&Value], taken: &mut BTreeSet<String>) -> String {
     };
     let plain: Vec<String> = values.iter().map(|v| safe(v.is.to_string())).collect();
     let plain = plain.join("_");
-    // The files of hard cases are called so, and a stem of dots and spaces says nothing.
+    // The files of hard cases have the name `cases`, and a stem of dots and spaces is not readable.
     let is_taken = |s: &String| s == "cases" || taken.contains(s);
     let mut stem = plain.clone();
     let mut count = 1;
@@ -329,14 +329,14 @@ fn trials(texts: &[String], axes: &[&Axis]) -> Result<Vec<Trial>> {
         }
     }
     if trials.len() > MOST_RENDERERS {
-        let what = format!("the values make {} renderers", trials.len());
+        let what = format!("the values give {} renderers", trials.len());
         let help = format!("leave some out: at most {MOST_RENDERERS} are measured in turns");
         return Err(Error::input("strategies", what, help));
     }
     Ok(trials)
 }
 
-/// Number of combinations; none on overflow.
+/// Number of combinations; `None` on overflow.
 fn product(axes: &[&Axis]) -> Option<usize> {
     (axes.iter()).try_fold(1_usize, |count, axis| count.checked_mul(axis.values.len()))
 }

@@ -1,7 +1,7 @@
-//! Definition of an experiment for reports: the experiment in words, its runs, its charts.
+//! Description of an experiment for reports: its question and analysis, its runs, and its charts.
 //!
-//! It is read from the file of an experiment and written to the folder of its records as `experiment.json`. A report has no other source
-//! for it. The drawing of each point is in its record. Unknown keys of `experiment.json` are ignored.
+//! It is read from the experiment's file and written to the folder of its records as `experiment.json`, the only source that a report
+//! has for it. What was drawn at each point is in the point's record. Unknown keys of `experiment.json` are ignored.
 
 use serde::{Deserialize, Serialize};
 
@@ -24,10 +24,10 @@ pub struct Synopsis {
     /// Its charts, in order.
     #[serde(default, rename = "chart")]
     pub charts: Vec<ChartSynopsis>,
-    /// Files of all records that its runs make, without `.json`; empty in records that are older than this.
+    /// Names of all record files that its runs write, without `.json`; empty in records older than this field.
     #[serde(default)]
     pub points: Vec<String>,
-    /// The file of the experiment, as it was; empty in records that are older than this.
+    /// Text of the experiment's file at the time; empty in records older than this field.
     #[serde(default)]
     pub toml: String,
 }
@@ -40,10 +40,10 @@ pub struct RunSynopsis {
     /// Description, in a line.
     #[serde(default)]
     pub about: Option<String>,
-    /// Common name of the input that it stands for, if any: `plane cuts`.
+    /// Common name of the input that it represents, if any: `plane cuts`.
     #[serde(default)]
     pub input: Option<String>,
-    /// The inputs that move in such a use.
+    /// The inputs that move in that use.
     #[serde(default)]
     pub moves: Moves,
 }
@@ -53,12 +53,12 @@ pub struct RunSynopsis {
 pub struct ChartSynopsis {
     /// Title, as a sentence.
     pub title: String,
-    /// Names of runs; all if empty.
+    /// Names of the runs it shows; all if empty.
     #[serde(default)]
     pub runs: Vec<String>,
-    /// A parameter or a figure.
+    /// Parameter or figure along the x axis.
     pub x: String,
-    /// A figure.
+    /// Figure along the y axis.
     pub y: String,
     /// The logarithmic axes: `x`, `y`.
     #[serde(default)]
@@ -66,13 +66,13 @@ pub struct ChartSynopsis {
     /// True if y is an error and x its cost, so that the chart has a Pareto front.
     #[serde(default)]
     pub pareto: bool,
-    /// One line under it.
+    /// One line under the chart.
     #[serde(default)]
     pub note: Option<String>,
 }
 
 impl Synopsis {
-    /// Place of a run in the experiment; after all others where it is not there.
+    /// Index of a run in the experiment; past the last one if it is not there.
     pub fn place_of(&self, run: &str) -> usize {
         let place = self.runs.iter().position(|r| r.name == run);
         place.unwrap_or(self.runs.len())

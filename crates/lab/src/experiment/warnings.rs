@@ -8,19 +8,19 @@ use super::{Ending, Machine, Measurement, Reference, Samples, Warning};
 /// Times scatter if their median absolute deviation is this share of their median.
 const NOISY: f64 = 0.10;
 
-/// The same where there are too few rounds for a spread: what is as wide as this is reported all the same.
+/// The same threshold where there are too few rounds for a spread: a spread this wide is still reported.
 const NOISY_OF_FEW: f64 = 0.25;
 
-/// The machine slowed down if the last third of the rounds took so much longer than the first.
+/// The machine slowed down if the last third of the rounds took this many times as long as the first.
 const THROTTLED: f64 = 1.15;
 
-/// Rounds that tell a trend from an outlier.
+/// Minimum number of rounds that tells a trend from an outlier.
 const ROUNDS_OF_A_TREND: usize = 6;
 
-/// Rounds that tell a spread.
+/// Minimum number of rounds for a meaningful spread.
 const ROUNDS_OF_A_SPREAD: usize = 5;
 
-/// The machine is busy if this share of its processors had work before.
+/// The machine is busy if this share of its processors had work before the run.
 const BUSY: f64 = 0.5;
 
 impl Warning {
@@ -54,7 +54,7 @@ impl Warning {
                 let strategy = name();
                 all.push(Self::Overflowed { strategy, reason });
             }
-            // Not of the ratio: where the plain drawing scatters, that of every strategy does.
+            // The spread of the time, not of the ratio: if the plain drawing scatters, every strategy's ratio does.
             if let Some(spread) = spread(&strategy.time_ms.frame) {
                 let strategy = name();
                 all.push(Self::Noisy { strategy, spread });
@@ -63,7 +63,7 @@ impl Warning {
         all
     }
 
-    /// The warning of a reference that leaves more than [`MOST_UNDECIDED`](super::MOST_UNDECIDED) of the pixels undecided.
+    /// The warning about a reference that leaves more than [`MOST_UNDECIDED`](super::MOST_UNDECIDED) of the pixels undecided.
     pub fn of_undecided(exact: &Reference) -> Option<Self> {
         let share = exact.undecided_share();
         exact.is_doubtful().then_some(Self::Undecided { share })
@@ -80,7 +80,7 @@ impl Warning {
         }
     }
 
-    /// Whose figures it concerns; none where it concerns all of a point.
+    /// The strategy whose figures it concerns; `None` if it concerns the whole point.
     pub fn concerns(&self) -> Option<&str> {
         match self {
             Self::Noisy { strategy, .. } | Self::Overflowed { strategy, .. } => Some(strategy),
@@ -175,7 +175,7 @@ fn spread(times_ms: &Samples) -> Option<f64> {
     (spread > most).then_some(spread)
 }
 
-/// The same frame drawn again and again takes as long, unless the machine changes.
+/// Slowdown of the machine: the same frame drawn repeatedly takes the same time unless the machine changes.
 fn slowdown(draw_only_ms: &Samples) -> Option<Warning> {
     let all = &draw_only_ms.samples;
     if all.len() < ROUNDS_OF_A_TREND {

@@ -1,5 +1,5 @@
-//! The error that theory gives the depth sprite: a point is tested up to half a texel diagonally away from where it is, so a
-//! cap pixel can be wrong only where a mesh is that near to its point.
+//! The theoretical error of the depth sprite: a point is tested up to half a texel's diagonal away from its position, so a
+//! cap pixel can be wrong only if its point is that near to a mesh.
 
 use cutaway::layers::Kind;
 use cutaway::scene::Prepared;
@@ -7,7 +7,7 @@ use glam::{DVec2, DVec3};
 
 use super::{Judged, Question, tolerances};
 
-/// Half a texel's diagonal in scene space, for the largest part, with the two texels of margin that the sprite leaves on
+/// Half a texel's diagonal in scene space, for the largest part, including the two texels of margin that the sprite leaves on
 /// either side.
 pub(super) fn reach(prepared: &Prepared, resolution: u32) -> f64 {
     let extent = prepared
@@ -56,7 +56,7 @@ fn distance(prepared: &Prepared, point: DVec3) -> f64 {
         .fold(f64::INFINITY, f64::min)
 }
 
-/// Distance to a triangle: to its plane where the foot is inside, else to the nearest edge.
+/// Distance to a triangle: to its plane if the point projects into the triangle, else to the nearest edge.
 fn to_triangle(p: DVec3, [a, b, c]: [DVec3; 3]) -> f64 {
     let normal = (b - a).cross(c - a);
     let edges = [(a, b), (b, c), (c, a)];

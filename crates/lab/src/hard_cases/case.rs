@@ -1,7 +1,7 @@
-//! A case: scenes with a known answer, and what each strategy is expected to make of them.
+//! A case: scenes with a known answer, and the expected result of each strategy.
 //!
-//! A case gives the expected results of exact strategies and of the paper's own, and the form of its cuts; the others follow from what
-//! they are. Where one does not do as its kind does, the case names it.
+//! A case gives the form of its cuts and the expected results of exact strategies and of the paper's strategy; those of other strategies
+//! follow from their kind. A case names each strategy that differs from its kind.
 
 use std::sync::Arc;
 
@@ -22,13 +22,13 @@ use super::tolerances::FACTOR;
 /// Form of the cuts of a case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
-    /// One plane, of one cut.
+    /// One cut by one plane.
     Plane,
     /// Several planes.
     Planes,
     /// At least one relief.
     Reliefs,
-    /// Reliefs, some of which are flat and so planes.
+    /// Reliefs, some of them flat, which makes them planes.
     FlatReliefs,
 }
 
@@ -42,31 +42,31 @@ impl Form {
 /// A row of the table, read from its file.
 #[derive(Clone, Debug)]
 pub struct Case {
-    /// Its number in the list of hard cases, or its letter and number where users of other projects met it.
+    /// Its number in the list of hard cases, or a letter and number if users of other projects met it.
     pub id: String,
     /// Description of the case.
     pub name: String,
     /// Form of its cuts.
     pub form: Form,
-    /// Expectation of exact strategies.
+    /// Expected result of exact strategies.
     pub exact: Expected,
-    /// Expectation of the paper's own strategy.
+    /// Expected result of the paper's strategy.
     pub paper: Expected,
-    /// Expectations of strategies that differ from their kind, by a glob over names.
+    /// Expected results of strategies that differ from their kind, by a glob over names.
     pub apart: Vec<(String, Expected)>,
-    /// Expectations that differ with fewer than 8 sub-pixel bits, by a glob over names.
+    /// Expected results that differ with fewer than 8 sub-pixel bits, by a glob over names.
     pub coarse: Vec<(String, Expected)>,
-    /// Wrong pixels by covered pixels of built-in methods that fail, over all pictures: the least and the most of 64 and 256 px.
+    /// Wrong pixels per covered pixel of built-in methods that fail, over all pictures: minimum and maximum of 64 and 256 px.
     pub found: Vec<(String, [f64; 2])>,
     /// Further bounds on exact strategies.
     pub keeps: Keeps,
     /// Its scene.
     pub document: Document,
-    /// Changes of its pictures.
+    /// Its pictures, as changes to the scene.
     pub pictures: Vec<CasePicture>,
 }
 
-/// Changes of a picture to the scene of its case.
+/// A picture, as changes to the scene of its case.
 #[derive(Clone, Debug, Default)]
 pub struct CasePicture {
     /// Name of the picture.
@@ -78,7 +78,7 @@ pub struct CasePicture {
 }
 
 impl CasePicture {
-    /// The picture that has what another one has as well.
+    /// The picture with the changes of both.
     pub(super) fn with(&self, other: &Self) -> Self {
         let names = [&self.name, &other.name].map(String::as_str);
         Self {
@@ -89,28 +89,28 @@ impl CasePicture {
     }
 }
 
-/// Bounds on an exact picture in addition to showing the right things.
+/// Bounds on the errors of a picture that shows the right things.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Keeps {
-    /// Largest angle between normals of caps and those of exact, in degrees.
+    /// Largest angle between cap normals and those of exact, in degrees.
     pub normal_deg: f64,
-    /// Largest error of depth, in edge lengths of a pixel.
+    /// Largest depth error, in edge lengths of a pixel.
     pub depth_px: f64,
 }
 
 impl Keeps {
-    /// Nothing in particular.
+    /// No further bounds.
     pub const NOTHING: Self = Self {
         normal_deg: f64::INFINITY,
         depth_px: f64::INFINITY,
     };
 
-    /// First bound that a picture exceeds, in words.
+    /// The first bound that a picture exceeds, as text.
     pub fn fault(&self, judged: &Judged) -> Option<String> {
         let found = &judged.comparison;
         let (normal, depth) = (found.normal_error_deg_max, found.depth_error_px_max);
         if normal > self.normal_deg {
-            return Some(format!("normals of caps are {normal} degrees off"));
+            return Some(format!("cap normals are {normal} degrees off"));
         }
         (depth > self.depth_px * judged.precision.coarseness())
             .then(|| format!("depths are {depth} px off"))
@@ -137,7 +137,7 @@ impl Case {
         self.pictures.iter().map(scene).collect()
     }
 
-    /// Expected result of a strategy. Bounds are of the built-in methods: another resolution may miss them.
+    /// Expected result of a strategy. Bounds apply to the built-in methods: other parameters may miss them.
     pub fn expected(&self, method: &Method) -> Expected {
         let expected = self.declared(method);
         let name = method.to_string();
@@ -150,7 +150,7 @@ impl Case {
         }
     }
 
-    /// The same, of an adapter that may have fewer sub-pixel bits than 8.
+    /// Expected result of a strategy on an adapter that may have fewer than 8 sub-pixel bits.
     pub fn expected_on(&self, method: &Method, is_coarse: bool) -> Expected {
         let usual = self.expected(method);
         match is_coarse {
@@ -228,7 +228,7 @@ impl Case {
     }
 }
 
-/// A parallel camera, moved so that what was in the middle of the picture is at the centre of a pixel.
+/// An orthographic camera, moved so that the middle of the picture is at the centre of a pixel.
 fn moved_by_half_a_pixel(camera: Camera, size_px: u32) -> Result<Camera> {
     let (
         Viewpoint::Explicit {
@@ -242,7 +242,7 @@ fn moved_by_half_a_pixel(camera: Camera, size_px: u32) -> Result<Camera> {
     ) = (camera.viewpoint, camera.projection)
     else {
         let help = "give it a `position`, `projection = \"orthographic\"` and a `height`";
-        let what = "the camera of a picture with `half_pixel` is not parallel";
+        let what = "the camera of a picture with `half_pixel` is not orthographic";
         return Err(Error::input("hard case", what, help));
     };
     let ahead = (focal_point - position).normalize_or_zero();

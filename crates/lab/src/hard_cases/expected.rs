@@ -1,10 +1,10 @@
-//! Expected results of a strategy in a case, and the check against the found result.
+//! Expected results of a strategy in a case, and their comparison with the results found.
 //!
-//! Bounds were found with 8 sub-pixel bits. Of an adapter with fewer exact is sure of fewer pixels along outlines, where tessellations and
-//! images are wrong: it may miss a bound from below.
+//! Bounds were found with 8 sub-pixel bits. For an adapter with fewer, exact decides fewer pixels along outlines, where tessellations and
+//! depth images are wrong: its errors may be below the lower bound.
 //!
-//! An expectation is of all pictures of a case: each picture is judged by itself, and some must be wrong where a failure is declared, or
-//! refused where a refusal is. What was declared to fail and passes is a fault too: then the table is wrong, and misleads its reader.
+//! An expectation covers all pictures of a case: each picture is judged by itself; if a failure is declared, some must be wrong, and if a
+//! refusal is, some must be refused. A declared failure that passes is a fault too: then the table is wrong and misleads its reader.
 
 use std::fmt;
 use std::sync::Arc;
@@ -21,38 +21,38 @@ use crate::compare::around;
 pub enum Expected {
     /// No decided pixel wrong, none cracked, none odd.
     Exact,
-    /// The mesh is open: odd pixels are marked, exactly those, and no other pixel is wrong.
+    /// The mesh is open: exactly the odd pixels are marked, and no other pixel is wrong.
     Marked,
-    /// The mesh is open: whatever is wrong is marked, and so may other pixels be.
+    /// The mesh is open: all wrong pixels are marked, and right pixels may be marked too.
     Doubted,
-    /// A buffer is too small in some picture and the reason holds these words; whatever is wrong is marked. The other pictures are exact.
+    /// Some picture overflows a buffer, for a reason that contains these words, with all wrong pixels marked. The other pictures are exact.
     Overflows(Arc<str>),
-    /// Each wrong cap pixel is within the depth image's reach of a mesh: what theory allows where the cap surface is exact.
+    /// Each wrong cap pixel is as near to a mesh as the depth image's theoretical error allows; the cap surface is exact.
     Band,
     /// Decided wrong pixels per pixel on a boundary are at most this many.
     Share(f64),
     /// As `Share`, for this reason.
     Within(f64, Arc<str>),
-    /// As `Share`, and no decided pixel shows a back face, none is cracked and none odd: a tessellation that decides by one list.
+    /// As `Share`, and no decided pixel is a back face, a crack or odd: a tessellation that decides by one per-pixel list.
     Listed(f64),
     /// Known to be wrong, for this reason, in at least one of its pictures.
     Fails(Arc<str>),
-    /// As `Fails`, with the least and the greatest share of decided wrong pixels per covered pixel, over all pictures.
+    /// As `Fails`, with the minimum and maximum number of decided wrong pixels per covered pixel, over all pictures.
     FailsWithin(Arc<str>, f64, f64),
-    /// Not drawn, for what stands in the way.
+    /// Refused because of an unsupported feature.
     Refuses(Unsupported),
-    /// Some pictures are refused, for what stands in the way, and the others are exact.
+    /// Some pictures are refused because of an unsupported feature, and the others are exact.
     RefusesSome(Unsupported),
 }
 
 impl Expected {
-    /// Why it cannot be better, where it is a failure or a bound that is declared.
+    /// Why the result cannot be better, if a failure or a bound is declared.
     pub fn why(&self) -> Option<String> {
         let why = match self {
             Self::Exact | Self::Marked => return None,
-            Self::Doubted => "it cannot tell which of the pixels it marks it may trust",
+            Self::Doubted => "it cannot tell which of the pixels it marks are right",
             Self::Overflows(_) => "its buffer is bounded",
-            Self::Band => "a point is tested up to half a texel diagonally beside where it is",
+            Self::Band => "a point is tested up to half a texel's diagonal away from its position",
             Self::Share(_) => "texels and the chord of its grid move what they draw",
             Self::Listed(_) => "the chord of its triangles moves what they draw",
             Self::Fails(why) | Self::FailsWithin(why, ..) | Self::Within(_, why) => why,
@@ -92,7 +92,7 @@ impl Expected {
             Self::Listed(most) => {
                 list_fault(judged, 1).or_else(|| share_fault(question, judged, *most))
             }
-            // Counted over all pictures of the case.
+            // Judged over all pictures of the case.
             Self::Fails(_) | Self::FailsWithin(..) | Self::Refuses(_) | Self::RefusesSome(_) => {
                 None
             }
@@ -125,8 +125,8 @@ impl fmt::Display for Expected {
     }
 }
 
-/// Odd pixels are to be marked, and no others. A sample next to the rim of a hole may count either way, hidden as the rim may be: a few
-/// pixels that have a neighbour of the other kind are let pass.
+/// Fault if pixels other than the odd ones are marked, or odd ones are not. A sample next to the rim of a hole, even a hidden rim, may
+/// count either way: a few pixels with a neighbour of the other kind are accepted.
 fn mismarked_fault(judged: &Judged) -> Option<String> {
     let odd = &judged.exact.odd_parity;
     let is_rim = |i: usize| around(judged.layers.size_px, i, 1).any(|j| odd[j] != odd[i]);
@@ -141,7 +141,7 @@ fn mismarked_fault(judged: &Judged) -> Option<String> {
     })
 }
 
-/// Nothing wrong is to go unmarked.
+/// Fault if a wrong pixel is not marked.
 pub(super) fn unmarked_fault(judged: &Judged) -> Option<String> {
     let first = judged.first_unmarked_wrong()?;
     Some(format!("wrong and not marked: {}", judged.describe(first)))
@@ -153,12 +153,12 @@ fn share_fault(question: &Question, judged: &Judged, most: f64) -> Option<String
         .then(|| format!("{wrong} decided wrong along {boundary} boundary pixels"))
 }
 
-/// Pixels of background in a frame by a tessellation that are no hole: what is left of a solid may be thinner than its cap is
-/// displaced, and vanish altogether, next to nothing that exact shows as background. Found: one pixel of scene 13 of the search from
+/// Pixels of background in a tessellation's frame that count as no hole: a kept solid may be thinner than the displacement of its
+/// cap, and vanish although no background of exact is near. Found: one pixel of scene 13 of the search from
 /// seed 1, by `adaptive:0.5+mask`, and single pixels of thin wings of real meshes. Inner sides never show.
 const REMNANT_PX: usize = 1;
 
-/// Fault that one list of crossings rules out at any tessellation. Background this near to that of exact is an outline that was moved.
+/// Fault that one per-pixel list rules out at any tessellation. Background this near to that of exact is a displaced outline.
 pub(super) fn list_fault(judged: &Judged, outline_px: usize) -> Option<String> {
     let holes = judged.holes(outline_px);
     let counts = [
@@ -177,20 +177,20 @@ pub struct Tally {
     pub pictures: usize,
     /// Decided wrong pixels in all of them.
     pub wrong_px: usize,
-    /// Pixels that exact covers in those that were not refused.
+    /// Covered pixels of exact in the pictures that were not refused.
     pub covered_px: usize,
-    /// Those of them that exact is sure of.
+    /// Covered pixels that are decided, in the same pictures.
     pub judged_px: usize,
-    /// Pixels that exact leaves undecided in them.
+    /// Undecided pixels in the same pictures.
     pub undecided_px: usize,
     /// Number of refused pictures.
     pub refused: usize,
     /// Number of overflowed pictures.
     pub overflowed: usize,
-    /// Sides of the strategy's usual pictures that were not drawn: while there are some, a result without wrong pixels may be luck,
-    /// and does not show that a bound is unneeded.
+    /// Side lengths of the strategy's usual pictures that were not drawn: if there are any, a result without wrong pixels may be luck,
+    /// and does not show that a bound is unnecessary.
     pub unasked_px: Vec<u32>,
-    /// True if some were drawn with fewer sub-pixel bits than bounds are of.
+    /// True if some were drawn with fewer sub-pixel bits than those for which bounds were found.
     pub is_coarse: bool,
     /// Unexpected results, picture by picture.
     pub faults: Vec<String>,
@@ -227,7 +227,7 @@ impl Tally {
         self.faults.extend(other.faults);
     }
 
-    /// A failure that is worse, or better, than it is declared to be.
+    /// Fault of a failure that is worse or better than declared.
     fn fault_of_failure(&self, least: f64, most: f64) -> Option<String> {
         let (wrong, covered) = (self.wrong_px, self.covered_px);
         let share = wrong as f64 / covered.max(1) as f64;
@@ -246,7 +246,7 @@ impl Tally {
         self.wrong_px > 0 || self.refused > 0 || self.overflowed > 0
     }
 
-    /// Unexpected results over all pictures: those of each, and declared faults that did not occur.
+    /// Unexpected results over all pictures: those of single pictures, and declared faults that did not occur.
     pub fn faults_of(&self, expected: &Expected) -> Vec<String> {
         let mut faults = self.faults.clone();
         if let Expected::FailsWithin(_, least, most) = expected {
@@ -276,7 +276,7 @@ impl Tally {
         faults
     }
 
-    /// In words.
+    /// The totals as text.
     pub fn describe(&self, expected: &Expected) -> String {
         let mut line = match self.refused == self.pictures {
             true => "refused".to_owned(),

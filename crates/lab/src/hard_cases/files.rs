@@ -1,4 +1,4 @@
-//! The files of the cases: scenes with a table `[case]`, which says what is expected of whom.
+//! Reads the case files: scenes with a table `[case]`, which gives the expected results.
 //!
 //! ```toml
 //! part = [{ shape = "shells?subdivisions=3" }]
@@ -21,9 +21,9 @@
 //! ```
 //!
 //! `half_pixel = true` next to an `is` moves a parallel camera so that the middle of a picture of even size is the centre of a pixel.
-//! An expectation is a word (`exact`, `marked`, `doubted`, `band`) or a table: `{ share = S }`, `{ listed = S }` as found, the former with
-//! `why` where it is not the usual reason, `{ fails = "WHY" }`, `{ refuses = FEATURE }`, `{ refuses_some = FEATURE }`,
-//! `{ overflows = "WORDS" }`.
+//! An expectation is a word (`exact`, `marked`, `doubted`, `band`) or a table: `{ share = S }` or `{ listed = S }` with the share found,
+//! the former with `why` if the reason is not the usual one, `{ fails = "WHY" }`, `{ refuses = FEATURE }`,
+//! `{ refuses_some = FEATURE }`, `{ overflows = "WORDS" }`.
 //!
 //! The files are part of the program. Reading all of them costs some milliseconds, once.
 
@@ -45,7 +45,7 @@ use super::tolerances::FACTOR;
 
 static FOLDER: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/hard-cases");
 
-/// The files that scenes of cases name.
+/// The files that the scenes of cases refer to.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Embedded;
 
@@ -76,7 +76,7 @@ pub(super) fn read_all() -> Result<Vec<Case>> {
 /// Reads a case from the text of its file.
 pub fn read(path: &Path, text: &str) -> Result<Case> {
     let document = Document::parse(path, text)?;
-    // What else a scene may hold is looked at when it is opened.
+    // The rest of the scene is checked when it is opened.
     let entry = document.need("case", "{ id = \"1\", name = \"cube\" }")?;
     case(&entry, document.clone())
 }
@@ -109,7 +109,7 @@ fn case(entry: &Entry<'_>, document: Document) -> Result<Case> {
     })
 }
 
-/// Pairs of a name, or a glob over names, of methods, and something of them; by name, so that the first that fits is the same everywhere.
+/// Pairs of a method name, or a glob over names, and a value; sorted by name, so that the first match is the same everywhere.
 fn by_glob<T>(
     table: &Table<'_>,
     key: &str,
@@ -158,7 +158,7 @@ fn expected(entry: &Entry<'_>) -> Result<Expected> {
         unsupported("refuses_some")?.map(Expected::RefusesSome),
         words("overflows")?.map(Expected::Overflows),
     ];
-    let help = "write one word, as `exact`, or a table, as `{ share = 0.02 }`";
+    let help = "write one word, such as `exact`, or a table, such as `{ share = 0.02 }`";
     let all: Vec<Expected> = all.into_iter().flatten().collect();
     match &all[..] {
         [] => Err(entry.fault("it expects nothing", help)),
@@ -181,7 +181,7 @@ fn found(entry: &Entry<'_>) -> Result<[f64; 2]> {
     let list = entry.list()?;
     match &list[..] {
         [least, most] => Ok([least.number()?, most.number()?]),
-        _ => Err(entry.fault("it is no range", "write the least and the most: [0.1, 0.2]")),
+        _ => Err(entry.fault("it is not a range", "write minimum and maximum: [0.1, 0.2]")),
     }
 }
 
@@ -200,7 +200,7 @@ fn keeps(table: &Table<'_>) -> Result<Keeps> {
     })
 }
 
-/// One for each combination of values, the later axis by name varying fastest.
+/// Makes one picture for each combination of values; the last axis by name varies fastest.
 fn pictures(table: &Table<'_>) -> Result<Vec<CasePicture>> {
     let mut all = vec![CasePicture::default()];
     let Some(entry) = table.get("pictures") else {
@@ -217,7 +217,7 @@ fn pictures(table: &Table<'_>) -> Result<Vec<CasePicture>> {
     Ok(all)
 }
 
-/// A value of an axis: a table of what it sets, or what is set at the path that the axis is called by.
+/// Reads a value of an axis: a table of what it sets, or the value at the path that is the axis's name.
 fn picture(axis: &str, entry: &Entry<'_>) -> Result<CasePicture> {
     if !entry.is_table() {
         return Ok(CasePicture {
@@ -259,7 +259,7 @@ mod tests {
         assert!(stray.is_empty(), "no case names {stray:?}");
     }
 
-    /// Failures of built-in methods at a case, each with whether a line says by how much it fails.
+    /// Built-in methods that fail a case, each with whether the case states by how much.
     fn failures(case: &Case) -> Vec<(String, bool)> {
         let of = |method: cutaway::strategies::Method| match case.expected(&method) {
             Expected::Fails(_) => Some((method.to_string(), false)),

@@ -12,13 +12,13 @@ use super::{Case, Question, Tally, cases, list};
 /// A case, and its results.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CaseFound {
-    /// Its number in the list, or its letter and number.
+    /// Its number in the list, or a letter and number.
     pub id: String,
     /// Description of the case.
     pub name: String,
-    /// The tests that hold what is more than its pictures, as one would type them after `cargo test -p cutaway-tests`.
+    /// The tests of what its pictures cannot show, as the arguments after `cargo test -p cutaway-tests`.
     pub held_by: Option<String>,
-    /// Expected and found result of each strategy; empty where the case has no pictures.
+    /// Expected and found result of each strategy; empty if the case has no pictures.
     pub reached: Vec<Reached>,
 }
 
@@ -29,7 +29,7 @@ pub struct Reached {
     pub strategy: String,
     /// Expected result.
     pub expected: String,
-    /// Why it cannot be better, where it is a failure or a bound that is declared.
+    /// Why the result cannot be better, if a failure or a bound is declared.
     pub why: Option<String>,
     /// Found result.
     pub found: String,
@@ -37,24 +37,24 @@ pub struct Reached {
     pub holds: bool,
 }
 
-/// Request to a session.
+/// Selection of cases, sizes and methods to run in a session.
 #[derive(Clone, Copy, Debug)]
 pub struct Asked<'a> {
-    /// Globs over the numbers of cases.
+    /// Globs over the ids of cases.
     pub ids: &'a [String],
-    /// Sides of the pictures.
+    /// Side lengths of the pictures.
     pub sizes_px: &'a [u32],
-    /// Methods to run: exactly these, or [the usual](super::usual_methods). The bounds of the table are of the latter.
+    /// Methods to run: exactly these, or [the usual](super::usual_methods), for which the table's bounds were found.
     pub methods: Option<&'a [Method]>,
 }
 
-/// Refuses globs that fit no case.
+/// Refuses globs that match no case.
 pub fn check_ids(ids: &[String]) -> Result<()> {
     let fits_none = |glob: &&String| !list().any(|l| glob_matches(glob, &l.id));
     match ids.iter().find(fits_none) {
         None => Ok(()),
         Some(glob) => {
-            // Numbers, and then those that begin with a letter, are in order.
+            // Ids are in order: numbers first, then ids that begin with a letter.
             let last = |begins: fn(char) -> bool| {
                 let of_them = list().filter(|l| l.id.starts_with(begins));
                 of_them.last().map_or("", |l| l.id.as_str())
@@ -65,14 +65,14 @@ pub fn check_ids(ids: &[String]) -> Result<()> {
                 last(|c| c == 'B'),
                 last(|c| c == 'U'),
             );
-            let what = "no case has such a number";
+            let what = "no case has this number";
             Err(Error::input(format!("hard case `{glob}`"), what, help))
         }
     }
 }
 
-/// Runs the cases whose ids fit one of the globs, at each size, and calls `step` before each. Ends early, with nothing, as soon as
-/// `goes_on` returns false; it is called before each method.
+/// Runs the cases whose ids match one of the globs, at each size, and calls `step` before each. Ends early, without a result, as soon as
+/// `goes_on` returns false; `goes_on` is called before each method.
 pub fn found(
     session: &mut Session,
     asked: &Asked<'_>,
@@ -111,7 +111,7 @@ pub fn found(
 ///
 /// # Errors
 ///
-/// As of [`Case::scenes`].
+/// As for [`Case::scenes`].
 pub fn pictures(case: &Case, size_px: u32) -> Result<Vec<(String, Question)>> {
     let scenes = case.scenes(size_px)?;
     let of = |s: &cutaway::scene::Scene| (s.name.clone(), Question::new(s, [size_px; 2]));
@@ -140,7 +140,7 @@ pub fn tallied(
     Ok(tally)
 }
 
-/// Number of cap pixels in the pictures of a case: a case without any proves nothing about caps.
+/// Number of cap pixels in the pictures of a case: a case without cap pixels proves nothing about caps.
 pub fn caps_px(pictures: &[(String, Question)]) -> usize {
     let caps = pictures
         .iter()

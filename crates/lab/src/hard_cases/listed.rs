@@ -1,6 +1,6 @@
-//! The list: every hard case by its number, what is expected in words, and the tests that hold what is more than its pictures.
+//! The list of hard cases: each with its number, the expected result in words, and the tests of what its pictures cannot show.
 //!
-//! It is data, `list.toml` next to this file, and read once.
+//! The list is data, in `list.toml` next to this file, and read once.
 
 use std::path::Path;
 use std::sync::LazyLock;
@@ -13,18 +13,18 @@ const FILE: &str = "list.toml";
 /// A line of the list.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Listed {
-    /// Its number, or its letter and number where users of other projects met it: `B` by the thread of a project, `U` by many.
+    /// Its number, or a letter and number if users of other projects met it: `B` in one project's thread, `U` in many.
     pub id: String,
     /// Description of the case.
     pub name: String,
     /// Expected result of an exact strategy, in words.
     pub expected: String,
-    /// Modules of the tests and functions below them, separated by a space.
+    /// Tests: a module and functions in it, separated by spaces.
     pub tests: Vec<String>,
 }
 
 impl Listed {
-    /// The tests as one would type them after `cargo test -p cutaway-tests`, one after the other; none if pictures cover all.
+    /// The tests as arguments after `cargo test -p cutaway-tests`, one after the other; `None` if the pictures cover everything.
     pub fn held_by(&self) -> Option<String> {
         let functions = self.tests.iter().filter_map(|t| t.split_once(' '));
         let typed: Vec<String> = functions
@@ -34,7 +34,7 @@ impl Listed {
     }
 }
 
-/// All of them, in order.
+/// All hard cases, in order.
 pub fn list() -> impl Iterator<Item = &'static Listed> {
     static LIST: LazyLock<Vec<Listed>> = LazyLock::new(|| {
         let read = read(include_str!("list.toml"));

@@ -1,5 +1,5 @@
-//! Meshes that no built-in shape gives: boxes in one mesh, lumpy balls, and meshes with something wrong. Shapes are named by specs that
-//! are written in the source: one that makes no sense panics.
+//! Meshes beyond the built-in shapes: boxes in one mesh, lumpy balls, and defective meshes. Shapes are given by specs written in
+//! the source: an invalid spec panics.
 
 use std::collections::HashMap;
 use std::f64::consts::TAU;
@@ -28,7 +28,7 @@ pub fn block(min: DVec3, max: DVec3) -> Mesh {
     )
 }
 
-/// A mesh with its vertices moved.
+/// A mesh with its vertices transformed.
 pub fn moved(mesh: &Mesh, by: DAffine3) -> Mesh {
     Mesh {
         positions: mesh
@@ -52,7 +52,7 @@ pub fn joined(meshes: &[Mesh]) -> Mesh {
     all
 }
 
-/// The same solid with every triangle turned over.
+/// The same solid with the orientation of every triangle reversed.
 pub fn turned(mesh: &Mesh) -> Mesh {
     Mesh {
         triangles: mesh
@@ -102,7 +102,7 @@ pub fn cells(full: &[[i32; 3]], size: f64) -> Mesh {
     mesh
 }
 
-/// Closed prisms of `sides` sides, side by side in a square of 2 and 4 long: long and narrow triangles, along no axis.
+/// Closed prisms with `sides` sides and length 4, side by side in a square of side 2: long, narrow triangles, along no axis.
 pub fn prisms(count: usize, sides: u32) -> Mesh {
     let mut mesh = Mesh::default();
     let per_row = (count as f64).sqrt().ceil() as usize;
@@ -134,7 +134,7 @@ pub fn prisms(count: usize, sides: u32) -> Mesh {
     mesh
 }
 
-/// A closed rod with `teeth` teeth around it, 2 wide and 6 long: walls side by side are long and narrow, and face four ways.
+/// A closed rod with `teeth` teeth around it, 2 wide and 6 long: adjacent walls are long and narrow, and face four ways.
 pub fn toothed(teeth: u32) -> Mesh {
     let count = 4 * teeth;
     let corner = |i: u32, y: f64| {
@@ -177,7 +177,7 @@ pub fn without(mesh: &Mesh, triangle: usize) -> Mesh {
     open
 }
 
-/// A mesh with triangles that cover nothing: an index twice, a point twice, three points on a line.
+/// A mesh with degenerate triangles: one with an index twice, one with a point twice, one with three collinear points.
 pub fn with_degenerate(mesh: &Mesh) -> Mesh {
     let mut mesh = mesh.clone();
     let [a, b, c] = mesh.triangles[0];

@@ -1,15 +1,15 @@
-//! The methods that hard cases are drawn by.
+//! The methods that draw the hard cases.
 //!
-//! One of each family, with parameters that a picture of a few hundred pixels calls for. What does not depend on the size of a picture is
-//! drawn at the smaller one by all, at the larger one by a few.
+//! One of each family, with parameters suited to pictures of a few hundred pixels. All methods draw the smaller pictures; where results do
+//! not depend on the size, only a few draw the larger ones.
 
 use cutaway::strategies::Method;
 use cutaway::strategies::table::{CAP_SURFACES, INSIDE_TESTS};
 
-/// Largest side, in pixels, of pictures that all methods draw.
+/// Maximum side length, in pixels, of pictures that all methods draw.
 const SMALL_PX: u32 = 64;
 
-/// Side, in pixels, of the pictures that the others draw.
+/// Side length, in pixels, of the larger pictures.
 const LARGE_PX: u32 = 256;
 
 /// All methods that draw pictures of `size_px` pixels along a side.
@@ -20,7 +20,7 @@ pub fn usual_methods(size_px: u32) -> Vec<Method> {
         .collect()
 }
 
-/// The names of all methods, and whether they draw large pictures too.
+/// The names of all methods, each with whether it draws large pictures too.
 fn names() -> impl Iterator<Item = (&'static str, bool)> {
     let surfaces = CAP_SURFACES.iter().map(|row| &row.facts);
     let tests = INSIDE_TESTS.iter().map(|row| &row.facts);
@@ -28,7 +28,7 @@ fn names() -> impl Iterator<Item = (&'static str, bool)> {
     cases.copied()
 }
 
-/// Sides of the pictures that the table usually has of a method.
+/// Side lengths of the pictures that a method usually draws.
 pub(super) fn usual_sizes_px(method: &Method) -> &'static [u32] {
     let draws = |size_px| usual_methods(size_px).contains(method);
     match draws(SMALL_PX) && !draws(LARGE_PX) {

@@ -1,15 +1,15 @@
-//! Hard cases: scenes with a known answer, and what every strategy is expected to make of them.
+//! Hard cases: scenes with a known answer, and the expected result of every strategy.
 //!
 //! A [`Case`] is scenes and an [`Expected`] result for each [method](cutaway::strategies::Method): nothing wrong, errors within theory,
-//! a refusal, or a failure with its reason. [`found`] runs the table [`cases`]; `cargo test -p cutaway-tests --test it hard_cases::` too.
-//! What of a case is more than a picture is held by tests that [`list`] names, so that each of the fifty numbers has its keeper.
+//! a refusal, or a failure with its reason. [`found`] runs the table [`cases`], as does
+//! `cargo test -p cutaway-tests --test it hard_cases::`. [`list`] names tests of what pictures cannot show: all fifty numbers are tested.
 //!
-//! [`random`] makes scenes without a pattern, and the simplest of those that come out wrong.
+//! [`random`] makes random scenes, and reduces those that are drawn wrong to their simplest form.
 //!
-//! Each case is a scene file in this crate's folder `hard-cases`, with a table `[case]` of expected results (its form: `files.rs`), so
-//! that any case can be drawn: `cutaway compare experiments/hard-cases/16-hollow.toml`. What [`scenes`] and [`meshes`] build is for tests;
-//! they panic where a word makes no sense. A case costs one exact image for each of its pictures and a frame for each method; nothing is
-//! kept between cases but what the session keeps.
+//! Each case is a scene file in this crate's folder `hard-cases`, with a table `[case]` of expected results (format: see `files.rs`), so
+//! that any case can be drawn: `cutaway compare experiments/hard-cases/16-hollow.toml`. [`scenes`] and [`meshes`] are for tests; they
+//! panic on invalid input. A case costs one exact image for each of its pictures and a frame for each method; only the session keeps
+//! data between cases.
 
 mod band;
 mod case;

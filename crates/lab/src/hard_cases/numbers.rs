@@ -1,6 +1,6 @@
-//! Numbers without a pattern that are the same everywhere: splitmix64 (Steele, Lea & Flood 2014).
+//! Pseudo-random numbers that are the same on all machines: splitmix64 (Steele, Lea & Flood 2014).
 
-/// A source of numbers.
+/// A pseudo-random number generator.
 #[derive(Clone, Debug)]
 pub struct Numbers(pub u64);
 
@@ -29,7 +29,7 @@ impl Numbers {
         self.word() % count
     }
 
-    /// True once in `times`.
+    /// True with probability 1 / `times`.
     pub fn once_in(&mut self, times: u64) -> bool {
         self.below(times) == 0
     }

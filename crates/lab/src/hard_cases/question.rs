@@ -1,7 +1,7 @@
 //! One frame of one scene with its reference, and the result of a strategy.
 //!
-//! Exact is worked out once per [`Question`] and shared by all strategies that answer it. Which pixels are wrong follows from a definition
-//! of its own, [`is_wrong`], so that the counts of [`crate::compare`] can be held against it.
+//! Exact is evaluated once per [`Question`] and shared by all strategies that answer it. [`is_wrong`] is a separate definition of wrong
+//! pixels, against which the counts of [`crate::compare`] can be checked.
 
 use std::sync::Arc;
 
@@ -18,7 +18,7 @@ use crate::exact::{Exact, Truth};
 /// One frame of one scene, and the truth about it.
 #[derive(Clone)]
 pub struct Question {
-    /// The scene as strategies take it.
+    /// The scene as a model for strategies.
     pub model: Model,
     /// The view.
     pub view: View,
@@ -30,7 +30,7 @@ pub struct Question {
 pub struct Judged {
     /// Error against exact; all zero where the strategy refused.
     pub comparison: Comparison,
-    /// The reference, for what drew it.
+    /// The reference, for the rasteriser that drew the frame.
     pub exact: Arc<Exact>,
     /// Layers that the strategy drew; background where it refused.
     pub layers: Layers,
@@ -53,13 +53,13 @@ impl Question {
         Self::of_model(model, scene, view)
     }
 
-    /// The scene in a view, of a model that may have been updated from another.
+    /// The scene in a view, with a model that may have been updated from another one.
     pub fn of_model(model: Model, scene: &Scene, view: View) -> Self {
         let exact = Arc::new(Truth::new(model.truth(scene).into_owned(), view));
         Self { model, view, exact }
     }
 
-    /// The answer of a method, judged. Fails where the device does; a refusal is an outcome.
+    /// Draws with a method and judges the frame. Fails if the device does; a refusal is an outcome.
     pub fn answer(&self, session: &mut Session, method: &Method) -> Result<Judged> {
         let outcome = session.draw(&self.model, &self.view, method)?.outcome;
         match outcome {
@@ -74,7 +74,7 @@ impl Question {
         }
     }
 
-    /// Judges the last frame by a method, which ended so.
+    /// Judges a method's last frame, which had this outcome.
     pub fn judge(&self, session: &Session, method: Method, outcome: Outcome) -> Result<Judged> {
         let layers = session.layers(method)?;
         let precision = session.precision(method)?;
@@ -107,14 +107,14 @@ impl Question {
             .count()
     }
 
-    /// Judges layers from anywhere.
+    /// Judges layers from any source.
     pub fn compare(&self, layers: &Layers) -> Comparison {
         compare(&self.exact, layers, &self.view, self.model.prepared.scale)
     }
 }
 
 impl Judged {
-    /// Fault that keeps this from being the frame of an exact strategy, if any.
+    /// The fault that an exact strategy's frame would not have, if any.
     pub fn fault_of_exact(&self) -> Option<String> {
         let c = &self.comparison;
         let faults = [
@@ -137,7 +137,7 @@ impl Judged {
         Some(lines.join(", "))
     }
 
-    /// Numbers of the decided pixels that are wrong.
+    /// Indices of the decided pixels that are wrong.
     pub fn decided_wrong(&self) -> impl Iterator<Item = usize> + '_ {
         (0..self.layers.pixels.len()).filter(|i| {
             !self.exact.undecided[*i]
@@ -145,7 +145,7 @@ impl Judged {
         })
     }
 
-    /// The first of them.
+    /// The first decided wrong pixel.
     pub fn first_decided_wrong(&self) -> Option<usize> {
         self.decided_wrong().next()
     }
@@ -167,8 +167,8 @@ impl Judged {
             .count()
     }
 
-    /// Decided pixels of background where exact has the outer side of a solid and no background within `outline_px`. With 1 pixel these
-    /// are the cracks of a comparison that show no back face.
+    /// Number of decided background pixels where exact has the outer side of a solid and no background within `outline_px`. With 1 pixel
+    /// these are the cracks of a comparison that show no back face.
     pub fn holes(&self, outline_px: usize) -> usize {
         let truth = &self.exact.layers.pixels;
         let is_sky = |l: &Layer| l.kind == Kind::Background;
@@ -184,7 +184,7 @@ impl Judged {
         (0..truth.len()).filter(is_hole).count()
     }
 
-    /// A pixel in words.
+    /// Describes a pixel.
     pub fn describe(&self, pixel: usize) -> String {
         let width = self.layers.size_px[0] as usize;
         format!(

@@ -1,4 +1,4 @@
-//! Scenes, cameras and clip-surfaces in few words, for tests: words that make no sense panic.
+//! Scenes, cameras and clip-surfaces in short form, for tests: invalid input panics.
 
 use std::sync::Arc;
 
@@ -15,7 +15,7 @@ pub fn scene(name: &str, mesh: Mesh, surfaces: Vec<ClipSurface>) -> Scene {
     of_parts(name, vec![Part::new("solid", mesh)], surfaces)
 }
 
-/// A scene of parts and one cut; no clip-surfaces, no cut.
+/// A scene of parts and one cut; without clip-surfaces there is no cut.
 pub fn of_parts(name: &str, parts: Vec<Part>, surfaces: Vec<ClipSurface>) -> Scene {
     let cuts = if surfaces.is_empty() {
         Vec::new()
@@ -34,7 +34,7 @@ pub fn of_parts(name: &str, parts: Vec<Part>, surfaces: Vec<ClipSurface>) -> Sce
     }
 }
 
-/// A scene of a built-in shape and sections as the command line takes them.
+/// A scene of a built-in shape, with sections as on the command line.
 pub fn sectioned(shape: &str, sections: &[&str]) -> Scene {
     let mut made = of_parts(shape, meshes::parts(shape), Vec::new());
     let bounds = made.bounds();
@@ -46,7 +46,7 @@ pub fn sectioned(shape: &str, sections: &[&str]) -> Scene {
     made
 }
 
-/// A section of a scene with a relief, as the command line takes them.
+/// A section with a relief, both as on the command line.
 pub fn relief(scene: &Scene, section: &str, relief: &str) -> ClipSurface {
     let surface = document::section(section)
         .relief(relief)
@@ -54,8 +54,8 @@ pub fn relief(scene: &Scene, section: &str, relief: &str) -> ClipSurface {
     surface.unwrap_or_else(|e| panic!("{section}, {relief}: {e}"))
 }
 
-/// A plane with a map of heights: one repeat per `period` in both directions, centred on the origin. The map lies as Duff et al.
-/// (2017) lay it.
+/// A plane with a height map: one repeat per `period` in both directions, centred on the origin. The map is oriented as in Duff et al.
+/// (2017).
 pub fn mapped(
     origin: DVec3,
     normal: DVec3,
@@ -74,7 +74,7 @@ pub fn mapped(
     surface
 }
 
-/// A map computed texel by texel.
+/// A height map computed texel by texel.
 pub fn map(size: [u32; 2], height: impl Fn(u32, u32) -> f32) -> OffsetMap {
     let texels = (0..size[1])
         .flat_map(|y| (0..size[0]).map(move |x| (x, y)))
@@ -83,7 +83,7 @@ pub fn map(size: [u32; 2], height: impl Fn(u32, u32) -> f32) -> OffsetMap {
     OffsetMap::new(size, texels).expect("a map of finite heights")
 }
 
-/// A camera at a place that looks at another.
+/// A camera at `from` that looks at `to`.
 pub fn looking(from: DVec3, to: DVec3, fov_y_deg: f64) -> Camera {
     Camera {
         viewpoint: Viewpoint::Explicit {
@@ -96,7 +96,7 @@ pub fn looking(from: DVec3, to: DVec3, fov_y_deg: f64) -> Camera {
     }
 }
 
-/// Parallel rays from a place towards another; the picture is `height` units high.
+/// An orthographic camera at `from` that looks at `to`; the picture is `height` units high.
 pub fn parallel(from: DVec3, to: DVec3, height: f64) -> Camera {
     Camera {
         projection: Projection::Orthographic {
@@ -106,7 +106,7 @@ pub fn parallel(from: DVec3, to: DVec3, height: f64) -> Camera {
     }
 }
 
-/// The usual view from another side.
+/// The usual view from another direction.
 pub fn orbit(azimuth_deg: f64, elevation_deg: f64, orthographic: bool) -> Camera {
     Camera {
         viewpoint: Viewpoint::Orbit {

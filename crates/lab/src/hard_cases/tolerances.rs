@@ -1,8 +1,8 @@
-//! Numbers that all hard cases forgive by, each with its reason; those of single cases are in their files. Raising one asks for a look at its
+//! Tolerances of all hard cases, each with its reason; those of single cases are in their files. Whoever raises one must check its
 //! negative control.
 
-/// Factor on found errors that theory gives no number for: up to this many times as large, and for failures down to 1 / `FACTOR`:
-/// another adapter rounds otherwise at single pixels. Twice as much is another error.
+/// Tolerance factor on found errors without a theoretical bound: up to this many times as large, and for failures down to 1 / `FACTOR`,
+/// as another adapter rounds differently at single pixels. Twice as much is a different error.
 pub const FACTOR: f64 = 2.0;
 
 /// Largest displacement of a point of a frame, in scene units: rounding of depth and of the sprite's rows in f32,

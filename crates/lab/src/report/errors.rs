@@ -1,4 +1,4 @@
-//! The counts of wrong pixels, each with the one word that tables have for it: on the terminal and on the page, in the same order.
+//! The counts of wrong pixels, each with its name in tables, which are in the same order on the terminal and on the page.
 
 use crate::Comparison;
 

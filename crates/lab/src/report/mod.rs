@@ -1,4 +1,4 @@
-//! Results of a measurement, in the forms people read them in.
+//! Results of measurements, in human-readable forms.
 //!
 //! [`text`] makes a table of a [`Measurement`](crate::experiment::Measurement) for a terminal. Of recorded runs [`pages`] makes a report:
 //! `recorded` reads them, `derived` works out what no record has, `sections` say it, and `document` writes it down as a page, which

@@ -1,7 +1,7 @@
-//! A scene as a command line: the words that make this very picture.
+//! A scene as a command line that draws exactly this picture.
 //!
-//! Values that already follow from the inputs are left out; bare planes become `--section`, and all the rest `--set`, which takes any
-//! value of a document.
+//! Values that already follow from the inputs are left out; plain planes become `--section`, and everything else `--set`, which takes any
+//! document value.
 
 use cutaway::{Error, Result};
 use cutaway_io::Document;
@@ -12,17 +12,17 @@ use crate::picture::slot::Painter;
 /// Settings of the exported picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ExportSettings {
-    /// The painter.
+    /// The renderer.
     pub painter: Painter,
     /// Width and height in pixels.
     pub size_px: [u32; 2],
 }
 
-/// The words of a command that makes a picture of a document, which came from `origin` as a file where it came from one.
+/// The arguments of a command that draws a document. `origin` is the document as read from its file, if it has one.
 ///
 /// # Errors
 ///
-/// A document that lacks what its file says: that no option takes away.
+/// A document from which a value of its file was removed: no option does that.
 pub fn words(
     document: &Document,
     origin: &Document,
@@ -54,7 +54,7 @@ pub fn words(
                     words.extend(["--section".to_owned(), plane]);
                 }
             }
-            // Who draws and how large is said below.
+            // The renderer and the size are set below.
             ("strategy" | "resolution", _) => {}
             _ => differences(key, before, node, &mut settings)?,
         }
@@ -80,7 +80,7 @@ pub fn words(
     Ok(words)
 }
 
-/// Words as a shell takes them.
+/// Arguments quoted for a shell.
 pub fn quoted(words: &[String]) -> String {
     let plain = |c: char| c.is_ascii_alphanumeric() || "-_=+./,:%@".contains(c);
     let quote = |word: &String| match !word.is_empty() && word.chars().all(plain) {
@@ -90,7 +90,7 @@ pub fn quoted(words: &[String]) -> String {
     words.iter().map(quote).collect::<Vec<_>>().join(" ")
 }
 
-/// Name of a part on a command line.
+/// A part's name on a command line.
 fn input(part: &Node) -> Option<String> {
     let shape = || Some(format!("shape:{}", part.get("shape")?.text()?));
     match part.get("mesh") {
@@ -107,7 +107,7 @@ fn entries(node: &Node) -> impl Iterator<Item = (&str, &Node)> {
     entries.iter().map(|(key, node)| (&**key, node))
 }
 
-/// The sections of cuts that are nothing but a plane each.
+/// The sections of cuts that consist of a single plane.
 fn planes(cuts: &Node) -> Option<Vec<String>> {
     let plane = |cut: &Node| {
         let [surface] = cut.get("surfaces")?.items() else {
@@ -120,7 +120,7 @@ fn planes(cuts: &Node) -> Option<Vec<String>> {
     cuts.items().iter().map(plane).collect()
 }
 
-/// Collects the settings that turn a value into another.
+/// Collects the settings that turn one value into another.
 fn differences(
     path: &str,
     before: Option<&Node>,

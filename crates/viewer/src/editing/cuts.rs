@@ -1,8 +1,8 @@
-//! The cuts of a document: what lists show of them, new ones, and planes that are moved.
+//! The cuts of a document: list entries, new cuts, and moves of planes.
 //!
-//! A plane is moved in the words in which the document has it: `z=50%` stays an axis and a percentage, a normal and an origin stay vectors.
+//! A moved plane keeps its notation in the document: `z=50%` stays an axis and a percentage, a normal and an origin stay vectors.
 //!
-//! Cannot: move a surface of the paper's own form (`u`, `v`), which is changed by its numbers.
+//! Cannot: move a surface in the paper's form (`u`, `v`), which has to be edited as numbers.
 
 use cutaway::scene::{Bounds, PlaneSpec, Up};
 use cutaway::{Error, Result};
@@ -21,11 +21,11 @@ pub enum CutKind {
     Surfaces,
     /// A box.
     Box,
-    /// A slice of pie.
+    /// A wedge between two half-planes.
     Wedge,
-    /// The inside of a mesh.
+    /// The interior of a mesh.
     Cutter,
-    /// A wedge that places itself.
+    /// An automatically placed wedge.
     Cutout,
     /// Everything that hides the interior.
     Breakaway,
@@ -47,18 +47,18 @@ impl CutKind {
     }
 }
 
-/// A cut, as a list shows it.
+/// List entry of a cut.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CutEntry {
-    /// Its name, or its number where it has none.
+    /// Name of the cut, or its number if it has no name.
     pub name: String,
     /// Kind of the region that it removes.
     pub kind: CutKind,
-    /// True if it removes anything.
+    /// True if the cut is enabled.
     pub is_enabled: bool,
 }
 
-/// The cuts of a document, in its order.
+/// The cuts of a document, in order.
 pub fn cuts(document: &Document) -> Vec<CutEntry> {
     let entries = document.root().get("cut").map_or(&[] as &[_], Node::items);
     entries.iter().enumerate().map(entry).collect()
@@ -85,25 +85,25 @@ fn entry((index, cut): (usize, &Node)) -> CutEntry {
     }
 }
 
-/// A cut to be added.
+/// A new cut.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NewCut {
     /// A plane across an axis: 0 is x.
     Plane(usize),
     /// A ragged plane across an axis.
     Relief(usize),
-    /// The eighth of the box that is nearest to the eye.
+    /// The octant of the bounding box nearest to the eye.
     Box,
-    /// A quarter about the axis that is up.
+    /// A quarter turn about the up axis.
     Wedge,
-    /// A wedge that places itself.
+    /// An automatically placed wedge.
     Cutout,
     /// Everything that hides the interior.
     Breakaway,
 }
 
 impl NewCut {
-    /// The cut, of which the side towards the eye is removed.
+    /// The cut, which removes the side towards the eye.
     pub fn draft(self, forward: DVec3, up: Up) -> CutDraft {
         let across = |axis: usize| section(&facing(DVec3::AXES[axis], forward));
         match self {
@@ -118,7 +118,7 @@ impl NewCut {
                 cut([]).block(&format!("{}:{}", corner(0), corner(1)))
             }
             Self::Wedge => {
-                // About +Y angles count from z, and about +Z from x: to where the eye is.
+                // Angle of the eye's direction: counted from z about +Y, and from x about +Z.
                 let (axis, across, along) = match up {
                     Up::PlusY => ("y", forward.x, forward.z),
                     Up::PlusZ => ("z", forward.y, forward.x),
@@ -140,30 +140,30 @@ fn facing(axis: DVec3, forward: DVec3) -> String {
     format!("{minus}{letter}=50%")
 }
 
-/// Move of a plane.
+/// A move of a plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum PlaneMove {
     /// Along its normal, in world units.
     Along(f64),
     /// Along its normal, to a distance from the origin of the world, in world units.
     To(f64),
-    /// Along its normal, in shares of the model.
+    /// Along its normal, as a fraction of the model's size.
     Step(f64),
-    /// Across an axis, through where it is; once more keeps the other side.
+    /// Perpendicular to an axis, through its present position; repeated, keeps the other side.
     Across(usize),
     /// Keeps the other side.
     Flip,
-    /// Looks where a direction leads, through where it is.
+    /// To a normal direction, through its present position.
     Turn(DVec3),
-    /// Through a point, of a normal.
+    /// Through a point, with a normal.
     Through(DVec3, DVec3),
-    /// In itself, to an angle in degrees.
+    /// Rotated in its plane, to an angle in degrees.
     Spin(f64),
-    /// The same by a hand that holds it.
+    /// The same, during a drag.
     Tilt(DVec3, DVec3),
 }
 
-/// A surface of a cut, and the words that it is in.
+/// A surface of a cut, and its notation.
 struct Surface {
     path: String,
     words: Words,
@@ -197,7 +197,7 @@ impl Surface {
         Ok(Self { path, words })
     }
 
-    /// Its normal of length 1 and a point on it.
+    /// Its unit normal and a point on it.
     fn plane(&self, bounds: &Bounds) -> Result<(DVec3, DVec3)> {
         match &self.words {
             Words::Section(spec) => {
@@ -221,8 +221,8 @@ pub fn plane(document: &Document, cut: usize, bounds: &Bounds) -> Result<(DVec3,
     Ok((if is_flipped { -normal } else { normal }, origin))
 }
 
-/// The direction that the first surface of a cut is spun about, as its words have it, and by how many degrees it is; none of one
-/// without a relief, in which nothing would change.
+/// The direction that a cut's first surface is rotated about, as in the document, and the angle in degrees; `None` for a surface
+/// without a relief, where a rotation has no effect.
 pub fn spin(document: &Document, cut: usize, bounds: &Bounds) -> Option<(DVec3, f64)> {
     let surface = Surface::find(document, cut, 0).ok()?;
     let node = document.get(&surface.path).ok()?;
@@ -261,7 +261,7 @@ pub fn move_plane(
         Words::Section(spec) => spec.clone(),
         Words::Vectors { normal, origin } => PlaneSpec::through(*origin, *normal)?,
     };
-    // Which side stays is said by the plane itself from now on.
+    // From now on the plane itself sets the kept side.
     let flip = format!("{path}.flip");
     if is_flipped(document, &path) {
         spec = spec.flipped();

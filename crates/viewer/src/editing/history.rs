@@ -1,19 +1,19 @@
-//! Undo and redo: documents as they were.
+//! Undo and redo: earlier and later documents.
 //!
-//! A document is small, and knows its text: a step back is the document before it, whole. Changes by one gesture, such as a slider that
-//! is held, are one step. A move of the eye is not a step: after the undo of a cut its effect must stay in view.
+//! A document is small and includes its text, so a step stores the whole previous document. Changes by one gesture, such as dragging a
+//! slider, are one step. A move of the eye is not a step: after undoing a cut, its effect must stay in view.
 
 use std::sync::Arc;
 
 use cutaway_io::Document;
 
-/// So many steps are kept.
+/// Maximum number of steps.
 const MOST_STEPS: usize = 200;
 
 /// Gesture that a change is part of: consecutive changes with the same gesture are one step.
 pub type Gesture = String;
 
-/// Documents before and after the present one.
+/// Documents for undo and redo.
 #[derive(Clone, Debug, Default)]
 pub struct History {
     past: Vec<Arc<Document>>,
@@ -22,7 +22,7 @@ pub struct History {
 }
 
 impl History {
-    /// Keeps a document that is about to be changed, unless the change goes on with a gesture.
+    /// Stores a document that is about to be changed, unless the change continues a gesture.
     pub fn keep(&mut self, before: &Document, gesture: Option<Gesture>) {
         let goes_on = gesture.is_some() && gesture == self.gesture;
         self.gesture = gesture;
@@ -36,7 +36,7 @@ impl History {
         }
     }
 
-    /// Ends the gesture: the next change is a step of its own.
+    /// Ends the gesture: the next change is a separate step.
     pub fn end_gesture(&mut self) {
         self.gesture = None;
     }
@@ -49,7 +49,7 @@ impl History {
         Some(before)
     }
 
-    /// The document that was taken back.
+    /// The document that was undone.
     pub fn redo(&mut self, present: &Document) -> Option<Arc<Document>> {
         self.gesture = None;
         let after = self.future.pop()?;
@@ -62,7 +62,7 @@ impl History {
         [&self.past, &self.future].map(|steps| !steps.is_empty())
     }
 
-    /// Forgets all steps, for another document.
+    /// Clears all steps, for another document.
     pub fn clear(&mut self) {
         *self = Self::default();
     }

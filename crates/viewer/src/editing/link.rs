@@ -1,9 +1,9 @@
-//! A scene as the fragment of an address: its document, deflated, in the alphabet of addresses.
+//! A scene as a URL fragment: its document, deflated, in URL-safe characters.
 //!
-//! A fragment stays with the browser: no server sees the scene. It holds the document, and none of the files that it names. The recipient
-//! of a scene with files would need them as well, so that there is no link to such a scene.
+//! A fragment is never sent to a server. It contains the document, but not the files that it names. The recipient
+//! would need these files as well, so there is no link for a scene with files.
 //!
-//! A scene of some cuts takes 200 to 600 characters. Cannot: hold more than a megabyte of text.
+//! A scene with a few cuts takes 200 to 600 characters. Cannot: hold more than a megabyte of text.
 
 use std::io::{Read, Write};
 
@@ -18,10 +18,10 @@ use flate2::write::DeflateEncoder;
 /// Prefix of the scene in a fragment; identifies the encoding.
 const KEY: &str = "scene=";
 
-/// Text that is unpacked: more is no scene but an attack.
+/// Maximum size of the unpacked text: more is not a scene but an attack.
 const MOST_BYTES: u64 = 1 << 20;
 
-/// The fragment of an address that shows a document.
+/// The URL fragment for a document.
 ///
 /// # Errors
 ///
@@ -49,11 +49,11 @@ pub fn fragment(document: &Document) -> Result<String> {
     Ok(format!("{KEY}{}", URL_SAFE_NO_PAD.encode(packed)))
 }
 
-/// The document of a fragment; `None` where it holds none.
+/// The document in a fragment; `None` if it contains none.
 ///
 /// # Errors
 ///
-/// A scene that is damaged.
+/// A damaged scene.
 pub fn document(fragment: &str) -> Result<Option<Document>> {
     let fragment = fragment.trim_start_matches('#');
     let Some(packed) = fragment.strip_prefix(KEY) else {

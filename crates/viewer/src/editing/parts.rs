@@ -1,20 +1,20 @@
-//! The parts of a document: what lists show of them, and whether they are there. One is several solids where its file holds several:
+//! The parts of a document: list entries, and visibility. A part has several solids if its file does:
 //! [`Timeline::names_of`](cutaway_io::document::Timeline::names_of) has their names.
 
 use cutaway::Result;
 use cutaway_io::Document;
 use cutaway_io::document::{Node, Value};
 
-/// A part of a document, which may be several solids of a file.
+/// List entry of a part, which may contain several solids of a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PartEntry {
-    /// Its name, or what it is called after.
+    /// Name of the part, or its default name.
     pub name: String,
-    /// True if it is enabled at rest.
+    /// True if it is enabled before animation.
     pub is_enabled: bool,
 }
 
-/// The parts of a document, in its order.
+/// The parts of a document, in order.
 pub fn parts(document: &Document) -> Vec<PartEntry> {
     let entries = document.root().get("part").map_or(&[] as &[_], Node::items);
     let entry = |(index, entry): (usize, &Node)| PartEntry {
@@ -30,15 +30,15 @@ pub fn name(index: usize, entry: &Node) -> String {
     name.unwrap_or_else(|| index.to_string())
 }
 
-/// Shows a part or hides it. One that is shown is as it was before it was hidden.
+/// Shows or hides a part. A part shown again is as it was before.
 ///
 /// # Errors
 ///
-/// A part that there is not.
+/// A part that does not exist.
 pub fn show(document: &mut Document, index: usize, is_shown: bool) -> Result<()> {
     let path = format!("part.{index}.enabled");
     document.get(&format!("part.{index}"))?;
-    // What keys move has to stay in the file.
+    // A value moved by keys has to stay in the file.
     let entry = format!("part.{}", parts(document)[index].name);
     let targets = [path.clone(), format!("{entry}.enabled")];
     let keys = document.root().get("key").map_or(&[] as &[_], Node::items);

@@ -1,7 +1,7 @@
-//! Boxes and wedges of a cut, and their faces moved by hand.
+//! Boxes and wedges of a cut, and moves of their faces.
 //!
-//! A face is moved in the words in which the document has it: percent stays percent, a centre and a size stay these. Coordinates are in
-//! world space, and percent are of the box of the model.
+//! A moved face keeps its notation in the document: percent stays percent, a centre and a size stay so. Coordinates are in
+//! world space, and percentages refer to the model's bounding box.
 
 use cutaway::scene::{Amount, Block, Bounds, Wedge, next_axis, to_decimals};
 use cutaway::{Error, Result};
@@ -18,7 +18,7 @@ const FINEST_SHARE: f64 = 1e-6;
 /// Decimals of angles after a move.
 const DEGREE_DECIMALS: i32 = 2;
 
-/// A region of a cut, and where the document has it.
+/// A region of a cut, and its path in the document.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Region {
     /// A box.
@@ -28,7 +28,7 @@ pub enum Region {
         /// The box.
         block: Block,
     },
-    /// A slice of a pie.
+    /// A wedge between two half-planes.
     Wedge {
         /// Dotted path.
         path: String,
@@ -46,9 +46,9 @@ pub enum RegionMove {
         region: usize,
         /// 0 is x.
         axis: usize,
-        /// True for the face of the greatest corner.
+        /// True for the face at the maximum corner.
         is_greatest: bool,
-        /// To which coordinate.
+        /// New coordinate.
         to: f64,
     },
     /// A half-plane of a wedge.
@@ -57,12 +57,12 @@ pub enum RegionMove {
         region: usize,
         /// True for the half-plane where the wedge ends.
         is_end: bool,
-        /// To which angle.
+        /// New angle in degrees.
         to_deg: f64,
     },
 }
 
-/// The boxes of a cut, then its wedges; without those that the document does not say in numbers.
+/// The boxes of a cut, then its wedges; without those not given as numbers in the document.
 pub fn regions(document: &Document, cut: usize, bounds: &Bounds) -> Vec<Region> {
     let each = |key: &str| -> Vec<(String, Node)> {
         let path = format!("cut.{cut}.{key}");
@@ -136,7 +136,7 @@ fn wedge(node: &Node, bounds: &Bounds) -> Option<Wedge> {
 ///
 /// # Errors
 ///
-/// A region that there is not, or one of another kind.
+/// A region that does not exist, or of another kind.
 pub fn move_region(
     document: &mut Document,
     cut: usize,
@@ -209,7 +209,7 @@ fn move_face(
             document.set(&format!("{path}.centre"), centre.to_vec())?;
         }
     }
-    // A size is as a coordinate from 0.
+    // A size is treated as a coordinate from 0.
     let long = |held: Option<Amount>| placed(held, max - min, [0.0, most - least]);
     match &size.value {
         Value::List(list) => {
@@ -224,7 +224,7 @@ fn move_face(
     }
 }
 
-/// A coordinate as the one before it was written: in percent of what lies between two ends, or in units.
+/// A coordinate in the notation of the previous value: in percent of a range, or in units.
 fn placed(held: Option<Amount>, to: f64, [least, most]: [f64; 2]) -> Value {
     match held {
         Some(Amount::Percent(_)) if most > least => {

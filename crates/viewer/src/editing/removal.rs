@@ -1,13 +1,13 @@
-//! Values taken out of a document, with the tables and lists that hold nothing after it: the tree of a document keeps these, its text does
-//! not, and a scene from which all was taken back would count as changed.
+//! Removal of values from a document, together with tables and lists left empty: the document's tree keeps empty ones but its text does
+//! not, so a scene with all changes undone would count as changed.
 //!
-//! Cost: a look at each table on the way to the value.
+//! Cost: one check per table on the path to the value.
 
 use cutaway::Result;
 use cutaway_io::Document;
 use cutaway_io::document::{Node, Value};
 
-/// Takes a value out, with what holds nothing after it and says nothing by itself.
+/// Removes a value, with the containers that are then empty and have no meaning by themselves.
 ///
 /// # Errors
 ///
@@ -18,7 +18,7 @@ pub fn take_out(document: &mut Document, path: &str) -> Result<()> {
     while let Some((group, _)) = path.rsplit_once('.')
         && document.get(group).ok().and_then(count) == Some(0)
     {
-        // A cutout is one without a number, and an entry of a list is one more.
+        // An empty cutout table and an empty list entry still have a meaning.
         let is_entry = group.starts_with("part.") && group.matches('.').count() == 1;
         if is_entry || group.starts_with("cut.") {
             break;

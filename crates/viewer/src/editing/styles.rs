@@ -1,7 +1,7 @@
-//! The numbers of a style by their paths, and changes of them in a document.
+//! The numbers of a style by path, and changes to them in a document.
 //!
-//! A document names a style, or has a table with a base and changes on it. A first change makes a table of the name; when the last one is
-//! taken back the name is alone again.
+//! A document names a style, or has a table with a base and changes to it. The first change turns the name into a table; when the last is
+//! reset, the plain name returns.
 
 use cutaway::Result;
 use cutaway::scene::style::Style;
@@ -10,7 +10,7 @@ use cutaway_io::document::{Node, Value, paths};
 
 use crate::editing::removal;
 
-/// Values of a style by their paths in a document, such as `style.strokes.cut`. One colour for all parts excludes the lightness of their
+/// Values of a style by document path, such as `style.strokes.cut`. One colour for all parts excludes the lightness of their
 /// hues: only the one in effect is listed. Lines without a colour of their own have that of the ink.
 pub fn values(style: &Style) -> Vec<(String, Value)> {
     let mut style = *style;
@@ -19,7 +19,7 @@ pub fn values(style: &Style) -> Vec<(String, Value)> {
     paths::values(&style, "style")
 }
 
-/// Makes room for a change of a style: the name of one becomes the base of a table.
+/// Prepares a change to a style: a plain style name becomes the base of a table.
 ///
 /// # Errors
 ///
@@ -33,7 +33,7 @@ pub fn make_room(document: &mut Document, path: &str) -> Result<()> {
     }
 }
 
-/// Takes a change of a style back, with the tables that hold nothing after it.
+/// Resets a change to a style, and removes tables left empty.
 ///
 /// # Errors
 ///
@@ -70,7 +70,7 @@ mod tests {
             }
             let timeline = document.timeline(&mut Assets::default()).expect(name);
             let mut read = timeline.scene().expect(name).style;
-            // Without a colour of its own it is that of ink, which the table says.
+            // Without its own colour it has the ink's, as the table states.
             read.hatch.color = read.hatch.color.filter(|_| style.hatch.color.is_some());
             read.ghost.color = read.ghost.color.filter(|_| style.ghost.color.is_some());
             let colors =

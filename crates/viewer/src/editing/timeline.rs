@@ -1,11 +1,11 @@
-//! The keys of a document as rows of a time line, and changes of them.
+//! The keys of a document as rows of a timeline, and changes to them.
 //!
-//! A row has one target, a time for each key and a value for each. What keys move is in the document twice: as a number at rest, which
-//! the target is, and in the keys. The [pose] of a document has the numbers of a moment in the place of those at rest; what a hand changes
-//! of these goes [into the keys](keep) of that moment.
+//! A row has one target, and a time and a value per key. An animated value is in the document twice: as the target's rest value,
+//! and in the keys. The [pose] of a document has the values at a time in place of the rest values; a manual change
+//! to these goes [into the keys](keep) of that time.
 //!
-//! Cannot: key what a document says in percent: a key moves numbers. What is keyed here is written in units first. Nor key an entry of a
-//! list whose name and number are both names of others.
+//! Cannot: key values in percent, because keys hold numbers; values are converted to units before they are keyed. Nor key an entry of a
+//! list if both its name and its number are names of other entries.
 
 mod address;
 mod chosen;
@@ -17,21 +17,21 @@ use cutaway::{Error, Result};
 use cutaway_io::Document;
 use cutaway_io::document::{Key, Node, Number, Value};
 
-/// Steps per second to which times are rounded; keys keep at least one step apart.
+/// Times are rounded to this many steps per second; keys stay at least one step apart.
 const TIME_DECIMALS: f64 = 1000.0;
 
 /// The keys of one target.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Track {
-    /// Dotted path of what they move.
+    /// Dotted path of the target.
     pub target: String,
     /// Ascending times in seconds.
     pub times_s: Vec<f64>,
-    /// A value for each.
+    /// Values, one per key.
     pub values: Vec<Value>,
 }
 
-/// All rows of a document, in its order.
+/// All rows of a document, in order.
 pub fn tracks(document: &Document) -> Vec<Track> {
     let keys = document.root().get("key").map_or(&[] as &[_], Node::items);
     let track = |key: &Node| {
@@ -56,7 +56,7 @@ pub fn is_target(document: &Document, path: &str) -> bool {
     tracks.any(|track| by_number(document, &track.target) == path)
 }
 
-/// Puts a key at a time, in the place of one that is there.
+/// Sets a key at a time, replacing an existing one.
 ///
 /// # Errors
 ///
@@ -97,7 +97,7 @@ pub fn add(document: &mut Document, target: &str, time_s: f64, value: Value) -> 
 ///
 /// # Errors
 ///
-/// A key that there is not.
+/// A key that does not exist.
 pub fn move_key(document: &mut Document, [track, key]: [usize; 2], to_s: f64) -> Result<()> {
     let times_s = found(document, [track, key])?.times_s;
     let apart = 1.0 / TIME_DECIMALS;
@@ -113,11 +113,11 @@ pub fn move_key(document: &mut Document, [track, key]: [usize; 2], to_s: f64) ->
     document.set(&format!("key.{track}.times_s.{key}"), to_s)
 }
 
-/// Takes a key away, and its row with the last one.
+/// Removes a key, and its row with the last key.
 ///
 /// # Errors
 ///
-/// A key that there is not.
+/// A key that does not exist.
 pub fn remove(document: &mut Document, [track, key]: [usize; 2]) -> Result<()> {
     if found(document, [track, key])?.times_s.len() == 1 {
         return match tracks(document).len() {
@@ -129,7 +129,7 @@ pub fn remove(document: &mut Document, [track, key]: [usize; 2]) -> Result<()> {
     document.remove(&format!("key.{track}.values.{key}"))
 }
 
-/// Takes away the rows of what is below a path.
+/// Removes the rows of all targets below a path.
 ///
 /// # Errors
 ///
@@ -156,7 +156,7 @@ fn found(document: &Document, [track, key]: [usize; 2]) -> Result<Track> {
     })
 }
 
-/// Puts the values of a moment in the place of those at rest.
+/// Replaces rest values by the values at a time.
 ///
 /// # Errors
 ///
@@ -174,7 +174,7 @@ pub fn pose<'a>(
     Ok(())
 }
 
-/// Puts what was changed of a pose into the keys of its moment, and what is at rest back where it was.
+/// Moves the changes to a pose into the keys of its time, and restores the rest values.
 ///
 /// # Errors
 ///
@@ -186,7 +186,7 @@ pub fn keep<'a>(
     time_s: f64,
 ) -> Result<()> {
     for key in keys {
-        // What is gone has no keys to be kept.
+        // A removed target has no keys to update.
         let Ok(node) = document.get(&key.target) else {
             continue;
         };

@@ -1,6 +1,6 @@
 //! State of the judge: a session on a device of its own, and the references of the present scene.
 //!
-//! A device that is lost is replaced by another one of the same adapter, and what was under way on it is done once more.
+//! A lost device is replaced by another one of the same adapter, and the interrupted work is repeated.
 
 use std::sync::Arc;
 
@@ -15,14 +15,14 @@ use super::Subject;
 use super::errors::DIVISORS;
 use crate::picture::device::DeviceLoss;
 
-/// So many references are kept: one for each resolution at which errors are found.
+/// Number of references kept: one for each resolution at which errors are computed.
 const MOST_REFERENCES: usize = DIVISORS.len();
 
-/// A session, and the references that are kept from question to question.
+/// A session, and the references kept between questions.
 pub(super) struct JudgeContext {
     adapter: Option<String>,
     session: Option<(Session, DeviceLoss)>,
-    /// References of one scene and eye, the last requested one at the end.
+    /// References for one scene and viewpoint, the last requested one at the end.
     references: Vec<Reference>,
 }
 
@@ -30,12 +30,12 @@ pub(super) struct JudgeContext {
 struct Reference {
     subject: Subject,
     exact: Arc<Exact>,
-    /// With the scene that it is of.
+    /// The reference's shaded picture, with its scene.
     picture: Option<(Arc<SceneAtTime>, Arc<RgbaImage>)>,
 }
 
 impl JudgeContext {
-    /// One that opens the adapter of a name, or the one that there is, when it first needs it.
+    /// Creates a context that opens the named adapter, or the default one, on first use.
     pub(super) fn new(adapter: Option<String>) -> Self {
         Self {
             adapter,
@@ -44,7 +44,7 @@ impl JudgeContext {
         }
     }
 
-    /// Lets go of the device and of all that is kept.
+    /// Releases the device and all references.
     pub(super) fn clear(&mut self) {
         (self.session, self.references) = (None, Vec::new());
     }
@@ -65,7 +65,7 @@ impl JudgeContext {
         Ok(session)
     }
 
-    /// Does some work, and does it once more on another device where that of the session is lost.
+    /// Does some work, and repeats it on another device if the session's device is lost.
     pub(super) async fn retried<T>(&mut self, mut work: impl AsyncFnMut(&mut Self) -> T) -> T {
         let done = work(self).await;
         if !self.has_lost_device() {

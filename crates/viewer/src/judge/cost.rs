@@ -1,6 +1,6 @@
-//! The cost of a frame of a slot: its passes with their clocks, their times and the bytes that they write.
+//! Cost of a slot's frame: its passes with their clocks, times and bytes written.
 //!
-//! The window's own frames are parts of an encoder and are not timed; the judge draws the same frame on its own device, and runs all
+//! The window's own frames are recorded into egui's encoder and not timed; the judge draws the same frame on its own device, running all
 //! its clocks again.
 
 use cutaway::Result;
@@ -14,13 +14,13 @@ use super::Subject;
 use super::context::JudgeContext;
 use crate::picture::slot::SlotSide;
 
-/// Runs of a frame for its times.
+/// Number of timed runs of a frame.
 const RUNS: usize = 3;
 
 /// A question.
 #[derive(Clone, Debug)]
 pub struct CostQuestion {
-    /// Its number, which answers name.
+    /// Id of the question, repeated in answers.
     pub id: u64,
     /// The picture.
     pub subject: Subject,
@@ -29,7 +29,7 @@ pub struct CostQuestion {
 }
 
 impl CostQuestion {
-    /// The slots that are seen.
+    /// The visible slots.
     pub(super) fn slots(&self) -> impl Iterator<Item = (SlotSide, Renderer)> + '_ {
         let of = |side: SlotSide| Some((side, self.renderers[side.index()]?));
         SlotSide::BOTH.into_iter().filter_map(of)
@@ -39,15 +39,15 @@ impl CostQuestion {
 /// Cost of a frame.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cost {
-    /// Its passes and what the CPU does for it, in order.
+    /// Passes and CPU steps of the frame, in order.
     pub passes: Vec<PassCost>,
-    /// Bytes of what the passes of each clock produce.
+    /// Bytes produced by the passes of each clock.
     pub bytes: PerClock<u64>,
-    /// Bytes of the scene itself, on all clocks.
+    /// Bytes of the scene itself, over all clocks.
     pub scene_bytes: u64,
     /// True if times are device time; otherwise wall-clock time, with a wait after each pass.
     pub is_device_time: bool,
-    /// In how many bands of rows it is drawn; passes and the bytes of the scene are those of the first.
+    /// Number of row bands of the frame; passes and scene bytes are those of the first band.
     pub bands: usize,
 }
 
@@ -56,13 +56,13 @@ pub struct Cost {
 pub struct PassCost {
     /// Its name.
     pub name: String,
-    /// When it runs.
+    /// Clock on which it runs.
     pub clock: Clock,
-    /// Why it is there.
+    /// Purpose of the pass.
     pub reason: String,
-    /// Time in milliseconds: the least of a few runs.
+    /// Time in milliseconds: the minimum of a few runs.
     pub time_ms: f64,
-    /// Bytes of the resources that it writes; of the CPU, those that it uploads.
+    /// Bytes of the resources that it writes; for a CPU step, bytes uploaded.
     pub bytes: u64,
 }
 
@@ -106,7 +106,7 @@ pub(super) async fn answer(
     })
 }
 
-/// The passes of a plan, with the least of their times.
+/// The passes of a plan, with their minimum times.
 fn passes(plan: &Plan, runs: &[RunTimes]) -> Vec<PassCost> {
     let least_ms = |name: &str| {
         let all = runs.iter().flat_map(|run| &run.passes);

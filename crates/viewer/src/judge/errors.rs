@@ -1,4 +1,4 @@
-//! The errors of the slots against the reference, coarse at first, and the layers of slots that are found on the CPU.
+//! Errors of the slots against the reference, at increasing resolution, and the layers of slots drawn on the CPU.
 
 use cutaway::Result;
 use cutaway_lab::compare::{compare, heatmap_overlay};
@@ -8,10 +8,10 @@ use super::context::JudgeContext;
 use super::{Answer, AnswerSink, Content, ErrorQuestion, Subject};
 use crate::picture::slot::SlotSide;
 
-/// By how much coarser the answers are that come one after the other.
+/// Resolution divisors of the successive answers.
 pub(super) const DIVISORS: [u32; 3] = [4, 2, 1];
 
-/// Answers a question step by step, until it is outdated; whether it came to its end.
+/// Answers a question step by step, until it is outdated. Returns true if it was completed.
 pub(super) async fn answer(
     context: &mut JudgeContext,
     question: &ErrorQuestion,
@@ -49,7 +49,7 @@ pub(super) async fn answer(
     true
 }
 
-/// Says what is to be known of a slot at a resolution.
+/// Answers for a slot at one resolution.
 async fn judge(
     context: &mut JudgeContext,
     subject: &Subject,

@@ -1,6 +1,6 @@
-//! A pixel and what is around it, as each slot and the reference show it with one sample a pixel, with the list of all that its ray crosses.
+//! A pixel and its neighbourhood in each slot and in the reference, with one sample per pixel, and the list of all crossings of its ray.
 //!
-//! Cost: a frame of each slot where it was not the last one, read back whole; the reference at the whole resolution where it is not kept;
+//! Cost: a frame of each slot unless it was the last one, with full readback; the reference at full resolution unless it is kept;
 //! one projection of the meshes for the list.
 
 use std::borrow::Cow;
@@ -16,13 +16,13 @@ use super::Subject;
 use super::context::{JudgeContext, picture};
 use crate::picture::slot::SlotSide;
 
-/// Width and height of a neighbourhood, in pixels; its middle is the queried pixel.
+/// Width and height of a neighbourhood, in pixels; the queried pixel is in the middle.
 pub const SIDE_PX: u32 = 15;
 
 /// A question.
 #[derive(Clone, Debug)]
 pub struct MagnifyQuestion {
-    /// Its number, which the answer names.
+    /// Id of the question, repeated in the answer.
     pub id: u64,
     /// The picture.
     pub subject: Subject,
@@ -39,20 +39,20 @@ pub struct Magnified {
     pub at_px: [u32; 2],
     /// Neighbourhoods in the slots, then in the reference.
     pub neighbourhoods: Vec<Neighbourhood>,
-    /// All that the ray of the pixel crosses, in order.
+    /// All crossings of the pixel's ray, in order.
     pub depths: Vec<DepthRow>,
-    /// True if sampling is ambiguous at the pixel, so that no answer can be called wrong.
+    /// True if sampling is ambiguous at the pixel, so that no result counts as wrong.
     pub is_undecided: bool,
 }
 
 /// Neighbourhood of a pixel in one picture.
 #[derive(Clone, Debug)]
 pub struct Neighbourhood {
-    /// The slot; none for the reference.
+    /// The slot; `None` for the reference.
     pub side: Option<SlotSide>,
     /// Name of the renderer.
     pub name: String,
-    /// [`SIDE_PX`] pixels along each side, transparent beyond the border of the picture; or why there are none.
+    /// [`SIDE_PX`] pixels along each side, transparent outside the picture; or the reason why there are none.
     pub picture: Result<RgbaImage, String>,
     /// Content of the pixel, in words.
     pub says: String,
@@ -64,13 +64,13 @@ pub struct Neighbourhood {
 pub struct DepthRow {
     /// Distance from the eye along the viewing direction, in units of the model.
     pub depth: f64,
-    /// The part, the cut or the cutter.
+    /// What is crossed: the part, the cut or the cutter.
     pub what: String,
     /// Direction in which the ray crosses it.
     pub way: Cow<'static, str>,
     /// True if the remaining solid of some part begins or ends there.
     pub is_kept: bool,
-    /// It is what the reference sees.
+    /// True for the crossing visible in the reference.
     pub is_seen: bool,
 }
 
@@ -118,7 +118,7 @@ pub(super) async fn answer(
     })
 }
 
-/// Neighbourhood and layer of a pixel in the picture by a renderer; or the reason why the renderer draws nothing.
+/// Neighbourhood and layer of a pixel as drawn by a renderer; or the reason why it draws nothing.
 async fn shown_by(
     context: &mut JudgeContext,
     subject: &Subject,
@@ -157,7 +157,7 @@ fn around(whole: &RgbaImage, [x, y]: [u32; 2]) -> RgbaImage {
     })
 }
 
-/// The crossings of a ray in words and in units of the model.
+/// Descriptions of a ray's crossings, in model units.
 fn depths(trace: &Trace, prepared: &Prepared) -> Vec<DepthRow> {
     let row = |crossing: &cutaway_lab::exact::RayCrossing| {
         let (what, ways) = match crossing.what {

@@ -1,4 +1,4 @@
-//! Questions and answers as messages between a page and its worker: JSON, and the pixels as separate bytes.
+//! Questions and answers as messages between a page and its worker: JSON, with pixels as separate bytes.
 
 use bytemuck::pod_collect_to_vec;
 use cutaway::Layers;
@@ -27,7 +27,7 @@ pub(super) struct QuestionMessage {
 /// Subject of a question.
 #[derive(Clone, Copy, Serialize, Deserialize)]
 pub(super) enum QuestionKind {
-    /// The slots, and whether their errors are wanted.
+    /// The slots; true if their errors are requested.
     Slots { wants_errors: bool },
     /// A pixel.
     Pixel([u32; 2]),
@@ -64,7 +64,7 @@ impl QuestionMessage {
         self.renderers.each_ref().map(renderer)
     }
 
-    /// Replies of the worker where it has no answer.
+    /// Replies of the worker if it has no answer.
     pub(super) fn unanswered(&self, why: &str) -> Vec<Reply> {
         match self.about {
             QuestionKind::Slots { .. } => failed(self.id, why).map(Reply::Answer).into(),
@@ -119,11 +119,11 @@ struct NeighbourhoodMessage {
     is_b: Option<bool>,
     name: String,
     says: String,
-    /// Why it has no picture, which otherwise is among the bytes.
+    /// Reason why there is no picture; a picture is in the separate bytes.
     refused: Option<String>,
 }
 
-/// Bytes of the picture of a neighbourhood.
+/// Bytes of a neighbourhood's picture.
 const NEIGHBOURHOOD_BYTES: usize = (SIDE_PX * SIDE_PX * 4) as usize;
 
 fn side(is_b: bool) -> SlotSide {
@@ -131,7 +131,7 @@ fn side(is_b: bool) -> SlotSide {
 }
 
 impl Reply {
-    /// As a message; none of what a worker does not find.
+    /// The result as a message; `None` for kinds that a worker does not produce.
     pub(super) fn into_message(self) -> Option<JsValue> {
         let (message, bytes) = match self {
             Self::Answer(Answer {

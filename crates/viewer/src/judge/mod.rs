@@ -1,14 +1,14 @@
-//! The reference, and what is compared with it, aside of the window, which never waits for it: on a thread with a device of its own, or in a
-//! worker of a page, which has one too.
+//! Comparisons with the reference, outside the window, which never waits for them: on a thread with its own device, or in a
+//! web worker, which has its own device too.
 //!
-//! Of each kind of question the newest is answered: the errors of the slots, a pixel that is [magnified](magnify), the [cost] of a
-//! frame, a [survey] of all methods. The errors are found at a quarter of the resolution, then at half, then whole, so that the first
-//! answer comes while a hand still moves; a newer question ends the one before it between two steps.
+//! Only the newest question of each kind is answered: the errors of the slots, a [magnified](magnify) pixel, the [cost] of a
+//! frame, a [survey] of all methods. Errors are computed at a quarter, a half and then the full resolution, so that the first
+//! answer comes during a drag; a newer question ends the previous one between two steps.
 //!
-//! The reference of the present scene is kept at each of these resolutions, 53 bytes a pixel of the picture: a click after the errors are
-//! known does not evaluate it again, nor does another method.
+//! The reference of the present scene is kept at each of these resolutions, 53 bytes per pixel of the picture, so that neither a click nor
+//! another method evaluates it again.
 //!
-//! Cannot: end in the middle of a step; tell costs and times on a page, whose clocks are coarse.
+//! Cannot: stop in the middle of a step; measure costs and times in a browser, whose clocks are coarse.
 
 #![cfg_attr(
     target_arch = "wasm32",
@@ -49,18 +49,18 @@ pub use worker::Judge;
 /// Picture that a question is about.
 #[derive(Clone, Debug)]
 pub struct Subject {
-    /// Another number whenever solids, cuts or the eye may be others.
+    /// Changes whenever solids, cuts or the eye may have changed.
     pub revision: u64,
     /// The scene.
     pub at: Arc<SceneAtTime>,
-    /// From where it is seen.
+    /// The viewpoint.
     pub camera: Camera,
     /// Width and height in pixels.
     pub size_px: [u32; 2],
 }
 
 impl Subject {
-    /// The picture that a state shows, where it shows one.
+    /// The picture displayed by a state, if any.
     pub fn of(state: &State, size_px: [u32; 2]) -> Option<Self> {
         let shown = state.shown()?;
         Some(Self {
@@ -71,13 +71,13 @@ impl Subject {
         })
     }
 
-    /// Its view at the whole resolution.
+    /// View at full resolution.
     pub fn view(&self) -> View {
         let prepared = &self.at.model.prepared;
         prepared.view_of(&self.camera, self.size_px)
     }
 
-    /// Returns true if all rays hit the same in both, whatever the style.
+    /// Returns true if all rays have the same hits in both pictures, regardless of style.
     pub fn has_the_rays_of(&self, other: &Self) -> bool {
         let scale = |subject: &Self| subject.at.model.prepared.scale;
         self.revision == other.revision
@@ -89,24 +89,24 @@ impl Subject {
 /// A question about the errors of the slots.
 #[derive(Clone, Debug)]
 pub struct ErrorQuestion {
-    /// Its number, which answers name.
+    /// Id of the question, repeated in answers.
     pub id: u64,
-    /// The picture that is looked at.
+    /// The displayed picture.
     pub subject: Subject,
     /// Renderers of the slots; `None` for a slot that is not visible.
     pub renderers: [Option<Renderer>; 2],
-    /// True if errors are requested, not only the layers of slots that are found on the CPU.
+    /// True if errors are requested, not only the layers of slots drawn on the CPU.
     pub wants_errors: bool,
 }
 
 /// A part of the answer.
 #[derive(Debug)]
 pub struct Answer {
-    /// The number of the question.
+    /// Id of the question.
     pub id: u64,
-    /// The slot that it is about.
+    /// The slot concerned.
     pub side: SlotSide,
-    /// By how much coarser than the picture it is.
+    /// Resolution divisor relative to the picture.
     pub divisor: u32,
     /// Content of the answer.
     pub what: Content,
@@ -115,11 +115,11 @@ pub struct Answer {
 /// Known results of a slot.
 #[derive(Debug)]
 pub enum Content {
-    /// The layers of one that is found on the CPU.
+    /// Layers of a slot drawn on the CPU.
     Layers(Layers),
-    /// Errors of one that is not.
+    /// Errors of a slot drawn by a method.
     Errors {
-        /// Error marks: transparent where the pixel is not wrong.
+        /// Error marks: transparent for correct pixels.
         marks: RgbaImage,
         /// The counts.
         comparison: Comparison,
@@ -154,6 +154,6 @@ trait AnswerSink {
     /// Sends a part of the answer.
     fn send(&self, answer: Answer);
 
-    /// Returns true if a newer question has come, so that the rest of this answer is of no use; checked between two steps.
+    /// Returns true if a newer question makes the rest of this answer useless; checked between steps.
     async fn is_superseded(&self) -> bool;
 }

@@ -1,9 +1,9 @@
 //! Error and time of every method on one picture, method by method.
 //!
-//! A method draws the picture until its buffers are preclassified, is compared with the reference, runs once more unmeasured, and then a few
-//! times for its time: the median of what the passes of the frame clock take. What it holds on the device is given back before the next.
+//! A method draws the picture until its buffers are large enough, is compared with the reference, runs once more unmeasured, and then a few
+//! times for its time: the median time of the frame clock's passes. Its device memory is released before the next method.
 //!
-//! Cannot: time a frame in turns with the others, as `cutaway compare` does; what else the machine does in between is in the times.
+//! Cannot: interleave the timed frames of all methods, as `cutaway compare` does, so other load on the machine affects the times.
 
 use std::sync::Arc;
 
@@ -24,13 +24,13 @@ const MOST_FRAMES: usize = 7;
 /// Minimum number of frames measured per method, however long they take.
 const FEWEST_FRAMES: usize = 3;
 
-/// After how long no further frame is begun.
+/// Time after which no further frame is begun.
 const LONG_ENOUGH_MS: f64 = 1000.0;
 
 /// A question.
 #[derive(Clone, Debug)]
 pub struct SurveyQuestion {
-    /// Its number, which answers name.
+    /// Id of the question, repeated in answers.
     pub id: u64,
     /// The picture.
     pub subject: Subject,
@@ -50,9 +50,9 @@ pub struct Surveyed {
 /// Result of a measurement.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Found {
-    /// It draws the picture.
+    /// The method draws the picture.
     Point(Point),
-    /// It refuses the scene, or failed.
+    /// The method refuses the scene, or failed.
     Refused(String),
 }
 
@@ -63,15 +63,15 @@ pub struct Point {
     pub time_ms: f64,
     /// True if that is device time; otherwise wall-clock time.
     pub is_device_time: bool,
-    /// Wrong pixels that the reference is sure of.
+    /// Number of wrong pixels among those that the reference decides.
     pub wrong_px: usize,
-    /// Those of them that the method does not mark as unreliable.
+    /// Number of these that the method does not mark as unreliable.
     pub unmarked_px: usize,
     /// Name of the bounded buffer that was too small, if one was.
     pub overflow: Option<String>,
 }
 
-/// A survey under way.
+/// A survey in progress.
 pub(super) struct Survey {
     question: SurveyQuestion,
     methods: Vec<Method>,
@@ -80,7 +80,7 @@ pub(super) struct Survey {
 }
 
 impl Survey {
-    /// One that is to be done.
+    /// Creates a survey.
     pub(super) fn new(question: SurveyQuestion) -> Self {
         Self {
             question,
@@ -90,7 +90,7 @@ impl Survey {
         }
     }
 
-    /// The number of its question.
+    /// Id of its question.
     pub(super) fn id(&self) -> u64 {
         self.question.id
     }
@@ -100,7 +100,7 @@ impl Survey {
         self.done == self.methods.len()
     }
 
-    /// Takes the next method, of which there is one.
+    /// Takes the next method, which must exist.
     pub(super) fn begin_step(&mut self) -> Method {
         let method = self.methods[self.done];
         self.done += 1;
@@ -137,7 +137,7 @@ impl Survey {
     }
 }
 
-/// Every strategy by every rasteriser that draws it.
+/// Every strategy with every rasteriser that draws it.
 pub fn methods() -> Vec<Method> {
     let by_each = |strategy: Strategy| {
         let by_compute = Method::new(strategy, DrawOptions::by(Rasteriser::Compute));

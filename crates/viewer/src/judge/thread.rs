@@ -1,7 +1,7 @@
-//! A thread that answers, with a device of its own. A survey takes its next step only when no other question waits. The thread leaves a
-//! core to the window.
+//! A thread that answers questions on its own device. A survey takes its next step only when no other question waits. The thread leaves a
+//! core free for the window.
 //!
-//! A question whose answer panics is answered with that. The next question starts without its unfinished state.
+//! A panic becomes the answer to its question. The next question starts without the unfinished state.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::mpsc::{Receiver, Sender, channel};
@@ -16,23 +16,23 @@ use super::{Answer, AnswerSink, ErrorQuestion, Finding, cost, errors, failed, ma
 use crate::beside::beside;
 use crate::state::State;
 
-/// The newest question of each kind: one that is not begun gives way to the next.
+/// The newest question of each kind: a question not yet begun is replaced by the next one.
 #[derive(Default)]
 struct Mailbox {
     pending: Mutex<Pending>,
     changed: Condvar,
 }
 
-/// Questions that are not begun, by kind.
+/// Questions not yet begun, by kind.
 #[derive(Default)]
 struct Pending {
     errors: Option<ErrorQuestion>,
     pixel: Option<magnify::MagnifyQuestion>,
     cost: Option<cost::CostQuestion>,
     survey: Option<survey::SurveyQuestion>,
-    /// The number of the survey that is to go on.
+    /// Id of the survey to continue.
     surveyed: Option<u64>,
-    /// The thread is to end.
+    /// True if the thread should end.
     is_over: bool,
 }
 
@@ -53,7 +53,7 @@ pub struct Judge {
 }
 
 impl Judge {
-    /// Starts the thread, which opens the adapter of a name; `wake` is called whenever there is an answer.
+    /// Starts the thread, which opens the named adapter; `wake` is called for every answer.
     pub fn start(adapter: &str, wake: impl Fn() + Send + Sync + 'static) -> Self {
         let mailbox = Arc::new(Mailbox::default());
         let (send_answer, answers) = channel();
@@ -67,7 +67,7 @@ impl Judge {
         }
     }
 
-    /// Requests errors; earlier questions about errors are no longer answered.
+    /// Requests errors; earlier questions about errors are dropped.
     pub fn ask(&self, _: &State, question: ErrorQuestion) {
         self.put(|pending| pending.errors = Some(question));
     }
@@ -82,7 +82,7 @@ impl Judge {
         self.put(|pending| pending.cost = Some(question));
     }
 
-    /// Begins a survey in the place of the last.
+    /// Begins a survey, replacing the previous one.
     pub fn survey(&self, question: survey::SurveyQuestion) {
         self.put(|pending| {
             pending.surveyed = Some(question.id);
@@ -130,7 +130,7 @@ fn work(
     let mut context = JudgeContext::new(Some(adapter));
     let mut survey: Option<Survey> = None;
     let found = |finding| {
-        // It fails where the window is closed.
+        // It fails if the window is closed.
         let _ = findings.send(finding);
         wake();
     };
@@ -149,7 +149,7 @@ fn work(
                     Ok(is_done) => {
                         let mut held = lock(&mailbox.pending);
                         if !is_done && held.errors.is_none() {
-                            // It gave way to a pixel, and begins again after it.
+                            // A pixel question interrupted it; it restarts afterwards.
                             held.errors = Some(question);
                         }
                     }
@@ -193,7 +193,7 @@ fn work(
     }
 }
 
-/// An answer, or the reason why there is none: an error, or a panic, after which everything kept is rebuilt.
+/// An answer, or the error or panic that prevented it; after a panic all kept state is rebuilt.
 fn guarded<T>(
     context: &mut JudgeContext,
     answer: impl FnOnce(&mut JudgeContext) -> Result<T>,
@@ -233,7 +233,7 @@ impl AnswerSink for ThreadSink<'_> {
     }
 }
 
-/// Waits for something to be done; none when the thread is to end.
+/// Waits for the next task; `None` when the thread should end.
 fn next(mailbox: &Mailbox, survey: &mut Option<Survey>) -> Option<Task> {
     let mut held = lock(&mailbox.pending);
     loop {

@@ -1,11 +1,11 @@
-//! A worker of a page that answers, with a device of its own: a second instance of this same program, driven by messages.
+//! A web worker that answers questions on its own device: a second instance of this program, driven by messages.
 //!
 //! ```text
 //! page    [question, scene, path, further files] -> worker
 //! worker  [reply, bytes]                         -> page
 //! ```
 //!
-//! The worker opens the document by itself, and keeps files and what it has prepared from one question to the next.
+//! The worker opens the document itself, and keeps files and the prepared scene between questions.
 
 use std::cell::{Cell, RefCell};
 use std::path::PathBuf;
@@ -34,18 +34,18 @@ const SCRIPT: &str = "./judge.js";
 pub struct Judge {
     worker: Option<Worker>,
     replies: Rc<RefCell<Replies>>,
-    /// True if it has failed: it answers nothing any more.
+    /// True after a failure: no more answers follow.
     is_lost: Rc<Cell<bool>>,
-    /// So many files it has been given.
+    /// Number of files sent to it.
     given: Cell<usize>,
     /// The last question of each kind.
     asked: Rc<RefCell<[Option<QuestionMessage>; 2]>>,
-    /// Handler of its messages, and of its failure.
+    /// Handlers of its messages and of its failure.
     _on_message: Closure<dyn FnMut(MessageEvent)>,
     _on_error: Closure<dyn FnMut(Event)>,
 }
 
-/// Replies of the worker that are still to be taken.
+/// Replies of the worker not yet processed.
 #[derive(Default)]
 struct Replies {
     answers: Vec<Answer>,
@@ -61,11 +61,11 @@ impl Replies {
     }
 }
 
-/// The error where the worker fails.
+/// Error after a failure of the worker.
 const LOST: &str = "the worker that compares has failed: reload the page";
 
 impl Judge {
-    /// Starts the worker, on the adapter that the browser gives; `wake` is called whenever there is an answer.
+    /// Starts the worker, on the browser's adapter; `wake` is called for every answer.
     pub fn start(_adapter: &str, wake: impl Fn() + 'static) -> Self {
         let replies = Rc::new(RefCell::new(Replies::default()));
         let (own, wake) = (replies.clone(), Rc::new(wake));
@@ -104,7 +104,7 @@ impl Judge {
         }
     }
 
-    /// Sends a question about the visible picture; earlier ones are no longer answered.
+    /// Sends a question about the visible picture; earlier ones are dropped.
     pub fn ask(&self, state: &State, question: ErrorQuestion) {
         let wants_errors = question.wants_errors;
         self.send(
@@ -118,7 +118,7 @@ impl Judge {
         );
     }
 
-    /// Sends a question about a pixel; the one before is no longer answered.
+    /// Sends a question about a pixel; the previous one is dropped.
     pub fn magnify(&self, state: &State, question: magnify::MagnifyQuestion) {
         self.send(
             state,
@@ -193,7 +193,7 @@ impl Drop for Judge {
     }
 }
 
-/// A question that has come to the worker, and the scene that it is about.
+/// A question received by the worker, with its scene.
 struct Received {
     asked: QuestionMessage,
     scene: Document,
@@ -201,7 +201,7 @@ struct Received {
 
 /// State of the worker.
 struct Mailbox {
-    /// The newest question of each kind that is still to be answered.
+    /// The newest unanswered question of each kind.
     pending: RefCell<[Option<Received>; 2]>,
     /// State for answering; taken while a question is answered.
     state: RefCell<Option<WorkerState>>,
@@ -214,7 +214,7 @@ struct Mailbox {
 struct WorkerState {
     context: JudgeContext,
     assets: Assets,
-    /// The scene of the last question, by the text of its document.
+    /// The scene of the last question, with its document's text.
     shown: Option<(String, Shown)>,
 }
 
@@ -222,7 +222,7 @@ thread_local! {
     static MAILBOX: Rc<Mailbox> = Rc::new(Mailbox::new());
 }
 
-/// Takes in a message of the page; called by the script of the worker.
+/// Receives a message from the page; called by the worker's script.
 #[wasm_bindgen]
 pub fn judge(message: &JsValue) {
     let mailbox = MAILBOX.with(Rc::clone);
@@ -231,7 +231,7 @@ pub fn judge(message: &JsValue) {
     };
     let kind = received.asked.about.kind();
     mailbox.pending.borrow_mut()[kind] = Some(received);
-    // Without a state it is at work, and finds the question when it looks.
+    // Without a state an answer is in progress, and the question is found afterwards.
     if let Some(state) = mailbox.state.take() {
         spawn_local(work(mailbox, state));
     }
@@ -258,7 +258,7 @@ fn read_question(message: &JsValue, mailbox: &Mailbox) -> Option<Received> {
     })
 }
 
-/// Answers questions until there is none, a pixel before slots.
+/// Answers all pending questions, pixels before slots.
 async fn work(mailbox: Rc<Mailbox>, mut state: WorkerState) {
     loop {
         let received = mailbox
@@ -271,7 +271,7 @@ async fn work(mailbox: Rc<Mailbox>, mut state: WorkerState) {
         };
         let page = PageSink { mailbox: &mailbox };
         if mailbox.has_further.take() {
-            // One of them may be of a name that was read before.
+            // A new file may replace one of the same name.
             state.assets = Assets::from_files(mailbox.files.clone());
             state.shown = None;
         }
@@ -303,7 +303,7 @@ async fn work(mailbox: Rc<Mailbox>, mut state: WorkerState) {
                 let kind = asked.about.kind();
                 let mut pending = mailbox.pending.borrow_mut();
                 if !is_done && pending[kind].is_none() {
-                    // It gave way to a pixel, and begins again after it.
+                    // A pixel question interrupted it; it restarts afterwards.
                     pending[kind] = Some(received);
                 }
             }
@@ -325,7 +325,7 @@ async fn work(mailbox: Rc<Mailbox>, mut state: WorkerState) {
     *mailbox.state.borrow_mut() = Some(state);
 }
 
-/// The scene of a document, prepared after the last where that was another.
+/// The prepared scene of a document, updated from the last scene if it differs.
 fn open<'a>(
     document: &Document,
     assets: &mut Assets,
@@ -385,7 +385,7 @@ impl AnswerSink for PageSink<'_> {
     }
 
     async fn is_superseded(&self) -> bool {
-        // Messages come in between two tasks of the worker: this one ends here and goes on in the next.
+        // Messages arrive between tasks of the worker: this task ends here and continues in the next one.
         let next_task = Promise::new(&mut |resolve: Function, _| {
             let worker: DedicatedWorkerGlobalScope = js_sys::global().unchecked_into();
             let set = worker.set_timeout_with_callback(&resolve);

@@ -1,7 +1,7 @@
 //! Interactive camera control.
 //!
-//! Moves change a [`Camera`], which is then written into the document in its own words: angles and a zoom for an orbit, a position and a
-//! focal point for an eye that stands somewhere. An eye that a document names otherwise, by a view or by `auto`, becomes an orbit.
+//! Moves change a [`Camera`], which is then written back in the document's notation: angles and a zoom for an orbit, a position and a
+//! focal point for a fixed eye. A viewpoint given otherwise, by a named view or `auto`, becomes an orbit.
 //!
 //! Cannot: tilt the horizon.
 
@@ -13,7 +13,7 @@ use glam::{DVec2, DVec3};
 
 use crate::editing::timeline;
 
-/// Straight up and down are left out: there the picture would spin.
+/// Elevation limit below straight up and down, where the picture would spin.
 const STEEPEST_DEG: f64 = 89.9;
 
 /// A move of the eye.
@@ -23,22 +23,22 @@ pub enum CameraMove {
     Orbit(DVec2),
     /// Along the picture plane, right and up, in picture heights.
     Pan(DVec2),
-    /// Larger by a factor, about a point of the picture: right and up from the middle, in heights.
+    /// Zoom by a factor about a point of the picture, which is given right and up from the middle, in picture heights.
     Zoom {
-        /// More than 1 is larger.
+        /// Factor; more than 1 magnifies.
         factor: f64,
         /// Fixed point of the zoom.
         about: DVec2,
     },
     /// To a direction, by azimuth and elevation in degrees.
     Stand([f64; 2]),
-    /// All of the model is seen.
+    /// Fits the whole model into the view.
     Home,
-    /// Parallel rays or not.
+    /// Parallel or perspective projection.
     Parallel(bool),
 }
 
-/// Moves a camera. A move by no finite number leaves it where it is.
+/// Moves a camera. A move with a non-finite number is ignored.
 pub fn move_camera(camera: &mut Camera, by: CameraMove) {
     if !is_finite(by) {
         return;
@@ -87,10 +87,10 @@ fn is_finite(by: CameraMove) -> bool {
     }
 }
 
-/// As far as documents let a picture be moved.
+/// Largest pan that documents allow.
 const FARTHEST_PAN: DVec2 = DVec2::splat(10.0);
 
-/// Puts the eye into a direction, as far away as it is.
+/// Moves the eye to a direction at its present distance.
 fn turn(camera: &mut Camera, [azimuth_deg, elevation_deg]: [f64; 2]) {
     let azimuth_deg = (azimuth_deg + 180.0).rem_euclid(360.0) - 180.0;
     camera.viewpoint = match camera.viewpoint {
@@ -140,7 +140,7 @@ pub fn round(camera: &mut Camera) {
             focal_point,
             view_up,
         } => {
-            // A millionth of how far the eye is away.
+            // A millionth of the eye's distance.
             let count = 6 - (position - focal_point).length().log10().floor() as i32;
             Viewpoint::Explicit {
                 position: decimals(position, count),
@@ -161,11 +161,11 @@ pub fn round(camera: &mut Camera) {
     camera.pan = DVec2::from_array(camera.pan.to_array().map(|c| to_decimals(c, 5)));
 }
 
-/// Writes a camera into a document, where it was moved and [rounded](round).
+/// Writes the changed values of a camera into a document, [rounded](round).
 ///
 /// # Errors
 ///
-/// A document whose `camera` is no table.
+/// A document whose `camera` is not a table.
 pub fn write(camera: &Camera, document: &mut Document) -> Result<()> {
     match camera.viewpoint {
         Viewpoint::Explicit {
@@ -188,7 +188,7 @@ pub fn write(camera: &Camera, document: &mut Document) -> Result<()> {
             document.set("camera.elevation_deg", elevation)?;
         }
     }
-    // What holds without a key needs none.
+    // A default value needs no entry.
     let (projection, fov_y_deg, height) = match camera.projection {
         Projection::Perspective { fov_y_deg } => (None, Some(fov_y_deg), None),
         Projection::Orthographic { height } => (Some("orthographic".into()), None, height),
@@ -214,7 +214,7 @@ pub fn write(camera: &Camera, document: &mut Document) -> Result<()> {
         let path = format!("camera.{key}");
         match value {
             Some(value) => document.set(&path, value)?,
-            // What keys move has to be in the document.
+            // A value moved by keys has to be in the document.
             None if timeline::is_target(document, &path) => match key {
                 "zoom" => document.set(&path, camera.zoom)?,
                 "pan" => document.set(&path, camera.pan.to_array().to_vec())?,
@@ -239,7 +239,7 @@ mod tests {
             let content = |camera: &Camera| (about - camera.pan) / camera.zoom;
             let before = content(&camera);
             move_camera(&mut camera, CameraMove::Zoom { factor, about });
-            // At the ends of the range the picture is held instead.
+            // At the limits of the range the picture is clamped instead.
             if (2e-3..5e2).contains(&camera.zoom) {
                 assert!((content(&camera) - before).length() < 1e-12, "{factor}");
             }

@@ -1,15 +1,15 @@
-//! Places in a chart of error against time: both axes are logarithms, and errors have a place for none.
+//! Positions in a chart of error against time: both axes are logarithmic, and the error axis has a position for zero.
 
-/// Place of methods with no wrong pixel: below one wrong pixel, by less than a power of ten.
+/// Position of methods without wrong pixels: less than a decade below one wrong pixel.
 pub const NONE_WRONG: f64 = -0.5;
 
-/// Place of a time.
+/// Position of a time.
 pub fn place_of_time(time_ms: f64) -> f64 {
     // Nothing that runs takes less than a nanosecond.
     time_ms.max(1e-6).log10()
 }
 
-/// Place of a count of wrong pixels.
+/// Position of a count of wrong pixels.
 pub fn place_of_wrong(wrong_px: usize) -> f64 {
     match wrong_px {
         0 => NONE_WRONG,
@@ -17,12 +17,12 @@ pub fn place_of_wrong(wrong_px: usize) -> f64 {
     }
 }
 
-/// Label of the time axis at a place, in milliseconds.
+/// Label of the time axis at a position, in milliseconds.
 pub fn time_label(place: f64) -> String {
     number(place)
 }
 
-/// Label of the error axis at a place, in pixels.
+/// Label of the error axis at a position, in pixels.
 pub fn wrong_label(place: f64) -> String {
     let is_none = (place - NONE_WRONG).abs() < 1e-9;
     match place < 0.0 {
@@ -38,12 +38,12 @@ fn number(place: f64) -> String {
     let times = 10f64.powf(place - power);
     let labelled = [1.0, 2.0, 5.0].into_iter();
     let labelled = labelled.filter(|label| (label - times).abs() < 1e-4);
-    // Digits are those of a decimal number, which a product of two floats need not have.
+    // Parsed from decimal digits, because a product of two floats may not print as a short number.
     let shown = labelled.map(|label| format!("{label}e{power}").parse::<f64>());
     shown.flatten().map(|number| number.to_string()).collect()
 }
 
-/// The lines between two places: a place and how far it is to the next of its kind, at powers of ten and at two to nine times them.
+/// Grid lines between two positions, each with its distance to the next of its kind: powers of ten, and two to nine times these.
 pub fn lines(from: f64, to: f64) -> Vec<(f64, f64)> {
     let powers = from.floor() as i32..=to.ceil() as i32;
     let around = |power: i32| {
@@ -62,7 +62,7 @@ pub fn lines(from: f64, to: f64) -> Vec<(f64, f64)> {
         .collect()
 }
 
-/// The places next to some, below the least and above the greatest, that have a label.
+/// Nearest labelled positions below the minimum and above the maximum of some positions.
 pub fn labels_around(least: f64, greatest: f64) -> [f64; 2] {
     let all = lines(least - 1.0, greatest + 1.0).into_iter();
     let labelled = all.filter_map(|(place, to_next)| (to_next > 0.2).then_some(place));
@@ -74,7 +74,7 @@ pub fn labels_around(least: f64, greatest: f64) -> [f64; 2] {
     ]
 }
 
-/// The lines of the axis of errors: none between no wrong pixel and one.
+/// Grid lines of the error axis: none between zero and one wrong pixel.
 pub fn lines_of_wrong(from: f64, to: f64) -> Vec<(f64, f64)> {
     let none = (from..=to).contains(&NONE_WRONG);
     let none = none.then_some((NONE_WRONG, 1.0));

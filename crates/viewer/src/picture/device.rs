@@ -1,14 +1,14 @@
-//! The device that egui and sessions share, and whether it is lost: a driver that was reset or updated, a card that is gone, a frame that
-//! took longer than the system allows.
+//! The device shared by egui and sessions, and its loss: by a driver reset or update, a removed card, or a frame that
+//! exceeds the system's time limit.
 //!
-//! A lost device draws nothing any more, and neither does what was made on it: only another device helps.
+//! A lost device and all its resources are unusable: everything has to be created on another device.
 
 use std::sync::{Arc, OnceLock};
 
 use cutaway::Gpu;
 use egui_wgpu::{WgpuConfiguration, WgpuSetup, wgpu};
 
-/// Lets egui make its device as sessions want it.
+/// Makes egui create its device with the features that sessions need.
 pub fn on_our_device(options: &mut WgpuConfiguration) {
     if let WgpuSetup::CreateNew(setup) = &mut options.wgpu_setup {
         setup.device_descriptor = Arc::new(Gpu::descriptor);
@@ -20,7 +20,7 @@ pub fn on_our_device(options: &mut WgpuConfiguration) {
 pub struct DeviceLoss(Arc<OnceLock<String>>);
 
 impl DeviceLoss {
-    /// Watches a device, in the place of any earlier callback for its loss; `wake` is called once when it is lost.
+    /// Watches a device, replacing any earlier loss callback; `wake` is called once when it is lost.
     pub fn watch(device: &wgpu::Device, wake: impl Fn() + Send + 'static) -> Self {
         let loss = Self::default();
         let own = loss.clone();
@@ -36,7 +36,7 @@ impl DeviceLoss {
         loss
     }
 
-    /// Why it is lost, once it is.
+    /// Reason for the loss, once it has happened.
     pub fn reason(&self) -> Option<&str> {
         self.0.get().map(String::as_str)
     }

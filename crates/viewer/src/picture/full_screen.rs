@@ -1,4 +1,4 @@
-//! A pass over a whole picture that reads others: its shader has the entry points `vertex` and `fragment`.
+//! A full-screen pass that reads other pictures; its shader has the entry points `vertex` and `fragment`.
 
 use cutaway::gpu::wgpu;
 
@@ -40,7 +40,7 @@ impl FullScreen {
         Self { pipeline }
     }
 
-    /// Draws what the shader makes of some resources, which it binds in group 0 from 0 on.
+    /// Runs the shader on some resources, bound in group 0 from binding 0.
     pub fn encode<'a>(
         &self,
         device: &wgpu::Device,

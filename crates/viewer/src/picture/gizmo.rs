@@ -1,10 +1,10 @@
-//! The handles of the selected cut in the picture: lines that show the cut, and handles to drag.
+//! The gizmo of the selected cut in the picture: outlines of the cut, and handles to drag.
 //!
 //! Everything here is geometry in pixels, computed from the view; the window paints and reads the pointer. A handle moves along a rail in
 //! space. A held handle stores its initial value and how far the pointer has moved it, so that a value that snaps or is clamped continues
 //! from the position of the pointer, and no intermediate value is rounded.
 //!
-//! Cannot: drag a surface in the paper's own form, which is changed by its numbers.
+//! Cannot: drag a surface in the paper's form, which has to be edited as numbers.
 
 mod plane;
 mod rail;
@@ -34,18 +34,18 @@ pub enum Grip {
     Along,
     /// The arc that tilts a plane about an axis of its frame: 0 is U, 1 is V.
     Tilt(usize),
-    /// The arc that turns a plane with a relief in itself.
+    /// The arc that rotates a relief within its plane.
     Spin,
-    /// The knob of a face of a box.
+    /// The knob on a box face.
     Face {
         /// Index into the [regions](regions::regions) of the cut.
         region: usize,
         /// 0 is x.
         axis: usize,
-        /// True for the face of the greatest corner.
+        /// True for the face at the maximum corner.
         is_greatest: bool,
     },
-    /// The knob of a half-plane of a wedge.
+    /// The knob on a wedge's half-plane.
     Angle {
         /// Index into the [regions](regions::regions) of the cut.
         region: usize,
@@ -73,11 +73,11 @@ impl Grip {
 struct Scale {
     /// The value at amount 0.
     start: f64,
-    /// Value for an amount of 1.
+    /// Change of the value per unit of amount.
     unit: f64,
-    /// One value that it snaps to, and how far it is to the next.
+    /// A value that it snaps to, and the step between such values.
     snap: [f64; 2],
-    /// The least and the greatest value.
+    /// The minimum and the maximum value.
     range: [f64; 2],
 }
 
@@ -146,12 +146,12 @@ impl Handle {
     }
 }
 
-/// A handle that is held.
+/// A handle during a drag.
 #[derive(Clone, Debug)]
 pub struct Hold {
-    /// As it was when it was taken.
+    /// The handle at the start of the drag.
     handle: Handle,
-    /// Amount along the rail that the pointer has moved it since.
+    /// Amount along the rail moved since.
     amount: f64,
 }
 
@@ -202,7 +202,7 @@ impl Hold {
     }
 }
 
-/// A cut in a picture.
+/// Gizmo of a cut in a picture.
 #[derive(Clone, Debug, Default)]
 pub struct Gizmo {
     /// Lines that show it, in pixels.
@@ -243,7 +243,7 @@ impl Gizmo {
         gizmo
     }
 
-    /// The handle under a pointer: of several the nearest.
+    /// The handle nearest to the pointer, if one is under it.
     pub fn at(&self, pointer: DVec2) -> Option<&Handle> {
         let distances = self.handles.iter().map(|h| (h.distance(pointer), h));
         let near = distances.filter(|(distance, _)| *distance <= NEAR_PX);
@@ -251,7 +251,7 @@ impl Gizmo {
         nearest.map(|(_, handle)| handle)
     }
 
-    /// A handle by what it is.
+    /// A handle by identity.
     pub fn handle(&self, grip: Grip) -> Option<&Handle> {
         self.handles.iter().find(|h| h.grip == grip)
     }
@@ -267,7 +267,7 @@ impl Gizmo {
         }
     }
 
-    /// Adds a handle, with a range of its rail drawn as a number of lines, and a knob, unless it is behind the eye.
+    /// Adds a handle with a knob and a range of its rail drawn as a polyline, unless it is behind the eye.
     fn add(
         &mut self,
         mut handle: Handle,

@@ -1,7 +1,7 @@
 //! Adaptive resolution while something moves.
 //!
-//! While something moves, pictures are drawn at a half, a quarter or an eighth of the resolution, as coarse as it takes to stay within
-//! [`BUDGET_MS`]; when it has rested for [`REST`], whole, and then sample by sample. The device reports when a frame is done.
+//! While something moves, pictures are drawn at full, half, a quarter or an eighth of the resolution, as needed to stay within
+//! [`BUDGET_MS`]; after [`REST`] without motion at full resolution, and then sample by sample. The device reports when a frame is done.
 
 use std::time::Duration;
 
@@ -10,26 +10,26 @@ use crate::picture::screen::Sample;
 /// Frame time budget while something moves.
 pub const BUDGET_MS: f64 = 33.0;
 
-/// Time at rest before a whole picture is drawn.
+/// Time without motion before a full-resolution picture is drawn.
 pub const REST: Duration = Duration::from_millis(150);
 
-/// The coarsest.
+/// The largest divisor.
 const MOST_DIVISOR: u32 = 8;
 
 /// Resolution or sample of a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Detail {
-    /// By so much coarser than the window.
+    /// Divisor of the window's resolution.
     Coarse(u32),
-    /// A sample of the whole picture.
+    /// A sample at full resolution.
     Sample(Sample),
 }
 
 impl Detail {
-    /// The whole picture.
+    /// The picture at full resolution.
     pub const WHOLE: Self = Self::Coarse(1);
 
-    /// By how much coarser than the window it is.
+    /// Divisor of the window's resolution.
     pub fn divisor(self) -> u32 {
         match self {
             Self::Coarse(divisor) => divisor,
@@ -37,7 +37,7 @@ impl Detail {
         }
     }
 
-    /// The sample that it is, if it is one.
+    /// The sample, if it is one.
     pub fn sample(self) -> Option<Sample> {
         match self {
             Self::Coarse(_) => None,
@@ -45,7 +45,7 @@ impl Detail {
         }
     }
 
-    /// Next frame after the last one of the same scene: while something moves, only a finer one; at rest the whole picture, then its
+    /// Next frame after the last one of the same scene: during motion, only a finer one; at rest the full-resolution picture, then its
     /// samples, `per_side` along each side of a pixel.
     pub fn next(last: Option<Self>, divisor: u32, is_moving: bool, per_side: u32) -> Option<Self> {
         let begun = |index| Sample { index, per_side };
@@ -62,7 +62,7 @@ impl Detail {
     }
 }
 
-/// By how much coarser than the window pictures are drawn.
+/// Controller of the resolution divisor.
 #[derive(Clone, Copy, Debug)]
 pub struct Pace {
     moving: u32,
@@ -80,7 +80,7 @@ impl Pace {
         if is_moving { self.moving } else { 1 }
     }
 
-    /// Takes in what a frame took that was drawn with a divisor.
+    /// Records the time of a frame drawn with a divisor.
     pub fn learn(&mut self, divisor: u32, took_ms: f64) {
         if took_ms > BUDGET_MS {
             // A frame of a quarter of the pixels takes no less than a quarter of the time.

@@ -1,4 +1,4 @@
-//! Description of a pixel of a picture, in words and in the coordinates of the model.
+//! Description of a picked pixel, as text and in model coordinates.
 
 use cutaway::layers::{Kind, Layer, NEAR_PLANE};
 use cutaway::scene::View;
@@ -11,9 +11,9 @@ use crate::picture::shown::Shown;
 pub struct Picked {
     /// Surface, cap or background.
     pub kind: Kind,
-    /// The part that is seen.
+    /// The visible part.
     pub part: String,
-    /// The cut that made the cap, where it is one.
+    /// The cut that made the cap, if it is a cap.
     pub cut: Option<String>,
     /// Distance from the eye along the viewing direction, in units of the model.
     pub depth: f64,
@@ -53,7 +53,7 @@ impl Picked {
         })
     }
 
-    /// The same in words.
+    /// The result as text.
     pub fn sentence(&self) -> String {
         let what = match &self.cut {
             Some(cut) => format!("cap by {cut}"),

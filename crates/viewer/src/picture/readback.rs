@@ -1,11 +1,11 @@
-//! The pixels of a texture, awaited: for tests and files, never in a frame.
+//! Blocking readback of a texture: for tests and files, never during a frame.
 
 use cutaway::Result;
 use cutaway::gpu::Gpu;
 use cutaway::gpu::wgpu;
 use image::RgbaImage;
 
-/// The pixels of an RGBA8 texture. The copy is on its way when this returns.
+/// Reads an RGBA8 texture. The copy is submitted before this returns.
 ///
 /// # Errors
 ///

@@ -1,12 +1,12 @@
-//! The pictures of the slots, in textures that egui shows: drawn by the session on egui's own device, into an encoder, with nothing waited
-//! for and nothing read back.
+//! The slots' pictures in textures for egui: drawn by the session on egui's own device, into its encoder, without waiting
+//! and without readback.
 //!
-//! A slot that is drawn on the CPU gets its layers from the [judge](crate::judge), and is shaded here. Two slots by one method share one
-//! picture. The queue reports the time of a frame when it is done; until then no other is drawn, so that a slow device queues no frames.
+//! A slot drawn on the CPU gets its layers from the [judge](crate::judge), and is shaded here. Two slots with the same method share one
+//! picture. The queue reports when a frame is done; until then no other is drawn, so that a slow device queues no frames.
 //!
-//! While nothing moves, [samples](Sample) of a picture follow it, and smooth its edges when all are there.
+//! While nothing moves, further [samples](Sample) of a picture are drawn, and smooth its edges when all are complete.
 //!
-//! Cannot: show a picture of more pixels than a texture of the device holds.
+//! Cannot: show a picture larger than the device's maximum texture size.
 
 mod difference;
 mod picture;
@@ -40,7 +40,7 @@ use samples::Samples;
 /// A frame that the device has not done yet.
 struct UnderWay {
     divisor: u32,
-    /// Bits of milliseconds; 0 until it is done.
+    /// Time in milliseconds, as the bits of a float; 0 until it is done.
     took: Arc<AtomicU64>,
 }
 
@@ -58,7 +58,7 @@ pub struct Screen {
     under_way: Option<UnderWay>,
     /// A requested pixel.
     pick: Option<([u32; 2], Pick)>,
-    /// Why a slot shows nothing.
+    /// Reason why a slot shows nothing.
     refusals: [Option<String>; 2],
     took_ms: Option<f64>,
     passes: usize,
@@ -112,7 +112,7 @@ impl Screen {
         self.clocks[side.index()]
     }
 
-    /// Why a slot shows nothing.
+    /// Reason why a slot shows nothing.
     pub fn refusal(&self, side: SlotSide) -> Option<&str> {
         self.refusals[side.index()].as_deref()
     }
@@ -122,12 +122,12 @@ impl Screen {
         self.pictures.get(&side).map(|p| p.id)
     }
 
-    /// Picture of the colour differences between the slots.
+    /// Picture of the colour difference between the slots.
     pub fn difference(&self) -> Option<TextureId> {
         self.difference.id()
     }
 
-    /// Takes in what the device has done: the divisor and the time of a frame that ended, and whether a frame is to be drawn again, because
+    /// Polls the device: the divisor and time of a finished frame, and whether a frame has to be drawn again because
     /// a buffer was too small.
     ///
     /// # Errors
@@ -147,17 +147,17 @@ impl Screen {
         Ok((done, must_redraw))
     }
 
-    /// Returns true while a frame is under way.
+    /// Returns true while a frame is in progress.
     pub fn is_busy(&self) -> bool {
         self.under_way.is_some()
     }
 
-    /// The view of what was last drawn by methods: that of a picture, or of a sample of one.
+    /// The view last drawn by methods: of a picture, or of one of its samples.
     pub fn view(&self) -> Option<&View> {
         self.view.as_ref()
     }
 
-    /// Draws slots that methods draw, as coarsely as a detail says; of a sample that is the last, all are put together.
+    /// Draws the slots with methods at a given detail; after the last sample, all samples are combined.
     ///
     /// # Errors
     ///
@@ -187,7 +187,7 @@ impl Screen {
             let is_new = self.painted_by[side.index()] != renderer;
             let Some(Renderer::Method(method)) = renderer else {
                 self.clocks[side.index()] = None;
-                // A picture of another is not shown under this name.
+                // The picture of another renderer must not be shown under this name.
                 if is_new {
                     self.refusals[side.index()] = None;
                     if let Some(old) = self.pictures.remove(&side) {
@@ -248,7 +248,7 @@ impl Screen {
         Ok(())
     }
 
-    /// Puts layers that a renderer has found elsewhere into a slot, as the scene that they are of is drawn.
+    /// Shades layers computed elsewhere into a slot, in the style of their scene.
     ///
     /// # Errors
     ///
@@ -281,7 +281,7 @@ impl Screen {
         Ok(())
     }
 
-    /// Asks what a pixel of the last whole frame by a method shows.
+    /// Requests the layer of a pixel in a method's last full-resolution frame.
     ///
     /// # Errors
     ///
@@ -308,7 +308,7 @@ impl Screen {
         Some((at_px, pick.layer()?))
     }
 
-    /// The pixels of a slot, awaited: for tests and files.
+    /// Blocking readback of a slot's pixels: for tests and files.
     ///
     /// # Errors
     ///
@@ -318,12 +318,12 @@ impl Screen {
         Some(readback::read(self.gpu(), &picture.texture))
     }
 
-    /// Says that a slot shows nothing, and why.
+    /// Marks a slot as showing nothing, with the reason.
     pub fn refuse(&mut self, side: SlotSide, why: String) {
         self.refusals[side.index()] = Some(why);
     }
 
-    /// Makes the picture of a slot as large as it is to be.
+    /// Resizes a slot's picture to the requested size.
     fn make_room(&mut self, side: SlotSide, size_px: [u32; 2]) {
         let fits = |picture: &ShownTexture| picture.size_px() == size_px;
         if self.pictures.get(&side).is_some_and(fits) {
@@ -363,7 +363,7 @@ impl Screen {
     }
 }
 
-/// Sampling of textures that images are loaded into: nearest neighbour.
+/// Texture sampling for loaded images: nearest neighbour.
 pub const PLAIN: TextureOptions = TextureOptions::NEAREST;
 
 fn clear(encoder: &mut wgpu::CommandEncoder, view: &wgpu::TextureView) {

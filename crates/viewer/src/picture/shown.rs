@@ -1,6 +1,6 @@
-//! The scene that a document shows, prepared to be drawn.
+//! The scene of a document, prepared for drawing.
 //!
-//! Opening costs as much as reading the files, once: assets keep them. After that a change costs the tree of the document and everything
+//! Opening costs reading the files, once: assets cache them. After that a change costs rebuilding the document's tree and everything
 //! that depends on the change, because unchanged data keeps its address.
 
 use std::sync::Arc;
@@ -12,23 +12,23 @@ use cutaway_io::document::{Timeline, Value, named_style};
 use cutaway_io::load::Assets;
 use cutaway_lab::experiment::SceneAtTime;
 
-/// The style of documents that name none, as pictures have it.
+/// Default style, as for exported pictures.
 pub const USUAL_STYLE: &str = "technical";
 
-/// A scene at a moment. A clone shares what is large.
+/// A scene at a time. A clone shares large data.
 #[derive(Clone, Debug)]
 pub struct Shown {
     /// The scene over time.
     pub timeline: Arc<Timeline>,
-    /// The scene at the moment, with the camera that is looked through.
+    /// The scene at that time, with the active camera.
     pub scene: Scene,
-    /// The same, prepared.
+    /// The prepared scene.
     pub at: Arc<SceneAtTime>,
 }
 
 impl Shown {
-    /// Opens what a document shows at a moment, or at its own; `None` where there is nothing to be shown. What it has in common with the
-    /// last scene is not prepared again.
+    /// Opens a document's scene at a given time, or at the document's own; `None` if it has no parts. Data in common with the
+    /// last scene is reused.
     ///
     /// # Errors
     ///
@@ -66,7 +66,7 @@ impl Shown {
         }))
     }
 
-    /// Shows another moment of the same document.
+    /// Switches to another time in the same document.
     ///
     /// # Errors
     ///
@@ -81,7 +81,7 @@ impl Shown {
         Ok(())
     }
 
-    /// Prepares the scene as an exported picture does: while something moves, hatches stay as they were laid when it began.
+    /// Prepares the scene as for an exported picture; while something moves, hatches keep their initial layout.
     ///
     /// # Errors
     ///

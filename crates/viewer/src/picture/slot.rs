@@ -12,9 +12,9 @@ use cutaway_lab::experiment::Renderer;
 /// One of the two slots.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum SlotSide {
-    /// The one that is seen alone.
+    /// The slot shown when there is only one.
     A,
-    /// The other.
+    /// The other slot.
     B,
 }
 
@@ -22,7 +22,7 @@ impl SlotSide {
     /// Both.
     pub const BOTH: [Self; 2] = [Self::A, Self::B];
 
-    /// Its place in an array of both.
+    /// Index in an array of both slots.
     pub fn index(self) -> usize {
         match self {
             Self::A => 0,
@@ -43,14 +43,14 @@ impl fmt::Display for SlotSide {
 /// Choice of the renderer of a slot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Painter {
-    /// Whom scene and adapter ask for.
+    /// Chosen automatically for scene and adapter.
     Auto,
     /// A renderer.
     Named(Renderer),
 }
 
 impl Painter {
-    /// The renderer, for a scene in a view on a device.
+    /// Resolves the choice for a scene in a view on a device.
     pub fn classify(self, gpu: &Gpu, model: &Model, view: &View) -> Renderer {
         match self {
             Self::Named(renderer) => renderer,
@@ -84,7 +84,7 @@ impl FromStr for Painter {
 /// Layout of the two slots.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Layout {
-    /// A alone.
+    /// Only A.
     #[default]
     Single,
     /// A to the left of a line that can be dragged, B to the right.

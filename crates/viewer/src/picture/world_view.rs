@@ -1,4 +1,4 @@
-//! A view of points in world space: where they land in a picture.
+//! Projection of world-space points into a picture.
 
 use cutaway::scene::View;
 use glam::{DVec2, DVec3};
@@ -11,7 +11,7 @@ pub struct WorldView {
     view: View,
     /// Position of the origin of scene space, in world space.
     centre: DVec3,
-    /// Scene units for a world unit.
+    /// Scene units per world unit.
     scale: f64,
 }
 
@@ -26,7 +26,7 @@ impl WorldView {
         }
     }
 
-    /// Creates the view of a scene whose space is that of the world.
+    /// Creates the view of a scene whose space is world space.
     pub fn plain(view: View) -> Self {
         Self {
             view,

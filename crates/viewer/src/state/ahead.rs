@@ -1,10 +1,10 @@
-//! An action that is carried out on a copy of the state, elsewhere, because it reads files that may be large, and what the state takes
-//! over of the copy.
+//! Actions that read possibly large files are carried out in the background on a copy of the state, from which the state then takes
+//! the result.
 //!
-//! Where nothing was done meanwhile the copy takes the place of the state. Else the action is carried out once more, which costs what a
-//! change of the document costs: the files are read, and the scene of the copy is what the new one has most in common with.
+//! If the state has not changed meanwhile, the copy replaces it. Otherwise the action is repeated, at the cost of
+//! a document change: the files are already read, and most prepared data comes from the copy's scene.
 //!
-//! Cost of a copy: the tree of the document; meshes and steps of the history are shared.
+//! Cost of a copy: the document's tree; meshes and history steps are shared.
 
 use cutaway_io::load::Assets;
 
@@ -12,14 +12,14 @@ use super::State;
 use crate::action::Action;
 use crate::picture::shown::Shown;
 
-/// Data read and prepared elsewhere.
+/// Data read and prepared in the background.
 #[derive(Clone, Debug)]
 pub(super) struct Ahead {
     assets: Assets,
     pub(super) shown: Option<Shown>,
 }
 
-/// Progress of a state when it was copied.
+/// Revision counters of a state when it was copied.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Moment {
     acted: u64,
@@ -27,7 +27,7 @@ pub struct Moment {
 }
 
 impl State {
-    /// Present progress.
+    /// Present revision counters.
     pub fn moment(&self) -> Moment {
         Moment {
             acted: self.acted,
@@ -35,7 +35,7 @@ impl State {
         }
     }
 
-    /// A copy to carry an action out on, without the pending notices of this state.
+    /// A copy for carrying out an action, without the pending notices of this state.
     #[must_use]
     pub fn copy(&self) -> Self {
         let mut copy = self.clone();
@@ -44,7 +44,7 @@ impl State {
         copy
     }
 
-    /// Takes over what an action has made of the copy of a moment. Whether the copy has taken its place.
+    /// Takes over the result of an action on a copy. Returns true if the copy has replaced the state.
     pub fn take_over(&mut self, since: Moment, action: Action, mut copy: Self) -> bool {
         if self.acted == since.acted {
             self.notices.append(&mut copy.notices);
@@ -69,7 +69,7 @@ impl State {
         false
     }
 
-    /// Assets that hold nothing from before: those that were read elsewhere, or none.
+    /// Assets without earlier files: those read in the background, or empty ones.
     pub(super) fn fresh_assets(&self) -> Assets {
         let read = self.ahead.as_ref().map(|ahead| ahead.assets.clone());
         read.unwrap_or_else(|| Assets::from_files(self.store.clone()))

@@ -1,4 +1,4 @@
-//! Changes of the document, and what they make of the scene.
+//! Changes to the document, and updates of the scene.
 
 use cutaway::scene::{PlaneSpec, Viewpoint};
 use cutaway::{Error, Result};
@@ -15,7 +15,7 @@ use crate::picture::camera::{self, CameraMove};
 use crate::picture::shown::Shown;
 
 impl State {
-    /// Changes the document, as far as keys move it at the moment that is shown, by something that may fail, in which case nothing
+    /// Applies a fallible edit to the document's pose at the displayed time; on failure nothing
     /// changes.
     pub(super) fn edit(
         &mut self,
@@ -39,7 +39,7 @@ impl State {
         })
     }
 
-    /// Changes the document as it is at rest, by something that may fail, in which case nothing changes.
+    /// Applies a fallible edit to the document's rest values; on failure nothing changes.
     pub(super) fn change(
         &mut self,
         gesture: Option<String>,
@@ -56,20 +56,20 @@ impl State {
         Ok(())
     }
 
-    /// Switches to another document; it is prepared from scratch if new, otherwise by an update of the present scene.
+    /// Switches to another document; a new one is prepared from scratch, otherwise the present scene is updated.
     pub(super) fn show(&mut self, document: Document, is_new: bool) -> Result<()> {
         let last = self.shown.as_ref().filter(|_| !is_new);
         let ahead = self.ahead.as_ref().and_then(|ahead| ahead.shown.as_ref());
         let alike = last.or(ahead);
         let mut shown = Shown::open(&document, &mut self.assets, self.time_s, alike)?;
-        // Angles that are to be found are found once: a cut that is turned does not turn the eye.
+        // Automatic angles are chosen only once: turning a cut does not turn the eye.
         if let (Some(shown), Some(last)) = (&mut shown, last)
             && document.root().get("camera") == self.document.root().get("camera")
         {
             shown.scene.camera = last.scene.camera;
         }
         (self.document, self.shown) = (document, shown);
-        // What does not move has no moment.
+        // A scene without animation has no time.
         let moves = (self.shown.as_ref()).is_some_and(|shown| shown.timeline.moves());
         self.time_s = self.time_s.filter(|_| moves);
         self.scene_revision += 1;
@@ -77,13 +77,13 @@ impl State {
         Ok(())
     }
 
-    /// A document seen from where the eye is now.
+    /// A document with the present eye.
     pub(super) fn seen_from_here(&self, mut document: Document) -> Result<Document> {
         if let Some(camera) = self.document.root().get("camera").cloned() {
             let before = document.clone();
             document.remove("camera")?;
             document.set_node("camera", camera)?;
-            // What keys move has to be there, and is theirs.
+            // A value moved by keys has to exist, and stays as the keys set it.
             for track in timeline::tracks(&before) {
                 if document.get(&track.target).is_err()
                     && let Ok(held) = before.get(&track.target)
@@ -95,7 +95,7 @@ impl State {
         Ok(document)
     }
 
-    /// Goes to a document of the history, seen from where the eye is now.
+    /// Goes to a document of the history, with the present eye.
     pub(super) fn go_to(&mut self, document: Document) -> Result<()> {
         let document = self.seen_from_here(document)?;
         self.show(document, false)?;
@@ -111,7 +111,7 @@ impl State {
             return Ok(());
         };
         self.go_to(Document::clone(&before)).inspect_err(|_| {
-            // What cannot be gone to stays where it is in the history.
+            // A document that fails to open stays in the history.
             let _ = self.history.redo(&before);
         })
     }
@@ -125,7 +125,7 @@ impl State {
         })
     }
 
-    /// Puts the plane of the selected cut, or a new one, through a point.
+    /// Moves the selected cut's plane, or a new one, through a point.
     pub(super) fn cut_through(&mut self, point: DVec3, normal: DVec3) -> Result<()> {
         if let Selection::Cut(_) = self.selection {
             return self.move_plane(PlaneMove::Through(point, normal));
@@ -216,7 +216,7 @@ impl State {
             };
         }
         camera::move_camera(&mut moved, by);
-        // The eye is where the document says it is, to the last digit.
+        // The eye equals the document's, to the last digit.
         camera::round(&mut moved);
         camera::write(&moved, &mut self.document)?;
         shown.scene.camera = moved;

@@ -1,4 +1,4 @@
-//! Files that are taken in.
+//! Opening and reloading of files.
 
 use std::path::{Path, PathBuf};
 
@@ -12,7 +12,7 @@ use crate::notice::Notice;
 use crate::picture::slot::SlotSide;
 use crate::storage::files;
 
-/// The files that a document is made of at its top: itself, or the meshes of one that has no file.
+/// A document's top-level files: its own file, or its meshes if it has none.
 pub(super) fn files_of(document: &Document) -> Vec<PathBuf> {
     if !document.path().as_os_str().is_empty() {
         return vec![document.path().to_owned()];
@@ -23,7 +23,7 @@ pub(super) fn files_of(document: &Document) -> Vec<PathBuf> {
 }
 
 impl State {
-    /// Takes files in.
+    /// Opens files.
     pub(super) fn take(&mut self, paths: &[PathBuf]) -> Result<()> {
         for path in paths {
             match files::kind(path)? {
@@ -84,7 +84,7 @@ impl State {
         })
     }
 
-    /// Reads all files again. The scene itself is read again only if nothing but the eye was changed here.
+    /// Reloads all files. The scene file itself is reloaded only if nothing but the eye was changed here.
     pub(super) fn reload(&mut self) -> Result<()> {
         let mut document = self.document.clone();
         let path = document.path().to_owned();
@@ -106,7 +106,7 @@ impl State {
         let fresh = self.fresh_assets();
         let assets = std::mem::replace(&mut self.assets, fresh);
         if let Err(error) = self.show(document, true) {
-            // What was read before is still good.
+            // The files read before are still valid.
             self.assets = assets;
             return Err(error);
         }
@@ -123,7 +123,7 @@ impl State {
         self.is_changed() && self.is_changed_beside_the_eye().unwrap_or(true)
     }
 
-    /// Returns true if the document differs from its file in anything but the eye.
+    /// Returns true if the document differs from its file in more than the eye.
     fn is_changed_beside_the_eye(&self) -> Result<bool> {
         let mut both = [self.document.clone(), self.saved.clone()];
         for document in &mut both {

@@ -1,4 +1,4 @@
-//! Keys that are added and taken away, and the document at the moment that is shown.
+//! Adding and removing keys, and the document at the displayed time.
 
 use cutaway::scene::{Bounds, Camera};
 use cutaway::{Error, Result};
@@ -10,7 +10,7 @@ use crate::editing::timeline;
 const FIRST_DURATION_S: f64 = 2.0;
 
 impl State {
-    /// Takes what keys move to where it is at the moment that is shown.
+    /// Updates the pose to the displayed time.
     pub(super) fn pose(&mut self) {
         self.posed = None;
         let (Some(shown), Some(time_s)) = (&self.shown, self.time_s) else {
@@ -23,7 +23,7 @@ impl State {
         }
     }
 
-    /// The box of the model and the eye, which keys are relative to.
+    /// The model's bounding box and the eye, which keys are relative to.
     fn seen(&self) -> Result<(Bounds, Camera)> {
         let Some(shown) = &self.shown else {
             let help = "open a file: drop it into the window";
@@ -32,7 +32,7 @@ impl State {
         Ok((shown.scene.bounds(), shown.scene.camera))
     }
 
-    /// Puts keys of what is selected at some times, with the values of the moment that is shown.
+    /// Adds keys for the selection at some times, with the values at the displayed time.
     fn put_keys(&mut self, times_s: &[f64]) -> Result<()> {
         let (bounds, eye) = self.seen()?;
         let selection = self.selection;
@@ -40,7 +40,7 @@ impl State {
         timeline::prepare(&mut posed, selection, (&bounds, &eye))?;
         let targets = timeline::targets(&posed, selection, (&bounds, &eye))?;
         self.change(None, |document| {
-            // Of what has keys already the numbers are there, and those at rest stay.
+            // Targets that already have keys are numbers already, and keep their rest values.
             if targets
                 .iter()
                 .any(|(path, _)| !timeline::is_target(document, path))
@@ -67,7 +67,7 @@ impl State {
 
     pub(super) fn remove_key(&mut self, key: [usize; 2]) -> Result<()> {
         self.change(None, |document| timeline::remove(document, key))?;
-        // Where nothing moves any more the scene is at rest.
+        // Without any keys left the scene has no time.
         if !self
             .shown
             .as_ref()
@@ -79,7 +79,7 @@ impl State {
         Ok(())
     }
 
-    /// Shows a moment.
+    /// Displays a time.
     pub(super) fn seek(&mut self, time_s: f64) -> Result<()> {
         if let Some(shown) = &mut self.shown {
             shown.seek(time_s)?;

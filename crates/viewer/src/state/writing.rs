@@ -1,6 +1,6 @@
-//! Written files: the scene, and the rules for other files written in addition to it.
+//! Saving the scene, and the rules for all other files written.
 //!
-//! No file replaces an input of the scene, and none replaces another unasked, but the scene that was read.
+//! No file replaces an input of the scene, and none replaces an existing file unasked, except the scene's own file.
 
 use std::path::{Component, Path, PathBuf};
 
@@ -13,7 +13,7 @@ use super::State;
 use crate::notice::Notice;
 
 impl State {
-    /// The name of the file that the scene goes to, until another is given: its own, or that of its first model.
+    /// Default name for saving the scene: its own, or one from its first model.
     pub fn usual_file(&self) -> PathBuf {
         let own = self.document.path();
         if !own.as_os_str().is_empty() {
@@ -30,17 +30,17 @@ impl State {
         name.with_extension("toml")
     }
 
-    /// Returns true if a write would replace a file that the scene was not read from, or that has changed since.
+    /// Returns true if a write would replace a file other than the scene's own, or one that has changed since.
     pub fn replaces(&self, path: &Path) -> bool {
         let path = &*place_of(path);
         let is_own = self.is_own(path);
-        // By the name that the scene has for it: a document holds its own.
+        // Looked up by the scene's name for it, which the document stores.
         let on_disk = || Document::read_from(self.document.path(), &*self.store).ok();
         self.store.is_file(path) && !(is_own && on_disk().is_some_and(|there| there == self.saved))
     }
 
-    /// Refuses to write where the scene has an input: a mesh, an image, a file that one of them names. Where a file is in the way, and not
-    /// that of the scene, the meshes are read for what they name.
+    /// Refuses to overwrite an input of the scene: a mesh, an image, or a file that one of them names. If a file exists there, other than
+    /// the scene's own, the meshes are read to find the files that they name.
     ///
     /// # Errors
     ///
@@ -63,13 +63,13 @@ impl State {
         }
     }
 
-    /// Returns true if a file is that of the scene.
+    /// Returns true if a file is the scene's own.
     pub fn is_own(&self, path: &Path) -> bool {
         let own = self.document.path();
         !own.as_os_str().is_empty() && self.store.is_one(own, path)
     }
 
-    /// Writes the document to a file, with the painter of the first slot, and continues with that.
+    /// Saves the document to a file, with the first slot's renderer, and continues with that file.
     pub(super) fn save(&mut self, path: &Path) -> Result<()> {
         if self.replaces(path) {
             let what = match self.is_own(path) {
@@ -82,10 +82,10 @@ impl State {
         self.save_over(path)
     }
 
-    /// As [`State::save`], where another file may be in the way.
+    /// As [`State::save`], but may replace an existing file.
     pub(super) fn save_over(&mut self, path: &Path) -> Result<()> {
         self.must_not_be_read(path)?;
-        // A way back from a folder that is not there can be written through, but not read: the scene gets the name of the place.
+        // A path with `..` after a missing folder can be written but not read, so the scene gets the resolved path.
         let goes_back = path.components().any(|step| step == Component::ParentDir);
         let place = goes_back.then(|| place_of(path));
         let path = place.as_deref().unwrap_or(path);

@@ -1,4 +1,4 @@
-//! Files of the disk, written as the command writes them.
+//! Files on disk, written as by the command.
 
 use std::path::Path;
 

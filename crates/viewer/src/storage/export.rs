@@ -1,5 +1,5 @@
-//! Pictures, films and drawings of the scene as files, made by the command in a process of its own: what is exported is what the command
-//! would make, the window goes on meanwhile, and an end leaves no half of a file.
+//! Export of pictures, films and drawings, by the command in a separate process: the result is what the command
+//! would write, the window stays usable meanwhile, and cancelling leaves no partial file.
 
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -14,22 +14,22 @@ use crate::notice::Notice;
 /// Supersampling factor of exported pictures, relative to the window.
 const SUPERSAMPLE: &str = "2";
 
-/// A file that is being made.
+/// An export in progress.
 #[derive(Debug)]
 pub struct Export {
     child: Child,
     path: PathBuf,
     made: PathBuf,
-    /// Holds the scene that the command reads.
+    /// Folder with the scene that the command reads.
     _folder: tempfile::TempDir,
 }
 
 impl Export {
-    /// Begins a file: a picture (.png), a film (.gif, .apng, .mp4) or the outlines of its sections (.svg), by the ending of its name.
+    /// Begins an export: a picture (.png), a film (.gif, .apng, .mp4) or section outlines (.svg), by extension.
     ///
     /// # Errors
     ///
-    /// Another ending, or a process that cannot be started.
+    /// Another extension, or a process that cannot be started.
     pub fn begin(
         program: &Path,
         document: &Document,
@@ -68,7 +68,7 @@ impl Export {
         };
         let folder = tempfile::tempdir().map_err(fault)?;
         let scene = folder.path().join("scene.toml");
-        // Made here, and put into its place when it is whole.
+        // Written here, and moved to its destination when complete.
         let made = folder.path().join(format!("made.{ending}"));
         write_file(&scene, document.moved_to(&scene)?.to_string().as_bytes())?;
         let (subcommand, options) = (words[0], &words[1..]);
@@ -107,7 +107,7 @@ impl Export {
         }
         let mut text = String::new();
         if let Some(stderr) = &mut self.child.stderr {
-            // What it said is all there is to tell; without it the status must do.
+            // Report the process's messages or, without any, its exit status.
             let _ = stderr.read_to_string(&mut text);
         }
         let text = text.trim().trim_start_matches("error: ").to_owned();
@@ -120,9 +120,9 @@ impl Export {
         })
     }
 
-    /// Ends it before it is done.
+    /// Cancels the export.
     pub fn cancel(&mut self) {
-        // One that has ended by itself needs no end.
+        // Fails harmlessly if the process has already ended.
         let _ = self.child.kill();
         let _ = self.child.wait();
     }

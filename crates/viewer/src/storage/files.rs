@@ -1,4 +1,4 @@
-//! Files by what they are to the viewer, and where they are kept: on the disk, or in the memory of a page.
+//! Kinds of files for the viewer, and their storage: on disk, or in a page's memory.
 
 use std::path::Path;
 
@@ -7,20 +7,20 @@ use cutaway_io::load::{Files, place_of};
 
 /// Storage that files are read from and written to.
 pub trait Store: Files {
-    /// Writes a file that is there whole or not at all.
+    /// Writes a file completely or not at all.
     ///
     /// # Errors
     ///
-    /// A place that takes no file.
+    /// A path that cannot be written.
     fn write(&self, path: &Path, bytes: &[u8]) -> Result<()>;
 
-    /// Returns true if two paths lead to one file.
+    /// Returns true if two paths lead to the same file.
     fn is_one(&self, a: &Path, b: &Path) -> bool {
         place_of(a) == place_of(b)
     }
 }
 
-/// Kind of a file, by its name.
+/// Kind of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// A scene file.
@@ -31,10 +31,10 @@ pub enum Kind {
     Image,
 }
 
-/// Endings of names of meshes.
+/// Mesh extensions.
 const MODELS: [&str; 6] = ["obj", "stl", "ply", "glb", "gltf", "3mf"];
 
-/// Endings of names of images.
+/// Image extensions.
 const IMAGES: [&str; 11] = [
     "png", "jpg", "jpeg", "tif", "tiff", "bmp", "pgm", "ppm", "pnm", "tga", "exr",
 ];
@@ -43,7 +43,7 @@ const IMAGES: [&str; 11] = [
 ///
 /// # Errors
 ///
-/// A name of no known kind.
+/// A name without a known extension.
 pub fn kind(path: &Path) -> Result<Kind> {
     let name = path.to_string_lossy().to_lowercase();
     if name.starts_with("shape:") {

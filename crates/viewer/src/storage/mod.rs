@@ -1,4 +1,4 @@
-//! Files of the window: opened, watched, remembered and written.
+//! Files of the window: opening, watching, recent files and saving.
 
 #[cfg(not(target_arch = "wasm32"))]
 pub mod disk;

@@ -1,9 +1,9 @@
-//! Files opened in the background, on a copy of the state, which the state [takes over](State::take_over) when it is done. One
+//! Files are opened in the background, on a copy of the state, which the state [takes over](State::take_over) when done. One
 //! action at a time is carried out; others wait.
 //!
-//! Cost for the window: a copy of the state, and at the end nothing, or a change of the document where something else was done meanwhile.
+//! Cost for the window: a copy of the state, plus a document change at the end if the state has changed meanwhile.
 //!
-//! Cannot: end the reading of a file; of what is cancelled the result is dropped. On a page, which has no threads, nothing is opened so.
+//! Cannot: abort reading a file; cancelling only drops the result. Not used in a browser, which has no threads.
 
 use std::collections::VecDeque;
 use std::path::PathBuf;
@@ -15,7 +15,7 @@ use crate::action::Action;
 use crate::beside::beside;
 use crate::state::{Moment, State};
 
-/// The opening under way, and the actions that wait for it.
+/// The opening in progress, and the actions that wait for it.
 #[derive(Debug, Default)]
 pub struct Opening {
     waits: VecDeque<Action>,
@@ -30,12 +30,12 @@ struct UnderWay {
 }
 
 impl Opening {
-    /// Returns true if an action is to be carried out in the background.
+    /// Returns true if an action has to be carried out in the background.
     pub fn is_for(action: &Action) -> bool {
         cfg!(not(target_arch = "wasm32")) && matches!(action, Action::Take(_) | Action::Reload)
     }
 
-    /// Has an action carried out.
+    /// Starts or queues an action.
     pub fn ask(&mut self, action: Action) {
         // Files that are read again once are up to date.
         if action != Action::Reload || !self.waits.contains(&action) {
@@ -43,12 +43,12 @@ impl Opening {
         }
     }
 
-    /// Returns true if something is under way or waits.
+    /// Returns true if an action is in progress or waits.
     pub fn is_busy(&self) -> bool {
         self.under_way.is_some() || !self.waits.is_empty()
     }
 
-    /// Description of the opening under way.
+    /// Description of the opening in progress.
     pub fn what(&self) -> Option<String> {
         let name = |path: &PathBuf| {
             let name = path.file_name().unwrap_or(path.as_os_str());
@@ -63,13 +63,13 @@ impl Opening {
         }
     }
 
-    /// Drops what is under way, and goes on with what waits.
+    /// Drops the action in progress, and goes on with the next.
     pub fn cancel(&mut self) {
         self.under_way = None;
     }
 
-    /// Takes over what is done, and begins what waits; `wake` is called when there is something to be taken over. Whether the state is
-    /// another one, which is preclassified.
+    /// Takes over finished actions, and begins waiting ones; `wake` is called when a result is ready. Returns true if the state was
+    /// replaced by an already prepared one.
     pub fn go_on(&mut self, state: &mut State, wake: impl FnOnce() + Send + 'static) -> bool {
         let is_another = self.take_over(state);
         if self.under_way.is_none()

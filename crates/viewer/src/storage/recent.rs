@@ -1,9 +1,9 @@
-//! Files that were opened last, in a small text of the user: a line for each, the newest first.
+//! Recently opened files, in a small text file per user: one line each, the newest first.
 //!
-//! It is read again before it is written, for another window may have written it, and is there whole or not at all. Two windows that
-//! write at once take turns by a lock on a file next to it. A window waits 0.1 s at most for the lock.
+//! The list is read again before it is written, as another window may have changed it, and is written completely or not at all. Windows
+//! that write at the same time take turns by a lock on a file next to it. A window waits at most 0.1 s for the lock.
 //!
-//! Cannot: keep a name with a line break in it, nor, on other systems than Unix, one that is no Unicode.
+//! Cannot: store a name with a line break, nor, on systems other than Unix, a name that is not Unicode.
 
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
@@ -13,14 +13,14 @@ use std::{env, fs, thread};
 use cutaway::{Error, Result};
 use cutaway_cli::write_file;
 
-/// So many are kept.
+/// Maximum number of files kept.
 const MOST: usize = 8;
 
 /// Maximum number of attempts to take the lock, and the delay after each.
 const TRIES: usize = 20;
 const BETWEEN_TRIES: Duration = Duration::from_millis(5);
 
-/// The files that were opened last.
+/// The recently opened files.
 #[derive(Clone, Debug)]
 pub struct Recent {
     file: PathBuf,
@@ -39,7 +39,7 @@ impl Recent {
         Some(state?.join("cutaway/recent"))
     }
 
-    /// Reads a text; one that is not there has no files.
+    /// Reads the list; a missing one is empty.
     pub fn read(file: impl Into<PathBuf>) -> Self {
         let file = file.into();
         let paths = lines_of(&file);
@@ -55,7 +55,7 @@ impl Recent {
     ///
     /// # Errors
     ///
-    /// A text that cannot be written.
+    /// A list that cannot be written.
     pub fn add(&mut self, path: &Path) -> Result<()> {
         let path = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
         self.change(|paths| {
@@ -65,11 +65,11 @@ impl Recent {
         })
     }
 
-    /// Leaves a file out.
+    /// Removes a file.
     ///
     /// # Errors
     ///
-    /// A text that cannot be written.
+    /// A list that cannot be written.
     pub fn forget(&mut self, path: &Path) -> Result<()> {
         self.change(|paths| paths.retain(|held| held != path))
     }
@@ -90,7 +90,7 @@ impl Recent {
     }
 }
 
-/// A lock that other windows respect, as long as it is held; without it the list is written all the same.
+/// A lock that other windows respect while it is held; the list is written even without it.
 fn locked(file: &Path) -> Option<fs::File> {
     let file = fs::File::create(file).ok()?;
     for _ in 0..TRIES {
@@ -102,7 +102,7 @@ fn locked(file: &Path) -> Option<fs::File> {
     None
 }
 
-/// A line of the text; nothing for a name that is two lines.
+/// A line of the list; `None` for a name with a line break.
 fn line_of(path: &Path) -> Vec<u8> {
     #[cfg(unix)]
     let name = std::os::unix::ffi::OsStrExt::as_bytes(path.as_os_str()).to_vec();
@@ -114,7 +114,7 @@ fn line_of(path: &Path) -> Vec<u8> {
     }
 }
 
-/// The files that a text names.
+/// The files in a list.
 fn lines_of(file: &Path) -> Vec<PathBuf> {
     let text = fs::read(file).unwrap_or_default();
     let lines = text.split(|byte| *byte == b'\n');
@@ -123,7 +123,7 @@ fn lines_of(file: &Path) -> Vec<PathBuf> {
     named.filter_map(path_of).take(MOST).collect()
 }
 
-/// The file that a line names.
+/// The file in a line.
 fn path_of(line: &[u8]) -> Option<PathBuf> {
     #[cfg(unix)]
     let name: Option<&OsStr> = Some(std::os::unix::ffi::OsStrExt::from_bytes(line));

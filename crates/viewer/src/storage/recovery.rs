@@ -1,4 +1,4 @@
-//! The scene of a program that cannot continue, in a file next to the list of recent files.
+//! Recovery of the scene when the program cannot continue, in a file next to the list of recent files.
 
 use std::path::{Path, PathBuf};
 use std::{fs, process};
@@ -9,11 +9,11 @@ use cutaway_cli::write_file;
 use crate::state::State;
 use crate::storage::recent::Recent;
 
-/// Writes a scene with changes that no file has into a file of its own, and says into which; a scene without such changes is in its file.
+/// Writes a scene with unsaved changes to a separate file, and returns its path; a scene without such changes is in its own file.
 ///
 /// # Errors
 ///
-/// A folder that takes no file.
+/// A folder that cannot be written.
 pub fn keep(state: &State) -> Result<Option<PathBuf>> {
     if !state.has_unsaved_changes() {
         return Ok(None);

@@ -1,10 +1,10 @@
-//! Files that are watched: whether one of them was written since it was read. Asked once in a while, it costs a look at the folder's entries.
+//! Watched files: whether one was written since it was read. Polled from time to time; a poll reads the files' metadata.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
-/// When files were last written.
+/// Modification times of files.
 #[derive(Debug, Default)]
 pub struct Watch(BTreeMap<PathBuf, SystemTime>);
 
@@ -13,7 +13,7 @@ impl Watch {
     pub fn has_changed<'a>(&mut self, files: impl Iterator<Item = &'a Path>) -> bool {
         let mut has_changed = false;
         for file in files {
-            // One that is gone is about to be written again.
+            // A missing file is probably about to be rewritten.
             let Ok(written) = file.metadata().and_then(|m| m.modified()) else {
                 continue;
             };

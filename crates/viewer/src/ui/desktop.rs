@@ -26,12 +26,12 @@ impl Outside {
 }
 
 impl Viewer {
-    /// Lets another program export, for one that is no `cutaway` itself.
+    /// Sets another program for exports, for hosts that are not `cutaway` themselves.
     pub fn export_by(&mut self, program: impl Into<PathBuf>) {
         self.outside.program = Some(program.into());
     }
 
-    /// Takes in what was dropped, and what came of an export.
+    /// Handles dropped files and finished exports.
     pub(super) fn look_outside(&mut self, ctx: &Context, actions: &mut Vec<Action>) {
         let dropped = ctx.input(|input| input.raw.dropped_files.clone());
         let paths: Vec<PathBuf> = dropped
@@ -47,7 +47,7 @@ impl Viewer {
         }
     }
 
-    /// Has files named that are opened.
+    /// Opens the dialog for a file to open.
     pub(super) fn ask_for_files(&mut self, _: &Context) {
         self.asks = Some(Asks::open());
     }

@@ -13,7 +13,7 @@ use crate::picture::slot::{Layout, SlotSide};
 /// Samples along each side of a pixel where a document specifies none; exported pictures use the same default.
 const USUAL_SAMPLES: u32 = 2;
 
-/// Most of them: as many layers of a picture are kept until all are there.
+/// Maximum number: each sample is a texture layer, kept until all are complete.
 const MOST_SAMPLES: u32 = 3;
 
 /// State of the last frame drawn.
@@ -52,7 +52,7 @@ impl Viewer {
         let drawn = self.last.map_or([None; 2], |last| last.renderers);
         let is_refused = |side: SlotSide| self.screen.refusal(side).is_some();
         let seen = || drawn.iter().flatten();
-        // What is compared has one sample a pixel everywhere: the reference has, and a difference is of pixels, not of means.
+        // Comparisons use one sample per pixel, as the reference does, and a difference compares pixels, not means.
         let is_compared = self.state.layout() == Layout::Difference
             || seen().any(|renderer| renderer.method().is_none());
         let is_idle = seen().next().is_none() || SlotSide::BOTH.into_iter().all(is_refused);
@@ -62,7 +62,7 @@ impl Viewer {
         }
     }
 
-    /// Draws what has changed, as finely as there is time for.
+    /// Draws changed slots, as finely as the time budget allows.
     pub(super) fn draw(&mut self, ctx: &Context) {
         if let Err(error) = self.try_draw(ctx) {
             self.toasts.add(ctx, error.into());

@@ -11,7 +11,7 @@ use crate::state::State;
 
 const COLOR: Color32 = Color32::from_rgb(230, 120, 30);
 const LIT: Color32 = Color32::from_rgb(255, 214, 64);
-/// Behind a handle, so that it is seen on any cap.
+/// Colour behind a handle, so that it is visible on any cap.
 const RIM: Color32 = Color32::from_rgb(40, 24, 10);
 
 /// The handles of the selected cut, in points of a picture.
@@ -29,7 +29,7 @@ pub(super) fn in_picture(picture: Rect, at: Pos2) -> DVec2 {
     DVec2::new(f64::from(at.x), f64::from(at.y))
 }
 
-/// Paints them over a picture, with what the one does that is lit.
+/// Paints the handles over a picture, with the help text of the highlighted one.
 pub(super) fn paint(painter: &Painter, picture: Rect, gizmo: &Gizmo, lit: Option<Grip>) {
     let at = |p: &DVec2| picture.min + vec2(p.x as f32, p.y as f32);
     for line in &gizmo.outlines {

@@ -1,4 +1,4 @@
-//! Results of the judge: error marks, counts, and pictures of slots that are drawn on the CPU.
+//! Results of the judge: error marks, counts, and pictures of slots drawn on the CPU.
 
 use cutaway_lab::compare::Comparison;
 use cutaway_lab::experiment::Renderer;
@@ -32,12 +32,12 @@ struct JudgedSubject {
     wants_errors: bool,
 }
 
-/// The judge, and what it has answered.
+/// The judge, and its answers.
 #[derive(Default)]
 pub(super) struct Judged {
     judge: Option<Judge>,
     latest: Latest<JudgedSubject>,
-    /// The picture that the last question was about.
+    /// The picture of the last question.
     subject: Option<Subject>,
     errors: [Errors; 2],
     /// Per slot drawn on the CPU: the id of the question of its picture, and the divisor of its resolution.
@@ -57,7 +57,7 @@ impl Judged {
         let is_on_cpu = |r: &Renderer| r.method().is_none();
         let paints = renderers.iter().flatten().any(is_on_cpu);
         let is_needed = wants_errors || paints;
-        // Hatches make a difference to pictures, and none to errors.
+        // Hatches affect pictures, but not errors.
         let is_preclassified = paints && is_preclassified;
         let about = JudgedSubject {
             revision: state.revision(),
@@ -92,7 +92,7 @@ impl Judged {
         self.judge.iter().flat_map(Judge::findings).collect()
     }
 
-    /// Takes in what was answered since; whether a picture has come.
+    /// Receives new answers. Returns true if one of them is a picture.
     pub(super) fn take_in(&mut self, ctx: &Context, state: &State, screen: &mut Screen) {
         let answers: Vec<Answer> = self.judge.iter().flat_map(Judge::answers).collect();
         for Answer {
@@ -147,7 +147,7 @@ impl Judged {
         self.latest.about()?.renderers[side.index()]
     }
 
-    /// The marks of what is wrong in a slot, and whether it is of what is seen now.
+    /// Error marks of a slot; true if they belong to the visible picture.
     pub(super) fn marks(&self, side: SlotSide) -> Option<(&TextureHandle, bool)> {
         let errors = &self.errors[side.index()];
         errors
@@ -182,7 +182,7 @@ impl Judged {
         SlotSide::BOTH.into_iter().any(is_open)
     }
 
-    /// The counts of a slot, at which resolution.
+    /// Error counts of a slot, with their resolution divisor.
     pub(super) fn counts(&self, side: SlotSide) -> Option<(&Comparison, u32)> {
         let errors = &self.errors[side.index()];
         let is_known = errors.marks.is_some() && errors.id == self.latest.id();

@@ -15,7 +15,7 @@ impl<T> Default for Latest<T> {
 }
 
 impl<T: PartialEq> Latest<T> {
-    /// The number of a new question, if it is about something else than the last one.
+    /// The number of a new question, if its subject differs from the last one's.
     pub(super) fn ask(&mut self, about: T) -> Option<u64> {
         if self.about.as_ref() == Some(&about) {
             return None;

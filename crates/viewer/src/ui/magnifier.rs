@@ -1,4 +1,4 @@
-//! A pixel that was clicked while errors are shown: its neighbourhood as the slots and the reference show it, and what its ray crosses.
+//! Magnifier of a pixel clicked while errors are shown: its neighbourhood in the slots and the reference, and its ray's crossings.
 //!
 //! The window follows the picture: when the scene has changed and rests, the same pixel is queried again.
 
@@ -37,7 +37,7 @@ struct MagnifiedSubject {
 struct Answered {
     id: u64,
     magnified: Result<Magnified, String>,
-    /// Those of the neighbourhoods that have a picture.
+    /// Textures of the neighbourhoods that have a picture.
     pictures: Vec<Option<TextureHandle>>,
 }
 
@@ -73,7 +73,7 @@ impl Magnifier {
         self.at_px.is_some() && !is_answered
     }
 
-    /// Takes in an answer.
+    /// Receives an answer.
     pub(super) fn take_in(&mut self, ctx: &Context, id: u64, magnified: Result<Magnified, String>) {
         if id != self.latest.id() {
             return;

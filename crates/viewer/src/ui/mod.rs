@@ -1,5 +1,5 @@
-//! All of the window: panels around the picture. Panels read the [`State`] and say what is to be done; nothing but [`Viewer::show`] does
-//! it.
+//! The whole window: panels around the picture. Panels read the [`State`] and return actions; only [`Viewer::show`] carries them
+//! out.
 
 #[cfg(not(target_arch = "wasm32"))]
 mod desktop;
@@ -67,7 +67,7 @@ pub struct Viewer {
     last: Option<Last>,
     /// The revision last seen, and the time since when, on egui's clock in seconds.
     changed: (u64, f64),
-    /// The revision that is prepared as a picture would be.
+    /// The revision prepared as for an exported picture.
     preclassified: Option<u64>,
     held: Held,
     flickers: bool,
@@ -77,7 +77,7 @@ pub struct Viewer {
     magnifier: Magnifier,
     chart: Chart,
     costs: Costs,
-    /// The files of the scene, and when they were last looked at.
+    /// The scene's files, and the time of the last check.
     watch: (Watch, f64),
     outside: Outside,
     shows_keys: bool,
@@ -100,7 +100,7 @@ pub struct Viewer {
 }
 
 impl Viewer {
-    /// Shows a state, on the device that egui draws with.
+    /// Creates the window of a state, on egui's device.
     ///
     /// # Errors
     ///
@@ -109,7 +109,7 @@ impl Viewer {
         Ok(Self::with(Screen::on(host)?, state))
     }
 
-    /// Shows a state by a screen.
+    /// Creates the window of a state, with a screen.
     pub fn with(screen: Screen, state: State) -> Self {
         Self {
             state,
@@ -148,7 +148,7 @@ impl Viewer {
         }
     }
 
-    /// The same in a window with another device, in the place of one that is lost: keeps the scene, its history, and the work in the
+    /// Continues in a window with another device after a loss: keeps the scene, its history, and the work in the
     /// background. Everything that the lost device has drawn is redrawn.
     #[must_use]
     pub fn reopened_on(self, screen: Screen) -> Self {
@@ -164,7 +164,7 @@ impl Viewer {
         reopened.state.tell(Notice {
             text: "The graphics device was lost. It has been opened again; the scene is whole."
                 .to_owned(),
-            // It stays until it is closed: a driver that does so is worth a look.
+            // It stays until it is closed, because the driver needs attention.
             is_error: true,
         });
         reopened
@@ -222,7 +222,7 @@ impl Viewer {
         self.is_drawing() || self.is_refining() || is_asked || is_outside
     }
 
-    /// Carries out an action, as a button would have it done.
+    /// Carries out an action, as a button does.
     pub fn apply(&mut self, action: Action) {
         match Opening::is_for(&action) {
             true => self.opening.ask(action),
@@ -263,7 +263,7 @@ impl Viewer {
         self.inspect(&ctx);
         self.keys(&ctx, &mut actions);
         Panel::top("menu").show(ui, |ui| self.menu(ui, &mut actions));
-        // Of one height, whatever it says: the picture does not change its size with the counts.
+        // Fixed height, so that the picture's size does not depend on the counts.
         Panel::bottom("compare").exact_size(84.0).show(ui, |ui| {
             let windows = (&mut self.chart.is_asked, &mut self.costs.is_open);
             let pictures = (&self.screen, &self.judged);
@@ -271,7 +271,7 @@ impl Viewer {
             ui.label(self.pointing.sentence());
         });
         if self.state.shown().is_some_and(|s| s.timeline.moves()) {
-            // Of a size of its own, or the picture would change its size with what the keys say.
+            // Fixed size, so that the picture's size does not depend on the keys.
             let height = panels::time::height(&self.state);
             Panel::bottom("time").exact_size(height).show(ui, |ui| {
                 let strip = (&mut self.plays, &mut self.strip);
@@ -282,12 +282,12 @@ impl Viewer {
             panels::scene::show(ui, &self.state, &self.badges, &mut actions);
         });
         Panel::right("properties")
-            // As wide as what it can hold: the picture does not change its size with the selection.
+            // As wide as its widest content, so that the picture's size does not depend on the selection.
             .size_range(300.0..=600.0)
             .show(ui, |ui| {
                 panels::properties::show(ui, &self.state, &mut actions);
             });
-        // What panels hold is let go with the pointer.
+        // Releasing the pointer ends the gestures of panels.
         if ctx.input(|input| input.pointer.any_released()) {
             actions.push(Action::Release);
         }
@@ -335,7 +335,7 @@ impl Viewer {
         }
     }
 
-    /// Asks the judge what open windows want to know.
+    /// Sends the questions of open windows to the judge.
     fn ask_the_judge(&mut self, ctx: &Context) {
         self.magnify(ctx);
         self.survey(ctx);

@@ -42,7 +42,7 @@ impl Outside {
         self.under_way.get() > 0 || !self.come.borrow().is_empty()
     }
 
-    /// Has something come, later.
+    /// Delivers something later.
     fn await_it(&self, ctx: &Context, what: impl Future<Output = Come> + 'static) {
         let (own, ctx) = (self.clone(), ctx.clone());
         own.under_way.set(own.under_way.get() + 1);
@@ -124,7 +124,7 @@ fn unreadable(path: &Path, why: &str) -> Come {
     Come::Told(Error::file(path, format!("the browser cannot read it: {why}"), help).into())
 }
 
-/// Those that are taken in: of a scene and what it names, the scene; of a mesh and what it names, the mesh.
+/// The files to open: of a scene with its files, the scene; of a mesh with its files, the mesh.
 fn taken(paths: Vec<PathBuf>) -> Vec<PathBuf> {
     let of = |kind| move |path: &&PathBuf| files::kind(path).is_ok_and(|k| k == kind);
     for kind in [Kind::Scene, Kind::Model] {
@@ -137,7 +137,7 @@ fn taken(paths: Vec<PathBuf>) -> Vec<PathBuf> {
 }
 
 impl Viewer {
-    /// Takes in what was dropped, and what has come.
+    /// Handles dropped files and deliveries.
     pub(super) fn look_outside(&mut self, ctx: &Context, actions: &mut Vec<Action>) {
         let dropped = ctx.input(|input| input.raw.dropped_files.clone());
         if !dropped.is_empty() {
@@ -158,7 +158,7 @@ impl Viewer {
         }
     }
 
-    /// Has files chosen that are opened.
+    /// Lets the user choose files to open.
     pub(super) fn ask_for_files(&mut self, ctx: &Context) {
         if let Err(why) = self.choose_files(ctx) {
             let text = format!("the browser does not let files be chosen: {why:?}");
@@ -167,7 +167,7 @@ impl Viewer {
         }
     }
 
-    /// Has the picture of slot A downloaded, as it is seen.
+    /// Downloads the picture of slot A, as displayed.
     pub(super) fn begin_export(&mut self, ctx: &Context, path: &Path) {
         if path.extension().is_none_or(|ending| ending != "png") {
             let what = "a page exports pictures (.png)";

@@ -15,7 +15,7 @@ use crate::storage::files::Store;
 
 type File = (PathBuf, Arc<[u8]>);
 
-/// Files in memory, in order of their coming; of two with one name only the newer has its bytes.
+/// Files in memory, in order of arrival; of two with the same name only the newer keeps its bytes.
 #[derive(Debug, Default)]
 pub struct PageFiles(Mutex<Vec<File>>);
 

@@ -1,5 +1,5 @@
-// Turns the fragments of a pixel into its words of the mask: each is behind the crossings before its depth, and XOR of these
-// thermometers is what the mask would have held. An invocation owns a pixel.
+// Converts a pixel's fragments into its mask words: each is behind the crossings in front of its depth, and the XOR of these thermometers
+// is what `mask` would have stored. An invocation owns a pixel.
 
 #import cutaway::crossings::crossings_before
 #import cutaway::cuts::parts
@@ -20,8 +20,8 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
     let run = run_of(pixel);
     let total = 1u << ((lane_bits - 1u) % 32u);
     let before_last = max(lane_bits / 32u, 1u) - 1u;
-    // Parts are drawn one by one, so a word is rarely left and come back to. It is the last of its lane; those before it are not
-    // empty for fragments behind a crossing only.
+    // Parts are drawn one by one, so the current word rarely changes back and forth. It is the last of its lane; earlier words are nonempty
+    // only for fragments behind a crossing.
     var word = 0u;
     var bits = 0u;
     for (var n = 0u; n < min(run.end - run.first, MOST_FRAGMENTS); n++) {

@@ -1,5 +1,5 @@
-// Turns counts and nearest depths of a pixel into its words of the mask: behind a crossing are all fragments but those in front
-// of the crossing. A crossing behind the last depth that was kept may have more in front than are known. An invocation owns a pixel.
+// Converts a pixel's counts and nearest depths into its mask words: the fragments behind a crossing are all but those in front of it. A
+// crossing behind the last stored depth may have more in front than are known. An invocation owns a pixel.
 
 #import cutaway::cascade::{MOST_SLOTS, cascade, first_word}
 #import cutaway::crossings::{head_of, listed, z_at}
@@ -13,7 +13,7 @@ override lane_bits: u32 = 32u;
 @group(1) @binding(5) var<storage, read> slots: array<u32>;
 @group(1) @binding(7) var<storage, read_write> need: array<atomic<u32>>;
 
-// Word that receives the largest count of a pixel in doubt.
+// Word that receives the largest count of an uncertain pixel.
 override need_at: u32 = 0u;
 
 @compute @workgroup_size(16, 16)

@@ -1,4 +1,4 @@
-// Sets the words of all lists back to zero. One invocation owns one list.
+// Resets the words of all lists to zero. One invocation owns one list.
 
 #import cutaway::fragment_pool::pool
 #import cutaway::sweep::number_of

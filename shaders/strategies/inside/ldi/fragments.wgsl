@@ -1,4 +1,4 @@
-// Draws parts into their layered depth images: each fragment leaves what the open module `store` says in its texel's list.
+// Draws parts into their layered depth images: each fragment stores the data of the open module `store` in its texel's list.
 
 #import cutaway::lanes::{Fragment, Lane}
 #import cutaway::ldi::{list_of, sprites}
@@ -18,6 +18,6 @@ fn vertex(@location(0) position: vec3<f32>, @builtin(instance_index) place: u32)
 @fragment
 fn fragment(corner: Corner, @builtin(front_facing) front: bool) {
     let list = list_of(sprites[corner.place], vec2<u32>(corner.position.xy));
-    // Lists of texels take the place of lists of pixels, and no lane of a mask is meant.
+    // Lists of texels replace lists of pixels, and there is no mask lane.
     store(Fragment(list, Lane(0u, 0u, 1u), corner.place, corner.position.z, 0u, front));
 }

@@ -1,5 +1,5 @@
-// Draws the cap of one part: the plane, where the stencil says that it is inside. The draw sets the stencil back for the next
-// part on its way; so no fragment is discarded, and where there is no cap its depth is that of the far plane, which hides it.
+// Draws the cap of one part: the plane, where the stencil is inside. The draw also resets the stencil for the next part; so no fragment is
+// discarded, and where there is no cap its depth is that of the far plane, which hides it.
 
 #import cutaway::cuts::{cut_table, parts}
 #import cutaway::full_screen::corner_of_screen

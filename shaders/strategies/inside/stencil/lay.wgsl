@@ -1,5 +1,5 @@
-// Lays the depth of one crossing of every pixel into the depth buffer, bit for bit as in the list. Where a pixel has no such
-// crossing it lays 0, behind which there is nothing.
+// Writes the depth of one crossing of every pixel to the depth buffer, bit for bit as in the list. If a pixel has no such crossing it
+// writes 0, behind which there is nothing.
 
 #import cutaway::crossings::{head_of, listed, z_at}
 #import cutaway::full_screen::corner_of_screen

@@ -1,4 +1,4 @@
-// Draws a solid for the sake of the stencil alone: what is behind the depth that was laid down changes it.
+// Draws a solid only for the stencil: fragments behind the stored crossing depth change it.
 
 #import cutaway::mesh::{Vertex, drawn_position}
 

@@ -1,4 +1,4 @@
-// As `mark`, for groups of triangles that are preclassified: the depth that is tested is the one that they are moved to.
+// Like `mark`, for groups of preclassified triangles: the depth that is tested is the corrected one.
 
 #import cutaway::mesh::{Vertex, drawn_position}
 #import cutaway::preclassified_depth::preclassified_z

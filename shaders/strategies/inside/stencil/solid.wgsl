@@ -1,5 +1,5 @@
-// Draws a solid less what the only plane removes. Every fragment that is kept counts in the stencil, hidden or not: where the
-// ray starts on the removed side these are the fragments behind the plane.
+// Draws a solid without what the only plane removes. Every kept fragment counts in the stencil, hidden or not: if the ray starts on the
+// removed side these are the fragments behind the plane.
 
 #import cutaway::cuts::parts
 #import cutaway::mesh::Vertex

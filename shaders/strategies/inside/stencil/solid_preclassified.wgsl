@@ -1,4 +1,4 @@
-// As `solid`, for groups of triangles of which it is known on which side of the only plane they lie, or that lie on each other.
+// Like `solid`, for groups of triangles whose side of the only plane is known, or that coincide with others.
 
 #import cutaway::cuts::parts
 #import cutaway::lone_plane::{is_kept, lone_plane_at}

@@ -1,13 +1,13 @@
-// Takes what the draws left in the stencil into the words of the mask. One invocation owns one pixel.
+// Copies the stencil results into the words of the mask. One invocation owns one pixel.
 
 #import cutaway::frame::{frame, pixel_count, pixel_index}
 
 @group(1) @binding(0) var stencil: texture_2d<u32>;
 @group(1) @binding(1) var<storage, read_write> mask: array<u32>;
 
-// The stencil holds one winding number in the place of bits.
+// The stencil holds one winding number instead of bits.
 override winds: bool = false;
-// How many bits of the stencil are used, and the bit of the pixel's mask that each becomes: 32 word + bit.
+// Number of stencil bits used, and the bit of the pixel's mask that each becomes: 32 word + bit.
 override used: u32 = 0u;
 override to_0: u32 = 0u;
 override to_1: u32 = 0u;

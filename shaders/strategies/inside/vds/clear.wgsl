@@ -1,4 +1,4 @@
-// Sets the fragment counts of a sprite, and the need that they lead to, back to zero. One invocation owns one texel.
+// Resets the fragment counts of a sprite, and the need derived from them, to zero. One invocation owns one texel.
 
 #import cutaway::vds::sprite
 

@@ -1,5 +1,5 @@
-// Counts the fragments of each texel of a sprite: the largest count is the depth complexity at the resolution used, which the
-// sprite needs as many layers for.
+// Counts the fragments of each texel of a sprite: the largest count is the depth complexity at the sprite's resolution, and the number of
+// layers that it needs.
 
 #import cutaway::sprite::sprite_position
 #import cutaway::vds::sprite

@@ -1,9 +1,9 @@
-// Sets the number of triangles and that of deep patches of every tessellated clip-surface to zero. One invocation owns one of them.
+// Resets the numbers of triangles and of deep patches of every tessellated clip-surface to zero. One invocation owns one of them.
 
 @group(0) @binding(0) var<storage, read_write> arguments: array<u32>;
 @group(1) @binding(14) var<storage, read_write> deep_arguments: array<u32>;
 
-// How many there are, and the triangles that there is room for in each.
+// Number of tessellated clip-surfaces, and the capacity of each in triangles.
 override count: u32 = 1u;
 override capacity: u32 = 1u;
 

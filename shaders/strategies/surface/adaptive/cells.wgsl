@@ -1,8 +1,8 @@
 // Measures the twist of every cell of a domain. One invocation owns one cell; a workgroup reads the twists of its cells and of those
 // around them once.
 //
-// What is kept is the greatest of |twist| / 4^d over the cells that are d steps away, d up to 3, and no less than what any cell
-// farther away may have: no cell's value is then less than a quarter of its neighbour's, which is what halving below a texel asks for.
+// The stored value is the greatest of |twist| / 4^d over the cells d steps away, d up to 3, and at least as large as for any cell farther
+// away: so no cell's value is less than a quarter of its neighbour's, as halving below a texel requires.
 
 #import cutaway::domain::{domain_cell, domain_texels, domains}
 

@@ -1,5 +1,5 @@
-// Measures the error at the middles of the edges of squares of one size: of the triangles, to either side, that have such an edge as
-// hypotenuse; and no less than those of the squares half as large around it. One invocation owns one edge.
+// Measures the error at the middles of the edges of squares of one size: that of the triangles on either side with such an edge as
+// hypotenuse, and at least that of the squares half as large around it. One invocation owns one edge.
 
 #import cutaway::deviation::{Chord, bulge, deviation}
 #import cutaway::domain::{MOST_HALF_BITS, domain_texels, domains, is_in_domain, texel_height}
@@ -11,7 +11,7 @@ override surface: u32 = 0u;
 // Texels of half an edge, as a power of two.
 override half_bits: u32 = 0u;
 
-// The greatest deviation in the triangle that spans from the edge to an apex, both in texels from its middle.
+// The greatest deviation in the triangle between the edge and an apex; both are given in texels from the edge's middle.
 fn error_towards(middle: vec2<i32>, along: vec2<i32>, across: vec2<i32>) -> f32 {
     let reach = 1i << min(half_bits, MOST_HALF_BITS);
     let apex = middle + reach * across;
@@ -38,7 +38,7 @@ fn error_towards(middle: vec2<i32>, along: vec2<i32>, across: vec2<i32>) -> f32 
     return greatest;
 }
 
-// The error at the middle of a square that comes of the edge: on one side of its middle, in quarters of its length.
+// The error at the middle of a half-size square, offset from the edge's middle by `towards` quarters of the edge's length.
 fn error_of_square(middle: vec2<i32>, towards: vec2<i32>) -> f32 {
     let size = vec2<i32>(domain_texels(surface));
     if half_bits == 0u {

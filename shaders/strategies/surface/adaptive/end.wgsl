@@ -1,12 +1,11 @@
-// Turns numbers of triangles into numbers of indices to draw, of as many as found room, and reports how many there were in the
-// clip-surface that has most.
+// Converts triangle counts into index counts to draw, limited to the capacity, and reports the largest count of any clip-surface.
 
 #import cutaway::cuts::MAX_SURFACES
 
 @group(0) @binding(0) var<storage, read_write> arguments: array<u32>;
 @group(1) @binding(3) var<storage, read_write> need: array<u32>;
 
-// How many clip-surfaces are tessellated, and the triangles that there is room for in each.
+// Number of tessellated clip-surfaces, and the capacity of each in triangles.
 override count: u32 = 1u;
 override capacity: u32 = 1u;
 

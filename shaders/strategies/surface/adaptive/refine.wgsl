@@ -1,14 +1,14 @@
-// Makes the triangles of a clip-surface for one view. A workgroup owns a patch, which its 64 invocations share; one that would take an
+// Makes the triangles of a clip-surface for one view. A workgroup owns a patch, which its 64 invocations share; a patch that would take an
 // invocation too long is put on a list, for `refine_deep.wgsl`.
 
 #import cutaway::patch_triangles::{SHARED, Share, deep_halvings, write_shares}
 #import cutaway::refinement::refinements
 
-// The patches of all clip-surfaces that take too long, and the workgroups that make them.
+// The patches of all clip-surfaces that take too long, and the workgroups that process them.
 @group(1) @binding(13) var<storage, read_write> deep_patches: array<u32>;
 @group(1) @binding(14) var<storage, read_write> deep_arguments: array<atomic<u32>>;
 
-// Index of the clip-surface in the table, and number among those that are tessellated.
+// Index of the clip-surface in the table, and its number among the tessellated ones.
 override surface: u32 = 0u;
 override slot: u32 = 0u;
 

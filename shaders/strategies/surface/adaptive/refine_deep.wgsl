@@ -1,12 +1,12 @@
-// Makes the triangles of patches that would take the invocations of one workgroup too long: as many workgroups own each as leave no
-// invocation more than it looks at.
+// Makes the triangles of patches that would take one workgroup too long: each is shared by enough workgroups that no invocation exceeds its
+// visit limit.
 
 #import cutaway::patch_triangles::{Share, deep_halvings, write_shares}
 #import cutaway::refinement::refinements
 
 @group(1) @binding(13) var<storage, read> deep_patches: array<u32>;
 
-// Index of the clip-surface in the table, and number among those that are tessellated.
+// Index of the clip-surface in the table, and its number among the tessellated ones.
 override surface: u32 = 0u;
 override slot: u32 = 0u;
 

@@ -1,5 +1,5 @@
-// Measures the error at the middles of squares of one size: of the two triangles that a square's diagonal halves it into; and no less
-// than those of its edges. One invocation owns one square.
+// Measures the error at the middles of squares of one size: that of the two triangles on either side of a square's diagonal, and at least
+// that of its edges. One invocation owns one square.
 
 #import cutaway::deviation::{Chord, bulge, deviation}
 #import cutaway::domain::{MOST_HALF_BITS, domain_texels, domains, texel_height}
@@ -11,7 +11,7 @@ override surface: u32 = 0u;
 // Texels of half a side, as a power of two.
 override half_bits: u32 = 0u;
 
-// The greatest deviation in the triangle at a corner of the square, the other corners of which lie towards x and y.
+// The greatest deviation in the triangle at a corner of the square, whose other corners lie towards x and y.
 fn error_from(apex: vec2<i32>, towards: vec2<i32>) -> f32 {
     let side = 2i << min(half_bits, MOST_HALF_BITS);
     let height = texel_height(surface, apex);

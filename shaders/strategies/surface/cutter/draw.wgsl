@@ -1,11 +1,10 @@
-// Draws cutters for the sake of their fragments alone: each leaves its depth, its clip-surface and the normal to shade by in its
-// pixel's list.
+// Draws cutters only for their fragments: each stores its depth, its clip-surface and the shading normal in its pixel's list.
 //
-// The first vertex of a triangle is its own: it carries the data of the triangle. A fragment's normal is that of the side it shows: where
-// a ray leaves the removed side it comes from there, so a cap has the normal that faces the eye.
+// The first vertex of a triangle is unshared: it carries the triangle's data. A fragment's normal is that of its visible side: where a ray
+// leaves the removed region it sees the face from there, so a cap's normal faces the eye.
 //
-// A triangle that reaches past the eye is clipped, by any rasteriser, to corners up to a hundred thousand pixels away, and the values that
-// fixed functions interpolate between these have a visible error: there the depth is computed from the plane of the triangle.
+// A triangle that extends behind the eye is clipped, by any rasteriser, to corners up to a hundred thousand pixels away, and values that
+// fixed functions interpolate between these have a visible error: there the depth is computed from the triangle's plane.
 
 #import cutaway::crossing_words::normal_bits
 #import cutaway::frame::{buffer_from_depth, centre_of, frame, pixel_index, ray_through}
@@ -18,13 +17,13 @@
 struct CutterFace {
     second: vec4<f32>,
     third: vec4<f32>,
-    // Its plane; the last is 1 where it is shaded by the normals of its corners.
+    // Its plane; the last component is 1 if it is shaded by the normals of its corners.
     normal: vec4<f32>,
 }
 
 @group(0) @binding(1) var<storage, read> cutter_faces: array<CutterFace>;
 
-// The depths of a triangle's corners are farther apart than this ratio where fixed functions do not do.
+// Greatest ratio of corner depths at which fixed-function interpolation is accurate enough.
 const MOST_DEPTHS: f32 = 16.0;
 
 struct Corner {
@@ -32,8 +31,8 @@ struct Corner {
     @location(0) normal: vec3<f32>,
     @location(1) @interpolate(flat, first) surface: u32,
     @location(2) @interpolate(flat, first) first: vec3<f32>,
-    // For the triangle that begins here: its plane, whether it is shaded by the normals of its corners, and the depths between which it
-    // lies if its depth is computed from the plane, or 0.
+    // For the triangle that begins here: its plane, whether it is shaded by the normals of its corners, and its depth range if its depth is
+    // computed from the plane, or 0.
     @location(3) @interpolate(flat, first) plane: vec4<f32>,
     @location(4) @interpolate(flat, first) depths: vec2<f32>,
 }

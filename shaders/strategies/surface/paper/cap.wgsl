@@ -1,5 +1,5 @@
 // Draws caps as triangles of the clip-surfaces, displaced by the offset map in the vertex stage (the open module `tessellation`) and
-// cut to the solid by the parity test at every fragment (Trapp & Döllner 2013, section 5), which the open module `volume` answers.
+// trimmed to the solid by the parity test at every fragment (Trapp & Döllner 2013, section 5), in the open module `volume`.
 
 #import cutaway::cuts::{cut_table, is_removed, parts}
 #import cutaway::facets::place_of
@@ -10,13 +10,13 @@
 #import cutaway::tessellation::cap_vertex
 #import cutaway::volume::probe
 
-// Added to every instance: a draw whose arguments a pass has written begins with 0.
+// Added to every instance: a draw with arguments written by a pass begins with 0.
 override first_instance: u32 = 0u;
 
 struct Corner {
     @builtin(position) position: vec4<f32>,
     @location(0) point: vec3<f32>,
-    // Place of the part and number of the clip-surface.
+    // Part-table index and number of the clip-surface.
     @location(1) @interpolate(flat) what: vec2<u32>,
 }
 
@@ -39,7 +39,7 @@ fn fragment(corner: Corner) -> @location(0) vec2<u32> {
     if !answer.is_inside && !answer.in_doubt {
         discard;
     }
-    // What may be inside is shown, for only what is shown can be marked.
+    // Uncertain fragments are drawn, because only drawn fragments can be marked.
     let mark = select(0u, UNRELIABLE, answer.in_doubt);
     let word = layer_word(CAP, cut_table.surfaces[corner.what.y].surface, part.part) | mark;
     return vec2<u32>(word, pack_normal(cap_normal(corner.what.y, corner.point)));

@@ -1,5 +1,5 @@
-// Draws the cap of a part at the near plane: where the ray of a pixel begins, the image of the part's volume (the open module
-// `volume`) is sampled as it is at a clip-surface. It lies before everything; of several parts the first that is drawn stays.
+// Draws a part's cap at the near plane: where the ray of a pixel begins, the part's volume image (the open module `volume`) is sampled as
+// at a clip-surface. It is in front of everything; among several parts the first drawn stays.
 
 #import cutaway::cuts::{is_removed, parts}
 #import cutaway::frame::{frame, ray_through}
@@ -15,7 +15,7 @@ struct Corner {
 
 @vertex
 fn vertex(@builtin(vertex_index) index: u32, @builtin(instance_index) place: u32) -> Corner {
-    // Of a reversed depth buffer 1 is the near plane.
+    // In a reversed depth buffer 1 is the near plane.
     return Corner(vec4<f32>(corner_of_screen(index).xy, 1.0, 1.0), place);
 }
 

@@ -1,7 +1,7 @@
-// Marks what planes can meet of parts whose sections by them are not whole: a ray that goes from removed to kept there may have a
-// cap that is not known. One fragment owns one pixel of one triangle; it costs a walk through the list of its pixel.
+// Marks the pixels of parts whose section by a plane is not closed: a ray that goes from removed to kept there may have an unknown cap. One
+// fragment owns one pixel of one triangle; it costs a walk through the list of its pixel.
 //
-// The mark is set and not flipped, in the plane of words behind the lanes: triangles may share pixels, and parts may.
+// The mark is set, not flipped, in the plane of words behind the lanes: triangles may share pixels, and so may parts.
 
 #import cutaway::crossings::{head_of, listed, surface_at}
 #import cutaway::cuts::{MAX_SURFACES, is_removed, parts}
@@ -11,12 +11,12 @@
 
 struct Corner {
     @builtin(position) position: vec4<f32>,
-    // Bits of the cuts that apply to the part, and the plane's place among the clip-surfaces.
+    // Bits of the cuts that apply to the part, and the plane's index among the clip-surfaces.
     @location(0) @interpolate(flat) cuts: u32,
     @location(1) @interpolate(flat) surface: u32,
 }
 
-// The instance is the part's place in the table times MAX_SURFACES, and the clip-surface's.
+// The instance is the part's table index times MAX_SURFACES, plus the clip-surface's.
 @vertex
 fn vertex(@location(0) position: vec3<f32>, @builtin(instance_index) instance: u32) -> Corner {
     return Corner(drawn_position(position), parts[instance / MAX_SURFACES].cuts, instance % MAX_SURFACES);

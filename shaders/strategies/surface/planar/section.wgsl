@@ -1,8 +1,8 @@
-// Draws the sections of parts by planes, triangulated on the CPU, into the mask: where a section is, the crossing of its plane is
-// inside its part. One fragment owns one pixel of one triangle.
+// Draws the sections of parts by planes, triangulated on the CPU, into the mask: where a section is, the plane's crossing is inside the
+// part. One fragment owns one pixel of one triangle.
 //
-// The bit is flipped and not set: triangles that share their corners cover each pixel of their polygon an odd number of times,
-// also where rounding has turned one of them over, and each pixel outside of the polygon an even number.
+// The bit is flipped, not set: triangles that share their corners cover each pixel of their polygon an odd number of times, even if
+// rounding has inverted one of them, and each pixel outside the polygon an even number.
 
 #import cutaway::crossings::{head_of, listed, surface_at}
 #import cutaway::cuts::{MAX_SURFACES, parts}
@@ -12,12 +12,12 @@
 
 struct Corner {
     @builtin(position) position: vec4<f32>,
-    // Where the part's bits are: word and shift; and the plane's place among the clip-surfaces.
+    // Location of the part's bits: word and shift; and the plane's index among the clip-surfaces.
     @location(0) @interpolate(flat) lane: vec2<u32>,
     @location(1) @interpolate(flat) surface: u32,
 }
 
-// The instance is the part's place in the table times MAX_SURFACES, and the clip-surface's.
+// The instance is the part's table index times MAX_SURFACES, plus the clip-surface's.
 @vertex
 fn vertex(@location(0) position: vec3<f32>, @builtin(instance_index) instance: u32) -> Corner {
     let part = parts[instance / MAX_SURFACES];

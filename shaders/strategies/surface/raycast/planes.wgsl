@@ -1,5 +1,5 @@
-// One invocation owns the list of crossings of one pixel, where all clip-surfaces are planes: closed form, no march. Those that
-// are drawn as sheets are left to the pass that merges them.
+// One invocation owns the list of crossings of one pixel, if all clip-surfaces are planes: closed form, no march. Those that are drawn as
+// sheets are left to the pass that merges them.
 
 #import cutaway::begun::make_ready
 #import cutaway::crossing_list::{List, finish}
@@ -20,7 +20,7 @@ fn cross(xy: vec2<u32>) {
     let at = centre_of(xy);
     let interval = box_interval(ray_through(at));
     if interval.x < interval.y {
-        // Backwards: of crossings at one depth the last is the cap's, and of clip-surfaces in one plane the first has the cap.
+        // Backwards: among crossings at one depth the last is the cap's, and among coplanar clip-surfaces the first has the cap.
         for (var left = min(cut_table.surface_count, MAX_SURFACES); left > 0u; left--) {
             let s = surface_of(left - 1u);
             if ((sheets >> s) & 1u) == 0u {

@@ -1,6 +1,6 @@
-// One invocation owns the list of crossings of one pixel, where some clip-surface has a relief: planes in closed form, reliefs
-// by the open module `relief_crossing`, which goes over the cells of the offset map that the ray passes inside the slab of its heights
-// and the box of the cut solids.
+// One invocation owns the list of crossings of one pixel, if some clip-surface has a relief: planes in closed form, reliefs by the open
+// module `relief_crossing`, which walks the cells of the offset map that the ray passes inside its height slab and the box of the cut
+// solids.
 
 #import cutaway::begun::make_ready
 #import cutaway::crossing_list::{List, finish}
@@ -13,7 +13,7 @@
 #import cutaway::surfaces::surface_of
 
 override capacity: u32 = 8u;
-// Bits of the clip-surfaces that are drawn as sheets: the pass that merges them adds theirs.
+// Bits of the clip-surfaces that are drawn as sheets: the pass that merges them adds their crossings.
 override sheets: u32 = 0u;
 // The near plane may be inside a solid.
 override near_inside: bool = false;
@@ -25,7 +25,7 @@ fn cross(xy: vec2<u32>) {
     let at = centre_of(xy);
     let interval = interval_at(xy, near_inside);
     if interval.part.x < interval.part.y {
-        // Backwards: of crossings at one depth the last is the cap's, and of clip-surfaces in one plane the first has the cap.
+        // Backwards: among crossings at one depth the last is the cap's, and among coplanar clip-surfaces the first has the cap.
         for (var left = min(cut_table.surface_count, MAX_SURFACES); left > 0u; left--) {
             let s = surface_of(left - 1u);
             if ((sheets >> s) & 1u) != 0u {

@@ -10,14 +10,14 @@ use super::{CROWN, Engine, PISTON, PISTON_INSIDE, PISTON_PIN, ROD, SKIRT, along,
 use crate::Result;
 
 impl Engine {
-    /// Two eyes and the shank between them, in the plane across the crank.
+    /// A rod: two eyes and the shank between them, in the plane perpendicular to the crank.
     pub(super) fn rod(&self, k: usize) -> Result<Mesh> {
         let (pin, small) = (self.pins[k], self.piston_pin(k));
         let [big_at, small_at] = [pin, small].map(|p| DVec2::new(p.y, p.z));
         let up = (small_at - big_at) / ROD;
         let place = |p: DVec2| big_at + up * p.x + up.perp() * p.y;
         let (big, eye) = (0.168, 0.075);
-        // The tangents of both eyes.
+        // Common tangents of both eyes.
         let lean = ((big - eye) / ROD).acos();
         let step = self.step();
         let full = std::f64::consts::TAU;
@@ -42,7 +42,7 @@ impl Engine {
         solid.mesh(along)
     }
 
-    /// A cup with grooves for three rings.
+    /// A piston: a cup with grooves for three rings.
     pub(super) fn piston(&self, k: usize) -> Result<Mesh> {
         let pin = self.piston_pin(k);
         let (bottom, top) = (pin.y - SKIRT, pin.y + CROWN);

@@ -7,7 +7,7 @@ pub struct Edges {
     keys: Vec<u64>,
 }
 
-/// Number of edges of each sort.
+/// Number of edges of each kind.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct EdgeCount {
     pub(crate) edges: usize,
@@ -64,11 +64,11 @@ fn keys_of([a, b, c]: &[u32; 3]) -> [u64; 3] {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct EdgeUse {
     pub(crate) triangle: u32,
-    /// True if it has the edge from the larger index to the smaller.
+    /// True if the triangle uses the edge from the larger index to the smaller.
     pub(crate) is_down: bool,
 }
 
-/// The uses of all edges with their triangles, sorted as those of [`Edges`], then by triangle.
+/// The uses of all edges with their triangles, sorted like [`Edges`], then by triangle.
 pub(crate) struct EdgeUses(Vec<(u64, u32)>);
 
 impl EdgeUses {

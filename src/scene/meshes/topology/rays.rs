@@ -1,7 +1,7 @@
 //! Crossings along axis-parallel rays, exactly consistent between neighbours.
 //!
-//! Vertices are snapped to integers. Tie rule, with u and v across the ray: a ray at the height of a vertex passes on the
-//! side of larger v, a ray that then meets an edge on the side of smaller u. Both depend on the edge alone, so no ray slips
+//! Vertices are snapped to integers. Tie rule, with u and v perpendicular to the ray: a ray at a vertex's v passes on the side
+//! of larger v; a ray that still meets an edge passes on the side of smaller u. Both depend on the edge alone, so no ray slips
 //! through between triangles or is counted twice.
 
 use glam::DVec3;
@@ -90,10 +90,10 @@ impl Rays {
     }
 }
 
-/// Adds 1 for every ray a triangle covers, as differences along the rows of the grid. In each row, the column at which an
-/// edge is passed depends on the edge alone, so triangles that share it leave neither gap nor overlap.
+/// Adds 1 for every ray that a triangle covers, as differences along the grid's rows. In each row, the column where an edge
+/// is crossed depends on the edge alone, so triangles that share it leave neither gap nor overlap.
 fn add_crossings(corners: [[i64; 2]; 3], grid: &mut [i32]) {
-    // The first ray at or beyond a coordinate; rays stand in the middle of their cells.
+    // The first ray at or beyond a coordinate; rays go through the centres of their cells.
     let first_from = |c: i64| (c + STEPS / 2 - 1).div_euclid(STEPS).clamp(0, GRID as i64);
     let [low, high] = {
         let [a, b, c] = corners.map(|p| p[1]);
@@ -116,7 +116,7 @@ fn add_crossings(corners: [[i64; 2]; 3], grid: &mut [i32]) {
             first = first.min(column);
             last = last.max(column);
         }
-        // A row between the least and the greatest corner meets exactly two edges.
+        // A row between the lowest and the highest corner crosses exactly two edges.
         grid[start + first] += 1;
         grid[start + last] -= 1;
     }

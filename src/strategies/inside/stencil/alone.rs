@@ -1,17 +1,17 @@
 //! `stencil` by itself: the classic way to cap a plane, back faces minus front faces (Gradinari, *Advanced clipping techniques*).
 //!
-//! One plane, no list of crossings: each solid is drawn less what the plane removes, and every fragment that is kept counts in
-//! the stencil, back faces up and front faces down, hidden or not. Seen from the removed side these are the fragments behind the plane,
-//! so the stencil ends with the winding number of the section at each pixel. Then the plane is drawn where that is inside, by parity or
-//! nonzero as the part is filled, and sets the stencil back for the next part. Seen from the kept side the plane shows its back, and
-//! nothing is drawn. Side of a fragment and place of the plane come from the same few operations, so no crack can open between them.
+//! One plane, no list of crossings: each solid is drawn without what the plane removes, and every kept fragment counts in the stencil, back
+//! faces up and front faces down, hidden or not. Seen from the removed side these are the fragments behind the plane, so the stencil ends
+//! with the section's winding number at each pixel. Then the plane is drawn where that is inside, by the part's fill rule, and resets the
+//! stencil for the next part. Seen from the kept side the plane shows its back, and nothing is drawn. The side of a fragment and the
+//! plane's depth come from the same few operations, so no crack can open between them.
 //!
-//! Per frame: each cut part once and the picture once for each of them; 5 bytes a pixel for depth and stencil, no mask, no list.
-//! Where it can be used it is the cheapest by the hardware's rasteriser in most of what was measured.
+//! Per frame: each cut part once and the picture once per cut part; 5 bytes a pixel for depth and stencil, no mask, no list. Where it
+//! applies, it is the cheapest method with the hardware rasteriser in most measurements.
 //!
-//! Cannot: cut by reliefs or by several clip-surfaces; cap at the near plane, or count what lies before it; tell an open mesh, of
-//! which it draws streaks unmarked; count beyond 255 shells. It refuses where the near plane, which goes on beyond the picture, meets the box of a part that is cut, though nothing
-//! of that be seen.
+//! Cannot: cut by reliefs or by several clip-surfaces; cap at the near plane, or count fragments in front of it; detect an open mesh, which
+//! gives unmarked streaks; count beyond 255 shells. It refuses where the near plane, which continues beyond the picture, meets the box of a
+//! cut part, even if none of that is visible.
 
 use crate::effects::{FrameOutput, finish};
 use crate::passes::{DrawPass, Input, Lanes, Refusal, SceneBuffers, Surfaces, Unsupported, gather};
@@ -24,7 +24,7 @@ pub(crate) static ROW: CapSurfaceRow = CapSurfaceRow {
     facts: StrategyInfo {
         name: "stencil",
         parameter: None,
-        about: "the plane, where back faces minus front faces of what is kept say that it is inside: the classic way",
+        about: "the plane, where back faces minus front faces among the kept fragments give inside: the classic way",
         limit: "one plane, eye outside the cut",
         rebuilds: "",
         can: Abilities {
@@ -55,7 +55,7 @@ fn record(plan: &mut Plan, input: &Input<'_>) -> Result<(FrameOutput, Vec<CpuWor
     Ok((finish(plan, &scene, layered), Vec::new()))
 }
 
-/// Draws what the plane leaves of a part, by rank, and its cap.
+/// Draws what the plane leaves of a part, and its cap; parts are given by rank.
 fn draw_part(plan: &mut Plan, scene: &SceneBuffers<'_>, surfaces: &mut Surfaces, rank: usize) {
     let input = scene.input;
     let part = &input.model.prepared.parts[rank];
@@ -127,14 +127,14 @@ fn draw_part(plan: &mut Plan, scene: &SceneBuffers<'_>, surfaces: &mut Surfaces,
     surfaces.draw_with(plan, cap, Some(takes));
 }
 
-/// Refuses a near plane that meets what is cut.
+/// Refuses a near plane that meets a cut part.
 fn near_plane_is_free(input: &Input<'_>) -> Result<(), Refusal> {
     match input.cut_part_in_near_plane() {
         None => Ok(()),
         Some(met) => Err(Refusal::new(
             Unsupported::NearPlane,
             format!(
-                "the near plane meets `{}`: what lies before it is not drawn, and the stencil cannot count it",
+                "the near plane meets `{}`: fragments in front of it are not drawn, and the stencil cannot count them",
                 met.name
             ),
         )),

@@ -1,20 +1,19 @@
 //! `stencil`: parity in the stencil buffer, by fixed-function hardware alone.
 //!
-//! With a cap surface: the depth of crossing i of every pixel is laid down in the depth buffer, the solid is drawn with the depth test,
-//! and what lies behind inverts a bit of the stencil, both faces alike (Carmack's reverse for one surface per pixel). The 8 bits
-//! of a stencil serve 8 pairs of part and crossing before it is taken into the words of the mask, where the same resolve
-//! as that of `mask` finds the same bits. A part filled nonzero has the stencil to itself: back faces add 1, front faces take 1.
-//! Ancestors: Heidmann's and Carmack's shadow volumes; capping with the clip plane laid into the depth buffer is old practice.
+//! With a cap surface: the depth of every pixel's crossing i is written to the depth buffer, the solid is drawn with the depth test, and
+//! fragments behind it invert a stencil bit, both faces alike (Carmack's reverse for one surface per pixel). The 8 stencil bits serve 8
+//! pairs of part and crossing before they are copied into the mask, where the same resolve as that of `mask` finds the same bits. A part
+//! filled nonzero uses the whole stencil: back faces add 1, front faces subtract 1. Ancestors: Heidmann's and Carmack's shadow volumes;
+//! capping with the clip plane drawn into the depth buffer is old practice.
 //!
-//! Per frame: the mesh once for its surfaces, and each cut part once more for each crossing a pixel may have and once for the total;
-//! a pass over the picture for each crossing and each 8 pairs; 5 bytes a pixel in addition to the mask. No atomics in the passes
-//! over the mesh.
+//! Per frame: the mesh once for its surfaces, and each cut part once more for each crossing a pixel may have and once for the total; a pass
+//! over the picture for each crossing and for every 8 pairs; 5 bytes a pixel in addition to the mask. No atomics in the mesh passes.
 //!
-//! On the adapter of the tests the mask is that of `mask` bit for bit. Elsewhere a depth test may round a depth otherwise than the
-//! shader that draws the surfaces sees it; then samples within such a rounding of a crossing may differ.
+//! On the test adapter the mask equals that of `mask` bit for bit. Elsewhere the depth test may round a depth differently from the shader
+//! that draws the surfaces; then samples within such a rounding error of a crossing may differ.
 //!
-//! Cannot: see more than 255 shells of a part filled nonzero, where the stencil runs over unseen; draw by the compute rasteriser.
-//! `stencil` by itself is [`alone`].
+//! Cannot: count more than 255 shells of a part filled nonzero, where the stencil overflows undetected; draw by the compute rasteriser.
+//! `stencil` without a cap surface is [`alone`].
 
 pub(crate) mod alone;
 
@@ -29,16 +28,16 @@ use crate::shader::Shader;
 use crate::strategies::row::{Abilities, CapSurface, InsideTestKind, InsideTestRow, StrategyInfo};
 use crate::strategies::surface;
 
-/// Pairs that fit a stencil.
+/// Pairs of part and crossing that fit in the stencil.
 const BITS: usize = 8;
-/// Limit of passes for a frame, above which it is refused: a device times this many at once.
+/// Most passes per frame, above which it is refused: a device records times for this many at once.
 const MOST_PASSES: usize = 2000;
 
 /// One draw of one part.
 #[derive(Clone, Copy)]
 struct Mark {
     rank: usize,
-    /// Counts what is behind this crossing; all fragments where there is none.
+    /// The crossing behind which fragments count; none to count all fragments.
     crossing: Option<u32>,
 }
 
@@ -67,14 +66,14 @@ fn record(
     _: u32,
 ) -> Result<FrameOutput, Refusal> {
     let parts = input.active_cuts.lanes;
-    // Lists of one word refuse the frame where they are too many passes, longer ones are held shorter.
+    // With one-word lists, too many passes refuse the frame; longer lists are shortened.
     let most = (MOST_PASSES / (parts + 2)) as u32;
     let most = most.saturating_sub(1).max(Capacities::CROSSINGS_OF_A_WORD);
     let capacity = surface::capacity(input).min(most);
     let passes = (capacity as usize + 1) * (parts + 2);
     if passes > MOST_PASSES {
         return Err(Refusal::amount(format!(
-            "{parts} cut parts with {capacity} crossings each are {passes} passes for the stencil; {MOST_PASSES} are the most"
+            "{parts} cut parts with {capacity} crossings each need {passes} stencil passes; {MOST_PASSES} are the most"
         )));
     }
     let scene = SceneBuffers::upload(plan, input, Lanes::of_bits(input, capacity))?;
@@ -115,7 +114,7 @@ fn record(
     Ok(finish(plan, &scene, layered))
 }
 
-/// Data shared by the batches.
+/// Data shared by the batches of pairs.
 struct Marks<'a> {
     scene: &'a SceneBuffers<'a>,
     stencil: ResourceId,
@@ -127,7 +126,7 @@ struct Marks<'a> {
 }
 
 impl Marks<'_> {
-    /// Draws that fill the stencil, and the pass that takes it.
+    /// Records the draws that fill the stencil, and the pass that copies it into the mask.
     fn record(&mut self, plan: &mut Plan, fill: Fill, batch: &[Mark]) {
         let (scene, input) = (self.scene, self.scene.input);
         let (vertices, indices) = scene.mesh();
@@ -209,7 +208,7 @@ impl Marks<'_> {
         self.batches += 1;
     }
 
-    /// The same as a pass for the preclassified triangles of its part, if there are any.
+    /// The same pass for the part's preclassified triangles, if any.
     fn preclassified(&self, pass: &Pass, rank: usize) -> Option<Pass> {
         let groups = self.scene.input.draws_of_groups(&[rank]);
         let table = (self.scene.preclassified.as_ref()).filter(|_| !groups.is_empty())?;
@@ -230,7 +229,7 @@ impl Marks<'_> {
         Some(preclassified)
     }
 
-    /// The pass that lays the depth of a crossing down.
+    /// The pass that writes the depth of a crossing to the depth buffer.
     fn lay(&self, fill: Fill, crossing: u32) -> Pass {
         let again = match fill {
             Fill::EvenOdd => "",

@@ -1,9 +1,9 @@
 //! Tessellated texels of each clip-surface, and their patches.
 //!
-//! The domain covers the box of the cut solids as seen along the normal: a point of the surface lies over the point of the plane that
-//! it was displaced from. It is rounded out to whole patches, counted from the origin of the map, so that a solid that moves does not
-//! have all triangles move with it. Patches are as large as leaves about a thousand of them: enough to share the work, and few enough
-//! triangles where nothing asks for more. Texels are halved as often as leaves 16 bits for each coordinate of a vertex.
+//! The domain covers the box of the cut solids as seen along the normal: a point of the surface lies over the point of the plane that it
+//! was displaced from. It is rounded out to whole patches, counted from the map's origin, so that a moving solid does not move all
+//! triangles. The patch size yields about a thousand patches: enough to share the work, and few enough triangles where no refinement is
+//! needed. Texels are halved as often as 16 bits for each vertex coordinate allow.
 
 use crate::passes::Refusal;
 use glam::DVec3;
@@ -13,22 +13,22 @@ use crate::passes::Input;
 use crate::plan::pack::{Domain, MOST_HALF_BITS};
 use crate::scene::PreparedSurface;
 
-/// Patches that are enough.
+/// A sufficient number of patches.
 const ENOUGH_PATCHES: u64 = 1024;
-/// Texels along a patch: powers of two in this range.
+/// Texels along a patch, as a power of two in this range.
 const PATCH_BITS: std::ops::RangeInclusive<u32> = 1..=MOST_HALF_BITS + 1;
-/// Halvings of a texel: at least, and at most.
+/// Halvings of a texel: least and most.
 const STEP_BITS: std::ops::RangeInclusive<u32> = 3..=8;
-/// Steps along a side that 16 bits can tell apart.
+/// Steps along a side that 16 bits can distinguish.
 const MOST_STEPS: u64 = (1 << 16) - 1;
-/// Steps in a domain, lest its triangles be more than 32 bits can count.
+/// Most steps in a domain, so that 32 bits can count its triangles.
 const MOST_AREA: u64 = (1 << 31) - 1;
-/// Texels of all domains: 128 MiB of errors, of which there are two for each texel.
+/// Most texels of all domains: 128 MiB of errors, two per texel.
 const MOST_MEASURED: u64 = (128 << 20) / 8;
-/// The length of a texel in scene units beyond which f32 has no room between its corners.
+/// Texel length in scene units beyond which f32 cannot resolve points between its corners.
 const LONGEST_TEXEL: f64 = 64.0;
 
-/// The domains of all clip-surfaces that matter, in table order; the reason where one is too large.
+/// The domains of all relevant clip-surfaces, in table order; a refusal if one is too large.
 pub(super) fn rows(input: &Input<'_>) -> Result<Vec<Domain>, Refusal> {
     let mut first = 0;
     let mut rows = Vec::new();
@@ -46,7 +46,7 @@ pub(super) fn rows(input: &Input<'_>) -> Result<Vec<Domain>, Refusal> {
         first += (width + 1) * (height + 1) + width * height;
         if first > 2 * MOST_MEASURED {
             return Err(Refusal::amount(format!(
-                "the reliefs have more than {MOST_MEASURED} texels across the parts, and a buffer holds the errors of no more: \
+                "the reliefs have more than {MOST_MEASURED} texels across the parts, and a buffer holds errors for no more: \
                  raycast draws them"
             )));
         }
@@ -60,14 +60,14 @@ pub(super) fn texels(row: &Domain) -> [u64; 2] {
     row.patches.map(|n| u64::from(n) << row.patch_bits)
 }
 
-/// Interval that a domain covers along an axis, from the origin of a clip-surface.
+/// Interval that a domain covers along an axis, relative to the origin of a clip-surface.
 fn covered(surface: &PreparedSurface, input: &Input<'_>, axis: DVec3) -> [f64; 2] {
     let margin = beyond_box(input.view);
     let [low, high] = span(surface, input, axis);
     [low - margin, high + margin]
 }
 
-/// A plane is one patch of one step along each side.
+/// The domain of a plane: one patch with one step along each side.
 fn of_plane(surface: &PreparedSurface, input: &Input<'_>) -> Domain {
     let frame = &surface.frame;
     let [u, v] = [frame.u_hat, frame.v_hat].map(|axis| covered(surface, input, axis));
@@ -142,7 +142,7 @@ fn of_relief(
         patches: patches.map(|n| n as u32),
         patch_bits,
         step_bits,
-        // No twist is more than twice the range; those of cells more than three away count for 1 / 4^4 at most.
+        // No twist exceeds twice the height range; the twists of cells more than three away are weighted by at most 1 / 4^4.
         least_twist: ((high - low) * (2.0 / 256.0) * 1.000_01) as f32,
         mirrored: u32::from(per_unit[0] * per_unit[1] < 0.0),
         map_size: map,

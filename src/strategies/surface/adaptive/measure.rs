@@ -1,15 +1,15 @@
 //! Measures the error of every triangle of a tessellation, once for each map and for its relevant texels.
 //!
-//! The passes know the clip-surfaces by a table of their own, without what tells where they lie: neither another cut nor a relief
-//! that moves along its normal or is scaled has anything measured again.
+//! The passes use their own table of the clip-surfaces, without positions: neither another cut nor a relief that moves along its normal or
+//! is scaled triggers a new measurement.
 
 use super::domain;
 use crate::passes::SceneBuffers;
 use crate::plan::pack::Domain;
 use crate::plan::{Binding, Clock, Pass, Plan, Resource, ResourceId, Work};
 
-/// Records the passes that fill `sheet_errors`: cells first, then edges and squares from the smallest on, each no less than those
-/// halved from them.
+/// Records the passes that fill `sheet_errors`: cells first, then edges and squares from the smallest up, each error at least as large as
+/// those of the edges or squares halved from it.
 pub(super) fn record(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,

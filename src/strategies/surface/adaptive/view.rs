@@ -1,9 +1,9 @@
-//! View-dependent part of a tessellation: the tolerated error by depth, and the visible part.
+//! View-dependent part of a tessellation: the error tolerated at each depth, and which part is visible.
 //!
-//! A point of the surface that is off by e along the normal is seen off by at most `f sqrt(1 + r²) e / (w - e)` pixels, f being the
-//! focal length in pixels, r the tangent of the angle between the viewing direction and the corner of the picture farthest from it, w
-//! the depth of the point: that is the size of the matrix by which a step in space becomes one in the picture, at the least depth on
-//! the way. So e may be `TAU w / (f sqrt(1 + r²) + TAU)`. Parallel rays show e as e / pixel at most, at every depth.
+//! A point of the surface that is off by e along the normal appears off by at most `f sqrt(1 + r²) e / (w - e)` pixels, where f is the
+//! focal length in pixels, r the tangent of the angle between the viewing direction and the farthest corner of the picture, and w the depth
+//! of the point: this is the norm of the matrix that maps a step in space to one in the picture, at the least depth on the way. So e may be
+//! `TAU w / (f sqrt(1 + r²) + TAU)`. With parallel rays e appears as at most e / pixel, at every depth.
 
 use glam::{DVec2, DVec3};
 
@@ -11,9 +11,9 @@ use crate::passes::Input;
 use crate::plan::pack::{BORDERS_OF_DOMAIN, Domain, Refinement, box_margin};
 use crate::scene::{PreparedSurface, View};
 
-/// The depths that occur are this many units: half of what i32 counts to.
+/// The range of depths is divided into this many units: half the range of i32.
 const DEPTH_UNITS: f64 = (1_u32 << 30) as f64;
-/// Rounding of f32 in values of borders, in scene units.
+/// Rounding error of f32 in border values, in scene units.
 const BORDER_MARGIN: f64 = 1e-4;
 
 /// The row of a clip-surface, by its index in the table.
@@ -31,7 +31,7 @@ pub(super) fn refinement(
     let mut refinement: Refinement = bytemuck::Zeroable::zeroed();
     refinement.capacity = capacity;
     refinement.borders = borders(input, row, heights, surface);
-    // Of a plane nothing is ever halved.
+    // A plane is never halved.
     if input.model.is_relief(number) {
         let (depth, unit) = depths(view, row, heights, surface);
         refinement.depth = depth;
@@ -41,7 +41,7 @@ pub(super) fn refinement(
     refinement
 }
 
-/// The error in scene units that is not seen at depth 1, or at any depth where rays are parallel.
+/// The error in scene units that is invisible at depth 1, or at any depth if rays are parallel.
 fn error_per_depth(view: &View, tau_px: f64) -> f64 {
     let pixel = view.pixel_size(1.0);
     if view.orthographic {
@@ -61,7 +61,7 @@ fn error_per_depth(view: &View, tau_px: f64) -> f64 {
     tau_px / (widest / pixel + tau_px)
 }
 
-/// Least depth of the surface as whole numbers, and the depth that one of them is.
+/// Least depth of the surface in whole units, and the depth of one unit.
 fn depths(
     view: &View,
     row: &Domain,
@@ -79,13 +79,13 @@ fn depths(
     let tilt = surface.frame.normal.dot(view.forward);
     let nearest = (heights.map(|h| -h * tilt).into_iter()).fold(f64::INFINITY, f64::min);
     let first = view.depth_of(corner) + nearest;
-    // Of all that is added up on the way, boxes around middles included, which reach beyond the domain.
+    // Bound on all intermediate sums, including boxes around middles, which extend beyond the domain.
     let greatest = first.abs()
         + 3.0 * (steps[0] * x.abs() + steps[1] * y.abs())
         + view.near
         + 3.0 * steps[0].max(steps[1]) * (x.abs() + y.abs());
     let unit = greatest.max(1e-6) / DEPTH_UNITS;
-    // What rounding the slopes may come to over the whole domain is taken off.
+    // The rounding of the slopes, accumulated over the whole domain, is subtracted.
     let slack = 1.5 * (steps[0] + steps[1]) + 2.0;
     let row = [
         (first / unit - slack).floor() as i32,
@@ -96,7 +96,7 @@ fn depths(
     (row, unit)
 }
 
-/// The borders, as functions of vertices: the greatest value over the heights that the map has.
+/// The borders, as functions of vertices: the greatest value over the map's height range.
 fn borders(
     input: &Input<'_>,
     row: &Domain,
@@ -132,7 +132,7 @@ fn sides_of_view(view: &View) -> [(DVec3, f64); 5] {
     let [width, height] = view.size_px.map(f64::from);
     let middle = DVec2::new(width, height) * 0.5;
     let side = |at: DVec2, along: DVec3| {
-        // A plane holds the rays through a side of the picture; the middle of the picture is inside.
+        // A plane contains the rays through one side of the picture; the picture's centre is inside.
         let (origin, ray) = view.ray(at);
         let normal = along.cross(ray).normalize_or(view.forward);
         let (eye, towards) = view.ray(middle);

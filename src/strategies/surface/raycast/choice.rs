@@ -1,30 +1,30 @@
-//! Choice of the walk of rays through reliefs, from cell to cell or over a pyramid: by the cells that a ray is expected to pass.
+//! Chooses how rays walk through reliefs, cell by cell or over a pyramid, by the expected number of cells that a ray passes.
 //!
-//! A ray passes texel density x way through the slab of heights x sine of its angle to the normal, which differs over the picture:
-//! the mean over a grid of rays is taken, of those that meet the box of the cut solids and the slab.
+//! A ray passes texel density x distance through the height slab x sine of its angle to the normal cells, which varies over the picture:
+//! the mean is taken over a grid of rays, counting those that meet the box of the cut solids and the slab.
 //!
-//! A session that has taken the pyramid once keeps to it: a camera about the threshold would else have it built in every other
-//! frame. What that costs is a few percent to a quarter of the walk, where views that meet few cells follow.
+//! Once a session has chosen the pyramid it keeps it: otherwise a camera near the threshold would rebuild it in every other frame. The cost
+//! is a few percent to a quarter of the walk, in later views that meet few cells.
 
 use glam::{DVec2, DVec3};
 
 use crate::passes::{Input, ReliefWalk};
 use crate::scene::{Bounds, PreparedSurface, View};
 
-/// Expected cells from which on the pyramid is taken. Measured on Mesa's llvmpipe, time of the walk over that of the pyramid: 17 cells
-/// 0.8, 27 and 42 about 1, 60 to 150 0.9 to 1.7 (256 x 256 texels, fractal); 65 cells 1.4, 106 1.6, 319 2.4, 600 3.0 (1024 x 1024);
-/// smooth maps are slower with it up to some 70 cells. A map that is rebuilt in every frame needs more.
+/// Expected number of cells from which the pyramid is used. Measured on Mesa's llvmpipe, time of the cell walk relative to the pyramid: 17
+/// cells 0.8, 27 and 42 about 1, 60 to 150 0.9 to 1.7 (256 x 256 texels, fractal); 65 cells 1.4, 106 1.6, 319 2.4, 600 3.0 (1024 x 1024);
+/// on smooth maps the pyramid is slower up to about 70 cells. A map that is rebuilt in every frame needs more.
 const CELLS_FOR_PYRAMID: f64 = 40.0;
-/// Rays along each side of the picture, or of the part in which the box of the cut solids may be.
+/// Rays along each side of the picture, or of the rectangle that may contain the box of the cut solids.
 const RAYS: u32 = 12;
 
-/// The choice and its reason, as words for the reader of the plan.
+/// The choice and its reason, worded for readers of the plan.
 pub(super) struct Choice {
     pub(super) walk: ReliefWalk,
     pub(super) reason: String,
 }
 
-/// The choice for the reliefs of a frame, or what the options ask for.
+/// The choice for the reliefs of a frame, or the walk that the options request.
 pub(super) fn of(input: &Input<'_>) -> Choice {
     if !input.pyramids_fit() {
         return Choice {
@@ -49,7 +49,7 @@ pub(super) fn of(input: &Input<'_>) -> Choice {
     }
 }
 
-/// The mean number of cells of a relief that a ray which meets its slab passes.
+/// The mean number of relief cells passed by a ray that meets the slab.
 fn expected_cells(input: &Input<'_>) -> f64 {
     let cut_box = &input.active_cuts.cut_box;
     let [low, high] = seen(cut_box, input.view);
@@ -75,7 +75,7 @@ fn expected_cells(input: &Input<'_>) -> f64 {
     }
 }
 
-/// The rectangle of the picture, in pixels, that a box may be in: the whole picture if some of the box is behind the eye.
+/// The rectangle of the picture, in pixels, that may contain a box: the whole picture if part of the box is behind the eye.
 fn seen(bounds: &Bounds, view: &View) -> [DVec2; 2] {
     let size = DVec2::from(view.size_px.map(f64::from));
     let clip = bounds
@@ -101,7 +101,7 @@ fn within(bounds: &Bounds, origin: DVec3, direction: DVec3, near: f64) -> Option
     (enter < leave).then_some([enter, leave])
 }
 
-/// The cells of a relief that a ray passes inside an interval of depths, if it meets the slab there.
+/// The number of relief cells that a ray passes inside an interval of depths, if it meets the slab there.
 fn passed(
     surface: &PreparedSurface,
     origin: DVec3,

@@ -170,7 +170,7 @@ fn a_cut_of_the_command_line_is_not_that_of_the_file() {
     let empty = folder
         .run("render scene.toml --box 0,0,0:0,1,1 -o a.png")
         .exits(2);
-    assert!(empty.stderr.contains("no inside"), "{}", empty.stderr);
+    assert!(empty.stderr.contains("it is empty"), "{}", empty.stderr);
 }
 
 #[test]

@@ -117,7 +117,7 @@ fn wrong_arguments_are_refused() {
         ("no arguments at byte 4", refusal(&at(4))),
         ("no arguments at byte 2", refusal(&at(2))),
         (
-            "is no buffer of arguments",
+            "is not an arguments buffer",
             refusal(&|d, _, plan| {
                 d.arguments = d.arguments.map(|a| Arguments {
                     resource: id_of(plan, "need"),
@@ -125,13 +125,13 @@ fn wrong_arguments_are_refused() {
                 });
             }),
         ),
-        ("no instance but 0", refusal(&|d, _, _| d.instance = 1)),
+        ("only use instance 0", refusal(&|d, _, _| d.instance = 1)),
         (
             "reach beyond triangles",
             refusal(&|d, _, _| d.indices.end += 1),
         ),
         (
-            "reads no vertex buffer",
+            "cannot read a vertex buffer",
             refusal(&|_, vertices, plan| *vertices = Vertices::Mesh(id_of(plan, "vertices"))),
         ),
     ] {

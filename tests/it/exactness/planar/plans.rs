@@ -163,9 +163,9 @@ fn the_plan_is_told_with_its_work_on_the_cpu() {
     for line in [
         "per cut: 0 passes",
         "  slicers  [on the CPU]",
-        "    why     1 part made ready to be sliced by any plane",
+        "    why     1 part prepared for slicing by any plane",
         "  slice  [on the CPU]",
-        "    why     1 section, triangulated: where a plane is inside a part",
+        "    why     1 section, triangulated: the region of a plane inside a part",
         "    writes  section vertices, section indices",
         "    why     1 section: where one is, the crossing of its plane is inside its part",
     ] {

@@ -225,7 +225,7 @@ fn what_makes_no_sense_is_refused_by_name() {
             "did you mean `cells`",
         ),
         ("grid:{cells}+mask", "grid:{cells+mask", "brace"),
-        ("cells = [8", "cell = [8", "nobody uses"),
+        ("cells = [8", "cell = [8", "its values are not used"),
         (
             "\"cut.front.surfaces",
             "\"cut.frnt.surfaces",

@@ -141,7 +141,7 @@ fn a_method_has_a_page_of_its_own() {
     for said in [
         "`grid:256+vds:1024` drew 2 of 2 points, and is exact at 0 of them. At worst 1000 decided pixels are wrong.",
         "A frame takes ×2.00 of drawing uncut in the median",
-        "Over the fastest exact method of each point its frame takes ×0.50",
+        "Relative to the fastest exact method of each point, its frame takes ×0.50",
         "| 01-fixture crank: size = 2% |",
         "| 01-fixture crank: size = 10% |",
     ] {

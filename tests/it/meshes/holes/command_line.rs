@@ -132,6 +132,6 @@ fn what_stays_open_is_said_with_the_reason() {
         .run("inspect sheet.obj --close-holes")
         .exits(0)
         .stderr;
-    let note = "sheet: closed 0 of 1 hole with 0 triangles; left open, closed it would lie on its own surface: 4 edges, 4 around, at 0.5,0.5,0";
+    let note = "sheet: closed 0 of 1 hole with 0 triangles; left open, the filling would lie on the mesh itself: 4 edges, 4 around, at 0.5,0.5,0";
     assert!(said.contains(note), "{said}");
 }

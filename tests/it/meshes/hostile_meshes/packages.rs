@@ -104,7 +104,7 @@ fn changed_models_are_refused_with_their_line() {
         (
             "name=\"a\"",
             "type=\"support\"",
-            &["nothing that it builds"],
+            &["its build contains no solid"],
         ),
     ] {
         assert!(whole().contains(from), "{from} is not there");
@@ -139,7 +139,7 @@ fn changed_models_are_refused_with_their_line() {
     let empty = whole().replace(&empty, "<mesh><vertices/><triangles/></mesh>");
     must_be_refused(
         &folder.write("none.3mf", package(&empty, &[])),
-        "nothing that it builds",
+        "its build contains no solid",
     );
     let other = empty.replace("<mesh><vertices/><triangles/></mesh>", "<o:booleanshape/>");
     must_be_refused(
@@ -214,7 +214,7 @@ fn components_in_a_ring_or_without_end_are_refused() {
     let far = far.split_at(far.find("<item").unwrap());
     must_be_refused(
         &folder.write("far.3mf", package(model(far.0, far.1), &[])),
-        "not finite together",
+        "combined transform of object",
     );
 }
 

@@ -13,15 +13,15 @@ fn the_crank_cut_by_a_plane() {
     insta::assert_snapshot!(text, @r"
 per frame: 4 passes, 2.7 MiB
   crossings  [compute 20 x 13 x 1 groups]
-    why     the one list of depths per pixel; only planes, so no walk
+    why     the list of depths per pixel; only planes, so no walk
     reads   frame, cut_table, ray_table
     writes  crossing_heads, crossing_z, crossing_surface, need, mask
   solid  [draw 1992 triangles in 1 draw]
-    why     1 cut part: each fragment marks the crossings it is behind, and stays where it is kept
+    why     1 cut part: each fragment marks the crossings in front of it, and stays if it is kept
     reads   frame, cut_table, parts, mask, crossing_heads, crossing_z, crossing_surface, vertices, indices
     writes  mask, surface_words, surface_depth
   resolve  [compute 20 x 13 x 1 groups]
-    why     the nearest crossing that is inside a part and enters it is a cap, unless a surface is before it
+    why     the nearest crossing that is inside a part and enters it is a cap, unless a surface is in front of it
     reads   frame, cut_table, parts, surface_words, surface_depth, mask, crossing_heads, crossing_z, crossing_surface
     writes  layers
   shade  [compute 20 x 13 x 1 groups]

@@ -253,7 +253,7 @@ const MENDED: &[(Whole, Fault)] = &[
                 let attributes = &mut d.json["meshes"][0]["primitives"][0]["attributes"];
                 attributes.as_object_mut().unwrap().remove("WEIGHTS_0");
             },
-            &["passed over JOINTS_0", "12 vertices are pulled by no joint"],
+            &["passed over JOINTS_0", "12 vertices have no joint"],
         ),
     ),
     (
@@ -291,7 +291,7 @@ const MENDED: &[(Whole, Fault)] = &[
                 let inverse = d.floats(&inverse);
                 d.json["skins"][0]["inverseBindMatrices"] = json!(inverse);
             },
-            &["skin 0: joint 1 flattens what it pulls"],
+            &["skin 0: joint 1 flattens its vertices"],
         ),
     ),
     (
@@ -316,7 +316,7 @@ const MENDED: &[(Whole, Fault)] = &[
                     .unwrap()
                     .retain(|k, _| k == "POSITION");
             },
-            &["skin 0: the mesh does not say what its joints pull"],
+            &["skin 0: the mesh's vertices have no joints"],
         ),
     ),
     (

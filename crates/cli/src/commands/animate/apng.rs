@@ -1,4 +1,4 @@
-//! Animated PNG: lossless. A viewer that knows no animation shows the first frame.
+//! Animated PNG: lossless. A viewer without support for animation shows the first frame.
 //!
 //! After the first frame only the rectangle that changed is written.
 
@@ -15,10 +15,10 @@ use super::times::Times;
 use crate::console::Console;
 use crate::writing::output::Pending;
 
-/// An animated PNG that is being written.
+/// Encoder of an animated PNG.
 pub(super) struct Apng {
     path: PathBuf,
-    // Before its place: files are removed once their writer is closed.
+    // Declared before the pending file, so that it is dropped first: a file is removed once its writer is closed.
     writer: Writer<File>,
     pending: Pending,
     size_px: [u32; 2],
@@ -26,7 +26,7 @@ pub(super) struct Apng {
 }
 
 impl Apng {
-    /// Begins one.
+    /// Begins an animated PNG.
     pub(super) fn begin(
         path: &Path,
         size_px: [u32; 2],
@@ -79,7 +79,7 @@ fn header(
     encoder.write_header()
 }
 
-/// Seconds between frames as a fraction of numbers of 16 bits.
+/// Seconds between frames as a fraction of two 16-bit numbers.
 fn delay(fps: f64) -> (u16, u16) {
     let whole = |v: f64| (v - v.round()).abs() < 1e-9;
     let fits = [1.0, 10.0, 100.0, 1000.0].map(|n| (n, n * fps));

@@ -1,9 +1,9 @@
-//! `encode`: numbered pictures become one animation, as if `animate` had drawn them into it.
+//! `encode`: makes one animation of numbered pictures, as if `animate` had written it directly.
 //!
-//! Pictures that `animate` has numbered say of which animation they are and how long it is ([`Stamp`]): one that is missing, of another
-//! animation or not complete is an error, wherever it stands. Pictures of other programs are taken as they are numbered.
+//! Pictures written by `animate` store the identity and the length of their animation ([`Stamp`]): a picture that is missing, from another
+//! animation or incomplete is an error at any position. Pictures from other programs are taken in the order of their numbers.
 //!
-//! One picture is in memory at a time, but for a GIF, which keeps all packed until its colours are known.
+//! One picture is in memory at a time, except for a GIF, which keeps all pictures compressed until its colours are known.
 
 use std::io::Cursor;
 use std::path::{Path, PathBuf};
@@ -40,10 +40,10 @@ pub(crate) struct EncodeArgs {
     /// Numbered pictures: 'frames/%04d.png'
     #[arg(value_name = "PATTERN")]
     frames: String,
-    /// The animation: .gif, .png or .apng (animated PNG), or .mp4 (needs ffmpeg)
+    /// Output animation: .gif, .png or .apng (animated PNG), or .mp4 (needs ffmpeg)
     #[arg(long, short, value_name = "FILE", help_heading = "Output")]
     output: String,
-    /// Pictures per second; delays of a GIF are hundredths of a second
+    /// Pictures per second; a GIF stores delays in hundredths of a second
     #[arg(long, value_name = "N", value_parser = parse_fps, default_value_t = USUAL_FPS, allow_hyphen_values = true, help_heading = "Output")]
     fps: f64,
     #[command(flatten)]
@@ -124,12 +124,12 @@ pub(crate) fn run(args: &EncodeArgs) -> Result<Verdict> {
 }
 
 const DRAW_MISSING: &str =
-    "draw the missing pictures: the command that drew the others draws no more than those";
+    "draw the missing pictures: the command that drew the others skips existing ones";
 
-/// Most missing pictures that are named.
+/// Maximum number of missing pictures listed by name.
 const MOST_NAMED: usize = 5;
 
-/// Refuses an animation of which pictures are not there.
+/// Refuses an animation with missing pictures.
 fn must_be_whole(culprit: &str, pattern: &Pattern, stamp: &Stamp) -> Result<()> {
     let files = (1..=stamp.count).map(|number| pattern.file(number));
     let missing: Vec<PathBuf> = files.filter(|file| !file.is_file()).collect();
@@ -152,7 +152,7 @@ fn must_be_whole(culprit: &str, pattern: &Pattern, stamp: &Stamp) -> Result<()> 
     Err(Error::input(culprit, what, DRAW_MISSING))
 }
 
-/// Refuses a picture of another animation than the first, or an incomplete one among complete ones.
+/// Refuses a picture from another animation than the first picture's, or an incomplete picture among complete ones.
 fn must_belong(path: &Path, index: u32, own: Option<&Stamp>, first: Option<&Stamp>) -> Result<()> {
     let (what, help) = match (own, first) {
         (None, None) => return Ok(()),
@@ -171,30 +171,30 @@ fn must_belong(path: &Path, index: u32, own: Option<&Stamp>, first: Option<&Stam
                     "draw it again: remove it, and run the command that drew the others",
                 )
             } else {
-                let what = "another command, program or device drew it than the first".to_owned();
+                let what = "the first was drawn by another command, program or device".to_owned();
                 (
                     what,
-                    "draw all of them by one command, on devices that are alike",
+                    "draw all of them with one command, on devices of the same kind",
                 )
             }
         }
         (None, Some(_)) => (
-            "it is not complete, or no frame of the animation that the first is of".to_owned(),
-            "draw it again: the same command draws what is not whole",
+            "it is incomplete, or not a frame of the first picture's animation".to_owned(),
+            "draw it again: the same command redraws incomplete pictures",
         ),
         (Some(_), None) => (
-            "it is a frame of an animation, and the first is none, or is not complete".to_owned(),
-            "draw the first again: the same command draws what is not whole",
+            "it is a frame of an animation, but the first is not, or is incomplete".to_owned(),
+            "draw the first again: the same command redraws incomplete pictures",
         ),
     };
     Err(Error::file(path, what, help))
 }
 
-/// A picture, and what it says of itself.
+/// Reads a picture and its stamp.
 fn picture(path: &Path) -> Result<(image::RgbaImage, Option<Stamp>)> {
-    let help = "draw it again: the same command draws what is not whole";
+    let help = "draw it again: the same command redraws incomplete pictures";
     let bytes = input_file::read(path, &Disk)?;
     let read = image::load_from_memory_with_format(&bytes, image::ImageFormat::Png);
-    let picture = read.map_err(|e| Error::file(path, format!("it is no whole PNG: {e}"), help))?;
+    let picture = read.map_err(|e| Error::file(path, format!("it is a broken PNG: {e}"), help))?;
     Ok((picture.to_rgba8(), Stamp::of_whole(Cursor::new(bytes))))
 }

@@ -1,4 +1,4 @@
-//! Interface of all animation formats: an encoder takes frames one by one, and puts the whole into its place at the end.
+//! Interface of all animation formats: an encoder takes frames one by one, and moves the finished file to its destination at the end.
 
 use std::path::Path;
 
@@ -15,17 +15,17 @@ use super::target::Target;
 use super::times::Times;
 use crate::console::Console;
 
-/// A format that is being written. Dropped before its end, it leaves no file that is not whole.
+/// Encoder of an animation. Dropped before it is finished, it leaves no incomplete file.
 pub(super) trait Encoder {
-    /// Returns true if a frame, counted from 0, is in its place already and need not be added.
+    /// Returns true if a frame, counted from 0, is already written and need not be added.
     fn has(&self, _number: u32) -> bool {
         false
     }
 
-    /// Adds a frame by its number; all have the size of the first. One that is not complete may be written, but is not kept.
+    /// Adds a frame by its number; all have the size of the first. An incomplete frame may be written, but a later run draws it again.
     fn add(&mut self, number: u32, frame: &RgbaImage, is_complete: bool) -> Result<()>;
 
-    /// Puts the animation into its place.
+    /// Moves the finished animation to its destination.
     fn finish(self: Box<Self>, console: &Console) -> Result<()>;
 }
 
@@ -55,13 +55,13 @@ pub(super) struct Rectangle {
 }
 
 impl Rectangle {
-    /// All of a picture.
+    /// Rectangle of a whole picture.
     pub(super) fn whole(size: [u32; 2]) -> Self {
         Self { at: [0, 0], size }
     }
 
-    /// The least rectangle outside of which two pictures are the same: one pixel where they are the same everywhere,
-    /// since no format knows a frame without pixels.
+    /// The smallest rectangle that contains all differences between two pictures; one pixel if they are equal,
+    /// because no format allows a frame without pixels.
     pub(super) fn of_difference<T: PartialEq>(
         a: &[T],
         b: &[T],
@@ -96,7 +96,7 @@ impl Rectangle {
         }
     }
 
-    /// The rows of the rectangle in a picture.
+    /// The rectangle's rows in a picture.
     pub(super) fn rows<'a, T>(
         &self,
         picture: &'a [T],
@@ -115,9 +115,9 @@ impl Rectangle {
     }
 }
 
-/// The error of a file that an encoder could not write.
+/// Error for a file that an encoder could not write.
 pub(super) fn cannot_encode(path: &Path, why: impl std::fmt::Display) -> cutaway::Error {
-    let help = "check the room on the disk, or lower --resolution";
+    let help = "check the free disk space, or lower --resolution";
     cutaway::Error::file(path, format!("cannot be written: {why}"), help)
 }
 

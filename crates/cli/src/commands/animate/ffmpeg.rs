@@ -1,8 +1,8 @@
-//! MP4 by ffmpeg, which is given raw frames through a pipe.
+//! MP4 by ffmpeg, which receives raw frames through a pipe.
 //!
-//! H.264 by libx264 where that is built in, or else by the best of the others that are. The widely read pixel format halves
-//! the resolution of colour, so that sizes have to be even: an odd one is continued by a copy of its last row or column.
-//! Colours are marked as BT.709, which players assume of anything that is not marked.
+//! H.264 by libx264 if ffmpeg has it, otherwise by the best available encoder. The widely supported pixel format halves
+//! the colour resolution, so sizes have to be even: an odd size is padded with a copy of the last row or column.
+//! Colours are tagged as BT.709, which players assume for untagged files.
 
 use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
@@ -28,16 +28,16 @@ struct Running(Child);
 
 impl Drop for Running {
     fn drop(&mut self) {
-        // Both are refused where it has ended, as it should have.
+        // Both calls fail if the process has already ended, which is the normal case.
         let _ = self.0.kill();
         let _ = self.0.wait();
     }
 }
 
-/// A film that ffmpeg is writing.
+/// Encoder of an MP4 through ffmpeg.
 pub(super) struct Ffmpeg {
     path: PathBuf,
-    // Before what it writes to: files are removed once their writer is closed.
+    // Declared before its output file, so that it is dropped first: a file is removed once its writer is closed.
     running: Running,
     pending: Pending,
     /// Its error output, read by a thread so that the process never blocks on it.
@@ -46,7 +46,7 @@ pub(super) struct Ffmpeg {
 }
 
 impl Ffmpeg {
-    /// Begins one.
+    /// Starts ffmpeg.
     pub(super) fn begin(
         program: &Program,
         path: &Path,
@@ -70,7 +70,7 @@ impl Ffmpeg {
             .args(["-color_trc", "bt709", "-color_range", "tv"])
             .args(program.codec)
             .args(["-movflags", "+faststart", "-f", "mp4"])
-            // Without the word for files a name with a colon would be taken for a protocol.
+            // Without the `file:` prefix a name with a colon would be taken for a protocol.
             .arg(format!("file:{}", pending.beside().display()));
         let child = command
             .stdin(Stdio::piped())
@@ -81,7 +81,7 @@ impl Ffmpeg {
         let complaint = child.stderr.take().map(|mut stderr| {
             std::thread::spawn(move || {
                 let mut said = Vec::new();
-                // What was said before the pipe broke is all there is.
+                // Keep the lines read before the pipe broke.
                 let _ = stderr.read_to_end(&mut said);
                 String::from_utf8_lossy(&said).into_owned()
             })
@@ -95,15 +95,15 @@ impl Ffmpeg {
         })
     }
 
-    /// The error of an ffmpeg that stopped, in its own last words.
+    /// Error for an ffmpeg that stopped, with its last message.
     fn stopped(&mut self, how: &str) -> Error {
         let said = self.complaint.take().and_then(|c| c.join().ok());
         let said = said.unwrap_or_default();
         let last = said.lines().rfind(|l| !l.trim().is_empty());
         Error::file(
             &self.path,
-            format!("ffmpeg {how}: {}", last.unwrap_or("it does not say why")),
-            "check the room on the disk and whether ffmpeg works by itself, or write a .gif or a .png",
+            format!("ffmpeg {how}: {}", last.unwrap_or("no reason given")),
+            "check the free disk space and whether ffmpeg works by itself, or write a .gif or a .png",
         )
     }
 }
@@ -116,14 +116,14 @@ impl Encoder for Ffmpeg {
             None => Ok(()),
         };
         written.map_err(|e| {
-            // It reads no more because it has gone; waiting for it closes what it says.
+            // The process has ended; waiting for it also closes its error output.
             let _ = self.running.0.wait();
             self.stopped(&format!("takes no more frames ({e})"))
         })
     }
 
     fn finish(mut self: Box<Self>, _: &Console) -> Result<()> {
-        // The end of its input tells it that this was all.
+        // Closing its input marks the end of the frames.
         drop(self.running.0.stdin.take());
         match self.running.0.wait() {
             Ok(status) if status.success() => {}
@@ -143,7 +143,7 @@ impl Encoder for Ffmpeg {
     }
 }
 
-/// The pixels without alpha, continued to an even size.
+/// The pixels without alpha, padded to an even size.
 fn rgb_of_even_size(frame: &RgbaImage, size_px: [u32; 2]) -> Vec<u8> {
     let [width, height] = even(size_px);
     let mut bytes = Vec::with_capacity(width as usize * height as usize * 3);

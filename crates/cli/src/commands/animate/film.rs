@@ -1,4 +1,4 @@
-//! The frames of an animation: drawn one after the other by one session, and accounted for.
+//! The frames of an animation: drawn one after the other by one session, and reported.
 
 use std::ops::Range;
 
@@ -21,21 +21,21 @@ use crate::notes::warn_of_doubt;
 use crate::renderer_request::RendererChoice;
 use crate::verdict::Verdict;
 
-/// Seconds from which the expected time is reported beforehand, where no progress bar shows it.
+/// The expected time is reported in advance if it is at least this many seconds and no progress bar shows it.
 const PATIENCE_S: f64 = 10.0;
 
-/// All that frames are drawn from.
+/// Everything needed to draw the frames.
 pub(super) struct Film<'a> {
     pub(super) args: &'a AnimateArgs,
     pub(super) subject: &'a Subject,
     pub(super) times: Times,
-    /// The frames that are drawn: all, or a share.
+    /// The frames to draw: all, or a share.
     pub(super) own: Range<u32>,
     pub(super) chosen: RendererChoice,
-    /// The scene at the time of the last frame, as it is prepared.
+    /// The prepared scene at the time of the last frame.
     pub(super) shown: SceneAtTime,
     pub(super) scene: Scene,
-    /// Some frame has failed by a fault that is not of the mesh.
+    /// True if a frame failed for a reason other than a defect of the mesh.
     pub(super) has_failed: bool,
 }
 
@@ -49,7 +49,7 @@ impl Film<'_> {
     ) -> Result<(image::RgbaImage, FrameReport)> {
         let watch = Stopwatch::start();
         let (subject, time_s) = (self.subject, self.times.at(frame));
-        // The first was opened, and what stands still stays as it is.
+        // The first frame's scene is already open; whatever does not move is reused.
         if frame > 0 && subject.timeline.moves() {
             self.scene = subject.timeline.at(time_s)?;
             self.shown = self.shown.updated(&self.scene);
@@ -68,7 +68,7 @@ impl Film<'_> {
             }
             None => self.scene.camera,
         };
-        // The timeline knows of no turn.
+        // The turntable is not part of the timeline.
         let follows = |b: &Breakaway| b.view == BreakawayView::Each;
         let mut breakaways = self.scene.cuts.iter().filter_map(|c| c.breakaway.as_ref());
         if self.args.turn_deg.is_some() && breakaways.any(follows) {
@@ -95,7 +95,7 @@ impl Film<'_> {
         Ok((drawn.image, report))
     }
 
-    /// Says how long the frames that are left may take, as if all took as long as the last: the first also builds what all share.
+    /// Reports the estimated time of the remaining frames, from the last one's time: the first frame also builds what all frames share.
     pub(super) fn announce(&self, frames: &[FrameReport], console: &Console) {
         let left = self.own.len() - frames.len();
         let Some(ms) = frames.last().and_then(|f| f.drawn_ms) else {
@@ -109,7 +109,7 @@ impl Film<'_> {
         }
     }
 
-    /// The run and its frames as JSON.
+    /// Report of the run and its frames as JSON.
     pub(super) fn json(&self, session: &Session, target: &Target, frames: &[FrameReport]) -> Value {
         let options = self.chosen.renderer.options();
         json!({

@@ -1,8 +1,8 @@
-//! GIF: 255 colours for all frames, delays in hundredths of a second, transparency all or nothing.
+//! GIF: one palette of 255 colours for all frames, delays in hundredths of a second, no partial transparency.
 //!
-//! The colours are known only after the last frame; until then frames wait in memory, compressed (about a fifth of their
-//! size for smooth pictures). Where no pixel is transparent a frame holds only the rectangle that changed, and in it a colour
-//! that means "as before" for what did not.
+//! The palette is known only after the last frame; until then frames stay in memory, compressed (about a fifth of their
+//! size for smooth pictures). If no pixel is transparent, a frame holds only the rectangle that changed; within it, unchanged
+//! pixels have a palette index that means "as before".
 
 use std::fs::File;
 use std::io::{BufWriter, Read, Write};
@@ -22,10 +22,10 @@ use super::times::Times;
 use crate::console::Console;
 use crate::writing::output::Pending;
 
-/// The number that stands for "as before", or for nothing at all.
+/// The palette index for "as before", or for a transparent pixel.
 const AS_BEFORE: u8 = MOST_COLORS as u8;
 
-/// Shortest delay in hundredths of a second: browsers take shorter ones for a slip and show a tenth of a second.
+/// Shortest delay in hundredths of a second: browsers replace shorter ones by a tenth of a second.
 const LEAST_DELAY_CS: f64 = 2.0;
 
 /// The nearest rate to `fps` with a delay in whole hundredths of a second.
@@ -39,10 +39,10 @@ fn delay_cs(fps: f64) -> u16 {
         .clamp(LEAST_DELAY_CS, f64::from(u16::MAX)) as u16
 }
 
-/// A GIF that is being written.
+/// Encoder of a GIF.
 pub(super) struct Gif {
     path: PathBuf,
-    // Before its place: files are removed once their writer is closed.
+    // Declared before the pending file, so that it is dropped first: a file is removed once its writer is closed.
     file: File,
     pending: Pending,
     size_px: [u32; 2],
@@ -54,7 +54,7 @@ pub(super) struct Gif {
 }
 
 impl Gif {
-    /// Begins one.
+    /// Begins a GIF.
     pub(super) fn begin(
         path: &Path,
         size_px: [u32; 2],
@@ -126,14 +126,14 @@ struct Film<'a> {
 impl Film<'_> {
     fn write(&self, file: File, frames: &[Vec<u8>], plays: Plays) -> Result<(), EncodingError> {
         let mut colors = self.palette.colors.concat();
-        // The last of 256 entries is no colour of the picture.
+        // The last of the 256 entries is reserved for "as before".
         colors.resize(256 * 3, 0);
         let [width, height] = self.size_px;
         let writer = BufWriter::new(file);
         let mut encoder = gif::Encoder::new(writer, width as u16, height as u16, &colors)?;
         encoder.set_repeat(match plays {
             Plays::Forever => Repeat::Infinite,
-            // It counts the rounds after the first.
+            // The format counts the repeats after the first play.
             Plays::Times(n) => Repeat::Finite(n - 1),
         })?;
         let mut last: Option<Vec<u8>> = None;

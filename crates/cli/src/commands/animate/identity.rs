@@ -1,5 +1,5 @@
-//! Identity of the run of a numbered frame: the scene that results from all options, its times, its input files, the program and the
-//! device. A frame of the same run would be drawn to the same pixels, and need not be drawn again.
+//! Identity of the run that drew a numbered frame: the scene that results from all options, its times, its input files, the program and the
+//! device. Runs of equal identity draw equal pixels, so their frames need not be drawn again.
 
 use cutaway::session::Session;
 use cutaway_lab::experiment::Identity;
@@ -8,14 +8,14 @@ use super::times::Times;
 use crate::input::stdin;
 use crate::input::subject::Subject;
 
-/// Identity of this program: its length and modification time. Reading the whole file would take as long as a frame.
+/// Identity of this program: its file's length and modification time. Reading the whole file would take as long as a frame.
 fn program() -> String {
     let file = std::env::current_exe().and_then(std::fs::metadata);
     let written = file.and_then(|m| Ok((m.len(), m.modified()?)));
     format!("{:?}", written.ok())
 }
 
-/// The identity of a run, without the output paths and the share of frames that is drawn.
+/// The identity of a run; output paths and the share of frames do not count.
 pub(super) fn of(
     subject: &Subject,
     times: &Times,

@@ -1,7 +1,7 @@
 //! `animate`: a scene over time, or from all sides, as a GIF, an animated PNG, a film, or numbered pictures.
 //!
-//! All frames are drawn by one session, so that what does not change from frame to frame is built once. Time is that of as
-//! many pictures, plus the encoder's. The file takes its place when it is whole.
+//! All frames are drawn by one session, so that what does not change from frame to frame is built once. The time is that of as
+//! many pictures, plus the encoder's. The file appears at its destination when it is complete.
 
 mod apng;
 pub(crate) mod encode;
@@ -61,10 +61,10 @@ What moves is the scene's business: keys of a scene file, animations of a glTF f
 Ctrl-C or SIGTERM ends after the present frame, with exit code 130. Numbered frames that are there stay, and the same command goes on
 from them; of an animation in one file no file is written.";
 
-/// The usual rate of a GIF, whose delays are then 8 hundredths: about half of that of a film, for a file of half the bytes in half the time.
+/// Default frame rate of a GIF, with delays of 8 hundredths: about half of a film's rate, which halves file size and time.
 const USUAL_GIF_FPS: f64 = 12.5;
 
-/// The usual size of a GIF: its file has no better compression than that of runs.
+/// Default size of a GIF, small because the format compresses little more than runs of equal pixels.
 const USUAL_GIF_SIZE_PX: [i64; 2] = [640, 480];
 
 /// Options of `animate`.
@@ -76,7 +76,7 @@ pub(crate) struct AnimateArgs {
     clip: ClipArgs,
     #[command(flatten)]
     times: TimesArgs,
-    /// A plane that moves through the model from one place to another: `y=10%:90%`, `-z=0:25`; the side its axis points to stays
+    /// A plane that moves through the model from one position to another: `y=10%:90%`, `-z=0:25`; the side its axis points to stays
     #[arg(
         long,
         value_name = "AXIS=FROM:TO",
@@ -85,7 +85,7 @@ pub(crate) struct AnimateArgs {
         help_heading = "Cuts"
     )]
     sweep: Option<Sweep>,
-    /// The camera goes round the up axis, all the way or by N degrees, on top of what moves: --turntable=90
+    /// Moves the camera around the up axis, a full turn or N degrees, in addition to all other motion: --turntable=90
     #[arg(
         long = "turntable",
         value_name = "DEGREES",
@@ -96,10 +96,10 @@ pub(crate) struct AnimateArgs {
         help_heading = "Camera"
     )]
     turn_deg: Option<f64>,
-    /// The animation: .gif, .png or .apng (animated PNG), .mp4 (needs ffmpeg), or a PNG for each frame: 'frames/%04d.png'
+    /// Output animation: .gif, .png or .apng (animated PNG), .mp4 (needs ffmpeg), or a PNG for each frame: 'frames/%04d.png'
     #[arg(long, short, value_name = "FILE|PATTERN", help_heading = "Output")]
     output: String,
-    /// Draw one share of numbered frames, a row of them: 0/8 to 7/8, or auto for that of a task of an array (Slurm and others), auto/8 where some of 8 tasks are submitted again
+    /// Draw only one contiguous share of numbered frames: 0/8 to 7/8; auto takes it from the array task (Slurm and others), auto/8 if only some of 8 tasks are resubmitted
     #[arg(long, value_name = "I/N|auto", help_heading = "Output")]
     shard: Option<Shard>,
     #[command(flatten)]
@@ -123,13 +123,13 @@ pub(crate) fn run(args: &AnimateArgs) -> Result<Verdict> {
     console.step("opening");
     let (target, json) = outputs(args)?;
     turn_is_no_input(args)?;
-    // One numbered mesh to a frame: at any other rate some would be seen twice and others not at all.
+    // One numbered mesh per frame: at any other rate some would be shown twice and others not at all.
     let played_fps = rate(args, &target, false).1;
     let mut document = args.scene.document(Some(played_fps))?;
     args.clip.amend(&mut document)?;
     args.look.amend(&mut document)?;
     args.options.amend(&mut document)?;
-    // After all options, and for cutaways that are fitted to the picture.
+    // After all options, because some cutaways depend on the picture.
     if matches!(target, Target::Gif(_)) && document.get("resolution").is_err() {
         document.set("resolution", USUAL_GIF_SIZE_PX.map(Value::from).to_vec())?;
     }
@@ -152,12 +152,12 @@ pub(crate) fn run(args: &AnimateArgs) -> Result<Verdict> {
     let json_file = [("--json", json.as_ref())];
     subject.save_beside(files.chain(paths_of(&json_file)), &args.scene.edits)?;
     let mut session = args.device.session(args.json.is_some())?;
-    // Its files are read once more for it, which only numbered frames have any use for.
+    // Computed for numbered frames only, because it reads the input files once more.
     let run = match target {
         Target::Numbered(_) => identity::of(&subject, &times, args.turn_deg, &session),
         _ => Identity::default(),
     };
-    // Before the encoder begins a file, which Ctrl-C would leave behind half written.
+    // Before the encoder begins a file, which Ctrl-C would otherwise leave half written.
     let interrupt = Interrupt::listen("animate", "frame")?;
     let mut encoder = encoder(&target, subject.size_px(), &times, plays, run)?;
     let own = args.shard.unwrap_or(Shard::WHOLE).of_row(times.count);
@@ -186,7 +186,7 @@ pub(crate) fn run(args: &AnimateArgs) -> Result<Verdict> {
         } else {
             let (image, report) = film.draw(frame, &mut session, &console)?;
             match encoder.add(frame, &image, report.outcome == Outcome::Complete) {
-                // An encoder of its own process may have ended by the same Ctrl-C.
+                // An encoder in its own process may have been ended by the same Ctrl-C.
                 Err(_) if interrupt.is_wanted() => break,
                 added => added?,
             }
@@ -201,7 +201,7 @@ pub(crate) fn run(args: &AnimateArgs) -> Result<Verdict> {
     if interrupt.is_wanted() && frames.len() < own.len() {
         console.note(match &target {
             Target::Numbered(_) => format!(
-                "{} of {} frames are there: the same command goes on from them",
+                "{} of {} frames are complete: the same command continues from there",
                 frames.len(),
                 own.len()
             ),
@@ -223,7 +223,7 @@ pub(crate) fn run(args: &AnimateArgs) -> Result<Verdict> {
     })
 }
 
-/// Lets a plane move as long as anything else does, or for the requested duration.
+/// Adds the moving plane, for the requested duration or as long as anything else moves.
 fn add_sweep(
     sweep: Sweep,
     document: &mut Document,
@@ -237,7 +237,7 @@ fn add_sweep(
     let times = args
         .times
         .times(rate(args, target, false).1, timeline.duration_s())?;
-    // The last frame, which is one before the end of the animation, shows where it ends.
+    // The sweep reaches its end position at the last frame, which starts one frame before the end of the animation.
     let steps = times.count.max(2) as f64;
     let end_s = times.start_s + times.duration_s();
     let last_s = end_s - times.duration_s() / steps;
@@ -270,20 +270,20 @@ fn outputs(args: &AnimateArgs) -> Result<(Target, Option<Output>)> {
     Ok((target, json))
 }
 
-/// `--turntable 90` reads as an input called 90: nearly always a slip.
+/// Refuses `--turntable 90`, which would be parsed as an input file named 90.
 fn turn_is_no_input(args: &AnimateArgs) -> Result<()> {
     let number = |i: &&String| i.parse::<f64>().is_ok() && !std::path::Path::new(i).exists();
     match args.scene.inputs.iter().find(number) {
         Some(input) if args.turn_deg.is_some() => Err(Error::input(
             input.as_str(),
             "there is no such file",
-            format!("for a turn of so many degrees write --turntable={input}"),
+            format!("for a turn by this angle write --turntable={input}"),
         )),
         _ => Ok(()),
     }
 }
 
-/// The times of the frames; an error where all of them would show the same.
+/// The frame times; an error if all frames would be the same.
 fn times(
     args: &AnimateArgs,
     target: &Target,
@@ -316,7 +316,7 @@ fn times(
 fn rate(args: &AnimateArgs, target: &Target, stands_still: bool) -> (f64, f64) {
     match target {
         Target::Gif(_) => {
-            // Numbered meshes are played as fast as elsewhere, each of them once.
+            // Numbered meshes are played once each, at the rate used for other outputs.
             let usual = match args.scene.inputs.iter().any(|i| Pattern::is_in(i)) {
                 true => USUAL_FPS,
                 false => USUAL_GIF_FPS,
@@ -335,7 +335,7 @@ fn note_of_even_size(target: &Target, size_px: [u32; 2], console: &Console) {
     let [width, height] = ffmpeg::even(size_px);
     if matches!(target, Target::Mp4(..)) && [width, height] != size_px {
         console.note(format!(
-            "sizes of an MP4 are even: it becomes {width} x {height}, continued at its border"
+            "an MP4 needs even sizes: it becomes {width} x {height}, padded at its border"
         ));
     }
 }

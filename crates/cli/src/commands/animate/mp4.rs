@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::{Read, Seek, SeekFrom};
 use std::path::Path;
 
-/// Description of what a file lacks to be played, if anything: the list of its frames (`moov`), the frames (`mdat`), or the end of
+/// Description of what the file lacks to be playable, if anything: the frame index (`moov`), the frames (`mdat`), or the end of
 /// a box.
 pub(super) fn missing(path: &Path) -> std::io::Result<Option<String>> {
     let mut file = File::open(path)?;
@@ -22,7 +22,7 @@ pub(super) fn missing(path: &Path) -> std::io::Result<Option<String>> {
         let [a, b, c, d, kind @ ..] = head;
         let (kind, long) = kind.split_at(4);
         let size = match u32::from_be_bytes([a, b, c, d]) {
-            // To the end of the file.
+            // Size 0: the box extends to the end of the file.
             0 => length - at,
             1 => long.first_chunk().map_or(0, |b| u64::from_be_bytes(*b)),
             size => u64::from(size),

@@ -1,7 +1,7 @@
-//! A PNG for each frame, under names that count from 1: `frames/%04d.png`.
+//! One PNG per frame, numbered from 1: `frames/%04d.png`.
 //!
-//! Each file takes its place as soon as it is whole. It says of which run it is ([`Stamp`]), so that the same command can go on where it
-//! stopped; a frame of any other run is drawn again.
+//! Each file appears as soon as it is complete. It stores its run ([`Stamp`]), so that the same command can go on where it
+//! stopped; frames of other runs are drawn again.
 
 use std::fs::File;
 use std::io::BufReader;
@@ -18,7 +18,7 @@ use super::stamp::Stamp;
 use crate::console::Console;
 use crate::writing::output::write_file;
 
-/// Frames that are written one by one.
+/// Writer of numbered frames.
 pub(super) struct Numbered {
     pattern: Pattern,
     count: u32,
@@ -26,7 +26,7 @@ pub(super) struct Numbered {
 }
 
 impl Numbered {
-    /// So many frames of a run with names of a pattern.
+    /// Begins `count` frames of a run, named by a pattern.
     pub(super) fn new(pattern: Pattern, count: u32, run: Identity) -> Self {
         Self {
             pattern,
@@ -39,7 +39,7 @@ impl Numbered {
         self.pattern.file(number + 1)
     }
 
-    /// Metadata of a frame.
+    /// A frame's metadata.
     fn stamp(&self, number: u32) -> Stamp {
         Stamp {
             run: self.run.text(),
@@ -67,7 +67,7 @@ impl Encoder for Numbered {
         let next = self.file(self.count);
         if next.exists() {
             console.warn(format!(
-                "{} is from before and does not belong to this animation\n  help: remove it and those after it",
+                "{} is from an earlier run and does not belong to this animation\n  help: remove it and those after it",
                 next.display()
             ));
         }

@@ -1,32 +1,32 @@
 //! The colours of a GIF: at most 255 for all its frames, so that nothing flickers from one to the next.
 //!
-//! Up to 255 colours are kept as they are. More are learnt from a sample of all frames by a self-organising map (NeuQuant, of
-//! the crate `color_quant`), and frames are dithered by a fixed 8 x 8 pattern as strongly as the colours are apart: a pattern
-//! that follows the picture, as error diffusion does, would crawl where nothing moves.
+//! Up to 255 colours are kept as they are. More are reduced by a self-organising map, trained on a sample of all frames (NeuQuant, from
+//! the crate `color_quant`), and frames are dithered by a fixed 8 x 8 pattern, scaled by the distance between colours: a pattern
+//! that depends on the picture, as in error diffusion, would crawl where nothing moves.
 
 use std::collections::BTreeSet;
 
 use color_quant::NeuQuant;
 use rayon::prelude::*;
 
-/// Most colours; one of the 256 that a GIF knows stands for "as before".
+/// Maximum number of colours; one of the 256 palette entries of a GIF stands for "as before".
 pub(super) const MOST_COLORS: usize = 255;
 
-/// Pixels that are learnt from, of all frames together.
+/// Number of sampled pixels, over all frames.
 const SAMPLES: usize = 1 << 18;
 
-/// Steps along each side of the grid of cells that the search begins with.
+/// Cells along each side of the search grid over the colour cube.
 const CELLS: usize = 32;
 
-/// Values of a channel in one cell.
+/// Channel values per cell.
 const CELL: usize = 256 / CELLS;
 
 /// Collects colours from frames.
 pub(super) struct Sampler {
-    /// Mean distance between sampled pixels of a frame.
+    /// Mean distance between a frame's sampled pixels.
     stride: usize,
     sampled: Vec<[u8; 3]>,
-    /// All colours, as long as there are few.
+    /// All distinct colours, as long as they are few.
     distinct: BTreeSet<[u8; 3]>,
     state: u32,
 }
@@ -42,7 +42,7 @@ impl Sampler {
         }
     }
 
-    /// Looks at the pixels of a frame that are not transparent.
+    /// Samples the opaque pixels of a frame.
     pub(super) fn look(&mut self, rgba: &[u8]) {
         let mut skip = 0;
         let mut last = None;
@@ -54,7 +54,7 @@ impl Sampler {
             }
             if skip == 0 {
                 self.sampled.push(color);
-                // At uneven distances, lest they fall into step with the rows.
+                // At uneven distances, to avoid a regular pattern across rows.
                 self.state = self
                     .state
                     .wrapping_mul(1_664_525)
@@ -65,7 +65,7 @@ impl Sampler {
         }
     }
 
-    /// The colours that show what was looked at best.
+    /// The palette that fits the sampled pixels best.
     pub(super) fn palette(self) -> Palette {
         if self.distinct.len() <= MOST_COLORS {
             return Palette::of(self.distinct.into_iter().collect(), 0.0);
@@ -89,7 +89,7 @@ impl Sampler {
     }
 }
 
-/// Every colour moved to the mean of what it stands for.
+/// Moves every colour to the mean of the pixels it represents.
 fn refined(palette: &Palette, sampled: &[[u8; 3]]) -> Vec<[u8; 3]> {
     let mut sums = vec![([0_u64; 3], 0_u64); palette.colors.len()];
     for color in sampled {
@@ -109,18 +109,18 @@ fn refined(palette: &Palette, sampled: &[[u8; 3]]) -> Vec<[u8; 3]> {
     means.collect()
 }
 
-/// Returns true if a GIF shows a pixel: the format has no partial transparency.
+/// Returns true if a pixel counts as opaque: GIF has no partial transparency.
 pub(super) fn is_opaque(rgba: &[u8]) -> bool {
     rgba[3] >= 128
 }
 
-/// The colours of all frames, and the way from any colour to the nearest of them.
+/// The palette of all frames, with a lookup from any colour to the nearest entry.
 pub(super) struct Palette {
     /// sRGB.
     pub(super) colors: Vec<[u8; 3]>,
-    /// Range of the pattern that is added before the nearest is taken.
+    /// Range of the dither pattern added before the nearest entry is looked up.
     dither: f64,
-    /// By cell of the cube of colours: those that can be nearest to something in it.
+    /// Per cell of the colour cube, the entries that can be nearest to a colour in it.
     candidates: Vec<Vec<u8>>,
 }
 
@@ -138,7 +138,7 @@ impl Palette {
         }
     }
 
-    /// The number of the nearest colour.
+    /// Index of the nearest entry.
     fn nearest(&self, color: [u8; 3]) -> u8 {
         let [r, g, b] = color.map(|v| usize::from(v) / CELL);
         let near = &self.candidates[(r * CELLS + g) * CELLS + b];
@@ -148,7 +148,7 @@ impl Palette {
         best.copied().unwrap_or(0)
     }
 
-    /// The number of the colour of every pixel; `empty` where it is transparent.
+    /// Palette index of every pixel; `empty` for transparent pixels.
     pub(super) fn indices(&self, rgba: &[u8], width: u32, empty: u8) -> Vec<u8> {
         let width = width as usize;
         let rows = rgba.par_chunks_exact(width * 4).enumerate();
@@ -171,8 +171,8 @@ fn distance(a: [u8; 3], b: [u8; 3]) -> u32 {
     off(0) * off(0) + off(1) * off(1) + off(2) * off(2)
 }
 
-/// The colours that are nearest to some colour of a cell: those whose least distance from it is no more than the least of
-/// the greatest distances.
+/// Candidates for the nearest entry to a colour of a cell: those whose minimum distance from the cell does not exceed the smallest
+/// of all maximum distances.
 fn candidates(cell: usize, colors: &[[u8; 3]]) -> Vec<u8> {
     let low = [cell / CELLS / CELLS, cell / CELLS % CELLS, cell % CELLS].map(|c| c * CELL);
     let range = |color: &[u8; 3]| {
@@ -194,7 +194,7 @@ fn candidates(cell: usize, colors: &[[u8; 3]]) -> Vec<u8> {
     near.map(|(i, _)| i as u8).collect()
 }
 
-/// The pattern of Bayer: from -1/2 to 1/2, each value once in every 8 x 8 pixels.
+/// Bayer pattern: from -1/2 to 1/2, each value once in every 8 x 8 pixels.
 fn pattern(x: usize, y: usize) -> f64 {
     let mut rank = 0;
     for bit in 0..3 {

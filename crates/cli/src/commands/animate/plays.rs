@@ -21,7 +21,7 @@ pub(crate) struct LoopArgs {
 }
 
 impl LoopArgs {
-    /// Refuses to count the plays of what does not say them.
+    /// Refuses a play count for formats that do not store one.
     pub(super) fn must_fit(self, target: &Target) -> cutaway::Result<()> {
         if self.plays.is_none() || target.counts_plays() {
             return Ok(());
@@ -40,14 +40,14 @@ impl LoopArgs {
 /// Play count of an animation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Plays {
-    /// Without end.
+    /// Endless repetition.
     Forever,
-    /// So many times; never 0.
+    /// Number of plays; never 0.
     Times(u16),
 }
 
 impl Plays {
-    /// As animated PNG has it.
+    /// The value stored in an animated PNG.
     pub(super) fn count(self) -> u32 {
         match self {
             Self::Forever => 0,

@@ -1,4 +1,4 @@
-//! The program ffmpeg: whether it is there, and what it compresses with.
+//! The program ffmpeg: whether it is installed, and which codec it uses.
 
 use std::io::ErrorKind;
 use std::path::Path;
@@ -6,13 +6,13 @@ use std::process::{Command, Stdio};
 
 use cutaway::{Error, Result};
 
-/// The program, and the options it compresses with.
+/// The program, and its codec options.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Program {
     pub(super) codec: &'static [&'static str],
 }
 
-/// Codecs that ffmpeg may have built in, the best first, with the options that make each look good.
+/// Codecs that ffmpeg may have built in, the best first, each with its quality options.
 const CODECS: &[(&str, &[&str])] = &[
     (
         "libx264",
@@ -23,7 +23,7 @@ const CODECS: &[(&str, &[&str])] = &[
 ];
 
 impl Program {
-    /// Asks ffmpeg what it can do, before any frame is drawn.
+    /// Queries the codecs of ffmpeg, before any frame is drawn.
     pub(super) fn find(output: &Path) -> Result<Self> {
         let culprit = || format!("--output {}", output.display());
         let asked = Command::new("ffmpeg")

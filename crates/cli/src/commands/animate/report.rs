@@ -6,23 +6,23 @@ use cutaway::session::{Drawn, Outcome};
 use cutaway_lab::experiment::{PerClock, Samples};
 use serde_json::{Value, json};
 
-/// A frame that was drawn.
+/// Report of a frame.
 pub(super) struct FrameReport {
-    /// Its time in the scene.
+    /// Scene time of the frame.
     pub(super) time_s: f64,
     /// Outcome of the frame: the worst of its samples.
     pub(super) outcome: Outcome,
     /// Clocks that ran.
     clocks: ClockSet,
-    /// Milliseconds of each clock, the mean over the samples for which it ran.
+    /// Milliseconds per clock, averaged over the samples for which it ran.
     time_ms: PerClock<Option<f64>>,
-    /// Milliseconds from the scene to the picture, by the clock of the wall.
-    /// None of a frame that was there already.
+    /// Wall-clock milliseconds from the scene to the picture.
+    /// None for a frame that already existed.
     pub(super) drawn_ms: Option<f64>,
 }
 
 impl FrameReport {
-    /// Report of the frames that a picture was made of.
+    /// Report of a picture, from the reports of its samples.
     pub(super) fn of(time_s: f64, frames: &[Drawn], drawn_ms: f64) -> Self {
         let incomplete = frames.iter().find(|f| f.outcome != Outcome::Complete);
         let mean = |clock: Clock| {
@@ -43,7 +43,7 @@ impl FrameReport {
         }
     }
 
-    /// A frame that an earlier run left whole.
+    /// Report of a complete frame from an earlier run.
     pub(super) fn kept(time_s: f64) -> Self {
         Self {
             drawn_ms: None,
@@ -74,12 +74,12 @@ impl FrameReport {
     }
 }
 
-/// Median time from a scene to its picture, of the frames that were drawn.
+/// Median time from scene to picture over the frames drawn.
 pub(super) fn median_ms(frames: &[FrameReport]) -> f64 {
     Samples::new(frames.iter().filter_map(|f| f.drawn_ms).collect()).median
 }
 
-/// Number of runs of each clock, in words; none for exact.
+/// Text of how often each clock ran; none for exact.
 pub(super) fn clocks(frames: &[FrameReport]) -> String {
     let counts = Clock::ALL.map(|c| (c, frames.iter().filter(|f| f.clocks.contains(c)).count()));
     let ran: Vec<String> = (counts.iter().filter(|(_, n)| *n > 0))

@@ -1,15 +1,15 @@
 //! Metadata of a numbered picture in PNG text chunks: the run that drew it, its number and the frame count.
 //!
-//! A picture without them was drawn by another program, or is not complete.
+//! A picture without them is from another program, or incomplete.
 
 use std::io::{BufRead, Seek};
 
 use super::times::MOST_FRAMES;
 
-/// The keyword of the chunk that names the run.
+/// Keyword of the chunk with the run's identity.
 const RUN: &str = "cutaway run";
 
-/// The keyword of the chunk with the number of the frame: `3 of 24`.
+/// Keyword of the chunk with the frame number: `3 of 24`.
 const FRAME: &str = "cutaway frame";
 
 /// Run and number of a picture.
@@ -17,20 +17,20 @@ const FRAME: &str = "cutaway frame";
 pub(super) struct Stamp {
     /// The identity of the run, as text.
     pub(super) run: String,
-    /// From 1.
+    /// Frame number, from 1.
     pub(super) number: u32,
-    /// Frames of the whole animation.
+    /// Number of frames of the whole animation.
     pub(super) count: u32,
 }
 
 impl Stamp {
-    /// The chunks that say it: keywords and texts.
+    /// The text chunks of the stamp: keywords and texts.
     pub(super) fn chunks(&self) -> [(&'static str, String); 2] {
         let frame = format!("{} of {}", self.number, self.count);
         [(RUN, self.run.clone()), (FRAME, frame)]
     }
 
-    /// The stamp of a picture that can be read to its end.
+    /// Reads the stamp of a picture, which must be readable to its end.
     pub(super) fn of_whole(png: impl BufRead + Seek) -> Option<Self> {
         let mut reader = png::Decoder::new(png).read_info().ok()?;
         let mut pixels = vec![0; reader.output_buffer_size()?];

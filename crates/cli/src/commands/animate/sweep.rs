@@ -1,7 +1,7 @@
-//! `--sweep`: a plane that moves through the model while the animation lasts.
+//! `--sweep`: a plane that moves through the model over the whole animation.
 //!
-//! It becomes a cut of the document and a key that moves its origin, so that `--save` shows both. Percentages are of the box that the
-//! model has at all times, and become places in it.
+//! It becomes a cut of the document and a key that moves its origin, so that `--save` writes both. Percentages refer to the model's
+//! bounding box over all times, and are converted to positions in it.
 
 use cutaway::scene::{Amount, Bounds};
 use cutaway::{Error, Result};

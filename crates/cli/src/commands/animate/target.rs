@@ -1,4 +1,4 @@
-//! Destination of an animation. The end of its name selects the format.
+//! Destination of an animation. The extension selects the format.
 
 use std::path::{Path, PathBuf};
 
@@ -14,21 +14,21 @@ const OPTION: &str = "--output";
 /// A destination of frames.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Target {
-    /// 255 colours, any browser.
+    /// 255 colours, shown by any browser.
     Gif(PathBuf),
     /// Lossless.
     Apng(PathBuf),
-    /// By ffmpeg, which is there.
+    /// Written by ffmpeg, which is installed.
     Mp4(PathBuf, Program),
-    /// A PNG for each frame.
+    /// One PNG per frame.
     Numbered(Pattern),
 }
 
-/// The formats by the ends of names; `.apng` is another word for `.png`.
+/// The formats by extension; `.apng` means the same as `.png`.
 const EXTENSIONS: &[&str] = &["gif", "png", "apng", "mp4"];
 
 impl Target {
-    /// The destination of the option's value, which can be written to.
+    /// The destination that an option's value names; checks that it can be written.
     pub(super) fn checked(value: &str) -> Result<Self> {
         if value == "-" {
             return Err(Error::input(
@@ -56,7 +56,7 @@ impl Target {
         if !path.is_dir() && !EXTENSIONS.contains(&extension.as_str()) {
             return Err(Error::input(
                 format!("{OPTION} {value}"),
-                "the extension names no format of animations",
+                "the extension is not a known animation format",
                 format!(
                     "{}; or number the frames: 'frames/%04d.png'",
                     did_you_mean(&extension, EXTENSIONS.iter().copied())

@@ -1,6 +1,6 @@
-//! When the frames of an animation are: a number of times at equal distances, from `--start`.
+//! Frame times of an animation: equally spaced, from `--start`.
 //!
-//! The end is left out: it would show what the start of the next round shows, so that the last frame joins the first.
+//! The end time has no frame: in a loop it would repeat the first frame.
 
 use clap::Args;
 use cutaway::{Error, Result};
@@ -11,19 +11,19 @@ use crate::input::when::parse_time;
 /// Default duration of a turntable in seconds.
 const USUAL_TURN_S: f64 = 4.0;
 
-/// Frames that are no slip: half an hour at 50 a second.
+/// Maximum number of frames, half an hour at 50 per second: more are probably a mistake.
 pub(super) const MOST_FRAMES: u32 = 90_000;
 
 /// Selection of the times to show.
 #[derive(Args)]
 pub(super) struct TimesArgs {
-    /// Frames per second [default: 24; GIF 12.5; delays of a GIF are hundredths of a second]
+    /// Frames per second [default: 24; GIF 12.5, with delays in hundredths of a second]
     #[arg(long, value_name = "N", value_parser = parse_fps, allow_hyphen_values = true, help_heading = "Time")]
     pub(super) fps: Option<f64>,
-    /// Duration [default: as long as something moves, or 4 for a turntable of what stands still]
+    /// Duration in seconds [default: as long as something moves, or 4 for a turntable of a static scene]
     #[arg(long = "duration", value_name = "SECONDS", value_parser = parse_duration, allow_hyphen_values = true, help_heading = "Time")]
     duration_s: Option<f64>,
-    /// Number of frames, instead of --duration; those of a turntable of what stands still go over 4 seconds, where there is no --fps
+    /// Number of frames, instead of --duration; for a turntable of a static scene they are spread over 4 seconds unless --fps is given
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..), conflicts_with = "duration_s", help_heading = "Time")]
     frames: Option<u32>,
     /// Time of the first frame
@@ -31,10 +31,10 @@ pub(super) struct TimesArgs {
     pub(super) start_s: f64,
 }
 
-/// The times of frames.
+/// Frame times.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Times {
-    /// Time of the first.
+    /// Time of the first frame.
     pub(super) start_s: f64,
     /// Frames per second.
     pub(super) fps: f64,
@@ -43,14 +43,14 @@ pub(super) struct Times {
 }
 
 impl TimesArgs {
-    /// Frames per second: as requested, else the default. Frames requested for a turntable alone are spread over the turn.
+    /// Frames per second: as requested, else the default. A frame count for a turntable of a static scene is spread over the turn.
     pub(super) fn rate(&self, usual: f64, stands_still: bool) -> f64 {
         let of_a_turn = (self.frames.filter(|_| stands_still))
             .map(|frames| (f64::from(frames) / USUAL_TURN_S).min(usual));
         self.fps.or(of_a_turn).unwrap_or(usual)
     }
 
-    /// The times. `moving_s` is how long something moves, if anything does.
+    /// The frame times. `moving_s` is how long something moves, if anything does.
     pub(super) fn times(&self, fps: f64, moving_s: Option<f64>) -> Result<Times> {
         let count = match self.frames {
             Some(frames) => f64::from(frames),
@@ -85,12 +85,12 @@ impl Times {
         self.start_s + f64::from(frame) / self.fps
     }
 
-    /// Share of the whole that is over when a frame begins: from 0 to less than 1.
+    /// Fraction of the total duration elapsed when a frame begins: from 0 to less than 1.
     pub(super) fn share(&self, frame: u32) -> f64 {
         f64::from(frame) / f64::from(self.count)
     }
 
-    /// Duration of all frames together in seconds.
+    /// Total duration in seconds.
     pub(super) fn duration_s(&self) -> f64 {
         f64::from(self.count) / self.fps
     }

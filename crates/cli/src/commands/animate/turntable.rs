@@ -1,18 +1,18 @@
-//! A camera that goes round the up axis, on top of whatever else moves.
+//! A camera that moves around the up axis, in addition to all other motion.
 //!
-//! A camera that orbits would come nearer and go farther as the width of the model changes, since each picture is fitted
-//! by itself. Here the distance, or the height of an orthographic picture, is that of the widest view of the whole turn, about the middle
-//! of what it is fitted to.
+//! An orbiting camera would move closer and farther as the model's apparent width changes, because each picture is fitted
+//! separately. Here the distance, or the height of an orthographic picture, is that of the widest view of the turn, around the centre
+//! of the fitted extent.
 
 use cutaway::scene::{
     Bounds, Camera, Outline, Projection, View, Viewpoint, distance_around, half_height_around,
 };
 use glam::{DQuat, DVec3};
 
-/// Views of a turn that are looked at to find the widest.
+/// Number of views per turn tested to find the widest.
 const VIEWS: u32 = 72;
 
-/// The camera after a share of a turn. It is fitted to an outline in world space, or else to the bounds.
+/// The camera after a fraction of a turn, fitted to an outline in world space, or else to the bounds.
 pub(super) fn turned(
     camera: &Camera,
     fitted_to: (&Bounds, Option<&Outline>),
@@ -37,7 +37,7 @@ pub(super) fn turned(
     }
 }
 
-/// Start of a turn.
+/// Start of the turn.
 struct Start {
     camera: Camera,
     position: DVec3,
@@ -68,7 +68,7 @@ impl Start {
         let views: Vec<View> = (0..=VIEWS)
             .map(|i| {
                 let viewpoint = after(camera, turn_deg * f64::from(i) / f64::from(VIEWS));
-                // What is fitted is zoomed later.
+                // The zoom of a fitted camera applies later.
                 Camera {
                     viewpoint,
                     zoom: 1.0,
@@ -94,7 +94,7 @@ impl Start {
                         .map(|p| DVec3::from_array(axes.map(|axis| p.dot(axis))))
                         .collect()
                 };
-                // An eye outside of what turns, whatever it looks at.
+                // The eye stays outside the rotating model, whatever it looks at.
                 let apart = bounds.radius() * 2.0;
                 let distance = match views[0].orthographic {
                     true => apart,

@@ -12,13 +12,13 @@ pub(super) struct ExportSummary {
     pub(super) open_edges: usize,
     pub(super) kept: HalfFacts,
     removed: HalfFacts,
-    /// Area of what the plane cuts by the fill rule of the part; none where something else than one plane cuts it.
+    /// Area of the plane's section by the part's fill rule; none unless exactly one plane cuts the part.
     section_area: Option<f64>,
     relief_off: f64,
     defects: Vec<String>,
 }
 
-/// Facts about a half of the part.
+/// Summary of one half of a part.
 pub(super) struct HalfFacts {
     triangles: usize,
     cap_triangles: usize,
@@ -61,11 +61,11 @@ impl ExportSummary {
     }
 }
 
-/// Relative excess of cap area over section area that counts as rounding: a reader would see the same number.
+/// Relative excess of cap area over section area that counts as rounding: both print as the same number.
 const ROUNDED_AREA: f64 = 1e-5;
 
 impl ExportSummary {
-    /// The areas of caps and section where bodies of the part overlap in the plane: each has a cap of its own.
+    /// The areas of caps and section if bodies of the part overlap in the plane, so that each has its own cap.
     pub(super) fn overlap(&self) -> Option<[f64; 2]> {
         let areas = [self.kept.cap_area, self.section_area?];
         (areas[0] > areas[1] * (1.0 + ROUNDED_AREA)).then_some(areas)
@@ -78,7 +78,7 @@ fn section_area(scene: &Scene, part: &CappedPart, space: &SceneSpace) -> Option<
     let [plane] = planes_of(&scene.cuts[cut], part)?[..] else {
         return None;
     };
-    // As `section` slices it, and as caps are made: faces in the plane are decided in the space of the scene.
+    // In scene space, as in `section` and in the cap construction, so that faces in the plane are classified alike.
     let slicer = Slicer::of_part_in(part, space);
     let plane = plane.seen_from(part.bounds_in_world().centre());
     Some(slicer.section_by(&plane, part.fill).area())

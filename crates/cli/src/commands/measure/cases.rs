@@ -1,4 +1,4 @@
-//! Runs of hard cases and of the property search: the library's answers as records.
+//! Runs of hard cases and of the property search, with their results as records.
 
 use cutaway::Result;
 use cutaway::session::Session;
@@ -7,10 +7,10 @@ use cutaway_lab::experiment::{CaseRecord, Expectation, Reached};
 use cutaway_lab::hard_cases::random::search as search_for;
 use cutaway_lab::hard_cases::{self, found, usual_methods};
 
-/// Sides of the pictures where the experiment names none.
+/// Default side lengths of the pictures.
 const USUAL_SIZES_PX: [u32; 2] = [64, 256];
 
-/// Results of the requested hard cases; nothing where `goes_on` returned false.
+/// Results of the requested hard cases; `None` if `goes_on` returned false.
 pub(super) fn cases(
     session: &mut Session,
     asked: &AskedCases,
@@ -44,7 +44,7 @@ pub(super) fn cases(
     Ok(Some(cases.into_iter().map(record).collect()))
 }
 
-/// The sides of the pictures of a run of hard cases.
+/// Side lengths of a hard-case run's pictures.
 pub(super) fn sizes_px(asked: &AskedCases) -> Vec<u32> {
     match asked.sizes_px.as_slice() {
         [] => USUAL_SIZES_PX.to_vec(),
@@ -52,7 +52,7 @@ pub(super) fn sizes_px(asked: &AskedCases) -> Vec<u32> {
     }
 }
 
-/// Result of a search, as one case: an expectation for each strategy. Nothing where `goes_on` returned false.
+/// Result of a search, as one case with an expectation per strategy. `None` if `goes_on` returned false.
 pub(super) fn search(
     session: &mut Session,
     asked: &AskedSearch,

@@ -1,4 +1,4 @@
-//! The folder of a run: what is there is read, and what is measured is written, each file whole.
+//! The folder of a run: existing records are read and new ones are written, each file completely or not at all.
 
 use std::path::{Path, PathBuf};
 
@@ -18,12 +18,12 @@ const OTHER_FOLDER: &str = "choose another folder with --out, or measure all aga
 /// The folder of a run.
 pub(super) struct Folder {
     path: PathBuf,
-    /// Name of the file that says by what it was made: shards have one each, so that none writes what another does.
+    /// Name of the file that describes the run; each shard has its own, so that no two write the same file.
     run_file: String,
 }
 
 impl Folder {
-    /// A folder that can be written to.
+    /// Opens a folder, which must be writable.
     pub(super) fn checked(path: &Path, shard: Option<Shard>) -> Result<Self> {
         checked_folder("--out", path)?;
         Ok(Self {
@@ -35,7 +35,7 @@ impl Folder {
         })
     }
 
-    /// The files that are there and that a run of an experiment replaces: its definition, and by the names of its records these and
+    /// The existing files that a run of an experiment replaces: its definition, and the records by name with
     /// their pictures.
     pub(super) fn replaced(&self, experiment: &str, stems: &[String]) -> Vec<PathBuf> {
         let is_replaced = |name: &str| {
@@ -54,9 +54,9 @@ impl Folder {
             .collect()
     }
 
-    /// The run that is there, if one is. One of another device, or in full where this is quick, is not to be mixed with this one:
-    /// refused unless all is measured again. Shards of one run may be of several devices, but a shard replaces only its own points, so
-    /// that `force` does not allow a full run next to one that is quick, or the reverse.
+    /// The existing run, if any. A run on another device, or a full run where this one is quick, must not be mixed with this one:
+    /// refused unless everything is measured again. Shards of one run may use several devices, but a shard replaces only its own points, so
+    /// `force` does not allow a full run next to a quick one, or the reverse.
     pub(super) fn earlier(
         &self,
         adapter: &AdapterReport,
@@ -67,7 +67,7 @@ impl Folder {
         let is_shard = self.run_file != Run::FILE;
         let replaces_all = force && !is_shard;
         for path in self.run_files().filter(|path| *path != own) {
-            // Each takes its place whole, and one that is none says nothing.
+            // Each file is complete; one that is not a description is ignored.
             let Some(run) = read::<Run>(&path) else {
                 continue;
             };
@@ -101,20 +101,20 @@ impl Folder {
         Ok(Some(run))
     }
 
-    /// The files that say by what the folder was made.
+    /// The files that describe the run in the folder.
     fn run_files(&self) -> impl Iterator<Item = PathBuf> {
         let entries = std::fs::read_dir(&self.path).into_iter().flatten();
         let files = entries.flatten().map(|entry| entry.path());
         files.filter(|path| Run::is_file(path))
     }
 
-    /// Writes what is said of the run.
+    /// Writes the description of the run.
     pub(super) fn write_run(&self, run: &Run) -> Result<()> {
         write_json(&self.path.join(&self.run_file), run)
     }
 
-    /// Writes the definition, with the names of all records that it makes as `points`, in the order of the experiment: a reader of the
-    /// folder can tell what is missing, and what is left from before.
+    /// Writes the definition, with the names of all its records as `points`, in the order of the experiment, so that a reader of the
+    /// folder can find missing and outdated records.
     pub(super) fn write_definition(&self, definition: &Definition, stems: &[String]) -> Result<()> {
         let synopsis = Synopsis {
             points: stems.to_vec(),
@@ -128,7 +128,7 @@ impl Folder {
         }
     }
 
-    /// The record of these files, if it is of this identity and its pictures are there.
+    /// The record with these files, if it has this identity and its pictures exist.
     pub(super) fn record(&self, experiment: &str, stem: &str, identity: &str) -> Option<Record> {
         let folder = self.of(experiment);
         let record: Record = read(&folder.join(format!("{stem}.json")))?;
@@ -139,7 +139,7 @@ impl Folder {
             .then_some(record)
     }
 
-    /// Writes a point: its pictures first, so that no record names one that is not there.
+    /// Writes a point, its pictures first, so that no record names a missing picture.
     pub(super) fn write(&self, stem: &str, measured: &Measured) -> Result<()> {
         let folder = self.of(&measured.record.experiment);
         for (file, image) in &measured.pictures {
@@ -148,13 +148,13 @@ impl Folder {
         self.write_record(stem, &measured.record)
     }
 
-    /// Writes the record of a point whose pictures are there.
+    /// Writes the record of a point whose pictures are already written.
     pub(super) fn write_record(&self, stem: &str, record: &Record) -> Result<()> {
         let path = self.of(&record.experiment).join(format!("{stem}.json"));
         write_json(&path, record)
     }
 
-    /// The record of hard cases, if it is of this identity.
+    /// The record of hard cases, if it has this identity.
     pub(super) fn cases(&self, experiment: &str, run: &str, identity: &str) -> Option<CaseRecords> {
         let record: CaseRecords = read(&self.of(experiment).join(format!("{run}.cases.json")))?;
         (record.format == Record::FORMAT && record.identity == identity).then_some(record)
@@ -168,8 +168,8 @@ impl Folder {
         write_json(&path, record)
     }
 
-    /// Records of this experiment that it no longer asks for, each as its file and those of its pictures. Files that are no records
-    /// are none.
+    /// Records that this experiment no longer requests, each with the files of its pictures. Files that are not records
+    /// are skipped.
     pub(super) fn others(&self, experiment: &str, stems: &[String]) -> Vec<Vec<PathBuf>> {
         let folder = self.of(experiment);
         let entries = std::fs::read_dir(&folder).into_iter().flatten().flatten();
@@ -201,7 +201,7 @@ impl Folder {
     }
 }
 
-/// The error of a run that is not to be mixed with the one of an adapter, quick or in full.
+/// Error for a run that must not be mixed with an existing one, by adapter and by quick or full.
 fn mixed(path: &Path, run: &Run, (adapter, is_quick): (&AdapterReport, bool), help: &str) -> Error {
     let word = |is_quick| if is_quick { "quick" } else { "in full" };
     let what = format!(
@@ -216,7 +216,7 @@ fn mixed(path: &Path, run: &Run, (adapter, is_quick): (&AdapterReport, bool), he
     Error::file(path, what, help)
 }
 
-/// Removes files; one that is not there is removed already.
+/// Removes files; missing ones are ignored.
 pub(super) fn remove(files: &[PathBuf]) -> Result<()> {
     for file in files {
         match std::fs::remove_file(file) {

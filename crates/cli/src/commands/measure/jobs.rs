@@ -1,4 +1,4 @@
-//! Jobs to measure: the points of all requested runs, in order, checked before the first begins.
+//! Jobs to measure: the points of all requested runs in order, all checked before the first one begins.
 
 use std::collections::BTreeSet;
 use std::path::PathBuf;
@@ -20,7 +20,7 @@ use super::folder::Folder;
 use crate::judge::quoted;
 use crate::writing::places::InputFiles;
 
-/// One thing to measure.
+/// One job to measure.
 pub(super) struct Job<'a> {
     /// Experiment of the job.
     pub(super) definition: &'a Definition,
@@ -32,7 +32,7 @@ pub(super) struct Job<'a> {
 
 /// Task to measure.
 pub(super) enum Task<'a> {
-    /// A point, and whether its pictures are kept.
+    /// A point; true if its pictures are kept.
     Point(&'a SceneRun, &'a Point, bool),
     /// Hard cases.
     Cases(&'a AskedCases),
@@ -40,7 +40,7 @@ pub(super) enum Task<'a> {
 }
 
 impl Job<'_> {
-    /// Its place in words: `01-paper, crank, amplitude = 1%`.
+    /// Description of the job: `01-paper, crank, amplitude = 1%`.
     pub(super) fn place(&self) -> String {
         let mut place = format!("{}, {}", self.definition.name, self.run.name);
         if let Task::Point(_, point, _) = self.task {
@@ -59,7 +59,7 @@ impl Job<'_> {
         }
     }
 
-    /// Name for `--only`: the run, and after a colon the stem of the point's files.
+    /// Name for `--only`: the run, then a colon and the stem of the point's files.
     fn address(&self) -> String {
         match self.task {
             Task::Point(_, point, _) if !point.stem.is_empty() => {
@@ -69,7 +69,7 @@ impl Job<'_> {
         }
     }
 
-    /// Returns true if `--only` selects the job: globs over the run, and over the point where there is a colon.
+    /// Returns true if `--only` selects the job by a glob for the run and, after a colon, one for the point.
     fn is_meant(&self, only: &str) -> bool {
         let (run, point) = only.split_once(':').unwrap_or((only, "*"));
         let stem = match self.task {
@@ -79,7 +79,7 @@ impl Job<'_> {
         glob_matches(run, &self.run.name) && glob_matches(point, stem)
     }
 
-    /// An error with the place where it happened.
+    /// Adds the job's description to an error.
     pub(super) fn place_error(&self, error: Error) -> Error {
         let place = format!(
             "{}: run `{}`",
@@ -97,7 +97,7 @@ impl Job<'_> {
         }
     }
 
-    /// Cost relative to other jobs, in drawn pixels: frames of every round, and the reference, which takes as long as some.
+    /// Cost relative to other jobs, in drawn pixels: the frames of every round, plus the reference, counted as several frames.
     fn cost(&self, args: &MeasureArgs) -> f64 {
         const REFERENCE_ROUNDS: f64 = 20.0;
         match self.task {
@@ -118,7 +118,7 @@ impl Job<'_> {
         }
     }
 
-    /// The command line that measures it again.
+    /// Command line that measures the job again.
     pub(super) fn command(&self, args: &MeasureArgs) -> String {
         let mut again = vec![
             "measure".to_owned(),
@@ -161,7 +161,7 @@ impl Job<'_> {
                 }
                 let rounds = self.rounds(args);
                 identity.add(format!("{:?} {keeps_pictures} {rounds}", point.parameters));
-                // Not what is expected: a record is held against that again, and nothing has to be measured for it.
+                // Expectations are left out: a record is compared with them again without measuring.
                 identity.add(format!("{:?}", run.drift));
             }
             Task::Cases(asked) => identity.add(format!("{asked:?}")),
@@ -171,7 +171,7 @@ impl Job<'_> {
     }
 }
 
-/// Refuses a folder where records would replace the experiments' own files, or what their points name.
+/// Refuses a folder where records would replace the experiments' own files, or files that their points name.
 pub(super) fn keep_inputs(
     definitions: &[Definition],
     jobs: &[Job<'_>],
@@ -194,7 +194,7 @@ pub(super) fn keep_inputs(
     Ok(())
 }
 
-/// The experiments of some files, each name once.
+/// Reads the experiments of some files; refuses duplicate names.
 pub(super) fn load(paths: &[PathBuf]) -> Result<Vec<Definition>> {
     let mut names = BTreeSet::new();
     let mut all = Vec::new();
@@ -212,7 +212,7 @@ pub(super) fn load(paths: &[PathBuf]) -> Result<Vec<Definition>> {
     Ok(all)
 }
 
-/// All jobs of some experiments; refused where a scene names something that does not exist.
+/// All jobs of some experiments; an error if a scene names something that does not exist.
 pub(super) fn jobs<'a>(definitions: &'a [Definition], args: &MeasureArgs) -> Result<Vec<Job<'a>>> {
     let mut jobs: Vec<Job<'_>> = definitions
         .iter()
@@ -246,7 +246,7 @@ pub(super) fn jobs<'a>(definitions: &'a [Definition], args: &MeasureArgs) -> Res
     Ok(jobs)
 }
 
-/// Names of jobs that mean none are a slip.
+/// Refuses `--only` names that match no job.
 fn must_mean_a_job(only: &str, jobs: &[Job<'_>]) -> Result<()> {
     if jobs.iter().any(|j| j.is_meant(only)) {
         return Ok(());
@@ -258,7 +258,7 @@ fn must_mean_a_job(only: &str, jobs: &[Job<'_>]) -> Result<()> {
     let fault = |what: &str, help: String| Error::input(format!("--only {only}"), what, help);
     if of_run.is_empty() {
         let names: BTreeSet<&str> = jobs.iter().map(|j| j.run.name.as_str()).collect();
-        return Err(fault("no run is called so", did_you_mean(run, names)));
+        return Err(fault("no run has that name", did_you_mean(run, names)));
     }
     let addresses: BTreeSet<String> = of_run.iter().map(|j| j.address()).collect();
     let stems = addresses
@@ -266,12 +266,12 @@ fn must_mean_a_job(only: &str, jobs: &[Job<'_>]) -> Result<()> {
         .map(|a| a.split_once(':').map_or("*", |(_, stem)| stem));
     let help = did_you_mean(point, stems);
     Err(fault(
-        "no point of the run is called so in names of files",
+        "no point of the run has this name in its file names",
         help,
     ))
 }
 
-/// Everything that a run asks.
+/// All jobs of a run.
 pub(super) fn of_run<'a>(
     definition: &'a Definition,
     run: &'a DefinedRun,
@@ -295,7 +295,7 @@ pub(super) fn of_run<'a>(
     tasks.into_iter().map(job).collect()
 }
 
-/// Identity of this program: its own contents.
+/// Identity of this program: a hash of its executable.
 pub(super) fn program() -> String {
     let mut identity = Identity::default();
     match std::env::current_exe() {
@@ -305,7 +305,7 @@ pub(super) fn program() -> String {
     identity.text()
 }
 
-/// Jobs in words, one line each, with their methods.
+/// Descriptions of jobs, one line each, with their methods.
 pub(super) fn listed(jobs: &[Job<'_>], args: &MeasureArgs) -> String {
     let mut text = String::new();
     for job in jobs {
@@ -333,7 +333,7 @@ pub(super) fn listed(jobs: &[Job<'_>], args: &MeasureArgs) -> String {
     text
 }
 
-/// Names of all records that an experiment asks for, in its order.
+/// Names of all records that an experiment requests, in its order.
 pub(super) fn stems(definition: &Definition, is_quick: bool) -> Vec<String> {
     let jobs = definition
         .runs

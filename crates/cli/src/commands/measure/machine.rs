@@ -1,7 +1,7 @@
-//! Environment of a run: the machine, its place in a cluster, the commit of the program, and the time of day.
+//! Environment of a run: the machine, its job and node in a cluster, the program's commit, and the time of day.
 //!
-//! What is not known is left out, never guessed. The commit comes from `git` in the folder that the program was built from, if that
-//! is still there and nothing in it has changed since: a program that was installed, or is older than its sources, has none.
+//! Unknown values are left out, never guessed. The commit comes from `git` in the folder that the program was built from, if it still
+//! exists and is unchanged since: a program that was installed, or is older than its sources, has none.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -12,7 +12,7 @@ use sysinfo::{CpuRefreshKind, MemoryRefreshKind, RefreshKind, System};
 
 use crate::input::shard::Shard;
 
-/// The machine, as busy as it is now.
+/// The machine and its present load.
 pub(super) fn machine() -> Machine {
     let facts = RefreshKind::nothing()
         .with_cpu(CpuRefreshKind::nothing())
@@ -20,7 +20,7 @@ pub(super) fn machine() -> Machine {
     let system = System::new_with_specifics(facts).ok();
     let processor = system.as_ref().and_then(|s| s.cpus().first());
     let processor = processor.map(|p| p.brand().trim().to_owned());
-    // Windows counts none, and 0 would say that it rests.
+    // Windows has no load average, and 0 would mean an idle machine.
     let load = System::load_average().ok().filter(|_| cfg!(unix));
     Machine {
         system: format!("{} {}", std::env::consts::OS, std::env::consts::ARCH),
@@ -31,7 +31,7 @@ pub(super) fn machine() -> Machine {
     }
 }
 
-/// Identifiers of the job, by the schedulers that set them.
+/// Environment variables with the job's identifier, by scheduler.
 const JOBS: [&str; 6] = [
     "SLURM_JOB_ID",
     "PBS_JOBID",
@@ -41,7 +41,7 @@ const JOBS: [&str; 6] = [
     "HQ_JOB_ID",
 ];
 
-/// Place in a cluster: job and share, and the node where there is either.
+/// Position in a cluster: job, share, and the node if either is known.
 pub(super) fn place(shard: Option<Shard>) -> Invocation {
     let variables = JOBS.iter().filter_map(|name| std::env::var(name).ok());
     let job = variables.into_iter().find(|id| !id.is_empty());
@@ -54,7 +54,7 @@ pub(super) fn place(shard: Option<Shard>) -> Invocation {
     }
 }
 
-/// Sources of the program, relative to the folder of the project.
+/// Source paths of the program, relative to the project folder.
 const SOURCES: [&str; 8] = [
     "build.rs",
     "src",
@@ -66,7 +66,7 @@ const SOURCES: [&str; 8] = [
     "Cargo.lock",
 ];
 
-/// The commit that the program was built from, with `+` where the sources differ from it.
+/// The commit that the program was built from, with `+` if the sources differ from it.
 pub(super) fn commit() -> Option<String> {
     let project = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));
     let program = std::env::current_exe().ok()?;
@@ -92,7 +92,7 @@ pub(super) fn commit() -> Option<String> {
     })
 }
 
-/// When a file, or the last of a folder, was changed.
+/// Latest modification time of a file, or of the files in a folder.
 fn changed(path: &Path) -> Option<SystemTime> {
     let own = path.metadata().ok()?;
     if !own.is_dir() {

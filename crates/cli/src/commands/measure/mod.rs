@@ -1,7 +1,7 @@
-//! `measure`: experiments run, and a record left of each point.
+//! `measure`: runs experiments and writes a record of each point.
 //!
-//! Files, words, strategies, values and outputs are checked before the first point is measured. A point that is on disk as it would
-//! be measured now is kept, so that a run that was interrupted, or an experiment that grew, goes on where it stopped.
+//! Files, names, strategies, values and outputs are checked before the first point is measured. A point with an up-to-date record
+//! on disk is kept, so that an interrupted run, or an extended experiment, goes on where it stopped.
 
 mod cases;
 mod folder;
@@ -54,25 +54,25 @@ pub(crate) struct MeasureArgs {
     /// Folder for the records and pictures
     #[arg(long, value_name = "DIR", default_value = "target/measure")]
     pub(crate) out: PathBuf,
-    /// Fewer pixels, values and rounds, as the experiments say
+    /// Use the fewer pixels, values and rounds that the experiments define for quick runs
     #[arg(long)]
     pub(crate) quick: bool,
-    /// Measure again what has been measured
+    /// Measure points again that are already measured
     #[arg(long)]
     pub(crate) force: bool,
-    /// Remove records of points that the experiments no longer have
+    /// Remove records of points that the experiments no longer contain
     #[arg(long)]
     pub(crate) prune: bool,
-    /// List what would be measured; needs no graphics adapter
+    /// Only list the points to measure; needs no graphics adapter
     #[arg(long)]
     pub(crate) dry_run: bool,
-    /// Only the runs that are called so, and after a colon only the points, as in names of their files; * stands for anything
+    /// Only runs with this name and, after a colon, only points with this name in their files; * matches anything
     #[arg(long, value_name = "RUN[:POINT]")]
     pub(crate) only: Option<String>,
-    /// Measured rounds, after one to warm up [default: as the experiments say]
+    /// Number of measured rounds, after one warm-up round [default: as the experiments define]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=10_000))]
     pub(crate) rounds: Option<u32>,
-    /// Measure one share of the points, into a folder that all shares have: 0/8 to 7/8, or auto for that of a task of an array (Slurm and others), auto/8 where some of 8 tasks are submitted again
+    /// Measure only one share of the points, into a folder common to all shares: 0/8 to 7/8; auto takes it from the array task (Slurm and others), auto/8 if only some of 8 tasks are resubmitted
     #[arg(long, value_name = "I/N|auto", conflicts_with_all = ["prune"])]
     pub(crate) shard: Option<Shard>,
     #[command(flatten)]
@@ -140,7 +140,7 @@ pub(crate) fn run(args: &MeasureArgs) -> Result<Verdict> {
     Ok(tally.verdict(jobs.len()))
 }
 
-/// Number of steps that a job reports.
+/// Number of progress steps of a job.
 fn steps(job: &Job<'_>, args: &MeasureArgs) -> usize {
     match job.task {
         Task::Point(run, point, _) => run.steps(point, job.rounds(args)),
@@ -148,7 +148,7 @@ fn steps(job: &Job<'_>, args: &MeasureArgs) -> usize {
     }
 }
 
-/// Description of the run. A continued run keeps its beginning.
+/// Description of the run. A continued run keeps its start time.
 fn run_of(gpu: &Gpu, earlier: Option<Run>, machine: Machine, is_quick: bool) -> Run {
     let (began, took_s) = match earlier {
         Some(run) => (run.began, run.took_s),
@@ -168,7 +168,7 @@ fn run_of(gpu: &Gpu, earlier: Option<Run>, machine: Machine, is_quick: bool) -> 
     }
 }
 
-/// One invocation of a run.
+/// State of one invocation.
 struct Work<'a> {
     invocation: Invocation,
     args: &'a MeasureArgs,
@@ -183,7 +183,7 @@ struct Work<'a> {
 }
 
 impl Work<'_> {
-    /// An experiment begins.
+    /// Begins an experiment.
     fn begin(&self, job: &Job<'_>) -> Result<()> {
         let definition = job.definition;
         self.folder.write_run(&self.run)?;
@@ -215,7 +215,7 @@ impl Work<'_> {
         Ok(())
     }
 
-    /// Measures a job, or keeps what is there. Whether to go on.
+    /// Measures a job, or keeps its record. Returns false if the work is to end.
     fn do_job(&mut self, job: &Job<'_>, tally: &mut Tally) -> Result<bool> {
         if self.interrupt.is_wanted() {
             tally.interrupted = true;
@@ -249,7 +249,7 @@ impl Work<'_> {
         Ok(!tally.interrupted)
     }
 
-    /// Prints a line for each point, for readers of the output of an unattended run.
+    /// Prints a line for each point, for the log of an unattended run.
     fn say_how_far(&self, job: &Job<'_>, tally: &Tally) {
         let (name, run) = (&job.definition.name, &job.run.name);
         let [complete, asked] = tally.of_run(job);
@@ -259,7 +259,7 @@ impl Work<'_> {
         ));
     }
 
-    /// Expectations of a job that need not be measured: compares its record with those that are written by now.
+    /// Checks the kept record of a job against the present expectations.
     fn kept(&self, job: &Job<'_>, identity: &str) -> Result<Option<Vec<Reached>>> {
         let experiment = &job.definition.name;
         let Task::Point(run, point, _) = job.task else {

@@ -1,4 +1,4 @@
-//! Summary of an invocation: a line for each experiment, and the verdict.
+//! Summary of an invocation: a line per experiment, and the verdict.
 
 use std::collections::BTreeMap;
 
@@ -28,16 +28,16 @@ fn key(job: &Job<'_>) -> [String; 2] {
 #[derive(Default)]
 pub(super) struct Tally {
     lines: Vec<Line>,
-    /// By experiment and run: how many jobs are complete, out of how many.
+    /// Per experiment and run: the number of complete jobs, and of all jobs.
     runs: BTreeMap<[String; 2], [usize; 2]>,
-    /// Job that was begun and must be restarted.
+    /// An interrupted job, which must be restarted.
     pub(super) lost: Option<String>,
     /// True if an interrupt ended the work.
     pub(super) interrupted: bool,
 }
 
 impl Tally {
-    /// Nothing is done of some jobs.
+    /// A tally of jobs of which none is done.
     pub(super) fn of(jobs: &[Job<'_>]) -> Self {
         let mut tally = Self::default();
         for job in jobs {
@@ -46,12 +46,12 @@ impl Tally {
         tally
     }
 
-    /// Number of complete and of requested jobs in the run of this one.
+    /// Number of complete and of requested jobs in this job's run.
     pub(super) fn of_run(&self, job: &Job<'_>) -> [usize; 2] {
         self.runs.get(&key(job)).copied().unwrap_or_default()
     }
 
-    /// A job is complete.
+    /// Counts a complete job.
     pub(super) fn add(&mut self, job: &Job<'_>, is_kept: bool, reached: &[Reached]) {
         self.runs.entry(key(job)).or_default()[0] += 1;
         let line = self.line(job);
@@ -61,7 +61,7 @@ impl Tally {
         line.reached += reached.iter().filter(|r| r.holds).count();
     }
 
-    /// A job cannot be done by this program.
+    /// Counts a job that this program cannot do.
     pub(super) fn missing(&mut self, job: &Job<'_>) {
         self.line(job).missing += 1;
     }
@@ -97,7 +97,7 @@ impl Tally {
         }
     }
 
-    /// For standard output.
+    /// Text for standard output.
     pub(super) fn text(&self, jobs: &[Job<'_>], args: &MeasureArgs) -> String {
         let mut text = String::new();
         for line in &self.lines {

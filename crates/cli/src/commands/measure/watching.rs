@@ -1,4 +1,4 @@
-//! Console output within a job: its steps, remarks on its scene, expectations that fail.
+//! Console output during a job: its steps, notes on its scene, failed expectations.
 
 use std::cell::Cell;
 
@@ -27,10 +27,10 @@ impl<'a> Watching<'a> {
         }
     }
 
-    /// Rounds lost to an interrupt, for a point of `steps` steps, the last of which are its rounds.
+    /// Text of the rounds lost to an interrupt, for a point of `steps` steps that end with its rounds.
     pub(super) fn lost(&self, steps: usize, rounds: usize) -> String {
         let before = steps - rounds;
-        // The last round that was reported is not complete.
+        // The last reported round is incomplete.
         let complete = self.reported.get().saturating_sub(before + 1);
         format!("{}: {complete} of {rounds} rounds are lost", self.place)
     }

@@ -1,7 +1,7 @@
-//! The planes of a scene's cuts, and what of each is a cap: where the other clip-surfaces of its cut are on their removed sides, and no
-//! other cut removes what lies behind it.
+//! The planes of a scene's cuts, and the region of each that is a cap: on the removed sides of its cut's other clip-surfaces, where no
+//! other cut removes the solid behind it.
 //!
-//! Tie rule: of clip-surfaces in one plane that keep the same side the first has the cap; between two that keep opposite sides
+//! Tie rule: among coplanar clip-surfaces that keep the same side, the first has the cap; between two that keep opposite sides
 //! there is none.
 
 use cutaway::scene::numbers::round;
@@ -11,7 +11,7 @@ use cutaway::{Error, Result};
 use cutaway_io::save::section::SectionFace;
 use glam::{DVec2, DVec3};
 
-/// Planes count as parallel, and as one, if they differ by less, as a share of the sizes involved.
+/// Tolerance for parallel and for coincident planes, relative to the sizes involved.
 const PARALLEL: f64 = 1e-12;
 
 /// A plane, the cut that it belongs to, and its number in the scene.
@@ -28,23 +28,23 @@ pub(super) struct Plane {
 
 /// Position of one plane relative to another.
 enum RelativeSide {
-    /// Wholly on the kept side.
+    /// The plane is entirely on the kept side.
     Kept,
-    /// Wholly on the removed side.
+    /// The plane is entirely on the removed side.
     Removed,
-    /// It is on the removed side in a half-plane.
+    /// A half-plane of it is on the removed side.
     Crossed(HalfPlane),
-    /// They are one plane, and keep the same side or opposite ones.
+    /// The planes coincide, and keep the same side or opposite sides.
     Same { is_opposite: bool },
 }
 
 impl Plane {
-    /// Plane that cuts a part, with the offset of the cut for that part.
+    /// The plane for a part, with the cut's offset for that part.
     pub(super) fn for_part(&self, scene: &Scene, part: &Part) -> SlicePlane {
         self.plane.keeping(scene.cuts[self.cut].offset_for(part))
     }
 
-    /// Trims the section of a part, of a given size, by this plane, which is at `at` for the part. None if nothing is left.
+    /// Trims the section of a part of a given size by this plane, which is at `at` for the part. `None` if nothing is left.
     pub(super) fn trim(
         &self,
         (scene, planes): (&Scene, &[Self]),
@@ -87,7 +87,7 @@ impl Plane {
     }
 }
 
-/// On which side of another plane one is, near where something of some size is.
+/// Relation of one plane to another, within the range of something of a given size.
 fn side(plane: &SlicePlane, other: &SlicePlane, size: f64) -> RelativeSide {
     let outward = other.frame.normal;
     let normal = DVec2::new(
@@ -110,10 +110,10 @@ fn side(plane: &SlicePlane, other: &SlicePlane, size: f64) -> RelativeSide {
     }
 }
 
-/// The planes of all cuts; the culprit where there is none, or where one is no plane.
+/// The planes of all cuts; an error if there is none, or if a clip-surface is not a plane.
 pub(super) fn planes(scene: &Scene) -> Result<Vec<Plane>> {
     let mut planes = Vec::new();
-    // Clip-surfaces of a cut that is off keep their numbers, and a cutter is one after the others of its cut.
+    // Clip-surfaces of a disabled cut keep their numbers, and a cutter has the number after the other clip-surfaces of its cut.
     let mut next = 0;
     for (index, cut) in scene.cuts.iter().enumerate() {
         let first = next;
@@ -157,7 +157,7 @@ pub(super) fn planes(scene: &Scene) -> Result<Vec<Plane>> {
     Ok(planes)
 }
 
-/// Face of its cut that a plane is. Cuts of one name are one region, as those of a wedge of more than half a turn.
+/// The face of the cut that a plane belongs to. Cuts with the same name form one region, as for a wedge of more than half a turn.
 fn face(scene: &Scene, cut: usize, within: usize, plane: &SlicePlane) -> SectionFace {
     let name = &scene.cuts[cut].name;
     let kin = |cuts: &[cutaway::scene::Cut]| -> usize {
@@ -171,7 +171,7 @@ fn face(scene: &Scene, cut: usize, within: usize, plane: &SlicePlane) -> Section
     }
 }
 
-/// A plane as `--section` takes it.
+/// A plane in the syntax of `--section`.
 fn spec(plane: &SlicePlane) -> String {
     let (normal, origin) = (plane.frame.normal, plane.origin);
     let axis = (0..3).find(|i| normal[*i].abs() == 1.0);

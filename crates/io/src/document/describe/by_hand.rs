@@ -1,8 +1,8 @@
-//! Values of several forms, which their readers take from the table themselves.
+//! Values with several forms, which their readers take directly from the table.
 
 use cutaway::scene::describe::{Given, Leaf, ValueType};
 
-/// The place of such a value in a description.
+/// Placeholder for such a value in a description.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct ByHand;
 

@@ -5,7 +5,7 @@ use cutaway::scene::range::SMALLEST;
 use cutaway::scene::{Fit, STANDARD_VIEWS, Up};
 use glam::{DVec2, DVec3};
 
-/// Words of `view`: the standard views, and the one that is straight at the first section.
+/// Words of `view`: the standard views, and the one that faces the first section.
 const VIEWS: [&str; STANDARD_VIEWS.len() + 1] = {
     let mut views = ["cut"; STANDARD_VIEWS.len() + 1];
     let mut i = 0;
@@ -24,7 +24,7 @@ pub(crate) enum ProjectionKind {
     Orthographic,
 }
 
-/// The camera as a file has it.
+/// The camera as stored in a file.
 #[derive(Clone, Debug, Default, PartialEq, Described)]
 pub(crate) struct CameraDesc {
     /// Rotation around the up axis; "auto" faces the cuts.
@@ -57,7 +57,7 @@ pub(crate) struct CameraDesc {
     /// Height of an orthographic picture; default: fits the model.
     #[value(range = SMALLEST.., unit = "units", example = 3)]
     pub(crate) height: Option<f64>,
-    /// Framing of an orbit: the silhouette of what the cuts keep, or the box of the whole model.
+    /// Framing of an orbit: the silhouette of the geometry that the cuts keep, or the box of the whole model.
     #[value(example = "kept")]
     pub(crate) fit: Option<Fit>,
     /// Magnification relative to the fitted view.

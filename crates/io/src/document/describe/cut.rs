@@ -6,7 +6,7 @@ use cutaway::scene::describe::Described;
 
 use super::PlacementDesc;
 
-/// A cut as a file has it, without its surfaces, regions and offsets.
+/// A cut as stored in a file, without its surfaces, regions and offsets.
 #[derive(Clone, Debug, Default, PartialEq, Described)]
 pub(crate) struct CutDesc {
     /// Name in paths.
@@ -24,7 +24,7 @@ pub(crate) struct CutDesc {
     /// Closed mesh that cuts: a file, or a shape.
     #[value(example = "shape:sphere")]
     pub(crate) volume: Option<PathBuf>,
-    /// Place of the volume.
+    /// Placement of the volume.
     #[value(flat)]
     pub(crate) placement: PlacementDesc,
     /// Removes what is outside the volume.

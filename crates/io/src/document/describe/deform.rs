@@ -16,7 +16,7 @@ pub(crate) enum DeformKind {
     Inflate,
 }
 
-/// A deformer as a file has it.
+/// A deformer as stored in a file.
 #[derive(Clone, Debug, Default, PartialEq, Described)]
 pub(crate) struct DeformDesc {
     /// Kind of deformation.

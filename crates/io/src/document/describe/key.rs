@@ -7,16 +7,16 @@ use super::ByHand;
 /// Interpolation between two values of a key.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Described)]
 pub enum Interpolation {
-    /// A straight line.
+    /// Linear interpolation.
     #[default]
     Linear,
-    /// The earlier value, up to the later time.
+    /// The earlier value, until the later time.
     Step,
-    /// A cubic that sets out and arrives at rest.
+    /// A cubic with zero slope at both ends.
     Smooth,
 }
 
-/// A key as a file has it.
+/// An animation key as stored in a file.
 #[derive(Clone, Debug, Default, PartialEq, Described)]
 pub(crate) struct KeyDesc {
     /// Path of the animated value.

@@ -1,10 +1,10 @@
-//! Typed descriptions: what a scene file can say, in the units of the file. Each value is declared once, at the field that holds it.
+//! Typed descriptions: the values of a scene file, in the file's units. Each value is declared once, at the field that holds it.
 //!
-//! Readers fill a description from a table by the declarations, which have types, ranges and examples, and make of it what the scene
-//! means in world units. The list of paths, the reference and the panels of a window are made from the same declarations
+//! Readers use the declarations, with their types, ranges and examples, to fill a description from a table, and convert it to
+//! world units. The list of paths, the reference and the panels of a window are generated from the same declarations
 //! ([`paths`](super::paths)). The style is described in the core: [`Style`](cutaway::scene::Style).
 //!
-//! Cannot: say which values exclude each other. Readers check that.
+//! Not supported: values that exclude each other. Readers check those.
 
 mod by_hand;
 mod camera;

@@ -9,7 +9,7 @@ use glam::Vec3;
 
 use super::{ByHand, PlacementDesc};
 
-/// A part as a file has it, without its lists of defects and deformers.
+/// A part as stored in a file, without its lists of defects and deformers.
 #[derive(Clone, Debug, Default, PartialEq, Described)]
 pub(crate) struct PartDesc {
     /// Name in paths and globs.
@@ -30,7 +30,7 @@ pub(crate) struct PartDesc {
     /// Closes planar and small holes of the mesh.
     #[value(fixed, example = true)]
     pub(crate) close_holes: bool,
-    /// Globs of the solids to take from the file; of bodies, with `split`.
+    /// Globs of the solids, or with `split` of the bodies, to take from the file.
     #[value(example = ["gear*"])]
     pub(crate) only: Vec<String>,
     /// Globs of the solids or bodies to leave out.
@@ -45,7 +45,7 @@ pub(crate) struct PartDesc {
     /// Repeats the frames.
     #[value(key = "loop", fixed, example = false)]
     pub(crate) loops: Option<bool>,
-    /// Place of the mesh.
+    /// Placement of the mesh.
     #[value(flat)]
     pub(crate) placement: PlacementDesc,
     /// Interior parts are never cut; whole parts neither, but are hidden where they are removed entirely.
@@ -71,7 +71,7 @@ pub(crate) struct MaterialDesc {
     /// Colour of caps.
     #[value(example = "#d9773f")]
     pub(crate) cap_color: Option<Vec3>,
-    /// Hatch of caps: general, none, solid, a material, or a pattern of a file, mine.pat#NAME.
+    /// Hatch of caps: general, none, solid, a material, or a pattern from a file, mine.pat#NAME.
     #[value(example = "steel")]
     pub(crate) hatch: Option<String>,
     /// Textures of caps.
@@ -97,7 +97,7 @@ pub(crate) struct CapMaterialDesc {
     /// Numbered slices that fill the part's box, instead of `solid`.
     #[value(example = "slices/%03d.png")]
     pub(crate) images: Option<PathBuf>,
-    /// Length of one repeat; default: images are placed as the relief is.
+    /// Length of one repeat; default: images have the relief's placement.
     #[value(range = SMALLEST.., unit = "units", fixed, example = "10%")]
     pub(crate) size: Option<Amount>,
 }

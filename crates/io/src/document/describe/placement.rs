@@ -1,11 +1,11 @@
-//! Keys that place a mesh: of a part, and of a cut's volume.
+//! Keys that place the mesh of a part or the volume of a cut.
 
 use cutaway::scene::describe::{Described, Factors, OrWord};
 use glam::DVec3;
 
 use super::ByHand;
 
-/// Scale, rotation and translation, in this order, or a matrix.
+/// Scale, rotation and translation, applied in this order, or a matrix.
 #[derive(Clone, Debug, Default, PartialEq, Described)]
 pub(crate) struct PlacementDesc {
     /// Translation, applied last.

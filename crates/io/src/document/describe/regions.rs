@@ -6,13 +6,13 @@ use glam::{DVec2, DVec3};
 
 use super::ReliefUse;
 
-/// Directions by their names.
+/// Names of axis directions.
 pub(crate) const AXIS_NAMES: [&str; 6] = ["x", "y", "z", "-x", "-y", "-z"];
 
-/// A box as a file has it.
+/// A box as stored in a file.
 #[derive(Clone, Debug, Default, PartialEq, Described)]
 pub(crate) struct BoxDesc {
-    /// Lower corner; default: open on that side.
+    /// Lower corner; default: unbounded on that side.
     #[value(unit = "units", example = ["50%", 0, 0])]
     pub(crate) min: Option<[Amount; 3]>,
     /// Upper corner.
@@ -24,7 +24,7 @@ pub(crate) struct BoxDesc {
     /// Side lengths.
     #[value(takes = ValueType::OneOrMore(&Amount::TYPE, 3), unit = "units", example = 0.5)]
     pub(crate) size: Option<[Amount; 3]>,
-    /// Its relief.
+    /// Relief on the box.
     #[value(flat)]
     pub(crate) ruffle: ReliefUse,
     /// Faces with the relief: -x to +z.
@@ -32,7 +32,7 @@ pub(crate) struct BoxDesc {
     pub(crate) faces: Vec<String>,
 }
 
-/// A wedge as a file has it.
+/// A wedge as stored in a file.
 #[derive(Clone, Debug, Default, PartialEq, Described)]
 pub(crate) struct WedgeDesc {
     /// Axis of the wedge.
@@ -53,7 +53,7 @@ pub(crate) struct WedgeDesc {
     /// Largest coordinate along the axis.
     #[value(unit = "units", example = "90%")]
     pub(crate) max: Option<Amount>,
-    /// Its relief.
+    /// Relief on the wedge.
     #[value(flat)]
     pub(crate) ruffle: ReliefUse,
     /// Faces with the relief: from, to, min, max.
@@ -61,10 +61,10 @@ pub(crate) struct WedgeDesc {
     pub(crate) faces: Vec<String>,
 }
 
-/// A cutout as a file has it.
+/// A cutout as stored in a file.
 #[derive(Clone, Debug, PartialEq, Described)]
 pub(crate) struct CutoutDesc {
-    /// Axis of the wedge: found from all faces, the main one of their inertia, that of symmetry, or a direction.
+    /// Axis of the wedge: automatic from all faces, their main axis of inertia, their axis of symmetry, or a direction.
     #[value(words = ["auto", "main", "symmetry", "x", "y", "z", "-x", "-y", "-z"], fixed, example = "auto")]
     pub(crate) axis: Option<OrWord<DVec3>>,
     /// Angle between the two faces; a full turn would remove everything.
@@ -79,7 +79,7 @@ pub(crate) struct CutoutDesc {
     /// Translation along the second and the third axis.
     #[value(unit = "units", example = [0, 0])]
     pub(crate) offset: DVec2,
-    /// Its relief.
+    /// Relief on the cutout.
     #[value(flat)]
     pub(crate) ruffle: ReliefUse,
     /// Faces with the relief: from, to.

@@ -8,7 +8,7 @@ use cutaway::scene::relief::{BlendOp, Procedure};
 
 use super::ByHand;
 
-/// Kinds that are not computed.
+/// Kinds that are not procedural.
 const OTHER_KINDS: [&str; 4] = ["image", "blend", "profile", "layers"];
 
 /// Words of `kind`.
@@ -25,13 +25,13 @@ const KINDS: [&str; Procedure::NAMES.len() + OTHER_KINDS.len()] = {
     kinds
 };
 
-/// A relief as a file has it, without the numbers of computed ones, which [`Procedure`] declares.
+/// A relief as stored in a file, without the parameters of procedural ones, which [`Procedure`] declares.
 #[derive(Clone, Debug, Default, PartialEq, Described)]
 pub(crate) struct ReliefDesc {
     /// Source of the heights.
     #[value(choice = KINDS, example = "fractal")]
     pub(crate) kind: Option<String>,
-    /// Image of heights.
+    /// Height-map image.
     #[value(example = "rock.png")]
     pub(crate) image: Option<PathBuf>,
     /// Names of the reliefs to combine, in order.

@@ -2,10 +2,10 @@
 
 use cutaway::scene::describe::Described;
 
-/// Roles of parts by globs, or by what is seen from outside.
+/// Roles of parts by globs, or by visibility from outside.
 #[derive(Clone, Debug, Default, PartialEq, Described)]
 pub(crate) struct RolesDesc {
-    /// Makes parts interior that are not visible from outside; alone: roles = "auto".
+    /// Makes parts interior if they are not visible from outside; short form: roles = "auto".
     #[value(fixed, example = true)]
     pub(crate) auto: bool,
     /// Globs of parts that are never cut.

@@ -1,4 +1,4 @@
-//! Values before all tables, and `[strategy]`.
+//! Top-level values, and `[strategy]`.
 
 use cutaway::scene::HeightFilter;
 use cutaway::scene::describe::{Described, OrWord, ValueType};
@@ -11,7 +11,7 @@ pub struct Settings {
     /// Width and height of the picture.
     #[value(key = "resolution", range = 1.0..=16384.0, unit = "px", fixed, example = [1024, 768])]
     pub size_px: Option<[u32; 2]>,
-    /// Background of the picture; "paper" is that of the style.
+    /// Background of the picture; "paper" is the style's background.
     #[value(words = ["paper"], example = "#ffffff")]
     pub background: Option<OrWord<Paper>>,
     /// Hatches caps where several solids overlap.
@@ -34,7 +34,7 @@ pub struct Settings {
     pub strategy: StrategySettings,
 }
 
-/// The drawing method of a document, whose names are checked by those who draw.
+/// The drawing method of a document; its names are checked by the renderer.
 #[derive(Clone, Debug, Default, PartialEq, Described)]
 pub struct StrategySettings {
     /// Capping strategy; `cutaway render --help` lists them.
@@ -45,7 +45,7 @@ pub struct StrategySettings {
     pub rasteriser: Option<String>,
 }
 
-/// Default size.
+/// Default picture size.
 const DEFAULT_SIZE_PX: [u32; 2] = [1024, 768];
 
 impl Settings {

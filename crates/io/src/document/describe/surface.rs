@@ -10,12 +10,12 @@ pub(crate) struct ReliefUse {
     /// Name of the relief.
     #[value(example = "ragged")]
     pub(crate) relief: Option<String>,
-    /// Its place.
+    /// Placement of the relief.
     #[value(flat)]
     pub(crate) placement: Placement,
 }
 
-/// A clip-surface as a file has it.
+/// A clip-surface as stored in a file.
 #[derive(Clone, Debug, Default, PartialEq, Described)]
 pub(crate) struct SurfaceDesc {
     /// Plane whose normal points to the kept side.
@@ -30,7 +30,7 @@ pub(crate) struct SurfaceDesc {
     /// Rotation of the plane and its relief about the normal, from U towards V.
     #[value(unit = "degrees", example = 30)]
     pub(crate) spin_deg: f64,
-    /// Vector U of the paper's form.
+    /// Vector U of the paper's parametrisation.
     #[value(unit = "units", example = [1, 0, 0])]
     pub(crate) u: Option<DVec3>,
     /// Vector V; the side of U x V is kept.
@@ -39,7 +39,7 @@ pub(crate) struct SurfaceDesc {
     /// Repeats along U and V, and height.
     #[value(example = [4, 4, 0.1])]
     pub(crate) scale: Option<DVec3>,
-    /// Its relief.
+    /// Relief on the surface.
     #[value(flat)]
     pub(crate) ruffle: ReliefUse,
     /// Keeps the other side.

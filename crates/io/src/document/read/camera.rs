@@ -1,7 +1,7 @@
 //! `[camera]`.
 //!
-//! An angle of an orbit that is `"auto"`, and both where there is no `[camera]`, turns to where most faces of the cuts are seen:
-//! half of all sections would show only their backs. `view` is a direction by its name.
+//! An orbit angle that is `"auto"`, and both without a `[camera]`, turn to the direction from which most faces of the cuts are visible:
+//! half of all sections would otherwise show only their backs. `view` is a named direction.
 
 use cutaway::error::Result;
 use cutaway::scene::describe::OrWord;
@@ -18,13 +18,13 @@ use crate::document::describe::{CameraDesc, ProjectionKind};
 
 static KEYS: Keys = Keys::below("camera");
 
-/// A camera, and which of its angles are to be found.
+/// A camera, with flags for its automatic angles.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Seen {
     pub(crate) camera: Camera,
-    /// Azimuth and elevation.
+    /// True for an automatic azimuth and elevation.
     pub(crate) free: [bool; 2],
-    /// It looks straight at the first section, which is known when the cuts are.
+    /// True if it faces the first section, which is known only once the cuts are read.
     pub(super) faces_cut: bool,
 }
 
@@ -46,13 +46,13 @@ impl Seen {
         self.free.contains(&true)
     }
 
-    /// The angles from which most faces are seen of the cuts that a scene has at some times; of equals those nearest to the usual.
+    /// Finds the angles from which most faces of the given cuts are visible; of equally good ones, those nearest to the default.
     pub(crate) fn turned<'a>(&self, cuts: impl Iterator<Item = &'a Cut> + Clone) -> Viewpoint {
         self.camera.viewpoint_facing(cuts, self.free)
     }
 }
 
-/// Reads a camera; without a focal point it looks at the middle of the bounds.
+/// Reads a camera; the default focal point is the middle of the bounds.
 pub(super) fn read(entry: &Entry<'_>, bounds: &Bounds, usual_fit: Fit) -> Result<Seen> {
     let table = entry.table(KEYS.all())?;
     let desc: CameraDesc = described::read(&table)?;
@@ -114,7 +114,7 @@ fn says_nothing_else(table: &Table<'_>) -> Result<()> {
     }
 }
 
-/// Viewpoint that looks straight at the first section of some cuts.
+/// Viewpoint that faces the first section of some cuts.
 pub(super) fn facing_first(
     first: Option<&ClipSurface>,
     up: Up,
@@ -180,7 +180,7 @@ fn viewpoint(table: &Table<'_>, desc: &CameraDesc, middle: DVec3) -> Result<View
     {
         let what = "it points along the viewing direction, or nowhere";
         let across = desc.up.axis().to_array();
-        let help = format!("use a direction across it, for example {across:?}");
+        let help = format!("use a direction at an angle to it, for example {across:?}");
         return Err(entry.fault(what, help));
     }
     Ok(Viewpoint::Explicit {

@@ -1,4 +1,4 @@
-//! `material.cap`: what caps are made of.
+//! `material.cap`: materials of caps.
 //!
 //! ```toml
 //! material.cap = { diffuse = "rust.png", normal = "grain.png", light = "soft.png", size = "10%" }
@@ -24,14 +24,14 @@ use crate::load::frames::Pattern;
 
 static KEYS: Keys = Keys::below("part.*.material.cap");
 
-/// The keys of single images, and what their numbers are.
+/// The keys of single images, and the kind of data in each.
 const IMAGES: [(&str, TextureKind); 3] = [
     ("diffuse", TextureKind::Color),
     ("normal", TextureKind::Data),
     ("light", TextureKind::Data),
 ];
 
-/// Checks what can be checked before a file is opened.
+/// Checks everything that needs no opened file.
 pub(super) fn check(entry: &Entry<'_>, folder: &Path, assets: &Assets) -> Result<()> {
     let table = entry.table(KEYS.all())?;
     for (key, _) in IMAGES {
@@ -44,7 +44,7 @@ pub(super) fn check(entry: &Entry<'_>, folder: &Path, assets: &Assets) -> Result
     plain(&table).map(|_| ())
 }
 
-/// Reads the keys that need no file.
+/// Reads the keys that name no file.
 fn plain(table: &Table<'_>) -> Result<CapMaterial> {
     let desc: CapMaterialDesc = described::read(table)?;
     let solid = match (table.get("solid"), table.get("images")) {
@@ -65,17 +65,17 @@ fn plain(table: &Table<'_>) -> Result<CapMaterial> {
     })
 }
 
-/// The files of a stack.
+/// The image files of a stack.
 fn slices(entry: &Entry<'_>, folder: &Path, assets: &Assets) -> Result<Vec<std::path::PathBuf>> {
     let found = Pattern::parse(entry.text()?)
         .and_then(|pattern| pattern.inside(folder).files(None, assets.store()));
     match found.map_err(|e| entry.place(e))? {
         (files, None) => Ok(files),
-        (_, Some(gap)) => Err(entry.fault(gap, "add the missing image, or number the others anew")),
+        (_, Some(gap)) => Err(entry.fault(gap, "add the missing image, or renumber the others")),
     }
 }
 
-/// The material that a part asks for.
+/// Opens the cap material of a part.
 pub(super) fn open(entry: &Entry<'_>, opening: &mut Opening<'_>) -> Result<Arc<CapMaterial>> {
     let table = entry.table(KEYS.all())?;
     let mut material = plain(&table)?;
@@ -107,10 +107,10 @@ pub(super) fn open(entry: &Entry<'_>, opening: &mut Opening<'_>) -> Result<Arc<C
         if let Some(other) = stack.iter().position(|t| t.size() != stack[0].size()) {
             let [width, height] = stack[0].size();
             let what = format!(
-                "{} is not {width} x {height} as the first image",
+                "{} is not {width} x {height} like the first image",
                 files[other].display()
             );
-            return Err(entry.fault(what, "the images of a stack are of one size"));
+            return Err(entry.fault(what, "give all images of a stack the same size"));
         }
         opening.files.extend(files);
         material.solid = Some(SolidTexture::Stack(stack));

@@ -16,13 +16,13 @@ use crate::document::paths::keys_below;
 use crate::load::Assets;
 use crate::load::frames::Pattern;
 
-/// Checks what can be checked before anything is opened.
+/// Checks everything that needs no opened file.
 pub(in crate::document) fn check(root: &Table<'_>, folder: &Path, assets: &Assets) -> Result<()> {
     must_be_known(&root.entry, "")?;
     described::read::<Settings>(root)?;
     style::check(root, folder, assets)?;
     keys::read(root)?;
-    // Where it looks is known when what it looks at is.
+    // With a position but no focal point, the viewing direction depends on parts that are not read yet.
     let is_whole = |camera: &Entry<'_>| {
         let has = |key: &str| camera.node.get(key).is_some();
         has("focal_point") || !has("position")
@@ -60,7 +60,7 @@ pub(in crate::document) fn check(root: &Table<'_>, folder: &Path, assets: &Asset
     Ok(())
 }
 
-/// Refuses keys that no reader knows, all the way down.
+/// Refuses unknown keys at all levels.
 fn must_be_known(entry: &Entry<'_>, above: &str) -> Result<()> {
     let below = |key: &str| match above {
         "" => key.to_owned(),
@@ -69,7 +69,7 @@ fn must_be_known(entry: &Entry<'_>, above: &str) -> Result<()> {
     let known = keys_below(above);
     let is_named = known.contains(&"*");
     if entry.is_list() && !known.is_empty() {
-        // A `box` may be a list of some, which paths do not tell.
+        // A `box` may be a list of boxes, which the paths do not show.
         let above = if is_named {
             below("*")
         } else {

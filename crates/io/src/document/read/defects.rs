@@ -1,4 +1,4 @@
-//! `defects` of a part: what is broken in its mesh on purpose, once, when it is opened.
+//! `defects` of a part: deliberate damage to its mesh, applied once, when the part is opened.
 
 use cutaway::error::{Result, did_you_mean};
 use cutaway::generate::defects::{Defect, DefectKind, break_parts};
@@ -8,7 +8,7 @@ use cutaway::scene::describe::Described;
 use super::described::{self, keys_of};
 use super::reader::{Entry, Table};
 
-/// Puts the defects of an entry `[[part]]` into its solids.
+/// Applies the defects of a `[[part]]` entry to its solids.
 pub(super) fn apply<'a>(
     table: &Table<'_>,
     parts: impl IntoIterator<Item = &'a mut Part>,

@@ -1,8 +1,8 @@
-//! `deform` of a part: what bends its mesh.
+//! `deform` of a part: deformations of its mesh.
 //!
-//! Lengths are in units of the mesh, or in percent of the diagonal of its bounds; `turn_deg` is the turn from one end of
-//! the bounds to the other along the axis. The axis goes through the middle of the bounds, along their longest side, unless
-//! the file says otherwise. Bounds are those of the rest mesh, and of all frames of a sequence: they stay what they are.
+//! Lengths are in mesh units, or in percent of the diagonal of the mesh's bounds; `turn_deg` is the angle from one end of
+//! the bounds to the other along the axis. The default axis goes through the middle of the bounds, along their longest
+//! side. The bounds are those of the rest mesh, and of all frames of a sequence: they do not change over time.
 
 use cutaway::error::Result;
 use cutaway::scene::describe::OrWord;
@@ -132,7 +132,7 @@ fn axis(table: &Table<'_>, desc: &DeformDesc, bounds: Bounds) -> Result<Axis> {
     })
 }
 
-/// A direction by its name, or by a vector of any length but 0, that stands at a key of a table.
+/// Reads a direction at a table's key, given as a name or as a vector of any length except 0.
 pub(super) fn direction(given: &OrWord<DVec3>, table: &Table<'_>, key: &str) -> Result<DVec3> {
     let v = match given {
         OrWord::Value(v) => *v,

@@ -1,4 +1,4 @@
-//! Tables whose values are declared by a struct: each is read by its type, within its range.
+//! Reads tables whose values are declared by a struct: each value is read by its type, within its range.
 
 use cutaway::error::{Error, Result, did_you_mean};
 use cutaway::scene::describe::{Described, Field, Given, ValueType};
@@ -8,7 +8,7 @@ use super::reader::{Entry, Source, Table};
 use crate::document::spec::one as word;
 use crate::document::{Node, Value, paths};
 
-/// Keys of a table.
+/// The table keys of these fields.
 pub(super) fn keys_of(fields: &'static [Field]) -> Vec<&'static str> {
     let keys = |field: &'static Field| match field.key {
         "" => keys_of(field.below),
@@ -17,7 +17,7 @@ pub(super) fn keys_of(fields: &'static [Field]) -> Vec<&'static str> {
     fields.iter().flat_map(keys).collect()
 }
 
-/// Words of a field that takes one of some.
+/// The words of a choice field.
 pub(super) fn choices(fields: &'static [Field], key: &str) -> &'static [&'static str] {
     match fields.iter().find(|f| f.key == key).map(|f| f.takes) {
         Some(ValueType::Choice(words)) => words,
@@ -25,14 +25,14 @@ pub(super) fn choices(fields: &'static [Field], key: &str) -> &'static [&'static
     }
 }
 
-/// The description that a table is, where what the table lacks has its default.
+/// Reads a table as a description; missing values get their defaults.
 pub(super) fn read<T: Described + Default>(table: &Table<'_>) -> Result<T> {
     let mut described = T::default();
     amend(&mut described, table)?;
     Ok(described)
 }
 
-/// Sets the values that a table has, and leaves the others as they are. Keys of the table itself are for its opener to check.
+/// Sets the values that a table has, and keeps the others. The keys of the table are checked by the code that opens it.
 pub(super) fn amend(described: &mut dyn Described, table: &Table<'_>) -> Result<()> {
     for (index, field) in described.fields().iter().enumerate() {
         match (field.key, described.below_mut(index)) {
@@ -56,12 +56,12 @@ pub(super) fn amend(described: &mut dyn Described, table: &Table<'_>) -> Result<
     Ok(())
 }
 
-/// The value that words of a command line are for a path with numbers, a text or a colour: lists are written with commas, sizes with
-/// an `x` as well.
+/// Parses command-line words into a value for a path with numbers, a text or a colour: lists are written with commas, sizes also with
+/// an `x`.
 ///
 /// # Errors
 ///
-/// Words that the type does not take.
+/// Words that are invalid for the type.
 pub fn parse_value(path: &paths::Path, text: &str) -> Result<Value> {
     let text = text.trim();
     let number = word;
@@ -85,7 +85,7 @@ pub fn parse_value(path: &paths::Path, text: &str) -> Result<Value> {
     Ok(node.value)
 }
 
-/// The numbers or amounts of a list; one stands for all.
+/// The numbers or amounts of a list; a single one is repeated.
 fn repeated(given: Given, count: usize) -> Given {
     match given {
         Given::Numbers(one) if one.len() == 1 => Given::Numbers(vec![one[0]; count]),
@@ -94,7 +94,7 @@ fn repeated(given: Given, count: usize) -> Given {
     }
 }
 
-/// Several numbers or amounts as one value.
+/// Combines several numbers or amounts into one value.
 fn joined(each: Vec<Given>) -> Given {
     let mut numbers = Vec::new();
     let mut amounts = Vec::new();
@@ -113,7 +113,7 @@ fn joined(each: Vec<Given>) -> Given {
 }
 
 impl Entry<'_> {
-    /// The value as one of a type; `example` is one for errors.
+    /// Reads the value as a type; `example` is used in errors.
     pub(super) fn given(&self, takes: &ValueType, example: &str) -> Result<Given> {
         let other = || self.expected(&takes.noun(), example);
         let within = |number: f64, least: f64, most: f64| match (least..=most).contains(&number) {
@@ -175,7 +175,7 @@ impl Entry<'_> {
                     });
                 }
                 Value::Text(word) => self.given(one, example).map_err(|e| match e {
-                    // The words of the innermost type are named by its own error.
+                    // The error of the innermost type lists its words.
                     e if matches!(one, ValueType::Or(..)) => e,
                     _ => {
                         let help = format!(
@@ -199,7 +199,7 @@ impl Entry<'_> {
         })
     }
 
-    /// The elements of a list, each of a type.
+    /// Reads the elements of a list, all of the same type.
     fn each(
         &self,
         one: &ValueType,
@@ -214,7 +214,7 @@ impl Entry<'_> {
         Ok(joined(each.collect::<Result<_>>()?))
     }
 
-    /// An error about a number that is not whole, which a key may have led to.
+    /// An error about a number that is not an integer, possibly because of an animation key.
     fn expected_whole(&self, noun: &str, example: &str) -> Error {
         match &self.node.value {
             Value::Number(number) if self.is_moved() && number.value.fract() != 0.0 => {
@@ -226,13 +226,13 @@ impl Entry<'_> {
         }
     }
 
-    /// One of some words.
+    /// Reads one of some words.
     fn word(&self, words: &[&'static str]) -> Result<&'static str> {
         let choices: Vec<_> = words.iter().map(|word| (*word, *word)).collect();
         self.choice(&choices)
     }
 
-    /// `#rrggbb`, `#rgb` or a name of CSS.
+    /// Reads `#rrggbb`, `#rgb` or a CSS colour name.
     pub(super) fn color(&self) -> Result<glam::Vec3> {
         let text = self.text()?;
         let help = || color_help(text);

@@ -1,4 +1,4 @@
-//! `material.hatch`: a pattern by its name, or one of a PAT file: `"steel"`, `"mine.pat#OAK"`.
+//! `material.hatch`: a named pattern, or one from a PAT file: `"steel"`, `"mine.pat#OAK"`.
 
 use std::path::Path;
 use std::sync::{Arc, LazyLock};
@@ -10,7 +10,7 @@ use super::opening::{Opening, missing};
 use super::reader::Entry;
 use crate::load::{Assets, read_patterns};
 
-/// The patterns that come with the program; a test reads them.
+/// The built-in patterns; a test parses them.
 static NAMED: LazyLock<Vec<Arc<HatchPattern>>> = LazyLock::new(|| {
     let bytes = include_bytes!("../styles/patterns.pat");
     let patterns = read_patterns(Path::new("patterns.pat"), bytes).unwrap_or_default();
@@ -31,7 +31,7 @@ fn names() -> impl Iterator<Item = &'static str> {
     plain.chain(NAMED.iter().map(|p| p.name.as_str()))
 }
 
-/// A file of patterns and the name of one, or nothing where a text names no file.
+/// Splits a text into a pattern file and a pattern name; `None` if it names no file.
 fn file_of(text: &str) -> Option<(&str, Option<&str>)> {
     let is_file = |text: &str| text.to_lowercase().ends_with(".pat");
     if is_file(text) {
@@ -55,7 +55,7 @@ fn named(entry: &Entry<'_>, name: &str) -> Result<CapHatch> {
     }
 }
 
-/// Checks what can be checked before a file is opened.
+/// Checks everything that needs no opened file.
 pub(super) fn check(entry: &Entry<'_>, folder: &Path, assets: &Assets) -> Result<()> {
     match file_of(entry.text()?) {
         None => named(entry, entry.text()?).map(|_| ()),
@@ -64,7 +64,7 @@ pub(super) fn check(entry: &Entry<'_>, folder: &Path, assets: &Assets) -> Result
     }
 }
 
-/// The hatch that a text names.
+/// Opens the hatch named by a text.
 pub(super) fn open(entry: &Entry<'_>, opening: &mut Opening<'_>) -> Result<CapHatch> {
     let Some((file, name)) = file_of(entry.text()?) else {
         return named(entry, entry.text()?);
@@ -83,7 +83,7 @@ pub(super) fn open(entry: &Entry<'_>, opening: &mut Opening<'_>) -> Result<CapHa
             let first = &patterns[0].0;
             return Err(entry.fault(what, format!("say which: {file}#{first}")));
         }
-        // As drawing programs do, whatever the case.
+        // Case is ignored, as in drawing programs.
         Some(name) => (patterns.iter()).position(|(p, _)| p.eq_ignore_ascii_case(name)),
     };
     let Some(found) = found else {

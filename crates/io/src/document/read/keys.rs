@@ -1,9 +1,9 @@
-//! `[[key]]`: numbers of the scene over time.
+//! `[[key]]`: animated numbers of the scene.
 //!
 //! A key finds its numbers in the tree of the file ([`target`](super::target)). At a time the tree is read again with other
-//! numbers in their place, so whatever the file can say in numbers can move, and every check of the readers holds at every
-//! time. Before the first and after the last of its times a key stays at its end. A flag is moved by true and false, or 1 and 0,
-//! and only in steps.
+//! numbers in their place, so any number in a file can be animated, and all checks of the readers apply at every
+//! time. Before its first and after its last time a key has its first or last value. A flag is animated by true and false, or 1 and 0,
+//! and only with step interpolation.
 
 use cutaway::error::{Result, did_you_mean};
 
@@ -16,17 +16,17 @@ use crate::document::{Interpolation, Node, Number, Place, Value};
 
 static KEYS: Keys = Keys::below("key.*");
 
-/// Tables whose numbers can move: the rest of a file is no part of the scene.
+/// Tables whose numbers can be animated: the rest of a file is not part of the scene.
 const MOVABLE: [&str; 5] = ["camera", "part", "cut", "relief", "style"];
 
-/// A number of the scene, a vector of numbers or a flag, over time.
+/// An animated number, vector of numbers or flag of the scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Key {
     /// Dotted path of the field, for example `cut.front.surfaces.0.origin`.
     pub target: String,
     /// Ascending times.
     pub times_s: Vec<f64>,
-    /// One value for each time, all of the same length; a single number has length 1, and rows of a matrix follow each other.
+    /// One value for each time, all of the same length; a single number has length 1, and the rows of a matrix are concatenated.
     /// True is 1, and false is 0.
     pub values: Vec<Vec<f64>>,
     /// Interpolation between the values.
@@ -34,7 +34,7 @@ pub struct Key {
 }
 
 impl Key {
-    /// The numbers at a time; none of a key without times.
+    /// The numbers at a time; empty for a key without times.
     pub fn at(&self, time_s: f64) -> Vec<f64> {
         let next = self.times_s.partition_point(|t| *t <= time_s);
         let (Some(last), true) = (next.checked_sub(1), next < self.times_s.len()) else {
@@ -57,7 +57,7 @@ impl Key {
     }
 }
 
-/// A key and what it moves.
+/// A key with its target.
 #[derive(Clone, Debug)]
 pub(crate) struct Keyed {
     pub(crate) key: Key,
@@ -70,7 +70,7 @@ pub(crate) struct Keyed {
 }
 
 impl Keyed {
-    /// Sets what the key moves to what it is at a time. Whole numbers stay whole where they can; a flag is on unless it is 0.
+    /// Sets the animated value at a time. Integers stay integers if possible; a flag is true unless it is 0.
     pub(crate) fn set(&self, root: &mut Node, time_s: f64) {
         for (place, value) in self.places.iter().zip(self.key.at(time_s)) {
             match root.at_mut(place).map(|node| &mut node.value) {
@@ -82,7 +82,7 @@ impl Keyed {
     }
 }
 
-/// A time, and the keys that have set what a scene is then.
+/// A time, and the keys that are set at it.
 #[derive(Clone, Copy)]
 pub(crate) struct Moment<'a> {
     pub time_s: f64,
@@ -90,7 +90,7 @@ pub(crate) struct Moment<'a> {
 }
 
 impl Moment<'_> {
-    /// When it is, with the keys that may have led to a fault of a value.
+    /// Describes the time, and the keys that may have caused an error in a value.
     pub(super) fn blame(&self, of: &str) -> String {
         let touches = |keyed: &&Keyed| {
             let (short, long) = if of.len() < keyed.path.len() {
@@ -120,7 +120,7 @@ pub(super) fn read(root: &Table<'_>) -> Result<Vec<Keyed>> {
         if let Some(other) = all.iter().find(meets) {
             let target = entry.table(KEYS.all())?.need("target", "\"camera.near\"")?;
             let what = format!("`{}` moves it too", other.own_path);
-            return Err(target.fault(what, "make one key of the two"));
+            return Err(target.fault(what, "merge the two keys"));
         }
         all.push(keyed);
     }
@@ -178,12 +178,12 @@ fn read_one(entry: &Entry<'_>, root: &Table<'_>) -> Result<Keyed> {
     }
     if shape != shapes[0] && !is_flag {
         let what = format!("the values are {} each, but `{full}` is {shape}", shapes[0]);
-        return Err(list.fault(what, "write both alike, here or there"));
+        return Err(list.fault(what, "make both the same"));
     }
     let interpolation = match (desc.interpolation, is_flag) {
         (None | Some(Interpolation::Step), true) => Interpolation::Step,
         (Some(_), true) => {
-            let what = format!("there is nothing between on and off, which `{full}` is");
+            let what = format!("`{full}` is on or off, with no values in between");
             return Err(table.entry.fault(what, "write `interpolation = \"step\"`"));
         }
         (given, false) => given.unwrap_or_default(),
@@ -201,11 +201,11 @@ fn read_one(entry: &Entry<'_>, root: &Table<'_>) -> Result<Keyed> {
     })
 }
 
-/// Refuses what is no part of the scene, and what says which files are loaded.
+/// Refuses values outside the scene, and values that determine which files are loaded.
 fn movable(target: &Entry<'_>, path: &str) -> Result<()> {
     let (root, below) = path.split_once('.').unwrap_or((path, ""));
     if !MOVABLE.contains(&root) {
-        let what = format!("nothing called `{root}` can move");
+        let what = format!("`{root}` cannot be animated");
         return Err(target.fault(what, did_you_mean(root, MOVABLE)));
     }
     if below.is_empty() || path.split('.').any(str::is_empty) {
@@ -217,7 +217,7 @@ fn movable(target: &Entry<'_>, path: &str) -> Result<()> {
         let what = "it says how files are played, which cannot change while they play";
         return Err(target.fault(what, "move another number"));
     }
-    // Of a shape that is a text it is said that it is one.
+    // A shape given as text gets its own error message.
     let is_made = below.contains(".shape.");
     let is_broken = path.split('.').any(|word| word == "defects");
     let how = match last {

@@ -1,9 +1,9 @@
-//! Cache of loaded parts across reloads, keyed by their source settings. Splitting bodies and closing holes take longer than a frame, and a
-//! cut that is dragged opens a document for each frame.
+//! Cache of loaded parts across reloads, keyed by their source settings. Splitting bodies and closing holes take longer than a frame, and
+//! dragging a cut opens a document for each frame.
 //!
-//! Likewise what is seen of the parts from outside, where roles are found by that.
+//! The visibility of the parts from outside is cached likewise, if roles depend on it.
 //!
-//! Entries are compared by the keys that opening them reads. Finding one costs comparing them with all of the last document.
+//! Entries are compared by the keys that affect their opening. A lookup compares an entry with all entries of the last document.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -19,7 +19,7 @@ use super::reader::Table;
 use crate::document::Node;
 use crate::load::Assets;
 
-/// Keys that opening an entry reads.
+/// Keys that affect the opening of an entry.
 const OPENED_BY: [&str; 10] = [
     "mesh",
     "shape",
@@ -33,10 +33,10 @@ const OPENED_BY: [&str; 10] = [
     "close_holes",
 ];
 
-/// An entry as it was opened.
+/// An opened entry.
 pub(super) struct Known {
     folder: PathBuf,
-    /// Its keys among [`OPENED_BY`].
+    /// The entry's keys among [`OPENED_BY`].
     by: Vec<(&'static str, Node)>,
     /// Source of its parts, without a name or a colour.
     pub(super) source: PartSource,
@@ -44,7 +44,7 @@ pub(super) struct Known {
     files: BTreeSet<PathBuf>,
 }
 
-/// The entries of the last document that was opened.
+/// The entries of the last opened document.
 pub(super) type AllKnown = Vec<Arc<Known>>;
 
 impl Known {
@@ -54,7 +54,7 @@ impl Known {
 }
 
 impl Opening<'_> {
-    /// Opens an entry, or finds it among those of the last document, and adds its notes.
+    /// Opens an entry, or reuses it from the last document, and adds its notes.
     pub(super) fn known(&mut self, table: &Table<'_>, before: &AllKnown) -> Result<Arc<Known>> {
         let said = |key: &&'static str| Some((*key, table.get(key)?.node.clone()));
         let by: Vec<_> = OPENED_BY.iter().filter_map(said).collect();
@@ -86,7 +86,7 @@ impl Opening<'_> {
     }
 }
 
-/// Data that determines the visibility of a part: its mesh, its motion, its place and its pose.
+/// Data that determines the visibility of a part: its mesh, its motion, its placement and its pose.
 type PosedMesh = (Arc<Mesh>, Option<Arc<Motion>>, DAffine3, Pose);
 
 /// Visibility of the parts of the last document.

@@ -1,6 +1,6 @@
-//! The readers of a document: what is cut, how, and from where it is seen.
+//! The readers of a document: parts, cuts, camera and style.
 //!
-//! Every unknown key is an error with the nearest known one; every number has to be finite. Paths are relative to the
+//! Every unknown key is an error that suggests the nearest known one; every number must be finite. Paths are relative to the
 //! scene file.
 //!
 //! ```toml
@@ -17,7 +17,7 @@
 //! surfaces = [{ section = "-z=50%", relief = "ragged", amplitude = "6%" }]
 //!
 //! [[cut]]
-//! volume = "shape:sphere"                # or a mesh file: what is inside is removed, if it is closed
+//! volume = "shape:sphere"                # or a closed mesh file: the region inside it is removed
 //! scale = 0.3                            # placed as parts are: `translate`, `rotate_deg`, `scale`, `pivot`, `matrix`
 //! translate = [0.5, 0, 0]
 //! flip = false                           # true removes what is outside
@@ -32,71 +32,71 @@
 //! name = "slice"
 //! applies_to = ["*"]
 //! except = ["core"]
-//! offset = { mantle = 0.08, "crust*" = "5%" }   # so much more of these parts is kept; percent of the diagonal
+//! offset = { mantle = 0.08, "crust*" = "5%" }   # how much more of these parts is kept; percent of the diagonal
 //! enabled = true
-//! wedge = { axis = "z", from_deg = 0, to_deg = 90, relief = "ragged", faces = ["from", "to"] }   # or a list of some
+//! wedge = { axis = "z", from_deg = 0, to_deg = 90, relief = "ragged", faces = ["from", "to"] }   # or a list of wedges
 //!
 //! [[cut]]
 //! box = { min = ["50%", 0, 0], max = ["100%", 1, 1] }
 //! ```
 //!
-//! An offset moves every clip-surface of the cut, relief and all, towards the side that is removed: the part stands out of the
-//! cut. Where several globs fit a part, its own name has to be there and counts.
+//! An offset moves every clip-surface of the cut, with its relief, towards the removed side: the part protrudes from the
+//! cut. If several globs match a part, an entry with its exact name is required, and is used.
 //!
 //! # The camera
 //!
-//! Without `[camera]` the scene is seen from the side, turned to where most faces of its cuts are seen. With it nothing is turned
-//! but angles that are `"auto"`.
+//! Without `[camera]` the scene is seen from the side, turned to where most faces of its cuts are visible. With it only
+//! angles that are `"auto"` are turned.
 //!
 //! ```toml
 //! [camera]
 //! azimuth_deg = 35                       # or `position`, `focal_point` and `view_up`; or `view`:
-//! elevation_deg = 25                     # "front", "back", "left", "right", "top", "bottom", "iso", or "cut", straight at the section
-//! up = "+Z"                              # images on sections stand upright by it
-//! fit = "kept"                           # what angles are fitted to: what the cuts keep, or "all"
-//! zoom = 2                               # twice as large as so that is shown
-//! pan = [0.1, 0]                         # moves the model right, and up, in heights of the picture
+//! elevation_deg = 25                     # "front", "back", "left", "right", "top", "bottom", "iso", or "cut", facing the section
+//! up = "+Z"                              # also the upright direction of images on sections
+//! fit = "kept"                           # framing of an orbit: the geometry that the cuts keep, or "all"
+//! zoom = 2                               # magnification relative to the fitted view
+//! pan = [0.1, 0]                         # moves the model right and up, in picture heights
 //! near = 0.5                             # distance of the near plane
-//! near_cap = false                       # true, which is usual, shows a cap where the near plane cuts a solid
+//! near_cap = false                       # true, the default, shows a cap where the near plane cuts a solid
 //! ```
 //!
-//! Without `near_cap` a ray that begins inside a solid shows neither the near plane's section nor the wall by which it leaves the
+//! Without `near_cap` a ray that begins inside a solid shows neither the near plane's section nor the surface where it leaves the
 //! solid, but the next surface or cap that it enters.
 //!
-//! # How heights are read
+//! # Height filter
 //!
-//! `height_filter = "hardware"` reads reliefs through the sampler of the GPU where a strategy asks for heights at
-//! points; `"exact"`, which is usual, from four texels.
+//! `height_filter = "hardware"` reads reliefs through the GPU's sampler if a strategy needs heights at
+//! points; `"exact"`, the default, computes them from four texels.
 //!
-//! # How it is drawn
+//! # Picture settings
 //!
-//! Before all tables: the defaults of the picture.
+//! These keys precede all tables: the defaults of the picture.
 //!
 //! ```toml
 //! resolution = [1024, 768]
 //! background = "#ffffff"                 # or "paper", "gradient", "transparent"
 //! style = "technical"                    # or [style] with base = "technical" and changes
-//! interference = "#ff00aa"               # hatches caps that several solids share
-//! supersample = 2                        # so many times as fine along each side, 1 to 4
-//! time_s = 0.5                           # the moment that is shown
-//! clip = "walk"                          # the animation that is played, by its name or number
+//! interference = "#ff00aa"               # hatches caps where several solids overlap
+//! supersample = 2                        # samples per pixel along each side, 1 to 4
+//! time_s = 0.5                           # time of the picture
+//! clip = "walk"                          # animation to play, by name or number
 //!
 //! [strategy]
 //! name = "raycast+mask"
 //! rasteriser = "compute"
 //! ```
 //!
-//! # What moves
+//! # Animation
 //!
-//! A `[[key]]` moves any number of `camera`, `part`, `relief` and `cut`, or a list of them, in time. `interpolation` is
-//! `"linear"`, `"step"` or `"smooth"`. The number has to be in the file, as a number: those in texts such as `"6%"` stay. What is
-//! `true` or `false`, as `cut.slice.enabled`, is moved by such values in steps.
+//! A `[[key]]` animates any number of `camera`, `part`, `relief` and `cut`, or a list of numbers. `interpolation` is
+//! `"linear"`, `"step"` or `"smooth"`. The number must be in the file, as a number: those in texts such as `"6%"` cannot be animated. A
+//! `true` or `false`, as `cut.slice.enabled`, is animated by such values in steps.
 //!
 //! ```toml
 //! [[part]]
 //! name = "bar"
 //! shape = "cube?divisions=20"
-//! pivot = "centre"                      # about which it is scaled and turned; or a point; the origin otherwise
+//! pivot = "centre"                      # fixed point of scale and rotation; or a point; default: the origin
 //! rotate_deg = [0, 0, 0]
 //! deform = [
 //!   { kind = "twist", axis = "y", turn_deg = 90 },     # from one end of the part to the other
@@ -109,14 +109,14 @@
 //! name = "walker"
 //! mesh = "frames/walk_%04d.ply"         # one mesh per frame
 //! fps = 24
-//! first = 1                             # without it 0 or 1
-//! loop = false                          # true without it
+//! first = 1                             # default: 0 or 1
+//! loop = false                          # default: true
 //!
 //! [[part]]
 //! name = "left"
 //! mesh = "gearbox.glb"
-//! only = ["gear 2"]                     # or `except`: some of the solids of a file
-//! defects = [{ kind = "holes", amount = "5%", seed = 1 }]   # broken on purpose, once: see `scene::defects`
+//! only = ["gear 2"]                     # or `except`: takes some of the solids of a file
+//! defects = [{ kind = "holes", amount = "5%", seed = 1 }]   # deliberate damage, applied once: see `scene::defects`
 //!
 //! [[key]]
 //! target = "part.bar.deform.0.turn_deg"
@@ -124,23 +124,23 @@
 //! values = [0, 360]
 //! ```
 //!
-//! # What is one part
+//! # Parts of a file
 //!
-//! A file of one solid is a part, one of several is a part for each: `NAME/SOLID`. With `split`, each connected body is a part.
+//! A file with one solid is one part; a file with several is one part for each: `NAME/SOLID`. With `split`, each connected body is a part.
 //!
 //! ```toml
 //! [[part]]
 //! name = "drive"
 //! mesh = "gearbox.stl"
 //! split = true                          # "drive/1", "drive/2", ... in the order of their first triangles
-//! except = ["gearbox/7"]                # `only` and `except` come after the split, and know bodies by the name of the file
+//! except = ["gearbox/7"]                # `only` and `except` apply after the split, and name bodies by the file's name
 //! ```
 //!
-//! Of a file of several solids, bodies are `NAME/SOLID/1`, known as `SOLID/1`. A solid of one body keeps its name. Frames are split as
-//! the first one is, whose triangles all must have. `defects` come after all that, and `close_holes = true` closes what they leave.
+//! In a file with several solids, bodies are `NAME/SOLID/1`, matched as `SOLID/1`. A solid with one body keeps its name. Frames are split
+//! like the first one, whose triangles all must have. `defects` apply after all that, and `close_holes = true` closes the holes they leave.
 //!
-//! A part with `enabled = false` is read and left out: bounds, and what is relative to them, are those of the others, which keep their
-//! colours. Globs may still name it. One part has to be enabled at every time.
+//! A part with `enabled = false` is read and left out: bounds, and values relative to them, are those of the others, which keep their
+//! colours. Globs may still match it. One part has to be enabled at every time.
 
 mod camera;
 mod cap_materials;
@@ -193,10 +193,10 @@ pub(super) use scene_assets::SceneAssets;
 pub(super) use style::is_file as is_style_file;
 pub use style::{named_style, style_names};
 
-/// Keys of a scene. Nothing is drawn of `case`: it is what is expected of a scene in `experiments/hard-cases`.
+/// Keys of a scene. `case` has no effect on the picture: it holds the expectations for a scene in `experiments/hard-cases`.
 static KEYS: LazyLock<Vec<&str>> = LazyLock::new(|| [keys_below(""), vec!["case"]].concat());
 
-/// The root of a document at a moment, if something moves.
+/// The root of a document, at a moment if it is animated.
 pub(super) fn root<'a>(
     path: &'a Path,
     node: &'a Node,
@@ -205,12 +205,12 @@ pub(super) fn root<'a>(
     Table::of_file(Source { path, moment }, node, &KEYS)
 }
 
-/// The table that a document is, whatever its keys.
+/// The document as a table, with any keys.
 pub(super) fn top<'a>(path: &'a Path, node: &'a Node) -> Result<Table<'a>> {
     Entry::root(Source { path, moment: None }, node).open_table()
 }
 
-/// Opens all that a document names.
+/// Opens all files that a document names.
 pub(super) fn open(root: &Table<'_>, folder: &Path, assets: &mut Assets) -> Result<SceneAssets> {
     let mut opening = Opening {
         folder,
@@ -277,7 +277,7 @@ pub(super) fn role_notes(
     Ok(roles.notes(parts))
 }
 
-/// Names of all parts that there are at any time.
+/// Names of all parts that exist at any time.
 fn names_of(scene_assets: &SceneAssets) -> Vec<&str> {
     let names = scene_assets.parts.iter().flat_map(PartSource::names);
     names.map(String::as_str).collect()
@@ -293,7 +293,7 @@ pub(super) fn style(root: &Table<'_>, scene_assets: &SceneAssets) -> Result<Styl
     style::read(root, scene_assets.style.unwrap_or_default())
 }
 
-/// The scene of some parts, and its camera.
+/// The scene with these parts, and its camera.
 pub(super) fn scene(
     root: &Table<'_>,
     scene_assets: &SceneAssets,
@@ -329,7 +329,7 @@ pub(super) fn scene(
         let cutter = scene_assets.cutters.get(i).and_then(Option::as_ref);
         let frame = scene_assets.frames.get(&i);
         let read = clip::cuts::read(entry, i, (cutter, frame), &context, notes)?;
-        // A cutout lies where the camera has it.
+        // The placement of a cutout depends on the camera.
         if faced.is_none() && entry.open_table()?.get("cutout").is_none() {
             faced = read.iter().find_map(|cut| cut.surfaces.first().cloned());
         }
@@ -342,14 +342,14 @@ pub(super) fn scene(
     Ok((scene, seen))
 }
 
-/// A defect by itself.
+/// Reads a single defect.
 pub(super) fn defect(defect: &Node) -> Result<Defect> {
     let nothing = Node::new(super::Value::Table(Vec::new()));
     let root = root(Path::new(""), &nothing, None)?;
     defects::read_one(&root.entry.at("defect", defect))
 }
 
-/// A clip-surface by itself, whose images are in the current folder.
+/// Reads a single clip-surface, whose images are in the current folder.
 pub(super) fn surface(
     surface: &Node,
     reliefs: &Node,
@@ -374,7 +374,7 @@ pub(super) fn surface(
     clip::cuts::surface(&root.entry.at("surface", surface), &context)
 }
 
-/// Names tell entries apart in globs, errors and animation keys.
+/// Refuses equal names: they identify entries in globs, errors and animation keys.
 fn names_differ(entries: &[Entry<'_>]) -> Result<()> {
     let mut seen = BTreeSet::new();
     for entry in entries {

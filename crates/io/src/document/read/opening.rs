@@ -1,4 +1,4 @@
-//! Opens what a document names: files of meshes, frames and shapes, each once, with what is to be said of them.
+//! Opens the files of a document: meshes, frames and shapes, each once, with notes about them.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -19,7 +19,7 @@ use crate::load::{Assets, doubt};
 
 /// Context for opening the files that a document names.
 pub(super) struct Opening<'a> {
-    /// The folder that files are named from.
+    /// Folder to which file names are relative.
     pub(super) folder: &'a Path,
     pub(super) assets: &'a mut Assets,
     /// Notes about the opened files, each once.
@@ -74,7 +74,7 @@ impl Opening<'_> {
         Ok(PartSource::of(vec![solids], None))
     }
 
-    /// The solids that an entry leaves, broken and closed as it says.
+    /// The solids that an entry keeps, with its defects and hole closing applied.
     fn taken(
         &mut self,
         table: &Table<'_>,
@@ -86,7 +86,7 @@ impl Opening<'_> {
         defects::apply(table, parts, &mut self.notes)?;
         if closes_holes(table)? {
             let notes = close_holes_of(solids.iter_mut().map(|s| &mut s.part));
-            // Those of later frames say much the same.
+            // The notes of later frames would be nearly the same.
             self.notes.extend(notes.into_iter().filter(|_| is_first));
         }
         Ok(solids)
@@ -97,7 +97,7 @@ impl Opening<'_> {
         self.opened(origin, name, false)
     }
 
-    /// The same. Where holes are closed, what is doubtful about an open mesh is said when they are.
+    /// Like `mesh`; if holes will be closed, the note about open edges is deferred until then.
     fn opened(&mut self, origin: &Entry<'_>, name: &str, closes_holes: bool) -> Result<Vec<Part>> {
         let path = self.folder.join(name);
         if !self.assets.has_mesh(&path) {
@@ -130,7 +130,7 @@ impl Opening<'_> {
             .map_err(|e| origin.place(e))?;
         self.notes.extend(sequence.notes().iter().cloned());
         self.files.extend(sequence.files().iter().cloned());
-        // Solids of a frame are called after the frames and their number.
+        // Solids of a frame are named after the sequence and their number.
         let several = sequence.frames().any(|parts| parts.len() > 1);
         let below = |index: usize, _: &Part| several.then(|| index.to_string());
         let frames = sequence
@@ -157,7 +157,7 @@ fn closes_holes(table: &Table<'_>) -> Result<bool> {
     table.get("close_holes").map_or(Ok(false), |e| e.flag())
 }
 
-/// A built-in shape as [`shape`](cutaway::generate::shapes::shape) takes it: a text, or a table of its name and its numbers.
+/// A built-in shape in the notation of [`shape`](cutaway::generate::shapes::shape), from a text, or a table with name and parameters.
 pub(super) fn spec_of(entry: &Entry<'_>) -> Result<String> {
     if !entry.is_table() {
         return entry.text().map(str::to_owned);
@@ -174,7 +174,7 @@ pub(super) fn spec_of(entry: &Entry<'_>) -> Result<String> {
     })
 }
 
-/// There is no such file, or it is a folder.
+/// Error for a missing file or a folder in its place.
 pub(super) fn missing(origin: &Entry<'_>, path: &Path) -> Error {
     if path.is_dir() {
         let what = format!("{} is a folder", path.display());

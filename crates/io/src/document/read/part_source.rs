@@ -1,7 +1,7 @@
-//! Sources of the parts of an entry: solids, one or one for each frame, with their names and colours.
+//! Sources of the parts of an entry: one or more solids, or those of each frame, with their names and colours.
 //!
-//! All parts have names of their own: of those that a file gives, a name that is taken gets a number. Parts that neither their file nor
-//! the document colours have colours by their shape.
+//! All parts have unique names: a name from a file that is already taken gets a number. Parts that neither their file nor
+//! the document colours get colours by their shape.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -14,16 +14,16 @@ use crate::load::frames::Sequence;
 /// Source of one entry `[[part]]`.
 #[derive(Clone, Debug)]
 pub(crate) struct PartSource {
-    /// One, or one for each frame.
+    /// Solids of the mesh, or of each frame.
     frames: Vec<Vec<SourceSolid>>,
     sequence: Option<Sequence>,
-    /// Part name for each name that a solid has in its file, at any time.
+    /// Part name for each solid name that occurs in the file at any time.
     names: BTreeMap<String, String>,
     /// Forms of the solids by their index, each from the first frame that has a solid of this index.
     forms: Vec<Form>,
-    /// Bounds of all solids at all times, in the space of the file where they share it, else in the world.
+    /// Bounds of all solids at all times, in the file's space if they share it, else in world space.
     pub(super) rest: Bounds,
-    /// True if the file puts all solids in one space.
+    /// True if all solids of the file share one space.
     pub(super) share_a_space: bool,
 }
 
@@ -68,23 +68,23 @@ impl PartSource {
         self.sequence.as_ref()
     }
 
-    /// The name of a part from that of its solid.
+    /// The part name for a solid name.
     pub(super) fn name(&self, of_solid: &str) -> &str {
         self.names.get(of_solid).map_or("", String::as_str)
     }
 
-    /// The names of all parts that the entry has at any time.
+    /// The names of all parts of the entry at any time.
     pub(in crate::document) fn names(&self) -> impl Iterator<Item = &String> {
         self.names.values()
     }
 
-    /// Names that the files give the materials of its parts.
+    /// Names of the materials of the entry's parts, from the files.
     pub(super) fn materials(&self) -> impl Iterator<Item = &str> {
         let solids = self.frames.iter().flatten();
         (solids.flat_map(|solid| &solid.part.materials)).map(String::as_str)
     }
 
-    /// Names the parts after the entry, if it has a name, or else after their solids, unlike those that are taken.
+    /// Names the parts after the entry, if it has a name, or else after their solids, avoiding names in `taken`.
     pub(super) fn call(&mut self, of_entry: Option<&str>, taken: &mut BTreeSet<String>) {
         let mut known = BTreeSet::new();
         let solids: Vec<&SourceSolid> = (self.frames.iter().flatten())
@@ -107,8 +107,8 @@ impl PartSource {
         self.names = names;
     }
 
-    /// Colours the parts that their file has not by their shape, of which `shapes` are known: a hundred equal screws are alike. Later
-    /// frames have the colours of the first.
+    /// Colours parts without a file colour by their shape, so that a hundred equal screws look alike; adds new shapes to `shapes`.
+    /// Later frames have the colours of the first.
     pub(super) fn colour(&mut self, shapes: &mut Vec<Form>) {
         let mut colours = Vec::with_capacity(self.forms.len());
         for form in &self.forms {
@@ -126,7 +126,7 @@ impl PartSource {
     }
 }
 
-/// Properties that equal solids share wherever they are.
+/// Properties that equal solids share regardless of their position.
 #[derive(Clone, Debug)]
 pub(super) struct Form {
     triangles: usize,
@@ -143,7 +143,7 @@ impl Form {
         }
     }
 
-    /// To a ten thousandth, for files round the corners of each copy for themselves.
+    /// Tolerance of one ten-thousandth, because files round the vertices of each copy separately.
     fn is_like(&self, other: &Self) -> bool {
         let near = |a: f64, b: f64| (a - b).abs() <= 1e-4 * a.abs().max(b.abs());
         self.triangles == other.triangles

@@ -17,7 +17,7 @@ use crate::document::describe::{MaterialDesc, PartDesc, PlacementDesc};
 /// Keys of a part.
 pub(super) static KEYS: Keys = Keys::below("part.*");
 
-/// The parts at a time, each with the source of its role. A disabled part is read, and left out.
+/// The parts at a time, each with the source of its role. A disabled part is read, but left out.
 pub(in crate::document) fn all(
     root: &Table<'_>,
     scene_assets: &SceneAssets,
@@ -46,7 +46,7 @@ pub(in crate::document) fn all(
     Ok(all)
 }
 
-/// Reads one entry at a time, which may hold several parts: a mesh file with several objects makes `NAME/OBJECT` of each.
+/// Reads one entry at a time; a mesh file with several objects gives a part `NAME/OBJECT` for each.
 fn read(
     entry: &Entry<'_>,
     held: &PartSource,
@@ -93,7 +93,7 @@ fn read(
     Ok(parts)
 }
 
-/// Scaled first, then turned about x, y and z of the world in that order, both about the pivot, then moved.
+/// Placement: scale, then rotation about the world's x, y and z in this order, both about the pivot, then translation.
 pub(super) fn placement(table: &Table<'_>, desc: &PlacementDesc, rest: Bounds) -> Result<DAffine3> {
     if let Some(matrix) = table.get("matrix") {
         let steps = ["translate", "rotate_deg", "scale", "pivot"];

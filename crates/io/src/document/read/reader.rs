@@ -1,7 +1,7 @@
 //! Typed reading of TOML, with errors that name the file, the line, the column and the key.
 //!
-//! Values are taken one by one, and a table states the keys it knows when it is opened: an unknown key is an error there
-//! and then, with the nearest known one. Derived deserialisation would report neither the path of a key nor what to do.
+//! Values are read one by one, and the known keys of a table are given when it is opened: an unknown key is an error
+//! at that point, with the nearest known one. Derived deserialisation would report neither the path of a key nor a remedy.
 
 use std::fmt::Display;
 use std::path::Path;
@@ -20,25 +20,25 @@ pub use super::table::{Table, with_table};
 #[derive(Clone, Copy)]
 pub(crate) struct Source<'a> {
     pub(crate) path: &'a Path,
-    /// When it is, and what moves, if something does.
+    /// Time of an animated scene, and its keys.
     pub(crate) moment: Option<Moment<'a>>,
 }
 
-/// A value, where it stands and what its key is.
+/// A value with its position and its key.
 #[derive(Clone)]
 pub struct Entry<'a> {
     source: Source<'a>,
-    /// Dotted path, as keys of animations write it.
+    /// Dotted path, in the notation of animation keys.
     pub(crate) key: String,
     /// The value itself.
     pub node: &'a Node,
 }
 
 impl<'a> Entry<'a> {
-    /// An error at its place: what is wrong, and how it is mended.
+    /// An error at this value: the fault and its remedy.
     pub fn fault(&self, what: impl Display, help: impl Into<String>) -> Error {
         let what = match (&self.node.origin, self.key.as_str()) {
-            // The file as a whole has no key, and words of an option are their own.
+            // The root has no key, and the words of an option name it already.
             (_, "") => what.to_string(),
             (Origin::Option(words), _) if self.is_table() || !words.contains('`') => {
                 what.to_string()
@@ -66,11 +66,11 @@ impl<'a> Entry<'a> {
         }
     }
 
-    /// An error from elsewhere, placed at this value. Errors about other files already name their place.
+    /// Adds this value's position to an error from elsewhere. Errors about other files keep their own position.
     pub fn place(&self, error: Error) -> Error {
         match (error, &self.node.origin) {
             (Error::Missing(error), _) => self.place(*error).missing(),
-            // The words of an option are named already.
+            // Options are excluded: their words are quoted already.
             (
                 Error::Input {
                     culprit,
@@ -109,7 +109,7 @@ impl<'a> Entry<'a> {
             .unwrap_or(&self.key)
     }
 
-    /// A finite number.
+    /// Reads a finite number.
     pub fn number(&self) -> Result<f64> {
         let value = match &self.node.value {
             Value::Number(n) => Some(n.value),
@@ -121,7 +121,7 @@ impl<'a> Entry<'a> {
         })
     }
 
-    /// A whole number that fits.
+    /// Reads an integer within the range of its type.
     pub fn whole<T: TryFrom<i64>>(&self) -> Result<T> {
         let value = match &self.node.value {
             Value::Number(n) => n.whole,
@@ -132,7 +132,7 @@ impl<'a> Entry<'a> {
             .ok_or_else(|| self.expected("a whole number in range", "1"))
     }
 
-    /// The same of a value in its place.
+    /// Replaces the node, keeping the key and the source.
     pub fn of(&self, node: &'a Node) -> Self {
         Self {
             node,
@@ -140,12 +140,12 @@ impl<'a> Entry<'a> {
         }
     }
 
-    /// Returns true if keys have moved something.
+    /// Returns true if the document is animated.
     pub(super) fn is_moved(&self) -> bool {
         self.source.moment.is_some()
     }
 
-    /// Text.
+    /// Reads a text.
     pub fn text(&self) -> Result<&'a str> {
         match &self.node.value {
             Value::Text(s) => Ok(s),
@@ -153,7 +153,7 @@ impl<'a> Entry<'a> {
         }
     }
 
-    /// `true` or `false`.
+    /// Reads `true` or `false`.
     pub fn flag(&self) -> Result<bool> {
         match &self.node.value {
             Value::Flag(b) => Ok(*b),
@@ -161,7 +161,7 @@ impl<'a> Entry<'a> {
         }
     }
 
-    /// One of some words.
+    /// Reads one of some words.
     pub fn choice<T: Copy>(&self, choices: &[(&str, T)]) -> Result<T> {
         let word = self.text()?;
         choices
@@ -174,7 +174,7 @@ impl<'a> Entry<'a> {
             })
     }
 
-    /// The elements of a list.
+    /// Reads the elements of a list.
     pub fn list(&self) -> Result<Vec<Self>> {
         let Value::List(list) = &self.node.value else {
             return Err(self.expected("a list", "[ ... ]"));
@@ -187,13 +187,13 @@ impl<'a> Entry<'a> {
         Ok(list.iter().enumerate().map(element).collect())
     }
 
-    /// A list of `N` finite numbers.
+    /// Reads a list of `N` finite numbers.
     pub(crate) fn vector<const N: usize>(&self) -> Result<[f64; N]> {
         let numbers = self.numbers_of(N)?;
         Ok(std::array::from_fn(|i| numbers[i]))
     }
 
-    /// A list of this count of finite numbers.
+    /// Reads a list of `count` finite numbers.
     pub(super) fn numbers_of(&self, count: usize) -> Result<Vec<f64>> {
         match &self.node.value {
             Value::List(a) if a.len() == count => self.list()?.iter().map(Self::number).collect(),
@@ -204,7 +204,7 @@ impl<'a> Entry<'a> {
         }
     }
 
-    /// A number, or a list of numbers.
+    /// Reads a number, or a list of numbers.
     pub(crate) fn numbers(&self) -> Result<Vec<f64>> {
         match &self.node.value {
             Value::List(_) => self.list()?.iter().map(Self::number).collect(),
@@ -212,7 +212,7 @@ impl<'a> Entry<'a> {
         }
     }
 
-    /// A number, or lists of numbers in lists: the numbers in their order, and how they are nested. A flag is 0 or 1.
+    /// Reads a number, or nested lists of numbers: the numbers in order, and their nesting. A flag is 0 or 1.
     pub(super) fn nested(&self) -> Result<(Vec<f64>, Nesting)> {
         if let Value::Flag(flag) = &self.node.value {
             return Ok((vec![f64::from(u8::from(*flag))], Nesting::Flag));
@@ -229,7 +229,7 @@ impl<'a> Entry<'a> {
         Ok((numbers.concat(), Nesting::List(shapes)))
     }
 
-    /// A length, or text with a percentage.
+    /// Reads a length, or text with a percentage.
     pub(crate) fn amount(&self) -> Result<Amount> {
         if self.is_text() {
             let help = "write a number, or text such as \"6%\"";
@@ -238,7 +238,7 @@ impl<'a> Entry<'a> {
         self.number().map(Amount::Units)
     }
 
-    /// A list of `N` lengths or texts with percentages.
+    /// Reads a list of `N` lengths or texts with percentages.
     pub(crate) fn amounts<const N: usize>(&self) -> Result<[Amount; N]> {
         let elements = match &self.node.value {
             Value::List(a) if a.len() == N => self.list()?,
@@ -255,7 +255,7 @@ impl<'a> Entry<'a> {
         Ok(amounts)
     }
 
-    /// Texts of a list.
+    /// Reads a list of texts.
     pub fn texts(&self) -> Result<Vec<String>> {
         match &self.node.value {
             Value::List(_) => self
@@ -282,7 +282,7 @@ impl<'a> Entry<'a> {
         matches!(self.node.value, Value::List(_))
     }
 
-    /// The table, if all its keys are among `known`.
+    /// Reads the table, whose keys must be among `known`.
     pub fn table(&self, known: &[&str]) -> Result<Table<'a>> {
         let table = self.open_table()?;
         for (key, node) in table.entries {
@@ -295,7 +295,7 @@ impl<'a> Entry<'a> {
         Ok(table)
     }
 
-    /// The table, whose keys are names of the user.
+    /// Reads the table, whose keys are names chosen by the user.
     pub fn open_table(&self) -> Result<Table<'a>> {
         match &self.node.value {
             Value::Table(entries) => Ok(Table {
@@ -306,7 +306,7 @@ impl<'a> Entry<'a> {
         }
     }
 
-    /// The same value under the name it gives itself, so that errors and animation keys speak of `cut.front`, not `cut.0`.
+    /// The same value with its own `name` in the path, so that errors and animation keys use `cut.front`, not `cut.0`.
     pub(crate) fn named(mut self) -> Self {
         if let Some(name) = self.node.name()
             && let Some((list, _)) = self.key.rsplit_once('.')
@@ -316,12 +316,12 @@ impl<'a> Entry<'a> {
         self
     }
 
-    /// Another value of the same source, called by a key.
+    /// Another value of the same source, with this key.
     pub(super) fn at(&self, key: &str, node: &'a Node) -> Self {
         self.child(key, node)
     }
 
-    /// All of a file.
+    /// The root of a file.
     pub(super) fn root(source: Source<'a>, node: &'a Node) -> Self {
         let key = String::new();
         Self { source, key, node }

@@ -1,4 +1,4 @@
-//! `roles`: which parts are inside, and which are never cut, by globs or by what is seen from outside.
+//! `roles`: interior parts and parts that are never cut, by globs or by visibility from outside.
 //!
 //! ```toml
 //! roles = "auto"                        # or:
@@ -9,8 +9,8 @@
 //! whole = ["bolt*", "shaft*"]
 //! ```
 //!
-//! The `role` of a part counts first, then globs on its name and on those of its materials, then what the model says of itself, by a role or
-//! as a material that light passes through, which is exterior, then what is seen.
+//! The `role` of a part has priority, then globs on its name and on its materials' names, then the model's own data: a role or
+//! a material that transmits light, which makes the part exterior; last comes its visibility.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -31,15 +31,15 @@ type Sights = BTreeMap<String, Sight>;
 /// Source of the role of a part.
 #[derive(Clone, Debug, PartialEq)]
 pub enum RoleBy {
-    /// It is not given: the usual one.
+    /// The default, because none is given.
     Default,
-    /// The model, such as a built-in shape.
+    /// The model itself, such as a built-in shape.
     Model,
     /// `role` of the part.
     Part,
     /// A glob of `roles`.
     Glob(String),
-    /// Its file says that light passes through it.
+    /// A material in its file that transmits light.
     Transparency,
     /// Its visibility from outside.
     Sight(Sight),
@@ -64,7 +64,7 @@ impl fmt::Display for RoleBy {
     }
 }
 
-/// The rules of a document.
+/// The role rules of a document.
 #[derive(Debug, Default)]
 pub(super) struct Roles {
     globs: Vec<(String, Role)>,
@@ -95,7 +95,7 @@ pub(super) fn read(root: &Table<'_>) -> Result<Roles> {
     })
 }
 
-/// Returns true if a glob matches a part, by its name or that of a material.
+/// Returns true if a glob matches a part's name or the name of one of its materials.
 fn fits(glob: &str, part: &Part) -> bool {
     let materials = part.materials.iter().map(String::as_str);
     materials
@@ -104,7 +104,7 @@ fn fits(glob: &str, part: &Part) -> bool {
 }
 
 impl Roles {
-    /// Refuses names that no part has; globs may have none at some time.
+    /// Refuses names that no part has; a glob may match nothing at some times.
     pub(super) fn must_name(&self, root: &Table<'_>, names: &[&str]) -> Result<()> {
         let is_name = |glob: &&String| !glob.contains(['*', '?']);
         let mut said = self.globs.iter().map(|(glob, _)| glob).filter(is_name);

@@ -1,7 +1,7 @@
 //! Sources of the parts, cuts and reliefs of a scene: meshes, shapes, images and frames, opened once.
 //!
-//! The numbers of a document may change from time to time, its texts may not: anything that is named by text is opened when the document
-//! is.
+//! The numbers of a document may change over time, its texts may not: anything named by a text is opened with the
+//! document.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
@@ -26,21 +26,21 @@ pub(in crate::document) struct SceneAssets {
     /// Cutter of each cut.
     pub(super) cutters: Vec<Option<CutterSource>>,
     pub(super) images: Images,
-    /// On which the style of the document are changes, if it has one.
+    /// Base of the document's style, if it has one.
     pub(in crate::document) style: Option<Style>,
     /// Default target that orbits are fitted to.
     pub(in crate::document) fit: Fit,
     /// Visibility of each part from outside, if its role depends on it.
     pub(in crate::document) sights: Option<BTreeMap<String, Sight>>,
-    /// Frames of the cutouts, by the number of their cut, once known.
+    /// Frames of the cutouts, by the index of their cut, once computed.
     pub(in crate::document) frames: BTreeMap<usize, CutoutFrame>,
     /// Notes about the assets.
     pub(in crate::document) notes: Vec<String>,
-    /// All that were read.
+    /// All files that were read.
     pub(in crate::document) files: BTreeSet<PathBuf>,
 }
 
-/// Opens what the parts of a document name.
+/// Opens the files of a document's parts.
 pub(super) fn open(entries: &[Entry<'_>], opening: &mut Opening<'_>) -> Result<Vec<PartSource>> {
     let mut sources = Vec::with_capacity(entries.len());
     let mut given = Vec::with_capacity(entries.len());
@@ -67,7 +67,7 @@ pub(super) fn open(entries: &[Entry<'_>], opening: &mut Opening<'_>) -> Result<V
     }
     opening.assets.keep(all_known);
     let mut taken = BTreeSet::new();
-    // What the document calls its parts counts before what files call them.
+    // Names from the document have priority over names from files.
     for is_given in [true, false] {
         let entries = sources.iter_mut().zip(&given);
         entries

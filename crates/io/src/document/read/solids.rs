@@ -1,7 +1,7 @@
-//! The solids that a file, a shape or a frame has, and those that a part takes of them: `split`, `only` and `except`, in this order.
+//! The solids of a file, a shape or a frame, and the selection of them for a part: `split`, `only` and `except`, in this order.
 //!
-//! `split = true` takes each solid apart into its bodies ([`Bodies`]), which are called by their numbers: `gear/1`, `gear/2`. A solid
-//! that is one body keeps its name. All frames of a sequence are split as the first is, so all must have its triangles.
+//! `split = true` divides each solid into its bodies ([`Bodies`]), which are numbered: `gear/1`, `gear/2`. A solid
+//! with one body keeps its name. All frames of a sequence are split like the first, so all must have its triangles.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -12,7 +12,7 @@ use cutaway::scene::{Bodies, Bounds, Material, Part, Pieces, body_name, glob_mat
 
 use super::reader::Table;
 
-/// More bodies than a picture can tell apart are no parts.
+/// Maximum number of bodies: more are indistinguishable in a picture.
 const MOST_BODIES: usize = 1 << 16;
 
 /// A solid from its file, or a body of one.
@@ -23,12 +23,12 @@ pub(super) struct SourceSolid {
     pub(super) rest: Bounds,
     /// Suffix of the part name after the name of the entry; `None` if the entry is one solid.
     pub(super) below: Option<String>,
-    /// Its file says no colour.
+    /// True if its file gives no colour.
     pub(super) is_plain: bool,
 }
 
 impl SourceSolid {
-    /// Some parts, each with what it is called below the name of the entry.
+    /// Converts parts to solids; `below` gives each its name suffix.
     pub(super) fn all(parts: &[Part], below: impl Fn(usize, &Part) -> Option<String>) -> Vec<Self> {
         let solid = |(index, part): (usize, &Part)| Self {
             rest: Bounds::EMPTY,
@@ -39,22 +39,22 @@ impl SourceSolid {
         parts.iter().enumerate().map(solid).collect()
     }
 
-    /// Measures the solid as it is now.
+    /// Updates the solid's bounds.
     pub(super) fn measure(&mut self) {
         self.rest = self.part.posed_mesh().bounds();
     }
 }
 
-/// Split of the solids of a file, or of the first of some frames, into bodies.
+/// Division of the solids of a file, or of a sequence's first frame, into bodies.
 pub(super) struct Splits {
     /// Bodies of each solid.
     bodies: Vec<Bodies>,
-    /// Those that share a mesh share these.
+    /// Split meshes, shared by solids with the same mesh.
     known: Vec<Pieces>,
 }
 
 impl Splits {
-    /// Finds the bodies of solids, where the entry asks for them.
+    /// Finds the bodies of solids, if the entry has `split`.
     pub(super) fn asked_for(table: &Table<'_>, solids: &[SourceSolid]) -> Result<Option<Self>> {
         let Some(entry) = table.get("split") else {
             return Ok(None);
@@ -77,8 +77,8 @@ impl Splits {
         let count = splits.count();
         if count > MOST_BODIES {
             let (count, most) = (thousands(count), thousands(MOST_BODIES));
-            let what = format!("the mesh comes apart into {count} bodies, and {most} can be parts");
-            return Err(entry.fault(what, "leave it out, or take a mesh in fewer pieces"));
+            let what = format!("the mesh has {count} bodies, and at most {most} can be parts");
+            return Err(entry.fault(what, "remove `split`, or use a mesh with fewer bodies"));
         }
         Ok(Some(splits))
     }
@@ -109,7 +109,7 @@ impl Splits {
         )
     }
 
-    /// Takes solids apart, which have the triangles of those whose bodies are known.
+    /// Divides solids that have the same triangles as those whose bodies were found.
     pub(super) fn applied(&mut self, solids: Vec<SourceSolid>) -> Vec<SourceSolid> {
         let mut taken: Vec<String> = solids.iter().map(|s| s.part.name.clone()).collect();
         taken.sort_unstable();
@@ -127,7 +127,7 @@ impl Splits {
             }
             for (number, mut part) in (1..).zip(parts) {
                 let mut name = body_name(&solid.part.name, number);
-                // A file may call a solid of its own like that.
+                // The file may already use that name for a solid.
                 while taken.binary_search(&name).is_ok() {
                     name.push_str("_2");
                 }
@@ -146,7 +146,7 @@ impl Splits {
         all
     }
 
-    /// Refuses a frame that does not have the triangles of the first one.
+    /// Refuses a frame whose triangles differ from those of the first one.
     pub(super) fn must_fit(
         &self,
         (first, first_file): (&[SourceSolid], &Path),
@@ -159,7 +159,7 @@ impl Splits {
             return Ok(());
         }
         let what = format!(
-            "the frame has other triangles than {}, by which all frames are split",
+            "the frame's triangles differ from those of {}, by which all frames are split",
             first_file.display()
         );
         let help = "leave `split` out, or export all frames with the same triangles";
@@ -167,7 +167,7 @@ impl Splits {
     }
 }
 
-/// The solids that `only` and `except` leave.
+/// The solids selected by `only` and `except`.
 pub(super) fn chosen(table: &Table<'_>, solids: Vec<SourceSolid>) -> Result<Vec<SourceSolid>> {
     let names: Vec<String> = solids.iter().map(|s| s.part.name.clone()).collect();
     let mut left = solids;

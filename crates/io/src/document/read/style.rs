@@ -1,6 +1,6 @@
-//! `style = "NAME"` or `[style]`: a base and changes on it.
+//! `style = "NAME"` or `[style]`: a base style and changes to it.
 //!
-//! A base is one of the styles that come with the program, or a file of one, opened when the document is. Numbers of `[style]` may move.
+//! A base is one of the built-in styles, or a style file, opened with the document. Numbers of `[style]` may be animated.
 
 use std::path::Path;
 
@@ -29,16 +29,16 @@ const STYLES: [(&str, &str); 8] = [
     ("vivid", include_str!("../styles/vivid.toml")),
 ];
 
-/// Names of the styles that come with the program.
+/// Names of the built-in styles.
 pub fn style_names() -> impl Iterator<Item = &'static str> {
     ["lit"].into_iter().chain(STYLES.map(|(name, _)| name))
 }
 
-/// A style that comes with the program.
+/// Returns a built-in style.
 ///
 /// # Errors
 ///
-/// A name that none has.
+/// An unknown name.
 pub fn named_style(name: &str) -> Result<Style> {
     if name == "lit" {
         return Ok(Style::default());
@@ -70,12 +70,12 @@ fn of_text(path: &Path, text: &str) -> Result<Style> {
     })
 }
 
-/// Returns true if a base is a file.
+/// Returns true if a base is a file name.
 pub(in crate::document) fn is_file(base: &str) -> bool {
     base.ends_with(".toml")
 }
 
-/// The base of a document, if it names one.
+/// Opens the base style of a document, if it names one.
 pub(super) fn open(root: &Table<'_>, opening: &mut Opening<'_>) -> Result<Option<Style>> {
     let Some(base) = base(root)? else {
         return Ok(None);
@@ -86,12 +86,12 @@ pub(super) fn open(root: &Table<'_>, opening: &mut Opening<'_>) -> Result<Option
     }
     let path = opening.folder.join(name);
     let bytes = opening.assets.store().read(&path).map_err(|e| {
-        let help = "name a file of a style, or a style that there is: cutaway render --help";
+        let help = "name a style file or a built-in style: cutaway render --help";
         base.fault(format_args!("{} cannot be read: {e}", path.display()), help)
     })?;
     let text = String::from_utf8(bytes.into_owned()).map_err(|_| {
         base.fault(
-            format_args!("{} is no text", path.display()),
+            format_args!("{} is not text", path.display()),
             "write it as UTF-8",
         )
     })?;
@@ -100,7 +100,7 @@ pub(super) fn open(root: &Table<'_>, opening: &mut Opening<'_>) -> Result<Option
     Ok(Some(style))
 }
 
-/// Checks what can be checked before a file is opened.
+/// Checks everything that needs no opened file.
 pub(super) fn check(root: &Table<'_>, folder: &Path, assets: &Assets) -> Result<()> {
     if let Some(base) = base(root)? {
         let name = base.text()?;
@@ -113,7 +113,7 @@ pub(super) fn check(root: &Table<'_>, folder: &Path, assets: &Assets) -> Result<
     read(root, Style::default()).map(|_| ())
 }
 
-/// The name of the base, if there is one.
+/// The entry with the name of the base, if there is one.
 fn base<'a>(root: &Table<'a>) -> Result<Option<Entry<'a>>> {
     match root.get("style") {
         Some(entry) if entry.is_text() => Ok(Some(entry)),
@@ -122,7 +122,7 @@ fn base<'a>(root: &Table<'a>) -> Result<Option<Entry<'a>>> {
     }
 }
 
-/// The style of a document on its base, at the time of its numbers.
+/// The document's style: its base with the current values of its changes.
 pub(super) fn read(root: &Table<'_>, base: Style) -> Result<Style> {
     let mut style = base;
     if let Some(entry) = root.get("style").filter(|entry| !entry.is_text()) {
@@ -169,7 +169,7 @@ fn amend(style: &mut Style, table: &Table<'_>) -> Result<()> {
     Ok(())
 }
 
-/// Refuses a colour beside the values of a hue.
+/// Refuses a colour together with hue values.
 fn one_tint(table: &Table<'_>) -> Result<()> {
     let of_hue = keys_of(Hue::FIELDS);
     match of_hue.iter().find_map(|key| table.get(key)) {

@@ -1,4 +1,4 @@
-//! Tables of a document, read by their keys.
+//! Tables of a document, accessed by key.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -16,7 +16,7 @@ pub struct Table<'a> {
     pub(super) entries: &'a [(Arc<str>, Node)],
 }
 
-/// Reads the text of a file of TOML whose keys are among `known`.
+/// Reads the text of a TOML file whose keys are among `known`.
 pub fn with_table<T>(
     path: &Path,
     text: &str,
@@ -29,18 +29,18 @@ pub fn with_table<T>(
 }
 
 impl<'a> Table<'a> {
-    /// The whole file.
+    /// The root table of a file.
     pub(crate) fn of_file(source: Source<'a>, root: &'a Node, known: &[&str]) -> Result<Self> {
         Entry::root(source, root).table(known)
     }
 
-    /// The value of a key, if it is there.
+    /// The value of a key, if it exists.
     pub fn get(&self, key: &str) -> Option<Entry<'a>> {
         let (key, node) = self.entries.iter().find(|(name, _)| **name == *key)?;
         Some(self.entry.child(key, node))
     }
 
-    /// The value of a key that has to be there.
+    /// The value of a required key.
     pub fn need(&self, key: &str, example: &str) -> Result<Entry<'a>> {
         self.get(key).ok_or_else(|| {
             let help = format!("add for example `{key} = {example}`");
@@ -48,7 +48,7 @@ impl<'a> Table<'a> {
         })
     }
 
-    /// All values with their keys, by name.
+    /// All values with their keys, in key order.
     pub fn all(&self) -> impl Iterator<Item = (&'a str, Entry<'a>)> {
         let mut all: Vec<_> = self.entries.iter().collect();
         all.sort_by(|(a, _), (b, _)| a.cmp(b));
@@ -57,7 +57,7 @@ impl<'a> Table<'a> {
             .map(move |(key, node)| (&**key, entry.child(key, node)))
     }
 
-    /// The tables of a list `[[key]]`; none if the key is missing.
+    /// The tables of a list `[[key]]`; empty if the key is missing.
     pub fn tables(&self, key: &str) -> Result<Vec<Entry<'a>>> {
         match self.get(key) {
             Some(entry) => Ok(entry.list()?.into_iter().map(Entry::named).collect()),

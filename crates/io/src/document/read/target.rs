@@ -31,15 +31,15 @@ impl fmt::Display for Nesting {
 /// The numbers at a path.
 #[derive(Debug)]
 pub(super) struct Target {
-    /// The path as errors write it: entries by name where they have one.
+    /// The path in the form used by errors: entries by name if they have one.
     pub(super) path: String,
-    /// In the order of the text.
+    /// Positions of the numbers, in text order.
     pub(super) places: Vec<Place>,
     /// Their nesting.
     pub(super) shape: Nesting,
 }
 
-/// Finds the numbers at a path; `example` is a value for them.
+/// Finds the numbers at a path; `example` is a value for the error.
 pub(super) fn find(root: &Node, path: &str, example: &str) -> Result<Target, Lost> {
     let step = walk(root, path);
     if !step.rest.is_empty() {
@@ -79,7 +79,7 @@ fn numbers(value: &Value, place: &Place, places: &mut Vec<Place>) -> Option<Nest
     }
 }
 
-/// The path leads to something else than numbers.
+/// Error for a path to a value other than numbers.
 fn no_number(step: &PathStep<'_>) -> Lost {
     let last = step.path.rsplit('.').next().unwrap_or_default();
     match &step.node.value {
@@ -99,7 +99,7 @@ fn no_number(step: &PathStep<'_>) -> Lost {
             )
         }
         Value::Table(_) | Value::List(_) => {
-            let what = "it names no number of the scene, but what holds some";
+            let what = "it names no number of the scene, but a group of values";
             (what.into(), farther(step.node))
         }
         _ => (
@@ -109,7 +109,7 @@ fn no_number(step: &PathStep<'_>) -> Lost {
     }
 }
 
-/// The path leads nowhere: often to a number that the scene has without the file saying so.
+/// Error for a path that does not resolve, often because the scene's default for a number is not in the file.
 fn missing(step: &PathStep<'_>, example: &str) -> Lost {
     let is_field = matches!(step.node.value, Value::Table(_)) && !step.rest.contains('.');
     let (path, next) = (&step.path, &step.rest);

@@ -1,4 +1,4 @@
-//! Cutaways of a timeline: positions of cutouts, breakaways that open to the camera of a moment, and the source of each part's role.
+//! Cutaways of a timeline: positions of cutouts, breakaways that open to the current camera, and the source of each part's role.
 
 use std::collections::BTreeMap;
 use std::sync::{OnceLock, PoisonError};
@@ -13,7 +13,7 @@ use super::Timeline;
 use super::read::{self, RoleBy};
 
 impl Timeline {
-    /// A scene with its breakaways open, those that stay as they are towards the eye of time 0.
+    /// Opens the scene's breakaways to the current camera, or to the camera at time 0 for those with a fixed view.
     pub(super) fn opened(&self, mut scene: Scene) -> Result<Scene> {
         if !scene.has_breakaways() {
             return Ok(scene);
@@ -44,12 +44,12 @@ impl Timeline {
         Ok(*self.first_view.get_or_init(|| view))
     }
 
-    /// Places the cutouts of these cuts as the scene is at time 0.
+    /// Places the cutouts of these cuts for the scene at time 0.
     pub(super) fn place_cutouts(&mut self, cutouts: Vec<(usize, AxisRule)>) -> Result<()> {
         let first = self.closed_at(0.0)?;
         self.scene_assets.frames = frames_of(&first, cutouts, self.settings.size_px())?;
         self.notes.extend(notes_of(&self.scene_assets.frames));
-        // Results found without the cutouts are recomputed; the camera stays, since the cutouts open towards it.
+        // Results computed without the cutouts are discarded; the camera stays, since the cutouts open towards it.
         self.outline = OnceLock::new();
         let parts = (self.rest.parts.clone(), None);
         let reliefs = self
@@ -66,7 +66,7 @@ impl Timeline {
     ///
     /// # Errors
     ///
-    /// None that opening the document had not.
+    /// None beyond those of opening the document.
     pub fn roles(&self) -> Result<Vec<(Part, RoleBy)>> {
         self.read_at(0.0, |root| {
             read::parts_with_roles(root, &self.scene_assets, 0.0, &self.outwards)
@@ -86,13 +86,13 @@ fn notes_of(frames: &BTreeMap<usize, CutoutFrame>) -> impl Iterator<Item = Strin
     })
 }
 
-/// Computes the frames of cutouts, by the number of their cut, in a scene that is seen from its camera.
+/// Computes the frames of cutouts, by the index of their cut, for the scene's camera.
 fn frames_of(
     scene: &Scene,
     cutouts: Vec<(usize, AxisRule)>,
     size_px: [u32; 2],
 ) -> Result<BTreeMap<usize, CutoutFrame>> {
-    // What is kept is not known before they lie there.
+    // The kept geometry is unknown before the cutouts are placed.
     let camera = Camera {
         fit: Fit::All,
         ..scene.camera

@@ -1,16 +1,16 @@
-//! A document over time: clips of its files, frame sequences, and its keys.
+//! A document over time: clips of its mesh files, frame sequences, and its animation keys.
 //!
-//! [`Timeline::at`] gives the scene at a time. The numbers that keys move are set in the tree, which is read by the readers that read
-//! the scene at rest, from the same meshes: nothing is opened or parsed again. Clips and looping sequences restart after their end, each
-//! after its own; keys stay at their last value. Unchanged data keeps its `Arc` from time to time, so that renderers of
-//! the scene can recognize by address what they have prepared already.
+//! [`Timeline::at`] gives the scene at a time. Animated numbers are set in the tree, which is then read like the
+//! unanimated scene, from the same meshes: no file is opened or parsed again. Clips and looping sequences restart at their own
+//! end; keys stay at their last value. Unchanged data keeps its `Arc` from time to time, so that renderers of
+//! the scene can recognize by address the data that they have already prepared.
 //!
-//! A scene that moves has one [`stage`](Scene::stage) for all its times, so that pictures do not jump and `z=50%` is the same
-//! plane always. It is computed on first use, from the bounds at many times: between two of them a part may leave it
+//! An animated scene has one [`stage`](Scene::stage) for all its times, so that pictures do not jump and `z=50%` is always the same
+//! plane. It is computed on first use, from the bounds at many times: between two of them a part may leave it
 //! by the deviation of its motion there from a straight line. The outline of the kept geometry, to which its camera may be fitted, is
 //! computed likewise, as are automatic angles of the camera, for all times at once.
 //!
-//! Cost of a time: that of reading the tree, which is small, and of whatever relief changed.
+//! Cost per time: reading the tree, which is small, and recomputing the reliefs that changed.
 
 mod cutaways;
 mod stage;
@@ -36,34 +36,34 @@ const LOOKED_AT: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 pub struct Timeline {
     path: PathBuf,
     name: String,
-    /// The document as it stands.
+    /// Root of the document.
     root: Node,
     keys: Vec<Keyed>,
     scene_assets: SceneAssets,
     settings: Settings,
-    /// The scene as the numbers are written, with frames at their first.
+    /// Unanimated scene: numbers as written, and the first frame of each sequence.
     rest: Scene,
     /// Notes about the document.
     notes: Vec<String>,
     clips: Vec<Clip>,
-    /// The longest of the first clips of parts.
+    /// The longest clip among the first clips of all parts.
     first_clip: Option<Clip>,
-    /// The clip that is played; without one every part plays its own first.
+    /// Name of the selected clip; without one every part plays its own first clip.
     chosen: Option<String>,
-    /// The reliefs as they were last computed.
+    /// Reliefs as last computed.
     reliefs: Mutex<Resolved>,
     outwards: Outwards,
     stage: OnceLock<Bounds>,
     /// Outline of the geometry that the cuts keep at any time.
     outline: OnceLock<Arc<Outline>>,
-    /// From where it is seen at all times, where that is to be found.
+    /// Viewpoint for all times, if the camera is automatic.
     viewpoint: OnceLock<Viewpoint>,
-    /// The view at time 0, in world space, where something opens to its eye.
+    /// The view at time 0, in world space, if a breakaway opens to it.
     first_view: OnceLock<View>,
 }
 
 impl Timeline {
-    /// The timeline of a document; its keys are tried.
+    /// Builds the timeline of a document, and tests its keys.
     pub(super) fn of(document: &Document, assets: &mut Assets) -> Result<Self> {
         let root = read::root(document.path(), document.root(), None)?;
         let mut scene_assets = read::open(&root, document.folder(), assets)?;
@@ -125,18 +125,18 @@ impl Timeline {
         Ok(timeline)
     }
 
-    /// The same, which looks otherwise where the document names no style.
+    /// The same timeline with this style, if the document names none.
     ///
     /// # Errors
     ///
-    /// Changes on a style that make no sense of this one.
+    /// Changes in the document that are invalid on this style.
     pub fn with_usual_style(mut self, style: Style) -> Result<Self> {
         self.scene_assets.style.get_or_insert(style);
         self.rest.style = self.read_at(0.0, |root| read::style(root, &self.scene_assets))?;
         Ok(self)
     }
 
-    /// The same, whose angles are fitted to something else where the document does not say to what.
+    /// The same timeline with this fit of automatic angles, if the document gives none.
     #[must_use]
     pub fn with_usual_fit(mut self, fit: Fit) -> Self {
         let camera = self.root.get("camera");
@@ -147,7 +147,7 @@ impl Timeline {
         self
     }
 
-    /// Returns the scene that is drawn without an explicit time: at the moment that the document sets, or else at rest, with the numbers as
+    /// Returns the scene that is drawn without an explicit time: at the document's own time, or else unanimated, with the numbers as
     /// written and the first frames.
     pub fn scene(&self) -> Result<Scene> {
         match self.time_s() {
@@ -156,13 +156,13 @@ impl Timeline {
         }
     }
 
-    /// The moment that the document asks for. A clip without one begins.
+    /// The time that the document sets; 0 if it only selects a clip.
     pub fn time_s(&self) -> Option<f64> {
         let begins = self.chosen.is_some().then_some(0.0);
         self.settings.time_s.or(begins)
     }
 
-    /// The scene at rest, framed by itself, with breakaways closed.
+    /// The unanimated scene, without a stage, with breakaways closed.
     pub fn rest(&self) -> &Scene {
         &self.rest
     }
@@ -177,25 +177,25 @@ impl Timeline {
         &self.notes
     }
 
-    /// All files that were read: that of the document, and those that it names.
+    /// All files that were read: the document's own file, and those that it names.
     pub fn files(&self) -> impl Iterator<Item = &Path> {
         let own = Some(self.path.as_path()).filter(|path| !path.as_os_str().is_empty());
         own.into_iter()
             .chain(self.scene_assets.files.iter().map(PathBuf::as_path))
     }
 
-    /// Names of the parts that an entry of `part` has at any time, by the number of the entry: one for each solid of a file.
+    /// Names of the parts that entry number `entry` of `part` has at any time: one for each solid of a file.
     pub fn names_of(&self, entry: usize) -> impl Iterator<Item = &str> {
         let source = self.scene_assets.parts.get(entry).into_iter();
         source.flat_map(PartSource::names).map(String::as_str)
     }
 
-    /// Returns true if anything moves.
+    /// Returns true if the scene is animated.
     pub fn moves(&self) -> bool {
         self.duration_s().is_some()
     }
 
-    /// Duration of the whole timeline: the longest of the clips that are played, keys and sequences. `None` if nothing
+    /// Duration of the whole timeline: the longest of the played clips, the keys and the sequences. `None` if nothing
     /// moves.
     pub fn duration_s(&self) -> Option<f64> {
         let longest = match &self.chosen {
@@ -212,17 +212,17 @@ impl Timeline {
         (longest > 0.0).then_some(longest)
     }
 
-    /// The clips of all parts, by name; of several with one name the longest.
+    /// The clips of all parts, by name; the longest if several share a name.
     pub fn clips(&self) -> &[Clip] {
         &self.clips
     }
 
-    /// The keys, as the document has them.
+    /// The animation keys of the document.
     pub fn keys(&self) -> impl Iterator<Item = &Key> {
         self.keys.iter().map(|k| &k.key)
     }
 
-    /// The clip of a name, or else of a number in [`Timeline::clips`], from 0.
+    /// Finds a clip by its name, or else by its index in [`Timeline::clips`], from 0.
     fn clip_called(&self, name_or_number: &str) -> Result<String> {
         let by_name = self.clips.iter().find(|c| c.name == name_or_number);
         let by_number = || self.clips.get(name_or_number.parse::<usize>().ok()?);
@@ -239,8 +239,8 @@ impl Timeline {
         Err(Error::input(culprit, "there is no such clip", help))
     }
 
-    /// The scene at a time in seconds, not negative. Its parts stand in the poses of their clips, and parts without the clip that is
-    /// played stand at rest; its stage is that of all times.
+    /// The scene at a time in seconds, not negative. Parts are posed by their clips; parts without the selected clip
+    /// keep their rest pose. The stage is the one for all times.
     pub fn at(&self, time_s: f64) -> Result<Scene> {
         self.opened(self.closed_at(time_s)?)
     }
@@ -267,7 +267,7 @@ impl Timeline {
         Ok(scene)
     }
 
-    /// The box that holds all parts at all times, in world space; `None` where nothing moves.
+    /// The box that contains all parts at all times, in world space; `None` if nothing moves.
     pub fn stage(&self) -> Result<Option<Bounds>> {
         let Some(duration_s) = self.duration_s() else {
             return Ok(None);
@@ -291,7 +291,7 @@ impl Timeline {
         Ok(Some(self.outline.get_or_init(|| outline).clone()))
     }
 
-    /// From where it is seen at all times.
+    /// Viewpoint for all times.
     fn viewpoint(&self, seen: &Seen) -> Result<Viewpoint> {
         if let Some(viewpoint) = self.viewpoint.get() {
             return Ok(*viewpoint);
@@ -307,14 +307,14 @@ impl Timeline {
         Ok(*self.viewpoint.get_or_init(|| seen.turned(cuts.iter())))
     }
 
-    /// The parts at a time, before clips move them.
+    /// The parts at a time, before posing by clips.
     fn unposed_at(&self, time_s: f64) -> Result<Vec<Part>> {
         self.read_at(time_s, |root| {
             read::parts(root, &self.scene_assets, time_s, &self.outwards)
         })
     }
 
-    /// The scene at a time, before clips move its parts; what is relative to bounds is relative to the stage.
+    /// The scene at a time, before posing by clips; amounts relative to bounds refer to the stage.
     fn unposed_scene_at(&self, time_s: f64, stage: Option<Bounds>) -> Result<(Scene, Seen)> {
         self.read_at(time_s, |root| {
             let notes = &mut Vec::new();
@@ -331,7 +331,7 @@ impl Timeline {
     }
 
     fn read_at<T>(&self, time_s: f64, read: impl FnOnce(&Table<'_>) -> Result<T>) -> Result<T> {
-        // Copied only where something moves in it.
+        // Cloned only if keys change it.
         let mut root = Cow::Borrowed(&self.root);
         for keyed in &self.keys {
             keyed.set(root.to_mut(), time_s);
@@ -352,7 +352,7 @@ impl Timeline {
         self.outwards.complete(part);
     }
 
-    /// Index of the clip that a part plays.
+    /// Index of the clip played by a part.
     fn clip_of(&self, part: &Part) -> Option<usize> {
         match &self.chosen {
             Some(name) => part.clips().iter().position(|c| c.name == *name),
@@ -368,7 +368,7 @@ impl Timeline {
     }
 }
 
-/// The clips of parts, by name, in the order in which they come; of several with one name the longest.
+/// The clips of parts, by name, in order of first occurrence; the longest if several share a name.
 fn clips_of(parts: &[Part]) -> Vec<Clip> {
     let mut all: Vec<Clip> = Vec::new();
     for clip in parts.iter().flat_map(Part::clips) {
@@ -380,7 +380,7 @@ fn clips_of(parts: &[Part]) -> Vec<Clip> {
     all
 }
 
-/// Time within a clip that restarts after its end; its end maps to its end.
+/// Time within a clip that restarts after its end; the end itself maps to the end.
 fn looped(time_s: f64, duration_s: f64) -> f64 {
     if time_s <= duration_s || duration_s <= 0.0 {
         time_s.min(duration_s)

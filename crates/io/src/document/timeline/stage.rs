@@ -10,18 +10,18 @@ use cutaway::scene::{Bounds, Cut, Outline, Part, Scene, is_same_motion};
 
 use super::Timeline;
 
-/// Times spread over the whole, both ends included: what turns by a full circle leaves its stage by a thousandth at most.
+/// Number of times spread over the duration, both ends included: a full rotation leaves its stage by a thousandth at most.
 const SPREAD: u32 = 65;
 
-/// Most times of keys and frames that are looked at besides; of more, as many spread over them.
+/// Maximum number of additional key and frame times; if there are more, this many are spread over them.
 const MOST_SINGLED_OUT: usize = 512;
 
-/// Shares of the way between two times of keys at which the keys are tried.
+/// Fractions of the interval between two key times at which the keys are tested.
 const BETWEEN: [f64; 3] = [0.25, 0.5, 0.75];
 
 impl Timeline {
-    /// Times at which the bounds of a scene are sampled. `clips_s` are the durations of the clips that are played: those that
-    /// are shorter than all restart, and times spread over the whole may meet each round at the same places.
+    /// Times at which the bounds of a scene are sampled. `clips_s` are the durations of the played clips: shorter clips
+    /// restart, and times spread over the whole duration may hit the same phase in each repetition.
     fn sampled_times_s(&self, duration_s: f64, clips_s: Vec<f64>) -> Vec<f64> {
         let frames = self.sequences().flat_map(|s| s.times_s());
         let mut singled: Vec<f64> = frames.chain(self.key_times_s()).collect();
@@ -31,8 +31,8 @@ impl Timeline {
         times
     }
 
-    /// The box of all parts at many times. Parts whose clips are played are not seen as they rest, often with their arms spread:
-    /// that would only make the picture wider.
+    /// The box of all parts at many times. The rest pose of parts with a played clip is excluded: it is not shown, often with spread arms,
+    /// and would only make the picture wider.
     pub(super) fn find_stage(&self, duration_s: f64) -> Result<Bounds> {
         let mut last: Vec<(Part, Bounds)> = Vec::new();
         let mut stage = Bounds::EMPTY;
@@ -75,7 +75,7 @@ impl Timeline {
         Ok(outline)
     }
 
-    /// Durations of the clips that are played.
+    /// Durations of the played clips.
     fn played_s(&self) -> Result<Vec<f64>> {
         let parts = self.unposed_at(0.0)?;
         let clips = parts.iter();
@@ -83,7 +83,7 @@ impl Timeline {
         Ok(played.collect())
     }
 
-    /// Reads the scene at all times of keys and between them, so that what makes no sense is reported before anything is drawn.
+    /// Reads the scene at all key times and between them, so that invalid values are reported before drawing starts.
     pub(super) fn try_keys(&self) -> Result<()> {
         if self.keys().next().is_none() {
             return Ok(());
@@ -95,7 +95,7 @@ impl Timeline {
             .windows(2)
             .flat_map(|w| BETWEEN.map(|share| w[0] + (w[1] - w[0]) * share));
         let all: Vec<f64> = times.iter().copied().chain(between).collect();
-        // The parts first: the stage is made of them.
+        // The parts first, because the stage depends on them.
         for time_s in &all {
             self.unposed_at(*time_s)?;
         }
@@ -111,7 +111,7 @@ impl Timeline {
     }
 }
 
-/// Times spread over the whole, and over the first round of each shorter clip.
+/// Times spread over the whole duration, and over the first repetition of each shorter clip.
 fn spread_over(mut clips_s: Vec<f64>, duration_s: f64) -> Vec<f64> {
     clips_s.push(duration_s);
     clips_s.sort_by(f64::total_cmp);
@@ -121,7 +121,7 @@ fn spread_over(mut clips_s: Vec<f64>, duration_s: f64) -> Vec<f64> {
     clips_s.into_iter().flat_map(spread).collect()
 }
 
-/// Times in their order without doubles, or some of them spread over all if there are too many.
+/// Sorts times and removes duplicates; if there are too many, keeps some spread over all.
 fn few(mut times: Vec<f64>) -> Vec<f64> {
     times.sort_by(f64::total_cmp);
     times.dedup();
@@ -133,7 +133,7 @@ fn few(mut times: Vec<f64>) -> Vec<f64> {
     spread.collect()
 }
 
-/// Returns true if cuts remove the same, judged by the data that defines them.
+/// Returns true if cuts remove the same region, judged by the data that defines them.
 fn cut_alike(all: &[Cut], others: &[Cut]) -> bool {
     let is_like = |(a, b): (&Cut, &Cut)| {
         let mut surfaces = a.surfaces.iter().zip(&b.surfaces);
@@ -159,7 +159,7 @@ fn cut_alike(all: &[Cut], others: &[Cut]) -> bool {
     all.len() == others.len() && all.iter().zip(others).all(is_like)
 }
 
-/// Returns true if two parts fill the same place because everything that places them is the same.
+/// Returns true if two parts occupy the same space because all data that places them is the same.
 fn stands_alike(a: &Part, b: &Part) -> bool {
     is_same_motion(a.motion.as_ref(), b.motion.as_ref())
         && Arc::ptr_eq(&a.mesh, &b.mesh)
@@ -174,7 +174,7 @@ mod tests {
     #[test]
     fn a_short_clip_is_looked_at_all_the_way_round() {
         let halfway = |times: &[f64]| times.iter().any(|t| t.rem_euclid(1.0) == 0.5);
-        // The control: spread over the whole alone, all times are at the beginning of a round.
+        // The control: times spread over the whole duration alone all fall on the beginning of a repetition.
         assert!(!halfway(&spread_over(Vec::new(), 64.0)));
         assert!(halfway(&spread_over(vec![1.0, 64.0, 1.0], 64.0)));
         assert_eq!(spread_over(vec![64.0], 64.0).len(), SPREAD as usize);

@@ -1,8 +1,8 @@
-//! Frame sequences: one mesh file per frame, such as simulations write.
+//! Frame sequences: one mesh file per frame, as written by simulations.
 //!
-//! Every frame is a mesh of its own; the number of vertices and triangles, and even that of solids, may change from frame to
-//! frame. All frames are loaded at once, in parallel, and stay in memory: what is drawn at a time is a frame as it was
-//! loaded, never something between two frames, and asking for the same frame again gives the same [`Arc`] of
+//! Every frame is an independent mesh; the number of vertices, triangles and even solids may change from frame to
+//! frame. All frames are loaded at once, in parallel, and stay in memory: frames are shown as loaded,
+//! without interpolation, and repeated requests for a frame return the same [`Arc`] of
 //! its mesh.
 
 mod pattern;
@@ -22,7 +22,7 @@ pub const USUAL_FPS: f64 = 24.0;
 /// Tolerance, as a share of a frame, by which a time may fall short of a frame's start: `3 / fps * fps` need not be 3.
 const SLACK: f64 = 1e-6;
 
-/// Meshes in a row.
+/// A sequence of frames, each with its parts.
 #[derive(Clone, Debug)]
 pub struct Sequence {
     frames: Arc<[Vec<Part>]>,
@@ -33,13 +33,13 @@ pub struct Sequence {
 }
 
 impl Sequence {
-    /// Opens all files of a pattern such as `frames/walk_%04d.ply`, counted from 0 or 1 up until one is missing. The sequence
+    /// Opens all files of a pattern such as `frames/walk_%04d.ply`, counting up from 0 or 1 until a file is missing. The sequence
     /// restarts after its last frame.
     pub fn open(pattern: &str, fps: f64, assets: &mut Assets) -> Result<Self> {
         Self::open_from(&Pattern::parse(pattern)?, None, assets)?.timed(fps, true)
     }
 
-    /// Opens all files of a pattern, counted up from `first`.
+    /// Opens all files of a pattern, counting up from `first`.
     pub(crate) fn open_from(
         pattern: &Pattern,
         first: Option<u32>,
@@ -80,10 +80,10 @@ impl Sequence {
         })
     }
 
-    /// The same frames at another rate. Without a loop the last frame stays.
+    /// Returns the same frames at another rate. Without a loop the last frame stays.
     pub fn timed(self, fps: f64, loops: bool) -> Result<Self> {
         if !(fps.is_finite() && fps > 0.0) {
-            let help = "write how many frames make a second, for example 24";
+            let help = "give the number of frames per second, for example 24";
             return Err(Error::input(
                 format!("fps {fps}"),
                 "it must be above 0",
@@ -103,7 +103,7 @@ impl Sequence {
         self.frames.len() as f64 / self.fps
     }
 
-    /// When each frame begins, the first time round.
+    /// Start time of each frame in the first loop.
     pub fn times_s(&self) -> impl Iterator<Item = f64> {
         (0..self.frames.len()).map(|i| i as f64 / self.fps)
     }
@@ -119,13 +119,13 @@ impl Sequence {
         }
     }
 
-    /// The solids of the frame that is shown at a time: one is named after the pattern without its number, several after it
+    /// Parts of the frame shown at a time: a single part is named after the pattern without its number, several after the pattern
     /// and their number in the file.
     pub fn parts_at(&self, time_s: f64) -> &[Part] {
         &self.frames[self.frame_at(time_s)]
     }
 
-    /// The solids of each frame.
+    /// Parts of each frame.
     pub fn frames(&self) -> impl Iterator<Item = &[Part]> {
         self.frames.iter().map(Vec::as_slice)
     }
@@ -135,7 +135,7 @@ impl Sequence {
         &self.files
     }
 
-    /// Notes for the user: frames left out, and repairs in them.
+    /// Notes for the user: frames left out, and repairs of frames.
     pub fn notes(&self) -> &[String] {
         &self.notes
     }
@@ -153,7 +153,7 @@ fn whole(path: &Path, parts: &[Part]) -> Result<()> {
     }
 }
 
-/// The notes of the first frame that has any, and how many others have some too: what happens to one happens to most.
+/// The notes of the first frame with notes, and the count of other frames with notes, since problems usually affect most frames.
 fn summary(files: &[PathBuf], opened: &[(Vec<Part>, Vec<String>)]) -> Vec<String> {
     let mut noted = files.iter().zip(opened).filter(|(_, (_, n))| !n.is_empty());
     let Some((path, (_, notes))) = noted.next() else {

@@ -8,13 +8,13 @@ use crate::load::Files;
 
 const EXAMPLE: &str = "write one %04d where the number belongs, as in `frames/walk_%04d.ply`; %% stands for a percent sign";
 
-/// Most digits that a number is filled up to.
+/// Largest number of digits to which frame numbers are padded.
 const MOST_DIGITS: usize = 12;
 
-/// Count of numbers after a missing frame at which further frames are looked for, to distinguish a gap from the end.
+/// Count of numbers searched for further frames after a missing one, to distinguish a gap from the end.
 const GAP_LOOKED_ACROSS: u32 = 64;
 
-/// A path with a number left open.
+/// A path with a placeholder for a number.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Pattern {
     text: String,
@@ -29,7 +29,7 @@ impl Pattern {
         Self::parse(text).is_ok()
     }
 
-    /// Reads a pattern.
+    /// Parses a pattern.
     pub fn parse(text: &str) -> Result<Self> {
         let fault = |what: &str| Err(Error::input(format!("`{text}`"), what, EXAMPLE));
         let (mut before, mut after) = (String::new(), String::new());
@@ -73,14 +73,14 @@ impl Pattern {
         })
     }
 
-    /// The same pattern inside a folder.
+    /// The same pattern below a folder.
     #[must_use]
     pub fn inside(mut self, folder: &Path) -> Self {
         self.before = folder.join(&self.before).to_string_lossy().into_owned();
         self
     }
 
-    /// The file of a number.
+    /// The path of the file with this number.
     pub fn file(&self, number: u32) -> PathBuf {
         let Self {
             before,
@@ -91,7 +91,7 @@ impl Pattern {
         format!("{before}{number:0digits$}{after}").into()
     }
 
-    /// The name of the files without folder, number and extension; `frames` where nothing is left.
+    /// The file name without folder, number and extension; `frames` if nothing is left.
     pub(super) fn stem(&self) -> String {
         let name = |text: &str| {
             let name = text.rsplit(['/', '\\']).next().unwrap_or(text);
@@ -109,7 +109,7 @@ impl Pattern {
         if stem.is_empty() { "frames" } else { stem }.to_owned()
     }
 
-    /// The files from a first number up until one is missing, and what to say if there are more behind the gap.
+    /// The files from the first number up to the first missing one, and a note if more files follow the gap.
     #[doc(hidden)]
     pub fn files(
         &self,
@@ -147,7 +147,7 @@ impl Pattern {
             (missing..missing.saturating_add(GAP_LOOKED_ACROSS)).find(|number| is_there(number));
         let gap = beyond.map(|beyond| {
             format!(
-                "{}: the sequence ends before frame {missing}, which is missing, though there is a frame {beyond}",
+                "{}: the sequence ends before frame {missing}, which is missing, although frame {beyond} exists",
                 self.text
             )
         });

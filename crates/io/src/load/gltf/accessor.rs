@@ -1,13 +1,13 @@
 //! Checked reading of glTF accessors.
 //!
-//! The `gltf` crate trusts offsets, counts and types once the JSON validates, and panics or overflows where they lie. Every
-//! accessor is checked here before it is handed over.
+//! The `gltf` crate trusts offsets, counts and types once the JSON validates, and panics or overflows if they are wrong. Every
+//! accessor is checked here before the crate reads it.
 
 use gltf::Accessor;
 use gltf::accessor::{DataType, Dimensions, Item, Iter};
 use gltf::buffer::View;
 
-/// A sparse accessor without base values takes no bytes; more items than this are taken for a lie.
+/// Largest accepted count of a sparse accessor without base values, which states items without bytes in the file.
 const MOST_IMPLIED_ITEMS: usize = 1 << 26;
 
 /// Expected content of the accessor.
@@ -80,7 +80,7 @@ pub(super) const TRIPLES: Wanted = Wanted {
     dimensions: Dimensions::Vec3,
 };
 
-/// Number types of positions, normals, rotations and weights of targets: floating-point, or whole numbers, as a rule shares of the greatest.
+/// Number types of positions, normals, rotations and target weights: floating-point, or integers, usually normalized.
 const SHARES: &[DataType] = &[
     DataType::F32,
     DataType::I8,
@@ -110,7 +110,7 @@ pub(super) const MAT4: Wanted = Wanted {
     dimensions: Dimensions::Mat4,
 };
 
-/// Says what is wrong with an accessor, or that nothing is. `buffers` are by index.
+/// Returns an error message if an accessor is invalid. `buffers` are by index.
 pub(super) fn check(
     accessor: &Accessor<'_>,
     wanted: Wanted,

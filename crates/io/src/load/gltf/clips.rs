@@ -1,8 +1,8 @@
 //! The clips of a glTF file: its animations, checked channel by channel.
 //!
-//! A clip that is broken anywhere is left out as a whole, with a note that names it and why: half a motion is worse than
-//! none, and the mesh is fine without. Channels that move nodes outside the scene move nothing that is shown and are
-//! passed over, and so are weights of nodes without morph targets.
+//! A clip with any fault is left out as a whole, with a note that gives its name and the reason: half a motion is worse than
+//! none, and the mesh does not need it. Channels that move nodes outside the scene affect nothing that is shown and are
+//! ignored, and so are weights of nodes without morph targets.
 
 use std::collections::BTreeMap;
 
@@ -18,7 +18,7 @@ use super::accessor::{TARGET_WEIGHTS, TIMES, TRIPLES, items};
 use super::nodes::Nodes;
 use super::quantized::{rotations, share};
 
-/// A rig that is complete but for its clips, and where to read them.
+/// A rig that only lacks its clips, and the sources to read them from.
 pub(super) struct Reader<'a> {
     pub(super) document: &'a Document,
     pub(super) nodes: &'a Nodes<'a>,
@@ -26,7 +26,7 @@ pub(super) struct Reader<'a> {
 }
 
 impl Reader<'_> {
-    /// Adds all clips that can be used to a rig.
+    /// Adds all usable clips to the rig.
     pub(super) fn read(&self, animations: &[Animation], rig: &mut Rig, notes: &mut Vec<String>) {
         let accessors: Vec<Accessor<'_>> = self.document.accessors().collect();
         let mut flat = Vec::new();
@@ -48,12 +48,12 @@ impl Reader<'_> {
                 more => format!(" (and {more} more)"),
             };
             notes.push(format!(
-                "{first}{more}: what follows it alone has no volume then"
+                "{first}{more}: vertices that follow only this joint have no volume then"
             ));
         }
     }
 
-    /// The weights of a node's morph targets move the mesh wherever the rig has it.
+    /// Copies the weights of a node's morph targets to all instances of its mesh in the rig.
     fn give_weights_to_instances(&self, of_node: &mut BTreeMap<usize, NodeTracks>) {
         let tracks = of_node.iter();
         let weights: Vec<_> = tracks
@@ -111,7 +111,7 @@ impl Reader<'_> {
         let (Checked::Valid(property), Checked::Valid(interpolation)) =
             (channel.target.path, sampler.interpolation)
         else {
-            return Err("what it moves, or how, is not in glTF 2.0".to_owned());
+            return Err("its target path or interpolation is not in glTF 2.0".to_owned());
         };
         let Some(place) = *place else { return Ok(()) };
         let accessor = |index: usize| {
@@ -129,7 +129,7 @@ impl Reader<'_> {
         let rig_node = &self.nodes.of_rig[place];
         if property != Property::MorphTargetWeights && rig_node.stand.is_none() {
             return Err(format!(
-                "node {node} has a matrix that does not come apart into translation, rotation and scale"
+                "node {node} has a matrix that cannot be decomposed into translation, rotation and scale"
             ));
         }
         let tracks = of_node.entry(place).or_default();
@@ -214,10 +214,10 @@ pub(super) fn targets(node: &gltf::Node<'_>) -> usize {
         .unwrap_or(0)
 }
 
-/// Number of times of a clip that are sampled for places that are not finite.
+/// Number of sampled times at which a clip is checked for positions that are not finite.
 const TRIED: usize = 9;
 
-/// Adds a clip unless it leads out of the numbers: products of large scales overflow.
+/// Adds a clip unless it overflows: products of large scales may not be finite.
 fn add(rig: &mut Rig, name: &str, of_node: BTreeMap<usize, NodeTracks>) -> Result<(), String> {
     let ends = of_node.values().flat_map(|tracks| {
         [

@@ -1,7 +1,7 @@
-//! The document of a glTF file and the bytes behind it: what can be refused before geometry is looked at.
+//! The JSON document of a glTF file and its buffers: checks that do not need geometry.
 //!
-//! Animations are taken out before the crate validates the rest: a clip that is broken must not take the mesh away. They
-//! are checked where they are read.
+//! Animations are removed before the crate validates the rest, so that a broken clip does not prevent loading the mesh. They
+//! are checked when they are read.
 
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
@@ -13,16 +13,16 @@ use gltf::{Document, Glb};
 use super::super::{Files, without_mark};
 use super::{DAMAGED, extensions, mended, packed, uri};
 
-/// A file without faults that could be found so far.
+/// A file that has passed the checks of this module.
 pub(super) struct Opened {
     pub(super) document: Document,
-    /// By index.
+    /// Buffer contents by index.
     pub(super) buffers: Vec<Vec<u8>>,
     /// The file's animations, which `document` lacks.
     pub(super) animations: Vec<Animation>,
 }
 
-/// Opens a file, and adds those of its buffers to `files`. Animations that are not even JSON of the right form are left out with a note.
+/// Opens a file, and adds its buffer files to `files`. Animations whose JSON has the wrong structure are left out with a note.
 pub(super) fn open(
     path: &Path,
     bytes: &[u8],
@@ -69,7 +69,7 @@ fn root(bytes: &[u8], notes: &mut Vec<String>) -> Result<(Root, Option<Vec<u8>>)
     Ok((root.map_err(gltf::Error::Deserialize)?, blob))
 }
 
-/// The files that its buffers and images are in, of a document that can be read.
+/// The buffer and image files of a readable document.
 pub(in crate::load) fn named_files(folder: &Path, bytes: &[u8]) -> Vec<PathBuf> {
     if check_glb(bytes).is_err() {
         return Vec::new();
@@ -89,7 +89,7 @@ pub(in crate::load) fn named_files(folder: &Path, bytes: &[u8]) -> Vec<PathBuf> 
         .collect()
 }
 
-/// The header of a binary file, before the crate computes with it.
+/// Checks the header of a binary file before the crate uses its lengths.
 fn check_glb(bytes: &[u8]) -> Result<(), String> {
     if !bytes.starts_with(b"glTF") {
         return Ok(());
@@ -105,7 +105,7 @@ fn check_glb(bytes: &[u8]) -> Result<(), String> {
         ));
     };
     if version != 2 {
-        return Err(format!("it is of version {version}, only 2 is read"));
+        return Err(format!("its version is {version}, only 2 is read"));
     }
     if length > bytes.len() {
         return Err(format!("it holds {} of {length} bytes", bytes.len()));
@@ -116,7 +116,7 @@ fn check_glb(bytes: &[u8]) -> Result<(), String> {
     Ok(())
 }
 
-/// The crate's own validation looks positions up before it checks that they are there.
+/// Checks accessor indices, because the crate's own validation accesses positions before it checks that they exist.
 fn check_attributes(root: &Root) -> Result<(), String> {
     let primitives = root.meshes.iter().flat_map(|m| &m.primitives);
     let there = root.accessors.len();
@@ -132,7 +132,7 @@ fn check_attributes(root: &Root) -> Result<(), String> {
     }
 }
 
-/// The bytes of all buffers, of those that only stand in for packed ones none.
+/// The bytes of all buffers; buffers that only stand in for packed data are empty.
 fn buffers(
     path: &Path,
     root: &Root,

@@ -17,7 +17,7 @@ use super::packed::{Room, add_view, range};
 #[serde(rename_all = "camelCase")]
 pub(super) struct Packed {
     buffer_view: usize,
-    /// The numbers of attributes in the stream, by their names in glTF.
+    /// Attribute numbers in the stream, by glTF attribute name.
     attributes: BTreeMap<String, u32>,
 }
 
@@ -47,7 +47,7 @@ pub(super) fn unpack(
             (accessor.component_type, accessor.type_)
         else {
             return Err(format!(
-                "{} has an accessor of no type",
+                "{} has an accessor without a type",
                 semantic.to_string()
             ));
         };
@@ -77,14 +77,14 @@ pub(super) fn unpack(
     let number = give(root, buffers, bytes, (place, accessor));
     let primitive = &mut root.meshes[mesh].primitives[primitive];
     primitive.indices = Some(number);
-    // Whatever it says: the stream holds triangles.
+    // The stream always holds triangles, whatever mode the primitive states.
     primitive.mode = Checked::Valid(Mode::Triangles);
     Ok(())
 }
 
-/// The mesh of a stream.
+/// Decodes the mesh in a stream.
 fn decoded(stream: &[u8], room: &Room) -> Result<Mesh, String> {
-    // No attribute and no face has less than four bytes.
+    // Each attribute value and each face index takes at least four bytes.
     let mut limits = DecodeLimits::default();
     limits.max_points = limits.max_points.min(room.0 / 4);
     limits.max_faces = limits.max_faces.min(room.0 / 12);
@@ -97,7 +97,7 @@ fn decoded(stream: &[u8], room: &Room) -> Result<Mesh, String> {
     Ok(mesh)
 }
 
-/// Numbers as an accessor has them.
+/// Converts numbers to an accessor's component type.
 fn in_components(numbers: &[f32], kind: ComponentType) -> Vec<u8> {
     let numbers = numbers.iter();
     match kind {
@@ -128,7 +128,7 @@ fn indices(corners: usize) -> Accessor {
     }
 }
 
-/// Gives bytes to an accessor that has none of its own, or else to one more like it.
+/// Assigns bytes to an accessor without a buffer view, or else to a new accessor with the same properties.
 fn give(
     root: &mut Root,
     buffers: &mut Vec<Vec<u8>>,

@@ -1,7 +1,7 @@
-//! Extensions: those that are read, those that a reader without them may pass over, and notes about all others.
+//! Extensions: those that are read, those that may be ignored, and notes about all others.
 //!
-//! An extension that a file requires and that is not read is an error, unless its name refers to looks or to data in addition to the
-//! geometry. One that is used without being required stops nothing; where it stands on a node or on a mesh, it may move, hide or add
+//! An extension that a file requires and that is not read is an error, unless its name refers to appearance or to data unrelated to the
+//! geometry. An unread extension that is only used is no error; on a node or a mesh it may move, hide or add
 //! geometry, and a note names it.
 
 use std::collections::BTreeMap;
@@ -31,7 +31,7 @@ const READ: [&str; 7] = [
     "KHR_texture_transform",
 ];
 
-/// Pieces of the names of extensions that change looks alone.
+/// Substrings in the names of extensions that only change appearance.
 const LOOKS: [&str; 5] = [
     "_materials_",
     "_lights_",
@@ -40,7 +40,7 @@ const LOOKS: [&str; 5] = [
     "_sky",
 ];
 
-/// Pieces of the names of extensions that add data, sound or behaviour, and no geometry.
+/// Substrings in the names of extensions that add data, sound or behaviour, and no geometry.
 const BESIDE: [&str; 9] = [
     "_xmp",
     "_metadata",
@@ -57,7 +57,7 @@ fn has_any(name: &str, pieces: &[&str]) -> bool {
     pieces.iter().any(|piece| name.contains(piece))
 }
 
-/// Refuses extensions without which the file says it cannot be read, and which are not; no others are required then.
+/// Refuses required extensions that are not supported; afterwards the document requires none.
 pub(super) fn classify_required(
     path: &Path,
     root: &mut Root,
@@ -81,7 +81,7 @@ pub(super) fn classify_required(
     Ok(())
 }
 
-/// A note for each extension of nodes, meshes and primitives that is not read and is not about looks.
+/// A note for each unread extension of nodes, meshes and primitives, except those that only change appearance.
 pub(super) fn unread(root: &Root) -> Vec<String> {
     let of_nodes = (root.nodes.iter()).filter_map(|node| Some(&node.extensions.as_ref()?.others));
     let of_meshes = (root.meshes.iter()).filter_map(|mesh| Some(&mesh.extensions.as_ref()?.others));

@@ -1,8 +1,8 @@
 //! Deformers of the vertices of a glTF mesh: repaired joint weights, and morph targets.
 //!
-//! Repaired with a note: weights that do not sum to 1, that are negative or not finite, vertices whose weights are all zero (they follow
-//! their first joint, as in other readers), vertices without joints (they follow the node), and morph targets that do not fit (they move
-//! nothing). Refused: a joint that the skin lacks, since the place of its vertices is unknown.
+//! Repaired with a note: weights that do not sum to 1, that are negative or not finite; vertices whose weights are all zero (they follow
+//! their first joint, as in other readers); vertices without joints (they follow the node); and morph targets that do not fit (they move
+//! nothing). Refused: a joint that the skin lacks, because the position of its vertices is unknown.
 
 use cutaway::scene::motion::{JointWeight, Motion};
 use cutaway::scene::weld::thousands;
@@ -12,10 +12,10 @@ use gltf::Primitive;
 use super::quantized::triples;
 use super::skin::Pulls;
 
-/// Weights that sum to 1 within this are only rounded.
+/// Deviation of a weight sum from 1 that counts as rounding.
 const WHOLE: f64 = 1e-3;
 
-/// Puts a motion together, primitive by primitive.
+/// Assembles a motion, primitive by primitive.
 #[derive(Debug, Default)]
 pub(super) struct Followers {
     pub(super) motion: Motion,
@@ -38,7 +38,7 @@ impl Followers {
         followers
     }
 
-    /// Adds the pulls of the next `vertices`; `pulls` is empty where a primitive has none.
+    /// Adds the joint influences on the next `vertices`; `pulls` is empty if a primitive has none.
     pub(super) fn pull(&mut self, pulls: &[Pulls], vertices: usize) -> Result<(), String> {
         let Some(joints) = self.joints else {
             return Ok(());
@@ -52,7 +52,7 @@ impl Followers {
                 if weight > 0.0 && weight.is_finite() {
                     whole.push((*joint, weight));
                 } else {
-                    // Zero fills up a set; anything else is a mistake.
+                    // A zero weight pads a set; anything else is a mistake.
                     is_odd |= weight.abs() > 0.0 || weight.is_nan();
                 }
             }
@@ -133,7 +133,7 @@ impl Followers {
         Ok(())
     }
 
-    /// The motion of `vertices` in all, and what was repaired.
+    /// The motion of all `vertices`; repairs are added to `notes`.
     pub(super) fn finish(mut self, vertices: usize, notes: &mut Vec<String>) -> Motion {
         for target in &mut self.motion.targets {
             target.resize(vertices, DVec3::ZERO);
@@ -152,7 +152,7 @@ impl Followers {
         }
         if self.unpulled > 0 {
             notes.push(format!(
-                "{} vertices are pulled by no joint and follow the node",
+                "{} vertices have no joint and follow the node",
                 thousands(self.unpulled)
             ));
         }

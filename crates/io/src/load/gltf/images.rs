@@ -13,7 +13,7 @@ use super::uri;
 use crate::load::Files;
 use crate::load::images::texture::texture_of;
 
-/// More are not read of one file: small files can hold large even images.
+/// Total number of pixels from which no further image of a file is read: small files can hold large even images.
 const MOST_PIXELS: u64 = 1 << 27;
 
 /// The images of a file.
@@ -31,7 +31,7 @@ pub(super) struct Images<'a> {
 }
 
 impl Images<'_> {
-    /// The image of a texture; none where it has none or where that cannot be read.
+    /// The image of a texture; `None` if it has none or the image cannot be read.
     pub(super) fn of_texture(&mut self, texture: &gltf::Texture<'_>) -> Option<Arc<Texture>> {
         if let Some(image) = texture.source() {
             return self.get(&image);
@@ -56,7 +56,7 @@ impl Images<'_> {
         }
         let read = match self.pixels > MOST_PIXELS {
             true => Err(format!(
-                "there are more than {MOST_PIXELS} pixels before it"
+                "the images before it have more than {MOST_PIXELS} pixels"
             )),
             false => self.texture(image),
         };

@@ -1,6 +1,6 @@
-//! Instances: a node's mesh at several places in its node, by `EXT_mesh_gpu_instancing`.
+//! Instances of a node's mesh at several positions relative to the node, by `EXT_mesh_gpu_instancing`.
 //!
-//! Each instance becomes a node of the rig below its own, so that it goes where its node is moved.
+//! Each instance becomes a rig node below its own node, so that it follows that node's motion.
 
 use cutaway::scene::motion::NodeTransform;
 use glam::{DQuat, DVec3};
@@ -11,7 +11,7 @@ use super::accessor::{TRIPLES, items};
 use super::extensions::INSTANCES;
 use super::quantized::rotations;
 
-/// Most instances of all nodes of a file.
+/// Maximum number of instances of all nodes of a file.
 pub(super) const MOST: usize = 1 << 16;
 
 /// Reads the instance transforms of a node's mesh, relative to the node; `None` if the node is not instanced.
@@ -32,7 +32,7 @@ pub(super) fn read(
         let accessor = index.and_then(|index| document.accessors().nth(index));
         let missing = || {
             at(format!(
-                "its {name} is accessor {number}, which is not there"
+                "its {name} is accessor {number}, which does not exist"
             ))
         };
         accessor.ok_or_else(missing).map(Some)

@@ -2,11 +2,11 @@
 //!
 //! | fault | becomes |
 //! |---|---|
-//! | positions without `min` and `max`, which nothing reads here | some |
-//! | an accessor without a buffer view, but for positions | zeros, as glTF defines it |
+//! | positions without `min` and `max`, which this reader does not use | placeholder values |
+//! | an accessor without a buffer view, except for positions | zeros, as glTF defines it |
 //! | a primitive without positions | left out, with a note |
-//! | a clip that is not JSON of the right form | left out, with a note |
-//! | materials, textures, images, samplers or cameras that are not valid | all of them left out, with a note |
+//! | a clip whose JSON has the wrong structure | left out, with a note |
+//! | invalid materials, textures, images, samplers or cameras | all of them left out, with a note |
 
 use gltf::json::accessor::{Accessor, Type};
 use gltf::json::validation::{Checked, Error, Validate};
@@ -16,14 +16,14 @@ use serde_json::{Value, json};
 
 use super::packed::add_view;
 
-/// Bytes that accessors without a buffer view share; one that states more is not mended.
+/// Size in bytes of the zeros that accessors without a buffer view share; an accessor that states more is not repaired.
 const MOST_ZEROS: usize = 1 << 28;
 
-/// Document keys that only affect looks.
+/// Document keys that only affect appearance.
 const LOOKS: [&str; 5] = ["materials", "textures", "images", "samplers", "cameras"];
 
-/// The document of a text that is not read as one, without what only motion or looks need and is not of the right form; none if that is
-/// not all that is wrong with it.
+/// Parses a document again without its malformed animation or appearance entries; `None` if it has other faults
+/// as well.
 pub(super) fn without_odd_entries(json: &[u8], notes: &mut Vec<String>) -> Option<Root> {
     let mut value: Value = serde_json::from_slice(json).ok()?;
     let mut said = without_odd_clips(&mut value);
@@ -50,15 +50,12 @@ pub(super) fn without_odd_entries(json: &[u8], notes: &mut Vec<String>) -> Optio
         each(mesh, "primitives", "material");
     }
     let root = serde_json::from_value(value).ok()?;
-    said.push(
-        "shown without materials and cameras: they are not of the form that glTF gives them"
-            .to_owned(),
-    );
+    said.push("shown without materials and cameras: their JSON is not valid glTF".to_owned());
     notes.append(&mut said);
     Some(root)
 }
 
-/// Takes the animations that are no animations away; a note on each.
+/// Removes malformed animations, and returns a note on each.
 fn without_odd_clips(document: &mut Value) -> Vec<String> {
     let mut said = Vec::new();
     let mut number = 0;
@@ -79,7 +76,7 @@ fn without_odd_clips(document: &mut Value) -> Vec<String> {
     said
 }
 
-/// Puts right what takes no geometry away. Attributes must be in range.
+/// Makes the repairs that remove no geometry. Attribute indices must be in range.
 pub(super) fn mend(root: &mut Root, buffers: &mut Vec<Vec<u8>>, notes: &mut Vec<String>) {
     let mut positions = Vec::new();
     for (number, mesh) in root.meshes.iter_mut().enumerate() {
@@ -111,7 +108,7 @@ pub(super) fn mend(root: &mut Root, buffers: &mut Vec<Vec<u8>>, notes: &mut Vec<
     });
 }
 
-/// Gives one buffer of zeros to all accessors that have nothing else, but for those of positions: a mesh in one point is a fault.
+/// Assigns a shared buffer of zeros to all accessors without data, except those of positions: a mesh in one point is an error.
 fn give_zeros(
     root: &mut Root,
     buffers: &mut Vec<Vec<u8>>,
@@ -126,7 +123,7 @@ fn give_zeros(
         else {
             return None;
         };
-        // Columns of a matrix begin at multiples of four bytes.
+        // Matrix columns are aligned to four bytes.
         let item = match shape {
             Type::Mat2 | Type::Mat3 => 4 * shape.multiplicity(),
             _ => shape.multiplicity() * kind.0.size(),
@@ -149,7 +146,7 @@ fn give_zeros(
     }
 }
 
-/// The document, without what only looks need where that is not valid; the first fault otherwise, and how many there are.
+/// Validates the document, without its appearance data if only that is invalid; otherwise returns the first fault and the number of faults.
 pub(super) fn validated(mut root: Root, notes: &mut Vec<String>) -> Result<Document, String> {
     let mut faults = faults(&root);
     let is_of_looks = |(at, _): &(Path, Error)| {

@@ -1,14 +1,14 @@
-//! glTF 2.0 and GLB: geometry, placement, base colours with their images, colours of vertices, and animation: nodes, skins, morph
+//! glTF 2.0 and GLB: geometry, placement, base colours and their images, vertex colours, and animation: nodes, skins, morph
 //! targets, clips.
 //!
-//! Every node with a mesh becomes a part, or several if the mesh's primitives are separate closed solids, or if it has instances;
-//! hidden nodes are left out. Nodes that show the same mesh share it. A part shows its rest pose: by the joints of its skin, with the
+//! Every node with a mesh becomes a part, or several if it has instances or its mesh's primitives are separate closed solids;
+//! hidden nodes are left out. Nodes with the same mesh share it. A part is shown in its rest pose: by the joints of its skin, with the
 //! default weights of its morph targets. Vertices are welded in the bind pose, so that a closed mesh stays closed in every pose; welded
-//! vertices follow the first of them.
+//! vertices follow the first vertex of their group.
 //!
 //! Vertices may be quantized, and packed by meshopt or Draco (`packed`).
 //!
-//! What the geometry of the still picture needs is refused if it is broken. What only motion or looks need is left out with a note.
+//! Faults in the geometry of the still picture are errors. Faulty data for motion or appearance is left out with a note.
 
 mod accessor;
 mod clips;
@@ -151,7 +151,7 @@ pub(super) fn read(
     Ok(torn::joined(placed, notes))
 }
 
-/// The role that a node's `extras` give: `{ "role": "interior" }`.
+/// The role in a node's `extras`: `{ "role": "interior" }`.
 fn role(node: &Node<'_>, notes: &mut Vec<String>) -> Option<Role> {
     let extras = node.extras().as_ref()?;
     let value: serde_json::Value = serde_json::from_str(extras.get()).ok()?;
@@ -159,12 +159,12 @@ fn role(node: &Node<'_>, notes: &mut Vec<String>) -> Option<Role> {
     let role = Role::named(word);
     if role.is_none() {
         let known = Role::ALL.map(|(name, _)| name).join(", ");
-        notes.push(format!("its role {word:?} is none of {known}"));
+        notes.push(format!("its role {word:?} is not one of {known}"));
     }
     role
 }
 
-/// Returns the skin of a node's mesh, if it can be used.
+/// Returns the skin of a node's mesh, if it is usable.
 fn usable_skin<T>(
     node: &Node<'_>,
     skins: &[Result<T, String>],
@@ -174,7 +174,7 @@ fn usable_skin<T>(
     let why = match skins.get(index)? {
         Err(why) => why.clone(),
         Ok(_) if !node.mesh().is_some_and(|m| skin::pulls_at(&m)) => {
-            format!("skin {index}: the mesh does not say what its joints pull")
+            format!("skin {index}: the mesh's vertices have no joints")
         }
         Ok(_) => return Some(index),
     };
@@ -182,7 +182,7 @@ fn usable_skin<T>(
     None
 }
 
-/// Default weights of a node's morph targets, one each.
+/// Default weights of a node's morph targets, one per target.
 fn weights(node: &Node<'_>, notes: &mut Vec<String>) -> Vec<f64> {
     let targets = clips::targets(node);
     let mesh = node.mesh();
@@ -208,7 +208,7 @@ fn weights(node: &Node<'_>, notes: &mut Vec<String>) -> Vec<f64> {
     weights
 }
 
-/// A solid of a mesh, wherever it is shown.
+/// A solid of a mesh, shared by the nodes that show it.
 struct GltfSolid {
     color: Option<glam::Vec3>,
     materials: Vec<String>,
@@ -238,7 +238,7 @@ impl GltfSolid {
         }
     }
 
-    /// The shape at a node; `None` if it reaches to infinity there.
+    /// Places the solid at a node; `None` if the result is not finite.
     fn at(
         &self,
         rig: &Arc<Rig>,

@@ -1,4 +1,4 @@
-//! The nodes of a glTF scene: which there are, where they are, what hangs below what.
+//! The nodes of a glTF scene: their selection, transforms and hierarchy.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -11,16 +11,16 @@ use gltf::{Document, Node};
 use super::extensions::VISIBILITY;
 use super::instances;
 
-/// The nodes of the scene that is shown, parents first, in the order of the file.
+/// The nodes of the displayed scene, parents first, otherwise in file order.
 pub(super) struct Nodes<'a> {
     pub(super) nodes: Vec<Node<'a>>,
-    /// The same nodes, for a rig.
+    /// The same nodes as rig nodes.
     pub(super) of_rig: Vec<RigNode>,
-    /// Index in this list of each node of the file; `None` if the node is not in the scene.
+    /// Index in this list for each node of the file; `None` if the node is not in the scene.
     pub(super) place_of: Vec<Option<usize>>,
-    /// Ranges of the node instances in the rig, by the index of their node.
+    /// Ranges of instance nodes in the rig, by the index of the instanced node.
     instances: BTreeMap<usize, Range<usize>>,
-    /// Nodes that are hidden, by themselves or by one above them.
+    /// True for nodes that are hidden themselves or through an ancestor.
     is_hidden: Vec<bool>,
 }
 
@@ -42,7 +42,7 @@ impl Nodes<'_> {
     }
 }
 
-/// A node that waits for its turn, and the place of its parent.
+/// A pending node, and the index of its parent.
 type Waiting<'a> = (Node<'a>, Option<usize>);
 
 pub(super) fn read<'a>(document: &'a Document, buffers: &[Vec<u8>]) -> Result<Nodes<'a>, String> {
@@ -104,7 +104,7 @@ pub(super) fn read<'a>(document: &'a Document, buffers: &[Vec<u8>]) -> Result<No
         found.nodes.push(node);
     }
     for (place, node) in found.nodes.iter().enumerate() {
-        // A skin takes a mesh to its joints, wherever its node is.
+        // A skinned mesh follows its joints, wherever its node is.
         if node.skin().is_some() {
             continue;
         }
@@ -161,7 +161,7 @@ fn local(node: &Node<'_>) -> (DAffine3, Option<NodeTransform>) {
 const SHEAR: f64 = 1e-5;
 
 fn apart(matrix: DAffine3) -> Option<NodeTransform> {
-    // A matrix that flattens has no rotation to be found.
+    // A singular matrix has no defined rotation.
     if matrix.matrix3.determinant().abs() <= 0.0 || !matrix.is_finite() {
         return None;
     }

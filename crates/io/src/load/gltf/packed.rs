@@ -1,8 +1,8 @@
-//! Decompression of data before anything is read: buffer views by `EXT_meshopt_compression` and its successor
-//! `KHR_meshopt_compression`, primitives by `KHR_draco_mesh_compression`. Views and accessors then lie in buffers of their own, so that
+//! Decompression that runs before all other reading: buffer views by `EXT_meshopt_compression` and its successor
+//! `KHR_meshopt_compression`, primitives by `KHR_draco_mesh_compression`. The results are put into new buffers, so that
 //! readers need no special case.
 //!
-//! The unpacked size is limited as for archives: to a multiple of the packed size.
+//! The unpacked size is limited as for archives, to a multiple of the packed size.
 
 use gltf::json::buffer::{Buffer, View};
 use gltf::json::validation::USize64;
@@ -17,7 +17,7 @@ use crate::load::input_file::most_unpacked;
 pub(super) const MESHOPT: [&str; 2] = ["EXT_meshopt_compression", "KHR_meshopt_compression"];
 pub(super) const DRACO: &str = "KHR_draco_mesh_compression";
 
-/// The buffers of a document that hold nothing of their own: what refers to them is packed elsewhere.
+/// True for buffers without data of their own, whose views are packed in other buffers.
 pub(super) fn is_stand_in(root: &Root) -> Vec<bool> {
     let mut is_named = vec![false; root.buffers.len()];
     let mut is_needed = vec![false; root.buffers.len()];
@@ -40,7 +40,7 @@ pub(super) fn is_stand_in(root: &Root) -> Vec<bool> {
     both.map(|(named, needed)| *named && !needed).collect()
 }
 
-/// Unpacks all views and primitives; what comes out is in buffers that are added.
+/// Unpacks all views and primitives into new buffers.
 pub(super) fn unpack(root: &mut Root, buffers: &mut Vec<Vec<u8>>) -> Result<(), String> {
     let packed = buffers.iter().map(|b| b.len() as u64).sum();
     let mut room = Room(most_unpacked(packed));
@@ -73,19 +73,19 @@ pub(super) fn unpack(root: &mut Root, buffers: &mut Vec<Vec<u8>>) -> Result<(), 
     Ok(())
 }
 
-/// Bytes that may still be unpacked.
+/// Number of bytes that may still be unpacked.
 pub(super) struct Room(pub(super) u64);
 
 impl Room {
     pub(super) fn take(&mut self, bytes: usize) -> Result<(), String> {
         self.0 = self.0.checked_sub(bytes as u64).ok_or(
-            "it unpacks to more bytes than are read for a file of its size: unpack it by another program",
+            "it unpacks to more bytes than are accepted for a file of its size: unpack it with another program",
         )?;
         Ok(())
     }
 }
 
-/// Puts bytes into a buffer of their own.
+/// Adds a buffer with these bytes.
 fn add_buffer(root: &mut Root, buffers: &mut Vec<Vec<u8>>, bytes: Vec<u8>) -> Index<Buffer> {
     let buffer = Index::new(buffers.len() as u32);
     root.buffers.push(Buffer {
@@ -99,7 +99,7 @@ fn add_buffer(root: &mut Root, buffers: &mut Vec<Vec<u8>>, bytes: Vec<u8>) -> In
     buffer
 }
 
-/// Puts bytes into a buffer and a view of their own.
+/// Adds a buffer with these bytes, and its view.
 pub(super) fn add_view(root: &mut Root, buffers: &mut Vec<Vec<u8>>, bytes: Vec<u8>) -> Index<View> {
     let byte_length = USize64::from(bytes.len());
     let buffer = add_buffer(root, buffers, bytes);
@@ -117,7 +117,7 @@ pub(super) fn add_view(root: &mut Root, buffers: &mut Vec<Vec<u8>>, bytes: Vec<u
     view
 }
 
-/// The bytes of a range of a buffer.
+/// Returns a byte range of a buffer.
 pub(super) fn range(
     buffers: &[Vec<u8>],
     buffer: usize,

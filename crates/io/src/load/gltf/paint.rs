@@ -1,5 +1,5 @@
-//! Appearance of a glTF primitive: base colour and its image, and colours of vertices. Wrapping is always a repeat.
-//! Texture coordinates are moved and scaled by `KHR_texture_transform`; a rotation by it is passed over, with a note.
+//! Appearance of a glTF primitive: base colour and its image, and vertex colours. Wrapping is always a repeat.
+//! Texture coordinates are translated and scaled by `KHR_texture_transform`; its rotation is ignored, with a note.
 
 use cutaway::scene::{map_channels, srgb_from_linear};
 use glam::{Vec2, Vec3};
@@ -13,7 +13,7 @@ use super::super::painted::{Paint, PaintedTriangle};
 use super::accessor::{COLORS, COLORS_WITH_ALPHA, PLACES, check};
 use super::images::Images;
 
-/// The paint of a primitive.
+/// Reads the paint of a primitive.
 pub(super) fn of(primitive: &Primitive<'_>, images: &mut Images<'_>) -> Paint {
     let material = primitive.material();
     let texture = material.pbr_metallic_roughness().base_color_texture();
@@ -24,7 +24,7 @@ pub(super) fn of(primitive: &Primitive<'_>, images: &mut Images<'_>) -> Paint {
     }
 }
 
-/// Adds what is known of the corners of triangles of a group. What is wrong with it becomes a note: it only paints.
+/// Adds the corner attributes of a group's triangles. A fault becomes a note, because it affects only the paint.
 pub(super) fn triangles(
     (group, primitive): (u32, &Primitive<'_>),
     triangles: &[[u32; 3]],
@@ -79,7 +79,7 @@ pub(super) fn triangles(
     if transform.is_some_and(|transform| transform.rotation() != 0.0) {
         notes.push("shown without the rotation of KHR_texture_transform".into());
     }
-    // Those that lack some vertices are no use.
+    // Coordinates that are missing for some vertices are not used.
     let places = places.filter(|all| all.len() >= vertices);
     let colors = colors.filter(|all| all.len() >= vertices);
     painted.extend(triangles.iter().map(|t| PaintedTriangle {
@@ -89,7 +89,7 @@ pub(super) fn triangles(
     }));
 }
 
-/// Factor that restores a coordinate which the reader has normalized: integers without `normalized`, as in
+/// Factor that undoes the reader's normalization of a coordinate: integers without `normalized`, as in
 /// `KHR_mesh_quantization`, are used unscaled.
 fn stored_unit(accessor: &Accessor<'_>) -> f32 {
     match accessor.data_type() {
@@ -99,7 +99,7 @@ fn stored_unit(accessor: &Accessor<'_>) -> f32 {
     }
 }
 
-/// The base colour as sRGB. A textured material with a white factor says nothing about its colour.
+/// The base colour as sRGB; `None` for a textured material with a white factor, which defines no colour of its own.
 fn color(primitive: &Primitive<'_>) -> Option<Vec3> {
     let material = primitive.material();
     material.index()?;

@@ -1,4 +1,4 @@
-//! The triangles of a glTF mesh: all its primitives as groups of one draft, with what can move their vertices.
+//! The triangles of a glTF mesh: all primitives as groups of one draft, with the motion of their vertices.
 
 use glam::{DVec3, Vec3};
 use gltf::material::AlphaMode;
@@ -92,7 +92,7 @@ pub(super) fn draft(
     let first = targets.next().unwrap_or(0);
     if targets.any(|more| more != first) {
         notes.push(
-            "its primitives differ in their number of morph targets: what is missing stays".into(),
+            "its primitives differ in their number of morph targets: vertices without a target stay".into(),
         );
     }
     draft.mesh.corner_normals = normals;
@@ -149,7 +149,7 @@ fn triangles(
         },
         _ if !corners.len().is_multiple_of(3) => {
             return Err(format!(
-                "{} indices are no whole number of triangles",
+                "the index count {} is not a multiple of 3",
                 corners.len()
             ));
         }

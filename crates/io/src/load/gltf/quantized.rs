@@ -1,5 +1,5 @@
-//! Triples of numbers: floating-point ones, or whole ones as `KHR_mesh_quantization` has them, as they are or as shares of the greatest.
-//! Rotations likewise.
+//! Number triples: floating-point, or integers as in `KHR_mesh_quantization`, normalized or not.
+//! Rotations are read the same way.
 
 use glam::DQuat;
 use gltf::Accessor;
@@ -35,12 +35,12 @@ fn whole<T: Item + Copy + Into<f64>>(
     Ok(triples.into_iter().map(|t| t.map(number)).collect())
 }
 
-/// A whole number as a share of the greatest of its type; the least of signed types is -1, too.
+/// Converts a normalized integer to a fraction of its type's largest value; the smallest value of a signed type also maps to -1.
 pub(super) fn share<T: Into<f64>>(number: T, most: T) -> f64 {
     (number.into() / most.into()).max(-1.0)
 }
 
-/// The rotations of an accessor; whole numbers are shares of the greatest.
+/// The rotations in an accessor; integers are normalized.
 pub(super) fn rotations(accessor: Accessor<'_>, buffers: &[Vec<u8>]) -> Result<Vec<DQuat>, String> {
     match accessor.data_type() {
         DataType::I8 => shares(accessor, buffers, i8::MAX),

@@ -1,4 +1,4 @@
-//! Skins of glTF: joints with their inverse bind matrices, and what pulls at each vertex.
+//! glTF skins: joints with their inverse bind matrices, and the joint influences on each vertex.
 
 use std::collections::BTreeSet;
 
@@ -9,10 +9,10 @@ use gltf::{Document, Primitive, Semantic, Skin};
 use super::accessor::{JOINTS, MAT4, WEIGHTS, check, items};
 use super::nodes::Nodes;
 
-/// Influences on each vertex: joint and weight, up to four per set.
+/// Joint influences on each vertex: joint and weight, up to four per set.
 pub(super) type Pulls = Vec<(u16, f32)>;
 
-/// The skins of a file, or why one cannot be used.
+/// Reads the skins of a file; an unusable skin is an error message.
 pub(super) fn read(
     document: &Document,
     nodes: &Nodes<'_>,
@@ -56,10 +56,10 @@ fn one(skin: &Skin<'_>, nodes: &Nodes<'_>, buffers: &[Vec<u8>]) -> Result<RigSki
     Ok(skin)
 }
 
-/// A joint whose matrix has less volume than this, as a share of what its columns could span, flattens what it pulls.
+/// Ratio of a matrix's determinant to the volume that its columns could span, below which its joint flattens the vertices it influences.
 const FLAT: f64 = 1e-12;
 
-/// Notes on joints that flatten what they pull at rest.
+/// Notes on joints that flatten the vertices they influence in the rest pose.
 pub(super) fn flat_joints(rig: &Rig) -> Vec<String> {
     let is_flat = |joint: &DAffine3| {
         let m = joint.matrix3;
@@ -69,13 +69,13 @@ pub(super) fn flat_joints(rig: &Rig) -> Vec<String> {
     let flat = |skin: usize| {
         let joint = rig.palette(skin, None).iter().position(is_flat)?;
         Some(format!(
-            "skin {skin}: joint {joint} flattens what it pulls: what follows it alone has no volume"
+            "skin {skin}: joint {joint} flattens its vertices: those that follow only this joint have no volume"
         ))
     };
     (0..rig.skins.len()).filter_map(flat).collect()
 }
 
-/// A 4 x 4 matrix as an item of an accessor.
+/// A 4 x 4 matrix as an accessor item.
 struct Columns([[f32; 4]; 4]);
 
 impl gltf::accessor::Item for Columns {
@@ -96,8 +96,8 @@ pub(super) fn pulls_at(mesh: &gltf::Mesh<'_>) -> bool {
     mesh.primitives().any(is_pulled)
 }
 
-/// The pulls on every vertex of a primitive, in the order of the file, as many as there are vertices or none. Lists that
-/// are not as long as the positions are an error; a half of a set is passed over with a note.
+/// The joint influences on every vertex of a primitive, in file order; empty if it has none. A list whose length differs
+/// from the number of positions is an error; joints without weights, or the reverse, are ignored with a note.
 pub(super) fn pulls(
     primitive: &Primitive<'_>,
     vertices: usize,

@@ -1,6 +1,6 @@
-//! Solids that a file tears into several nodes: open meshes that stand still and close each other become one part.
+//! Solids that a file splits across several nodes: static open meshes that close each other become one part.
 //!
-//! Edges are equal if their ends are equal in f32. Meshes that do not close together with those they share edges with stay unchanged.
+//! Edges are equal if their ends are equal in f32. A set of meshes connected by shared edges is only joined if the result is closed.
 //!
 //! Cost: one sort of the open edges of all parts.
 
@@ -14,10 +14,10 @@ use glam::{DAffine3, Vec3};
 
 use super::super::Placed;
 
-/// An end of an edge: its coordinates in f32.
+/// An end of an edge: its f32 coordinates as bits.
 type End = [u32; 3];
 
-/// The parts, with those that make one solid joined.
+/// Returns the parts after joining those that form one solid.
 pub(super) fn joined(placed: Vec<Placed>, notes: &mut Vec<String>) -> Vec<Placed> {
     let mut open: Vec<([End; 2], u32)> = Vec::new();
     for (number, part) in (0..).zip(&placed) {
@@ -43,7 +43,7 @@ pub(super) fn joined(placed: Vec<Placed>, notes: &mut Vec<String>) -> Vec<Placed
         let name = whole.name.as_deref().unwrap_or("a part");
         let count = set.len();
         notes.push(format!(
-            "{count} nodes make one part, {name}: they close each other's open edges"
+            "{count} nodes form one part, {name}: they close each other's open edges"
         ));
         set.iter().for_each(|i| parts[*i] = None);
         parts[set[0]] = Some(whole);
@@ -64,7 +64,7 @@ fn open_edges(part: &Placed) -> impl Iterator<Item = [End; 2]> {
     })
 }
 
-/// The pieces as one part in the world; none if it is not closed, or if the file says unlike things of them.
+/// Joins the pieces into one part in world space; `None` if the result is not closed, or if the pieces have different roles.
 fn whole(pieces: &[&Placed]) -> Option<Placed> {
     let first = pieces.first()?;
     if pieces.iter().any(|piece| piece.role != first.role) {
@@ -105,7 +105,7 @@ fn whole(pieces: &[&Placed]) -> Option<Placed> {
     })
 }
 
-/// The normals in the world, if all have them.
+/// The normals in world space, if all pieces have them.
 fn normals(pieces: &[&Placed]) -> Option<Vec<[Vec3; 3]>> {
     let mut all = Vec::new();
     for piece in pieces {
@@ -117,7 +117,7 @@ fn normals(pieces: &[&Placed]) -> Option<Vec<[Vec3; 3]>> {
     Some(all)
 }
 
-/// The vertex paints of all, where one has a vertex paint or their colours differ.
+/// The joint vertex paint, if any piece has one or the colours of the pieces differ.
 fn vertex_paint(pieces: &[&Placed]) -> Option<VertexPaint> {
     let is_plain =
         |piece: &&Placed| piece.mesh.vertex_paint.is_none() && piece.color == pieces[0].color;

@@ -1,4 +1,4 @@
-//! The bytes behind the URI of a glTF buffer or image: a data URI, or a file of the model's folder or below.
+//! The bytes behind the URI of a glTF buffer or image: a data URI, or a file in the model's folder or below.
 
 use std::path::{Path, PathBuf};
 
@@ -12,7 +12,7 @@ use crate::load::{Files, input_file};
 const BESIDE: &str =
     "keep the file in the folder of the model or below, and name it relative to the model";
 
-/// Reads the URI of something relative to the file `from`; a file that was read is added to `files`.
+/// Reads a URI relative to the file `from`; a file that was read is added to `files`.
 pub(super) fn read(
     from: &Path,
     (what, uri): (&str, &str),
@@ -51,7 +51,7 @@ pub(super) fn read(
     Ok(bytes.into_owned())
 }
 
-/// Why a name is not that of a file of the same folder or below, if it is not: a file from elsewhere must not choose what is read.
+/// Returns why a name is not allowed, unless it is a file in the same folder or below: a file from elsewhere must not choose what is read.
 pub(in crate::load) fn leads_away(name: &str) -> Option<&'static str> {
     let scheme = name.split_once(':').map(|(scheme, _)| scheme);
     let is_scheme = |s: &str| {
@@ -78,12 +78,12 @@ pub(in crate::load) fn leads_away(name: &str) -> Option<&'static str> {
     None
 }
 
-/// `%20` and the like; anything else stays.
+/// Decodes `%20` and similar escapes; invalid escapes are kept.
 pub(super) fn percent_decoded(text: &str) -> String {
     percent_decode_str(text).decode_utf8_lossy().into_owned()
 }
 
-/// Base64 of either alphabet, padded or not.
+/// Decodes base64 in either alphabet, with or without padding.
 fn from_base64(text: &str) -> Option<Vec<u8>> {
     const LENIENT: GeneralPurposeConfig = PAD_INDIFFERENT.with_decode_allow_trailing_bits(true);
     let alphabet = match text.contains(['-', '_']) {

@@ -1,6 +1,6 @@
-//! Grey TIFF files as heights: what elevation models are kept in, and what `image` does not read, floats and signed numbers.
+//! Grey TIFF files as heights: a usual format of elevation models, with float and signed samples that the `image` crate does not read.
 //!
-//! Floats are heights as they are; whole numbers are divided by the greatest of their type, so that signed ones reach from -1 to 1.
+//! Float samples are used as they are; integers are divided by the largest value of their type, so that signed ones range from -1 to 1.
 
 use std::io::Cursor;
 
@@ -11,12 +11,12 @@ use tiff::decoder::{Decoder, DecodingResult};
 /// Width and height in texels, and the heights row by row.
 pub(in crate::load) type Heights = ([u32; 2], Vec<f32>);
 
-/// The heights of a grey TIFF; none of one in colour, and the reason where it cannot be decoded.
+/// Decodes the heights of a grey TIFF; `None` for a TIFF in colour. The error is the reason for a decoding failure.
 pub(in crate::load) fn read(bytes: &[u8]) -> Result<Option<Heights>, String> {
     let mut decoder = Decoder::new(Cursor::new(bytes)).map_err(|e| e.to_string())?;
     let (width, height) = decoder.dimensions().map_err(|e| e.to_string())?;
     match decoder.colortype().map_err(|e| e.to_string())? {
-        // One bit is packed, which `image` unpacks.
+        // One-bit samples are packed; `image` unpacks them.
         ColorType::Gray(1) => return Ok(None),
         ColorType::Gray(_) | ColorType::Multiband { num_samples: 1, .. } => {}
         ColorType::Multiband { num_samples, .. } => {
@@ -26,7 +26,7 @@ pub(in crate::load) fn read(bytes: &[u8]) -> Result<Option<Heights>, String> {
         }
         _ => return Ok(None),
     }
-    // Before it is decoded: a few bytes can state any size.
+    // The size is checked before decoding: a few bytes can state any size.
     if u64::from(width) * u64::from(height) > MAX_TEXELS {
         return Err(format!(
             "{width} x {height} is more than {MAX_TEXELS} texels"

@@ -1,8 +1,8 @@
 //! Offset maps from image files.
 //!
-//! Heights are data, not colours: integer samples are divided by their greatest value and nothing is linearised, so the
-//! sRGB curve of a PNG plays no part. Colour becomes luma (Rec. 709 weights), alpha is ignored. Float files (EXR, TIFF of
-//! 16, 32 or 64 bits) give their values as they are. The top row of the image is the row at `t = 0`, so `V` points down the picture.
+//! Heights are data, not colours: integer samples are divided by their largest possible value and not linearised, so the
+//! sRGB curve of a PNG has no effect. Colour becomes luma (Rec. 709 weights), alpha is ignored. Float samples (EXR, TIFF of
+//! 16, 32 or 64 bits) are used unchanged. The top row of the image is the row at `t = 0`, so `V` points down the picture.
 
 use std::io::Cursor;
 use std::path::Path;
@@ -23,11 +23,11 @@ pub fn read_offset_map(path: &Path) -> Result<OffsetMap> {
     read_offset_map_from(path, &Disk)
 }
 
-/// Reads an image as heights, from where a host has it.
+/// Reads an image as heights from a host's store.
 ///
 /// # Errors
 ///
-/// As of [`read_offset_map`]: a file that is not there or is no image of heights.
+/// The errors of [`read_offset_map`]: a file that is missing or is not a height image.
 pub fn read_offset_map_from(path: &Path, store: &dyn Files) -> Result<OffsetMap> {
     let bytes = input_file::read(path, store)?;
     let undecodable = |e: String| Error::file(path, format!("cannot be decoded: {e}"), FORMATS);
@@ -36,7 +36,7 @@ pub fn read_offset_map_from(path: &Path, store: &dyn Files) -> Result<OffsetMap>
         read_exr(path, &bytes)?
     } else {
         let mut reader = ImageReader::new(Cursor::new(&*bytes));
-        // Where the first bytes do not tell it.
+        // The name is used if the first bytes do not identify the format.
         if let Ok(by_name) = ImageFormat::from_path(path) {
             reader.set_format(by_name);
         }
@@ -79,7 +79,7 @@ fn heights(picture: &DynamicImage) -> Vec<f32> {
         DynamicImage::ImageLumaA16(i) => luma(i.as_raw(), 2, 65_535),
         DynamicImage::ImageRgb16(i) => luma(i.as_raw(), 3, 65_535),
         DynamicImage::ImageRgba16(i) => luma(i.as_raw(), 4, 65_535),
-        // Float pictures: the same weights, no division.
+        // Float images: the same weights, without division.
         other => other
             .to_rgb32f()
             .pixels()
@@ -96,7 +96,7 @@ fn heights(picture: &DynamicImage) -> Vec<f32> {
     }
 }
 
-/// Luma over the greatest value. Integer weights with one division at the end: a grey pixel gives the same height whether
+/// Luma divided by the largest value. Integer weights with one division at the end give a grey pixel the same height whether
 /// it is stored as grey or as RGB.
 fn luma<T: Copy + Into<u64>>(samples: &[T], channels: usize, greatest: u64) -> Vec<f32> {
     samples
@@ -113,7 +113,7 @@ fn luma<T: Copy + Into<u64>>(samples: &[T], channels: usize, greatest: u64) -> V
         .collect()
 }
 
-/// The first layer's Y, else its R, else its only channel.
+/// Reads the first layer's channel Y, else its R, else its only channel.
 fn read_exr(path: &Path, bytes: &[u8]) -> Result<([u32; 2], Vec<f32>)> {
     let image = exr::image::read::read()
         .no_deep_data()
@@ -122,7 +122,7 @@ fn read_exr(path: &Path, bytes: &[u8]) -> Result<([u32; 2], Vec<f32>)> {
         .first_valid_layer()
         .all_attributes()
         .from_buffered(Cursor::new(bytes))
-        .map_err(|e| Error::file(path, format!("is no readable EXR: {e}"), FORMATS))?;
+        .map_err(|e| Error::file(path, format!("is not a readable EXR: {e}"), FORMATS))?;
     let layer = image.layer_data;
     let channels = &layer.channel_data.list;
     let named = |name: &str| channels.iter().find(|c| c.name.eq_case_insensitive(name));
@@ -133,7 +133,7 @@ fn read_exr(path: &Path, bytes: &[u8]) -> Result<([u32; 2], Vec<f32>)> {
     let Some(channel) = named("Y").or_else(|| named("R")).or_else(only) else {
         let names: Vec<String> = channels.iter().map(|c| c.name.to_string()).collect();
         let what = format!(
-            "it is unclear which of the channels {} is the height",
+            "none of the channels {} is recognized as the height",
             names.join(", ")
         );
         return Err(Error::file(

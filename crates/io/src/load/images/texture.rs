@@ -1,4 +1,4 @@
-//! Textures from image files: 8 bits a channel, as they are written.
+//! Textures from image files, with 8 bits per channel and no colour conversion.
 
 use std::io::Cursor;
 use std::path::Path;
@@ -9,11 +9,11 @@ use image::{GenericImageView, ImageFormat, ImageReader, Limits};
 
 use crate::load::{Files, input_file};
 
-/// Reads an image as a texture, from where a host has it.
+/// Reads an image as a texture from a host's store.
 ///
 /// # Errors
 ///
-/// A file that is not there, that is no PNG, JPEG, TIFF, BMP, PNM or TGA, or that is larger than [`MOST_TEXELS_ALONG`] along a side.
+/// A file that is missing, that is not a PNG, JPEG, TIFF, BMP, PNM or TGA, or that is larger than [`MOST_TEXELS_ALONG`] along a side.
 pub fn read_texture_from(path: &Path, kind: TextureKind, store: &dyn Files) -> Result<Texture> {
     let bytes = input_file::read(path, store)?;
     let by_name = ImageFormat::from_path(path).ok();
@@ -25,7 +25,7 @@ pub fn read_texture_from(path: &Path, kind: TextureKind, store: &dyn Files) -> R
     })
 }
 
-/// Decodes the texture in the bytes of an image file. The bytes determine the format, or else the name. The error is in words.
+/// Decodes a texture from the bytes of an image file. The format comes from the bytes, or else from the name. The error is a message.
 pub(in crate::load) fn texture_of(
     bytes: &[u8],
     by_name: Option<ImageFormat>,
@@ -33,7 +33,7 @@ pub(in crate::load) fn texture_of(
 ) -> Result<Texture, String> {
     let undecodable = |e: &dyn std::fmt::Display| format!("cannot be decoded: {e}");
     let mut reader = ImageReader::new(Cursor::new(bytes));
-    // Where the first bytes do not tell it.
+    // The name is used if the first bytes do not identify the format.
     if let Some(format) = by_name {
         reader.set_format(format);
     }

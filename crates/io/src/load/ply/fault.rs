@@ -4,14 +4,14 @@ use std::io::ErrorKind;
 
 use ply_rs_bw::parser::ParseError;
 
-/// Error and its line.
+/// An error message and its line.
 pub(super) struct Fault {
     pub(super) line: Option<usize>,
     pub(super) what: String,
 }
 
 impl Fault {
-    /// The parser's complaint in one line.
+    /// The parser's error message in one line.
     pub(super) fn of(error: &ParseError) -> Self {
         let text = error.to_string();
         let text = match text.split_once(": ") {
@@ -24,7 +24,7 @@ impl Fault {
         }
     }
 
-    /// The parser's complaint about a header, with the line at fault.
+    /// The parser's error message about a header, with the faulty line.
     pub(super) fn in_header(error: &ParseError, header: &str) -> Self {
         match error.line() {
             Some(line) if error.kind() != ErrorKind::UnexpectedEof => {
@@ -40,7 +40,7 @@ impl Fault {
     pub(super) fn of_line(line: usize, text: &str) -> Self {
         Self {
             line: Some(line),
-            what: format!("`{}` is not what a PLY has here", shown(text.trim())),
+            what: format!("`{}` is not valid PLY here", shown(text.trim())),
         }
     }
 }

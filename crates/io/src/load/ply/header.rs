@@ -1,11 +1,11 @@
 //! The header of a PLY file, apart from its payload.
 //!
-//! A line of the header that begins with none of its words, nor with one misspelt, is read as the comment that it was meant to be: old
-//! versions of Blender wrote such lines. Blank lines are comments, too. Lines may end by LF, CR LF, or CR alone.
+//! A header line that does not begin with a header word, even a misspelt one, is treated as a comment: old
+//! versions of Blender wrote comments that way. Blank lines are comments, too. Lines may end with LF, CR LF, or CR alone.
 
 use std::path::Path;
 
-/// First words of the lines of a header.
+/// First words of header lines.
 const WORDS: [&str; 7] = [
     "ply",
     "format",
@@ -16,14 +16,14 @@ const WORDS: [&str; 7] = [
     "end_header",
 ];
 
-/// Bytes within which a header must end.
+/// Maximum header length in bytes.
 const LONGEST: usize = 1 << 20;
 
-/// A word that is as similar to one of [`WORDS`] is that word misspelt.
+/// Smallest similarity at which a word counts as a misspelling of one of [`WORDS`].
 const MISSPELT: f64 = 0.8;
 
-/// Header and payload; lines of the header end by LF, and those that nothing introduces have become comments, each on its line. Without
-/// an end of the header all is header.
+/// Splits a file into header and payload. Header lines end with LF, and unrecognized ones become comments in the same line. Without
+/// an end marker the whole file is header.
 pub(super) fn split<'a>(
     path: &Path,
     bytes: &'a [u8],
@@ -50,7 +50,7 @@ pub(super) fn split<'a>(
     (text, payload)
 }
 
-/// Length of the header in bytes, with the end of its last line.
+/// Length of the header in bytes, including its last line break.
 fn length(bytes: &[u8]) -> usize {
     const END: &[u8] = b"end_header";
     let head = &bytes[..bytes.len().min(LONGEST)];
@@ -58,7 +58,7 @@ fn length(bytes: &[u8]) -> usize {
     let Some(end) = (1..head.len()).find(is_at) else {
         return bytes.len();
     };
-    // Where LF ends no line before, the first byte of a payload may be one.
+    // If no earlier line ends with LF, an LF after `end_header` may be the first byte of the payload.
     let ends = if head[..end].contains(&b'\n') {
         b'\n'
     } else {

@@ -1,8 +1,8 @@
 //! PLY, ASCII and binary of either byte order; headers and binary elements through `ply-rs-bw`.
 //!
 //! Elements `vertex` (`x`, `y`, `z`, optionally `nx`, `ny`, `nz`; any number type; `red`, `green`, `blue` of
-//! `uchar`, `ushort`, `float` or `double`), `face` (`vertex_indices`, by whatever name; polygons become fans from their first corner) and
-//! `tristrips` (strips of triangles, which a negative index ends). Other elements are parsed and dropped.
+//! `uchar`, `ushort`, `float` or `double`), `face` (`vertex_indices`, under any name; polygons become fans from their first corner) and
+//! `tristrips` (triangle strips, each ended by a negative index). Other elements are parsed and dropped.
 
 mod fault;
 mod header;
@@ -26,22 +26,22 @@ use super::{Draft, without_mark};
 use fault::Fault;
 use text::Words;
 
-/// The list of corners of a face, as it is called here.
+/// Name used here for the property that lists a face's corners.
 const CORNERS: &str = "vertex_indices";
 
-/// The element of triangle strips.
+/// Name of the triangle-strip element.
 const STRIPS: &str = "tristrips";
 
 const DAMAGED: &str = "the file is cut off, damaged or no PLY: export or download it again";
 
-/// Colours of vertices.
+/// Properties of vertex colours.
 const COLORS: [&str; 3] = ["red", "green", "blue"];
 
 #[derive(Debug, Default)]
 struct Vertex {
     at: DVec3,
     normal: Vec3,
-    /// sRGB, each in 0 to the greatest of its type, or in 0..=1.
+    /// sRGB, each channel from 0 to the largest value of its type, or in 0..=1.
     color: [u8; 4],
 }
 
@@ -50,17 +50,17 @@ struct PlyFace {
     corners: Corners,
 }
 
-/// The indices as the file types them: converting each list on its own would double the allocations.
+/// Indices in the integer type of the file: converting each list separately would double the allocations.
 #[derive(Debug)]
 enum Corners {
     Signed(Vec<i32>),
     Unsigned(Vec<u32>),
-    /// Numbers that are not whole.
+    /// Indices that are not whole numbers.
     Broken,
 }
 
 impl Corners {
-    /// Some programs type indices as floating-point numbers.
+    /// Some programs store indices as floating-point numbers.
     fn of_floats(all: impl Iterator<Item = f64>) -> Self {
         let whole = |n: f64| (n == f64::from(n as i32)).then_some(n as i32);
         all.map(whole)
@@ -150,7 +150,7 @@ impl PropertyAccess for Ignored {
     }
 }
 
-/// Elements of a mesh, and flags that its vertices have complete normals and complete colours.
+/// Elements of a mesh, and flags that are true if the vertices have complete normals and complete colours.
 #[derive(Default)]
 struct Elements {
     vertices: Vec<Vertex>,
@@ -160,7 +160,7 @@ struct Elements {
     has_colors: bool,
 }
 
-/// Source of the elements, in the order of the header.
+/// Source of the elements, in header order.
 enum Source<'a, 'b, R: BufRead> {
     Binary(&'a mut Reader<R>, &'a Header),
     Text(&'a mut Words<'b>),
@@ -234,8 +234,8 @@ pub(super) fn read(path: &Path, bytes: &[u8], notes: &mut Vec<String>) -> Result
     })
 }
 
-/// Gives the list of corners of a face or strip the name that it has here. Programs call it `vertexIndices` and more; where no name is
-/// known, it is the only list.
+/// Renames the property that lists the corners of a face or strip to the name used here. Programs call it `vertexIndices` and other names;
+/// if no known name is found, the only list property is used.
 fn name_corner_list(element: &mut ElementDef) {
     if element.name != "face" && element.name != STRIPS {
         return;
@@ -270,7 +270,7 @@ fn has(element: &ElementDef, property: &str) -> bool {
     element.properties.iter().any(|(name, _)| name == property)
 }
 
-/// Refuses what would be read as nothing: an element without properties takes no bytes however often it is stated.
+/// Refuses elements that would be read as nothing: an element without properties takes no bytes, whatever its stated count.
 fn check(path: &Path, element: &ElementDef) -> Result<()> {
     let missing = match element.name.as_str() {
         "vertex" => ["x", "y", "z"].into_iter().find(|n| !has(element, n)),
@@ -324,11 +324,11 @@ fn mesh_of(path: &Path, read: &Elements) -> Result<Mesh> {
                 _ => [w[1], w[0], w[2]],
             });
             let strip = strip.map(|t| t.map(|i| i as u32));
-            // A corner is repeated to go on elsewhere.
+            // Strips are joined by degenerate triangles with repeated corners.
             triangles.extend(strip.filter(has_three));
         }
     }
-    // Out of range indices are for the door to refuse by number; only then is it safe to look normals up.
+    // Out-of-range indices are refused by the later mesh check; normals are only looked up if all indices are in range.
     let in_range = triangles
         .iter()
         .flatten()
@@ -356,7 +356,7 @@ fn mesh_of(path: &Path, read: &Elements) -> Result<Mesh> {
     })
 }
 
-/// The triangles of a polygon, from its first corner.
+/// Splits a polygon into a triangle fan from its first corner.
 fn fan<T: Copy>(corners: &[T], index: impl Fn(T) -> u32, triangles: &mut Vec<[u32; 3]>) {
     if let [first, rest @ ..] = corners {
         let fan = rest.windows(2).map(|w| [*first, w[0], w[1]].map(&index));

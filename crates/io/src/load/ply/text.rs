@@ -1,7 +1,7 @@
 //! The elements of an ASCII PLY.
 //!
-//! Each is a line, as the format orders it; blank lines are passed over. Where that does not come out, elements are runs of words whatever
-//! the lines, and all words must be used.
+//! Each element is a line, as the format requires; blank lines are ignored. If this fails, elements are read as runs of words regardless of
+//! lines, and all words must be used.
 
 use std::str::SplitAsciiWhitespace;
 
@@ -12,10 +12,10 @@ use ply_rs_bw::ply::{
 use super::Fault;
 use crate::load::lines::{Lines, lines};
 
-/// Room that is made on the word of a header alone.
+/// Maximum capacity reserved from a count in the header alone.
 const MOST_RESERVED: usize = 1 << 16;
 
-/// The words of a payload, each in its line.
+/// The words of a payload, grouped by line.
 #[derive(Clone)]
 pub(super) struct Words<'a> {
     lines: Lines<'a>,
@@ -26,7 +26,7 @@ pub(super) struct Words<'a> {
     by_line: bool,
 }
 
-/// Reads a payload after `lines_before` lines, by lines or else by words. Errors refer to the reading by lines.
+/// Reads a payload that follows `lines_before` lines: by lines, or else by words. Errors refer to the attempt by lines.
 pub(super) fn in_either_layout<T>(
     text: &str,
     lines_before: usize,
@@ -81,7 +81,7 @@ impl<'a> Words<'a> {
         Ok(all)
     }
 
-    /// Goes on to the next line with words.
+    /// Advances to the next line with words.
     fn next_line(&mut self) -> bool {
         for line in self.lines.by_ref() {
             self.number += 1;
@@ -105,7 +105,7 @@ impl<'a> Words<'a> {
         }
     }
 
-    /// The next value; none where there is none of this type.
+    /// The next value; `None` if the next word is not of this type.
     fn value(&mut self, kind: &PropertyType) -> Option<Property> {
         use ScalarType as Of;
         let (length, kind) = match kind {
@@ -149,7 +149,7 @@ fn finite(word: &str) -> Option<f64> {
     word.parse().ok().filter(|n: &f64| n.is_finite())
 }
 
-/// A whole number, however it is written: 3, or 3.0.
+/// Parses a whole number, written as 3 or 3.0.
 fn whole(word: &str) -> Option<i64> {
     let of_float = || finite(word).filter(|n| n.fract() == 0.0).map(|n| n as i64);
     word.parse().ok().or_else(of_float)

@@ -1,7 +1,7 @@
-//! The vertices and triangles of an object, and which properties its triangles have.
+//! The vertices and triangles of an object, and the properties of its triangles.
 //!
-//! Numbers are read as f64. A triangle names vertices that stand before it, as the format orders them, so that a wrong index is known
-//! with its line. What else a mesh holds, sets of triangles for instance, changes nothing about it and is passed over.
+//! Numbers are read as f64. The format requires vertices before triangles, so a wrong index is reported
+//! with its line. Other content of a mesh, such as triangle sets, does not affect its shape and is ignored.
 
 use cutaway::error::Result;
 use cutaway::scene::Mesh;
@@ -9,10 +9,10 @@ use glam::DVec3;
 
 use super::xml::{Element, Space, Xml, shortened};
 
-/// In the place of a number: there is none.
+/// Marks a missing index.
 pub(super) const NONE: u32 = u32::MAX;
 
-/// Properties of a triangle: their group, and one for each corner.
+/// Properties of a triangle: the group, and an index for each corner.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Assigned {
     pub(super) group: u32,
@@ -23,13 +23,13 @@ pub(super) struct Assigned {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Geometry {
     pub(super) mesh: Mesh,
-    /// For each triangle.
+    /// Properties per triangle.
     pub(super) assigned: Vec<Assigned>,
     /// True if the mesh has beams in addition to the triangles.
     pub(super) has_beams: bool,
 }
 
-/// Reads a `<mesh>` that was opened.
+/// Reads a `<mesh>` element that is open.
 pub(super) fn read(xml: &mut Xml<'_>) -> Result<Geometry> {
     let mut geometry = Geometry::default();
     while let Some(element) = xml.child()? {
@@ -56,7 +56,7 @@ pub(super) fn read(xml: &mut Xml<'_>) -> Result<Geometry> {
 }
 
 impl Geometry {
-    /// Keeps triangles by their numbers.
+    /// Keeps only the triangles whose index is wanted.
     pub(super) fn keep(&mut self, wanted: impl Fn(usize) -> bool) {
         let mut numbers = 0..self.mesh.triangles.len();
         self.mesh

@@ -1,16 +1,16 @@
 //! 3MF: the core specification, the production extension, and the colours of the materials extension.
 //!
-//! The package relationships name the root model. Each mesh at each place in its build becomes a part, through nested components and
-//! through other models of the package. Only built objects are used. Non-solid objects are left out with a note: supports, surfaces,
-//! others, and those that slicers mark as regions or as volumes to subtract ([`slicer`]). Numbers keep the unit of the file, which is
+//! The package relationships name the root model. Each mesh becomes a part at each of its placements in the build, through nested
+//! components and other models of the package. Only built objects are used. Non-solid objects are left out with a note: supports, surfaces,
+//! others, and those that slicers mark as regions or as volumes to subtract ([`slicer`]). Coordinates keep the unit of the file, which is
 //! reported if it is not the millimetre. Another model of the same package is scaled to the unit of the first.
 //!
-//! An extension that the file requires and that gives shapes without triangles is refused by name: slices, beams, boolean operations,
-//! functions of space, displacement, encryption. Where one is not required, the triangles are what is shown, with a note of beams.
-//! An image that cannot be read is a note.
+//! A required extension that defines shapes without triangles is an error that names it: slices, beams, boolean operations,
+//! volumetric functions, displacement, encryption. If the extension is optional, the triangles are shown, with a note about beams.
+//! An unreadable image becomes a note.
 //!
-//! Cost: the text of each model part and the data built from it, in memory one part after the other; each image once; one mesh for all of
-//! its places.
+//! Cost: the text of each model part and the data built from it, in memory one part after the other; each image once; one mesh for all
+//! placements.
 
 mod mesh;
 mod model;
@@ -37,19 +37,19 @@ use package::Package;
 use slicer::{Use, Uses};
 use xml::shortened;
 
-/// Objects in objects.
+/// Maximum nesting depth of objects.
 const MOST_DEPTH: usize = 64;
 
-/// Most objects that a build comes to: components of components can be more than a machine can hold.
+/// Maximum number of objects in a build: nested components can multiply beyond any memory.
 const MOST_OBJECTS: usize = 1 << 16;
 
 const BUILD: &str =
     "export it with solid objects: supports, surfaces, points and lines are not cut";
 
-/// An object of a package: the name of its part, which is empty for the first model, and its number.
+/// An object of a package: the name of its package part, which is empty for the first model, and its number.
 type Key = (String, u32);
 
-/// The solids of a package, and the unit that their numbers are in.
+/// Reads the solids of a package, and the unit of their coordinates.
 pub(super) fn read(
     path: &Path,
     bytes: &[u8],
@@ -84,14 +84,14 @@ pub(super) fn read(
     if reader.placed.is_empty() {
         return Err(Error::file(
             path,
-            "nothing that it builds is a solid with triangles",
+            "its build contains no solid with triangles",
             BUILD,
         ));
     }
     Ok((reader.placed, unit))
 }
 
-/// A mesh that is shown somewhere.
+/// A solid that is shown in at least one place.
 #[derive(Clone)]
 struct ShownSolid {
     mesh: Arc<Mesh>,
@@ -104,15 +104,15 @@ struct Reader<'a> {
     path: &'a Path,
     package: Package<'a>,
     uses: Uses,
-    /// The name of the first model's part.
+    /// Name of the package part with the first model.
     first: String,
     models: BTreeMap<String, Model>,
     /// Solids built from objects so far; `None` for objects without triangles.
     solids: BTreeMap<Key, Option<ShownSolid>>,
-    /// Objects that were come to, with those that were come to before.
+    /// Number of objects visited, including repeated visits.
     objects: usize,
     placed: Vec<Placed>,
-    /// Labels of objects, and what is said of them.
+    /// Labels of objects, and notes about them.
     of_objects: Vec<(String, String)>,
     notes: Vec<String>,
 }
@@ -120,7 +120,7 @@ struct Reader<'a> {
 /// Path to an object.
 #[derive(Clone, Copy)]
 struct Way<'a> {
-    /// The objects that it is in, from the outermost.
+    /// The enclosing objects, outermost first.
     around: &'a [Key],
     part_number: Option<&'a str>,
     world_from_outer: DAffine3,
@@ -130,7 +130,7 @@ impl Reader<'_> {
     fn build(&mut self) -> Result<()> {
         let root = self.models.get_mut("");
         let Some(items) = root.and_then(|root| root.items.take()) else {
-            let what = "its model does not say what it builds: it has no <build>";
+            let what = "its model has no <build>";
             return Err(Error::file(self.path, what, xml::DAMAGED));
         };
         for item in &items {
@@ -144,7 +144,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// Follows a reference that stands in the model of this part.
+    /// Follows a reference in the model of package part `from`.
     fn follow(&mut self, from: &str, reference: &Reference, way: Way<'_>) -> Result<()> {
         let part = match &reference.part {
             Some(part) if is_same(part, &self.first) => String::new(),
@@ -171,7 +171,7 @@ impl Reader<'_> {
         self.objects += 1;
         if self.objects > MOST_OBJECTS {
             return Err(wrong(format!(
-                "its build comes to more than {MOST_OBJECTS} objects"
+                "its build has more than {MOST_OBJECTS} objects"
             )));
         }
         if let Some(at) = way.around.iter().position(|outer| *outer == key) {
@@ -191,7 +191,7 @@ impl Reader<'_> {
         }
         if !world_from_object.is_finite() {
             return Err(wrong(format!(
-                "the transforms of object {id} are not finite together"
+                "the combined transform of object {id} is not finite"
             )));
         }
         let model = self.models.get_mut(&key.0);
@@ -209,7 +209,7 @@ impl Reader<'_> {
         }
         match &mut object.shape {
             ObjectGeometry::Components(components) => {
-                // Put back when they were followed: what leads back here meanwhile is refused before it asks for them.
+                // Put back after the loop: a cycle back to this object is refused before its components are needed.
                 let components = std::mem::take(components);
                 let around = [way.around, std::slice::from_ref(&key)].concat();
                 let inner = Way {
@@ -260,7 +260,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Shows the mesh of an object.
+    /// Shows the mesh of an object at a placement.
     fn place(&mut self, key: Key, way: Way<'_>, world_from_part: DAffine3) -> Result<()> {
         let Some(model) = self.models.get_mut(&key.0) else {
             return Ok(());
@@ -315,7 +315,7 @@ impl Reader<'_> {
     }
 }
 
-/// A model of a package, with its images.
+/// Reads a model of a package, with its images.
 fn model_of(package: &mut Package<'_>, part: &str) -> Result<Model> {
     let mut model = Model::read(&package.read(part)?)?;
     let properties = &mut model.properties;
@@ -324,7 +324,7 @@ fn model_of(package: &mut Package<'_>, part: &str) -> Result<Model> {
     Ok(model)
 }
 
-/// The mesh of an object, which is taken from it: another place is served by what was made here.
+/// Builds the solid of an object, whose mesh is consumed; further placements reuse the result.
 fn solid(
     model: &mut Model,
     id: u32,
@@ -365,7 +365,7 @@ fn solid(
         ..Draft::default()
     };
     let path = model.path.join(label);
-    // One group is one solid.
+    // One group gives one solid.
     let solid = draft.into_solids(&path, notes)?.pop();
     Ok(solid.map(|solid| ShownSolid {
         mesh: Arc::new(solid.mesh),

@@ -1,8 +1,8 @@
-//! A model part: its unit, its objects with their properties, and what of them it builds.
+//! A model part: its unit, its objects with their properties, and its build.
 //!
-//! What is wrong within the mesh of an object is kept until something asks for that object, for only what is built has to be right. What
-//! would change which objects there are is refused at once: two of one number, an extension that the file requires and that gives shapes
-//! in another way than by triangles.
+//! An error in the mesh of an object is kept until that object is used, because only built objects have to be valid. Errors that
+//! affect the set of objects are reported at once: duplicate numbers, and a required extension that defines shapes
+//! without triangles.
 
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
@@ -37,7 +37,7 @@ pub(super) struct Object {
     pub(super) part_number: Option<String>,
     /// Type of the object: `model` is a solid.
     pub(super) kind: String,
-    /// Group and index of what its triangles have without properties of their own.
+    /// Group and index of the property of triangles without their own.
     pub(super) default: Option<(u32, u32)>,
     /// Use of the object in a slicer, if it is not a solid.
     pub(super) used_as: Option<Use>,
@@ -49,19 +49,19 @@ pub(super) struct Object {
 pub(super) enum ObjectGeometry {
     Mesh(Result<Geometry>),
     Components(Vec<Reference>),
-    /// The name of what there is in the place of both.
+    /// Name of the element found instead of a mesh or components.
     Other(Option<String>),
 }
 
-/// An item of the build or a component: an object somewhere.
+/// A build item or a component: an object with a transform.
 #[derive(Debug)]
 pub(super) struct Reference {
     pub(super) object: u32,
-    /// The part of the package that the object is in, if it is another.
+    /// The package part that contains the object, if it is another one.
     pub(super) part: Option<String>,
     pub(super) part_number: Option<String>,
     pub(super) outer_from_object: DAffine3,
-    /// The line of the model part that it is in.
+    /// Line of the reference in its model part.
     pub(super) line: usize,
 }
 
@@ -70,7 +70,7 @@ impl Model {
         let mut xml = Xml::new(&text.path, &text.text);
         let root = xml.root("model")?;
         if !root.is(Space::Core, "model") {
-            let what = "its <model> is not of the namespace of 3MF";
+            let what = "its <model> is not in the 3MF namespace";
             let help = "write xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\" into it, or export it again";
             return Err(root.error_with_help(what.to_owned(), help));
         }
@@ -116,10 +116,10 @@ impl Model {
             };
             model
                 .notes
-                .push(format!("passed over <{first}>{more}: no part of a mesh"));
+                .push(format!("passed over <{first}>{more}: not part of a mesh"));
         }
         for id in &model.properties.repeated {
-            let what = format!("properties {id} are given twice: the first are used");
+            let what = format!("properties {id} occur twice: the first are used");
             model.notes.push(what);
         }
         Ok(model)
@@ -146,7 +146,7 @@ impl Model {
     }
 }
 
-/// Refuses extensions that are required and not known.
+/// Refuses required extensions that are not supported.
 fn check_extensions(xml: &Xml<'_>, root: &Element<'_>) -> Result<()> {
     let required = root.value("requiredextensions")?.unwrap_or_default();
     for prefix in required.split_whitespace() {
@@ -164,16 +164,16 @@ fn check_extensions(xml: &Xml<'_>, root: &Element<'_>) -> Result<()> {
                 "differences, unions and intersections of meshes"
             }
             Space::Other if name.contains("/volumetric/") || name.contains("/implicit/") => {
-                "functions of space"
+                "volumetric functions"
             }
-            Space::Other if name.contains("/displacement/") => "meshes that images displace",
+            Space::Other if name.contains("/displacement/") => "meshes displaced by images",
             Space::Other if name.contains("/securecontent/") => "encrypted parts",
-            Space::Other => "things that are not known here",
+            Space::Other => "an extension that is not known here",
         };
         let name = shortened(&name);
         let what = format!("it requires the extension `{prefix}` ({name}): {shapes}");
         let help =
-            "export it as plain triangles: of 3MF, the core, materials and production are read";
+            "export it as plain triangles: of 3MF, only core, materials and production are read";
         return Err(root.error_with_help(what, help));
     }
     Ok(())
@@ -223,7 +223,7 @@ fn object(xml: &mut Xml<'_>, element: &Element<'_>) -> Result<(u32, Object)> {
     Ok((id, object))
 }
 
-/// The items of a build or the components of an object that was opened.
+/// The build items, or the components of an object, in the element that is open.
 fn references(xml: &mut Xml<'_>, name: &str) -> Result<Vec<Reference>> {
     let mut references = Vec::new();
     while let Some(element) = xml.child()? {
@@ -245,7 +245,7 @@ fn references(xml: &mut Xml<'_>, name: &str) -> Result<Vec<Reference>> {
     Ok(references)
 }
 
-/// Twelve numbers: three axes and a place, as rows in the file.
+/// Parses twelve numbers: three axes and a translation, each a row in the file.
 fn affine(element: &Element<'_>, text: &str) -> Result<DAffine3> {
     let mut numbers = [0.0; 12];
     let mut words = text.split_whitespace();
@@ -266,7 +266,7 @@ fn affine(element: &Element<'_>, text: &str) -> Result<DAffine3> {
         return Err(element.error("its transform is not finite"));
     }
     if affine.matrix3.determinant().abs() <= 0.0 {
-        return Err(element.error("its transform makes everything flat"));
+        return Err(element.error("its transform flattens the object"));
     }
     Ok(affine)
 }

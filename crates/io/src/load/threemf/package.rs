@@ -1,10 +1,10 @@
-//! The package of a 3MF file: a ZIP archive whose relationships say which of its parts is the model.
+//! The package of a 3MF file: a ZIP archive whose relationships name the model part.
 //!
-//! Content types are not looked at: a part is what the relationship or the path that leads to it says. Parts are found by their names,
-//! without regard to the case of ASCII letters, as the Open Packaging Conventions have it.
+//! Content types are ignored: the relationship or path that leads to a part defines its type. Part names are matched
+//! without regard to the case of ASCII letters, as in the Open Packaging Conventions.
 //!
-//! Nothing that the archive states about sizes is believed. All parts together may unpack to as much as a gzipped file of the archive's
-//! length may ([`input_file`]). Cost: the bytes of one part in memory at a time, and the images.
+//! Sizes stated by the archive are not trusted. All parts together may unpack to as much as a gzipped file of the archive's
+//! length may ([`input_file`]). Cost: the bytes of one part in memory at a time, plus the images.
 
 use std::collections::BTreeMap;
 use std::io::{Cursor, Read};
@@ -25,26 +25,26 @@ const MODEL: &str = "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmode
 
 const RELATIONSHIPS: &str = "_rels/.rels";
 
-/// Most texels of all images together: four of the largest.
+/// Maximum number of texels in all images together: four images of the largest size.
 const MOST_TEXELS: u64 = 4 * (MOST_TEXELS_ALONG as u64).pow(2);
 
-/// An archive that parts are read from.
+/// An archive from which parts are read.
 pub(super) struct Package<'a> {
     path: &'a Path,
     archive: ZipArchive<Cursor<&'a [u8]>>,
-    /// Most bytes of all parts.
+    /// Maximum number of bytes in all parts together.
     most: u64,
-    /// Bytes left of them.
+    /// Bytes still available for further parts.
     left: u64,
-    /// Images that were read, by the names of their parts, or what is wrong with them.
+    /// Images read so far, by part name, or the error of each.
     textures: BTreeMap<String, Result<Arc<Texture>, String>>,
     /// Texels left for further images.
     texels_left: u64,
 }
 
-/// A part.
+/// A part as text.
 pub(super) struct Text {
-    /// Its name behind that of the file.
+    /// Path of the file followed by the part name.
     pub(super) path: PathBuf,
     pub(super) text: String,
 }
@@ -64,7 +64,7 @@ impl<'a> Package<'a> {
         })
     }
 
-    /// The name of the part that the model begins with.
+    /// The name of the root model part.
     pub(super) fn model(&mut self) -> Result<String> {
         let relationships = self.read(RELATIONSHIPS)?;
         let mut xml = Xml::new(&relationships.path, &relationships.text);
@@ -92,25 +92,25 @@ impl<'a> Package<'a> {
                 Err(Error::file(&relationships.path, what, DAMAGED))
             }
             (_, count) => {
-                let what = format!("relationships lead to {count} 3D models, there can be one");
+                let what = format!("relationships lead to {count} 3D models, only one is allowed");
                 Err(Error::file(&relationships.path, what, DAMAGED))
             }
         }
     }
 
-    /// A part as text, if there is one.
+    /// Returns a part as text, if it exists.
     pub(super) fn read_if_there(&mut self, part: &str) -> Result<Option<Text>> {
         self.find(part).map(|_| self.read(part)).transpose()
     }
 
-    /// A part as text.
+    /// Returns a part as text.
     pub(super) fn read(&mut self, part: &str) -> Result<Text> {
         let (path, bytes) = self.bytes(part)?;
         let text = text_of(&path, bytes)?;
         Ok(Text { path, text })
     }
 
-    /// The name of a part behind that of the file, and its bytes.
+    /// Returns the path of the file followed by the part name, and the part's bytes.
     pub(super) fn bytes(&mut self, part: &str) -> Result<(PathBuf, Vec<u8>)> {
         let Some(index) = self.find(part) else {
             let what = format!("the package has no part {:?}", shortened(part));
@@ -124,7 +124,7 @@ impl<'a> Package<'a> {
         let read = entry.take(self.left + 1).read_to_end(&mut bytes);
         if bytes.len() as u64 > self.left {
             let what = format!("ZIP: its parts unpack to more than {} bytes", self.most);
-            let help = "if that is meant, pack it again with less compression, or split the model";
+            let help = "if intended, pack it again with less compression, or split the model";
             return Err(Error::file(&path, what, help));
         }
         read.map_err(|e| broken(&e))?;
@@ -132,7 +132,7 @@ impl<'a> Package<'a> {
         Ok((path, bytes))
     }
 
-    /// A part as an image, which is read once; what is wrong with it otherwise.
+    /// Returns a part as an image, which is read once, or the reason why it cannot be read.
     pub(super) fn texture(&mut self, part: &str) -> Result<Arc<Texture>, String> {
         let name = part.trim_start_matches('/').to_lowercase();
         if let Some(known) = self.textures.get(&name) {
@@ -177,7 +177,7 @@ impl<'a> Package<'a> {
     }
 }
 
-/// UTF-8, or UTF-16 by its mark.
+/// Decodes UTF-8, or UTF-16 with a byte order mark.
 fn text_of(path: &Path, bytes: Vec<u8>) -> Result<String> {
     let wrong = |what: &str| {
         Err(Error::file(
@@ -198,7 +198,7 @@ fn text_of(path: &Path, bytes: Vec<u8>) -> Result<String> {
         let pairs = bytes[2..].chunks_exact(2);
         let units = pairs.filter_map(|pair| pair.first_chunk().copied().map(of_unit));
         let text: std::result::Result<String, _> = char::decode_utf16(units).collect();
-        return text.or_else(|_| wrong("it is not the UTF-16 that it begins as"));
+        return text.or_else(|_| wrong("it begins as UTF-16 but is not valid UTF-16"));
     }
     let length = bytes.len();
     let marked = length - without_mark(&bytes).len();

@@ -1,9 +1,9 @@
 //! Colours: base materials, and the groups of the materials extension.
 //!
-//! A colour is sRGB, for each triangle or for each of its corners. Of a composite the material with the greatest share counts, of several
-//! properties at once the first place in an image, or else the first colour: they are not blended. Images are repeated, whatever their
+//! A colour is sRGB, per triangle or per corner. A composite uses its material with the greatest share; several
+//! properties on one triangle use the first texture coordinate, or else the first colour: they are not blended. Images repeat, whatever the
 //! tile style.
-//! What is wrong with a property leaves its triangles without a colour and is a note: the shape is right all the same.
+//! An invalid property leaves its triangles without a colour and adds a note, because the shape is not affected.
 
 use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, BTreeSet};
@@ -24,39 +24,39 @@ type Rgba = [u8; 4];
 /// A group of properties.
 #[derive(Clone, Debug)]
 enum Group {
-    /// Names and colours.
+    /// Names and colours of materials.
     Materials(Vec<(Option<String>, Option<Rgba>)>),
     Colors(Vec<Option<Rgba>>),
-    /// Indices into the materials of a group, one for each composite.
+    /// A group of materials, and the index of each composite's main material in it.
     Composites(u32, Vec<Option<u32>>),
-    /// Groups, and an index of each for each property.
+    /// Groups, and for each property its index in each group.
     Several(Vec<u32>, Vec<Vec<u32>>),
-    /// Texture coordinates in the image of this number; (0, 0) is its upper left.
+    /// Texture coordinates in the image with this number; (0, 0) is its upper left.
     Places(u32, Vec<Vec2>),
 }
 
 /// An image of the package.
 #[derive(Clone, Debug)]
 struct Image {
-    /// The name of its part.
+    /// Name of its package part.
     path: String,
     /// Decoded texture, if it could be read.
     texture: Option<Arc<Texture>>,
 }
 
-/// The properties of a model part by their numbers.
+/// The properties of a model part, by their numbers.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Properties {
     groups: BTreeMap<u32, Group>,
     images: BTreeMap<u32, Image>,
-    /// Numbers that are given twice.
+    /// Numbers that are used twice.
     pub(super) repeated: Vec<u32>,
 }
 
 /// Resolved property.
 enum Found<'a> {
     Color(Rgba, Option<&'a str>),
-    /// The number of an image, and where in it.
+    /// The number of an image, and the texture coordinate in it.
     Place(u32, Vec2),
     Missing,
 }
@@ -65,7 +65,7 @@ enum Found<'a> {
 #[derive(Debug, Default)]
 pub(super) struct Look {
     pub(super) vertex_paint: Option<VertexPaint>,
-    /// The colour of most triangles that have one colour.
+    /// The most common triangle colour.
     pub(super) color: Option<Vec3>,
     pub(super) materials: Vec<String>,
     pub(super) is_transparent: bool,
@@ -73,7 +73,7 @@ pub(super) struct Look {
 }
 
 impl Properties {
-    /// Reads an element of the resources that was opened, and closes it; whether it is one of properties.
+    /// Reads and closes an open resource element; returns true if it is a property element.
     pub(super) fn read(&mut self, xml: &mut Xml<'_>, element: &Element<'_>) -> Result<bool> {
         let [id, of, indices, groups] = element.values(["id", "matid", "matindices", "pids"])?;
         if element.is(Space::Material, "texture2d") {
@@ -119,7 +119,7 @@ impl Properties {
                     let number = text.trim().parse().ok().filter(|n: &f32| n.is_finite());
                     Ok(number.unwrap_or_default())
                 };
-                // Upwards in the file, downwards in rows of texels.
+                // V points up in the file, and down in rows of texels.
                 Ok(Vec2::new(number("u")?, 1.0 - number("v")?))
             })?;
             Group::Places(of, places)
@@ -135,7 +135,7 @@ impl Properties {
         Ok(true)
     }
 
-    /// Reads the images that have places, from where parts of the package are read by their names; what is wrong with some otherwise.
+    /// Reads the images that have texture coordinates; `read` returns a package part by its name. Returns the errors of unreadable images.
     pub(super) fn read_images(
         &mut self,
         read: &mut dyn FnMut(&str) -> std::result::Result<Arc<Texture>, String>,
@@ -155,7 +155,7 @@ impl Properties {
         notes
     }
 
-    /// The image of a triangle, where all of its corners have a place in the same, and the places.
+    /// The image of a triangle and the texture coordinates of its corners, if all corners lie in the same image.
     fn place(&self, found: &[Found<'_>; 3]) -> Option<(u32, [Vec2; 3])> {
         let Found::Place(image, _) = found[0] else {
             return None;
@@ -189,7 +189,7 @@ impl Properties {
                 };
                 let mut found_first = Found::Missing;
                 for (at, group) in groups.iter().enumerate() {
-                    // An index that is not given is the first.
+                    // A missing index means the first entry.
                     let index = indices.get(at).copied().unwrap_or_default();
                     let found = match self.groups.get(group) {
                         Some(Group::Composites(of, mains)) => {
@@ -210,7 +210,7 @@ impl Properties {
         }
     }
 
-    /// A property that is not made of others.
+    /// Resolves a property that does not combine others.
     fn plain(&self, group: u32, index: u32) -> Found<'_> {
         match self.groups.get(&group) {
             Some(Group::Materials(all)) => match all.get(index as usize) {
@@ -281,7 +281,7 @@ impl Properties {
         for (count, what) in [
             (
                 mixed,
-                "several materials or properties at once, of which one is shown",
+                "several materials or properties, of which one is shown",
             ),
             (textured, "a texture that is not there or cannot be read"),
             (missing, "a property that is not there or has no colour"),
@@ -300,7 +300,7 @@ impl Properties {
     }
 }
 
-/// The group of a triangle and an index for each corner, with what its object has where it says nothing.
+/// The property group of a triangle and an index for each corner; the object's default replaces missing ones.
 fn resolved(assigned: Assigned, default: Option<(u32, u32)>) -> (u32, [u32; 3]) {
     let (group, index) = default.unwrap_or((NONE, NONE));
     match (assigned.group, assigned.corners) {
@@ -310,7 +310,7 @@ fn resolved(assigned: Assigned, default: Option<(u32, u32)>) -> (u32, [u32; 3]) 
     }
 }
 
-/// Reads the children of this name in the element that was opened, and closes it.
+/// Reads the children with this name in the open element, and closes it.
 fn rows<T>(
     xml: &mut Xml<'_>,
     name: &str,
@@ -326,7 +326,7 @@ fn rows<T>(
     Ok(rows)
 }
 
-/// Numbers with blanks between them, as far as they are ones.
+/// Parses numbers separated by blanks, up to the first word that is not a number.
 fn numbers<T: std::str::FromStr>(text: &str) -> Vec<T> {
     let words = text.split_ascii_whitespace();
     words.map_while(|word| word.parse().ok()).collect()
@@ -336,7 +336,7 @@ fn vec3([r, g, b, _]: Rgba) -> Vec3 {
     Vec3::from([r, g, b].map(f32::from)) / 255.0
 }
 
-/// `#RRGGBB`, or with opacity `#RRGGBBAA`.
+/// Parses `#RRGGBB`, or `#RRGGBBAA` with opacity.
 fn rgba(text: &str) -> Option<Rgba> {
     let digits = text.trim().strip_prefix('#')?;
     let is_known = matches!(digits.len(), 6 | 8) && digits.bytes().all(|b| b.is_ascii_hexdigit());

@@ -1,11 +1,11 @@
-//! Uses of meshes that slicers write outside the model: modifier regions with their own settings, which are not solids, and meshes that are
+//! Mesh uses that slicers store outside the model: modifier regions with their own settings, which are not solids, and meshes that are
 //! subtracted from the ones they overlap.
 //!
-//! PrusaSlicer and its kin write all volumes of an object into one mesh, and which triangles are of which volume into a file of the package.
-//! Bambu Studio and OrcaSlicer write objects of components, and the use of each component. Cura writes its settings of an object into the
-//! object: as metadata, older versions as `settings`.
+//! PrusaSlicer and its relatives write all volumes of an object into one mesh, and the triangle range of each volume into a package file.
+//! Bambu Studio and OrcaSlicer write objects with components, and the use of each component. Cura writes its settings into the
+//! object: as metadata, or in older versions as `settings`.
 //!
-//! Neither is shown: a region is no solid, and taking one solid away from another is not done here. Each is a note.
+//! Neither kind is shown: a region is not a solid, and solids are not subtracted from each other. Each becomes a note.
 
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
@@ -15,7 +15,7 @@ use cutaway::error::Result;
 use super::package::{Package, Text};
 use super::xml::{Element, Xml};
 
-/// Package parts in which slicers write the uses.
+/// Package parts in which slicers write mesh uses.
 const PARTS: [&str; 2] = [
     "Metadata/Slic3r_PE_model.config",
     "Metadata/model_settings.config",
@@ -43,7 +43,7 @@ impl Use {
             .map(|(_, of)| of)
     }
 
-    /// By the name of a setting of Cura that is on.
+    /// Maps the name of an enabled Cura setting to a use.
     fn of_setting(name: &str) -> Option<Self> {
         match name.rsplit(':').next().unwrap_or_default() {
             "infill_mesh" | "cutting_mesh" => Some(Self::Modifier),
@@ -65,19 +65,19 @@ impl Use {
             }
             Self::Support => {
                 format!(
-                    "left out {what}, which the slicer enforces or blocks supports in: a region, not a solid"
+                    "left out {what}, where the slicer enforces or blocks supports: a region, not a solid"
                 )
             }
         }
     }
 }
 
-/// Uses of meshes of the first model, by the numbers of its objects.
+/// Uses of meshes of the first model, by object number.
 #[derive(Debug, Default)]
 pub(super) struct Uses {
-    /// Uses of triangles of an object.
+    /// Uses of the triangles of an object.
     pub(super) of_triangles: BTreeMap<u32, Vec<(RangeInclusive<usize>, Use)>>,
-    /// Uses of an object's components, by the numbers of their objects.
+    /// Uses of an object's components, by the numbers of the object and the component.
     pub(super) of_components: BTreeMap<(u32, u32), Use>,
 }
 
@@ -91,7 +91,7 @@ impl Uses {
             if let Err(e) = read {
                 let why = e.into_what();
                 notes.push(format!(
-                    "{part} is not read: {why}: meshes that are no solids may be shown"
+                    "{part} is not read: {why}: meshes that are not solids may be shown"
                 ));
             }
         }
@@ -143,11 +143,11 @@ pub(super) fn is_settings(element: &Element<'_>) -> bool {
     element.is_named("metadatagroup") || element.is_named("settings")
 }
 
-/// The use of an object by its settings, which were opened, and are closed then.
+/// The use of an object from its settings element, which is open and is closed here.
 pub(super) fn used_as(xml: &mut Xml<'_>) -> Result<Option<Use>> {
     let mut found = None;
     while let Some(setting) = xml.child()? {
-        // One that cannot be read is no setting that matters here.
+        // An unreadable setting is not one that matters here.
         let [name, key] = setting.values(["name", "key"]).unwrap_or_default();
         let of = name.or(key).and_then(|name| Use::of_setting(&name));
         let is_on = xml.text()?.eq_ignore_ascii_case("true");
@@ -156,7 +156,7 @@ pub(super) fn used_as(xml: &mut Xml<'_>) -> Result<Option<Use>> {
     Ok(found)
 }
 
-/// The use of a volume, by the `metadata` in it.
+/// The use of a volume, from its `metadata`.
 fn volume(xml: &mut Xml<'_>) -> Result<Option<Use>> {
     let mut found = None;
     while let Some(child) = xml.child()? {
@@ -171,7 +171,7 @@ fn said(metadata: &Element<'_>) -> Result<Option<Use>> {
     let value = value.unwrap_or_default();
     Ok(match key.as_deref() {
         Some("volume_type") => Use::of(&value),
-        // As older versions have it.
+        // Form used by older versions.
         Some("modifier") => (value.trim() == "1").then_some(Use::Modifier),
         _ => None,
     })

@@ -1,9 +1,9 @@
-//! A walk over the elements of an XML document that lies in memory, each with its namespace and its line.
+//! A pull parser over the elements of an XML document in memory, each with its namespace and line.
 //!
-//! Text between elements is passed over: 3MF keeps all that matters in attributes. Document types are refused, as the format does, and
-//! with them all entities but the five of XML. Elements may be 64 deep; what 3MF defines is 6.
+//! Text between elements is ignored: 3MF keeps all relevant data in attributes. Document types are refused, as the format requires, and
+//! with them all entities except the five of XML. Elements may be nested 64 deep; 3MF itself needs 6.
 //!
-//! Cost: one pass, and one that counts lines.
+//! Cost: one pass to parse, and one to count lines.
 
 use std::borrow::Cow;
 use std::path::Path;
@@ -18,7 +18,7 @@ pub(super) const DAMAGED: &str =
 
 const CORRECT: &str = "correct the line, or export the file again";
 
-/// Elements in elements.
+/// Maximum nesting depth of elements.
 const MOST_DEPTH: usize = 64;
 
 /// Specification that defines a name.
@@ -29,13 +29,13 @@ pub(super) enum Space {
     Production,
     BeamLattice,
     Slice,
-    /// Names of sets of triangles: nothing about their geometry.
+    /// Names of triangle sets, which do not affect geometry.
     TriangleSets,
     Other,
 }
 
 impl Space {
-    /// By the name of a namespace.
+    /// Returns the specification that defines a namespace.
     pub(super) fn of(name: &[u8]) -> Self {
         match name {
             b"http://schemas.microsoft.com/3dmanufacturing/core/2015/02"
@@ -74,7 +74,7 @@ impl SourcePosition<'_> {
     }
 }
 
-/// An element's beginning.
+/// Start tag of an element.
 #[derive(Clone, Debug)]
 pub(super) struct Element<'a> {
     space: Space,
@@ -121,7 +121,7 @@ impl Element<'_> {
         self.place.error(what, help)
     }
 
-    /// The values of attributes without a prefix, by their names.
+    /// The values of attributes without a prefix, by name.
     pub(super) fn values<const N: usize>(
         &self,
         names: [&str; N],
@@ -146,12 +146,12 @@ impl Element<'_> {
         Ok(value)
     }
 
-    /// A value that must be there.
+    /// Returns a required value.
     pub(super) fn needed<T>(&self, value: Option<T>, name: &str) -> Result<T> {
         value.ok_or_else(|| self.error(format!("<{}> lacks `{name}`", self.name())))
     }
 
-    /// The number of a resource.
+    /// Parses the number of a resource.
     pub(super) fn id(&self, value: &str) -> Result<u32> {
         let id = value.trim().parse();
         id.map_err(|_| {
@@ -163,18 +163,18 @@ impl Element<'_> {
     }
 }
 
-/// So much of a text as is worth being said.
+/// The first 60 characters of a text, for error messages.
 pub(super) fn shortened(text: &str) -> String {
     text.chars().take(60).collect()
 }
 
-/// A document that is walked over.
+/// A document that is parsed element by element.
 pub(super) struct Xml<'a> {
     path: &'a Path,
     text: &'a str,
     reader: NsReader<&'a [u8]>,
     depth: usize,
-    /// The line that the byte of this number is in.
+    /// Line that contains byte `counted`.
     line: usize,
     counted: usize,
     is_broken: bool,
@@ -195,7 +195,7 @@ impl<'a> Xml<'a> {
         }
     }
 
-    /// The next element of the one that is open, which is open then; none where that one ends, which is closed then.
+    /// Opens and returns the next child of the open element; at the end of the open element, closes it and returns `None`.
     pub(super) fn child(&mut self) -> Result<Option<Element<'a>>> {
         loop {
             let mut place = self.place(self.reader.buffer_position());
@@ -255,7 +255,7 @@ impl<'a> Xml<'a> {
         }
     }
 
-    /// The element that all others are in.
+    /// Opens the root element.
     pub(super) fn root(&mut self, name: &str) -> Result<Element<'a>> {
         match self.child()? {
             Some(root) if root.is_named(name) => Ok(root),
@@ -270,7 +270,7 @@ impl<'a> Xml<'a> {
         }
     }
 
-    /// Refuses what stands behind the root.
+    /// Refuses content after the root element.
     pub(super) fn end(&mut self) -> Result<()> {
         match self.child()? {
             Some(second) => {
@@ -281,12 +281,12 @@ impl<'a> Xml<'a> {
         }
     }
 
-    /// Closes the element that is open.
+    /// Closes the open element.
     pub(super) fn skip(&mut self) -> Result<()> {
         self.leave(self.depth)
     }
 
-    /// Closes the element that is open; the text that it begins with, as it is written.
+    /// Returns the leading text of the open element as written, and closes the element.
     pub(super) fn text(&mut self) -> Result<&'a str> {
         let begin = usize::try_from(self.reader.buffer_position()).unwrap_or(usize::MAX);
         self.skip()?;
@@ -312,7 +312,7 @@ impl<'a> Xml<'a> {
         self.is_broken
     }
 
-    /// The namespace that a prefix stands for here.
+    /// The namespace bound to a prefix at this point.
     pub(super) fn namespace(&self, prefix: &str) -> Option<String> {
         let name = format!("{prefix}:name");
         match self
@@ -328,7 +328,7 @@ impl<'a> Xml<'a> {
         }
     }
 
-    /// The value of an attribute of some namespace, of the element that was opened last.
+    /// The value of an attribute in a given namespace, on the element that was opened last.
     pub(super) fn value_of(
         &self,
         element: &Element<'_>,

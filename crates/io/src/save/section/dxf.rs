@@ -1,9 +1,9 @@
-//! Sections as ASCII DXF of AutoCAD 2004 (`AC1018`), the first with true colours: each loop is a closed polyline on its part's layer.
+//! Sections as ASCII DXF for AutoCAD 2004 (`AC1018`), the first with true colours: each loop is a closed polyline on its part's layer.
 //!
-//! Coordinates are those of [`svg`](super::svg): each plane as it is seen from the side that is removed, `v` up, the planes side by side,
-//! the first with the very `u` and `v` of the JSON. All digits of a coordinate are kept. Curves that do not close are open polylines on
-//! a layer `PART open`, which is red; a layer has the colour of the cap, which programs that know only the 255 colours of the index
-//! show in the nearest of the first seven. A drawing says nothing of fill rules: where loops nest, the inner ones are holes.
+//! Coordinates are those of [`svg`](super::svg): each plane is seen from the removed side, `v` up, and the planes are side by side;
+//! the first plane has exactly the `u` and `v` of the JSON. All digits of a coordinate are kept. Curves that do not close are open
+//! polylines on a red layer `PART open`. A layer has its cap's colour, which programs without true colours show as the nearest of the
+//! first seven index colours. DXF has no fill rules: where loops nest, the inner ones are holes.
 //!
 //! Cost: one pass over the points.
 
@@ -15,7 +15,7 @@ use cutaway::scene::LengthUnit;
 use super::svg::places;
 use super::{Curve, PartReport, SectionReport};
 
-/// The colours of the index that all programs have: number and sRGB.
+/// The index colours that all programs share: number and sRGB.
 const INDEXED: [(u8, [u8; 3]); 7] = [
     (1, [255, 0, 0]),
     (2, [255, 255, 0]),
@@ -26,13 +26,13 @@ const INDEXED: [(u8, [u8; 3]); 7] = [
     (7, [0, 0, 0]),
 ];
 
-/// The layer that every drawing has.
+/// The layer that every drawing must have.
 const ZERO: &str = "0";
 
-/// Handles of what comes before the layers and the polylines: tables, blocks and dictionaries.
+/// First handle available to layers and polylines; lower ones belong to tables, blocks and dictionaries.
 const FIRST_FREE: u32 = 0x100;
 
-/// Pairs of a code and a value, as the format has them, and the next free handle.
+/// Code and value pairs of the file, and the next free handle.
 struct Draft {
     text: String,
     next: u32,
@@ -94,16 +94,16 @@ pub fn dxf(report: &SectionReport, unit: Option<LengthUnit>) -> String {
 /// The layers of a drawing.
 #[derive(Default)]
 struct Layers {
-    /// By the names of parts: those of closed curves and of open ones.
+    /// Layers of closed and of open curves, by part name.
     of_parts: BTreeMap<String, [String; 2]>,
-    /// Colours by the names of layers.
+    /// Colours by layer name.
     colors: BTreeMap<String, [u8; 3]>,
 }
 
 impl Layers {
     fn of(report: &SectionReport) -> Self {
         let mut layers = Self::default();
-        // Names are the same in letters of any case.
+        // Layer names are compared without regard to case.
         let mut taken = BTreeSet::from([ZERO.to_owned()]);
         for part in report.sections.iter().flat_map(|s| &s.parts) {
             let names = (layers.of_parts.entry(part.part.clone()))
@@ -125,7 +125,7 @@ fn color_of(part: &PartReport) -> [u8; 3] {
     })
 }
 
-/// Names of the layers of a part that no other layer has, without the characters that they must not have.
+/// Unique names for the two layers of a part, without invalid characters.
 fn layer_names(part: &str, taken: &mut BTreeSet<String>) -> [String; 2] {
     let banned = |c: char| c.is_control() || "<>/\\\":;?*|=`,".contains(c);
     let plain: String = part
@@ -147,7 +147,7 @@ fn layer_names(part: &str, taken: &mut BTreeSet<String>) -> [String; 2] {
     pair.map(|name| in_ascii(&name))
 }
 
-/// Other characters by their numbers, as the format writes them.
+/// Escapes other characters as their code numbers, in the format's notation.
 fn in_ascii(text: &str) -> String {
     let mut ascii = String::with_capacity(text.len());
     for unit in text.encode_utf16() {

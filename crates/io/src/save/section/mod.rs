@@ -1,9 +1,9 @@
 //! Sections of the parts of a scene by planes, as data: the JSON of `cutaway section`, and the input of its drawings.
 //!
-//! Everything is in world units. A drawing shows a plane as it is seen from the side that is removed, as pictures show caps: `u` is
-//! to the right and `v` up, and `u` x `v` points against the normal. `v` is as near to the up axis of the scene as the plane
-//! allows, in a level plane to what lies behind. The origin is the foot of the world's own, so that across an axis `u` and `v` are
-//! coordinates of the model, but for a sign.
+//! Everything is in world units. A drawing shows a plane as seen from the removed side, as pictures show caps: `u` is
+//! to the right and `v` up, and `u` x `v` points against the normal. `v` is as close to the scene's up axis as the plane
+//! allows; in a level plane it points to the back. The origin is the projection of the world origin, so that for a plane across an axis
+//! `u` and `v` are model coordinates, except for their signs.
 
 use cutaway::scene::{Part, Up};
 use cutaway::slice::{Section, SlicePlane};
@@ -21,7 +21,7 @@ pub use svg::svg;
 pub struct SectionReport {
     /// Name of the scene.
     pub scene: String,
-    /// By plane, in the order of the cuts.
+    /// Sections by plane, in the order of the cuts.
     pub sections: Vec<PlaneReport>,
 }
 
@@ -36,24 +36,24 @@ pub struct PlaneReport {
     pub clip_surface: usize,
     /// The plane, with its right and up directions.
     pub plane: Drawn,
-    /// True if the other clip-surfaces of the cut, or other cuts, leave less of the section than the plane meets.
+    /// True if other clip-surfaces of the cut, or other cuts, remove part of the section.
     pub trimmed: bool,
-    /// Sum over the parts.
+    /// Total area over all parts.
     pub area: f64,
-    /// Sum over the parts.
+    /// Total perimeter over all parts.
     pub perimeter: f64,
-    /// Parts that the plane meets. The part with priority at shared points comes last.
+    /// Parts that the plane meets. At shared points the last part has priority.
     pub parts: Vec<PartReport>,
 }
 
 /// One of the planes of a cut.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SectionFace {
-    /// Counted from 1, in the order of the scene.
+    /// Number of the plane in scene order, from 1.
     pub number: usize,
-    /// Number of planes of the cut, with those of other cuts of its name.
+    /// Number of planes in all cuts with this name.
     pub of: usize,
-    /// The plane as `--section` takes it, rounded.
+    /// The plane in the notation of `--section`, rounded.
     pub plane: String,
 }
 
@@ -66,19 +66,19 @@ pub struct PartReport {
     pub color: String,
     /// Fill rule of its loops: `even-odd` or `nonzero`.
     pub fill: String,
-    /// Area that they enclose.
+    /// Area enclosed by the loops.
     pub area: f64,
     /// Perimeter of the outline of that area.
     pub perimeter: f64,
-    /// True if all of the outline is closed and capped.
+    /// True if the whole outline is closed and capped.
     pub closed: bool,
-    /// Closed curves; of a mesh that faces outward outlines run counter-clockwise and holes clockwise.
+    /// Closed curves; if the mesh faces outward, outlines run counter-clockwise and holes clockwise.
     pub loops: Vec<Curve>,
-    /// Curves that end where the mesh does.
+    /// Curves that end at open edges of the mesh.
     pub open_chains: Vec<Curve>,
     /// Defects of the mesh where the plane meets it, in words.
     pub defects: Vec<String>,
-    /// Remedy for the first of them that takes something of the section away.
+    /// Remedy for the first defect that removes part of the section.
     #[serde(skip)]
     pub help: Option<&'static str>,
 }
@@ -86,7 +86,7 @@ pub struct PartReport {
 /// A curve in a plane.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Curve {
-    /// Length; of a loop once round.
+    /// Length; for a loop, its full circumference.
     pub length: f64,
     /// Coordinates along `u` and `v`.
     pub uv: Vec<[f64; 2]>,
@@ -94,25 +94,25 @@ pub struct Curve {
     pub world: Vec<[f64; 3]>,
 }
 
-/// A plane as it is drawn.
+/// A plane with its drawing axes.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Drawn {
-    /// The point of the plane next to the origin of the world.
+    /// The point of the plane nearest to the world origin.
     #[serde(serialize_with = "as_array")]
     pub origin: DVec3,
-    /// Toward the side that is kept.
+    /// Direction to the kept side.
     #[serde(serialize_with = "as_array")]
     pub normal: DVec3,
-    /// To the right.
+    /// Direction to the right.
     #[serde(serialize_with = "as_array")]
     pub u: DVec3,
-    /// Up.
+    /// Direction up.
     #[serde(serialize_with = "as_array")]
     pub v: DVec3,
 }
 
 fn as_array<S: Serializer>(v: &DVec3, serializer: S) -> Result<S::Ok, S::Error> {
-    // Adding zero turns -0 into 0, which readers are spared.
+    // Adding zero turns -0 into 0, for readers.
     (*v + DVec3::ZERO).to_array().serialize(serializer)
 }
 
@@ -122,7 +122,7 @@ impl Drawn {
         let normal = plane.frame.normal;
         let up = up.axis();
         let upright = (up - normal * up.dot(normal)).try_normalize();
-        // In a level plane the right is that of the world, whether it is seen from above or from below.
+        // In a level plane `u` is the same whether the plane is seen from above or from below.
         let level = || {
             let right = DVec3::X - normal * normal.x;
             -normal.cross(right.normalize_or(plane.frame.u_hat))
@@ -137,7 +137,7 @@ impl Drawn {
         }
     }
 
-    /// Coordinates of points of the plane that are given in its frame.
+    /// Converts points in the plane's frame to `u` and `v`.
     fn uv(&self, plane: &SlicePlane, at: DVec2) -> [f64; 2] {
         let from_origin = plane.point(at) - self.origin;
         [self.u, self.v].map(|axis| from_origin.dot(axis) + 0.0)
@@ -145,7 +145,7 @@ impl Drawn {
 }
 
 impl PlaneReport {
-    /// The sections of parts by a plane, in the order that they are drawn in.
+    /// The sections of parts by a plane, in drawing order.
     pub fn new(
         cut: &str,
         face: SectionFace,
@@ -166,7 +166,7 @@ impl PlaneReport {
         }
     }
 
-    /// The name of the cut, and which of its faces this is where it has several.
+    /// The name of the cut, with the number of the face if the cut has several.
     pub fn name(&self) -> String {
         let SectionFace { number, of, plane } = &self.face;
         if *of == 1 {
@@ -181,7 +181,7 @@ impl PartReport {
     /// Creates the report of the section of a part.
     pub fn new(part: &Part, section: &Section, plane: &SlicePlane, drawn: &Drawn) -> Self {
         let curve = |points: &[u32], closed| {
-            // Seen from the other side loops run the other way round.
+            // Seen from the other side, loops run in the opposite direction.
             let seen = points.iter().rev();
             let at: Vec<DVec2> = seen.map(|i| section.points[*i as usize]).collect();
             Curve::of(&at, closed, plane, drawn)

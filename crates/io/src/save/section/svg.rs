@@ -1,11 +1,11 @@
-//! Sections as a drawing: SVG that shows each plane as it is seen from the side that is removed.
+//! Sections as a drawing: SVG that shows each plane as seen from the removed side.
 //!
-//! One file has all planes, one group each, side by side. Within its group a path has the very coordinates `u` and `v` of the JSON: the
-//! group turns `v` up, and moves all but the first. One path is one part in the colour of its cap, filled by its rule. Strokes keep
-//! their width on the screen where the viewer knows how to; elsewhere they are a thousandth of the drawing wide. Curves that do
-//! not close are red and bound nothing.
+//! One file holds all planes side by side, one group each. Within its group a path has exactly the coordinates `u` and `v` of the JSON: the
+//! group flips `v` up, and translates every plane except the first. Each part is one path in its cap colour, filled by its fill rule.
+//! Strokes keep their screen width in viewers that support it; in others they are a thousandth of the drawing wide. Curves that do
+//! not close are red and not filled.
 //!
-//! A unit of the drawing is a unit of the model. With a [`LengthUnit`] the drawing has the size of the model; without one it is fitted to
+//! A unit of the drawing is a unit of the model. With a [`LengthUnit`] the drawing has the model's size; without one it is fitted to
 //! [`LONGEST_PX`] pixels.
 
 use cutaway::scene::LengthUnit;
@@ -13,18 +13,18 @@ use maud::{Markup, html};
 
 use super::{Curve, PartReport, PlaneReport, SectionReport};
 
-/// Pixels along the longer side of a drawing of no physical size.
+/// Pixels along the longer side of a drawing without a physical size.
 const LONGEST_PX: f64 = 1000.0;
-/// Room around a drawing and between planes, as a share of the longest side of all.
+/// Margin around a drawing and between planes, as a share of the longest side of all planes.
 const GAP_SHARE: f64 = 0.03;
-/// Digits that are kept of the longest side.
+/// Digits kept for a coordinate as large as the longest side.
 const DRAWN_DIGITS: i32 = 10;
 
-/// Read by viewers that can: others pass a rule over that asks what they support, and a stroke of one unit could be a blot.
+/// Viewers without this effect skip the `@supports` rule: in them a stroke of 1 px would be one unit wide, possibly a blot.
 const NON_SCALING: &str = "@supports (vector-effect: non-scaling-stroke) \
     { path { vector-effect: non-scaling-stroke; stroke-width: 1px } .open { stroke-width: 2px } }";
 
-/// A rectangle of a plane.
+/// A rectangle in a plane.
 #[derive(Clone, Copy, Debug)]
 struct Frame {
     min: [f64; 2],
@@ -32,7 +32,7 @@ struct Frame {
 }
 
 impl Frame {
-    /// Around all curves of a plane; the unit square where there is none.
+    /// Bounds of all curves of a plane; the unit square if there are none.
     fn of(plane: &PlaneReport) -> Self {
         let curves = plane
             .parts
@@ -63,7 +63,7 @@ impl Frame {
 /// Layout of the planes of a report side by side.
 struct Layout {
     frames: Vec<Frame>,
-    /// The longest side of all.
+    /// The longest side of all planes.
     longest: f64,
 }
 
@@ -76,7 +76,7 @@ impl Layout {
     }
 }
 
-/// By how much each plane is moved, so that all stand on one line; the first by nothing.
+/// Offset of each plane, so that all stand on one line; the first has none.
 pub(super) fn places(report: &SectionReport) -> Vec<[f64; 2]> {
     let Layout { frames, longest } = Layout::of(report);
     let Some(first) = frames.first() else {
@@ -100,7 +100,7 @@ pub fn svg(report: &SectionReport, unit: Option<LengthUnit>) -> String {
         min: [0.0; 2],
         max: [1.0; 2],
     });
-    // Planes stand on one line.
+    // Planes stand on a common line.
     let width = frames.iter().map(|f| f.size()[0] + gap).sum::<f64>() + gap;
     let height = frames.iter().map(|f| f.size()[1]).fold(0.0, f64::max) + 2.0 * gap;
     let corner = [first.min[0] - gap, gap - height - first.min[1]];
@@ -166,7 +166,7 @@ fn group(index: usize, plane: &PlaneReport, [x, y]: [String; 2], decimals: usize
     }
 }
 
-/// Curves as the data of one path. Points that are written alike in a row are one.
+/// Formats curves as the data of one path. Consecutive points with the same text are merged.
 fn outline(curves: &[Curve], decimals: usize, end: &str) -> String {
     let mut data = String::new();
     for curve in curves {
@@ -200,7 +200,7 @@ fn shortened(value: f64, decimals: usize) -> String {
     }
 }
 
-/// Text without what XML has no place for.
+/// Removes characters that XML does not allow.
 fn without_controls(text: &str) -> String {
     text.chars().filter(|c| !c.is_control()).collect()
 }

@@ -1,22 +1,22 @@
-//! Layers by generalised winding numbers: caps for meshes that are open or cross themselves.
+//! Layers by generalised winding numbers: caps for open or self-intersecting meshes.
 //!
-//! Counting crossings along one ray goes wrong wherever that ray slips through a hole. The generalised winding number of a point
-//! (Jacobson, Kavan, Sorkine-Hornung 2013) asks all of the mesh instead: the share of the view from the point that the faces cover,
-//! with their orientation. It is the winding number where the mesh is closed, and goes over it smoothly where it is not. A candidate
-//! for a cap is inside where the nearest whole number is one that the part's [`Fill`](cutaway::scene::Fill) holds to be: with holes, as
-//! long as less than half of the view from there goes out through them.
+//! Counting crossings along one ray goes wrong wherever that ray passes through a hole. The generalised winding number of a point
+//! (Jacobson, Kavan, Sorkine-Hornung 2013) uses the whole mesh instead: it is the signed solid angle of all faces as seen from the
+//! point, over 4 pi. It equals the winding number where the mesh is closed, and varies smoothly where it is not. A candidate for a
+//! cap is inside if the part's [`Fill`](cutaway::scene::Fill) counts the nearest whole number as inside: in a mesh with holes, as
+//! long as these cover less than half of the view from the point.
 //!
 //! What is drawn: clip-surfaces are crossed where the exact reference crosses them. Where that frees a part, and the point is
 //! inside it, there is a cap; where the mesh is crossed and not removed, its surface shows, front or back: a hole in the mesh stays a
-//! hole in the picture, but caps have none. On a closed mesh whose faces agree which side is out all decided pixels are
+//! hole in the picture, but caps have none. On a closed, consistently oriented mesh, all decided pixels equal
 //! those of [`super::evaluate`].
 //!
-//! A pixel is marked where a number evaluated there is nearer to a half than to a whole, and where the mesh shows its inner side to an eye
-//! that is, by the number before that point, inside the solid: no closed mesh does.
+//! A pixel is marked where a winding number evaluated for it is nearer to a half than to a whole number, and where the mesh shows its inner
+//! side although the number just before that point puts the ray inside the solid: no closed mesh does both.
 //!
-//! Cost: a tree over the faces, once per mesh ([`Windings::new`]); per pixel, the crossings, and one walk down the tree per candidate:
-//! some hundred faces and balls. Limit: the tree answers to about a hundredth, which only a point whose number is as near as that to
-//! a half could notice. Faces that are turned over count against the solid: with half of them, nothing is inside.
+//! Cost: a tree over the faces, once per mesh ([`Windings::new`]); per pixel, the crossings, and one traversal of the tree per candidate:
+//! some hundred faces and balls. Limit: numbers from the tree have an error of about 0.01, which matters only where they are that near
+//! to a half. Inverted faces count against the solid: with half of the faces inverted, nothing is inside.
 
 mod tree;
 
@@ -32,16 +32,16 @@ use super::ray_scratch::RayScratch;
 use super::walk::{Cause, Event, Sight, pass_clips};
 use super::{Lines, Outlining};
 
-/// Offset before a clip-surface at which the number is evaluated, in scene units: a face that lies in the surface is then behind the point,
-/// as it is for the exact reference. Half of the last bit of a coordinate of the scene.
+/// The winding number is evaluated this far before a clip-surface, in scene units: a face in the surface is then behind the point,
+/// as it is for the exact reference. Half of the last bit of a scene coordinate.
 const BEFORE: f64 = 1.0 / (1 << 24) as f64;
 
-/// Farther from a whole number than this, a number is a guess.
+/// A number farther than this from a whole number is a guess.
 const SURE: f64 = 0.25;
 
 /// The meshes of a scene, prepared for winding-number queries.
 pub struct Windings {
-    /// By rank.
+    /// The trees, by rank.
     trees: Vec<Tree>,
 }
 
@@ -57,7 +57,7 @@ impl Windings {
         }
     }
 
-    /// The generalised winding number of a mesh around a point of the scene; the part by its rank.
+    /// The generalised winding number of a part's mesh, by rank, around a point of the scene.
     pub fn around(&self, rank: usize, point: DVec3) -> f64 {
         self.trees[rank].winding(point)
     }
@@ -106,7 +106,7 @@ impl Windings {
         let (prepared, view) = (lines.prepared, lines.view);
         let (found, of_cutters) = found.split_at(lines.cutters.split(found, |c| c.rank));
         let ray = Ray::through(view, at);
-        // A ray may pass through a solid without crossing its mesh, in and out by holes.
+        // A ray may enter and leave a solid through holes, without crossing its mesh.
         let mut reach = [f64::INFINITY, f64::NEG_INFINITY];
         for (rank, part) in prepared.parts.iter().enumerate() {
             if let Some([from, to]) = within(&ray, &part.bounds)
@@ -128,7 +128,7 @@ impl Windings {
         lines.meet_clips(&ray, range, of_cutters, bench);
         lines.classify(at, &ray, bench);
         bench.merge_events();
-        // The removed state, as the range begins; numbers are evaluated where they are needed.
+        // The removed state at the start of the range; winding numbers are evaluated where they are needed.
         bench.start.winding.fill(0);
         bench.state.set(&bench.start);
         let mut ask = Ask {
@@ -138,7 +138,7 @@ impl Windings {
         };
         if let Some(sight) = ask.walk(lines, bench) {
             lines.show(&ray, &sight, bench, layer);
-            // The wall of a void shows its inner side too; but before that is no solid.
+            // The wall of a void shows its inner side too, but there is no solid before it.
             layer.unreliable = layer.back_face
                 && sight.event.is_some()
                 && (prepared.parts[usize::from(sight.rank)].fill)
@@ -148,7 +148,7 @@ impl Windings {
     }
 }
 
-/// Numbers along a ray.
+/// Evaluates winding numbers along a ray.
 struct Ask<'a> {
     windings: &'a Windings,
     ray: Ray,
@@ -157,7 +157,7 @@ struct Ask<'a> {
 }
 
 impl Ask<'_> {
-    /// The whole number next to the winding number of a part at a depth.
+    /// A part's winding number at a depth, rounded to the nearest whole number.
     fn at(&mut self, rank: u16, depth: f64) -> i32 {
         let point = self.ray.origin + self.ray.direction * depth;
         let before = self.ray.direction.normalize_or_zero() * BEFORE;
@@ -166,7 +166,7 @@ impl Ask<'_> {
         number.round() as i32
     }
 
-    /// First visible point: as [`super::walk::walk`], but numbers are evaluated, not counted.
+    /// First visible point, like [`super::walk::walk`], but winding numbers are evaluated instead of counted.
     fn walk(&mut self, lines: &Lines<'_>, bench: &mut RayScratch) -> Option<Sight> {
         let (prepared, view) = (lines.prepared, lines.view);
         let RayScratch {
@@ -175,7 +175,7 @@ impl Ask<'_> {
             state,
             ..
         } = bench;
-        // Parts that contain the eye: their solid goes on until crossings lead out.
+        // Parts that contain the eye: the ray stays inside them until crossings lead out.
         let mut within = Vec::new();
         for rank in ranks.iter().copied() {
             let eye = self.ray.origin + self.ray.direction * view.near;
@@ -211,7 +211,7 @@ impl Ask<'_> {
                 };
                 pass(state);
                 for (rank, was_removed) in ranks.iter().zip(was_removed) {
-                    // A face in the clip-surface by which the ray leaves the solid is before it.
+                    // A face in the clip-surface through which the ray leaves the solid is before it.
                     let has_left = events.iter().any(|e| {
                         e.depth == event.depth
                             && e.place < 0
@@ -224,7 +224,7 @@ impl Ask<'_> {
                         0
                     };
                 }
-                // Each event is undone by itself.
+                // Applying an event a second time undoes it.
                 pass(state);
                 if let Some((rank, event, overlap)) = pass_clips(prepared, ranks, now, state) {
                     return Some(Sight {
@@ -263,13 +263,13 @@ fn holds(bounds: &Bounds, point: DVec3) -> bool {
     point.cmpge(bounds.min).all() && point.cmple(bounds.max).all()
 }
 
-/// The depths between which a ray is in a box.
+/// The range of depths in which a ray is in a box.
 fn within(ray: &Ray, bounds: &Bounds) -> Option<[f64; 2]> {
     let mut range = [f64::NEG_INFINITY, f64::INFINITY];
     for axis in 0..3 {
         let (from, along) = (ray.origin[axis], ray.direction[axis]);
         let ends = [bounds.min[axis], bounds.max[axis]].map(|b| (b - from) / along);
-        // A ray in a face of the box gives no number, and is no less in the box for it.
+        // A ray in a face of the box gives NaN, and still counts as in the box.
         range[0] = range[0].max(ends[0].min(ends[1]));
         range[1] = range[1].min(ends[0].max(ends[1]));
     }

@@ -1,8 +1,8 @@
-//! Winding numbers of a point by a tree of balls.
+//! Winding numbers around a point, from a tree of balls.
 //!
-//! The part of a face is its signed solid angle over 4 pi (van Oosterom & Strackee 1983). Faces that are far away for their size are
-//! taken together as one dipole: the sum of their area vectors in their common middle (Barill, Dickson, Schmidt, Levin, Jacobson
-//! 2018, first order). The error of a ball at `FAR` radii falls with the cube of the distance.
+//! A face contributes its signed solid angle over 4 pi (van Oosterom & Strackee 1983). Faces that are far away for their size are
+//! approximated together by one dipole: the sum of their area vectors at their common centroid (Barill, Dickson, Schmidt, Levin, Jacobson
+//! 2018, first order). The error of a ball beyond `FAR` radii falls with the cube of the distance.
 
 use std::ops::Range;
 
@@ -20,22 +20,22 @@ struct Node {
     radius: f64,
     /// Sum of the area vectors.
     area: DVec3,
-    /// The faces, in the order of the tree.
+    /// The first of its faces, in the order of the tree.
     first: u32,
     end: u32,
-    /// Index of the node after all that are below this one.
+    /// Index of the next node that is not below this one.
     next: u32,
 }
 
 /// Pending step in the construction of a tree.
 enum BuildStep {
-    /// A node of these faces, and what is below it.
+    /// Make a node for these faces, and all nodes below it.
     Make(Range<usize>),
-    /// All below the node is made.
+    /// Close a node: all nodes below it are made.
     Close(usize),
 }
 
-/// A mesh in a tree, nodes in the order of a walk that goes down first.
+/// A mesh in a tree, its nodes in depth-first order.
 pub(super) struct Tree {
     faces: Vec<[Vec3; 3]>,
     nodes: Vec<Node>,
@@ -49,7 +49,7 @@ impl Tree {
             faces: triangles.iter().map(corners).collect(),
             nodes: Vec::with_capacity(2 * triangles.len() / LEAF_FACES + 1),
         };
-        // The next is on top.
+        // The next step is on top.
         let mut todo = vec![BuildStep::Make(0..tree.faces.len())];
         while let Some(step) = todo.pop() {
             match step {
@@ -101,7 +101,7 @@ impl Tree {
 }
 
 impl Node {
-    /// The ball around some faces, which are not none.
+    /// The ball around some faces, of which there must be at least one.
     fn around(faces: &[[Vec3; 3]]) -> Self {
         let mut area = DVec3::ZERO;
         let (mut weighted, mut weights) = (DVec3::ZERO, 0.0);
@@ -134,7 +134,7 @@ impl Node {
     }
 }
 
-/// Divides faces in two halves along the longest side of their middles' box.
+/// Divides faces into two halves along the longest side of the box around their centroids.
 fn split(faces: &mut [[Vec3; 3]]) -> usize {
     let middle = |f: &[Vec3; 3]| f[0] + f[1] + f[2];
     let (mut lo, mut hi) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
@@ -147,7 +147,7 @@ fn split(faces: &mut [[Vec3; 3]]) -> usize {
     half
 }
 
-/// The solid angle of a face from a point, positive from within: twice the angle whose tangent is the quotient.
+/// The solid angle of a face seen from a point, positive from inside: twice the angle whose tangent is the quotient.
 fn solid_angle(face: &[Vec3; 3], point: DVec3) -> f64 {
     let [a, b, c] = face.map(|p| p.as_dvec3() - point);
     let (la, lb, lc) = (a.length(), b.length(), c.length());
@@ -161,11 +161,11 @@ mod tests {
     use super::*;
     use cutaway::generate::shapes::shape;
 
-    /// Error of approximating a group of faces. At the middle of a ball all faces of the group are seen from one side, and their errors add
-    /// up to 0.0106; the decision threshold is half of a whole number.
+    /// Error of approximating groups of faces. From the middle of a ball all faces are seen from one side, and their errors add up
+    /// to 0.0106; the decision threshold is 0.5.
     const FIRST_ORDER: f64 = 0.02;
 
-    /// The numbers of a mesh by the tree and one by one.
+    /// Winding numbers of a mesh: by the tree, and face by face.
     fn both(spec: &str, keep: impl Fn(usize) -> bool, point: DVec3) -> [f64; 2] {
         let mesh = shape(spec).unwrap().remove(0).mesh;
         let positions: Vec<Vec3> = mesh.positions.iter().map(|p| p.as_vec3()).collect();
@@ -211,7 +211,7 @@ mod tests {
             assert!((tree - expected).abs() < FIRST_ORDER, "{tree} at {point}");
             assert!((brute - expected).abs() < 1e-12, "{brute} at {point}");
         }
-        // One of the six faces of a cube is a sixth of the view from its middle.
+        // Each of a cube's six faces covers a sixth of the view from its middle.
         let [tree, _] = both("cube", |i| i >= 2, DVec3::ZERO);
         assert!(
             (tree - 5.0 / 6.0).abs() < FIRST_ORDER,

@@ -1,4 +1,4 @@
-//! `[[chart]]`: what is drawn of the records of an experiment. Drawing it is for the report.
+//! `[[chart]]`: parses the charts of an experiment's records. The report draws them.
 
 use std::collections::BTreeSet;
 
@@ -10,7 +10,7 @@ use super::{Asked, DefinedRun};
 use crate::experiment::ChartSynopsis;
 use crate::experiment::figures::{OF_DRIFT, OF_PICTURES, OF_SIZE, OF_TIME, of_error};
 
-/// Reads a chart of some runs, and checks that they have what it shows.
+/// Reads a chart of some runs, and checks that these have the values it shows.
 pub(super) fn read(entry: &Entry<'_>, runs: &[DefinedRun]) -> Result<ChartSynopsis> {
     let table = entry.table(&["title", "runs", "x", "y", "log", "pareto", "note"])?;
     let of_scenes = |run: &&DefinedRun| matches!(run.full, Asked::Scenes(_));
@@ -58,7 +58,7 @@ fn named(entry: &Entry<'_>, names: &[&str]) -> Result<Vec<String>> {
     let wanted = super::scenes::some_texts(entry)?;
     match wanted.iter().find(|w| !names.contains(&w.as_str())) {
         Some(stray) => {
-            let what = format!("no run of scenes is called `{stray}`");
+            let what = format!("no run of scenes has the name `{stray}`");
             Err(entry.fault(what, did_you_mean(stray, names.iter().copied())))
         }
         None => Ok(wanted),
@@ -70,7 +70,7 @@ fn one_of(entry: &Entry<'_>, known: &[&str]) -> Result<String> {
     if known.contains(&word) {
         return Ok(word.to_owned());
     }
-    let what = format!("nothing that is measured or varied is called `{word}`");
+    let what = format!("`{word}` is neither a figure nor a sweep axis");
     Err(entry.fault(what, did_you_mean(word, known.iter().copied())))
 }
 

@@ -1,6 +1,6 @@
 //! `[[run.expect]]`: expected results of strategies.
 //!
-//! An expectation is about error, never about time: a time on one machine predicts nothing on another, and times belong in reports. An
+//! An expectation concerns errors, never times: a time on one machine predicts nothing on another, and times belong in reports. An
 //! expectation that declares a failure or a bound gives a reason.
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -15,7 +15,7 @@ use crate::experiment::figures::{OF_DRIFT, OF_PICTURES, OF_SIZE, OF_TIME, of_err
 use crate::experiment::sweep::{Point, Trial};
 use crate::experiment::{Bound, Ending, Parameter, Parameters};
 
-/// Keys other than the names of figures.
+/// Keys that are not names of figures.
 const BESIDE_FIGURES: [&str; 6] = [
     "strategies",
     "where",
@@ -32,13 +32,13 @@ pub struct Claim {
     pub strategies: Vec<String>,
     /// Values that the point or the renderer must have.
     pub conditions: Parameters,
-    /// Minimum number of sub-pixel bits of the rasterisers that it applies to; with none, it applies to every adapter.
+    /// Minimum sub-pixel bits of the rasterisers that the claim applies to; with `None`, it applies to every adapter.
     pub sub_pixel_bits: Option<u32>,
-    /// Why it cannot be better.
+    /// Why the result cannot be better.
     pub why: Option<String>,
     /// Expected outcome of the frame.
     pub outcome: Ending,
-    /// Words of the reason, where it is not complete.
+    /// Words in the reason of a frame that is not complete.
     pub reason: Option<String>,
     /// Expected figures.
     pub figures: Vec<(String, Wanted)>,
@@ -47,14 +47,14 @@ pub struct Claim {
 /// Expected value of a figure.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Wanted {
-    /// A number, or within bounds.
+    /// A number, or a range.
     Within(Bound),
-    /// Strictly smaller, or 0 both times, from value to value of an axis of strategies.
+    /// From each value of a strategy axis to the next, the figure is strictly smaller, or 0 at both.
     FallsAlong(String),
 }
 
 impl Claim {
-    /// Returns true if the claim applies to a renderer of a point, by its name and the values that made the two.
+    /// Returns true if the claim applies to a renderer at a point, judged by the renderer's name and the sweep values of both.
     pub fn means(&self, name: &str, of_point: &Parameters, trial: &Trial) -> bool {
         let is_made_so = |own: &Parameters| {
             let has = |(key, value): (&String, &Parameter)| {
@@ -75,8 +75,8 @@ pub(super) fn read(table: &Table<'_>, run: &SceneRun) -> Result<Vec<Claim>> {
 fn claim(entry: &Entry<'_>, run: &SceneRun) -> Result<Claim> {
     for (key, stray) in entry.open_table()?.all() {
         if OF_TIME.contains(&key) || key.starts_with("time") || key.contains("draw_only") {
-            let help = "leave it out: draw it in a [[chart]]; a time is another on each machine";
-            return Err(stray.fault("nothing can be expected of time", help));
+            let help = "leave it out, and draw it in a [[chart]]: times differ between machines";
+            return Err(stray.fault("expectations cannot be about time", help));
         }
     }
     let mut names = of_error();
@@ -121,7 +121,7 @@ fn claim(entry: &Entry<'_>, run: &SceneRun) -> Result<Claim> {
     for name in &names {
         if let Some(entry) = table.get(name) {
             let wanted = wanted(&entry, run)?;
-            // At most 0 is no bound on a failure: it is 0.
+            // A bound of at most 0 declares no failure: it means exactly 0.
             is_declared |= entry.is_table()
                 && matches!(&wanted, Wanted::Within(b) if b.most.is_none_or(|most| most > 0.0));
             claim.figures.push((name.clone(), wanted));
@@ -141,16 +141,16 @@ fn check(table: &Table<'_>, claim: &Claim, is_declared: bool) -> Result<()> {
         );
     }
     if claim.outcome == Ending::Refused && !claim.figures.is_empty() {
-        return fault("what is refused has no figures", "expect one or the other");
+        return fault("a refused frame has no figures", "expect one or the other");
     }
     if claim.outcome == Ending::Complete && claim.reason.is_some() {
         let help = "leave `reason` out, or expect `outcome = \"refused\"`";
-        return fault("what is complete has no reason", help);
+        return fault("a complete frame has no reason", help);
     }
     if is_declared && claim.why.is_none() {
         let help = "add `why = \"...\"`: what keeps it from being exact";
         return fault(
-            "it declares a failure or a bound and does not say why",
+            "it declares a failure or a bound, but does not say why",
             help,
         );
     }
@@ -182,8 +182,8 @@ fn conditions(table: &Table<'_>, run: &SceneRun) -> Result<Parameters> {
             .find(|v| Some(&v.is) == is.as_ref());
         let Some(held) = held else {
             let asked = is.map_or_else(String::new, |is| is.to_string());
-            let help = "name a value that [run.sweep] has, written as it is there";
-            return Err(value.fault(format_args!("it is never `{asked}`"), help));
+            let help = "use a value of [run.sweep], written as it is there";
+            return Err(value.fault(format_args!("its value is never `{asked}`"), help));
         };
         conditions.insert(key.to_owned(), held.is.clone());
     }
@@ -207,9 +207,10 @@ fn wanted(entry: &Entry<'_>, run: &SceneRun) -> Result<Wanted> {
     let Some(along) = table.get("falls_along") else {
         return match (bound.least, bound.most) {
             (None, None) => Err(entry.fault("nothing is expected", "write `{ most = 30 }`")),
-            (Some(least), Some(most)) if least > most => {
-                Err(entry.fault("no number is within", "let `least` be at most `most`"))
-            }
+            (Some(least), Some(most)) if least > most => Err(entry.fault(
+                "no number is in this range",
+                "let `least` be at most `most`",
+            )),
             _ => Ok(Wanted::Within(bound)),
         };
     };
@@ -229,11 +230,11 @@ fn wanted(entry: &Entry<'_>, run: &SceneRun) -> Result<Wanted> {
         };
         let known: Vec<&str> = run.axes.names().filter(of_strategies).collect();
         let help = if known.is_empty() {
-            "vary something that is in `strategies` alone, as in \"grid:{cells}+mask\"".to_owned()
+            "vary a parameter of the strategies, as in \"grid:{cells}+mask\"".to_owned()
         } else {
             did_you_mean(axis, known)
         };
-        let what = format!("`{axis}` is no axis that only strategies have");
+        let what = format!("`{axis}` is not an axis of the strategies");
         return Err(along.fault(what, help));
     }
     Ok(Wanted::FallsAlong(axis.to_owned()))
@@ -254,7 +255,7 @@ fn has_a_step(point: &Point, claim: &Claim, axis: &str) -> bool {
     false
 }
 
-/// An expectation that no renderer could ever miss is a slip.
+/// Refuses an expectation that applies to no renderer, and so could never be missed.
 fn must_mean_somebody(table: &Table<'_>, claim: &Claim, run: &SceneRun) -> Result<()> {
     let strategies = table.need("strategies", "[\"*\"]")?;
     let names: BTreeSet<String> = (run.points.iter().flat_map(|p| &p.trials))
@@ -276,9 +277,8 @@ fn must_mean_somebody(table: &Table<'_>, claim: &Claim, run: &SceneRun) -> Resul
     });
     for axis in along {
         if !run.points.iter().any(|p| has_a_step(p, claim, axis)) {
-            let what = format!(
-                "no strategy has two values of `{axis}`, so that nothing can fall along it"
-            );
+            let what =
+                format!("no strategy has two values of `{axis}`, so no figure can fall along it");
             let help = "give the axis two values, or expect `{ most = .. }`";
             return Err(table.entry.fault(what, help));
         }
@@ -286,7 +286,7 @@ fn must_mean_somebody(table: &Table<'_>, claim: &Claim, run: &SceneRun) -> Resul
     if is_meant {
         return Ok(());
     }
-    let help = "let `where` and `strategies` fit some renderer of some point";
+    let help = "change `where` or `strategies` so that they match a renderer at some point";
     Err(table
         .entry
         .fault("it matches no renderer at any point", help))

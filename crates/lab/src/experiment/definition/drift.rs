@@ -5,7 +5,7 @@ use cutaway_io::document::reader::Table;
 
 use crate::experiment::drift::Drift;
 
-/// Reads it, if it is there.
+/// Reads the drift of a run, if it has one.
 pub(super) fn drift(table: &Table<'_>) -> Result<Option<Drift>> {
     let Some(entry) = table.get("drift") else {
         return Ok(None);
@@ -27,21 +27,18 @@ pub(super) fn drift(table: &Table<'_>) -> Result<Option<Drift>> {
     }
     if !(0.5..=2.0).contains(&drift.zoom) {
         let zoom = table.need("zoom", "1.01")?;
-        return Err(zoom.fault("it must be from 0.5 to 2 from frame to frame", "use 1.01"));
+        return Err(zoom.fault("the zoom between frames must be from 0.5 to 2", "use 1.01"));
     }
     if !(1..=4).contains(&drift.fineness) {
         let fineness = table.need("fineness", "2")?;
-        return Err(fineness.fault(
-            "it must be from 1 to 4",
-            "use 2, which pictures usually have",
-        ));
+        return Err(fineness.fault("it must be from 1 to 4", "use 2, as pictures usually do"));
     }
     if drift.samples > 16 {
         let samples = table.need("samples", "4")?;
-        return Err(samples.fault("a picture of so many samples is never drawn", "use 2 to 16"));
+        return Err(samples.fault("pictures cannot have this many samples", "use 2 to 16"));
     }
     if !(2..=4096).contains(&drift.frames) {
-        return Err(frames.fault("nothing changes between so many frames", "use 2 to 4096"));
+        return Err(frames.fault("a drift cannot have this many frames", "use 2 to 4096"));
     }
     Ok(Some(drift))
 }

@@ -1,8 +1,8 @@
 //! Parser of an experiment: one TOML file with a question, scenes, sweep axes, strategies and expectations.
 //!
-//! Reading a file checks all that can be checked without opening a scene: every key is known, every strategy has a name, every path can be
-//! set, every value has a use, and every expectation matches a renderer. The result is already expanded: each run of scenes holds its
-//! points twice, in full and for `--quick`, each with its document.
+//! Reading a file checks all that can be checked without opening a scene: every key and strategy name is known, every path can be
+//! set, every value is used, and every expectation matches a renderer. The result is already expanded: each run of scenes holds its
+//! points twice, in full and for `--quick`, each with its scene document.
 //!
 //! The format is described in `experiments/README.md`; the readers of its parts are in this folder.
 
@@ -31,13 +31,13 @@ const FILE_KEYS: &[&str] = &["question", "analysis", "run", "chart"];
 /// An experiment.
 #[derive(Clone, Debug)]
 pub struct Definition {
-    /// The file it was read from, as it was named.
+    /// Path of its file, as the caller gave it.
     pub path: PathBuf,
     /// The stem of the file.
     pub name: String,
     /// The runs.
     pub runs: Vec<DefinedRun>,
-    /// Synopsis for a record, without the points, which are those in full or of `--quick`.
+    /// Synopsis for a record, without the points, which differ between full and `--quick`.
     pub synopsis: Synopsis,
 }
 
@@ -64,9 +64,9 @@ impl DefinedRun {
 /// Task of a run.
 #[derive(Clone, Debug)]
 pub enum Asked {
-    /// Strategies on scenes.
+    /// Strategies measured on scenes.
     Scenes(SceneRun),
-    /// Hard cases of the library.
+    /// The library's hard cases.
     Cases(AskedCases),
     /// Random scenes, searched for faults.
     Search(AskedSearch),
@@ -82,15 +82,15 @@ impl Definition {
         Self::read(path, &text)
     }
 
-    /// Reads an experiment from text that a file holds.
+    /// Reads an experiment from the text of a file.
     pub fn read(path: &Path, text: &str) -> Result<Self> {
         let stem = path.file_stem().unwrap_or_default().to_string_lossy();
         let name = stem.into_owned();
         if !is_name(&name) || path.extension().is_none_or(|e| e != "toml") {
             return Err(Error::file(
                 path,
-                "the file's name is the experiment's name: [a-z0-9-]+ and .toml, and neither `experiment` nor `peers`",
-                "call it for example 01-paper.toml",
+                "the file name, which names the experiment, must be [a-z0-9-]+ and .toml, and neither `experiment` nor `peers`",
+                "rename it, for example to 01-paper.toml",
             ));
         }
         with_table(path, text, FILE_KEYS, |root| {
@@ -122,7 +122,7 @@ impl Definition {
 /// Names of other entries in a folder of records: no record may have such a name.
 const TAKEN: [&str; 2] = ["experiment", "peers"];
 
-/// A name that can be a file's, on any system.
+/// Returns true if a name is a valid file name on any system.
 fn is_name(name: &str) -> bool {
     let is_plain = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-';
     !name.is_empty() && name.chars().all(is_plain) && !TAKEN.contains(&name)
@@ -133,7 +133,7 @@ fn question(root: &Table<'_>) -> Result<String> {
     let question = entry.text()?.trim();
     if question.len() < 2 || !question.ends_with('?') {
         let help = "ask something: one sentence that ends in a question mark";
-        return Err(entry.fault("it is no question", help));
+        return Err(entry.fault("it is not a question", help));
     }
     Ok(question.to_owned())
 }
@@ -162,12 +162,12 @@ fn run(entry: &Entry<'_>, path: &Path) -> Result<(DefinedRun, RunSynopsis)> {
     if usize::from(is_cases) + usize::from(is_search) + usize::from(table.get("scene").is_some())
         != 1
     {
-        let help = "say what is run by one of `scene`, `cases` and `random`";
+        let help = "give exactly one of `scene`, `cases` and `random`";
         return Err(entry.fault("it runs nothing, or several things", help));
     }
     let name = table.need("name", "\"crank\"")?;
     if !is_name(name.text()?) {
-        let help = "use small letters, digits and `-`, and neither `experiment` nor `peers`: files are called by it";
+        let help = "use small letters, digits and `-`, and neither `experiment` nor `peers`: files are named after it";
         return Err(name.fault("it cannot be a name", help));
     }
     let about = table.get("about");
@@ -201,7 +201,7 @@ fn input(entry: &Entry<'_>) -> Result<String> {
     match entry.text()?.trim() {
         "" => Err(entry.fault(
             "it is empty",
-            "say what a user would call it: \"plane cuts\"",
+            "write what a user would call it, such as \"plane cuts\"",
         )),
         text => Ok(text.to_owned()),
     }

@@ -1,4 +1,4 @@
-//! Moving inputs in the use that a run stands for: they select the clocks that count in every frame.
+//! Inputs that move in the use case of a run: they select the clocks that count in every frame.
 
 use cutaway::Result;
 use cutaway::error::did_you_mean;
@@ -25,14 +25,14 @@ const NAMED: [(&str, Moves); 3] = [
     ("mesh", Moves::Mesh),
 ];
 
-/// Reads one by its name.
+/// Reads a value by its name.
 pub(super) fn read(entry: &Entry<'_>) -> Result<Moves> {
     let text = entry.text()?;
     match NAMED.iter().find(|(name, _)| *name == text) {
         Some((_, moves)) => Ok(*moves),
         None => {
             let help = did_you_mean(text, NAMED.map(|(name, _)| name));
-            Err(entry.fault(format!("nothing is called `{text}` that moves"), help))
+            Err(entry.fault(format!("`{text}` is not something that moves"), help))
         }
     }
 }

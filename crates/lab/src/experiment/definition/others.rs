@@ -1,4 +1,4 @@
-//! Runs that ask no scene of their own: the hard cases of the library, and the search through random scenes.
+//! Runs without a scene of their own: the library's hard cases, and the search through random scenes.
 
 use cutaway::Result;
 use cutaway::strategies::Method;
@@ -11,11 +11,11 @@ use crate::experiment::Renderer;
 /// Selected hard cases.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AskedCases {
-    /// Globs over their ids.
+    /// Globs over the ids of cases.
     pub cases: Vec<String>,
-    /// Methods to run; none means those that the cases name.
+    /// Methods to run; `None` means those that the cases name.
     pub methods: Option<Vec<Method>>,
-    /// Pixels along the sides of the pictures; empty leaves it to the cases.
+    /// Side lengths of the pictures in pixels; if empty, the cases decide.
     pub sizes_px: Vec<u32>,
 }
 
@@ -26,7 +26,7 @@ pub struct AskedSearch {
     pub scenes: usize,
     /// First seed.
     pub seed: u64,
-    /// Methods to run; none means all that should be exact.
+    /// Methods to run; `None` means all that should be exact.
     pub methods: Option<Vec<Method>>,
 }
 
@@ -74,7 +74,7 @@ fn search(entry: &Entry<'_>, asked: &mut AskedSearch) -> Result<()> {
     let scenes = table.need("scenes", "200")?;
     asked.scenes = scenes.whole()?;
     if asked.scenes == 0 {
-        return Err(scenes.fault("no scene is searched", "say at least 1"));
+        return Err(scenes.fault("no scene is searched", "write at least 1"));
     }
     if let Some(seed) = table.get("seed") {
         asked.seed = seed.whole()?;
@@ -90,11 +90,8 @@ fn methods(table: &Table<'_>) -> Result<Option<Vec<Method>>> {
     for text in scenes::some_texts(&entry)? {
         for renderer in Renderer::named(&text).map_err(|f| entry.place(f))? {
             let Some(method) = renderer.method() else {
-                let what = format!("hard cases are not asked of {renderer}");
-                return Err(entry.fault(
-                    &what,
-                    "name strategies, by what means they are to draw after an @",
-                ));
+                let what = format!("hard cases cannot be run with {renderer}");
+                return Err(entry.fault(&what, "name strategies, with any draw options after an @"));
             };
             if !methods.contains(&method) {
                 methods.push(method);
@@ -113,7 +110,7 @@ fn sizes(table: &Table<'_>) -> Result<Option<Vec<u32>>> {
         .collect::<Result<_>>()?;
     if sizes.is_empty() || sizes.iter().any(|s| !(8..=4096).contains(s)) {
         let help = "write for example `sizes = [64, 256]`: whole numbers from 8 to 4096";
-        return Err(entry.fault("there must be sizes that can be drawn", help));
+        return Err(entry.fault("it is not a list of picture sizes", help));
     }
     Ok(Some(sizes))
 }

@@ -44,15 +44,15 @@ const QUICK_KEYS: &[&str] = &[
 /// Default number of rounds.
 const USUAL_ROUNDS: usize = 9;
 
-/// Most rounds, as of `cutaway compare`.
+/// Maximum number of rounds, as for `cutaway compare`.
 const MOST_ROUNDS: usize = 10_000;
 
-/// Strategies on the points of a sweep.
+/// Strategies to measure on the points of a sweep.
 #[derive(Clone, Debug)]
 pub struct SceneRun {
     /// The points, in the order of the values; the first axis by name varies slowest.
     pub points: Vec<Point>,
-    /// Measured rounds, after one to warm up.
+    /// Measured rounds, after one warm-up round.
     pub rounds: usize,
     /// The points that keep pictures.
     pub pictures: Pictures,
@@ -64,7 +64,7 @@ pub struct SceneRun {
     pub axes: Axes,
 }
 
-/// Points of a run that keep pictures: `pictures = true`, `false`, `"all"`, `"last"`.
+/// Points of a run whose pictures are kept: `pictures = true`, `false`, `"all"`, `"last"`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Pictures {
     /// No point.
@@ -89,7 +89,7 @@ impl Pictures {
     }
 }
 
-/// Run as written, before it is expanded.
+/// A run as written, before it is expanded.
 #[derive(Clone)]
 struct Draft {
     variable: Variable,
@@ -98,11 +98,11 @@ struct Draft {
     drift: Option<Drift>,
 }
 
-/// Reads a run, in full and quick. Files are named from the folder of the experiment, whose path this is.
+/// Reads a run, in full and quick. Files are named relative to the folder of the experiment file, `path`.
 pub(super) fn read(entry: &Entry<'_>, path: &Path) -> Result<(Asked, Asked)> {
     let table = entry.table(RUN_KEYS)?;
     let scene = scene(&table, path)?;
-    // What the experiment changes of a scene that has a file of its own is said in that of the experiment.
+    // Errors in the experiment's changes to a scene file name the experiment's file, not the scene's.
     let node;
     let (entry, table) = if scene.path() == path {
         (entry.clone(), table)
@@ -170,7 +170,7 @@ impl Draft {
                 quick.axes.replace(fewer(name, &values, self)?);
             }
         }
-        // The quick size is one, whatever sizes there are in full.
+        // There is one quick size, however many sizes there are in full.
         if table.get("resolution").is_some() {
             let is_of_more = |a: &Axis| {
                 let mut sets = a.values.iter().flat_map(|v| &v.sets);
@@ -215,7 +215,7 @@ fn scene(table: &Table<'_>, path: &Path) -> Result<Document> {
     Document::read(&file)
 }
 
-/// Values by their paths.
+/// Reads values by their paths.
 fn changes(entry: &Entry<'_>) -> Result<Changes> {
     let table = entry.open_table()?;
     let all = table.all();
@@ -224,7 +224,7 @@ fn changes(entry: &Entry<'_>) -> Result<Changes> {
         .collect())
 }
 
-/// Texts of a list that is not empty.
+/// Reads a non-empty list of texts.
 pub(super) fn some_texts(entry: &Entry<'_>) -> Result<Vec<String>> {
     let texts = entry.texts()?;
     if texts.is_empty() || texts.iter().any(|t| t.trim().is_empty()) {
@@ -238,8 +238,8 @@ fn pictures(entry: &Entry<'_>) -> Result<Pictures> {
         return entry.choice(&[("all", Pictures::All), ("last", Pictures::Last)]);
     }
     let is_kept = entry.flag().map_err(|_| {
-        let help = "write true (of the first point), \"last\", \"all\", or false";
-        entry.fault("it does not say of which points pictures are kept", help)
+        let help = "write true (for the first point), \"last\", \"all\", or false";
+        entry.fault("it does not select points to keep pictures of", help)
     })?;
     Ok(if is_kept {
         Pictures::First
@@ -257,11 +257,11 @@ fn rounds(table: &Table<'_>) -> Result<Option<usize>> {
         return Ok(Some(rounds));
     }
     let help = format!("use 1 to {MOST_ROUNDS}");
-    Err(entry.fault("so many rounds cannot be measured", help))
+    Err(entry.fault("this number of rounds cannot be measured", help))
 }
 
-/// Reads an axis. Its name is the path that its values are set at, or what stands in braces in a strategy, or neither where the values
-/// say the paths: `{ path = "..", values = [..] }` or a table for each value.
+/// Reads an axis. Its name is the path at which its values are set, or a placeholder in braces in a strategy, or neither if the values
+/// give the paths: `{ path = "..", values = [..] }` or a table for each value.
 fn axis(name: &str, entry: &Entry<'_>, draft: &Draft) -> Result<Axis> {
     if entry.is_table() {
         let table = entry.table(&["path", "values"])?;
@@ -287,14 +287,14 @@ fn axis(name: &str, entry: &Entry<'_>, draft: &Draft) -> Result<Axis> {
     let is_path = paths::all().iter().any(|known| known.path == name);
     if !name.contains('.') && !is_path && draft.variable.scene.root().get(name).is_none() {
         let help = format!(
-            "write {braces} in a strategy, or let the name be the path of a value, as `cut.front.surfaces.0.amplitude`"
+            "write {braces} in a strategy, or name the axis by the path of a value, such as `cut.front.surfaces.0.amplitude`"
         );
-        return Err(entry.fault("nobody uses its values", help));
+        return Err(entry.fault("its values are not used", help));
     }
     of_paths(name, vec![name.to_owned()], entry, draft)
 }
 
-/// Fewer or other values of an axis. A value of an axis with tables is meant by what it is called.
+/// Reads fewer or other values of an axis. On an axis with tables, a value is selected by its label.
 fn fewer(name: &str, entry: &Entry<'_>, draft: &Draft) -> Result<Axis> {
     let Some(full) = draft.axes.get(name) else {
         return axis(name, entry, draft);
@@ -332,7 +332,7 @@ fn of_strategies(name: &str, entry: &Entry<'_>) -> Result<Axis> {
     Axis::of(name, Vec::new(), values).map_err(|f| entry.place(f))
 }
 
-/// Values that are set at some paths.
+/// Reads an axis whose values are set at some paths.
 fn of_paths(name: &str, paths: Vec<String>, entry: &Entry<'_>, draft: &Draft) -> Result<Axis> {
     let value = |e: &Entry<'_>| {
         let sets = paths.iter().map(|path| (path.clone(), e.node.clone()));
@@ -347,7 +347,7 @@ fn of_paths(name: &str, paths: Vec<String>, entry: &Entry<'_>, draft: &Draft) ->
     Axis::of(name, paths, values).map_err(|f| entry.place(f))
 }
 
-/// A value that says what it sets: `{ is = "2 k", "part.0.shape" = "torus?segments=48&sides=21" }`.
+/// Reads a value that gives the paths it sets: `{ is = "2 k", "part.0.shape" = "torus?segments=48&sides=21" }`.
 fn tabled(entry: &Entry<'_>, draft: &Draft) -> Result<Value> {
     let table = entry.open_table()?;
     let is = called(&table.need("is", "\"2 k\"")?)?;
@@ -356,7 +356,7 @@ fn tabled(entry: &Entry<'_>, draft: &Draft) -> Result<Value> {
         .map(|(path, e)| (path.to_owned(), e.node.clone()))
         .collect();
     if sets.is_empty() {
-        let help = "add the paths of what it sets, as `\"part.0.scale\" = 2`";
+        let help = "add the paths and values that it sets, such as `\"part.0.scale\" = 2`";
         return Err(entry.fault("it sets nothing", help));
     }
     settable(&sets, entry, draft)?;
@@ -368,8 +368,8 @@ fn settable(sets: &Changes, entry: &Entry<'_>, draft: &Draft) -> Result<()> {
         .iter()
         .any(|(path, _)| path == "strategy.name" || path == "strategy")
     {
-        let help = "name the strategies in `strategies`: each of them is asked at each point";
-        return Err(entry.fault("who draws is no value of the scene here", help));
+        let help = "name the strategies in `strategies`: each of them is measured at each point";
+        return Err(entry.fault("the strategy is not set in the scene here", help));
     }
     draft
         .variable
@@ -383,6 +383,6 @@ fn settable(sets: &Changes, entry: &Entry<'_>, draft: &Draft) -> Result<()> {
 fn called(entry: &Entry<'_>) -> Result<Parameter> {
     Parameter::of(&entry.node.value).ok_or_else(|| {
         let help = "give it a name: `{ is = \"small\", \"resolution\" = [64, 48] }`";
-        entry.fault("a list or a table has no name to be told apart by", help)
+        entry.fault("a list or a table has no name", help)
     })
 }

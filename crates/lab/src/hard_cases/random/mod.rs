@@ -1,10 +1,10 @@
-//! Scenes without a pattern: unions of boxes, lumpy balls and bundles of long prisms, flush with one another or not, turned or not, some with
-//! needles; one or two cuts of one or two planes or reliefs; eyes outside and inside; small pictures, and some rows of large ones.
+//! Random scenes: unions of boxes, lumpy balls and bundles of long prisms, flush with one another or not, rotated or not, some with
+//! needles; one or two cuts by one or two planes or reliefs; eyes outside and inside; small pictures, and some rows of large ones.
 //!
-//! Scene after scene is drawn by each method and held against exact: exact strategies to no decided wrong pixel, depth images to their
-//! reach, tessellations by one list to no hole. A scene that comes out wrong is made simpler as long as it stays wrong, and printed as code,
-//! to become a numbered regression. A scene costs an exact image of 64 x 48 pixels, one in twelve of 2400 x 8, and a frame for each
-//! method; shrinking one, some hundred of both.
+//! Each scene is drawn by each method and compared with exact: exact strategies must have no decided wrong pixel, depth images none beyond
+//! their theoretical error, tessellations with one per-pixel list no hole. A scene that is drawn wrong is simplified as long as it stays
+//! wrong, and printed as code for a numbered regression test. A scene costs an exact image of 64 x 48 pixels, or for one in twelve of
+//! 2400 x 8, and a frame for each method; shrinking a scene costs some hundred of both.
 
 mod recipe;
 
@@ -20,17 +20,17 @@ use super::expected::{list_fault, unmarked_fault};
 use super::numbers::Numbers;
 use super::{Judged, Question, band};
 
-/// More findings of one method say nothing new.
+/// Maximum number of findings per method: more add no information.
 const MOST_FINDINGS: usize = 5;
 
-/// A scene that came out wrong.
+/// A scene that was drawn wrong.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Finding {
     /// Name of the strategy.
     pub strategy: String,
     /// Number of the scene in the search.
     pub scene: u64,
-    /// Fault of the simplest scene that was reached.
+    /// Fault of the simplest scene reached.
     pub what: String,
     /// Recipe of that scene.
     pub recipe: Recipe,
@@ -39,9 +39,9 @@ pub struct Finding {
 /// Result of a search.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Searched {
-    /// Scenes that came out wrong.
+    /// Scenes that were drawn wrong.
     pub findings: Vec<Finding>,
-    /// By each method, in order: how many scenes it drew to the end; the others it refused, or drew with an overflow.
+    /// Per method, in order: the number of scenes it drew completely; it refused the others, or drew them with an overflow.
     pub drawn: Vec<usize>,
     /// Pixels that show a cap in exact.
     pub caps_px: usize,
@@ -56,8 +56,8 @@ pub fn recipe(seed: u64, scene: u64) -> Recipe {
     Recipe::random(&mut Numbers(seed ^ (scene << 32)))
 }
 
-/// Draws these scenes, by their numbers, by each method, and says which came out wrong. `step` is called with each scene before it is drawn,
-/// and with each finding. Ends early, with nothing, as soon as `goes_on` says no; it is called before each frame.
+/// Draws the scenes with these numbers by each method, and returns those drawn wrong. `step` is called with each scene before it is drawn,
+/// and with each finding. Ends early, without a result, as soon as `goes_on` returns false; `goes_on` is called before each frame.
 pub fn search(
     session: &mut Session,
     scenes: Range<u64>,
@@ -92,7 +92,7 @@ pub fn search(
                 continue;
             };
             let (recipe, what) = shrunk(recipe.clone(), what, &mut |recipe| {
-                // Without a fault nothing is simpler: the search ends where it stands.
+                // Reporting no fault ends the simplification at the current recipe.
                 if !goes_on() {
                     return Ok(None);
                 }
@@ -112,8 +112,8 @@ pub fn search(
     Ok(goes_on().then_some(searched))
 }
 
-/// As [`fault`], without what a depth sprite lost as it was peeled: of two crossings of a texel in one depth it keeps one, as between the
-/// walls of needles and teeth. The lists of a layered depth image of as many texels keep both; where they have nothing wrong, that was it.
+/// As [`fault`], but ignores what a depth sprite loses in peeling: of two crossings at one depth in a texel it keeps one, as between the
+/// walls of needles and teeth. A layered depth image with as many texels keeps both: if it has no fault, peeling was the cause.
 fn fault_kept(
     session: &mut Session,
     question: &Question,
@@ -137,7 +137,7 @@ fn fault_kept(
     Ok(found.filter(|_| fault(question, &by_lists, &lists).is_some()))
 }
 
-/// Fault of an answer. A refusal is none, nor is an overflow that is reported, as long as what is wrong is marked.
+/// Fault of an answer. A refusal is no fault, nor is a reported overflow as long as all wrong pixels are marked.
 pub fn fault(question: &Question, judged: &Judged, method: &Method) -> Option<String> {
     let strategy = &method.strategy;
     let is_whole = |judged: &Judged| judged.layers.pixels.iter().all(|p| !p.depth.is_nan());
@@ -157,8 +157,8 @@ pub fn fault(question: &Question, judged: &Judged, method: &Method) -> Option<St
     }
 }
 
-/// Largest displacement of an outline, in pixels: a fold of a grid lies up to a cell away from that of its relief. A cell is about as wide
-/// as the picture divided by the number of cells. Adaptive cells are under a pixel off.
+/// Largest displacement of an outline, in pixels: a fold of a grid is up to one cell away from the relief's fold. The width of a cell is
+/// about that of the picture divided by the number of cells. Adaptive cells are off by less than a pixel.
 fn outline_px(question: &Question, strategy: &Strategy) -> usize {
     let cells = strategy.surface.steps();
     if strategy.surface != CapSurface::grid(cells) {
@@ -168,7 +168,7 @@ fn outline_px(question: &Question, strategy: &Strategy) -> usize {
     width.max(height).div_ceil(cells) as usize
 }
 
-/// The simplest recipe that can be reached without mending the fault, and its fault.
+/// The simplest recipe that can be reached without removing the fault, and its fault.
 pub fn shrunk(
     mut recipe: Recipe,
     mut what: String,

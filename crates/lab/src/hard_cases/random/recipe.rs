@@ -1,5 +1,5 @@
-//! Random scenes as recipes: plain numbers that make a scene, are made simpler one step at a time, and can be pasted into a
-//! numbered regression as they print.
+//! Random scenes as recipes: plain numbers that define a scene, can be simplified one step at a time, and print as code that can be
+//! pasted into a numbered regression test.
 
 use cutaway::passes::Model;
 use cutaway::scene::{
@@ -10,13 +10,13 @@ use glam::{DAffine3, DQuat, DVec3, EulerRot};
 use crate::hard_cases::numbers::Numbers;
 use crate::hard_cases::{Question, meshes, scenes};
 
-/// Pixels of most pictures.
+/// Size of most pictures in pixels.
 const WHOLE_PX: [u32; 2] = [64, 48];
 
-/// Pixels of a picture of which some rows are drawn.
+/// Size in pixels of a large picture, of which only some rows are drawn.
 const PRINT_PX: [u32; 2] = [2400, 1800];
 
-/// Number of rows.
+/// Number of rows drawn of a large picture.
 const ROWS: u32 = 8;
 
 /// Scale of prisms and rods, which are 4 and 6 long.
@@ -31,7 +31,7 @@ pub enum RandomSolid {
     Lumpy {
         /// Fineness.
         subdivisions: u32,
-        /// Largest share of the radius.
+        /// Maximum height of the lumps, as a share of the radius.
         lumps: f64,
         /// Phase of the lumps.
         phase: f64,
@@ -68,7 +68,7 @@ pub struct Bumps {
     pub size: [u32; 2],
     /// Seed of the noise.
     pub seed: u64,
-    /// From the lowest possible texel to the highest.
+    /// Height difference between the lowest and highest possible texel.
     pub height: f64,
     /// Length of one repeat.
     pub period: f64,
@@ -91,20 +91,20 @@ pub struct Recipe {
     pub from: [f64; 3],
     /// Point that the eye looks at.
     pub to: [f64; 3],
-    /// Field of view in degrees, or parallel rays.
+    /// Field of view in degrees; `None` for parallel rays.
     pub fov_deg: Option<f64>,
     /// Distance of the near plane; `None` picks one.
     pub near: Option<f64>,
-    /// Angles by which parts and clip-surfaces are turned together, about x, then y, then z.
+    /// Angles by which parts and clip-surfaces are rotated together, about x, then y, then z.
     pub turned: [f64; 3],
-    /// The first of some rows of a large picture; `None` draws a small one.
+    /// First of the rows drawn of a large picture; `None` draws a small one.
     pub first_row: Option<u32>,
-    /// Each triangle is split in three, of which one is a needle: so wide, as a share of the triangle's height.
+    /// Splits each triangle in three, one of them a needle; the value is the needle's width as a share of the triangle's height.
     pub needles: Option<f64>,
 }
 
 impl Recipe {
-    /// A recipe without a pattern.
+    /// A random recipe.
     pub fn random(n: &mut Numbers) -> Self {
         let solids = (0..1 + n.below(2))
             .map(|_| (solid(n), point(n, 0.2)))
@@ -129,7 +129,7 @@ impl Recipe {
             near: n.once_in(4).then(|| n.between(0.01, 1.0) * reach),
             ..Self::default()
         };
-        // Options added later are drawn from later numbers: scenes that draw none of them are what they were.
+        // Options added later use later random numbers, so that scenes without these options stay the same.
         if n.once_in(4) {
             // Parts touch, are flush or share faces.
             for (_, at) in &mut recipe.solids {
@@ -158,7 +158,7 @@ impl Recipe {
         recipe
     }
 
-    /// The scene in its view, and the truth about it.
+    /// The scene in its view, with its reference.
     pub fn question(&self) -> Question {
         let scene = self.scene();
         let Some(first) = self.first_row else {

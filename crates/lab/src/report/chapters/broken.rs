@@ -1,4 +1,4 @@
-//! Broken meshes: which strategy is wrong least, and how much of that it marks.
+//! Broken meshes: which strategy is least wrong, and how many of the wrong pixels it marks.
 
 use super::figures::{counts, ranged, shares};
 use super::point::Point;
@@ -6,7 +6,7 @@ use crate::experiment::Record;
 use crate::report::derived::{harms, has_defect, usage};
 use crate::report::document::{Cell, Grid, Tone};
 
-/// A row for each defect and strategy; none where no point has another scene for its truth.
+/// A table with a row for each defect and strategy; `None` if no point has another scene as its truth.
 pub(super) fn grid(points: &[Point<'_>]) -> Option<Grid> {
     let mut grid = Grid::new(
         "broken meshes",

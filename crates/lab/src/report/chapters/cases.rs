@@ -1,4 +1,4 @@
-//! Hard cases and the property search: every case through every strategy, with what was expected and what was reached.
+//! Hard cases and the search through random scenes: every case by every strategy, with its expected and its found result.
 
 use super::expectations::missed_notice;
 use super::figures::counted;
@@ -38,7 +38,7 @@ pub(super) fn chapter(recorded: &Recorded) -> Vec<Block> {
     blocks
 }
 
-/// Question and analysis of an experiment that has no other section to show them.
+/// Question and analysis of an experiment that are shown in no other section.
 fn asked(experiment: &Experiment) -> Vec<Block> {
     let synopsis = &experiment.synopsis;
     if !experiment.records.is_empty() {
@@ -113,7 +113,7 @@ fn table(cases: &CaseRecords) -> Grid {
     grid
 }
 
-/// The gravest of what came of a strategy's expectations at one case.
+/// The worst result among a strategy's expectations at one case.
 fn cell(reached: &[&Reached]) -> Cell {
     let story: Vec<String> = reached
         .iter()

@@ -1,7 +1,7 @@
 //! The charts that an experiment asks for.
 //!
-//! A chart of a front compares strategies at one point, so each point has its own; any other has all points of a setup. Marks of
-//! one strategy under a sweep of its parameter are one series, in the order of the parameter.
+//! A chart with a front compares strategies at one point, so each point has its own; any other chart has all points of a setup. The
+//! marks of one strategy with a swept parameter form one series, in the order of the parameter.
 
 use super::figures::label;
 use super::point::{Point, Points};
@@ -50,7 +50,7 @@ pub(super) fn blocks(
     blocks
 }
 
-/// Puts a chart next to the one before it, unless it is as wide as the page.
+/// Puts a chart next to the previous one, unless it is as wide as the page.
 fn add_card(blocks: &mut Vec<Block>, chart: Vec<Block>) {
     let is_wide = (chart.iter()).any(|b| matches!(b, Block::Chart(c) if c.panels.len() > 1));
     match blocks.last_mut() {
@@ -61,16 +61,16 @@ fn add_card(blocks: &mut Vec<Block>, chart: Vec<Block>) {
     }
 }
 
-/// A strategy at a point with its place in a chart.
+/// A strategy at a point, with its position in a chart.
 pub(super) struct Placed<'a> {
     pub(super) row: Row<'a>,
     pub(super) at: [f64; 2],
     pub(super) series: String,
-    /// Values of the other varied parameters: each combination has a drawing of its own.
+    /// Values of the other varied parameters: each combination has its own drawing.
     pub(super) panel: String,
 }
 
-/// All strategies of some points that have both figures of a chart, and the values of its x axis where they are no numbers.
+/// All strategies of some points that have both figures of a chart, and the categories of its x axis if its values are not numbers.
 fn placed<'a>(asked: &ChartSynopsis, points: &[Point<'a>]) -> (Vec<Placed<'a>>, Vec<String>) {
     let rows: Vec<Row<'_>> = points
         .iter()
@@ -138,7 +138,7 @@ fn draw_chart(asked: &ChartSynopsis, facet: &str, points: &[Point<'_>]) -> Vec<B
     blocks
 }
 
-/// The note of a chart, and which points it shows: each run with the values that its axes have there.
+/// The note of a chart, with the points it shows: each run with its values on the sweep axes.
 fn note(asked: &ChartSynopsis, placed: &[Placed<'_>]) -> String {
     let mut runs: Named<'_, Named<'_, Vec<String>>> = Vec::new();
     for record in placed.iter().map(|p| p.row.record) {
@@ -166,10 +166,10 @@ fn note(asked: &ChartSynopsis, placed: &[Placed<'_>]) -> String {
     }
 }
 
-/// A list by names, in their order.
+/// A list of named values, in order.
 type Named<'n, T> = Vec<(&'n str, T)>;
 
-/// Value under a name in a list, added where there is none.
+/// The value with a name in a list, added if there is none.
 fn place_of<'l, 'n, T: Default>(list: &'l mut Named<'n, T>, name: &'n str) -> &'l mut T {
     let place = list.iter().position(|(n, _)| *n == name);
     let place = place.unwrap_or_else(|| {
@@ -179,7 +179,7 @@ fn place_of<'l, 'n, T: Default>(list: &'l mut Named<'n, T>, name: &'n str) -> &'
     &mut list[place].1
 }
 
-/// Values of the x axis in order, where they are not all numbers.
+/// Values of the x axis in order, if not all are numbers.
 fn categories(asked: &ChartSynopsis, rows: &[Row<'_>]) -> Vec<String> {
     let values = || rows.iter().filter_map(|r| r.parameter(&asked.x));
     if values().all(|v| v.number().is_some()) {
@@ -207,7 +207,7 @@ pub(super) fn spread(row: &Row<'_>, figure: &str) -> f64 {
     row.figures.get(&name).copied().unwrap_or_default()
 }
 
-/// The drawings of a chart, one for each value of what is varied in addition to the strategies.
+/// The drawings of a chart, one for each combination of values varied in addition to the strategies.
 fn panels(asked: &ChartSynopsis, placed: &[Placed<'_>], front: &[[f64; 2]]) -> Vec<Panel> {
     let mut titles: Vec<&str> = Vec::new();
     for p in placed {
@@ -253,7 +253,7 @@ fn series_of(asked: &ChartSynopsis, placed: &[&Placed<'_>]) -> Vec<Series> {
         .collect()
 }
 
-/// By the strategy's own parameters where x is a figure, else along x.
+/// Orders marks by the strategy's own parameters if x is a figure, else along x.
 fn in_order(asked: &ChartSynopsis, a: &Placed<'_>, b: &Placed<'_>) -> std::cmp::Ordering {
     let values = |p: &Placed<'_>| p.row.member.parameters.clone();
     let along_x = a.at[0].total_cmp(&b.at[0]);

@@ -10,7 +10,7 @@ use crate::report::document::{Bar, Bars, Block, Cell, Grid, Segment, Tone};
 use crate::report::errors::ERRORS;
 use crate::report::number::{figure, mebibytes, significant};
 
-/// Headings of the table after those of errors and before those of figures that only some records have.
+/// Column headings after the error columns and before the figures that only some records have.
 const HEADING: [&str; 11] = [
     "depth max, px",
     "normal max, °",
@@ -28,15 +28,15 @@ const HEADING: [&str; 11] = [
 /// Columns before those of [`HEADING`]: the name, the outcome, and the errors.
 const COLUMNS_BEFORE: usize = 2 + ERRORS.len();
 
-/// Columns of [`HEADING`], counted from the first of all, that a scene with nothing cut has too.
+/// Index of the first ratio column among all columns; the uncut scene has a value there too.
 const RATIO: usize = COLUMNS_BEFORE + 2;
 const RATIO_UNCUT: usize = COLUMNS_BEFORE + 3;
 const FRAME: usize = COLUMNS_BEFORE + 5;
 
-/// A point, and its label next to the method in a row; empty where there is no other point.
+/// The label of a point, shown next to the method (empty if there is no other point), and its record.
 pub(super) type Labelled<'a> = (String, &'a Record);
 
-/// Error and cost of each strategy at some points. Columns that hold nothing but zeros are left out, and named below.
+/// Error and cost of each strategy at some points. Columns with only zeros are left out, and listed below the table.
 pub(super) fn table(points: &[Labelled<'_>]) -> Vec<Block> {
     let named = |name: &str, label: &str| match label {
         "" => name.to_owned(),
@@ -71,7 +71,7 @@ pub(super) fn of_method(name: &str, points: &[Labelled<'_>]) -> Vec<Block> {
         let strategies = record.measurement.strategies.iter();
         if let Some(index) = strategies.into_iter().position(|s| s.name == name) {
             let mut cells = cells(points, record, index);
-            // Reasons have a table of their own.
+            // Reasons have their own table.
             if let Some((outcome, reason)) = cells[0].text.split_once(": ") {
                 let short = Cell::from(outcome).toned(cells[0].tone);
                 cells[0] = short.titled(reason.to_owned());
@@ -106,7 +106,7 @@ fn finished(mut grid: Grid) -> Vec<Block> {
     std::iter::once(Block::Grid(grid)).chain(note).collect()
 }
 
-/// The cells of a scene with nothing cut, after the first.
+/// The cells of the uncut scene, after the first.
 fn uncut(ratio: Cell, uncut: Cell, time: &Samples) -> Vec<Cell> {
     let mut plain = vec![Cell::default(); COLUMNS_BEFORE + HEADING.len() - 1];
     plain[RATIO - 1] = ratio;
@@ -165,7 +165,7 @@ fn strategy(found: &StrategyMeasurement, warnings: &[Warning]) -> Vec<Cell> {
     cells
 }
 
-/// A figure that a warning concerns says so.
+/// Adds to a figure the warnings that concern it.
 fn warned(cell: Cell, found: &StrategyMeasurement, warnings: &[Warning]) -> Cell {
     let of_it = warnings
         .iter()
@@ -180,7 +180,7 @@ fn warned(cell: Cell, found: &StrategyMeasurement, warnings: &[Warning]) -> Cell
         .titled(words.join("; "))
 }
 
-/// Time of each strategy by pass, and every sample; nothing where none was taken.
+/// Time of each strategy by pass, and every sample; `None` if no time was taken.
 pub(super) fn passes(record: &Record) -> Option<Block> {
     let of = |passes: &[PassTime], clock: Clock| -> Vec<Segment> {
         let of_clock = passes.iter().filter(|p| p.clock == clock);

@@ -14,11 +14,11 @@ struct Shared<'a> {
     first: &'a Reached,
     reached: usize,
     missed: usize,
-    /// Outcomes, each once.
+    /// Distinct outcomes.
     found: Vec<&'a str>,
 }
 
-/// The expectations of some points in one table, those of all strategies or of one; what was missed comes first.
+/// The expectations of some points in one table, for all strategies or only one; missed expectations come first.
 pub(super) fn of_run(records: &[&Record], only: Option<&str>) -> Option<Block> {
     let mut all: Vec<Shared<'_>> = Vec::new();
     let expected = records.iter().flat_map(|r| &r.expectations);

@@ -1,4 +1,4 @@
-//! The experiments: question, answer, pictures, charts; and folded behind them the analysis and every point of every run.
+//! The experiments: question, answer, pictures, charts; and, folded away, the analysis and every point of every run.
 
 use cutaway_io::document::Document;
 
@@ -56,7 +56,7 @@ pub(super) fn chapter(
     blocks
 }
 
-/// The answer of an experiment, for each setup that has one: where nothing is compared there is none.
+/// The answer of an experiment for each setup; there is none where no methods are compared.
 fn answers(points: &Points<'_>, of_it: &[Point<'_>]) -> Vec<Block> {
     let answer = |setup| {
         let on_it = points.on(setup);
@@ -166,7 +166,7 @@ fn one(
     blocks
 }
 
-/// The scene of a point, and the one that is the truth where that is another.
+/// The scene of a point, and its truth scene if that is another.
 fn scenes(record: &Record) -> Vec<Block> {
     let truth = record.truth.as_ref();
     let truth = truth.map(|truth| ("The scene whose exact image is the truth:", truth));

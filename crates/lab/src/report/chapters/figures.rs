@@ -14,7 +14,7 @@ pub(super) fn counted(count: usize, what: &str) -> String {
     }
 }
 
-/// The name of a figure for readers; that of the figure where there is no better one.
+/// The readable name of a figure; the figure's own name if there is no better one.
 pub(super) fn label(name: &str) -> String {
     let meaning = match name {
         "decided_wrong_px" => "decided wrong px",
@@ -48,14 +48,14 @@ pub(super) fn label(name: &str) -> String {
     meaning.to_owned()
 }
 
-/// Pixels that are wrong, none being good.
+/// A cell for a number of wrong pixels; 0 is good.
 pub(super) fn wrong_px(count: usize) -> Cell {
     Cell::number(count.to_string(), count as f64).toned(tone_of(count))
 }
 
 /// Severity of a number of wrong pixels.
 pub(super) fn tone_of(count: usize) -> Tone {
-    /// So few wrong pixels are hardly noticed.
+    /// Up to this many wrong pixels are hardly noticeable.
     const FEW_PX: usize = 30;
     match count {
         0 => Tone::Good,
@@ -88,7 +88,7 @@ pub(super) fn ratio(ratio: Option<f64>, mad: Option<f64>) -> Cell {
     }
 }
 
-/// The median of some ratios with their range.
+/// The median of ratios, with their range.
 pub(super) fn ranged(spread: Option<Spread>) -> Cell {
     spread.map_or_else(Cell::default, |s| {
         let cell = Cell::number(times(s.median), s.median);
@@ -96,7 +96,7 @@ pub(super) fn ranged(spread: Option<Spread>) -> Cell {
     })
 }
 
-/// The median and the most of some shares, in percent.
+/// The median and the maximum of shares, in percent.
 pub(super) fn shares(spread: Option<Spread>) -> Cell {
     spread.map_or_else(Cell::default, |s| {
         let text = format!("{} (up to {})", percent(s.median), percent(s.most));
@@ -104,7 +104,7 @@ pub(super) fn shares(spread: Option<Spread>) -> Cell {
     })
 }
 
-/// The median and the most of some counts.
+/// The median and the maximum of counts.
 pub(super) fn counts(spread: Option<Spread>) -> Cell {
     spread.map_or_else(Cell::default, |s| {
         let text = format!("{:.0} (up to {:.0})", s.median, s.most);

@@ -1,4 +1,4 @@
-//! Additions to a chart of error against cost: the price of accuracy along the front, and a list where nearly nothing is wrong.
+//! Additions to a chart of error against cost: the price of accuracy along the front, and a list if nearly all errors are 0.
 
 use super::charts::{Placed, spread};
 use super::figures::{label, times};
@@ -8,7 +8,7 @@ use crate::report::document::{Block, Cell, Grid, Line, Ranking, Tone};
 use crate::report::look::look;
 use crate::report::number::figure;
 
-/// The places of the front, the cheapest first, and the table of its prices.
+/// The points of the front, the cheapest first, and the table of its prices.
 pub(super) fn front_of(asked: &ChartSynopsis, placed: &[Placed<'_>]) -> (Vec<[f64; 2]>, Block) {
     let offers: Vec<Offer> = placed.iter().map(|p| offer(asked, p)).collect();
     let on_front = front(&offers);
@@ -20,14 +20,14 @@ pub(super) fn front_of(asked: &ChartSynopsis, placed: &[Placed<'_>]) -> (Vec<[f6
     (on_front.iter().map(|i| placed[*i].at).collect(), prices)
 }
 
-/// Returns true if nearly all marks would lie on the line of no error, where a list shows more.
+/// Returns true if nearly all marks would lie on the line of zero error, so that a list is more informative.
 pub(super) fn is_mostly_without_error(asked: &ChartSynopsis, placed: &[Placed<'_>]) -> bool {
     const FEW: usize = 2;
     let wrong = placed.iter().filter(|p| p.at[1] > 0.0).count();
     asked.pareto && placed.len() >= 2 * FEW && wrong <= FEW
 }
 
-/// The strategies of a point by their cost, with their errors in words.
+/// The strategies of a point by cost, with their errors as text.
 pub(super) fn ranking(asked: &ChartSynopsis, title: String, placed: &[Placed<'_>]) -> Ranking {
     let mut sorted: Vec<&Placed<'_>> = placed.iter().collect();
     sorted.sort_by(|a, b| a.at[0].total_cmp(&b.at[0]));
@@ -72,10 +72,10 @@ fn offer(asked: &ChartSynopsis, placed: &Placed<'_>) -> Offer {
     }
 }
 
-/// Rounds from which on a spread means something.
+/// Minimum number of rounds for a meaningful spread.
 const LEAST_ROUNDS: usize = 5;
 
-/// The spread of a figure, 0 where it has none; none where there were too few rounds.
+/// The spread of a figure, 0 if it has none; `None` if there were too few rounds.
 fn known_spread(row: &Row<'_>, figure: &str) -> Option<f64> {
     match row.figures.get(&format!("{figure}.mad")) {
         None => Some(0.0),

@@ -17,15 +17,15 @@ const WORDS: [[&str; 2]; 14] = [
     ],
     [
         "missed cap",
-        "the reference has cap there, the strategy has not",
+        "the reference has a cap there, the strategy has none",
     ],
     [
         "leaked cap",
-        "the strategy has cap there, the reference has not",
+        "the strategy has a cap there, the reference has none",
     ],
     [
         "wrong part",
-        "both have the same kind of thing there, of another part or, for a cap, by another clip-surface",
+        "both have the same kind there, but the part or, for a cap, the clip-surface differs",
     ],
     [
         "crack",
@@ -45,7 +45,7 @@ const WORDS: [[&str; 2]; 14] = [
     ],
     [
         "unreliable (marked)",
-        "a pixel that the strategy itself marks as one that it may have got wrong, whether it has or not",
+        "a pixel that the strategy itself marks as possibly wrong, whether it is wrong or not",
     ],
     [
         "unmarked wrong",
@@ -65,7 +65,7 @@ const WORDS: [[&str; 2]; 14] = [
     ],
 ];
 
-/// The table; nothing where nothing was measured.
+/// The table; empty if nothing was measured.
 pub(super) fn chapter(recorded: &Recorded) -> Vec<Block> {
     let mut experiments = recorded.folders.iter().flat_map(|f| &f.experiments);
     if experiments.all(|e| e.records.is_empty()) {

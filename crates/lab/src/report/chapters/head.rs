@@ -1,4 +1,4 @@
-//! Notices on the whole report, which stand before everything else; and the list of what was run, on what.
+//! Notices about the whole report, placed at its beginning; and the list of runs with their machines.
 
 use super::figures::counted;
 use super::point::Points;
@@ -104,7 +104,7 @@ fn commands(recorded: &Recorded) -> Grid {
     grid
 }
 
-/// Number of expectations reached, of points, of cases, and of areas next to outside baselines; nothing where what was expected is not
+/// Number of expectations reached at points, in cases, and for areas of outside baselines; `None` if those with expectations are not
 /// measured yet.
 fn reached(recorded: &Recorded) -> Option<Block> {
     let experiments = || recorded.folders.iter().flat_map(|f| &f.experiments);
@@ -139,7 +139,7 @@ fn reached(recorded: &Recorded) -> Option<Block> {
     Some(block)
 }
 
-/// Points of a folder that are not measured yet, and the commands that continue; nothing where all are measured.
+/// Points of a folder that are not measured yet, and the commands that continue; empty if all are measured.
 pub(super) fn missing(folder: &Folder, experiment: &Experiment) -> Vec<Block> {
     let lacking = &experiment.missing;
     if lacking.is_empty() {

@@ -7,7 +7,7 @@ use crate::report::derived::{StrategyTotals, totals_of_strategies};
 use crate::report::document::{Block, Cell, Grid, Tone};
 
 pub(super) fn chapter(points: &Points<'_>) -> Vec<Block> {
-    // One point is a table of its own.
+    // A single point has its own table.
     if points.all.len() < 2 {
         return Vec::new();
     }

@@ -22,7 +22,7 @@ pub(in crate::report) fn method_document(recorded: &Recorded, name: &str) -> Res
     let records: Vec<&Record> = points.all.iter().map(|p| p.record).collect();
     let known = names(&records);
     if !known.contains(&name) {
-        let what = "no point of these records was drawn by it";
+        let what = "no point of these records was drawn by this method";
         return Err(Error::input(
             format!("--method {name}"),
             what,
@@ -78,7 +78,7 @@ pub(in crate::report) fn method_document(recorded: &Recorded, name: &str) -> Res
     })
 }
 
-/// Names of all strategies, each once.
+/// Distinct names of all strategies.
 fn names<'a>(records: &[&'a Record]) -> Vec<&'a str> {
     let all = records.iter().flat_map(|r| &r.measurement.strategies);
     let mut names: Vec<&str> = all.map(|s| s.name.as_str()).collect();
@@ -183,7 +183,7 @@ fn over_fastest(name: &str, records: &[&Record]) -> String {
     });
     Spread::of(factors.collect()).map_or_else(String::new, |s| {
         format!(
-            " Over the fastest exact method of each point its frame takes {} in the median ({} to {}).",
+            " Relative to the fastest exact method of each point, its frame takes {} in the median ({} to {}).",
             times(s.median),
             times(s.least),
             times(s.most)
@@ -191,7 +191,7 @@ fn over_fastest(name: &str, records: &[&Record]) -> String {
     })
 }
 
-/// A line for each run, in the order of the experiments.
+/// A ranking with a line for each run, in the order of the experiments.
 fn by_run(name: &str, records: &[&Record]) -> Ranking {
     let mut runs: Vec<(&str, &str)> = Vec::new();
     for record in records {

@@ -1,7 +1,7 @@
 //! Choice of the pictures that are embedded in the page, linked, or left out.
 //!
-//! A page that holds its pictures opens from anywhere, but browsers struggle with very large ones. There is a budget of bytes; each
-//! point gets an equal share of what is left, exact first, then the strategies in the order of the record, each with its heat map.
+//! A page with embedded pictures opens from anywhere, but browsers struggle with very large pages. There is a budget of bytes; each
+//! point gets an equal share of the rest: exact first, then the strategies in the order of the record, each with its heat map.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -18,16 +18,16 @@ use crate::report::look::look;
 /// Options for the pictures of the page.
 #[derive(Clone, Debug)]
 pub struct PictureOptions {
-    /// Folder that the report is written to: links are seen from there.
+    /// Folder that the report is written to: links are relative to it.
     pub out: PathBuf,
-    /// Leave pictures in their files.
+    /// True to link picture files instead of embedding them.
     pub link: bool,
-    /// Most bytes of pictures, before they are written as text, which makes four of three.
+    /// Maximum bytes of embedded pictures, before their encoding as text, which turns three bytes into four.
     pub most_bytes: u64,
 }
 
 impl PictureOptions {
-    /// As many bytes of pictures as make a page of about 24 MB.
+    /// Bytes of pictures that give a page of about 24 MB.
     pub const MOST_BYTES: u64 = 17_000_000;
 }
 
@@ -40,14 +40,14 @@ pub(super) struct Galleries {
     gone: Vec<usize>,
 }
 
-/// A picture before it is known whether it fits.
+/// A picture that may or may not fit into the page.
 struct Wanted {
     name: String,
     caption: Cell,
     path: PathBuf,
     /// Heat map of its errors.
     errors: Option<PathBuf>,
-    /// Decided wrong pixels in it; none of the reference.
+    /// Decided wrong pixels in it; `None` for the reference.
     wrong_px: Option<usize>,
 }
 
@@ -55,7 +55,7 @@ struct Wanted {
 enum Lack {
     /// There is no such file.
     Gone,
-    /// There is no room.
+    /// It exceeds the budget.
     TooLarge,
 }
 
@@ -105,7 +105,7 @@ impl Galleries {
         index.is_some_and(|index| !self.galleries[index].shots.is_empty())
     }
 
-    /// Number of pictures without a file, and how to make them; nothing where all are there.
+    /// Number of pictures without a file, and how to make them; `None` if no file is missing.
     pub(super) fn gone(&self) -> Option<Block> {
         let gone: usize = self.gone.iter().sum();
         let points = self.gone.iter().filter(|gone| **gone > 0).count();
@@ -210,7 +210,7 @@ fn gallery(
     (gallery, used, gone)
 }
 
-/// The two pictures that a slider opens on: the first, which is the reference where that is there, and the one with most wrong pixels.
+/// The two pictures that a slider opens with: the first, which is the reference if present, and the one with most wrong pixels.
 fn opens_at(wrong_px: &[Option<usize>]) -> [usize; 2] {
     let strategies = wrong_px.iter().enumerate().skip(1);
     let worst = strategies
@@ -245,7 +245,7 @@ fn wanted(point: &Point<'_>) -> Vec<Wanted> {
     point.record.pictures.iter().map(of).collect()
 }
 
-/// A picture, and how many bytes it takes of those that are left.
+/// A picture, and the number of bytes it takes from the rest of the budget.
 fn image(path: &Path, options: &PictureOptions, left: u64) -> Result<(Image, u64), Lack> {
     let bytes = fs::metadata(path).map_err(|_| Lack::Gone)?.len();
     let image = |source| Image {
@@ -262,7 +262,7 @@ fn image(path: &Path, options: &PictureOptions, left: u64) -> Result<(Image, u64
     Ok((image(Source::Inside(png)), bytes))
 }
 
-/// A path as it is seen from a folder.
+/// A path relative to a folder.
 fn relative(from: &Path, to: &Path) -> String {
     let (from, to) = (place_of(from), place_of(to));
     let common = from.components().zip(to.components());

@@ -1,4 +1,4 @@
-//! The points of all folders, each with what it belongs to.
+//! The points of all folders, each with its experiment and setup.
 
 use cutaway::gpu::AdapterReport;
 
@@ -105,7 +105,7 @@ impl<'a> Points<'a> {
         all.filter(|p| setup.has(p)).copied().collect()
     }
 
-    /// A name for a setup that no other has: its folder where there are several, its adapter, and whether it was quick where only some
+    /// A unique name for a setup: its folder if there are several, its adapter, and whether it was quick if only some setups
     /// were.
     pub(super) fn label(&self, setup: &Setup<'_>) -> String {
         let differ = |is_same: &dyn Fn(&Setup<'_>) -> bool| !self.setups.iter().all(is_same);
@@ -159,7 +159,7 @@ fn name_of<'a>(point: &Point<'a>) -> &'a str {
     &point.experiment.synopsis.name
 }
 
-/// Warnings of no strategy in particular that all points share, word for word.
+/// Warnings about no particular strategy that all points have in identical form.
 fn common_warnings(points: &[Point<'_>]) -> Vec<Warning> {
     let Some((first, others)) = points.split_first() else {
         return Vec::new();

@@ -1,4 +1,4 @@
-//! Cost of a cutaway over the same picture without one, and of a style over plain light.
+//! Cost of a cutaway relative to the same picture without one, and of a style relative to plain light.
 
 use super::advice::cards;
 use super::figures::times;
@@ -8,7 +8,7 @@ use crate::report::derived::{Situation, Variants, variants};
 use crate::report::document::{Block, Cell, Grid};
 use crate::report::number::milliseconds;
 
-/// A question with its answer and its table for each run whose points are variants of one picture; nothing where there is none.
+/// A question with its answer and its table for each run whose points are variants of one picture.
 pub(super) fn blocks(points: &Points<'_>) -> Vec<Block> {
     let mut blocks = Vec::new();
     for setup in points.setups() {
@@ -24,7 +24,7 @@ pub(super) fn blocks(points: &Points<'_>) -> Vec<Block> {
             let records = on_it.iter().map(|p| p.record);
             let of_run = records.filter(|r| r.experiment == experiment && r.run == run);
             let records: Vec<&Record> = of_run.collect();
-            // What has figures of its own asks something else, as whether frames flicker.
+            // A run with figures of its own has another question, such as whether frames flicker.
             let asks_else = records
                 .iter()
                 .any(|r| r.figures.iter().any(|f| !f.is_empty()));
@@ -57,7 +57,7 @@ pub(super) fn blocks(points: &Points<'_>) -> Vec<Block> {
     blocks
 }
 
-/// A column for each value where there are several pictures, else a row.
+/// A table with a column for each value if there are several pictures, else with a row for each.
 fn table(found: &Variants) -> Grid {
     let factor =
         |ratio: &Option<f64>| ratio.map_or_else(Cell::default, |r| Cell::number(times(r), r));

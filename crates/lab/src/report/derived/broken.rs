@@ -1,8 +1,8 @@
-//! Points that are judged by the exact image of another scene: broken meshes, by that of the whole one.
+//! Points judged by the exact image of another scene: broken meshes, judged by that of the intact mesh.
 //!
-//! No strategy can be expected to be exact there, so that counts of exact points leave them out. The question is how near a strategy
-//! comes, as a share of the cap there should be, and how much of what is wrong it marks as unreliable. A mark is a cost too: a pixel that
-//! is marked is of no use either, wrong or not. A strategy that loses [`TOO_MUCH`] in this way is not one to use.
+//! No strategy can be expected to be exact there, so that counts of exact points leave them out. The questions are how many pixels are
+//! wrong, relative to the exact cap, and how many of these the strategy marks as unreliable. Marks are a cost too: a marked pixel is
+//! useless, wrong or not. A strategy that loses more than [`TOO_MUCH`] in this way is not usable.
 
 use cutaway_io::document::Node;
 
@@ -29,7 +29,7 @@ pub(crate) fn has_defect(record: &Record) -> bool {
         .get("part")
         .map_or(&[] as &[_], Node::items);
     let mut amounts = parts.iter().flat_map(amounts);
-    // Without an amount it is the usual one.
+    // A defect without an amount has its usual amount.
     has_other_truth(record) && amounts.any(|a| a != Some(0.0))
 }
 
@@ -38,19 +38,19 @@ pub(crate) fn has_defect(record: &Record) -> bool {
 pub(crate) struct Harm {
     /// Points requested and drawn, and the cost of a frame.
     pub totals: StrategyTotals,
-    /// Pixels that are wrong over those of the exact cap.
+    /// Wrong pixels per pixel of the exact cap.
     pub wrong: Option<Spread>,
-    /// Pixels that are wrong and not marked.
+    /// Number of wrong pixels that are not marked.
     pub unmarked_px: Option<Spread>,
-    /// The same over those of the exact cap.
+    /// Wrong pixels that are not marked, per pixel of the exact cap.
     pub unmarked: Option<Spread>,
-    /// Pixels that are marked, wrong or not, over those of the exact cap.
+    /// Marked pixels, wrong or not, per pixel of the exact cap.
     pub marked: Option<Spread>,
-    /// Pixels that are marked, or wrong and not marked, over those of the exact cap.
+    /// Pixels that are marked or wrong, per pixel of the exact cap.
     pub lost: Option<Spread>,
 }
 
-/// Share of the exact cap that may not be lost, in the median.
+/// Median share of the exact cap that must not be lost.
 pub(crate) const TOO_MUCH: f64 = 0.5;
 
 impl Harm {
@@ -60,8 +60,8 @@ impl Harm {
     }
 }
 
-/// Each strategy over some points: those that can be used come first, sorted by how much is wrong, then by how much of that is not
-/// marked, then by cost.
+/// Each strategy over some points: usable ones come first, sorted by the number of wrong pixels, then of unmarked wrong
+/// pixels, then by cost.
 pub(crate) fn harms(records: &[&Record]) -> Vec<Harm> {
     let all = names(records).into_iter();
     let mut all: Vec<Harm> = all.map(|name| harm(name, records)).collect();

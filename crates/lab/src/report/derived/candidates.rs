@@ -1,4 +1,4 @@
-//! All methods requested at some points, with their costs there: those that can be trusted first.
+//! All methods requested at some points, with their costs there: the exact ones first.
 
 use super::totals::{names, self_standing};
 use super::{Situation, Spread, StrategyTotals};
@@ -13,8 +13,8 @@ pub(crate) struct Candidate {
     pub ratio: Option<Spread>,
 }
 
-/// The methods of some points: the exact ones, the wrong ones, those that drew nothing; in each group the cheapest first. Where some
-/// stand for themselves, those of sweeps over their own parameters are left out.
+/// The methods of some points: the exact ones, the wrong ones, those that drew nothing; in each group the cheapest first. If some
+/// methods are requested by name, those from sweeps over strategy parameters are left out.
 pub(crate) fn candidates(records: &[&Record], situation: Situation) -> Vec<Candidate> {
     let named = match self_standing(records) {
         none if none.is_empty() => names(records),

@@ -1,18 +1,18 @@
 //! The Pareto front of error against cost, and the price of each tenfold of accuracy along it.
 //!
-//! An offer is on the front if none has at most its error at at most its cost. From one offer of the front to the next, error falls
-//! by some decades and cost rises by some factor; the price of a tenfold is that factor per decade, so that steps of any
-//! length can be compared: `(c1 / c0) ^ (1 / log10(e0 / e1))`. To an error of 0 there is no number of decades: only the factor is given.
+//! An offer is on the front if no other offer has at most its error at no more than its cost. From one offer of the front to the next,
+//! error falls by some decades and cost rises by some factor; the price of a tenfold is this factor per decade, so that steps of any
+//! length can be compared: `(c1 / c0) ^ (1 / log10(e0 / e1))`. A step to an error of 0 has no number of decades: only its factor is given.
 //!
-//! The root blows up what a short step scatters, and a difference of costs within their spreads may be none: neither has a price.
-//! What did not draw all of a frame has fewer errors and less cost for the wrong reason, and is on no front.
+//! Over a short step the root amplifies the scatter, and a cost difference within the spreads may be no difference: neither has a price.
+//! A strategy that did not draw all of a frame has fewer errors and less cost for the wrong reason, and is on no front.
 
 /// Error and cost of one strategy.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Offer {
     /// Error, 0 or more.
     pub error: f64,
-    /// Cost, more than 0.
+    /// Cost, greater than 0.
     pub cost: f64,
     /// Median absolute deviation of the cost; none where it is not known.
     pub spread: Option<f64>,
@@ -33,7 +33,7 @@ pub(crate) enum Price {
     WithinSpread,
 }
 
-/// Decades of error that a step must have for a price: a third, where a scatter of 10 % in cost is one of a third in price.
+/// Minimum decades of error in a step that has a price: at a third, a scatter of 10 % in cost gives a third in price.
 const LEAST_DECADES: f64 = 1.0 / 3.0;
 
 /// From one offer of a front to the next.

@@ -1,4 +1,4 @@
-//! Every number of a report that is in no record: worked out in one place each, and held by closed forms.
+//! Every number of a report that is in no record: each is computed in one place, and tested against closed forms.
 //!
 //! | what | where |
 //! |---|---|

@@ -1,4 +1,4 @@
-//! Values of parameters as numbers, where they are some: `4%`, `20 k`, `1024,768`.
+//! Values of parameters as numbers, where they can be read as such: `4%`, `20 k`, `1024,768`.
 
 use std::cmp::Ordering;
 
@@ -32,7 +32,7 @@ fn number_of(text: &str) -> Option<f64> {
     (number.is_finite()).then_some(number * factor)
 }
 
-/// Numbers by size and before words; words by their letters.
+/// Order of values: numbers by size, before words; words alphabetically.
 pub(crate) fn natural(a: &str, b: &str) -> Ordering {
     match (number_of(a), number_of(b)) {
         (Some(x), Some(y)) => x.total_cmp(&y).then_with(|| a.cmp(b)),

@@ -1,4 +1,4 @@
-//! Strategies on the paper's path: any grid with any depth sprite, drawn by the usual means.
+//! Strategies on the paper's path: any grid with any depth sprite, drawn with the usual options.
 //!
 //! A point that asks the paper's own parameters is named by them; one that sweeps them has several, and a range of figures.
 

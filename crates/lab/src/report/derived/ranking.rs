@@ -12,8 +12,8 @@ use super::totals::names;
 use super::{Situation, Spread, StrategyTotals, Usage, usage};
 use crate::experiment::{Record, Samples};
 
-/// By how much ratios of two runs of the same experiments differed on one machine, where the deviation within each run was a
-/// twentieth: less than this tells no two strategies apart.
+/// Difference between the ratios of two runs of the same experiments on one machine, where the deviation within each run was a
+/// twentieth: strategies that differ by less cannot be told apart.
 pub(crate) const BETWEEN_RUNS: f64 = 0.12;
 
 /// A strategy in the ranking.
@@ -31,7 +31,7 @@ pub(crate) struct Ranked {
     pub is_draw: bool,
 }
 
-/// The strategies that may be used at some points, the first to be used first.
+/// The strategies that may be used at some points, the best first.
 pub(crate) fn ranked(records: &[&Record], situation: Situation) -> Vec<Ranked> {
     let all = names(records).into_iter();
     let mut all: Vec<(Ranked, Ratios)> = all

@@ -33,7 +33,7 @@ impl Situation {
     /// All, the least work first.
     pub(crate) const ALL: [Self; 3] = [Self::View, Self::Cut, Self::Mesh];
 
-    /// In words.
+    /// Description of the value.
     pub(crate) fn describe(self) -> &'static str {
         match self {
             Self::View => "only the view moves",
@@ -78,13 +78,13 @@ impl Situation {
         (ratios.median.is_finite() && ratios.median > 0.0).then_some(ratios)
     }
 
-    /// The ratio in the middle.
+    /// The median ratio.
     pub(crate) fn ratio(self, record: &Record, found: &StrategyMeasurement) -> Option<f64> {
         self.ratios(record, found).map(|r| r.median)
     }
 }
 
-/// Returns true if a strategy drew the whole frame and no pixel that the reference is sure of is wrong.
+/// Returns true if a strategy drew the whole frame without a decided wrong pixel.
 pub(crate) fn is_exact(found: &StrategyMeasurement) -> bool {
     found.outcome == Ending::Complete && found.comparison.is_some_and(|c| c.decided_wrong_px == 0)
 }
@@ -130,7 +130,7 @@ impl Kind {
         }
     }
 
-    /// In words.
+    /// Description of the value.
     pub(crate) fn describe(self) -> &'static str {
         match self {
             Self::Relief => "reliefs",

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::is_exact;
 use crate::experiment::{Ending, Record, Samples, StrategyMeasurement};
 
-/// Least, median and greatest of some numbers.
+/// Minimum, median and maximum of some numbers.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Spread {
     pub least: f64,
@@ -36,13 +36,13 @@ pub(crate) struct StrategyTotals {
     pub asked: usize,
     /// Points that it drew, overflowed or not.
     pub drawn: usize,
-    /// Points that it drew whole and without a wrong pixel that the reference is sure of.
+    /// Points that it drew completely and without a decided wrong pixel.
     pub exact: usize,
     /// Points where a bounded buffer was too small.
     pub overflowed: usize,
-    /// Reasons why it refused, each once, with how often.
+    /// Reasons for its refusals, each with its number of occurrences.
     pub refusals: BTreeMap<String, usize>,
-    /// Most decided wrong pixels of a point.
+    /// Maximum number of decided wrong pixels at a point.
     pub worst_px: usize,
     /// Frame time over drawing the uncut scene.
     pub ratio: Option<Spread>,
@@ -111,7 +111,7 @@ pub(super) fn names<'a>(records: &[&'a Record]) -> Vec<&'a str> {
     names
 }
 
-/// Names of strategies that stand for themselves: those that some point requests by name rather than by a sweep over their
+/// Names of self-standing strategies: those that some point requests by name rather than by a sweep over their
 /// parameters.
 pub(super) fn self_standing<'a>(records: &[&'a Record]) -> Vec<&'a str> {
     let mut names: Vec<&str> = Vec::new();

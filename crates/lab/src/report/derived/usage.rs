@@ -1,7 +1,7 @@
 //! Command line of a recorded strategy, and its limits.
 //!
-//! Records name what `cutaway compare` takes, which is more than `cutaway render` does: `winding` draws no picture, and after an `@` stand
-//! means that are options there.
+//! Records use the names of `cutaway compare`, which accepts more than `cutaway render`: `winding` draws no picture, and the draw
+//! options after an `@` are separate options of `cutaway render`.
 
 use cutaway::passes::{Rasteriser, ReliefWalk};
 use cutaway::scene::HeightFilter;
@@ -10,7 +10,7 @@ use cutaway::strategies::Method;
 /// Arguments of `cutaway render --strategy`, and a remark on them.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Usage {
-    /// The name, and the options for its means.
+    /// The name, and its draw options.
     pub words: String,
     /// Limit of the strategy.
     pub limit: Option<&'static str>,

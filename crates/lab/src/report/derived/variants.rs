@@ -1,12 +1,12 @@
 //! Runs that draw one scene by one method in several ways: what a cutaway costs over the same picture without one, what a style costs
 //! over plain light.
 //!
-//! What is varied is the axis `cutaway`, or where there is none `style`; the first value of the axis is what the others are compared with,
-//! at the same values of all other axes. The time is that of all clocks, as such a picture is drawn again from every place of the eye.
+//! The varied axis is `cutaway` or, if there is none, `style`; the other values of the axis are compared with its first value,
+//! at the same values of all other axes. The time is that of all clocks, as such a picture is redrawn for every eye position.
 
 use crate::experiment::{Record, Samples};
 
-/// Axes that may be varied: the first that a run has counts.
+/// Axes that may be varied: the first one that a run has is used.
 const AXES: [&str; 2] = ["cutaway", "style"];
 
 /// A run whose points are variants of each other.
@@ -27,13 +27,13 @@ pub(crate) struct Variants {
 pub(crate) struct VariantRow {
     /// The other axes: `size = 512, style = ink`; empty where there are none.
     pub of: String,
-    /// Time of what all are compared with, in milliseconds.
+    /// Time of the base value, in milliseconds.
     pub base_ms: f64,
-    /// Time over that, for each of the values; none where it was not measured.
+    /// Time relative to the base, for each of the values; `None` if not measured.
     pub ratios: Vec<Option<f64>>,
 }
 
-/// The variants of a run; none where it compares methods.
+/// The variants of a run; `None` if it compares methods.
 pub(crate) fn variants(records: &[&Record]) -> Option<Variants> {
     let first = records.first()?;
     let axis = *(AXES.iter()).find(|a| records.iter().all(|r| r.parameters.contains_key(**a)))?;

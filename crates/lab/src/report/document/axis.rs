@@ -1,13 +1,13 @@
 //! Layout of values along an axis, and choice of the labelled ones.
 //!
-//! A logarithmic axis has no place for 0. Where some value is 0, a strip is kept beyond its least end with a tick of its own.
+//! A logarithmic axis has no position for 0. If some value is 0, a strip with its own tick is added beyond the axis's lower end.
 
 use crate::report::number::tick;
 
 /// Pixels between a strip for 0 and the rest.
 const ZERO_STRIP: f64 = 26.0;
 
-/// Least room on either side of the values, as a share of the axis.
+/// Minimum margin on either side of the values, as a share of the axis.
 const AXIS_MARGIN: f64 = 0.05;
 
 /// An axis of a chart, laid out.
@@ -18,7 +18,7 @@ pub(super) struct Scale {
     range: [f64; 2],
     /// Pixel positions of both.
     px: [f64; 2],
-    /// Pixel position of 0, if it is apart.
+    /// Pixel position of 0, if it has its own strip.
     pub(super) zero_px: Option<f64>,
 }
 
@@ -129,7 +129,7 @@ fn linear_ticks([least, most]: [f64; 2], count: f64) -> Vec<f64> {
         .collect()
 }
 
-/// Ticks that are so far apart that their words do not touch.
+/// Selects ticks whose labels do not touch.
 pub(super) fn apart(
     ticks: Vec<(f64, String)>,
     place: impl Fn(f64) -> f64,

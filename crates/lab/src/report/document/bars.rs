@@ -1,13 +1,13 @@
 //! Bars of time: for each strategy a bar on each clock, divided by passes, and every time that was taken.
 //!
-//! Each clock has a scale of its own: building a structure once can take a thousand frames.
+//! Each clock has its own scale: building a structure once can take as long as a thousand frames.
 
 use maud::{Markup, html};
 
 use super::{Cell, Grid};
 use crate::report::number::milliseconds;
 
-/// Bars under each other.
+/// A table of bars.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Bars {
     /// Description of the bars.
@@ -100,7 +100,7 @@ impl Bars {
         }
     }
 
-    /// The same as a table of words.
+    /// The same as a table of text.
     pub(super) fn grid(&self) -> Grid {
         let mut grid = Grid::new(&self.label, ["strategy", "clock", "pass", "ms"]);
         for bar in &self.bars {

@@ -1,7 +1,7 @@
 //! A chart as SVG: marks with their spread, lines, a front, axes with ticks.
 //!
-//! What would be too many lines for one drawing is several small ones with the same axes. A series has the colour and the marker of its
-//! method, as everywhere in a report; in a single drawing its name stands at its end where there is room, and what has none is listed
+//! Series that are too many for one drawing are split into several small ones with the same axes. A series has the colour and marker of
+//! its method, as everywhere in a report; in a single drawing its name is at its end if there is room, else in a list
 //! below. Each mark has a tooltip, and a text for assistive technology.
 
 use std::collections::BTreeSet;
@@ -20,9 +20,9 @@ pub(crate) struct Chart {
     pub title: String,
     /// One line under it.
     pub note: Option<String>,
-    /// To the right.
+    /// The horizontal axis.
     pub x: Axis,
-    /// Up.
+    /// The vertical axis.
     pub y: Axis,
     /// The drawings, all with the same axes.
     pub panels: Vec<Panel>,
@@ -46,7 +46,7 @@ pub(crate) struct Axis {
     pub label: String,
     /// True if the axis is logarithmic.
     pub is_log: bool,
-    /// Words at 0, 1, 2, ... where values are no numbers.
+    /// Labels at 0, 1, 2, ... if values are not numbers.
     pub categories: Vec<String>,
 }
 
@@ -78,7 +78,7 @@ pub(super) struct Frame {
     size: [f64; 2],
     /// Left, right, top and bottom of the axes.
     sides: [f64; 4],
-    /// Least distance of the labels of ticks along x.
+    /// Minimum distance between tick labels along x.
     between_ticks: f64,
 }
 
@@ -136,7 +136,7 @@ impl Chart {
         ]
     }
 
-    /// The drawings, and the names of what none of them names.
+    /// The drawings, and a legend of the series that are not named in them.
     pub(super) fn html(&self) -> Markup {
         let names = self.names();
         let [panel] = self.panels.as_slice() else {

@@ -1,7 +1,7 @@
 //! Placement of series names in a drawing: next to their last mark, where no other name and no mark is.
 //!
-//! Greedy, from the first series on: next to the mark, above, below, then farther away with a line that leads there. A series for which no
-//! place is free has no name in the drawing. Time is quadratic in the number of marks, of which there are some hundred.
+//! Greedy, from the first series on: next to the mark, above, below, then farther away with a leader line. A series without a free
+//! position has no name in the drawing. Time is quadratic in the number of marks, of which there are some hundred.
 
 /// A name in a drawing.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -10,7 +10,7 @@ pub(super) struct Ending {
     pub series: usize,
     /// Start of the text, on its base line.
     pub at: [f64; 2],
-    /// The mark, where a line leads from it.
+    /// The mark, if a leader line starts from it.
     pub lead: Option<[f64; 2]>,
 }
 
@@ -26,7 +26,7 @@ fn meet(a: &Area, b: &Area) -> bool {
     a[0] < b[1] && b[0] < a[1] && a[2] < b[3] && b[2] < a[3]
 }
 
-/// Names for series with the places of their marks, within an area.
+/// Places the names of series, given the positions of their marks, within an area.
 pub(super) fn placed(series: &[(&str, Vec<[f64; 2]>)], within: Area, letter: f64) -> Vec<Ending> {
     let marks = series.iter().flat_map(|(_, marks)| marks);
     let mut taken: Vec<Area> = marks

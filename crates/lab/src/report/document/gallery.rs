@@ -1,5 +1,5 @@
-//! Pictures of one frame: a grid of methods with one switch from what they drew to where that is wrong, and two of them under a slider
-//! where the page can run its script. The switch needs none.
+//! Pictures of one frame: a grid of methods with a switch between their pictures and their heat maps and, if scripts can run, two of them
+//! under a slider. The switch needs no script.
 
 use base64::prelude::{BASE64_STANDARD, Engine as _};
 use maud::{Markup, html};
@@ -39,7 +39,7 @@ pub(crate) struct Swatch {
 pub(crate) struct Shot {
     /// The method.
     pub name: String,
-    /// Look of the method in charts; the reference is in none.
+    /// Look of the method in charts; `None` for the reference, which is in no chart.
     pub look: Option<Look>,
     /// Caption of the picture.
     pub caption: Cell,
@@ -76,7 +76,7 @@ impl Image {
     }
 }
 
-/// Bytes that a path in an address has as they are.
+/// Bytes of a path that are percent-encoded in a link.
 const PLAIN: &AsciiSet = &NON_ALPHANUMERIC
     .remove(b'/')
     .remove(b'.')

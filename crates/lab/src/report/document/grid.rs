@@ -1,18 +1,18 @@
-//! A table whose cells have a tone, a longer story, and a value to sort by.
+//! A table whose cells have a tone, a tooltip, and a sort key.
 
 /// Severity of something.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum Tone {
-    /// Nothing to say.
+    /// Neutral.
     #[default]
     Plain,
     /// As good as can be.
     Good,
-    /// A little wrong, or to be known.
+    /// Slightly wrong, or worth knowing.
     Fair,
     /// Wrong.
     Bad,
-    /// Not there: refused, not measured.
+    /// Absent: refused or not measured.
     Faint,
 }
 
@@ -34,7 +34,7 @@ impl Tone {
 pub(crate) struct Cell {
     /// Text of the cell.
     pub text: String,
-    /// The longer story.
+    /// Tooltip with more detail.
     pub title: Option<String>,
     /// Severity.
     pub tone: Tone,
@@ -52,12 +52,12 @@ impl Cell {
         }
     }
 
-    /// The same in a tone.
+    /// The same cell in a tone.
     pub(crate) fn toned(self, tone: Tone) -> Self {
         Self { tone, ..self }
     }
 
-    /// The same with a longer story.
+    /// The same cell with a tooltip.
     pub(crate) fn titled(self, title: impl Into<String>) -> Self {
         let title = Some(title.into());
         Self { title, ..self }
@@ -101,8 +101,8 @@ impl Grid {
         self.rows.push(cells);
     }
 
-    /// Takes out the columns without words, and those in which every number is 0, but the first and those that are kept; returns the headings
-    /// of the latter.
+    /// Removes columns without text and columns of zeros, except the first and those in `kept`; returns the headings of the removed
+    /// columns of zeros.
     pub(crate) fn without_zeros(&mut self, kept: &[&str]) -> Vec<String> {
         let is_zero = |column: usize| {
             let cells = || self.rows.iter().map(|row| &row[column]);

@@ -1,7 +1,7 @@
-//! A report as one HTML file: style, script and pictures are in it, and nothing is fetched.
+//! A report as one HTML file: it contains style, script and pictures, and fetches nothing.
 //!
-//! Everything is there without the script, which adds sorting, copying and the slider. The template escapes all words; what goes in as it
-//! is was made of words by a template, or tamed by [`super::prose`].
+//! All content is visible without the script, which adds sorting, copying and the slider. The template escapes all text; markup that is
+//! inserted unescaped was made by a template, or sanitised by [`super::prose`].
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
@@ -45,7 +45,7 @@ struct Anchor {
     text: String,
 }
 
-/// Anchors for all headings of some blocks, in order, each of its own.
+/// Unique anchors for all headings of some blocks, in order.
 fn anchors(blocks: &[Block], found: &mut Vec<Anchor>) {
     for block in blocks {
         match block {
@@ -163,7 +163,7 @@ impl Writer {
     }
 }
 
-/// A block that has no others in it and no place among its like.
+/// Writes a block that contains no others and needs no number.
 fn plain(block: &Block) -> Markup {
     match block {
         Block::Text(text) => html! { p { (inline(text)) } },

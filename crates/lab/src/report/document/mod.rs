@@ -1,7 +1,7 @@
 //! A report as a list of blocks, and the two forms it is written in.
 //!
-//! Sections say what is to be read; [`html`] and [`markdown`] say how it looks. Both are made of the same blocks, so that neither knows
-//! more than the other, but for what a page of text cannot show: there the tables around a chart stand for it.
+//! Sections define the content; [`html`] and [`markdown`] define its form. Both are made from the same blocks, so that they have the same
+//! content, except what text cannot show: there the tables around a chart replace it.
 //!
 //! Words of a block are plain: each output form escapes the text of records in one place, where it is written. A stretch
 //! between backticks is code.
@@ -29,8 +29,8 @@ pub(super) use ranking::{Line, Ranking};
 
 /// A report.
 ///
-/// Its sections are headings of level 2, to which a row of links leads that stays in sight; what is right below them are headings of
-/// level 3, which each section lists where it begins.
+/// Its sections are headings of level 2, in a row of links that stays visible; below them are headings of
+/// level 3, which each section lists at its beginning.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Document {
     pub title: String,
@@ -38,7 +38,7 @@ pub(super) struct Document {
     pub blocks: Vec<Block>,
 }
 
-/// A piece of a report.
+/// A block of a report.
 #[derive(Clone, Debug)]
 pub(super) enum Block {
     /// A heading of a level from 2 to 5.
@@ -49,12 +49,12 @@ pub(super) enum Block {
     Prose(String),
     /// A table.
     Grid(Grid),
-    /// Something to be noticed.
+    /// A highlighted notice.
     Notice(Tone, String),
     /// A command line to copy.
     Command(String),
     Chart(Chart),
-    /// Methods under each other with what they cost.
+    /// A list of methods with their costs.
     Ranking(Ranking),
     /// Time of each strategy, by clock and pass.
     Bars(Bars),
@@ -62,7 +62,7 @@ pub(super) enum Block {
     Gallery(Gallery),
     /// Legend of the colours of pictures.
     Swatches(Vec<Swatch>),
-    /// Pieces of one width, side by side where there is room.
+    /// Blocks of equal width, side by side if there is room.
     Cards(Vec<Vec<Self>>),
     /// Content shown on demand.
     Folded {

@@ -1,6 +1,6 @@
-//! Methods under each other with what they cost along one axis: a chart that names each line where it is.
+//! A list of methods with their costs along one axis: a chart with a labelled line for each method.
 //!
-//! The axis is logarithmic. A mark is the median, the bar under it the range; what was not drawn has neither, and says why.
+//! The axis is logarithmic. A mark is the median, the bar under it the range; a method that did not draw has neither, but a reason.
 
 use maud::{Markup, html};
 
@@ -12,10 +12,10 @@ use crate::report::derived::Spread;
 use crate::report::look::Look;
 use crate::report::number::{figure, times};
 
-/// Least distance of two ticks, in percent of the axis.
+/// Minimum distance between two ticks, in percent of the axis.
 const BETWEEN_TICKS: f64 = 18.0;
 
-/// Methods under each other.
+/// A list of methods.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Ranking {
     /// Subject of the comparison.
@@ -88,7 +88,7 @@ impl Ranking {
         }
     }
 
-    /// The same as a table of words.
+    /// The same as a table of text.
     pub(super) fn grid(&self) -> Grid {
         let heading = [self.names, "median", "from", "to", &self.heading];
         let mut grid = Grid::new(&self.title, heading);

@@ -32,7 +32,7 @@ pub struct Experiment {
     pub records: Vec<Record>,
     /// Hard cases and searches.
     pub cases: Vec<CaseRecords>,
-    /// Points of the definition that are not there, by name.
+    /// Names of the points in the definition that have no record.
     pub missing: Vec<String>,
 }
 
@@ -143,7 +143,7 @@ impl<'a> Maker<'a> {
         }
     }
 
-    /// None of records that are older than what says it.
+    /// `None` for records older than the fields that hold it.
     fn of_invocation(invocation: &'a Invocation) -> Option<Self> {
         Some(Self {
             adapter: invocation.adapter.as_ref()?,

@@ -1,10 +1,10 @@
-//! Resolution of paths of keys: a path names an entry of a list by its name, by its model or by its number. Of several entries that a
-//! path fits, the document takes the first in which the path resolves.
+//! Resolution of key paths: a path identifies a list entry by its name, its model or its number. Among several matching entries,
+//! the document uses the first in which the path resolves.
 //!
-//! A number names another entry when one before it is removed, and a name that two entries have is that of the first: paths that are
-//! written here fit one entry only, and follow it.
+//! A number identifies another entry when an earlier one is removed, and a name shared by two entries means the first: paths
+//! written here match one entry only, and follow it.
 //!
-//! Cost: a walk of the tree below each entry that a path fits.
+//! Cost: one traversal of the tree below each matching entry.
 
 use cutaway::{Error, Result};
 use cutaway_io::Document;
@@ -17,11 +17,11 @@ use crate::editing::removal;
 pub(super) struct Address<'a> {
     list: &'a str,
     index: usize,
-    /// The path below the entry: empty, or with a dot in front.
+    /// The path below the entry: empty, or with a leading dot.
     below: &'a str,
 }
 
-/// The entry that a path leads into; of a path that leads nowhere, the first that it fits.
+/// The entry that a path leads into; for an unresolved path, the first matching entry.
 pub(super) fn address<'a>(document: &Document, path: &'a str) -> Option<Address<'a>> {
     let (list, rest) = path.split_once('.')?;
     let target = document.get(path).ok();
@@ -37,7 +37,7 @@ pub(super) fn address<'a>(document: &Document, path: &'a str) -> Option<Address<
     })
 }
 
-/// A path whose entry of a list goes by its number, however the document names it.
+/// The path with its list entry given by number.
 pub(super) fn by_number(document: &Document, path: &str) -> String {
     match address(document, path) {
         Some(Address { list, index, below }) => format!("{list}.{index}{below}"),
@@ -45,11 +45,11 @@ pub(super) fn by_number(document: &Document, path: &str) -> String {
     }
 }
 
-/// The path of an entry of a list, which no other entry fits: by its name where it has one of its own, else by its number.
+/// A path that matches only this list entry: by its name if that is unique, else by its number.
 ///
 /// # Errors
 ///
-/// An entry that there is not, and one whose name and number are both names of others.
+/// An entry that does not exist, or whose name and number are both names of others.
 pub fn path_of(document: &Document, list: &str, index: usize) -> Result<String> {
     let entries = entries(document, list);
     let culprit = || format!("{list} {index}");
@@ -68,11 +68,11 @@ pub fn path_of(document: &Document, list: &str, index: usize) -> Result<String> 
     })
 }
 
-/// Takes a cut out, with the rows that move it. Rows that move other cuts go on to move those.
+/// Removes a cut, with its rows. Rows of other cuts keep their targets.
 ///
 /// # Errors
 ///
-/// A document that cannot be changed, and a cut that no key can name any more.
+/// A document that cannot be changed, or a cut that no key path can identify any more.
 pub fn take_out_cut(document: &mut Document, removed: usize) -> Result<()> {
     let path = format!("cut.{removed}");
     remove_below(document, &path)?;
@@ -93,7 +93,7 @@ pub fn take_out_cut(document: &mut Document, removed: usize) -> Result<()> {
     Ok(())
 }
 
-/// The names of an entry, the usual one first.
+/// The names of an entry, the preferred one first.
 fn names(index: usize, entry: &Node) -> Vec<String> {
     let name = entry.name().map(str::to_owned).or_else(|| entry.model());
     name.into_iter().chain([index.to_string()]).collect()
@@ -103,7 +103,7 @@ fn entries<'a>(document: &'a Document, list: &str) -> &'a [Node] {
     document.root().get(list).map_or(&[], Node::items)
 }
 
-/// Returns true if a node of the tree is another, or its ancestor.
+/// Returns true if a node equals another, or is its ancestor.
 fn holds(node: &Node, below: &Node) -> bool {
     std::ptr::eq(node, below)
         || match &node.value {

@@ -1,4 +1,4 @@
-//! Targets of new keys: the numbers that place the selected cut, the selected part or the eye.
+//! Targets of new keys: the numbers that position the selected cut, the selected part or the eye.
 
 use cutaway::scene::{Bounds, Camera, Viewpoint};
 use cutaway::{Error, Result};
@@ -13,12 +13,12 @@ use crate::picture::camera;
 
 use super::path_of;
 
-/// Makes sure that the document has the place of what is selected in numbers, which keys can move: a section becomes a normal and an
-/// origin, percent become units.
+/// Converts the selection's position in the document to numbers, which keys can move: a section becomes a normal and an
+/// origin, percentages become units.
 ///
 /// # Errors
 ///
-/// A surface in the paper's own form without an origin, a part that a matrix places, or a document that cannot be changed.
+/// A surface in the paper's form without an origin, a part positioned by a matrix, or a document that cannot be changed.
 pub fn prepare(
     document: &mut Document,
     selection: Selection,
@@ -90,11 +90,11 @@ fn prepare_cut(document: &mut Document, index: usize, bounds: &Bounds) -> Result
     }
 }
 
-/// Values that keys of the selection move, with their present values; requires a document that is [prepared](prepare).
+/// Targets for keys of the selection, with their present values; requires a [prepared](prepare) document.
 ///
 /// # Errors
 ///
-/// Something selected that there is not.
+/// A selected item that does not exist.
 pub fn targets(
     document: &Document,
     selection: Selection,
@@ -162,7 +162,7 @@ fn kind(document: &Document, index: usize) -> Result<CutKind> {
     })
 }
 
-/// Sets a value where there is none.
+/// Sets a value if it is missing.
 fn or_else(document: &mut Document, path: &str, usual: impl Into<Value>) -> Result<()> {
     match document.get(path) {
         Ok(_) => Ok(()),
@@ -178,7 +178,7 @@ fn is_of_numbers(value: &Value) -> bool {
     }
 }
 
-/// Without a minus before zero.
+/// Replaces negative zero by zero.
 fn list(v: DVec3) -> Value {
     v.to_array().map(|c| c + 0.0).to_vec().into()
 }

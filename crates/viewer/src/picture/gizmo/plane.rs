@@ -1,5 +1,5 @@
 //! The handles of a plane: an arrow along its normal, two arcs that tilt it about the axes of its frame, and, where it has a relief, a
-//! third that turns it in itself.
+//! third that rotates it within its plane.
 
 use cutaway::scene::{Bounds, ClipSurface, Up};
 use glam::{DQuat, DVec3};
@@ -12,13 +12,13 @@ use crate::picture::world_view::WorldView;
 /// Length of the arrow and radius of the arcs, as a share of the diagonal of the model.
 const REACH_SHARE: f64 = 0.15;
 
-/// Half of what an arc turns through, in radians.
+/// Half of an arc's angle, in radians.
 const HALF_ARC: f64 = 0.45;
 
-/// Lines of an arc.
+/// Line segments per arc.
 const ARC_LINES: u32 = 12;
 
-/// Adds a plane of a normal, which points to what stays, through a point.
+/// Adds the handles of a plane through a point, whose normal points to the kept side.
 pub(super) fn add(
     gizmo: &mut Gizmo,
     (normal, origin): (DVec3, DVec3),
@@ -48,7 +48,7 @@ pub(super) fn add(
             normal,
             ..Handle::default()
         },
-        // It points to what is removed, which is where the hand pulls.
+        // The arrow points to the removed side, the direction in which users drag.
         ([0.0, -reach], 1),
         None,
         view,
@@ -84,7 +84,7 @@ pub(super) fn add(
     }
 }
 
-/// Adds the arc that turns a plane in itself about a direction, from where it is turned to in degrees.
+/// Adds the arc that rotates a plane within itself about a direction, from its present angle in degrees.
 pub(super) fn add_spin(
     gizmo: &mut Gizmo,
     (normal, origin): (DVec3, DVec3),
@@ -127,7 +127,7 @@ fn pivot_of(corners: &[DVec3], origin: DVec3, bounds: &Bounds) -> DVec3 {
     }
 }
 
-/// The least and the greatest coordinate of a box along a direction.
+/// The minimum and the maximum coordinate of a box along a direction.
 fn extent(bounds: &Bounds, along: DVec3) -> [f64; 2] {
     let ends = bounds.corners().map(|corner| corner.dot(along));
     let least = ends.iter().copied().fold(f64::INFINITY, f64::min);

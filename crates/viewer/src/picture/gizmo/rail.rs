@@ -1,16 +1,16 @@
 //! Rails of handles in space, and the motion of a handle with the pointer.
 //!
-//! A rail gives a point for each amount: world units along a line, radians about an axis. A pointer that goes by some pixels moves the
-//! handle by as much along the picture of the rail where the handle is: nothing across it, and nothing where the rail is seen end on.
+//! A rail maps an amount to a point: world units along a line, radians about an axis. A pointer motion in pixels moves the
+//! handle by its component along the projected rail at the handle: nothing across it, and nothing if the rail is seen end-on.
 
 use glam::{DQuat, DVec2, DVec3};
 
 use crate::picture::world_view::WorldView;
 
-/// A rail whose handle goes by less than this over its own length, in pixels, is seen end on.
+/// A rail with a shorter projected length than this, in pixels, counts as seen end-on.
 const END_ON_PX: f64 = 6.0;
 
-/// Share of the length of a rail between two points whose pictures give its direction.
+/// Distance between the two points whose projections give the rail's direction, as a share of its length.
 const STEP: f64 = 1e-3;
 
 /// Rail of a handle, in world space.
@@ -27,11 +27,11 @@ pub(super) enum Rail {
     },
     /// A circle.
     Circle {
-        /// Its middle.
+        /// Centre.
         centre: DVec3,
         /// Axis, of length 1.
         axis: DVec3,
-        /// From the middle to amount 0.
+        /// Vector from the centre to amount 0.
         arm: DVec3,
     },
 }

@@ -1,4 +1,4 @@
-//! The handles of boxes and wedges: a knob on each face of a box that is not open, one on each half-plane of a wedge.
+//! The handles of boxes and wedges: a knob on each bounded face of a box, and one on each half-plane of a wedge.
 
 use cutaway::scene::{Block, Bounds, Wedge};
 use glam::{DQuat, DVec3};
@@ -7,7 +7,7 @@ use super::rail::Rail;
 use super::{Gizmo, Grip, Handle, Scale};
 use crate::picture::world_view::WorldView;
 
-/// Length of the line that shows where a knob goes, as a share of the diagonal of the model.
+/// Length of the line that shows a knob's direction, as a share of the model's diagonal.
 const STUB_SHARE: f64 = 0.06;
 
 /// Faces of a box stay apart by this share of the model.
@@ -16,7 +16,7 @@ const LEAST_SHARE: f64 = 1e-3;
 /// Half-planes of a wedge stay apart by this, in degrees.
 const LEAST_DEG: f64 = 1.0;
 
-/// Lines of an arc, which is this long in radians to each side.
+/// Line segments of an arc, and its extent to each side in radians.
 const ARC_LINES: u32 = 6;
 const HALF_ARC: f64 = 0.12;
 

@@ -24,12 +24,12 @@ impl Difference {
         }
     }
 
-    /// Texture for egui, where there are two pictures.
+    /// Texture for egui, if there are two pictures.
     pub(super) fn id(&self) -> Option<TextureId> {
         self.picture.as_ref().map(|picture| picture.id)
     }
 
-    /// Draws the difference of two pictures, as large as it is to be; of fewer there is none.
+    /// Draws the difference of two pictures at the requested size; with fewer pictures there is none.
     pub(super) fn encode(
         &mut self,
         host: &RenderState,

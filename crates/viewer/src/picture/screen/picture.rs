@@ -4,7 +4,7 @@ use cutaway::gpu::Target;
 use eframe::egui::TextureId;
 use egui_wgpu::{RenderState, wgpu};
 
-/// As egui wants textures of others: sRGB values as they are.
+/// Format of user textures in egui: sRGB values without conversion.
 pub(super) const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
 /// An attachment of [`FORMAT`] as sessions want it: covered by the frame.
@@ -52,12 +52,12 @@ impl ShownTexture {
         Self { id, texture, view }
     }
 
-    /// As sessions want it: covered by the frame.
+    /// The attachment for a session: completely overwritten by the frame.
     pub(super) fn target(&self) -> Target<'_> {
         covered(&self.view)
     }
 
-    /// Gives back what it holds on the device.
+    /// Releases its device memory.
     pub(super) fn free(self, host: &RenderState) {
         host.renderer.write().free_texture(&self.id);
         self.texture.destroy();

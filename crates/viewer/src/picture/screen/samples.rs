@@ -1,7 +1,7 @@
-//! The samples of a picture: frames with the pixel centres elsewhere in their pixels, drawn one after the other while nothing moves, and put
-//! together when all are there.
+//! The samples of a picture: frames with shifted sample positions within the pixels, drawn one after the other while nothing moves, and
+//! combined when all are complete.
 //!
-//! Costs as many frames as there are samples, and 4 bytes a pixel for each until they are put together.
+//! Costs one frame per sample, and 4 bytes per pixel and sample until they are combined.
 
 use std::collections::BTreeMap;
 
@@ -16,7 +16,7 @@ use crate::picture::slot::SlotSide;
 /// A sample of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sample {
-    /// Its number.
+    /// Index of the sample.
     pub index: u32,
     /// Samples along each side of a pixel.
     pub per_side: u32,
@@ -28,7 +28,7 @@ impl Sample {
         self.per_side * self.per_side
     }
 
-    /// Its view of a picture.
+    /// The view of this sample.
     pub(super) fn of(self, view: &View) -> View {
         let mut samples = view.samples(self.per_side);
         samples
@@ -48,7 +48,7 @@ pub(super) struct Samples {
     of_slots: BTreeMap<SlotSide, Stack>,
 }
 
-/// The samples of one slot, as layers of a texture.
+/// The samples of one slot, as texture array layers.
 struct Stack {
     texture: wgpu::Texture,
     layers: Vec<wgpu::TextureView>,
@@ -64,7 +64,7 @@ impl Samples {
         }
     }
 
-    /// Makes room for the samples of a slot.
+    /// Allocates the samples of a slot.
     pub(super) fn make_room(
         &mut self,
         host: &RenderState,
@@ -92,7 +92,7 @@ impl Samples {
         layers.get(index as usize).map(covered)
     }
 
-    /// Puts the samples of a slot together, and gives back their room.
+    /// Combines the samples of a slot, and releases their memory.
     pub(super) fn resolve(
         &mut self,
         host: &RenderState,

@@ -1,4 +1,4 @@
-//! Unsaved changes: a dialog asks before the window closes or another scene is opened. Also keeps the files opened last.
+//! Unsaved changes: a dialog asks before the window closes or another scene is opened. Also maintains the list of recent files.
 
 use std::path::PathBuf;
 
@@ -13,24 +13,24 @@ use crate::ui::Viewer;
 /// Progress of closing a window, or of leaving a scene for another.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(in crate::ui) enum Closing {
-    /// Nobody closes it.
+    /// Not closing.
     #[default]
     Stays,
     /// The dialog asks about the changes.
     Asks,
-    /// The window closes when the scene is saved under the name that the dialog requests.
+    /// The window closes once the scene is saved under the requested name.
     Saves,
-    /// Whatever is not saved may go.
+    /// Unsaved changes may be discarded.
     Agreed,
 }
 
 impl Viewer {
-    /// Keeps the list of files that were opened last in a text.
+    /// Sets the file for the list of recent files.
     pub fn remember_in(&mut self, recent: Recent) {
         self.recent = Some(recent);
     }
 
-    /// Carries an action out, unless it opens another scene in the place of one with changes: then a dialog asks first.
+    /// Carries out an action; if it replaces a scene with unsaved changes, a dialog asks first.
     pub(in crate::ui) fn apply_or_ask(&mut self, action: Action) {
         let is_scene = |path: &PathBuf| files::kind(path).is_ok_and(|kind| kind == Kind::Scene);
         let leaves = matches!(&action, Action::Take(paths) if paths.iter().any(is_scene));
@@ -41,7 +41,7 @@ impl Viewer {
         }
     }
 
-    /// Asks before changes are lost.
+    /// Shows the dialog about unsaved changes.
     pub(in crate::ui) fn guard_changes(&mut self, ctx: &Context) {
         let is_closed = ctx.input(|input| input.viewport().close_requested());
         let must_ask = is_closed && self.closing != Closing::Agreed;
@@ -52,7 +52,7 @@ impl Viewer {
         match self.closing {
             Closing::Asks => self.ask_before_closing(ctx),
             Closing::Saves if !self.state.has_unsaved_changes() => self.close(ctx),
-            // The name was not given after all.
+            // The naming dialog was cancelled.
             Closing::Saves if self.asks.is_none() => self.closing = Closing::Stays,
             _ => {}
         }
@@ -104,7 +104,7 @@ impl Viewer {
         ctx.send_viewport_cmd(ViewportCommand::Close);
     }
 
-    /// Puts what was opened or saved into the list.
+    /// Adds opened and saved files to the list.
     pub(in crate::ui) fn remember(&mut self, ctx: &Context) {
         let Some(recent) = &mut self.recent else {
             return;
@@ -116,7 +116,7 @@ impl Viewer {
         }
     }
 
-    /// The files that were opened last, as a menu.
+    /// Menu of recent files.
     pub(in crate::ui) fn recent_menu(&mut self, ui: &mut Ui, actions: &mut Vec<Action>) {
         let paths: Vec<PathBuf> = match &self.recent {
             Some(recent) => recent.paths().to_vec(),

@@ -1,4 +1,4 @@
-//! The keys, in one table: what they do, and what `?` says of them.
+//! Table of keyboard shortcuts, with their effects and their help for `?`.
 
 use cutaway::scene::STANDARD_VIEWS;
 use eframe::egui::{Context, Key, KeyboardShortcut, Modifiers};
@@ -15,17 +15,17 @@ pub(in crate::ui) enum Does {
     Act(Action),
     /// Shows the table of keys, or hides it.
     Help,
-    /// Puts the command that makes this picture into the clipboard.
+    /// Copies the command for this picture to the clipboard.
     CopyCommand,
     /// Saves the scene.
     Save,
     /// Shows the second slot while it is held.
     Flicker,
-    /// Exchanges perspective and parallel rays.
+    /// Switches between perspective and parallel projection.
     Projection,
-    /// Puts the plane through the face under the pointer.
+    /// Moves the plane through the face under the pointer.
     CutHere,
-    /// Lets time pass, or stops it.
+    /// Starts or pauses the animation.
     Play,
 }
 
@@ -35,7 +35,7 @@ pub(in crate::ui) struct Binding {
     pub(in crate::ui) key: KeyboardShortcut,
     /// The effect.
     pub(in crate::ui) does: Does,
-    /// The same in words.
+    /// Help text.
     pub(in crate::ui) help: &'static str,
 }
 

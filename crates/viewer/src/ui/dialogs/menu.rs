@@ -1,4 +1,4 @@
-//! The menus, the keys, and what the keys are.
+//! The menus, the handling of keys, and the table of keys.
 
 use cutaway::scene::STANDARD_VIEWS;
 use eframe::egui::{Button, Context, Grid, ThemePreference, Ui, Window};

@@ -1,4 +1,4 @@
-//! Menus, keys, notices, and windows that a question is put in.
+//! Menus, keys, notices and dialogs.
 
 #[cfg(not(target_arch = "wasm32"))]
 pub(super) mod closing;

@@ -20,11 +20,11 @@ enum For {
     Export,
 }
 
-/// A file that is to be named, and what is typed so far.
+/// A file to be named, and the text typed so far.
 pub(in crate::ui) struct Asks {
     what_for: For,
     typed: String,
-    /// The file that is there already, and would be replaced.
+    /// Existing file that would be replaced.
     replaces: Option<PathBuf>,
 }
 
@@ -59,7 +59,7 @@ impl Asks {
         }
     }
 
-    /// The file that is named: of a scene always one that ends in `.toml`.
+    /// The named file; for a scene always with the extension `.toml`.
     fn path(&self) -> PathBuf {
         let path = PathBuf::from(self.typed.trim());
         let is_scene = files::kind(&path).is_ok_and(|kind| kind == Kind::Scene);
@@ -80,7 +80,7 @@ impl Viewer {
         self.asks = Some(Asks::new(For::Export, "cut.png"));
     }
 
-    /// The window, while a file is to be named.
+    /// Shows the dialog, while a file is to be named.
     pub(in crate::ui) fn file_dialog(&mut self, ctx: &Context) {
         let Some(asks) = &mut self.asks else {
             return;
@@ -115,7 +115,7 @@ impl Viewer {
         }
     }
 
-    /// Does what the name is for, or keeps the window for an answer whether a file is replaced.
+    /// Uses the name, or keeps the dialog open to confirm replacing a file.
     fn take_name(&mut self, ctx: &Context, mut asks: Asks) {
         let path = asks.path();
         let agreed = asks.replaces.as_deref() == Some(&*path);

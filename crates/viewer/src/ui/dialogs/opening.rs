@@ -1,4 +1,4 @@
-//! The opening in the background, in the menu bar, with a button that drops it.
+//! Display of background opening in the menu bar, with a cancel button.
 
 use std::time::Duration;
 
@@ -7,7 +7,7 @@ use eframe::egui::{Context, Ui};
 use crate::ui::Viewer;
 
 impl Viewer {
-    /// Shows what was opened, and begins with what is to be opened.
+    /// Takes over opened files, and begins the next opening.
     pub(in crate::ui) fn open_files(&mut self, ctx: &Context) {
         let wake = ctx.clone();
         let is_another = (self.opening).go_on(&mut self.state, move || wake.request_repaint());
@@ -16,7 +16,7 @@ impl Viewer {
         }
     }
 
-    /// Shows the opening in progress, with a button that drops it.
+    /// Shows the opening in progress, with a cancel button.
     pub(in crate::ui) fn opening(&mut self, ui: &mut Ui) {
         let Some(what) = self.opening.what() else {
             return;

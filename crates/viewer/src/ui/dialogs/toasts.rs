@@ -1,4 +1,4 @@
-//! Notices in a corner: what was done goes by itself, what failed stays until it is closed.
+//! Notices in a corner: success notices disappear by themselves, errors stay until they are closed.
 
 use std::time::Duration;
 
@@ -14,7 +14,7 @@ const SHOWN_FOR: Duration = Duration::from_secs(4);
 pub(in crate::ui) struct Toasts(Vec<(Notice, f64)>);
 
 impl Toasts {
-    /// Shows one more.
+    /// Adds a notice.
     pub(in crate::ui) fn add(&mut self, ctx: &egui::Context, notice: Notice) {
         let is_same = |(held, _): &(Notice, f64)| *held == notice;
         self.0.retain(|held| !is_same(held));

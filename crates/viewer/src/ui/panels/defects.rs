@@ -11,7 +11,7 @@ use crate::picture::shown::Shown;
 use crate::picture::world_view::WorldView;
 use crate::ui::Viewer;
 
-/// So many lines are drawn at most.
+/// Maximum number of lines drawn.
 const MOST_LINES: usize = 20_000;
 
 /// The colour of open edges.
@@ -38,7 +38,7 @@ impl Badges {
 }
 
 impl Viewer {
-    /// Goes on with the inspection of meshes.
+    /// Continues the inspection of meshes.
     pub(in crate::ui) fn inspect(&mut self, ctx: &Context) {
         let Some(shown) = self.state.shown() else {
             return;

@@ -46,7 +46,7 @@ pub(in crate::ui) fn cells(
     }
 }
 
-/// The control of a value alone: what it is changed to, if it is.
+/// The control without a label; returns the new value if it was changed.
 fn edited(ui: &mut Ui, entry: &Path, value: &Value, name: &str) -> Option<Value> {
     let mut takes = entry.takes;
     while let ValueType::Or(one, _) = takes {
@@ -104,7 +104,7 @@ fn edited(ui: &mut Ui, entry: &Path, value: &Value, name: &str) -> Option<Value>
     }
 }
 
-/// One of some words.
+/// A choice among words.
 fn choice(ui: &mut Ui, words: &[&str], value: &Value, name: &str) -> Option<Value> {
     let held = Node::new(value.clone());
     let held = held.text().unwrap_or_default().to_owned();
@@ -161,7 +161,7 @@ pub(in crate::ui) fn text_edited(ui: &mut Ui, text: &str, name: &str) -> Option<
         ui.data_mut(|data| data.remove::<String>(id));
         return (typed != text).then(|| typed.into());
     }
-    // Asked outside: what asks the context within its own lock waits for ever.
+    // Queried before, because a query within the context's own lock would deadlock.
     let has_focus = response.has_focus();
     ui.data_mut(|data| match has_focus {
         true => _ = data.insert_temp(id, typed),

@@ -1,13 +1,13 @@
-//! `cutout` and `breakaway` of a cut: openings that place themselves.
+//! `cutout` and `breakaway` of a cut: openings with automatic placement.
 //!
 //! ```toml
 //! cutout = {}                                               # a wedge of 110 degrees about the main axis, open to the camera
 //! cutout = { axis = "x", angle_deg = 90, turn_deg = 20, relief = "saw", amplitude = "2%" }
-//! breakaway = {}                                            # what is inside is seen, from wherever the camera is
+//! breakaway = {}                                            # shows the interiors from every camera position
 //! breakaway = { distance = "3%", bevel_deg = 0, clusters = "one", view = "first" }
 //! ```
 //!
-//! A cutout lies where the axes of the exteriors put it at rest, and is turned to where the camera is then; both stay as the scene moves.
+//! A cutout is placed by the axes of the unanimated exteriors, and turned to the camera at that time; both stay as the scene moves.
 
 use cutaway::error::Result;
 use cutaway::scene::describe::OrWord;
@@ -51,7 +51,7 @@ pub(in crate::document) fn cutouts(root: &Table<'_>) -> Result<Vec<(usize, AxisR
     Ok(rules)
 }
 
-/// Reads a cutout. Where its frame is not known yet it has no inside, and lies anywhere.
+/// Reads a cutout. While its frame is unknown, the region is empty and its position arbitrary.
 pub(in crate::document::read) fn cutout(
     entry: &Entry<'_>,
     frame: Option<&CutoutFrame>,

@@ -1,8 +1,8 @@
 //! `[[cut]]`: clip-surfaces in three forms, boxes and wedges, and the parts they cut.
 //!
 //! `{ origin, u, v, scale }` is the paper's own parametrisation; `{ section = "z=50%" }` and `{ normal, origin }` are
-//! planes whose relief is placed by `amplitude` and `period`. `flip = true` keeps the other side in all of them. `box` and
-//! `wedge` ([`regions`]), or lists of them, replace `surfaces` or add to it, and so does a closed mesh ([`cutters`]): their
+//! `wedge` ([`regions`]), or lists of them, replace `surfaces` or are combined with them, and so does a closed mesh ([`cutters`]): their
+//! intersection is removed. `cutout` and `breakaway` ([`cutaways`]) are placed automatically.
 //! intersection is removed. `cutout` and `breakaway` ([`cutaways`]) place themselves.
 
 use std::sync::Arc;
@@ -47,10 +47,10 @@ const NORMAL: &[&str] = &[
     "flip",
 ];
 
-/// Context that a cut may refer to.
+/// Context for the references in a cut.
 pub(in crate::document::read) struct Context<'a> {
     pub(in crate::document::read) parts: &'a [Part],
-    /// Names of all parts that there are at any time.
+    /// Names of all parts that exist at any time.
     pub(in crate::document::read) names: &'a [&'a str],
     pub(in crate::document::read) bounds: Bounds,
     /// The up axis of the scene.
@@ -58,7 +58,7 @@ pub(in crate::document::read) struct Context<'a> {
     pub(in crate::document::read) maps: &'a Maps,
 }
 
-/// Reads one cut. What is no intersection of clip-surfaces is made into several cuts of one name.
+/// Reads one cut. A region that is not an intersection of clip-surfaces becomes several cuts with the same name.
 pub(in crate::document::read) fn read(
     entry: &Entry<'_>,
     index: usize,
@@ -72,9 +72,9 @@ pub(in crate::document::read) fn read(
     let breakaway = (table.get("breakaway")).map(|e| cutaways::breakaway(&e));
     let breakaway = breakaway.transpose()?;
     if let (Some(_), Some(entry)) = (&volume, table.get("breakaway")) {
-        let help = "let each be a cut of its own";
+        let help = "make each a separate cut";
         return Err(entry.fault(
-            "the cut has a `volume`, and there is one cutter to a cut",
+            "the cut has a `volume`, and a cut can have only one cutter",
             help,
         ));
     }
@@ -96,9 +96,8 @@ pub(in crate::document::read) fn read(
     }
     if let Some(offsets) = table.get("offset") {
         if has_volume {
-            let help =
-                "a mesh has no side to move to: scale it in a cut of its own for these parts";
-            return Err(offsets.fault("the cut has a cutter, which no offset moves", help));
+            let help = "a mesh cannot be offset: scale it in a separate cut for these parts";
+            return Err(offsets.fault("the cut has a cutter, which cannot be offset", help));
         }
         cut.offsets = offsets_of(&offsets, &cut, context, notes)?;
     }
@@ -110,7 +109,7 @@ pub(in crate::document::read) fn read(
     Ok(region.alternatives.into_iter().map(of_surfaces).collect())
 }
 
-/// Region of a cut: the intersection of `surfaces`, `box` and `wedge`; all of space only in addition to a cutter.
+/// Region of a cut: the intersection of `surfaces`, `box` and `wedge`; all of space is only valid together with a cutter.
 fn region(
     table: &Table<'_>,
     has_volume: bool,
@@ -154,7 +153,7 @@ fn region(
     Ok(region)
 }
 
-/// A table of a key, or the tables of its list.
+/// The table at a key, or the tables of a list there.
 fn one_or_several<'a>(table: &Table<'a>, key: &str) -> Result<Vec<Entry<'a>>> {
     match table.get(key) {
         None => Ok(Vec::new()),
@@ -163,7 +162,7 @@ fn one_or_several<'a>(table: &Table<'a>, key: &str) -> Result<Vec<Entry<'a>>> {
     }
 }
 
-/// Reads offsets by glob. A file does not rank several globs that match a part: only one may match, in addition to the exact
+/// Reads offsets by glob. Globs have no order in a file: only one may match a part, besides its exact
 /// name.
 fn offsets_of(
     entry: &Entry<'_>,
@@ -177,7 +176,7 @@ fn offsets_of(
         must_name_a_part(&value, glob, context)?;
         let mut cut_parts = context.parts.iter().filter(|p| cut.names(p));
         if !cut_parts.any(|p| glob_matches(glob, &p.name)) {
-            notes.push(format!("{}: no part of the cut has such a name", value.key));
+            notes.push(format!("{}: no part of the cut has this name", value.key));
         }
         let keeps = match value.amount()? {
             Amount::Units(v) => v,
@@ -198,14 +197,14 @@ fn offsets_of(
             .collect();
         if globs.len() > 1 && !globs.contains(&part.name.as_str()) {
             let what = format!("part `{}` fits {}", part.name, globs.join(" and "));
-            let help = format!("add `\"{}\" = 0.1`, which counts before them", part.name);
+            let help = format!("add `\"{}\" = 0.1`, which takes priority", part.name);
             return Err(entry.fault(what, help));
         }
     }
     Ok(offsets)
 }
 
-/// Globs; one without a wildcard has to be the name of a part, for it can be nothing but a slip otherwise.
+/// Reads globs; one without a wildcard must be the name of a part, because anything else is a mistake.
 fn globs_of(entry: &Entry<'_>, context: &Context<'_>) -> Result<Vec<String>> {
     let globs = entry.list()?.into_iter().map(|glob| {
         must_name_a_part(&glob, glob.text()?, context)?;
@@ -265,7 +264,7 @@ pub(in crate::document::read) fn surface(
     })
 }
 
-/// Refuses what is no clip-surface.
+/// Refuses invalid clip-surfaces.
 pub(in crate::document::read) fn sound(
     surface: &ClipSurface,
     model: &Bounds,
@@ -278,7 +277,7 @@ pub(in crate::document::read) fn sound(
     }
 }
 
-/// The paper's form: nothing is computed, nothing moved.
+/// Reads the paper's parametrisation, as given.
 fn in_full(table: &Table<'_>, desc: &SurfaceDesc, context: &Context<'_>) -> Result<ClipSurface> {
     table.need("u", "[1, 0, 0]")?;
     table.need("v", "[0, 1, 0]")?;
@@ -292,7 +291,7 @@ fn in_full(table: &Table<'_>, desc: &SurfaceDesc, context: &Context<'_>) -> Resu
     })
 }
 
-/// A plane with the relief of its table, if it has one.
+/// A plane with the relief in its table, if it has one.
 pub(in crate::document::read) fn on_plane(
     plane: ClipSurface,
     (table, desc): (&Table<'_>, &ReliefUse),

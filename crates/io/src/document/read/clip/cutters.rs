@@ -1,7 +1,7 @@
-//! `volume = "FILE"` of a `[[cut]]`: a closed mesh as cutter, placed by the keys that place parts.
+//! `volume = "FILE"` in a `[[cut]]`: a closed mesh as cutter, with the same placement keys as parts.
 //!
-//! As with parts, what is named by text is opened once, when the file is first read, and refused there where it is not closed;
-//! its place is read at every time.
+//! As with parts, names are resolved once, when the document is opened, and an open mesh is refused then;
+//! the placement is read at every time.
 
 use cutaway::error::Result;
 use cutaway::scene::{Bounds, Cutter, too_far};
@@ -12,15 +12,15 @@ use crate::document::read::opening::Opening;
 use crate::document::read::parts;
 use crate::document::read::reader::{Entry, Table};
 
-/// A cutter from its file.
+/// A cutter's mesh and its bounds.
 #[derive(Clone, Debug)]
 pub(in crate::document::read) struct CutterSource {
     cutter: Cutter,
-    /// Bounds where its file puts it.
+    /// Bounds as placed in the file.
     rest: Bounds,
 }
 
-/// Opens the cutters of a file, one for each cut that has one.
+/// Opens the cutters of a document, one for each cut that has one.
 pub(in crate::document::read) fn open(
     entries: &[Entry<'_>],
     opening: &mut Opening<'_>,
@@ -48,7 +48,7 @@ fn open_one(entry: &Entry<'_>, opening: &mut Opening<'_>) -> Result<CutterSource
     })
 }
 
-/// The cutter of a cut where it is at the time of the text, if it has one; `model` are the bounds of what it cuts.
+/// The cutter of a cut, placed as in the current text, if it has one; `model` are the bounds of the parts that it cuts.
 pub(in crate::document::read) fn read(
     (table, desc): (&Table<'_>, &CutDesc),
     held: Option<&CutterSource>,

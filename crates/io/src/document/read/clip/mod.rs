@@ -1,4 +1,4 @@
-//! The readers of what removes: `[[cut]]` and `[relief.NAME]`.
+//! Readers of the removed regions: `[[cut]]` and `[relief.NAME]`.
 
 pub(super) mod cutaways;
 pub(super) mod cuts;

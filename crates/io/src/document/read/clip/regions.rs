@@ -1,17 +1,17 @@
-//! `box` and `wedge` of a cut: regions in few numbers.
+//! `box` and `wedge` of a cut: regions described by a few numbers.
 //!
 //! ```toml
-//! box = { min = ["50%", 0, 0], max = ["100%", 1, 1] }       # percent of the bounds; without `min` or `max` it is open there
+//! box = { min = ["50%", 0, 0], max = ["100%", 1, 1] }       # percent of the bounds; without `min` or `max` unbounded on that side
 //! box = { centre = [0, 0, 0], size = 0.5 }                  # or a size along each axis
 //! wedge = { axis = "z", from_deg = 0, to_deg = 90 }         # about the middle of the bounds, or `origin`
 //! wedge = { axis = [1, 1, 0], from_deg = -30, to_deg = 200, min = "10%", max = "90%" }
 //! ```
 //!
-//! Angles turn counter-clockwise about the axis as its tip is looked at; 0 is the next axis: x for z, y for x, z for y. A wedge of
-//! more than 180 degrees is made of two cuts of one name. `min` and `max` of a wedge are coordinates along its axis.
+//! Angles are counter-clockwise when looking against the axis; 0 is the next axis: x for z, y for x, z for y. A wedge of
+//! more than 180 degrees becomes two cuts with the same name. `min` and `max` of a wedge are coordinates along its axis.
 //!
-//! `relief`, `amplitude`, `period` and `wrap` ruffle all faces as they do a section, or those of a list: `faces = ["from", "to"]`;
-//! faces of a box are called `-x` to `+z`, those of a wedge `from`, `to`, `min` and `max`.
+//! `relief`, `amplitude`, `period` and `wrap` apply a relief to all faces as in a section, or to listed ones: `faces = ["from", "to"]`;
+//! faces of a box are named `-x` to `+z`, those of a wedge `from`, `to`, `min` and `max`.
 
 use cutaway::error::Result;
 use cutaway::scene::describe::OrWord;
@@ -30,10 +30,10 @@ const CORNERS: [&str; 2] = ["min", "max"];
 static BOX: Keys = Keys::below("cut.*.box");
 static WEDGE: Keys = Keys::below("cut.*.wedge");
 
-/// A union of intersections of removed sides.
+/// A union of intersections of removed half-spaces.
 pub(in crate::document::read) struct Union {
     pub(in crate::document::read) alternatives: Vec<Vec<ClipSurface>>,
-    /// True if it has no inside.
+    /// True if the region is empty.
     pub(in crate::document::read) is_empty: bool,
 }
 
@@ -46,17 +46,17 @@ impl Union {
         }
     }
 
-    /// All of space.
+    /// The region that is all of space.
     pub(in crate::document::read) fn everywhere() -> Self {
         Self::of(Vec::new())
     }
 
-    /// Returns true if one alternative is all of space.
+    /// Returns true if one of the intersections is all of space.
     pub(in crate::document::read) fn is_everywhere(&self) -> bool {
         self.alternatives.iter().any(Vec::is_empty)
     }
 
-    /// Keeps what is in another one too.
+    /// Intersects the region with another one.
     pub(in crate::document::read) fn intersect(&mut self, other: Self) {
         self.alternatives = in_common(&self.alternatives, &other.alternatives);
         self.is_empty |= other.is_empty;
@@ -162,7 +162,7 @@ pub(in crate::document::read) fn wedge(entry: &Entry<'_>, context: &Context<'_>)
         let help = "let `min` be at most `max`: both are coordinates along the axis";
         return Err(entry.fault("it ends before it begins along its axis", help));
     }
-    // A full turn has neither, but may be a moment of one that opens.
+    // A full turn has no such faces, but may be one moment of an animated wedge.
     let mut present = vec!["from", "to"];
     present.extend(wedge.min.map(|_| "min"));
     present.extend(wedge.max.map(|_| "max"));
@@ -177,14 +177,14 @@ pub(in crate::document::read) fn wedge(entry: &Entry<'_>, context: &Context<'_>)
     })
 }
 
-/// A point by its coordinates, or by percentages of the bounds.
+/// A point given in coordinates, or in percentages of the bounds.
 fn point(amounts: [Amount; 3], bounds: &Bounds) -> DVec3 {
     DVec3::from(std::array::from_fn(|i| {
         amounts[i].between(bounds.min[i], bounds.max[i])
     }))
 }
 
-/// The faces that are to have the relief of the table; `present` are those that there are.
+/// Flags the faces that have the table's relief; `present` are the names of the existing faces.
 pub(in crate::document::read) fn listed(
     present: &[&'static str],
     table: &Table<'_>,
@@ -205,7 +205,7 @@ pub(in crate::document::read) fn listed(
     }
 }
 
-/// The clip-surfaces of faces, with the relief of the table on those that are listed.
+/// The clip-surfaces of faces, with the table's relief on the listed ones.
 pub(in crate::document::read) fn ruffled(
     faces: Vec<RegionFace>,
     listed: &[&'static str],

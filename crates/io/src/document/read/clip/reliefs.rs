@@ -1,4 +1,4 @@
-//! `[relief.NAME]`: where heights come from.
+//! `[relief.NAME]`: sources of heights.
 //!
 //! ```toml
 //! [relief.steps]
@@ -6,13 +6,13 @@
 //! heights = [0, 0.2, 1, 0.2]
 //!
 //! [relief.moving]
-//! kind = "layers"                 # layer 0 at 0, layer 1 at 1, what is between at 0.5
+//! kind = "layers"                 # layer 0 at 0, layer 1 at 1, a mix of both at 0.5
 //! images = "frames/%03d.png"      # or `of = ["a", "b"]`, names of other reliefs
 //! at = 0.0
 //! wrap = "repeat"
 //! ```
 //!
-//! Images are read when the document is opened; what a key moves is computed again from them.
+//! Images are read when the document is opened; animated reliefs are computed from them again.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -37,10 +37,10 @@ const LAYERS_KEYS: &[&str] = &["kind", "of", "images", "first", "at", "wrap"];
 /// Offset maps by name.
 pub(in crate::document::read) type Maps = BTreeMap<String, Arc<OffsetMap>>;
 
-/// The images of reliefs, read once: what is opened does not change while a scene is played.
+/// The images of reliefs, read once: opened files do not change while a scene is played.
 #[derive(Debug, Default)]
 pub(crate) struct Images {
-    /// By the name of the relief: one, or several in order.
+    /// One image, or several in order, by the name of the relief.
     by_relief: BTreeMap<String, Vec<Image>>,
 }
 
@@ -50,7 +50,7 @@ impl Images {
     }
 }
 
-/// Reliefs as they were when they were last computed.
+/// Reliefs as last computed.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Resolved {
     described: BTreeMap<String, Relief>,
@@ -58,7 +58,7 @@ pub(crate) struct Resolved {
 }
 
 impl Resolved {
-    /// Returns true if a relief, and all that it is blended from, are unchanged.
+    /// Returns true if a relief, and all reliefs that it is blended from, are unchanged.
     fn still_holds(&self, name: &str, described: &BTreeMap<String, Relief>) -> bool {
         let relief = described.get(name);
         let parts = relief.map_or(&[] as &[String], Relief::of);
@@ -68,7 +68,7 @@ impl Resolved {
     }
 }
 
-/// Reads all reliefs of `[relief]` and computes those that are not what they were: maps of the others stay the same.
+/// Reads all reliefs of `[relief]` and computes those that have changed; the maps of the others are kept.
 pub(in crate::document::read) fn read(
     entry: &Entry<'_>,
     images: &Images,
@@ -83,7 +83,7 @@ pub(in crate::document::read) fn read(
             .map_or(&[] as &[_], Vec::as_slice);
         let read = describe(&relief, images)?;
         if let Relief::Layers { .. } = read {
-            // Layers that are images are reliefs too.
+            // Image layers are reliefs too.
             let layers = images.iter();
             described.extend(layers.map(|i| (name_of_image(&i.path), Relief::Image(i.clone()))));
         }
@@ -121,7 +121,7 @@ pub(in crate::document::read) fn open(
                 let path = folder.join(image.text()?);
                 (image, vec![path])
             }
-            // Layers are named one way or the other, which is said where they are read.
+            // Naming layers in both ways is refused when the relief is read.
             (None, Some(images)) if table.get("of").is_none() => {
                 let paths = listed(&images, table.get("first"), folder, assets)?;
                 (images, paths)
@@ -139,7 +139,7 @@ pub(in crate::document::read) fn open(
     Ok(opened)
 }
 
-/// The name of an image among reliefs. It begins with a character that keys do not hold unless it is written in digits.
+/// Name of an image in the list of reliefs. It begins with a character that keys can only contain as an escape sequence.
 fn name_of_image(path: &Path) -> String {
     format!("\u{7f}{}", path.display())
 }
@@ -199,7 +199,7 @@ fn blended(table: &Table<'_>) -> Result<Relief> {
     let op = table.need("op", "\"add\"")?;
     let name = op.text()?;
     let mut operation = BlendOp::named(name).ok_or_else(|| {
-        let what = format!("{name:?} is no way to blend");
+        let what = format!("{name:?} is not a blend operator");
         op.fault(what, did_you_mean(name, BlendOp::NAMES))
     })?;
     if let Some(entry) = table.get("share") {
@@ -234,7 +234,7 @@ fn layers(table: &Table<'_>, images: &[Image]) -> Result<Relief> {
         }
         (Some(of), None) => {
             if let Some(first) = table.get("first") {
-                let what = "it says where images begin, but there are none";
+                let what = "it is the number of the first image, but there are no images";
                 return Err(first.fault(what, "remove it"));
             }
             let names = desc.of;
@@ -257,7 +257,7 @@ fn layers(table: &Table<'_>, images: &[Image]) -> Result<Relief> {
     })
 }
 
-/// The images of a pattern, counted up from `first`, or from 0 or 1.
+/// The images of a pattern, counting up from `first`, or from 0 or 1.
 fn listed(
     entry: &Entry<'_>,
     first: Option<Entry<'_>>,
@@ -269,6 +269,6 @@ fn listed(
     let found = pattern.and_then(|p| p.inside(folder).files(first, assets.store()));
     match found.map_err(|e| entry.place(e))? {
         (files, None) => Ok(files),
-        (_, Some(gap)) => Err(entry.fault(gap, "add the missing image, or number the others anew")),
+        (_, Some(gap)) => Err(entry.fault(gap, "add the missing image, or renumber the others")),
     }
 }

@@ -1,33 +1,33 @@
-//! The attribute codec, mode 0, versions 0 and 1: bytes of the same place in consecutive elements as differences.
+//! The attribute codec, mode 0, versions 0 and 1: each byte of an element is coded as a difference to the previous element's.
 //!
-//! The elements come in blocks, and each block byte place by byte place, in groups of 16 differences: all zero, in 1, 2 or 4 bits each with
-//! longer ones after them, or whole. Version 1 selects for each place of a block which of these its groups use, or leaves the place out
-//! or whole. For each word of an element it selects differences of bytes, of halves or of all bits. The first element differs from one that
-//! is in the tail of the stream.
+//! Elements are stored in blocks, and each block by byte position, in groups of 16 differences: all zero, 1, 2 or 4 bits each with
+//! longer ones appended, or whole bytes. In version 1 each byte position of a block selects one of two sets of these bit counts, all
+//! zeros, or whole bytes. Each word of an element selects differences of bytes, of 16-bit halves or of all bits. The first element is
+//! relative to one in the tail of the stream.
 
 use super::{cut_off, parted, too_long};
 
 /// The first byte of a stream of `EXT_meshopt_compression`.
 const VERSION_0: u8 = 0xa0;
 
-/// The first byte of a stream that `KHR_meshopt_compression` may have too.
+/// The first byte of a stream that is only valid in `KHR_meshopt_compression`.
 const VERSION_1: u8 = 0xa1;
 
-/// Differences of a group.
+/// Number of differences in a group.
 const GROUP: usize = 16;
 
-/// Bits of a difference by the mode of its group.
+/// Bits per difference, by the group's mode.
 const BITS_0: [u8; 4] = [0, 2, 4, 8];
 
-/// The same in version 1, by the packing of the place.
+/// The same in version 1, by the packing of the byte position.
 const BITS_1: [[u8; 4]; 2] = [[0, 1, 2, 4], [1, 2, 4, 8]];
 
 /// Delta coding of a word of an element, relative to the element before.
 #[derive(Clone, Copy, Debug)]
 enum Change {
-    /// Each byte by a difference.
+    /// A difference per byte.
     Bytes,
-    /// Each half by a difference.
+    /// A difference per 16-bit half.
     Halves,
     /// Flipped bits (XOR), rotated to the left by this count.
     Bits(u32),
@@ -43,7 +43,7 @@ impl Change {
         }
     }
 
-    /// The word after one.
+    /// Returns the word that follows `last`.
     fn next(self, last: [u8; 4], packed: [u8; 4]) -> [u8; 4] {
         match self {
             Self::Bytes => std::array::from_fn(|i| last[i].wrapping_add(unfolded(packed[i]))),
@@ -64,17 +64,17 @@ impl Change {
     }
 }
 
-/// Most elements of a block.
+/// Maximum number of elements in a block.
 fn block_elements(stride: usize) -> usize {
     ((8192 / stride) & !(GROUP - 1)).min(256)
 }
 
-/// Unpacks elements of `stride` bytes, 4 to 256, a multiple of 4.
+/// Unpacks elements of `stride` bytes, a multiple of 4 from 4 to 256.
 pub(super) fn unpack(stream: &[u8], count: usize, stride: usize) -> Result<Vec<u8>, String> {
     let is_second = stream.first() == Some(&VERSION_1);
     let words = stride / 4;
     let of_block = block_elements(stride);
-    // No stream is shorter than two bits for every group, or than a byte for every word of a block.
+    // Every stream has at least two bits per group, or one byte per word and block.
     let (header, tail_bytes, least_tail, least) = match is_second {
         false => (
             VERSION_0,
@@ -132,7 +132,7 @@ pub(super) fn unpack(stream: &[u8], count: usize, stride: usize) -> Result<Vec<u
     }
 }
 
-/// Decodes one byte place of a block, by groups whose modes select one of the counts `bits`.
+/// Decodes one byte position of a block, in groups whose modes select one of the bit counts `bits`.
 fn grouped(body: &mut &[u8], bits: [u8; 4], into: &mut [u8]) -> Result<(), String> {
     let modes = take(body, into.len().div_ceil(4 * GROUP))?;
     for (group, into) in into.chunks_mut(GROUP).enumerate() {
@@ -157,7 +157,7 @@ fn differences(body: &mut &[u8], bits: u8) -> Result<[u8; GROUP], String> {
     let per_byte = usize::from(8 / bits);
     let most = (1 << bits) - 1;
     for (i, difference) in all.iter_mut().enumerate() {
-        // The first is in the highest bits, but in the lowest where each has one.
+        // The first difference is in the highest bits, except for 1-bit differences, where it is in the lowest.
         let shift = match bits {
             1 => i % per_byte,
             _ => 8 - usize::from(bits) * (i % per_byte + 1),
@@ -171,7 +171,7 @@ fn differences(body: &mut &[u8], bits: u8) -> Result<[u8; GROUP], String> {
     Ok(all)
 }
 
-/// A difference whose sign is in its lowest bit.
+/// Decodes a difference whose sign is in its lowest bit.
 fn unfolded(folded: u8) -> u8 {
     match folded & 1 {
         0 => folded >> 1,
@@ -200,7 +200,7 @@ mod tests {
 
     #[test]
     fn elements_continue_from_the_tail_through_all_blocks() {
-        // 300 equal elements in two blocks, then one difference of 1 in the second byte of the last group.
+        // 300 equal elements in two blocks, then a difference of 1 in the second byte of the last group.
         let count = 300;
         let mut stream = vec![VERSION_0];
         for (groups, is_last) in [(16_usize, false), (3, true)] {

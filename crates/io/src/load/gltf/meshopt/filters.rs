@@ -1,11 +1,11 @@
-//! The filters: unit vectors by octahedra, unit quaternions by their three lesser components, floating-point numbers with exponents that
-//! are chosen by hand, and colours by luma and two differences from it.
+//! The filters: unit vectors in octahedral coding, unit quaternions by their three smaller components, floating-point numbers with an
+//! explicit exponent, and colours by luma and two differences from it.
 //!
-//! Arithmetic is in f64, results are within half a unit of what the specification allows one for.
+//! Arithmetic is in f64; results are within half a unit, where the specification allows one.
 
 use std::f64::consts::FRAC_1_SQRT_2;
 
-/// Unit vectors from octahedra, in four components of one or two bytes; the fourth stays.
+/// Decodes unit vectors in octahedral coding, in four components of one or two bytes; the fourth is unchanged.
 pub(super) fn octahedral(bytes: &mut [u8], stride: usize) {
     if stride == 4 {
         for element in bytes.chunks_exact_mut(4) {
@@ -33,7 +33,7 @@ fn unit(x: f64, y: f64) -> [f64; 3] {
     [x, y, z].map(|c| c / length)
 }
 
-/// Unit quaternions in four components of two bytes: three and the scale of them, in whose lowest bits is which one is missing.
+/// Decodes unit quaternions in four components of two bytes: three components and a scale whose lowest bits give the missing component.
 pub(super) fn quaternion(bytes: &mut [u8]) {
     for element in bytes.chunks_exact_mut(8) {
         let [x, y, z, scale] = words(element);
@@ -48,7 +48,7 @@ pub(super) fn quaternion(bytes: &mut [u8]) {
     }
 }
 
-/// Floating-point numbers from 8 bits of exponent and 24 of mantissa, both signed.
+/// Decodes floating-point numbers with 8 bits of exponent and 24 of mantissa, both signed.
 pub(super) fn exponential(bytes: &mut [u8]) {
     for word in bytes.as_chunks_mut::<4>().0 {
         let packed = i32::from_le_bytes(*word);
@@ -58,8 +58,8 @@ pub(super) fn exponential(bytes: &mut [u8]) {
     }
 }
 
-/// Colours with alpha in four components of one or two bytes: luma, what red has more than blue and green more than both, and alpha, below
-/// a bit that marks how many bits all of them have.
+/// Decodes colours with alpha in four components of one or two bytes: luma, the orange and green differences, and alpha, whose highest
+/// set bit marks the bit depth of all four.
 pub(super) fn colour(bytes: &mut [u8], stride: usize) {
     if stride == 4 {
         for element in bytes.as_chunks_mut::<4>().0 {
@@ -85,7 +85,7 @@ fn red_green_blue(luma: i32, [orange, green]: [i32; 2], alpha: i32, most: i32) -
     let below_mark = alpha.checked_ilog2().map_or(0, |bit| (1 << bit) - 1);
     let one = 2 * below_mark + 1;
     let short = alpha & below_mark;
-    // Alpha has a bit less than the others.
+    // Alpha has one bit less than the other components.
     let alpha = short << 1 | short & 1;
     let colour = [
         luma + orange - green,
@@ -110,13 +110,13 @@ mod tests {
 
     #[test]
     fn octants_fold_to_unit_vectors() {
-        // In 8 bits of which 7 are used: 63 is 1.
+        // 8-bit components with 7 bits in use: 63 is 1.
         let mut bytes = [0, 0, 63, 5, 63_i8 as u8, 0, 63, 0, -63_i8 as u8, 63, 63, 0];
         octahedral(&mut bytes, 4);
         let found = bytes.map(|b| b as i8);
         assert_eq!(found[..4], [0, 0, 127, 5]);
         assert_eq!(found[4..8], [127, 0, 0, 0]);
-        // The corner of the square is the lower pole.
+        // The corner of the octahedral square is the lower pole.
         assert_eq!(found[8..], [0, 0, -127, 0]);
         let mut wide: Vec<u8> = [16_383_i16, -16_384, 32_767, 9]
             .iter()

@@ -1,4 +1,4 @@
-//! The index codecs: mode 1, triangles by the edges and vertices that were met last, and mode 2, indices as differences.
+//! The index codecs: mode 1, triangles coded by recent edges and vertices, and mode 2, indices coded as differences.
 
 use super::{cut_off, parted, too_long};
 
@@ -8,13 +8,13 @@ const TRIANGLES: u8 = 0xe1;
 /// The first byte of a stream of indices.
 const INDICES: u8 = 0xd1;
 
-/// Length of the table that ends a stream of triangles.
+/// Length in bytes of the table at the end of a triangle stream.
 const TABLE_BYTES: usize = 16;
 
-/// Length of what ends a stream of indices.
+/// Length in bytes of the tail of an index stream.
 const TAIL_BYTES: usize = 4;
 
-/// The last 16 of something.
+/// Ring buffer of the last 16 items.
 struct Recent<T> {
     all: [T; 16],
     next: usize,
@@ -33,7 +33,7 @@ impl<T: Copy + Default> Recent<T> {
         self.next = (self.next + 1) % 16;
     }
 
-    /// Returns the entry `back` places before the last.
+    /// Returns the item `back` positions before the last.
     fn get(&self, back: usize) -> T {
         self.all[(self.next + 15 - back % 16) % 16]
     }
@@ -42,9 +42,9 @@ impl<T: Copy + Default> Recent<T> {
 /// State of the triangle decoder.
 struct Reader<'a> {
     data: &'a [u8],
-    /// The index that no triangle has had yet.
+    /// Lowest index not used by any triangle so far.
     next: u32,
-    /// The last index that was written out.
+    /// The last explicitly coded index.
     last: u32,
     edges: Recent<[u32; 2]>,
     vertices: Recent<u32>,
@@ -57,14 +57,14 @@ impl Reader<'_> {
         fresh
     }
 
-    /// An index that is written out, as its difference to the last such.
+    /// Reads an explicit index, coded as its difference to the previous explicit one.
     fn written(&mut self) -> Result<u32, String> {
         let folded = varint(&mut self.data)?;
         self.last = self.last.wrapping_add(unfolded(folded));
         Ok(self.last)
     }
 
-    /// Decodes a half byte: a fresh index, or one of the last vertices.
+    /// Decodes a half byte: a fresh index, or one of the recent vertices.
     fn by_half_byte(&mut self, half: u8) -> u32 {
         match half {
             0 => self.fresh(),
@@ -72,7 +72,7 @@ impl Reader<'_> {
         }
     }
 
-    /// A triangle at one of the last edges.
+    /// Decodes a triangle at a recent edge.
     fn at_edge(&mut self, [a, b]: [u32; 2], half: u8) -> Result<[u32; 3], String> {
         let c = match half {
             0 => self.fresh(),
@@ -92,7 +92,7 @@ impl Reader<'_> {
         Ok([a, b, c])
     }
 
-    /// A triangle by itself: whether its first index is fresh, what stands for the others, and whether those may be written out.
+    /// Decodes a triangle without a recent edge: `is_fresh` applies to its first index, `halves` code the others; 15 may mean explicit.
     fn alone(
         &mut self,
         is_fresh: bool,
@@ -100,7 +100,7 @@ impl Reader<'_> {
         may_be_written: bool,
     ) -> Result<[u32; 3], String> {
         let (of_b, of_c) = (halves >> 4, halves & 15);
-        // Fresh indices are counted before those that are written out are read.
+        // Fresh indices are counted before the explicit ones are read.
         let a = if is_fresh { Some(self.fresh()) } else { None };
         let mut others = [None; 2];
         for (other, half) in others.iter_mut().zip([of_b, of_c]) {
@@ -123,10 +123,10 @@ impl Reader<'_> {
     }
 }
 
-/// Unpacks `count` indices of triangles.
+/// Unpacks `count` triangle indices.
 pub(super) fn triangles(stream: &[u8], count: usize) -> Result<Vec<u32>, String> {
     if !count.is_multiple_of(3) {
-        return Err(format!("{count} indices are no whole number of triangles"));
+        return Err(format!("the index count {count} is not a multiple of 3"));
     }
     let (body, table) = parted(stream, TRIANGLES, TABLE_BYTES)?;
     let (codes, data) = body.split_at_checked(count / 3).ok_or_else(cut_off)?;
@@ -168,7 +168,7 @@ pub(super) fn indices(stream: &[u8], count: usize) -> Result<Vec<u32>, String> {
     if data.len() < count {
         return Err(cut_off());
     }
-    // Each index differs from the last of one of two sequences.
+    // Each index is a difference to the last index of one of two sequences.
     let mut last = [0_u32; 2];
     let mut indices = Vec::with_capacity(count);
     for _ in 0..count {
@@ -183,7 +183,7 @@ pub(super) fn indices(stream: &[u8], count: usize) -> Result<Vec<u32>, String> {
     }
 }
 
-/// A number in groups of seven bits, the lowest first.
+/// Reads a number in groups of seven bits, lowest group first.
 fn varint(data: &mut &[u8]) -> Result<u32, String> {
     let mut number = 0;
     for shift in (0..35).step_by(7) {
@@ -198,7 +198,7 @@ fn varint(data: &mut &[u8]) -> Result<u32, String> {
     Err("it holds an index that does not end".to_owned())
 }
 
-/// A difference whose sign is in its lowest bit.
+/// Decodes a difference whose sign is in its lowest bit.
 fn unfolded(folded: u32) -> u32 {
     match folded & 1 {
         0 => folded >> 1,
@@ -227,7 +227,7 @@ mod tests {
 
     #[test]
     fn two_sequences_are_spliced() {
-        // +10 in the first, +100 in the second, -1 in the first, +1 in the second.
+        // +10 in the first sequence, +100 in the second, -1 in the first, +1 in the second.
         let words = [20_u32 << 1, (200 << 1) | 1, 1 << 1, (2 << 1) | 1];
         let mut stream = vec![INDICES];
         for word in words {

@@ -1,12 +1,12 @@
-//! Buffer views packed by `EXT_meshopt_compression` or `KHR_meshopt_compression`, unpacked by their specifications: attributes, triangles
-//! and indices, and the filters octahedral, quaternion, exponential and colour. The second extension adds a version of attributes and the
-//! filter for colours; both are read under either name.
+//! Decompression of buffer views packed by `EXT_meshopt_compression` or `KHR_meshopt_compression`: attributes, triangles
+//! and indices, and the filters octahedral, quaternion, exponential and colour. The second extension adds a version of the attribute codec
+//! and the colour filter; both are accepted under either name.
 //!
-//! A stream states no length: the extension gives the count and the byte size of its elements, and the stream must be used up by exactly
-//! those. Each element costs at least some bits of the stream, which is checked before memory is allocated: a short stream that promises
-//! gigabytes is refused.
+//! A stream has no length field: the extension gives the count and the byte size of the elements, which must use up the stream
+//! exactly. Each element takes a minimum number of bits in the stream, which is checked before memory is allocated: a short stream
+//! that states gigabytes is refused.
 //!
-//! Cost: one pass over what comes out, some hundred megabytes a second.
+//! Cost: one pass over the output, some hundred megabytes a second.
 
 mod attributes;
 mod filters;
@@ -53,14 +53,14 @@ impl Filter {
 pub(super) struct Packing {
     pub(super) mode: Mode,
     pub(super) filter: Filter,
-    /// Bytes of an element.
+    /// Bytes per element.
     pub(super) stride: usize,
     /// Number of elements.
     pub(super) count: usize,
 }
 
 impl Packing {
-    /// The bytes of the view.
+    /// Returns the unpacked bytes of the view.
     pub(super) fn unpack(&self, stream: &[u8]) -> Result<Vec<u8>, String> {
         let (stride, count) = (self.stride, self.count);
         let (is_stride_right, is_filtered) = match (self.mode, self.filter) {
@@ -97,7 +97,7 @@ impl Packing {
     }
 }
 
-/// Indices in 2 or 4 bytes each.
+/// Converts indices to 2 or 4 bytes each.
 fn to_bytes(indices: &[u32], stride: usize) -> Result<Vec<u8>, String> {
     if stride == 4 {
         return Ok(indices.iter().flat_map(|i| i.to_le_bytes()).collect());
@@ -111,7 +111,7 @@ fn to_bytes(indices: &[u32], stride: usize) -> Result<Vec<u8>, String> {
     Ok(bytes)
 }
 
-/// Splits a stream, whose first byte must be `header` and which ends in a tail of `tail` bytes: the data between, and the tail.
+/// Splits a stream into data and tail, after checking that its first byte is `header`; the tail has `tail` bytes.
 fn parted(stream: &[u8], header: u8, tail: usize) -> Result<(&[u8], &[u8]), String> {
     match stream.split_first() {
         Some((first, _)) if *first != header => Err(format!(
@@ -137,7 +137,7 @@ mod tests {
 
     use super::*;
 
-    // What meshoptimizer 1.3.0 of npm makes of 40 vectors, quaternions and triples that the functions below give, and of the triangles of a
+    // Output of meshoptimizer 1.3.0 (npm) for 40 vectors, quaternions and triples from the functions below, and for the triangles of a
     // tetrahedron.
     const OCTAHEDRAL_8: &str = "oB8AXzguncB1F67xtA2n4fc+kqytgWungOgqwHXMAMlmjf//AAAZyFFUsS5EIx8ALIOeVyWq2ZQGrffTJKDK3V2BmYa4SLZ78BHHcKsPzP//AABbcCC7RjmCJQAfAP79/v3+/f79/v3+/f79/v3+/f79/v3+/f79/v3+/f7//wAA/f79/v3+/f4AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAGAB/AA==";
     const OCTAHEDRAL_12: &str = "oB8AB3PqACaEgv++r9eXA1oLxZqxS71ZMZqsI9KkAY0sr///AABkTtvr89AeGx4FQpxRraCf9BIPCBMUBwUWFw4CExgRABQZFn//AAARGhkUBBseHwDOTw1mXcAuoWjrnJ5KBno6FCWCOl+Qx3Lg0E22memS//8AAHTaBmQqnh9RHgJ6Ua2gn9KvEBESBQcWFwwEExgRABQZFgER+/0AABoZFBkcFwAAFRmZmZmZmZmZmZkAAB8A/v3+/f79/v3+/f79/v3+/f79/v3+/f79/v3+/f79/v//AAD9/v3+/f79/gAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAHwBAAD/BwAA";
@@ -146,8 +146,8 @@ mod tests {
     const TRIANGLES: &str = "4f4OEgPwBAB2h1ZneKmGZYlomAFpAAA=";
     const INDICES: &str = "0QAIAgIECAYEBAoMAgAAAAA=";
 
-    // The same program's second version at its highest level, of the elements that a function below gives: a word by bits, one by halves and
-    // two by bytes, with each of the four packings of a place. Then colours of 8 bits, and of 12 in 16.
+    // Output of the same program's second version at its highest level, for elements from a function below: one word by bits, one by
+    // halves and two by bytes, with each of the four packings of a byte position. Then colours of 8 bits, and of 12 bits in 16.
     const WORDS: &str = "oZpXqP8aATFxMfExcTEP8TFxMfExcTEfD93dAAA/AwcDAFhYWFhYWFhYWFhYWFhYWFhYWFhYWFhYWFhYWFhYWFhYWFhYWFhYWBUqqqqqqqqqqqqqAAAVFVVVVVVVVVVVVQAAFSqqqqqqqqqqqqoAAAQQAAIAnZ2dnZ2dnZ2dnZ2dnZ2dnZ2dnZ2dnZ2dnZ2dnZ2dnZ2dnZ2dnZ2dAPL09PL09PL09PL09PL09PTy9PTy9PTy9PTy9PT08vT08vT08vT08gBubnBucG5wbnBucG5wbnBucG5wbm5wbnBucG5wbnBucG5wbnBucG4Aw8PDw8HDw8PDwcPDw8HDw8PDwcPDw8PBw8PDwcPDw8PBw8PDwcPDAAAAAAAAgD8AAHARBwAAAAAAAAAyAQAA";
     const COLOURS_8: &str = "of8AHhwcHoMeHBwcgRweHB6DHB4cHoUeHhwcgx4cHhyBHBwcHoMeHBweADc5Nzn7Nzk3Ofs3OTc3+zk3Nzn7OTc3Ofs3OTc3+zk5Nzf7OTc5NwApKSkndikpKSl4KycpKXYpKSkndCcpKSl2KSknK3gpKSkpdicrJykAgH79gH79gH79gH79gH79gH79gH79gH79gH79gH79gH79gH79gH79AAAAAAAAAAAAAAAAAAAAAAAAAH8Af4AA";
     const COLOURS_12: &str = "oXdXADMzNTMzMzM1MzM1MzMzNTMzMzM1MzMzMzUzMzM1MzMzNTMzMzUzMxUquq6rBwkHquq6rgkHCauqAAAHAGpoampmampqaGhoampqZmpqamhoaGpqamZqaGxoaGhqampmamhqaioDMz8zM/MzPxISEjMz8zM/MzPzEhISMz8zMQAAAAASAJ2bnZ2bnZ2dm52dnZudnZ2dm5ufm52bnZ2dm52dnZudnZ2bnZ2bnRoBETgTEWEROBMRYRMYExFhd9UAAAMIAxUGGGGGGGGGGGGGAAAqCG2G2G2G2G2G2G2G2G2G2G2G2G0AAAAAAAAAAAAAAAAAAAAAAAD/BwAA/wcACAAA";
@@ -305,7 +305,7 @@ mod tests {
             words(sequence.unwrap()),
             [0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2]
         );
-        // Each triangle may begin with another of its corners.
+        // The decoder may rotate the corners of a triangle.
         let stream = STANDARD.decode(TRIANGLES).unwrap();
         let triangles = packing(Mode::Triangles, Filter::None, 2, 12).unpack(&stream);
         assert_eq!(
@@ -350,7 +350,7 @@ mod tests {
                 for change in [0x01, 0x80, 0xff] {
                     let mut changed = stream.clone();
                     changed[at] ^= change;
-                    // No panic, and if not an error all the bytes.
+                    // Decoding must not panic; it either fails or returns all bytes.
                     let bytes = packing.unpack(&changed);
                     assert!(bytes.is_err() || bytes.is_ok_and(|b| b.len() == stride * count));
                 }

@@ -47,7 +47,7 @@ pub(in crate::report::chapters) fn chapter(points: &Points<'_>) -> Vec<Block> {
         let records: Vec<&Record> = (sound(points.on(setup)).iter()).map(|p| p.record).collect();
         Block::Text(papers_path(&points.label(setup), &records))
     }));
-    // Over one point they say what is said above.
+    // Over a single point they would repeat the answer above.
     let are_several = points.all.len() > 1;
     if are_several {
         blocks.push(heading("Which one for what moves?"));
@@ -148,7 +148,7 @@ fn heading(text: &str) -> Block {
     Block::Heading(4, text.to_owned())
 }
 
-/// Setup of the figures that follow, where there are several.
+/// Names the setup of the figures that follow, if there are several.
 fn whose(points: &Points<'_>, setup: &Setup<'_>) -> Option<Block> {
     (points.setups().count() > 1).then(|| Block::Heading(5, points.label(setup)))
 }
@@ -205,7 +205,7 @@ fn exactness(totals_of_strategies: &[StrategyTotals]) -> Grid {
     grid
 }
 
-/// The paper's path at some points as one strategy: where its own parameters were not measured, with all that were.
+/// Totals of the paper's path at some points as one strategy: with the paper's parameters if measured, else with all measured ones.
 fn totals_of_paper(records: &[&Record]) -> StrategyTotals {
     let all = records.iter().flat_map(|r| {
         let own = papers(r).into_iter();
@@ -277,7 +277,7 @@ fn by_situation(points: &[Point<'_>]) -> Grid {
     grid
 }
 
-/// Situation of an experiment: the one that its runs agree on, else the view.
+/// Situation of an experiment: the one that all its runs share, else a moving view.
 pub(in crate::report::chapters) fn situation_of(points: &[Point<'_>]) -> Situation {
     let mut all = points.iter().filter_map(Point::run).map(|run| run.moves);
     let first = all.next().unwrap_or_default();

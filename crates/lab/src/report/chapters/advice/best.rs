@@ -1,4 +1,4 @@
-//! Best strategy at some points, in three cells: its name, its cost, and the next.
+//! Best strategy at some points, in three cells: its name, its cost, and the second-best strategy.
 
 use crate::experiment::Record;
 use crate::report::chapters::figures::{percent, ranged, times};
@@ -10,7 +10,7 @@ use crate::report::document::{Cell, Tone};
 /// Headings of the three cells.
 pub(in crate::report::chapters) const COLUMNS: [&str; 3] = ["use", "× draw only", "or"];
 
-/// The cells of some points: of those judged by their own exact image, where there are such; else of broken meshes.
+/// The cells for some points: for those judged by their own exact image, if there are any; else for broken meshes.
 pub(in crate::report::chapters) fn cells(records: &[&Record], situation: Situation) -> [Cell; 3] {
     let (others, sound): (Vec<&Record>, Vec<&Record>) =
         records.iter().partition(|r| has_other_truth(r));
@@ -31,7 +31,7 @@ fn noted(name: &str, notes: &[String]) -> String {
     }
 }
 
-/// Limit of a ranked method, and its number of exact points where that is not all, in brackets; else nothing.
+/// In brackets: the limit of a ranked method, and the number of points where it is exact if not all; empty if there is neither.
 pub(in crate::report::chapters) fn limited(ranked: &Ranked, points: usize) -> String {
     let notes = notes(ranked, points);
     match notes.is_empty() {
@@ -46,7 +46,7 @@ fn notes(ranked: &Ranked, points: usize) -> Vec<String> {
     limit.into_iter().chain(rare).collect()
 }
 
-/// The first of the ranking, its cost, and the next.
+/// The first method of the ranking, its cost, and the next one.
 fn of_sound(ranking: &[Ranked], points: usize) -> [Cell; 3] {
     let name = |s: &Ranked| noted(&s.usage.words, &notes(s, points));
     let Some(first) = ranking.first() else {
@@ -65,7 +65,7 @@ fn of_sound(ranking: &[Ranked], points: usize) -> [Cell; 3] {
     ]
 }
 
-/// The least wrong that `render` takes, its cost, and the next; before that what is less wrong and only `compare` takes.
+/// The least wrong method that `render` supports, its cost, and the next; before these, methods that are less wrong but only in `compare`.
 pub(in crate::report::chapters) fn of_broken(harms: &[Harm]) -> [Cell; 3] {
     let usable = harms.iter().filter(|h| h.is_usable());
     let (drawn, compared): (Vec<&Harm>, Vec<&Harm>) =

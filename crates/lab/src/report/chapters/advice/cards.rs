@@ -10,7 +10,7 @@ use crate::report::derived::{
 use crate::report::document::{Block, Cell, Line, Ranking, Tone};
 use crate::report::look::look;
 
-/// The answer of some points in a sentence or two: what to use, what comes next, and what is cheaper and why it is not named.
+/// The answer for some points in a sentence or two: what to use, the next choice, and which cheaper methods are wrong.
 pub(in crate::report::chapters) fn sentence(records: &[&Record], situation: Situation) -> String {
     if let Some(text) = of_variants(records) {
         return text;
@@ -163,7 +163,7 @@ pub(in crate::report::chapters) fn ranking(
     })
 }
 
-/// The least and the greatest ratio of all requested methods, for axes that can be compared.
+/// Minimum and maximum ratio of all requested methods, so that several charts can have the same axis.
 pub(in crate::report::chapters) fn range_of<'a>(
     all: impl Iterator<Item = (Vec<&'a Record>, Situation)>,
 ) -> [f64; 2] {

@@ -1,4 +1,4 @@
-//! Advice by input: a row for each input that runs of the experiments stand for.
+//! Advice by input: a row for each input that runs of the experiments represent.
 
 use super::{best, cards};
 use crate::experiment::{Record, StrategyMeasurement};
@@ -28,7 +28,7 @@ In the charts a filled marker is an exact method, a hollow one has wrong pixels;
     )
 }
 
-/// Points that stand for one input.
+/// Points that represent one input.
 struct Input<'a> {
     name: &'a str,
     situation: Situation,
@@ -36,7 +36,7 @@ struct Input<'a> {
     records: Vec<&'a Record>,
 }
 
-/// The table of a setup and its explanation; nothing where no run stands for anything.
+/// The table of a setup and its explanation; empty if no run represents an input.
 pub(in crate::report::chapters) fn blocks(points: &Points<'_>, setup: &Setup<'_>) -> Vec<Block> {
     let on_it = points.on(setup);
     let inputs = inputs(&on_it);
@@ -57,7 +57,7 @@ pub(in crate::report::chapters) fn blocks(points: &Points<'_>, setup: &Setup<'_>
         Block::Grid(grid),
         Block::Cards(cards),
         Block::Folded {
-            summary: "How these answers are worked out".to_owned(),
+            summary: "How these answers are derived".to_owned(),
             open: false,
             blocks: vec![Block::Prose(how_to_read())],
         },

@@ -143,7 +143,7 @@ fn is_ours(row: &PeerRow) -> bool {
     row.tool.starts_with("cutaway")
 }
 
-/// Area over that of our first row of the same cut, less one; none for our own first row.
+/// Relative difference of an area from that of our first row of the same cut; `None` for that row itself.
 fn difference(row: &PeerRow, rows: &[PeerRow]) -> Option<f64> {
     let ours = rows
         .iter()

@@ -1,8 +1,8 @@
-//! Reasons of refusals in the room of a cell.
+//! Reasons for refusals, shortened to fit in a table cell.
 
 use crate::report::document::Cell;
 
-/// So short that a table stays flat; whole on pointing at it.
+/// The reasons, shortened to one line; the tooltip has the full text.
 pub(in crate::report::chapters) fn short(reasons: &[String]) -> Cell {
     const MOST: usize = 48;
     let Some(first) = reasons.first() else {
