@@ -110,7 +110,7 @@ fn what_cannot_be_is_refused_with_help() {
         (
             "inspect -",
             b"ISO-10303-21;\nHEADER;\n",
-            &["no format that is known", "--input-format stl"],
+            &["cannot be recognised", "--input-format stl"],
         ),
         ("inspect - --input-format ply", obj, &["stdin.ply", "help:"]),
         (

@@ -133,7 +133,7 @@ pub(super) fn wedge(text: &str) -> Result<Entries> {
         return Err(fault("it must be an axis and two angles".into()));
     };
     if !["x", "y", "z"].contains(&axis.strip_prefix('-').unwrap_or(axis)) {
-        return Err(fault(format!("`{axis}` is no axis")));
+        return Err(fault(format!("`{axis}` is not an axis")));
     }
     let mut table = vec![
         ("axis".to_owned(), axis.into()),
@@ -272,7 +272,7 @@ mod tests {
             (block(":").err(), "no corner"),
             (block("0,0:1,1,1").err(), "2 coordinates"),
             (wedge("z").err(), "two angles"),
-            (wedge("w:0:90").err(), "`w` is no axis"),
+            (wedge("w:0:90").err(), "`w` is not an axis"),
             (wedge("z:0:90@1,2").err(), "2 coordinates"),
             (defect("hole").err(), "did you mean `holes`"),
             (defect("soup:patch=2").err(), "no key of soup"),

@@ -94,7 +94,9 @@ fn numbered_pictures_are_the_frames() {
         ))
         .exits(0);
     assert!(
-        shorter.stderr.contains("100%_003.png is from before"),
+        shorter
+            .stderr
+            .contains("100%_003.png is from an earlier run"),
         "{}",
         shorter.stderr
     );

@@ -215,7 +215,7 @@ fn a_node_says_its_role() {
     folder.write("it.gltf", gltf("hole"));
     let said = folder.run("inspect it.gltf --roles").exits(0).stderr;
     assert!(
-        said.contains("\"hole\" is none of exterior, interior, whole"),
+        said.contains("\"hole\" is not one of exterior, interior, whole"),
         "{said}"
     );
 }

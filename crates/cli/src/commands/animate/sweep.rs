@@ -75,7 +75,7 @@ pub(super) fn parse_sweep(text: &str) -> Result<Sweep, String> {
     let axis = ["x", "y", "z"]
         .iter()
         .position(|a| letter.eq_ignore_ascii_case(a));
-    let axis = axis.ok_or_else(|| fault(format!("`{letter}` is no axis")))?;
+    let axis = axis.ok_or_else(|| fault(format!("`{letter}` is not an axis")))?;
     let ends = [
         Amount::parse(from).map_err(fault)?,
         Amount::parse(to).map_err(fault)?,
