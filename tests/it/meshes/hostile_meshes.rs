@@ -365,7 +365,7 @@ fn hostile_gltf() {
             "accessor 0",
         ),
         ("none", r#""count":12"#, r#""count":0"#, "accessor 1"),
-        ("thirds", r#""count":12"#, r#""count":11"#, "11 indices"),
+        ("thirds", r#""count":12"#, r#""count":11"#, "index count 11"),
         ("type", r#""type":"VEC3""#, r#""type":"VEC2""#, ""),
         (
             "float",

@@ -277,14 +277,14 @@ mod tests {
             (
                 &[("CI_NODE_INDEX", "1"), ("CI_NODE_TOTAL", "4000000000")],
                 "auto",
-                "shares are 1 to",
+                "shares must be 1 to",
             ),
             (
                 &[("CI_NODE_INDEX", "1"), ("CI_NODE_TOTAL", "0")],
                 "auto",
-                "shares are 1 to",
+                "shares must be 1 to",
             ),
-            (&[("SLURM_ARRAY_TASK_ID", "x")], "auto", "no number"),
+            (&[("SLURM_ARRAY_TASK_ID", "x")], "auto", "not a number"),
             (&[("SLURM_ARRAY_TASK_ID", "9")], "auto/8", "none of 8 tasks"),
             (
                 &[("CI_NODE_INDEX", "0"), ("CI_NODE_TOTAL", "3")],

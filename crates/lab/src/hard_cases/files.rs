@@ -331,7 +331,7 @@ mod tests {
             (
                 "\"band\"\n",
                 "\"band\"\nfound = { \"planar\" = [1] }\n",
-                "no range",
+                "not a range",
             ),
             ("cube", "cub", "did you mean `cube`"),
             (
