@@ -15,7 +15,7 @@ pub struct Material {
     pub cap_color: Option<Vec3>,
     /// Hatch of the cap, in styles with hatches.
     pub hatch: CapHatch,
-    /// True if `color` replaces the vertex paint of the mesh, if there is one ([`Mesh::vertex_paint`](crate::scene::Mesh::vertex paint)).
+    /// True if `color` replaces the vertex paint of the mesh, if there is one ([`Mesh::vertex_paint`](crate::scene::Mesh::vertex_paint)).
     pub is_painted_over: bool,
     /// Material of the cap; replaces the single colour and [`CapHatch::General`].
     pub cap: Option<Arc<CapMaterial>>,
