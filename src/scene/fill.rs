@@ -14,7 +14,7 @@ use std::str::FromStr;
 
 use crate::Error;
 use crate::error::did_you_mean;
-use crate::scene::describe::Described;
+use crate::scene::describe::{Described, words};
 
 /// Fill rule: the points that a mesh encloses.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Described)]
@@ -46,12 +46,11 @@ impl FromStr for Fill {
     type Err = Error;
 
     fn from_str(text: &str) -> Result<Self, Error> {
-        let found = Self::ALL.iter().find(|(name, _)| *name == text);
-        found.map(|(_, fill)| *fill).ok_or_else(|| {
+        Self::named(text).ok_or_else(|| {
             Error::input(
                 format!("fill `{text}`"),
                 "there is no such rule",
-                did_you_mean(text, Self::ALL.map(|(name, _)| name)),
+                did_you_mean(text, words(&Self::ALL)),
             )
         })
     }

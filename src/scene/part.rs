@@ -21,14 +21,6 @@ pub enum Role {
     Whole,
 }
 
-impl Role {
-    /// The role with a given name.
-    pub fn named(name: &str) -> Option<Self> {
-        let mut all = Self::ALL.into_iter();
-        all.find(|(known, _)| *known == name).map(|(_, role)| role)
-    }
-}
-
 /// A named mesh with a placement, a material and a priority.
 #[derive(Clone, Debug)]
 pub struct Part {

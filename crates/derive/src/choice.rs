@@ -28,15 +28,20 @@ pub(crate) fn described(name: &Ident, vis: &Visibility, data: &DataEnum) -> Resu
                     #(Self::#variants => #words,)*
                 }
             }
+
+            /// The variant with a given name.
+            #vis fn named(name: &str) -> Option<Self> {
+                Self::ALL.iter().find(|(known, _)| *known == name).map(|(_, one)| *one)
+            }
         }
         impl ::cutaway::scene::describe::Leaf for #name {
             const TYPE: ::cutaway::scene::describe::ValueType =
                 ::cutaway::scene::describe::ValueType::Choice(&[#(#words),*]);
             fn of(given: ::cutaway::scene::describe::Given) -> Option<Self> {
-                let ::cutaway::scene::describe::Given::Text(word) = given else {
-                    return None;
-                };
-                Self::ALL.iter().find(|(name, _)| *name == word).map(|(_, one)| *one)
+                match given {
+                    ::cutaway::scene::describe::Given::Text(word) => Self::named(&word),
+                    _ => None,
+                }
             }
             fn get(&self) -> Option<::cutaway::scene::describe::Given> {
                 Some(::cutaway::scene::describe::Given::Text(self.name().to_owned()))

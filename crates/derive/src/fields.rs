@@ -179,10 +179,10 @@ fn entry(of: &Declared<'_>) -> Result<TokenStream> {
         takes = quote! { #other };
     }
     if let Some(choice) = &of.choice {
-        takes = quote! { ::cutaway::scene::describe::ValueType::Choice(&#choice) };
+        takes = quote! { ::cutaway::scene::describe::ValueType::Choice(const { &#choice }) };
     }
     if let Some(words) = &of.words {
-        takes = quote! { ::cutaway::scene::describe::ValueType::Or(const { &#takes }, &#words) };
+        takes = quote! { ::cutaway::scene::describe::ValueType::Or(const { &#takes }, const { &#words }) };
     }
     let unit = of.unit.as_ref().map(|unit| quote! { .unit(#unit) });
     let fixed = of.fixed.then(|| quote! { .fixed() });

@@ -4,19 +4,25 @@ use std::fmt;
 
 use super::{Defect, DefectKind};
 use crate::scene::Amount;
-use crate::scene::describe::{Described, Field, Given, Leaf, ValueType};
+use crate::scene::describe::{Described, Field, Given, Leaf, ValueType, words};
 
 /// Largest number of pieces accepted; more are taken for a typing error.
 const MOST_PIECES: f64 = 100_000.0;
 
-const AXES: [(&str, usize, bool); 6] = [
-    ("x", 0, false),
-    ("y", 1, false),
-    ("z", 2, false),
-    ("-x", 0, true),
-    ("-y", 1, true),
-    ("-z", 2, true),
+/// Sides by name: the number of the axis, and true for the end with the smaller coordinates.
+const AXES: [(&str, (usize, bool)); 6] = [
+    ("x", (0, false)),
+    ("y", (1, false)),
+    ("z", (2, false)),
+    ("-x", (0, true)),
+    ("-y", (1, true)),
+    ("-z", (2, true)),
 ];
+
+fn axis_name(axis: usize, from_below: bool) -> &'static str {
+    let is_it = |(_, side): &&(&str, (usize, bool))| *side == (axis, from_below);
+    AXES.iter().find(is_it).map_or("z", |(name, _)| name)
+}
 
 impl DefectKind {
     /// Names of all kinds.
@@ -132,7 +138,7 @@ const COPIES: Field =
 const AXIS: Field = Field::leaf(
     "axis",
     "side to remove (open)",
-    ValueType::Choice(&["x", "y", "z", "-x", "-y", "-z"]),
+    ValueType::Choice(&words(&AXES)),
     "\"-z\"",
 );
 
@@ -155,8 +161,8 @@ impl Described for Defect {
             ("amount", given) => self.amount.set(given),
             ("seed", given) => self.seed.set(given),
             ("axis", Given::Text(word)) => {
-                let known = AXES.iter().find(|(name, ..)| *name == word);
-                if let Some((_, axis, from_below)) = known {
+                let known = AXES.iter().find(|(name, _)| *name == word);
+                if let Some((_, (axis, from_below))) = known {
                     self.kind = DefectKind::Open {
                         axis: *axis,
                         from_below: *from_below,
@@ -173,9 +179,7 @@ impl Described for Defect {
             ("amount", _) => self.amount.get(),
             ("seed", _) => self.seed.get(),
             ("axis", DefectKind::Open { axis, from_below }) => {
-                let is_it = |(_, a, b): &&(&str, usize, bool)| *a == axis && *b == from_below;
-                let (name, ..) = AXES.iter().find(is_it)?;
-                Some(Given::Text((*name).to_owned()))
+                Some(Given::Text(axis_name(axis, from_below).to_owned()))
             }
             (_, mut kind) => kind.pieces()?.get(),
         }
@@ -190,9 +194,7 @@ impl fmt::Display for Defect {
             Amount::Percent(p) => write!(f, "{p}%")?,
         }
         if let DefectKind::Open { axis, from_below } = self.kind {
-            let is_it = |(_, a, b): &&(&str, usize, bool)| *a == axis && *b == from_below;
-            let name = AXES.iter().find(is_it).map_or("z", |(name, ..)| name);
-            return write!(f, ",axis={name}");
+            return write!(f, ",axis={}", axis_name(axis, from_below));
         }
         write!(f, ",seed={}", self.seed)?;
         let mut kind = self.kind;

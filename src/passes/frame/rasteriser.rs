@@ -5,9 +5,10 @@ use std::str::FromStr;
 
 use crate::Error;
 use crate::error::did_you_mean;
+use crate::scene::describe::{Described, words};
 
 /// Which rasteriser draws a frame's mesh.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash, Described)]
 pub enum Rasteriser {
     /// The GPU's own.
     #[default]
@@ -18,10 +19,7 @@ pub enum Rasteriser {
 
 impl fmt::Display for Rasteriser {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Hardware => "hardware",
-            Self::Compute => "compute",
-        })
+        f.write_str(self.name())
     }
 }
 
@@ -29,14 +27,12 @@ impl FromStr for Rasteriser {
     type Err = Error;
 
     fn from_str(text: &str) -> Result<Self, Error> {
-        match text {
-            "hardware" => Ok(Self::Hardware),
-            "compute" => Ok(Self::Compute),
-            _ => Err(Error::input(
+        Self::named(text).ok_or_else(|| {
+            Error::input(
                 format!("rasteriser `{text}`"),
                 "there is no such rasteriser",
-                did_you_mean(text, ["hardware", "compute"]),
-            )),
-        }
+                did_you_mean(text, words(&Self::ALL)),
+            )
+        })
     }
 }

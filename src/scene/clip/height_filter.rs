@@ -5,7 +5,7 @@ use std::str::FromStr;
 
 use crate::Error;
 use crate::error::did_you_mean;
-use crate::scene::describe::Described;
+use crate::scene::describe::{Described, words};
 
 /// How a strategy interpolates heights at points.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash, Described)]
@@ -27,12 +27,11 @@ impl FromStr for HeightFilter {
     type Err = Error;
 
     fn from_str(text: &str) -> Result<Self, Error> {
-        let found = Self::ALL.iter().find(|(name, _)| *name == text);
-        found.map(|(_, filter)| *filter).ok_or_else(|| {
+        Self::named(text).ok_or_else(|| {
             Error::input(
                 format!("height filter `{text}`"),
                 "there is no such filter",
-                did_you_mean(text, Self::ALL.map(|(name, _)| name)),
+                did_you_mean(text, words(&Self::ALL)),
             )
         })
     }

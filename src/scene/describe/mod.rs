@@ -125,3 +125,38 @@ pub trait Described {
         None
     }
 }
+
+/// The names of a list of named values.
+#[doc(hidden)]
+pub const fn words<T, const N: usize>(named: &[(&'static str, T); N]) -> [&'static str; N] {
+    let mut words = [""; N];
+    let mut i = 0;
+    while i < N {
+        words[i] = named[i].0;
+        i += 1;
+    }
+    words
+}
+
+/// The words of two lists, `ALL` in number.
+#[doc(hidden)]
+pub const fn joined<const ALL: usize>(
+    first: &[&'static str],
+    then: &[&'static str],
+) -> [&'static str; ALL] {
+    assert!(
+        first.len() + then.len() == ALL,
+        "the lists have other lengths"
+    );
+    let mut words = [""; ALL];
+    let mut i = 0;
+    while i < ALL {
+        words[i] = if i < first.len() {
+            first[i]
+        } else {
+            then[i - first.len()]
+        };
+        i += 1;
+    }
+    words
+}

@@ -88,9 +88,7 @@ impl ValueType {
             _ => true,
         }
     }
-}
 
-impl ValueType {
     /// The type with the unit of its numbers: "number, degrees, or auto".
     pub fn with_unit(&self, unit: &str) -> String {
         match (self, unit) {
@@ -105,7 +103,7 @@ impl ValueType {
     /// Noun with its article, and with the exact range: "a number from 0 to 1".
     pub fn noun(&self) -> String {
         match self {
-            Self::Numbers(..) | Self::Wholes(..) => format!("a list of {self}"),
+            Self::Numbers(..) | Self::Wholes(..) | Self::Amounts => format!("a list of {self}"),
             Self::Number(least, _) | Self::Amount(least, _) if is_open(*least) => {
                 format!("a {self}, at least {SMALLEST:.0e}")
             }
@@ -114,16 +112,11 @@ impl ValueType {
                 let words: Vec<String> = words.iter().map(|word| format!("{word:?}")).collect();
                 format!("{}, or {}", one.noun(), words.join(", "))
             }
-            Self::Number(..) if !self.has_end() => "a finite number".to_owned(),
+            Self::Number(least, most) if least.is_infinite() && most.is_infinite() => {
+                "a finite number".to_owned()
+            }
             _ => format!("a {self}"),
         }
-    }
-
-    fn has_end(&self) -> bool {
-        let end = self
-            .range()
-            .map(|(least, most)| least.is_finite() || most.is_finite());
-        end.unwrap_or(false)
     }
 }
 

@@ -7,7 +7,7 @@ use cutaway_io::document::{Value, parse_value};
 
 /// Parser of an option for the value at a path.
 pub(crate) fn declared(path: &'static str) -> ValueParser {
-    let Some(path) = paths::all().iter().find(|known| known.path == path) else {
+    let Some(path) = paths::find(path) else {
         unreachable!("`{path}` is no path of a scene");
     };
     if let ValueType::Choice(words) = path.takes {
@@ -17,11 +17,6 @@ pub(crate) fn declared(path: &'static str) -> ValueParser {
     let parse = move |text: &str| -> Result<Value, String> {
         parse_value(path, text).map_err(|e| match e {
             Error::Input { what, .. } if path.takes.is_numeric() => {
-                // Elements of a list are keyed by number.
-                let what = match what.split_once("`: ") {
-                    Some((_, what)) => what.to_owned(),
-                    None => what,
-                };
                 let example = path.example.replace(['[', ']', ' ', '"'], "");
                 format!("{what}\n  help: write for example {example}")
             }
@@ -38,12 +33,7 @@ mod tests {
 
     #[test]
     fn words_are_read_or_refused_with_an_example() {
-        let path = |path: &str| {
-            paths::all()
-                .iter()
-                .find(|p| p.path == path)
-                .expect("a path")
-        };
+        let path = |path: &str| paths::find(path).expect("a path");
         for (at, text, expected) in [
             ("camera.position", "1,-2,3e1", "[1, -2, 3e1]"),
             ("camera.pan", "0.1,-2", "[0.1, -2]"),

@@ -45,6 +45,11 @@ pub fn all() -> &'static [Path] {
     &ALL
 }
 
+/// The value at a path, in which `*` stands for entries.
+pub fn find(path: &str) -> Option<&'static Path> {
+    all().iter().find(|known| known.path == path)
+}
+
 fn append(all: &mut Vec<Path>, above: &str, fields: &'static [Field]) {
     for field in fields {
         match (field.key, field.takes) {

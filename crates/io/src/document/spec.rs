@@ -98,7 +98,7 @@ pub(super) fn defect(text: &str) -> Result<Entries> {
             let help = did_you_mean(key, known.iter().copied());
             return Err(fault(format!("`{key}` is no key of {name}"), help));
         }
-        table.push((key.to_owned(), one(value)));
+        table.push((key.to_owned(), number_or_text(value)));
     }
     Ok(table)
 }
@@ -137,8 +137,8 @@ pub(super) fn wedge(text: &str) -> Result<Entries> {
     }
     let mut table = vec![
         ("axis".to_owned(), axis.into()),
-        ("from_deg".to_owned(), one(from)),
-        ("to_deg".to_owned(), one(to)),
+        ("from_deg".to_owned(), number_or_text(from)),
+        ("to_deg".to_owned(), number_or_text(to)),
     ];
     table.extend(origin.map(|point| ("origin".to_owned(), point)));
     Ok(table)
@@ -158,13 +158,13 @@ pub(super) fn opening(text: &str, what: &str, keys: &[&str]) -> Result<Entries> 
             let help = did_you_mean(key, keys.iter().copied());
             return Err(fault(format!("`{key}` is no key of it"), help));
         }
-        table.push((key.to_owned(), one(value)));
+        table.push((key.to_owned(), number_or_text(value)));
     }
     Ok(table)
 }
 
 fn point(text: &str) -> Result<Value, String> {
-    let coordinates: Vec<Value> = text.split(',').map(one).collect();
+    let coordinates: Vec<Value> = text.split(',').map(number_or_text).collect();
     match coordinates.len() {
         3 => Ok(coordinates.into()),
         count => Err(format!("`{text}` has {count} coordinates, not 3")),
@@ -183,7 +183,7 @@ fn settings(words: &str) -> Result<Vec<(&str, &str)>, String> {
 }
 
 /// A number, or else text.
-pub(super) fn one(text: &str) -> Value {
+pub(super) fn number_or_text(text: &str) -> Value {
     let text = text.trim();
     match (text.parse::<i64>(), text.parse::<f64>()) {
         (Ok(whole), _) => whole.into(),
@@ -194,12 +194,12 @@ pub(super) fn one(text: &str) -> Value {
 
 /// A number, several numbers separated by `x`, or else text.
 fn several(text: &str) -> Value {
-    let parts: Vec<Value> = text.split('x').map(one).collect();
+    let parts: Vec<Value> = text.split('x').map(number_or_text).collect();
     let is_number = |value: &Value| matches!(value, Value::Number(_));
     if parts.len() > 1 && parts.iter().all(is_number) {
         parts.into()
     } else {
-        one(text)
+        number_or_text(text)
     }
 }
 

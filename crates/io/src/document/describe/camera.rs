@@ -1,20 +1,12 @@
 //! `[camera]`.
 
-use cutaway::scene::describe::{Described, OrWord};
+use cutaway::scene::describe::{Described, OrWord, joined, words};
 use cutaway::scene::range::SMALLEST;
 use cutaway::scene::{Fit, STANDARD_VIEWS, Up};
 use glam::{DVec2, DVec3};
 
 /// Words of `view`: the standard views, and the one that faces the first section.
-const VIEWS: [&str; STANDARD_VIEWS.len() + 1] = {
-    let mut views = ["cut"; STANDARD_VIEWS.len() + 1];
-    let mut i = 0;
-    while i < STANDARD_VIEWS.len() {
-        views[i] = STANDARD_VIEWS[i].0;
-        i += 1;
-    }
-    views
-};
+const VIEWS: [&str; STANDARD_VIEWS.len() + 1] = joined(&words(&STANDARD_VIEWS), &["cut"]);
 
 /// Projection by its name.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Described)]

@@ -27,7 +27,7 @@ pub use key::Interpolation;
 pub(super) use key::KeyDesc;
 pub(super) use part::{CapMaterialDesc, MaterialDesc, PartDesc};
 pub(super) use placement::PlacementDesc;
-pub(super) use regions::{AXIS_NAMES, BoxDesc, CutoutDesc, WedgeDesc};
+pub(super) use regions::{AXES, BoxDesc, CutoutDesc, WedgeDesc};
 pub(super) use relief::ReliefDesc;
 pub(super) use roles::RolesDesc;
 pub use settings::{Settings, StrategySettings};

@@ -2,9 +2,9 @@
 
 use std::path::PathBuf;
 
-use cutaway::scene::describe::{Described, ValueType};
+use cutaway::scene::describe::{Described, ValueType, words};
 use cutaway::scene::range::SMALLEST;
-use cutaway::scene::{Amount, Fill, Role};
+use cutaway::scene::{Amount, Fill, Role, SolidTexture};
 use glam::Vec3;
 
 use super::{ByHand, PlacementDesc};
@@ -92,7 +92,7 @@ pub(crate) struct CapMaterialDesc {
     #[value(example = "soft.png")]
     pub(crate) light: Option<PathBuf>,
     /// Solid texture.
-    #[value(choice = ["wood", "marble", "granite"], example = "marble")]
+    #[value(choice = words(&SolidTexture::NAMED), example = "marble")]
     pub(crate) solid: Option<String>,
     /// Numbered slices that fill the part's box, instead of `solid`.
     #[value(example = "slices/%03d.png")]

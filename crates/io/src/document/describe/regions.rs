@@ -1,13 +1,24 @@
 //! `box`, `wedge` and `cutout` of a cut.
 
 use cutaway::scene::Amount;
-use cutaway::scene::describe::{Described, Leaf, OrWord, ValueType};
+use cutaway::scene::describe::{Described, Leaf, OrWord, ValueType, joined, words};
 use glam::{DVec2, DVec3};
 
 use super::ReliefUse;
 
 /// Names of axis directions.
-pub(crate) const AXIS_NAMES: [&str; 6] = ["x", "y", "z", "-x", "-y", "-z"];
+pub(crate) const AXES: [(&str, DVec3); 6] = [
+    ("x", DVec3::X),
+    ("y", DVec3::Y),
+    ("z", DVec3::Z),
+    ("-x", DVec3::NEG_X),
+    ("-y", DVec3::NEG_Y),
+    ("-z", DVec3::NEG_Z),
+];
+/// Their names.
+pub(super) const AXIS_NAMES: [&str; 6] = words(&AXES);
+/// Words for the axis of a cutout.
+const CUTOUT_AXES: [&str; 9] = joined(&["auto", "main", "symmetry"], &AXIS_NAMES);
 
 /// A box as stored in a file.
 #[derive(Clone, Debug, Default, PartialEq, Described)]
@@ -65,7 +76,7 @@ pub(crate) struct WedgeDesc {
 #[derive(Clone, Debug, PartialEq, Described)]
 pub(crate) struct CutoutDesc {
     /// Axis of the wedge: automatic from all faces, their main axis of inertia, their axis of symmetry, or a direction.
-    #[value(words = ["auto", "main", "symmetry", "x", "y", "z", "-x", "-y", "-z"], fixed, example = "auto")]
+    #[value(words = CUTOUT_AXES, fixed, example = "auto")]
     pub(crate) axis: Option<OrWord<DVec3>>,
     /// Angle between the two faces; a full turn would remove everything.
     #[value(range = 0.0..=359.0, unit = "degrees", example = 110)]

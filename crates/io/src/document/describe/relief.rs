@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use cutaway::scene::Wrap;
-use cutaway::scene::describe::Described;
+use cutaway::scene::describe::{Described, joined};
 use cutaway::scene::relief::{BlendOp, Procedure};
 
 use super::ByHand;
@@ -12,18 +12,8 @@ use super::ByHand;
 const OTHER_KINDS: [&str; 4] = ["image", "blend", "profile", "layers"];
 
 /// Words of `kind`.
-const KINDS: [&str; Procedure::NAMES.len() + OTHER_KINDS.len()] = {
-    let mut kinds = [""; Procedure::NAMES.len() + OTHER_KINDS.len()];
-    let mut i = 0;
-    while i < kinds.len() {
-        kinds[i] = match i < Procedure::NAMES.len() {
-            true => Procedure::NAMES[i],
-            false => OTHER_KINDS[i - Procedure::NAMES.len()],
-        };
-        i += 1;
-    }
-    kinds
-};
+const KINDS: [&str; Procedure::NAMES.len() + OTHER_KINDS.len()] =
+    joined(&Procedure::NAMES, &OTHER_KINDS);
 
 /// A relief as stored in a file, without the parameters of procedural ones, which [`Procedure`] declares.
 #[derive(Clone, Debug, Default, PartialEq, Described)]

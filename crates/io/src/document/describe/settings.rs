@@ -1,8 +1,9 @@
 //! Top-level values, and `[strategy]`.
 
 use cutaway::scene::HeightFilter;
-use cutaway::scene::describe::{Described, OrWord, ValueType};
+use cutaway::scene::describe::{Described, OrWord, ValueType, words};
 use cutaway::scene::style::Paper;
+use cutaway::strategies::Rasteriser;
 use glam::Vec3;
 
 /// Settings of a document in addition to the scene itself. A setting that the document lacks is `None`.
@@ -41,7 +42,7 @@ pub struct StrategySettings {
     #[value(example = "auto")]
     pub name: Option<String>,
     /// Rasteriser of the meshes.
-    #[value(choice = ["hardware", "compute"], example = "compute")]
+    #[value(choice = words(&Rasteriser::ALL), example = "compute")]
     pub rasteriser: Option<String>,
 }
 

@@ -19,8 +19,8 @@ use crate::load::frames::Pattern;
 /// Checks everything that needs no opened file.
 pub(in crate::document) fn check(root: &Table<'_>, folder: &Path, assets: &Assets) -> Result<()> {
     must_be_known(&root.entry, "")?;
-    described::read::<Settings>(root)?;
-    style::check(root, folder, assets)?;
+    let settings: Settings = described::read(root)?;
+    style::check(root, &settings, (folder, assets))?;
     keys::read(root)?;
     // With a position but no focal point, the viewing direction depends on parts that are not read yet.
     let is_whole = |camera: &Entry<'_>| {

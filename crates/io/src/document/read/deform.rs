@@ -11,7 +11,7 @@ use glam::DVec3;
 
 use super::described;
 use super::reader::{Entry, Table};
-use crate::document::describe::{AXIS_NAMES, DeformDesc, DeformKind};
+use crate::document::describe::{AXES, DeformDesc, DeformKind};
 
 const TURN: &[&str] = &["kind", "axis", "centre", "across", "turn_deg"];
 const WAVE: &[&str] = &[
@@ -137,10 +137,8 @@ pub(super) fn direction(given: &OrWord<DVec3>, table: &Table<'_>, key: &str) -> 
     let v = match given {
         OrWord::Value(v) => *v,
         OrWord::Word(name) => {
-            let [x, y, z] = DVec3::AXES;
-            let axes = [x, y, z, DVec3::NEG_X, DVec3::NEG_Y, DVec3::NEG_Z];
-            let number = AXIS_NAMES.iter().position(|known| known == name);
-            return Ok(axes[number.unwrap_or(0)]);
+            let named = AXES.iter().find(|(known, _)| known == name);
+            return Ok(named.map_or(DVec3::X, |(_, axis)| *axis));
         }
     };
     let greatest = v.abs().max_element();

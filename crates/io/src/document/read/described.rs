@@ -1,11 +1,11 @@
 //! Reads tables whose values are declared by a struct: each value is read by its type, within its range.
 
-use cutaway::error::{Error, Result, did_you_mean};
-use cutaway::scene::describe::{Described, Field, Given, ValueType};
+use cutaway::error::{Error, Result, did_you_mean, nearest};
+use cutaway::scene::describe::{Described, Field, Given, Leaf, ValueType};
 use cutaway::scene::{Amount, color_help, parse_color};
 
 use super::reader::{Entry, Source, Table};
-use crate::document::spec::one as word;
+use crate::document::spec::number_or_text;
 use crate::document::{Node, Value, paths};
 
 /// The table keys of these fields.
@@ -64,16 +64,21 @@ pub(super) fn amend(described: &mut dyn Described, table: &Table<'_>) -> Result<
 /// Words that are invalid for the type.
 pub fn parse_value(path: &paths::Path, text: &str) -> Result<Value> {
     let text = text.trim();
-    let number = word;
     let value = match path.takes {
-        ValueType::Number(..) | ValueType::Whole(..) => number(text),
-        ValueType::Numbers(..) => text.split(',').map(number).collect::<Vec<_>>().into(),
-        ValueType::Wholes(..) => text
-            .split([',', 'x'])
-            .map(number)
+        ValueType::Number(..) | ValueType::Whole(..) => number_or_text(text),
+        ValueType::Numbers(..) => text
+            .split(',')
+            .map(number_or_text)
             .collect::<Vec<_>>()
             .into(),
-        ValueType::Or(one, words) if one.is_numeric() && !words.contains(&text) => number(text),
+        ValueType::Wholes(..) => text
+            .split([',', 'x'])
+            .map(number_or_text)
+            .collect::<Vec<_>>()
+            .into(),
+        ValueType::Or(one, words) if one.is_numeric() && !words.contains(&text) => {
+            number_or_text(text)
+        }
         _ => text.into(),
     };
     let node = Node::new(value);
@@ -148,7 +153,7 @@ impl Entry<'_> {
                 within(number, least, most)?;
                 Given::Amount(amount)
             }
-            ValueType::Amounts => Given::Amounts(self.amounts::<3>()?.to_vec()),
+            ValueType::Amounts => self.each(&Amount::TYPE, 3, takes, example)?,
             ValueType::OneOrMore(one, count) if self.is_list() => {
                 let is_one = self.node.items().len() == 1;
                 let given = self.each(one, if is_one { 1 } else { count }, takes, example)?;
@@ -165,13 +170,12 @@ impl Entry<'_> {
                 Value::Text(word)
                     if matches!(one, ValueType::Number(..) | ValueType::Numbers(..)) =>
                 {
-                    let near = did_you_mean(word, words.iter().copied());
-                    let is_near = near.starts_with("did you mean");
-                    let what = format!("it must be {}, but is {}", takes.noun(), self.found());
-                    return Err(if is_near {
-                        self.fault(what, near)
-                    } else {
-                        other()
+                    return Err(match nearest(word, words) {
+                        Some(_) => {
+                            let help = did_you_mean(word, words.iter().copied());
+                            self.expected_but(&takes.noun(), help)
+                        }
+                        None => other(),
                     });
                 }
                 Value::Text(word) => self.given(one, example).map_err(|e| match e {
@@ -218,9 +222,8 @@ impl Entry<'_> {
     fn expected_whole(&self, noun: &str, example: &str) -> Error {
         match &self.node.value {
             Value::Number(number) if self.is_moved() && number.value.fract() != 0.0 => {
-                let what = format!("it must be {noun}, but is the number {number}");
                 let help = "let the [[key]] have whole numbers, and `interpolation = \"step\"` between them";
-                self.fault(what, help)
+                self.expected_but(noun, help)
             }
             _ => self.expected(noun, example),
         }

@@ -289,8 +289,12 @@ pub(super) fn finds_roles(root: &Table<'_>) -> Result<bool> {
 }
 
 /// Style of the document.
-pub(super) fn style(root: &Table<'_>, scene_assets: &SceneAssets) -> Result<Style> {
-    style::read(root, scene_assets.style.unwrap_or_default())
+pub(super) fn style(
+    root: &Table<'_>,
+    scene_assets: &SceneAssets,
+    settings: &Settings,
+) -> Result<Style> {
+    style::read(root, scene_assets.style.unwrap_or_default(), settings)
 }
 
 /// The scene with these parts, and its camera.
@@ -301,11 +305,12 @@ pub(super) fn scene(
     reliefs: &mut Resolved,
     notes: &mut Vec<String>,
 ) -> Result<(Scene, Seen)> {
+    let settings = settings(root)?;
     let mut scene = Scene {
         parts,
         stage,
-        interference: settings(root)?.interference,
-        style: style(root, scene_assets)?,
+        interference: settings.interference,
+        style: style(root, scene_assets, &settings)?,
         ..Scene::default()
     };
     let bounds = scene.bounds();

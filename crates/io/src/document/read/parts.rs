@@ -11,6 +11,7 @@ use super::part_source::PartSource;
 use super::reader::{Entry, Table};
 use super::roles::{self, RoleBy};
 use super::scene_assets::SceneAssets;
+use super::solids::SourceSolid;
 use crate::document::Keys;
 use crate::document::describe::{MaterialDesc, PartDesc, PlacementDesc};
 
@@ -27,14 +28,14 @@ pub(in crate::document) fn all(
     let roles = roles::read(root)?;
     let mut all = Vec::new();
     for (entry, held) in root.tables("part")?.iter().zip(&scene_assets.parts) {
-        let table = entry.open_table()?;
-        let given = table.get("role").is_some();
-        let parts = read(entry, held, time_s, outwards)?;
-        if !table.get("enabled").map_or(Ok(true), |e| e.flag())? {
+        let table = entry.table(KEYS.all())?;
+        let desc: PartDesc = described::read(&table)?;
+        let parts = read(&table, &desc, held.at(time_s), (held, outwards))?;
+        if !desc.enabled.unwrap_or(true) {
             continue;
         }
         for mut part in parts {
-            let (role, by) = roles.of(&part, given, scene_assets.sights.as_ref());
+            let (role, by) = roles.of(&part, desc.role.is_some(), scene_assets.sights.as_ref());
             part.role = role;
             all.push((part, by));
         }
@@ -46,17 +47,14 @@ pub(in crate::document) fn all(
     Ok(all)
 }
 
-/// Reads one entry at a time; a mesh file with several objects gives a part `NAME/OBJECT` for each.
+/// The parts of one entry, whose solids these are at the time; a mesh file with several objects gives a part `NAME/OBJECT` for each.
 fn read(
-    entry: &Entry<'_>,
-    held: &PartSource,
-    time_s: f64,
-    outwards: &Outwards,
+    table: &Table<'_>,
+    desc: &PartDesc,
+    solids: &[SourceSolid],
+    (held, outwards): (&PartSource, &Outwards),
 ) -> Result<Vec<Part>> {
-    let table = entry.table(KEYS.all())?;
-    let solids = held.at(time_s);
-    let desc: PartDesc = described::read(&table)?;
-    let placed = placement(&table, &desc.placement, held.rest)?;
+    let placed = placement(table, &desc.placement, held.rest)?;
     let mut parts: Vec<Part> = solids.iter().map(|s| s.part.clone()).collect();
     for (part, rest) in parts.iter_mut().zip(solids.iter().map(|s| &s.rest)) {
         part.name = held.name(&part.name).to_owned();
@@ -87,7 +85,9 @@ fn read(
         };
         if let Some(what) = what {
             let what = format!("part `{}` {what} once it is placed", part.name);
-            return Err(entry.fault(what, "use another scale, translation or deformation"));
+            return Err(table
+                .entry
+                .fault(what, "use another scale, translation or deformation"));
         }
     }
     Ok(parts)

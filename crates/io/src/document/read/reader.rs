@@ -38,6 +38,8 @@ impl<'a> Entry<'a> {
     /// An error at this value: the fault and its remedy.
     pub fn fault(&self, what: impl Display, help: impl Into<String>) -> Error {
         let what = match (&self.node.origin, self.key.as_str()) {
+            // An element of a root that is a list has no key but its number.
+            (_, key) if key.parse::<usize>().is_ok() => what.to_string(),
             // The root has no key, and the words of an option name it already.
             (_, "") => what.to_string(),
             (Origin::Option(words), _) if self.is_table() || !words.contains('`') => {
@@ -83,7 +85,7 @@ impl<'a> Entry<'a> {
         }
     }
 
-    pub(super) fn found(&self) -> String {
+    fn found(&self) -> String {
         match &self.node.value {
             Value::Text(s) => format!("the text {s:?}"),
             Value::Number(n) => format!("the number {n}"),
@@ -95,15 +97,22 @@ impl<'a> Entry<'a> {
     }
 
     pub(super) fn expected(&self, expected: &str, example: &str) -> Error {
-        let what = format!("it must be {expected}, but is {}", self.found());
         let help = match self.last_key() {
             "" => format!("write for example {example}"),
             key => format!("write for example `{key} = {example}`"),
         };
-        self.fault(what, help)
+        self.expected_but(expected, help)
     }
 
-    pub(super) fn last_key(&self) -> &str {
+    /// The same with a help of its own.
+    pub(super) fn expected_but(&self, expected: &str, help: impl Into<String>) -> Error {
+        self.fault(
+            format_args!("it must be {expected}, but is {}", self.found()),
+            help,
+        )
+    }
+
+    fn last_key(&self) -> &str {
         let mut keys = self.key.rsplit('.');
         keys.find(|k| k.parse::<usize>().is_err())
             .unwrap_or(&self.key)
@@ -189,19 +198,18 @@ impl<'a> Entry<'a> {
 
     /// Reads a list of `N` finite numbers.
     pub(crate) fn vector<const N: usize>(&self) -> Result<[f64; N]> {
-        let numbers = self.numbers_of(N)?;
-        Ok(std::array::from_fn(|i| numbers[i]))
-    }
-
-    /// Reads a list of `count` finite numbers.
-    pub(super) fn numbers_of(&self, count: usize) -> Result<Vec<f64>> {
-        match &self.node.value {
-            Value::List(a) if a.len() == count => self.list()?.iter().map(Self::number).collect(),
-            _ => {
-                let example = format!("[{}]", vec!["1"; count].join(", "));
-                Err(self.expected(&format!("a list of {count} numbers"), &example))
-            }
-        }
+        let numbers: Vec<f64> = match &self.node.value {
+            Value::List(list) if list.len() == N => self
+                .list()?
+                .iter()
+                .map(Self::number)
+                .collect::<Result<_>>()?,
+            _ => Vec::new(),
+        };
+        numbers.try_into().map_err(|_| {
+            let example = format!("[{}]", ["1"; N].join(", "));
+            self.expected(&format!("a list of {N} numbers"), &example)
+        })
     }
 
     /// Reads a number, or a list of numbers.
@@ -236,23 +244,6 @@ impl<'a> Entry<'a> {
             return Amount::parse(self.text()?).map_err(|what| self.fault(what, help));
         }
         self.number().map(Amount::Units)
-    }
-
-    /// Reads a list of `N` lengths or texts with percentages.
-    pub(crate) fn amounts<const N: usize>(&self) -> Result<[Amount; N]> {
-        let elements = match &self.node.value {
-            Value::List(a) if a.len() == N => self.list()?,
-            _ => {
-                let example = format!("[{}]", ["\"50%\""; N].join(", "));
-                let what = format!("a list of {N} numbers or percentages");
-                return Err(self.expected(&what, &example));
-            }
-        };
-        let mut amounts = [Amount::Units(0.0); N];
-        for (slot, element) in amounts.iter_mut().zip(&elements) {
-            *slot = element.amount()?;
-        }
-        Ok(amounts)
     }
 
     /// Reads a list of texts.

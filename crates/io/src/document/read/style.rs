@@ -101,7 +101,11 @@ pub(super) fn open(root: &Table<'_>, opening: &mut Opening<'_>) -> Result<Option
 }
 
 /// Checks everything that needs no opened file.
-pub(super) fn check(root: &Table<'_>, folder: &Path, assets: &Assets) -> Result<()> {
+pub(super) fn check(
+    root: &Table<'_>,
+    settings: &Settings,
+    (folder, assets): (&Path, &Assets),
+) -> Result<()> {
     if let Some(base) = base(root)? {
         let name = base.text()?;
         if !is_file(name) {
@@ -110,7 +114,7 @@ pub(super) fn check(root: &Table<'_>, folder: &Path, assets: &Assets) -> Result<
             return Err(missing(&base, &folder.join(name)));
         }
     }
-    read(root, Style::default()).map(|_| ())
+    read(root, Style::default(), settings).map(|_| ())
 }
 
 /// The entry with the name of the base, if there is one.
@@ -123,13 +127,13 @@ fn base<'a>(root: &Table<'a>) -> Result<Option<Entry<'a>>> {
 }
 
 /// The document's style: its base with the current values of its changes.
-pub(super) fn read(root: &Table<'_>, base: Style) -> Result<Style> {
+pub(super) fn read(root: &Table<'_>, base: Style, settings: &Settings) -> Result<Style> {
     let mut style = base;
     if let Some(entry) = root.get("style").filter(|entry| !entry.is_text()) {
         amend(&mut style, &entry.table(KEYS.all())?)?;
     }
-    if let Some(OrWord::Value(background)) = described::read::<Settings>(root)?.background {
-        style.paper = background;
+    if let Some(OrWord::Value(background)) = &settings.background {
+        style.paper = *background;
     }
     Ok(style)
 }

@@ -132,7 +132,9 @@ impl Timeline {
     /// Changes in the document that are invalid on this style.
     pub fn with_usual_style(mut self, style: Style) -> Result<Self> {
         self.scene_assets.style.get_or_insert(style);
-        self.rest.style = self.read_at(0.0, |root| read::style(root, &self.scene_assets))?;
+        self.rest.style = self.read_at(0.0, |root| {
+            read::style(root, &self.scene_assets, &self.settings)
+        })?;
         Ok(self)
     }
 

@@ -284,7 +284,7 @@ fn axis(name: &str, entry: &Entry<'_>, draft: &Draft) -> Result<Axis> {
         let values = values.collect::<Result<_>>()?;
         return Axis::of(name, Vec::new(), values).map_err(|f| entry.place(f));
     }
-    let is_path = paths::all().iter().any(|known| known.path == name);
+    let is_path = paths::find(name).is_some();
     if !name.contains('.') && !is_path && draft.variable.scene.root().get(name).is_none() {
         let help = format!(
             "write {braces} in a strategy, or name the axis by the path of a value, such as `cut.front.surfaces.0.amplitude`"

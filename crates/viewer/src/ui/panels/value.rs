@@ -32,7 +32,7 @@ pub(in crate::ui) fn cells(
     (label, usual): (&str, Value),
     actions: &mut Vec<Action>,
 ) {
-    let Some(entry) = paths::all().iter().find(|entry| entry.path == pattern) else {
+    let Some(entry) = paths::find(pattern) else {
         return;
     };
     let held = state.posed().get(path).ok().map(|node| node.value.clone());
@@ -145,7 +145,7 @@ fn amount(
     let response = ui.add(drag).accessible_name(name).on_hover_text(entry.help);
     response.changed().then(|| match held {
         Amount::Units(_) => number.into(),
-        Amount::Percent(_) => Amount::Percent(number).to_string().into(),
+        Amount::Percent(_) => Amount::Percent(number).into(),
     })
 }
 

@@ -24,18 +24,21 @@ use crate::document::read::reader::{Entry, Table};
 static CUTOUT: Keys = Keys::below("cut.*.cutout");
 static BREAKAWAY: Keys = Keys::below("cut.*.breakaway");
 
-/// Reads the rule for the axis of a cutout.
-pub(in crate::document::read) fn axis_rule(entry: &Entry<'_>) -> Result<AxisRule> {
+/// Opens and reads the table of a cutout.
+fn opened<'a>(entry: &Entry<'a>) -> Result<(Table<'a>, CutoutDesc)> {
     let table = entry.table(CUTOUT.all())?;
-    let desc: CutoutDesc = described::read(&table)?;
-    let Some(axis) = desc.axis else {
-        return Ok(AxisRule::Auto);
-    };
-    match axis {
-        OrWord::Word(word) if word == "auto" => Ok(AxisRule::Auto),
-        OrWord::Word(word) if word == "main" => Ok(AxisRule::Main),
-        OrWord::Word(word) if word == "symmetry" => Ok(AxisRule::Symmetry),
-        axis => direction(&axis, &table, "axis").map(AxisRule::Along),
+    let desc = described::read(&table)?;
+    Ok((table, desc))
+}
+
+/// The rule for the axis of a cutout.
+fn axis_rule(table: &Table<'_>, desc: &CutoutDesc) -> Result<AxisRule> {
+    match &desc.axis {
+        None => Ok(AxisRule::Auto),
+        Some(OrWord::Word(word)) if word == "auto" => Ok(AxisRule::Auto),
+        Some(OrWord::Word(word)) if word == "main" => Ok(AxisRule::Main),
+        Some(OrWord::Word(word)) if word == "symmetry" => Ok(AxisRule::Symmetry),
+        Some(axis) => direction(axis, table, "axis").map(AxisRule::Along),
     }
 }
 
@@ -45,7 +48,8 @@ pub(in crate::document) fn cutouts(root: &Table<'_>) -> Result<Vec<(usize, AxisR
     let mut rules = Vec::new();
     for (number, cut) in cuts.iter().enumerate() {
         if let Some(entry) = cut.open_table()?.get("cutout") {
-            rules.push((number, axis_rule(&entry)?));
+            let (table, desc) = opened(&entry)?;
+            rules.push((number, axis_rule(&table, &desc)?));
         }
     }
     Ok(rules)
@@ -57,9 +61,8 @@ pub(in crate::document::read) fn cutout(
     frame: Option<&CutoutFrame>,
     context: &Context<'_>,
 ) -> Result<Union> {
-    axis_rule(entry)?;
-    let table = entry.table(CUTOUT.all())?;
-    let desc: CutoutDesc = described::read(&table)?;
+    let (table, desc) = opened(entry)?;
+    axis_rule(&table, &desc)?;
     let somewhere = CutoutFrame {
         origin: context.bounds.centre(),
         along: context.up.axis(),
