@@ -1,8 +1,9 @@
 //! A picture and its layers, as `cutaway render` draws them: the layers at the requested resolution, the picture smoothed.
 
 use cutaway::Session;
+use cutaway::error::Diagnostic;
 use cutaway::layers::{Kind, Layers};
-use cutaway::scene::{Remark, doubts};
+use cutaway::scene::doubts;
 use cutaway::session::Outcome;
 use cutaway::strategies::{AUTO, Choice, choose};
 use cutaway_lab::compare::may_be_wrong;
@@ -154,10 +155,7 @@ fn draw(session: &mut Session, opened: &Opened) -> Result<Drawn> {
     let prepared = &at.model.prepared;
     let doubted = may_be_wrong(&layers, prepared, &view);
     let doubted_px = doubted.iter().filter(|w| **w).count();
-    let mut said: Vec<String> = doubts(scene)
-        .into_iter()
-        .map(|Remark { text, .. }| text)
-        .collect();
+    let mut said: Vec<String> = doubts(scene).iter().map(Diagnostic::to_string).collect();
     said.extend(shortfall(&outcome));
     if doubted_px > 0 && outcome == Outcome::Complete {
         said.push(format!(

@@ -5,6 +5,7 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use cutaway::error::Diagnostic;
 use cutaway_io::document::{CutDraft, Document, Node, PartDraft, Value, cut, part, section};
 use cutaway_io::save::plain_ply;
 use numpy::PyReadonlyArray2;
@@ -216,7 +217,8 @@ impl Scene {
             let timeline = document.timeline(assets)?;
             let parts = timeline.scene()?.parts;
             let names = parts.into_iter().map(|part| part.name).collect();
-            Ok((names, timeline.notes().to_vec()))
+            let notes = timeline.notes().iter().map(Diagnostic::to_string);
+            Ok((names, notes.collect()))
         })
     }
 

@@ -2,56 +2,33 @@
 
 use super::units::numbers::describe_bounds;
 use super::{Bounds, Cut, Cutter, Fill, Part, Role, Scene, Topology};
+use crate::error::Diagnostic;
 
 fn described(bounds: &Bounds) -> String {
     describe_bounds(bounds.min.to_array(), bounds.max.to_array())
 }
 
-/// A remark about a scene.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Remark {
-    /// True for a likely mistake (warning), false for a note.
-    pub is_warning: bool,
-    /// Text: one line, then indented lines, the last of which may be a `help: ` line.
-    pub text: String,
-}
-
-impl Remark {
-    /// A remark that is not a warning.
-    pub fn note(text: impl Into<String>) -> Self {
-        Self {
-            is_warning: false,
-            text: text.into(),
-        }
-    }
-
-    fn warning(text: String) -> Self {
-        Self {
-            is_warning: true,
-            text,
-        }
-    }
-}
-
-/// Remarks about a scene: cuts and cutters that miss the model, and faces with inconsistent orientation where orientation
+/// Messages about a scene: cuts and cutters that miss the model, and faces with inconsistent orientation where orientation
 /// matters.
-pub fn doubts(scene: &Scene) -> Vec<Remark> {
+pub fn doubts(scene: &Scene) -> Vec<Diagnostic> {
     let bounds = scene.bounds();
-    let mut doubts: Vec<Remark> = nonzero_depends(&scene.parts).into_iter().collect();
+    let mut doubts: Vec<Diagnostic> = nonzero_depends(&scene.parts).into_iter().collect();
     for (cut, stays) in misses(scene) {
         let side = if stays { "stays" } else { "is removed" };
-        doubts.push(Remark::warning(format!(
-            "section {} misses the model: all of it is on the side that {side}\n  bounds: {}\n  help: give a position within \
-             the bounds, or a percentage of them such as z=50%",
-            cut.name,
-            described(&bounds)
-        )));
+        doubts.push(Diagnostic::warning(
+            "cut-misses-model",
+            format!(
+                "section {} misses the model: all of it is on the side that {side}\n  bounds: {}",
+                cut.name,
+                described(&bounds)
+            ),
+        ).help("give a position within the bounds, or a percentage of them such as z=50%"));
     }
     let spared = scene.parts.iter().filter(|p| p.role != Role::Exterior);
     let spared: Vec<&str> = spared.map(|p| p.name.as_str()).collect();
     let is_plain = |cut: &Cut| cut.enabled && cut.breakaway.is_none();
     if let ([first, ..], true) = (&spared[..], scene.cuts.iter().any(is_plain)) {
-        doubts.push(Remark::note(format!(
+        doubts.push(Diagnostic::note("parts-not-cut", format!(
             "{} of {} parts are interior or whole and not cut, {first} among them; --roles 'exterior=*' cuts them",
             spared.len(),
             scene.parts.len()
@@ -60,11 +37,11 @@ pub fn doubts(scene: &Scene) -> Vec<Remark> {
     let cuts = scene.cuts.iter().filter(|c| c.enabled);
     let closed = cuts.clone().filter(|c| !c.is_on());
     doubts.extend(closed.map(|cut| {
-        Remark::warning(format!(
-            "{} opens nothing: the eye is inside the interior parts to show, or these have no volume\n  help: move the camera \
-             away from it",
+        let text = format!(
+            "{} opens nothing: the eye is inside the interior parts to show, or these have no volume",
             cut.name
-        ))
+        );
+        Diagnostic::warning("breakaway-opens-nothing", text).help("move the camera away from it")
     }));
     let cutters = cuts.filter_map(|c| c.volume.as_ref());
     doubts.extend(cutters.filter_map(|cutter| missing(cutter, scene)));
@@ -86,20 +63,21 @@ pub fn misses(scene: &Scene) -> impl Iterator<Item = (&Cut, bool)> {
     })
 }
 
-fn missing(cutter: &Cutter, scene: &Scene) -> Option<Remark> {
+fn missing(cutter: &Cutter, scene: &Scene) -> Option<Diagnostic> {
     let (bounds, own) = (scene.bounds(), cutter.bounds_in_world());
     let is_apart = (own.min.cmpgt(bounds.max) | bounds.min.cmpgt(own.max)).any();
     is_apart.then(|| {
         let (name, own, of_model) = (cutter.name(), described(&own), described(&bounds));
-        Remark::warning(format!(
-            "the cutter {name} misses the model\n  bounds: {own}; of the model: {of_model}\n  help: in a scene file `translate`, \
-             `scale` and `rotate_deg` place it"
-        ))
+        let text = format!(
+            "the cutter {name} misses the model\n  bounds: {own}; of the model: {of_model}"
+        );
+        Diagnostic::warning("cutter-misses-model", text)
+            .help("in a scene file `translate`, `scale` and `rotate_deg` place it")
     })
 }
 
 /// Under the nonzero rule, faces with inconsistent orientation are as bad as holes. All such parts give a single note.
-fn nonzero_depends(parts: &[Part]) -> Option<Remark> {
+fn nonzero_depends(parts: &[Part]) -> Option<Diagnostic> {
     let filled = parts.iter().filter(|p| p.fill == Fill::Nonzero);
     let edges = filled.map(|p| (p, Topology::new(&p.mesh).inconsistent_edges));
     let doubtful: Vec<(&Part, usize)> = edges.filter(|(_, edges)| *edges > 0).collect();
@@ -111,17 +89,19 @@ fn nonzero_depends(parts: &[Part]) -> Option<Remark> {
             part.name
         ),
     };
-    Some(Remark::note(format!(
-        "{place} the faces do not agree which side is out: caps can be wrong there, and are marked\n  help: turn the faces, or \
-         use even-odd, which ignores orientation"
-    )))
+    let text = format!(
+        "{place} the faces do not agree which side is out: caps can be wrong there, and are marked"
+    );
+    let note = Diagnostic::note("inconsistent-orientation", text);
+    Some(note.help("turn the faces, or use even-odd, which ignores orientation"))
 }
 
-/// Remark for an empty picture.
-pub fn empty_picture(scene: &Scene) -> Remark {
-    Remark::warning(format!(
-        "the picture is empty: all of the model is cut away or outside the view\n  bounds: {}\n  help: keep the \
-         other side (--flip), move the section, or leave the camera options out",
+/// Warning of an empty picture.
+pub fn empty_picture(scene: &Scene) -> Diagnostic {
+    let text = format!(
+        "the picture is empty: all of the model is cut away or outside the view\n  bounds: {}",
         described(&scene.bounds())
-    ))
+    );
+    Diagnostic::warning("empty-picture", text)
+        .help("keep the other side (--flip), move the section, or leave the camera options out")
 }

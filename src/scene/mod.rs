@@ -14,6 +14,8 @@ mod doubts;
 mod fill;
 mod geometry;
 mod materials;
+#[doc(hidden)]
+pub mod memo;
 pub(crate) mod meshes;
 #[doc(hidden)]
 pub mod motion;
@@ -27,7 +29,7 @@ mod viewing;
 
 pub use bodies::Bodies;
 #[doc(hidden)]
-pub use bodies::{Pieces, body_name};
+pub use bodies::{GeometryId, Pieces, body_name};
 pub use clip::clip_surface::{ClipSurface, SurfaceFrame};
 #[doc(hidden)]
 pub use clip::cut::glob_matches;
@@ -54,7 +56,7 @@ pub(crate) use cutaway::is_removed_whole;
 pub use cutaway::{
     AxisRule, Breakaway, BreakawayView, Clusters, CutoutFrame, MainAxes, Sight, sights,
 };
-pub use doubts::{Remark, doubts};
+pub use doubts::doubts;
 #[doc(hidden)]
 pub use doubts::{empty_picture, misses};
 pub use fill::Fill;
@@ -85,7 +87,6 @@ pub use meshes::triangle::longest_edge;
 #[doc(hidden)]
 pub use meshes::weld;
 #[doc(hidden)]
-pub use motion::is_same_motion;
 pub use motion::{Axis, Clip, Deformer, Driver, JointWeight, Motion, MotionDefect, Pose};
 #[doc(hidden)]
 pub use part::who_wins;

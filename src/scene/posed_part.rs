@@ -3,12 +3,13 @@
 //! The motion of vertices is in [`motion`](super::motion); this module applies it to parts.
 
 use std::borrow::Cow;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 
 use glam::DAffine3;
 
+use super::memo::{ById, Memo};
 use super::motion::{Moment, Reach, posed};
-use super::{Bounds, Clip, Deformer, Mesh, Motion, Part, is_same_motion};
+use super::{Bounds, Clip, Deformer, Mesh, Motion, Part};
 
 impl Part {
     /// The animations that the part's file has.
@@ -90,10 +91,9 @@ impl Part {
 /// Cache of motions with outward directions: each is created once, so that the same mesh has the same [`Motion`] at all
 /// times.
 #[derive(Debug, Default)]
-pub struct Outwards(Mutex<Vec<OutwardEntry>>);
+pub struct Outwards(Memo<MeshAndMotion, Arc<Motion>>);
 
-/// Key (mesh and motion), and the motion with outward directions.
-type OutwardEntry = (Arc<Mesh>, Option<Arc<Motion>>, Arc<Motion>);
+type MeshAndMotion = (ById<Mesh>, Option<ById<Motion>>);
 
 impl Outwards {
     /// Gives a part the outward directions that its pose needs.
@@ -101,24 +101,12 @@ impl Outwards {
         if !part.lacks_outward() {
             return;
         }
-        let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        let found = known.iter().find(|(mesh, motion, _)| {
-            Arc::ptr_eq(mesh, &part.mesh) && is_same_motion(motion.as_ref(), part.motion.as_ref())
+        let key = (ById(part.mesh.clone()), ById::of(part.motion.as_ref()));
+        let whole = self.0.get_or_make(key, |_| {
+            let mut whole = part.motion.as_deref().cloned().unwrap_or_default();
+            whole.outward = part.mesh.outward();
+            Arc::new(whole)
         });
-        let whole = match found {
-            Some((.., whole)) => Arc::clone(whole),
-            None => {
-                let mut whole = part.motion.as_deref().cloned().unwrap_or_default();
-                whole.outward = part.mesh.outward();
-                let whole = Arc::new(whole);
-                known.push((
-                    Arc::clone(&part.mesh),
-                    part.motion.clone(),
-                    Arc::clone(&whole),
-                ));
-                whole
-            }
-        };
         part.motion = Some(whole);
     }
 }

@@ -2,11 +2,12 @@
 //!
 //! Progress shows only on a terminal, only once the work has taken a second, and is always erased.
 
+use std::fmt;
 use std::io::IsTerminal;
 use std::thread;
 use std::time::Duration;
 
-use cutaway::scene::Remark;
+use cutaway::error::{Diagnostic, Severity};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 /// Work shorter than this shows no progress.
@@ -54,12 +55,19 @@ impl Console {
         Self { args, bar }
     }
 
-    /// Prints the notes on a scene.
-    pub(super) fn remark(&self, remark: &Remark) {
-        if remark.is_warning {
-            self.warn(&remark.text);
-        } else {
-            self.note(&remark.text);
+    /// Prints a message; notes are left out by `--quiet`.
+    pub(super) fn print(&self, message: &Diagnostic) {
+        self.print_labelled(message.severity, message);
+    }
+
+    /// Prints a message about one of several runs, which is named first.
+    pub(super) fn print_for(&self, run: &str, message: &Diagnostic) {
+        self.print_labelled(message.severity, format_args!("{run}: {message}"));
+    }
+
+    fn print_labelled(&self, severity: Severity, text: impl fmt::Display) {
+        if severity > Severity::Note || !self.args.quiet {
+            self.say(&format!("{}: {text}", severity.label()));
         }
     }
 
@@ -115,21 +123,19 @@ impl Console {
         self.bar.set_message(what);
     }
 
-    /// Prints additional information: left out by `--quiet`.
+    /// Prints a note on this run.
     pub(super) fn note(&self, text: impl AsRef<str>) {
-        if !self.args.quiet {
-            self.say(&format!("note: {}", text.as_ref()));
-        }
+        self.print_labelled(Severity::Note, text.as_ref());
     }
 
     /// Prints notes of one kind: the first few, and the count of the rest.
-    pub(super) fn notes(&self, notes: &[String]) {
+    pub(super) fn notes(&self, notes: &[Diagnostic]) {
         let shown = if self.args.verbose {
             notes.len()
         } else {
             shown_of(notes.len())
         };
-        notes[..shown].iter().for_each(|note| self.note(note));
+        notes[..shown].iter().for_each(|note| self.print(note));
         if shown < notes.len() {
             let left = notes.len() - shown;
             self.note(format!(
@@ -138,9 +144,9 @@ impl Console {
         }
     }
 
-    /// Prints a warning: an action had no effect, or something is wrong.
+    /// Prints a warning on this run.
     pub(super) fn warn(&self, text: impl AsRef<str>) {
-        self.say(&format!("warning: {}", text.as_ref()));
+        self.print_labelled(Severity::Warning, text.as_ref());
     }
 
     /// Prints a line with `--verbose` only.
@@ -159,12 +165,12 @@ impl Console {
 
     /// Prints a stated expectation that did not hold.
     pub(super) fn failed(&self, text: impl AsRef<str>) {
-        self.say(&format!("failed: {}", text.as_ref()));
+        self.print_labelled(Severity::Failure, text.as_ref());
     }
 
     /// Prints a fault of the program itself.
     pub(super) fn internal_error(&self, text: impl AsRef<str>) {
-        self.say(&format!("internal error: {}", text.as_ref()));
+        self.print_labelled(Severity::InternalError, text.as_ref());
     }
 
     fn say(&self, text: &str) {

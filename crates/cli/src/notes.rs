@@ -79,7 +79,7 @@ pub(super) fn note_what_is_not_seen(layers: &Layers, scene: &Scene, console: &Co
     if misses(scene).next().is_some() {
         // Already reported.
     } else if layers.count(Kind::Background) == layers.pixels.len() {
-        console.remark(&empty_picture(scene));
+        console.print(&empty_picture(scene));
     } else if enabled.next().is_some() && layers.count(Kind::Cap) == 0 {
         console.note(
             "no cap is seen in this picture: the cut misses the solid, or is seen from behind (see \

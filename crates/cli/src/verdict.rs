@@ -2,7 +2,7 @@
 
 use std::process::ExitCode;
 
-use cutaway::Result;
+use cutaway::error::{Diagnostic, Result};
 
 /// Exit code of a command ended by Ctrl-C or SIGTERM: 128 plus the number of SIGINT, as in shells.
 pub(crate) const INTERRUPTED: u8 = 130;
@@ -24,7 +24,8 @@ pub(crate) fn exit_code(ended: Result<Verdict>) -> ExitCode {
         Ok(Verdict::Failed) => ExitCode::from(1),
         Ok(Verdict::Interrupted) => ExitCode::from(INTERRUPTED),
         Err(e) => {
-            eprintln!("error: {e}");
+            let message = Diagnostic::from(&e);
+            eprintln!("{}: {message}", message.severity.label());
             ExitCode::from(2)
         }
     }

@@ -14,7 +14,6 @@ mod beside;
 mod editing;
 pub mod inspect;
 pub mod judge;
-pub mod notice;
 mod picture;
 pub mod profile;
 pub mod state;

@@ -24,12 +24,12 @@ use crate::editing::command::{self, ExportSettings};
 use crate::editing::cuts::{self, CutEntry, PlaneMove};
 use crate::editing::history::History;
 use crate::editing::{parts, removal, styles, timeline};
-use crate::notice::Notice;
 use crate::picture::camera;
 use crate::picture::shown::Shown;
 use crate::picture::slot::{Layout, Painter, SlotSide};
 use crate::storage::files::Store;
 use ahead::Ahead;
+use cutaway::error::Diagnostic;
 
 pub use ahead::Moment;
 
@@ -60,7 +60,7 @@ pub struct State {
     wipe: f32,
     shows_errors: bool,
     shows_open_edges: bool,
-    notices: Vec<Notice>,
+    notices: Vec<Diagnostic>,
     /// Files opened or saved.
     opened: Vec<PathBuf>,
 }
@@ -201,7 +201,7 @@ impl State {
     }
 
     /// Takes the notices since the last call.
-    pub fn notices(&mut self) -> Vec<Notice> {
+    pub fn notices(&mut self) -> Vec<Diagnostic> {
         std::mem::take(&mut self.notices)
     }
 
@@ -211,7 +211,7 @@ impl State {
     }
 
     /// Adds a notice for the user.
-    pub fn tell(&mut self, notice: impl Into<Notice>) {
+    pub fn tell(&mut self, notice: impl Into<Diagnostic>) {
         self.notices.push(notice.into());
     }
 

@@ -33,6 +33,8 @@ mod spec;
 
 use std::sync::Arc;
 
+use crate::error::Diagnostic;
+use crate::scene::memo::{ById, Memo};
 use crate::scene::meshes::weld::thousands;
 use crate::scene::{Amount, Bounds, Mesh, Part};
 use crate::{Error, Result};
@@ -155,7 +157,6 @@ impl Defect {
 
 /// A mesh with defects, its original, and a description of what was done.
 struct Broken {
-    whole: Arc<Mesh>,
     mesh: Arc<Mesh>,
     /// Per vertex of `mesh`, the vertex of `whole` it comes from.
     origins: Vec<u32>,
@@ -165,7 +166,6 @@ struct Broken {
 impl Broken {
     fn of(whole: &Arc<Mesh>, defects: &[Defect]) -> Result<Self> {
         let mut broken = Self {
-            whole: Arc::clone(whole),
             mesh: Arc::clone(whole),
             origins: (0..whole.positions.len() as u32).collect(),
             did: Vec::new(),
@@ -194,23 +194,18 @@ const MOST_FACES: usize = 50_000_000;
 pub fn break_parts<'a>(
     parts: impl IntoIterator<Item = &'a mut Part>,
     defects: &[Defect],
-) -> Result<Vec<String>> {
+) -> Result<Vec<Diagnostic>> {
     let mut notes = Vec::new();
     if defects.is_empty() {
         return Ok(notes);
     }
-    let mut done: Vec<Broken> = Vec::new();
+    let done: Memo<ById<Mesh>, Arc<Broken>> = Memo::default();
     for part in parts {
-        let known = done.iter().position(|b| Arc::ptr_eq(&b.whole, &part.mesh));
-        let known = match known {
-            Some(known) => known,
-            None => {
-                done.push(Broken::of(&part.mesh, defects)?);
-                done.len() - 1
-            }
-        };
-        let broken = &done[known];
-        notes.extend(broken.did.iter().map(|did| format!("{}: {did}", part.name)));
+        let broken = done.get_or_try_make(ById(part.mesh.clone()), |mesh| {
+            Broken::of(&mesh.0, defects).map(Arc::new)
+        })?;
+        let note = |did: &String| Diagnostic::note("defect", did).about(&part.name);
+        notes.extend(broken.did.iter().map(note));
         if Arc::ptr_eq(&broken.mesh, &part.mesh) {
             continue;
         }

@@ -57,8 +57,10 @@ impl Sections {
     /// them. All clip-surfaces must be planes.
     pub(crate) fn slice(plan: &mut Plan, input: &Input<'_>) -> (Option<Self>, Vec<CpuWork>) {
         let wanted = wanted(input);
-        let known: Vec<_> =
-            (wanted.iter().map(|w| w.sliced.known(&w.plane, w.part.fill))).collect();
+        let known: Vec<_> = (wanted
+            .iter()
+            .map(|w| w.sliced.sections.get(&(w.plane, w.part.fill))))
+        .collect();
         let slicers_ms = make_slicers(&wanted, &known);
         let started = now();
         let all: Vec<Arc<PackedSection>> = (wanted.par_iter().zip(&known))
@@ -68,7 +70,9 @@ impl Sections {
             (known.iter().any(Option::is_none)).then(|| started.elapsed().as_secs_f64() * 1e3);
         for ((w, known), section) in wanted.iter().zip(&known).zip(&all) {
             if known.is_none() {
-                w.sliced.keep(w.plane, w.part.fill, section.clone());
+                w.sliced
+                    .sections
+                    .insert((w.plane, w.part.fill), section.clone());
             }
         }
         let met: Vec<_> = (wanted.iter().zip(&all))

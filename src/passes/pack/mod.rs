@@ -5,7 +5,6 @@ pub(crate) mod classifiers;
 pub(crate) mod cutters;
 pub(crate) mod ground;
 pub(crate) mod heights;
-pub(crate) mod kept;
 pub(crate) mod model;
 pub(crate) mod packed;
 pub(crate) mod packed_pose;

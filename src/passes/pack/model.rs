@@ -12,7 +12,6 @@ use super::cap_materials::CapMaterials;
 use super::cutters::Cutters;
 use super::ground::GroundShadow;
 use super::heights::{Heights, PackedMap};
-use super::kept::KeptContents;
 use super::packed::{self, Packed, Room};
 use super::packed_pose::{Moving, PackedPose};
 use super::preclassified::PreclassifiedTriangles;
@@ -22,6 +21,7 @@ use super::sliced::Sliced;
 use super::vertex::MeshRange;
 use crate::plan::Contents;
 use crate::plan::pack::NO_RELIEF;
+use crate::scene::memo::Memo;
 use crate::scene::{
     Cutter, Part, Prepared, PreparedPart, PreparedVolume, Scene, SceneSpace, SharedPlanes, Style,
 };
@@ -52,7 +52,7 @@ pub struct Model {
     /// Triangles whose sides of clip-surfaces are known in advance; `None` if there are none.
     pub(crate) preclassified: Option<PreclassifiedTriangles>,
     /// Grid indices, which belong to no scene but are requested in every frame.
-    pub grid_indices: Arc<KeptContents>,
+    pub grid_indices: Arc<Memo<u32, Contents>>,
     /// Rest-pose inputs of its hatches.
     pub(crate) at_rest: Arc<RestPose>,
     /// Sky hidden by reliefs.
@@ -172,7 +172,10 @@ impl Model {
             packed: Arc::new(packed),
             rooms,
             preclassified,
-            grid_indices: before.map_or_else(Arc::default, |b| b.grid_indices.clone()),
+            grid_indices: before.map_or_else(
+                || Arc::new(Memo::with_capacity(1)),
+                |b| b.grid_indices.clone(),
+            ),
             relief_sky,
             cap_materials,
             ground: None,

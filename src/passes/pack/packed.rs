@@ -16,9 +16,9 @@ use super::sliced::Sliced;
 use super::vertex::{Vertex, packed_triangles};
 use crate::plan::pack::pack_normal;
 use crate::plan::{Contents, INDEX_BYTES, Piece, VERTEX_BYTES};
+use crate::scene::memo::is_same;
 use crate::scene::{
-    Bounds, Mesh, Motion, Part, PreparedPart, SceneSpace, doubled_faces, is_same_motion,
-    tolerance_of,
+    Bounds, Mesh, Motion, Part, PreparedPart, SceneSpace, doubled_faces, tolerance_of,
 };
 
 /// A part packed for upload.
@@ -70,8 +70,7 @@ impl Packed {
 
     /// Returns true if the mesh and the motion are the same objects; equal copies do not count.
     fn is_of(&self, part: &Part) -> bool {
-        is_same_motion(self.motion.as_ref(), part.motion.as_ref())
-            && Arc::ptr_eq(&self.mesh, &part.mesh)
+        is_same(self.motion.as_ref(), part.motion.as_ref()) && Arc::ptr_eq(&self.mesh, &part.mesh)
     }
 
     fn still(index: usize, part: &Part, space: &SceneSpace) -> Self {

@@ -7,7 +7,7 @@
 //! its first section. Memory: that of the slicer and of at most [`MOST_KNOWN`] sections.
 
 use std::fmt;
-use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+use std::sync::{Arc, OnceLock};
 
 use glam::{DVec2, DVec3, Vec3};
 use rayon::prelude::*;
@@ -16,6 +16,7 @@ use super::classifiers::{Classifiers, Sorted};
 use super::vertex::Vertex;
 use crate::plan::Piece;
 use crate::plan::pack::MAX_SURFACES;
+use crate::scene::memo::Memo;
 use crate::scene::{Bounds, Fill, Part, PreparedPart, SceneSpace};
 use crate::slice::{Section, SectionDefect, SlicePlane, Slicer};
 
@@ -43,30 +44,28 @@ pub(crate) struct PackedSection {
     pub(crate) doubt_count: u32,
 }
 
-/// A section, and the inputs that it was made from.
-struct CachedSection {
-    plane: SlicePlane,
-    rule: Fill,
-    section: Arc<PackedSection>,
-}
-
 /// The slicer of a part, and its recent sections.
-#[derive(Default)]
 pub(crate) struct Sliced {
     /// Original part, if the device poses it.
     posed: Option<(Part, SceneSpace)>,
     /// Box of the posed vertices, computed on first use.
     bounds: OnceLock<Bounds>,
     slicer: OnceLock<Slicer>,
-    /// Cached sections, the latest last.
-    known: Mutex<Vec<CachedSection>>,
-    sorted: Mutex<Option<SortedBy>>,
+    /// Sections by plane and rule.
+    pub(crate) sections: Memo<(SlicePlane, Fill), Arc<PackedSection>>,
+    sorted: Memo<Classifiers, Option<Arc<Sorted>>>,
 }
 
-/// Inputs and result of the last sorting of triangles.
-struct SortedBy {
-    by: Classifiers,
-    sorted: Option<Arc<Sorted>>,
+impl Default for Sliced {
+    fn default() -> Self {
+        Self {
+            posed: None,
+            bounds: OnceLock::new(),
+            slicer: OnceLock::new(),
+            sections: Memo::with_capacity(MOST_KNOWN),
+            sorted: Memo::with_capacity(1),
+        }
+    }
 }
 
 impl fmt::Debug for Sliced {
@@ -96,34 +95,6 @@ impl Sliced {
         })
     }
 
-    /// The cached section by a plane, filled by a rule, if there is one.
-    pub(crate) fn known(&self, plane: &SlicePlane, rule: Fill) -> Option<Arc<PackedSection>> {
-        let mut known = self.known.lock().unwrap_or_else(PoisonError::into_inner);
-        let same = |k: &CachedSection| k.plane == *plane && k.rule == rule;
-        let at = known.iter().position(same)?;
-        let latest = known.remove(at);
-        let section = latest.section.clone();
-        known.push(latest);
-        Some(section)
-    }
-
-    /// Stores a section, replacing the least recently requested one.
-    pub(crate) fn keep(&self, plane: SlicePlane, rule: Fill, section: Arc<PackedSection>) {
-        let mut known = self.known.lock().unwrap_or_else(PoisonError::into_inner);
-        // Two cuts may have the same plane.
-        if known.iter().any(|k| k.plane == plane && k.rule == rule) {
-            return;
-        }
-        if known.len() == MOST_KNOWN {
-            known.remove(0);
-        }
-        known.push(CachedSection {
-            plane,
-            rule,
-            section,
-        });
-    }
-
     /// The part's indices, preclassified triangles last; `None` if no triangle is preclassified.
     pub(crate) fn sorted(
         &self,
@@ -131,31 +102,22 @@ impl Sliced {
         by: &Classifiers,
         indices: (&[u8], &[u32]),
     ) -> Option<Arc<Sorted>> {
-        let mut last = self.sorted.lock().unwrap_or_else(PoisonError::into_inner);
-        match &*last {
-            Some(last) if last.by == *by => last.sorted.clone(),
-            _ => {
-                let sort = |at: &[Vec3]| {
-                    let mesh = (at, part.triangles.as_slice());
-                    Sorted::of(by, mesh, part.plane_tolerance, indices)
-                };
-                let sorted = match &self.posed {
-                    Some((of, space)) if !by.surfaces.is_empty() => {
-                        let at: Vec<Vec3> = (positions_of(of, space).iter())
-                            .map(|p| p.as_vec3())
-                            .collect();
-                        sort(&at)
-                    }
-                    _ => sort(&part.positions),
-                };
-                let sorted = sorted.map(Arc::new);
-                *last = Some(SortedBy {
-                    by: by.clone(),
-                    sorted: sorted.clone(),
-                });
-                sorted
-            }
-        }
+        self.sorted.get_or_make(by.clone(), |by| {
+            let sort = |at: &[Vec3]| {
+                let mesh = (at, part.triangles.as_slice());
+                Sorted::of(by, mesh, part.plane_tolerance, indices)
+            };
+            let sorted = match &self.posed {
+                Some((of, space)) if !by.surfaces.is_empty() => {
+                    let at: Vec<Vec3> = (positions_of(of, space).iter())
+                        .map(|p| p.as_vec3())
+                        .collect();
+                    sort(&at)
+                }
+                _ => sort(&part.positions),
+            };
+            sorted.map(Arc::new)
+        })
     }
 
     /// Returns true if the slicer has been made.

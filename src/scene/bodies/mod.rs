@@ -29,7 +29,7 @@ use rayon::prelude::*;
 
 use self::inside::Insides;
 pub(super) use self::pieces::bound_of;
-pub use self::pieces::{Pieces, body_name};
+pub use self::pieces::{GeometryId, Pieces, body_name};
 use self::shells::{Facing, Shells};
 use super::Mesh;
 

@@ -6,16 +6,33 @@
 
 use std::sync::Arc;
 
+use super::super::memo::ById;
 use super::super::motion::Bound;
-use super::super::{Mesh, Motion, Part, is_same_motion};
+use super::super::{Mesh, Motion, Part};
 use super::Bodies;
+
+/// Identity of the data that a part's triangles come from: its mesh, its motion, and its binding from its file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct GeometryId {
+    mesh: ById<Mesh>,
+    motion: Option<ById<Motion>>,
+    bound: Option<ById<Bound>>,
+}
+
+impl GeometryId {
+    /// Identity of a part's geometry.
+    pub fn of(part: &Part) -> Self {
+        Self {
+            mesh: ById(Arc::clone(&part.mesh)),
+            motion: ById::of(part.motion.as_ref()),
+            bound: ById::of(bound_of(part)),
+        }
+    }
+}
 
 /// The bodies of a mesh as separate meshes.
 #[derive(Debug)]
 pub struct Pieces {
-    whole: Arc<Mesh>,
-    motion: Option<Arc<Motion>>,
-    bound: Option<Arc<Bound>>,
     pieces: Vec<Piece>,
 }
 
@@ -36,24 +53,7 @@ impl Pieces {
                 .map(|triangles| Piece::of(part, triangles))
                 .collect(),
         };
-        Self {
-            whole: Arc::clone(&part.mesh),
-            motion: part.motion.clone(),
-            bound: bound_of(part).cloned(),
-            pieces,
-        }
-    }
-
-    /// Returns true if these are the bodies of the part.
-    pub fn are_of(&self, part: &Part) -> bool {
-        let bound = match (bound_of(part), &self.bound) {
-            (Some(a), Some(b)) => Arc::ptr_eq(a, b),
-            (None, None) => true,
-            _ => false,
-        };
-        bound
-            && Arc::ptr_eq(&self.whole, &part.mesh)
-            && is_same_motion(self.motion.as_ref(), part.motion.as_ref())
+        Self { pieces }
     }
 
     /// The parts that a part splits into, all with its name; the part itself if it has one body.

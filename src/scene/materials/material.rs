@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use glam::Vec3;
 
+use crate::scene::memo::is_same;
 use crate::scene::{CapHatch, CapMaterial};
 
 /// Colours of a part, as sRGB in 0..=1.
@@ -24,14 +25,10 @@ pub struct Material {
 impl PartialEq for Material {
     /// Compares cap materials by pointer, since their contents are large.
     fn eq(&self, other: &Self) -> bool {
-        let is_same_cap = match (&self.cap, &other.cap) {
-            (Some(a), Some(b)) => Arc::ptr_eq(a, b),
-            (a, b) => a.is_none() && b.is_none(),
-        };
         (self.color, self.cap_color) == (other.color, other.cap_color)
             && self.hatch == other.hatch
             && self.is_painted_over == other.is_painted_over
-            && is_same_cap
+            && is_same(self.cap.as_ref(), other.cap.as_ref())
     }
 }
 

@@ -52,15 +52,6 @@ impl FilledPart {
         }
     }
 
-    /// Returns true if a part with the source's mesh also has the source's binding.
-    pub(crate) fn is_of(&self, part: &Part) -> bool {
-        match (bound_of(part), &self.bound) {
-            (Some(a), Some((b, ..))) => Arc::ptr_eq(a, b),
-            (None, None) => true,
-            _ => false,
-        }
-    }
-
     /// Replaces the mesh, motion and binding of the part.
     pub(crate) fn apply(&self, part: &mut Part) {
         part.mesh = Arc::clone(&self.mesh);

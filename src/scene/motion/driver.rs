@@ -14,7 +14,8 @@ use glam::DAffine3;
 
 use super::bounds::Reach;
 use super::rig::{Clip, Moment, Rig};
-use super::{Motion, is_same_motion, pose};
+use super::{Motion, pose};
+use crate::scene::memo::is_same;
 use crate::scene::{Mesh, Pose};
 
 /// A mesh in its bind pose, and its motion data.
@@ -39,7 +40,7 @@ impl Bound {
     /// Reach of the bound mesh and motion; `None` if the arguments are other objects.
     fn reach_of(&self, mesh: &Arc<Mesh>, motion: Option<&Arc<Motion>>) -> Option<&Reach> {
         let same_mesh = Arc::ptr_eq(&self.mesh, mesh);
-        let same_motion = is_same_motion(self.motion.as_ref(), motion);
+        let same_motion = is_same(self.motion.as_ref(), motion);
         (same_mesh && same_motion).then(|| {
             self.reach
                 .get_or_init(|| Reach::of(&self.mesh, self.motion.as_deref()))

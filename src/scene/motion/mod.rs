@@ -34,7 +34,6 @@ pub use rig::{Moment, NodeTracks, NodeTransform, Rig, RigNode, RigSkin};
 #[doc(hidden)]
 pub use track::{Track, Way};
 #[doc(hidden)]
-pub use vertex_motion::is_same_motion;
 pub use vertex_motion::{JointWeight, Motion, Pose};
 
 pub(super) use bounds::Reach;

@@ -1,7 +1,5 @@
 //! Plain data: the data that can move a mesh's vertices, and a pose at one time.
 
-use std::sync::Arc;
-
 use glam::{DAffine3, DVec3};
 
 use super::Deformer;
@@ -27,15 +25,6 @@ pub struct Motion {
     /// Outward unit vectors of the rest mesh, from [`Mesh::outward`](crate::scene::Mesh::outward); empty unless a deformer inflates
     /// the part.
     pub outward: Vec<DVec3>,
-}
-
-/// Returns true if two parts share the same motion object, or both have none; equal but separate objects are not compared.
-pub fn is_same_motion(a: Option<&Arc<Motion>>, b: Option<&Arc<Motion>>) -> bool {
-    match (a, b) {
-        (Some(a), Some(b)) => Arc::ptr_eq(a, b),
-        (None, None) => true,
-        _ => false,
-    }
 }
 
 impl Motion {

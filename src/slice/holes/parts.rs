@@ -7,9 +7,14 @@ use glam::DVec3;
 use super::{
     Closing, Hole, HoleDefect, MOST_EDGES, SMALL_EDGES, SMALL_SHARE, box_of, close_holes, perimeter,
 };
+use crate::error::Diagnostic;
+use crate::scene::memo::Memo;
 use crate::scene::meshes::weld::thousands;
 use crate::scene::units::numbers::round;
-use crate::scene::{FilledPart, Mesh, Part};
+use crate::scene::{FilledPart, GeometryId, Part};
+
+/// Code of the notes on closed holes.
+const CLOSED_HOLES: &str = "closed-holes";
 
 /// Maximum holes reported individually, per kind and part.
 const MOST_TOLD: usize = 4;
@@ -19,22 +24,18 @@ const MOST_PARTS_TOLD: usize = 16;
 
 /// Closes the planar and small holes of parts, and returns notes about them. Parts that share a mesh share the result; closed parts
 /// are unchanged.
-pub fn close_holes_of<'a>(parts: impl IntoIterator<Item = &'a mut Part>) -> Vec<String> {
-    let mut known: Vec<(Arc<Mesh>, Closing, Option<FilledPart>)> = Vec::new();
+pub fn close_holes_of<'a>(parts: impl IntoIterator<Item = &'a mut Part>) -> Vec<Diagnostic> {
+    let known: Memo<GeometryId, Arc<(Closing, Option<FilledPart>)>> = Memo::default();
     let mut notes = Vec::new();
     let (mut untold, mut holes, mut closed) = (0, 0, 0);
     for part in parts {
-        let found = (known.iter()).position(|(mesh, _, grown)| {
-            Arc::ptr_eq(mesh, &part.mesh) && grown.as_ref().is_none_or(|g| g.is_of(part))
-        });
-        let found = found.unwrap_or_else(|| {
+        let closed_part = known.get_or_make(GeometryId::of(part), |_| {
             let closing = close_holes(&part.mesh);
             let triangles = Some(&closing.triangles).filter(|t| !t.is_empty());
             let grown = triangles.map(|triangles| FilledPart::of(part, triangles));
-            known.push((Arc::clone(&part.mesh), closing, grown));
-            known.len() - 1
+            Arc::new((closing, grown))
         });
-        let (_, closing, grown) = &known[found];
+        let (closing, grown) = &*closed_part;
         let Some(note) = note(part, closing) else {
             continue;
         };
@@ -50,12 +51,9 @@ pub fn close_holes_of<'a>(parts: impl IntoIterator<Item = &'a mut Part>) -> Vec<
         }
     }
     if untold > 0 {
-        notes.push(format!(
-            "{} more parts: closed {} of {} holes",
-            thousands(untold),
-            thousands(closed),
-            thousands(holes)
-        ));
+        let text = format!("closed {} of {} holes", thousands(closed), thousands(holes));
+        let parts = format!("{} more parts", thousands(untold));
+        notes.push(Diagnostic::note(CLOSED_HOLES, text).about(parts));
     }
     notes
 }
@@ -67,18 +65,18 @@ impl Closing {
 }
 
 /// Note about a part if it is open.
-fn note(part: &Part, closing: &Closing) -> Option<String> {
+fn note(part: &Part, closing: &Closing) -> Option<Diagnostic> {
+    let note = |text: String| Diagnostic::note(CLOSED_HOLES, text).about(&part.name);
     let loose = match closing.loose_edges {
         0 => String::new(),
         edges => format!("; {} open edges belong to no hole", thousands(edges)),
     };
     if closing.holes.is_empty() {
-        return (closing.loose_edges > 0).then(|| format!("{}: closed no hole{loose}", part.name));
+        return (closing.loose_edges > 0).then(|| note(format!("closed no hole{loose}")));
     }
     let (all, closed) = (closing.holes.len(), closing.closed());
     let mut text = format!(
-        "{}: closed {} of {} {} with {} triangles",
-        part.name,
+        "closed {} of {} {} with {} triangles",
         thousands(closed),
         thousands(all),
         if all == 1 { "hole" } else { "holes" },
@@ -106,7 +104,7 @@ fn note(part: &Part, closing: &Closing) -> Option<String> {
         }
     }
     text.push_str(&loose);
-    Some(text)
+    Some(note(text))
 }
 
 /// Position of a hole in the world, and its size.

@@ -46,7 +46,7 @@ pub(crate) static ROW: CapSurfaceRow = CapSurfaceRow {
 fn tessellation(plan: &mut Plan, scene: &SceneBuffers<'_>, cells: u32) -> Tessellation {
     let input = scene.input;
     let kept = &input.model.grid_indices;
-    let contents = kept.get_or_make(cells, || indices_of_grid(cells));
+    let contents = kept.get_or_make(cells, |_| indices_of_grid(cells));
     let indices = Resource::own_upload("grid indices", Role::Index, contents, Clock::Cut);
     let indices = plan.add_resource(indices);
     let facets = |surface| Facets {

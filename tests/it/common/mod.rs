@@ -20,6 +20,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
 use cutaway::Model;
+use cutaway::error::Diagnostic;
 use cutaway::gpu::{Gpu, GpuOptions};
 use cutaway::layers::Layers;
 use cutaway::scene::{Camera, Precision, Prepared, Scene, View};
@@ -33,6 +34,12 @@ pub(crate) use cutaway_lab::hard_cases::{Judged, class_of, is_wrong};
 
 /// How many tests draw at a time: what they do beside that keeps the cores busy that a frame leaves idle.
 const SESSIONS: usize = 2;
+
+/// Messages as one text, a line each.
+pub(crate) fn text_of(messages: &[Diagnostic]) -> String {
+    let texts: Vec<String> = messages.iter().map(Diagnostic::to_string).collect();
+    texts.join("\n")
+}
 
 /// The folder of the project.
 pub(crate) fn root() -> &'static Path {

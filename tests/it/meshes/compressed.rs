@@ -338,7 +338,9 @@ fn what_a_document_says_of_streams_is_held_against_them() {
     let looks = quantized(false).replace("KHR_mesh_quantization", "KHR_materials_unlit");
     let notes = load(&folder, &looks).expect("a mesh").notes;
     assert!(
-        notes.iter().any(|n| n.contains("KHR_materials_unlit")),
+        notes
+            .iter()
+            .any(|n| n.to_string().contains("KHR_materials_unlit")),
         "{notes:?}"
     );
 }

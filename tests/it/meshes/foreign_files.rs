@@ -66,7 +66,7 @@ fn must_be_cubes(loaded: &Loaded, count: usize, what: &str) {
 #[track_caller]
 fn must_say(loaded: &Loaded, words: &str, what: &str) {
     let notes = &loaded.notes;
-    let is_said = notes.iter().any(|note| note.contains(words));
+    let is_said = notes.iter().any(|note| note.to_string().contains(words));
     assert!(is_said, "{what}: no `{words}` in {notes:?}");
 }
 

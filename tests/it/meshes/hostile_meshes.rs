@@ -238,7 +238,10 @@ fn odd_obj_that_is_well_formed_loads() {
     let loaded = load_mesh_file(&path).unwrap();
     assert_eq!(loaded.parts[0].material.color.to_array(), [1.0, 0.0, 0.0]);
     assert!(
-        loaded.notes.iter().any(|n| n.contains("gone.mtl")),
+        loaded
+            .notes
+            .iter()
+            .any(|n| n.to_string().contains("gone.mtl")),
         "{:?}",
         loaded.notes
     );

@@ -247,7 +247,7 @@ fn what_was_done_is_said() {
     ] {
         let (loaded, _) = load(&folder, file);
         assert!(
-            loaded.notes.iter().any(|n| n.contains(words)),
+            loaded.notes.iter().any(|n| n.to_string().contains(words)),
             "{file}: {:?}",
             loaded.notes
         );

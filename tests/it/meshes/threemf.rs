@@ -21,7 +21,10 @@ fn names(loaded: &Loaded) -> Vec<&str> {
 }
 
 fn has_note(loaded: &Loaded, words: &str) -> bool {
-    loaded.notes.iter().any(|note| note.contains(words))
+    loaded
+        .notes
+        .iter()
+        .any(|note| note.to_string().contains(words))
 }
 
 #[test]
@@ -228,7 +231,10 @@ fn images_are_shown_where_all_corners_have_a_place_in_one() {
     let uv = vertex_paint.triangles[0].uv.map(|at| at.to_array());
     assert_eq!(uv, [[0.0, 1.0], [0.25, 0.0], [0.0, 1.0]]);
     assert_eq!(vertex_paint.triangles[0].colors, [[255; 4]; 3]);
-    let of_broken = loaded.notes.iter().filter(|n| n.contains("broken.png"));
+    let of_broken = loaded
+        .notes
+        .iter()
+        .filter(|n| n.to_string().contains("broken.png"));
     assert_eq!(of_broken.count(), 1, "{:?}", loaded.notes);
     let not_there = "2 triangles have a texture that is not there or cannot be read";
     assert!(has_note(&loaded, not_there), "{:?}", loaded.notes);

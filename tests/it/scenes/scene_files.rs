@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use command::Scratch;
-use cutaway::error::Result;
+use cutaway::error::{Diagnostic, Result};
 use cutaway::scene::describe::OrWord;
 use cutaway::scene::relief::{Procedure, ProcedureKind};
 use cutaway::scene::style::Paper;
@@ -34,7 +34,7 @@ fn assets(folder: &Scratch) -> Assets {
             "two" => vec![solid("left"), solid("right")],
             _ => vec![solid(stem)],
         };
-        let notes = vec![format!("{stem} was welded")];
+        let notes = vec![Diagnostic::note("welded", format!("{stem} was welded"))];
         let loaded = Loaded {
             parts,
             notes,
@@ -230,7 +230,7 @@ values = [[0, 0, -1], [0, 0, 1]]
         [0.0, 0.0, 1.0],
         "values of the key"
     );
-    let notes = file.notes().join("\n");
+    let notes = crate::common::text_of(file.notes());
     assert!(notes.contains("crank was welded"), "{notes}");
 }
 

@@ -136,7 +136,7 @@ pub(crate) fn run(args: &ExportArgs) -> Result<Verdict> {
         let help = "add --section SPEC, for example --section z=50%";
         return Err(Error::input("export", "there is nothing to cut by", help));
     }
-    doubts(scene).iter().for_each(|d| console.remark(d));
+    doubts(scene).iter().for_each(|d| console.print(d));
 
     console.step("cutting");
     let parts = capped_with(scene, args.relief_cells)?;

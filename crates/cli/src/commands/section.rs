@@ -106,7 +106,7 @@ pub(crate) fn run(args: &SectionCommandArgs) -> Result<Verdict> {
     subject.save_beside(outputs.paths.clone(), &args.edits)?;
     let scene = &subject.scene;
     let planes = planes(scene)?;
-    doubts(scene).iter().for_each(|d| console.remark(d));
+    doubts(scene).iter().for_each(|d| console.print(d));
 
     console.step("slicing");
     let report = sliced(scene, &planes, args.whole);

@@ -58,10 +58,10 @@ impl Subject {
         let saved = edits.place(&document)?;
         let timeline = document.timeline(&mut assets)?;
         let timeline = usual.of(timeline)?;
-        let name = document.path().display().to_string();
-        let notes = timeline.notes().iter().map(|note| match name.as_str() {
-            "" => note.clone(),
-            name => format!("{name}: {note}"),
+        let notes = timeline.notes().iter().cloned();
+        let notes = notes.map(|note| match is_file {
+            true => note.in_file(document.path()),
+            false => note,
         });
         console.notes(&notes.collect::<Vec<_>>());
         if let Some(said) = likely_up.and_then(|likely| said_of(&likely, !is_file)) {
@@ -103,7 +103,7 @@ impl Subject {
 
     /// Notes probable mistakes, and refuses a camera whose rays would not be finite.
     pub(crate) fn doubt(&self, console: &Console) -> Result<()> {
-        doubts(&self.scene).iter().for_each(|d| console.remark(d));
+        doubts(&self.scene).iter().for_each(|d| console.print(d));
         check_view(&self.scene, self.size_px())
     }
 

@@ -169,9 +169,11 @@ impl Assets {
         self.kept.get(&TypeId::of::<T>())?.clone().downcast().ok()
     }
 
-    /// Caches a value, replacing the cached value of the same type.
-    pub(crate) fn keep<T: Any + Send + Sync>(&mut self, made: T) {
-        self.kept.insert(TypeId::of::<T>(), Arc::new(made));
+    /// Caches a value, replacing the cached value of the same type, and returns it.
+    pub(crate) fn keep<T: Any + Send + Sync>(&mut self, made: T) -> Arc<T> {
+        let made = Arc::new(made);
+        self.kept.insert(TypeId::of::<T>(), made.clone());
+        made
     }
 
     /// All files read so far, including the companion files that they name.

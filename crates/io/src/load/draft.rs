@@ -7,7 +7,7 @@
 
 use std::path::Path;
 
-use cutaway::error::{Error, Result};
+use cutaway::error::{Diagnostic, Error, Result};
 use cutaway::scene::Edges;
 use cutaway::scene::topology::Sets;
 use cutaway::scene::weld::{has_three, thousands, weld};
@@ -61,14 +61,17 @@ impl Draft {
     pub(super) fn into_solids(
         mut self,
         path: &Path,
-        notes: &mut Vec<String>,
+        notes: &mut Vec<Diagnostic>,
     ) -> Result<Vec<DraftSolid>> {
         refuse_defects(path, &self.mesh)?;
         let unused = self.mesh.positions.len() - self.drop_unused();
         if unused > 0 {
-            notes.push(format!(
-                "left out {} vertices that no triangle uses",
-                thousands(unused)
+            notes.push(Diagnostic::note(
+                "unused-vertices",
+                format!(
+                    "left out {} vertices that no triangle uses",
+                    thousands(unused)
+                ),
             ));
         }
         if let Some(welded) = weld(&self.mesh.positions, &self.mesh.triangles) {
@@ -77,15 +80,18 @@ impl Draft {
             for t in &mut self.mesh.triangles {
                 *t = t.map(|i| welded.new_from_old[i as usize]);
             }
-            notes.push(welded.note);
+            notes.push(Diagnostic::note("welded", welded.note));
         }
         let faces = self.mesh.triangles.len();
         self.keep(has_three);
         let flat = faces - self.mesh.triangles.len();
         if flat > 0 {
-            notes.push(format!(
-                "left out {} triangles with a repeated corner: they have no area",
-                thousands(flat)
+            notes.push(Diagnostic::note(
+                "flat-triangles",
+                format!(
+                    "left out {} triangles with a repeated corner: they have no area",
+                    thousands(flat)
+                ),
             ));
             self.drop_unused();
         }
@@ -133,7 +139,7 @@ impl Draft {
         self.mesh.positions.len()
     }
 
-    fn split(self, notes: &mut Vec<String>) -> Vec<DraftSolid> {
+    fn split(self, notes: &mut Vec<Diagnostic>) -> Vec<DraftSolid> {
         let groups = self.groups.len();
         let solid_of_group = if groups > 1 {
             self.solid_of_group()
@@ -152,16 +158,22 @@ impl Draft {
         }
         let has_triangles = |(group, of): (&Group, &usize)| group.is_transparent && *of > 0;
         if self.groups.iter().zip(&size).any(has_triangles) {
-            notes.push("drawn opaque where the file lets light through".to_owned());
+            notes.push(Diagnostic::note(
+                "transparency-left-out",
+                "drawn opaque where the file lets light through",
+            ));
         }
         let count = triangles_of.iter().filter(|t| !t.is_empty()).count();
         let filled = size.iter().filter(|s| **s > 0).count();
         if count < filled {
-            notes.push(format!(
-                "{} groups make {} {}: groups that share open edges are one solid",
-                thousands(filled),
-                thousands(count),
-                if count == 1 { "part" } else { "parts" }
+            notes.push(Diagnostic::note(
+                "groups-joined",
+                format!(
+                    "{} groups make {} {}: groups that share open edges are one solid",
+                    thousands(filled),
+                    thousands(count),
+                    if count == 1 { "part" } else { "parts" }
+                ),
             ));
         }
         let mut solids = Vec::with_capacity(count);
@@ -318,7 +330,7 @@ mod tests {
         draft
     }
 
-    fn solids(draft: Draft) -> (Vec<DraftSolid>, Vec<String>) {
+    fn solids(draft: Draft) -> (Vec<DraftSolid>, Vec<Diagnostic>) {
         let mut notes = Vec::new();
         let solids = draft.into_solids(Path::new("x.obj"), &mut notes).unwrap();
         (solids, notes)
@@ -342,7 +354,10 @@ mod tests {
             Some(Vec3::splat(0.125)),
             "the larger group's"
         );
-        assert!(notes[0].starts_with("2 groups make 1 part"), "{notes:?}");
+        assert!(
+            notes[0].to_string().starts_with("2 groups make 1 part"),
+            "{notes:?}"
+        );
     }
 
     #[test]

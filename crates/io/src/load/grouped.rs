@@ -1,23 +1,31 @@
 //! Merging of equal notes about many nodes or objects.
 
-/// Merges notes about labelled nodes or objects that differ only in their numbers: each group is reported as its first note, with the
-/// count of the others. `noun` is the singular name of the labelled thing, such as "node".
-pub(super) fn grouped(said: Vec<(String, String)>, noun: &str) -> Vec<String> {
-    let kind = |note: &str| note.replace(|c: char| c.is_ascii_digit() || c == ',' || c == '.', "");
-    let mut groups: Vec<(String, String, usize)> = Vec::new();
-    for (label, note) in said {
-        let of = kind(&note);
-        match groups.iter_mut().find(|(known, ..)| *known == of) {
-            Some((.., others)) => *others += 1,
-            None => groups.push((of, format!("{label}: {note}"), 0)),
+use cutaway::error::Diagnostic;
+
+/// Merges messages of the same code: each group is its first message, with the number of the others. `noun` is the singular name of the
+/// subjects, such as "node".
+pub(super) fn grouped(messages: Vec<Diagnostic>, noun: &str) -> Vec<Diagnostic> {
+    let mut groups: Vec<(Diagnostic, usize)> = Vec::new();
+    for message in messages {
+        match groups
+            .iter_mut()
+            .find(|(first, _)| first.code == message.code)
+        {
+            Some((_, others)) => *others += 1,
+            None => groups.push((message, 0)),
         }
     }
-    let notes = groups.into_iter().map(|(_, note, others)| match others {
-        0 => note,
-        1 => format!("{note} (and another {noun} likewise)"),
-        others => format!("{note} (and {others} more {noun}s likewise)"),
+    let counted = groups.into_iter().map(|(mut first, others)| {
+        match others {
+            0 => {}
+            1 => first
+                .text
+                .push_str(&format!(" (and another {noun} likewise)")),
+            others => (first.text).push_str(&format!(" (and {others} more {noun}s likewise)")),
+        }
+        first
     });
-    notes.collect()
+    counted.collect()
 }
 
 #[cfg(test)]
@@ -25,17 +33,19 @@ mod tests {
     use super::*;
 
     #[test]
-    fn notes_of_one_kind_are_one() {
-        let said = [
-            ("a", "welded 1,024 corners"),
-            ("b", "no skin"),
-            ("c", "welded 7 corners"),
-            ("d", "welded 9 corners"),
-            ("e", "no skin"),
+    fn messages_of_one_code_are_one() {
+        let messages = [
+            ("a", "welded", "welded 1,024 corners"),
+            ("b", "skin", "no skin"),
+            ("c", "welded", "welded 7 corners"),
+            ("d", "welded", "welded 9 corners"),
+            ("e", "skin", "no skin"),
         ];
-        let said = said.map(|(label, note)| (label.to_owned(), note.to_owned()));
+        let messages = messages.map(|(node, code, text)| Diagnostic::note(code, text).about(node));
+        let groups = grouped(messages.into(), "node");
+        let texts: Vec<String> = groups.iter().map(Diagnostic::to_string).collect();
         assert_eq!(
-            grouped(said.into(), "node"),
+            texts,
             [
                 "a: welded 1,024 corners (and 2 more nodes likewise)",
                 "b: no skin (and another node likewise)",

@@ -34,7 +34,7 @@ mod welded;
 
 use std::path::{Path, PathBuf};
 
-use cutaway::error::{Error, Result, did_you_mean};
+use cutaway::error::{Diagnostic, Error, Result, did_you_mean};
 use cutaway::scene::{Edges, LengthUnit, Part, Up, range};
 
 #[doc(hidden)]
@@ -58,8 +58,8 @@ pub use place::place_of;
 pub struct Loaded {
     /// The solids, with unique names.
     pub parts: Vec<Part>,
-    /// Notes on geometry that was welded, left out, missing or left open; one sentence each.
-    pub notes: Vec<String>,
+    /// Notes on geometry that was welded, left out, missing or left open.
+    pub notes: Vec<Diagnostic>,
     /// The mesh file and the files that were read because it names them: material libraries, buffers.
     pub files: Vec<PathBuf>,
     /// Length unit of the parts, if the format states one: metres in glTF, the unit of the file in 3MF.
@@ -127,11 +127,8 @@ pub fn load_mesh_file_from(path: &Path, store: &dyn Files) -> Result<Loaded> {
     };
     let parts = parts_of(placed, &stem);
     check_range(path, &parts)?;
-    let file = path.display().to_string();
-    for note in notes.iter_mut().filter(|n| !n.starts_with(&file)) {
-        *note = format!("{file}: {note}");
-    }
-    notes.extend(doubt(path, &parts));
+    notes.extend(doubt(&parts));
+    let notes = notes.into_iter().map(|note| note.in_file(path)).collect();
     Ok(Loaded {
         parts,
         notes,
@@ -141,7 +138,8 @@ pub fn load_mesh_file_from(path: &Path, store: &dyn Files) -> Result<Loaded> {
 }
 
 /// Reports open edges, which make inside and outside ambiguous: their count, and the position of one if only one part is open.
-pub(crate) fn doubt(path: &Path, parts: &[Part]) -> Option<String> {
+pub(crate) fn doubt(parts: &[Part]) -> Option<Diagnostic> {
+    const OPEN_EDGES: &str = "open-edges";
     const DOUBT: &str = "for rays through a hole, inside and outside are ambiguous, and such pixels are marked as unreliable";
     let edges = parts
         .iter()
@@ -151,22 +149,24 @@ pub(crate) fn doubt(path: &Path, parts: &[Part]) -> Option<String> {
         .enumerate()
         .max_by_key(|(i, (_, edges))| (edges.count().open, std::cmp::Reverse(*i)));
     let (_, (part, edges)) = worst?;
-    let (file, name, count) = (path.display(), &part.name, edges.count().open);
+    let (name, count) = (&part.name, edges.count().open);
     if open.len() > 1 {
         let (all, open) = (parts.len(), open.len());
-        return Some(format!(
-            "{file}: {all} parts, {open} open (worst: {name}, {count} open edges); `cutaway inspect` lists them: {DOUBT}"
-        ));
+        let text = format!(
+            "{all} parts, {open} open (worst: {name}, {count} open edges); `cutaway inspect` lists them: {DOUBT}"
+        );
+        return Some(Diagnostic::note(OPEN_EDGES, text));
     }
     let [a, b] = edges
         .open()
         .next()?
         .map(|i| part.mesh.positions[i as usize]);
     let middle = part.world_from_part.transform_point3((a + b) * 0.5);
-    Some(format!(
-        "{file}: part {name} is open at {count} edges, one near ({:.4}, {:.4}, {:.4}): {DOUBT}",
+    let text = format!(
+        "part {name} is open at {count} edges, one near ({:.4}, {:.4}, {:.4}): {DOUBT}",
         middle.x, middle.y, middle.z
-    ))
+    );
+    Some(Diagnostic::note(OPEN_EDGES, text))
 }
 
 /// Refuses parts with coordinates beyond the computable range.

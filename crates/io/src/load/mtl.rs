@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use cutaway::error::Error;
+use cutaway::error::{Diagnostic, Error};
 use cutaway::scene::{Texture, TextureKind};
 use glam::Vec3;
 
@@ -52,7 +52,7 @@ pub(super) fn read_all(
     obj: &Path,
     lines: &[String],
     store: &dyn Files,
-    (notes, files): (&mut Vec<String>, &mut Vec<PathBuf>),
+    (notes, files): (&mut Vec<Diagnostic>, &mut Vec<PathBuf>),
 ) -> HashMap<String, Paint> {
     let folder = obj.parent().unwrap_or(Path::new(""));
     let mut paints = HashMap::new();
@@ -79,10 +79,9 @@ pub(super) fn read_all(
                 }
                 Err(e) => {
                     let why = e.into_what();
-                    notes.push({
-                        let name = path.strip_prefix(folder).unwrap_or(&path).display();
-                        format!("material library {name} {why}: default colours")
-                    });
+                    let name = path.strip_prefix(folder).unwrap_or(&path).display();
+                    let text = format!("material library {name} {why}: default colours");
+                    notes.push(Diagnostic::note("material-library-left-out", text));
                 }
             }
         }
@@ -95,7 +94,7 @@ fn image(
     path: &Path,
     name: &str,
     store: &dyn Files,
-    (notes, files): (&mut Vec<String>, &mut Vec<PathBuf>),
+    (notes, files): (&mut Vec<Diagnostic>, &mut Vec<PathBuf>),
 ) -> Option<Arc<Texture>> {
     let read = match leads_away(name) {
         Some(what) => Err(what.to_owned()),
@@ -107,7 +106,10 @@ fn image(
             Some(Arc::new(texture))
         }
         Err(why) => {
-            notes.push(format!("image {name} {why}: shown without it"));
+            notes.push(Diagnostic::note(
+                "image-left-out",
+                format!("image {name} {why}: shown without it"),
+            ));
             None
         }
     }

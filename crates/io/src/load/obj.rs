@@ -12,7 +12,7 @@
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
-use cutaway::error::{Error, Result};
+use cutaway::error::{Diagnostic, Error, Result};
 use glam::{DVec3, Vec3};
 
 use super::lines::lines;
@@ -91,7 +91,7 @@ pub(super) fn read(
     path: &Path,
     bytes: &[u8],
     store: &dyn Files,
-    notes: &mut Vec<String>,
+    notes: &mut Vec<Diagnostic>,
     files: &mut Vec<PathBuf>,
 ) -> Result<Draft> {
     if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
@@ -301,25 +301,28 @@ impl Reader<'_> {
         }
     }
 
-    fn notes_of_left_out(&self) -> Vec<String> {
+    fn notes_of_left_out(&self) -> Vec<Diagnostic> {
         let and_more = |count: usize| match count {
             1 => String::new(),
             count => format!(" (and {} more)", count - 1),
         };
-        let path = self.path.display();
         let mut notes = Vec::new();
         if let Some((line, word)) = &self.unknown_words.first {
             let more = and_more(self.unknown_words.count);
             let word: String = word.chars().take(40).collect();
-            notes.push(format!(
-                "{path}:{line}: passed over the line: {word:?} is not an OBJ keyword{more}"
-            ));
+            notes.push(
+                Diagnostic::note(
+                    "obj-unknown-keyword",
+                    format!("passed over the line: {word:?} is not an OBJ keyword{more}"),
+                )
+                .at_line(self.path, *line),
+            );
         }
         if let Some((line, index)) = &self.no_normals.first {
             let (there, more) = (self.normals.len(), and_more(self.no_normals.count));
-            notes.push(format!(
-                "{path}:{line}: a face refers to normal {index}, but there are {there}{more}: the file's normals are not used"
-            ));
+            notes.push(Diagnostic::note("obj-normal-missing", format!(
+                "a face refers to normal {index}, but there are {there}{more}: the file's normals are not used"
+            )).at_line(self.path, *line));
         }
         notes
     }
@@ -327,7 +330,7 @@ impl Reader<'_> {
     fn finish(
         mut self,
         store: &dyn Files,
-        notes: &mut Vec<String>,
+        notes: &mut Vec<Diagnostic>,
         files: &mut Vec<PathBuf>,
     ) -> Result<Draft> {
         let vertices = self.draft.mesh.positions.len();
@@ -344,7 +347,10 @@ impl Reader<'_> {
             self.corner_normals = self.normal_of_corner.iter().flatten().map(pick).collect();
             self.draft.mesh.corner_normals = Some(self.corner_normals);
         } else if with_normals > 0 && self.no_normals.count == 0 {
-            notes.push("only some faces have normals: they are not used".to_owned());
+            notes.push(Diagnostic::note(
+                "obj-some-normals",
+                "only some faces have normals: they are not used",
+            ));
         }
         let paints = mtl::read_all(self.path, &self.libraries, store, (notes, files));
         let paints: Vec<Paint> = (sorted(self.labels).into_iter())
@@ -433,7 +439,7 @@ mod tests {
             .unwrap();
             assert_eq!(draft.mesh.triangles, [[0, 1, 2]], "{face}");
             assert_eq!(draft.mesh.corner_normals.is_none(), is_noted, "{face}");
-            let has_note = notes.iter().any(|n| n.starts_with("t.obj:5: "));
+            let has_note = notes.iter().any(|n| n.to_string().starts_with("t.obj:5: "));
             assert_eq!(has_note, is_noted, "{face}: {notes:?}");
         }
     }

@@ -7,7 +7,7 @@
 
 use std::path::Path;
 
-use cutaway::error::{Error, Result};
+use cutaway::error::{Diagnostic, Error, Result};
 use cutaway::scene::Mesh;
 use cutaway::scene::weld::thousands;
 use glam::DVec3;
@@ -28,7 +28,7 @@ pub(super) fn is_binary(bytes: &[u8]) -> bool {
     })
 }
 
-pub(super) fn read(path: &Path, bytes: &[u8], notes: &mut Vec<String>) -> Result<Draft> {
+pub(super) fn read(path: &Path, bytes: &[u8], notes: &mut Vec<Diagnostic>) -> Result<Draft> {
     let stated = stated_facets(bytes);
     let text = without_mark(bytes);
     if !is_binary(bytes) && is_text(text) {
@@ -52,7 +52,10 @@ pub(super) fn read(path: &Path, bytes: &[u8], notes: &mut Vec<String>) -> Result
     }
     let extra = bytes.len() - HEADER_BYTES - FACET_BYTES * stated;
     if extra > 0 {
-        notes.push(format!("passed over {extra} bytes after the last triangle"));
+        notes.push(Diagnostic::note(
+            "trailing-bytes",
+            format!("passed over {extra} bytes after the last triangle"),
+        ));
     }
     Ok(binary(
         &bytes[HEADER_BYTES..HEADER_BYTES + FACET_BYTES * stated],
@@ -334,6 +337,6 @@ mod tests {
         let mut bytes = binary_file(b"", 2, 2);
         bytes.extend([1; 7]);
         read(Path::new("t.stl"), &bytes, &mut notes).unwrap();
-        assert!(notes[0].contains("7 bytes"), "{notes:?}");
+        assert!(notes[0].text.contains("7 bytes"), "{notes:?}");
     }
 }

@@ -3,6 +3,7 @@
 //! Files that split vertices for normals or textures give the copies the same motion, up to rounding. Where the motions differ, the
 //! seam would tear open; it stays closed, and a note reports that its vertices do not follow the file.
 
+use cutaway::error::Diagnostic;
 use cutaway::scene::weld::thousands;
 use cutaway::scene::{Mesh, Motion};
 
@@ -17,7 +18,7 @@ pub(super) fn motion(
     mesh: &Mesh,
     motion: &Motion,
     new_from_old: &[u32],
-    notes: &mut Vec<String>,
+    notes: &mut Vec<Diagnostic>,
 ) -> Motion {
     if *motion == Motion::default() {
         return Motion::default();
@@ -42,9 +43,12 @@ pub(super) fn motion(
         .filter(|old| goes_astray(*old))
         .count();
     if astray > 0 {
-        notes.push(format!(
-            "{} vertices move otherwise than those they were welded to; they now follow them",
-            thousands(astray)
+        notes.push(Diagnostic::note(
+            "welded-motion",
+            format!(
+                "{} vertices move otherwise than those they were welded to; they now follow them",
+                thousands(astray)
+            ),
         ));
     }
     motion.of_positions(&firsts)

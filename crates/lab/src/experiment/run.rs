@@ -8,7 +8,8 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use cutaway::scene::{Remark, doubts};
+use cutaway::error::Diagnostic;
+use cutaway::scene::doubts;
 use cutaway::session::Session;
 use cutaway::{Error, Result};
 use cutaway_io::document::{Document, Timeline};
@@ -30,7 +31,7 @@ pub trait Watcher {
     /// A step begins.
     fn step(&self, what: String);
     /// Opening the scene gave a remark: reported once, even if the truth scene has the same fault.
-    fn opened(&self, remark: &Remark);
+    fn opened(&self, message: &Diagnostic);
     /// An expectation was compared with the result.
     fn reached(&self, reached: &Reached);
     /// Returns false to stop the run; an incomplete point is not kept.
@@ -109,15 +110,14 @@ fn measure_with(
     let point = assignment.point;
     watcher.step(format!("opening {}", point.scene.name()));
     let mut assets = Assets::default();
-    let mut said: Vec<Remark> = Vec::new();
+    let mut reported: Vec<Diagnostic> = Vec::new();
     let mut open = |document: &Document| -> Result<(Timeline, SceneAtTime)> {
         let timeline = document.timeline(&mut assets)?;
         let scene = timeline.scene()?;
-        let notes = timeline.notes().iter().map(Remark::note);
-        for remark in notes.chain(doubts(&scene)) {
-            if !said.contains(&remark) {
-                watcher.opened(&remark);
-                said.push(remark);
+        for message in timeline.notes().iter().cloned().chain(doubts(&scene)) {
+            if !reported.contains(&message) {
+                watcher.opened(&message);
+                reported.push(message);
             }
         }
         Ok((timeline, SceneAtTime::new(&scene)))
@@ -179,7 +179,8 @@ fn measure_with(
     };
     let measurement = judgement.measurement;
     let mut warnings = Warning::all_of(&measurement, assignment.machine, assignment.is_quick);
-    warnings.extend(said.iter().map(|r| Warning::of_opening(&r.text)));
+    let of_opening = |m: &Diagnostic| Warning::of_opening(&m.to_string());
+    warnings.extend(reported.iter().map(of_opening));
     let record = Record {
         format: Record::FORMAT,
         experiment: assignment.experiment.to_owned(),

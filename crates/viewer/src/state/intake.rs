@@ -8,9 +8,9 @@ use cutaway_io::document::{Node, Value, part};
 
 use super::State;
 use crate::action::Selection;
-use crate::notice::Notice;
 use crate::picture::slot::SlotSide;
 use crate::storage::files;
+use cutaway::error::Diagnostic;
 
 /// A document's top-level files: its own file, or its meshes if it has none.
 pub(super) fn files_of(document: &Document) -> Vec<PathBuf> {
@@ -44,7 +44,10 @@ impl State {
                 files::Kind::Model => self.take_model(path)?,
                 files::Kind::Image => self.take_image(path)?,
             }
-            self.tell(Notice::done(format!("opened {}", path.display())));
+            self.tell(Diagnostic::note(
+                "opened",
+                format!("opened {}", path.display()),
+            ));
             let is_file = files::kind(path)? != files::Kind::Image && path.is_file();
             self.opened.extend(is_file.then(|| path.clone()));
         }
@@ -114,7 +117,7 @@ impl State {
             self.saved = written;
             self.history.clear();
         }
-        self.tell(Notice::done("read all files again"));
+        self.tell(Diagnostic::note("read-again", "read all files again"));
         Ok(())
     }
 

@@ -10,7 +10,7 @@ use cutaway_io::document::Node;
 use cutaway_io::load::place_of;
 
 use super::State;
-use crate::notice::Notice;
+use cutaway::error::Diagnostic;
 
 impl State {
     /// Default name for saving the scene: its own, or one from its first model.
@@ -96,7 +96,10 @@ impl State {
         self.show(document, false)?;
         self.saved = self.document.clone();
         self.history.clear();
-        self.tell(Notice::done(format!("saved {}", path.display())));
+        self.tell(Diagnostic::note(
+            "saved",
+            format!("saved {}", path.display()),
+        ));
         self.opened.push(path.to_owned());
         Ok(())
     }

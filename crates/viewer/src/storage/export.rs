@@ -9,7 +9,7 @@ use cutaway::{Error, Result};
 use cutaway_cli::write_file;
 use cutaway_io::Document;
 
-use crate::notice::Notice;
+use cutaway::error::{Diagnostic, Severity};
 
 /// Supersampling factor of exported pictures, relative to the window.
 const SUPERSAMPLE: &str = "2";
@@ -96,14 +96,16 @@ impl Export {
     }
 
     /// Result of the export, once it has ended.
-    pub fn ended(&mut self) -> Option<Notice> {
+    pub fn ended(&mut self) -> Option<Diagnostic> {
         let status = self.child.try_wait().ok().flatten()?;
         if status.success() {
             let read = std::fs::read(&self.made);
             let read = read.map_err(|e| Error::file(&self.made, e.to_string(), "export it again"));
             let placed = read.and_then(|bytes| write_file(&self.path, &bytes));
             let done = format!("exported {}", self.path.display());
-            return Some(placed.map_or_else(Notice::from, |()| Notice::done(done)));
+            return Some(
+                placed.map_or_else(Diagnostic::from, |()| Diagnostic::note("exported", done)),
+            );
         }
         let mut text = String::new();
         if let Some(stderr) = &mut self.child.stderr {
@@ -111,13 +113,11 @@ impl Export {
             let _ = stderr.read_to_string(&mut text);
         }
         let text = text.trim().trim_start_matches("error: ").to_owned();
-        Some(Notice {
-            text: match text.is_empty() {
-                true => format!("{} was not exported: {status}", self.path.display()),
-                false => text,
-            },
-            is_error: true,
-        })
+        let text = match text.is_empty() {
+            true => format!("{} was not exported: {status}", self.path.display()),
+            false => text,
+        };
+        Some(Diagnostic::new(Severity::Error, "export", text))
     }
 
     /// Cancels the export.

@@ -29,7 +29,6 @@ use crate::judge::Finding;
 use crate::judge::cost::Cost;
 use crate::judge::magnify::Magnified;
 use crate::judge::survey::Found;
-use crate::notice::Notice;
 use crate::picture::pace::Pace;
 use crate::picture::pick::Picked;
 use crate::picture::screen::Screen;
@@ -40,6 +39,7 @@ use crate::storage::opening::Opening;
 #[cfg(not(target_arch = "wasm32"))]
 use crate::storage::recent::Recent;
 use crate::storage::watch::Watch;
+use cutaway::error::Diagnostic;
 #[cfg(not(target_arch = "wasm32"))]
 use desktop::Outside;
 use dialogs::naming::Asks;
@@ -161,12 +161,10 @@ impl Viewer {
             profile: self.profile,
             ..Self::with(screen, self.state)
         };
-        reopened.state.tell(Notice {
-            text: "The graphics device was lost. It has been opened again; the scene is whole."
-                .to_owned(),
-            // It stays until it is closed, because the driver needs attention.
-            is_error: true,
-        });
+        reopened.state.tell(Diagnostic::warning(
+            "device-lost",
+            "The graphics device was lost. It has been opened again; the scene is whole.",
+        ));
         reopened
     }
 

@@ -16,11 +16,11 @@ use web_sys::{File, HtmlInputElement};
 use super::Viewer;
 use crate::action::Action;
 use crate::editing::link;
-use crate::notice::Notice;
 use crate::picture::slot::SlotSide;
 use crate::state::State;
 use crate::storage::files::{self, Kind};
 use crate::web::files::{PageFiles, download};
+use cutaway::error::{Diagnostic, Severity};
 
 /// Files and notices on their way to the window.
 #[derive(Clone, Default)]
@@ -34,7 +34,7 @@ enum Come {
     /// Files, which are among those of the page by now.
     Files(Vec<PathBuf>),
     /// A notice for the user.
-    Told(Notice),
+    Told(Diagnostic),
 }
 
 impl Outside {
@@ -108,7 +108,7 @@ fn actions_of(paths: Vec<PathBuf>, state: &State) -> Vec<Action> {
 }
 
 /// Hands a picture to the user.
-fn download_png(path: &Path, image: Result<RgbaImage>) -> Notice {
+fn download_png(path: &Path, image: Result<RgbaImage>) -> Diagnostic {
     let written = image.and_then(|image| {
         let mut png = Cursor::new(Vec::new());
         let written = image.write_to(&mut png, ImageFormat::Png);
@@ -116,7 +116,7 @@ fn download_png(path: &Path, image: Result<RgbaImage>) -> Notice {
         download(path, png.get_ref())
     });
     let done = format!("exported {}", path.display());
-    written.map_or_else(Notice::from, |()| Notice::done(done))
+    written.map_or_else(Diagnostic::from, |()| Diagnostic::note("exported", done))
 }
 
 fn unreadable(path: &Path, why: &str) -> Come {
@@ -162,8 +162,8 @@ impl Viewer {
     pub(super) fn ask_for_files(&mut self, ctx: &Context) {
         if let Err(why) = self.choose_files(ctx) {
             let text = format!("the browser does not let files be chosen: {why:?}");
-            let is_error = true;
-            self.toasts.add(ctx, Notice { text, is_error });
+            self.toasts
+                .add(ctx, Diagnostic::new(Severity::Error, "browser", text));
         }
     }
 
@@ -198,7 +198,7 @@ impl Viewer {
                 let page = page.unwrap_or_default();
                 let page = page.split('#').next().unwrap_or_default();
                 ctx.copy_text(format!("{page}#{fragment}"));
-                let told = Notice::done("the link is in the clipboard");
+                let told = Diagnostic::note("copied", "the link is in the clipboard");
                 self.toasts.add(ctx, told);
             }
             Err(error) => self.toasts.add(ctx, error.into()),

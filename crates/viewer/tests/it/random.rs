@@ -352,7 +352,11 @@ fn to_the_end(state: &mut State, step: &Action, reach: usize) {
         state.apply(step.clone());
         steps += 1;
         assert!(steps <= 200, "{step:?} leads nowhere");
-        let refused: Vec<_> = state.notices().into_iter().filter(|n| n.is_error).collect();
+        let refused: Vec<_> = state
+            .notices()
+            .into_iter()
+            .filter(|n| n.is_error())
+            .collect();
         assert!(refused.is_empty(), "{step:?}: {refused:?}");
     }
 }
@@ -432,7 +436,7 @@ fn command_and_link_draw_what_is_seen() {
                 let action = action(random, Kinds::Usual);
                 keep(last, &action);
                 state.apply(action);
-                count += usize::from(state.notices().iter().all(|n| !n.is_error));
+                count += usize::from(state.notices().iter().all(|n| !n.is_error()));
             }
             let seen = drawn(&mut session, &mut state);
             changed += usize::from(apart(&seen, &empty) > 0);

@@ -57,7 +57,7 @@ fn bad_files_and_values_are_told_and_change_nothing() {
             panic!("{phrase}: {notices:?}");
         };
         assert!(
-            notice.is_error && notice.text.contains(phrase),
+            notice.is_error() && notice.to_string().contains(phrase),
             "{notice:?}"
         );
         assert!(notice.text.contains("help:"), "{notice:?}");

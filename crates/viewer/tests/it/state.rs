@@ -70,7 +70,7 @@ fn an_empty_window_takes_a_model_and_then_an_image() {
     let mut state = State::open(Document::new(), Assets::default()).unwrap();
     assert!(state.shown().is_none(), "nothing is there");
     state.apply(Action::Add(NewCut::Plane(0)));
-    assert!(state.notices()[0].text.contains("there is no model"));
+    assert!(state.notices()[0].to_string().contains("there is no model"));
     let mesh = scratch.path("a.obj");
     let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
     fs::write(&mesh, text).unwrap();
@@ -82,7 +82,10 @@ fn an_empty_window_takes_a_model_and_then_an_image() {
     assert_eq!(state.shown().unwrap().scene.parts.len(), 1);
     state.apply(Action::Add(NewCut::Plane(0)));
     state.apply(Action::Take(vec![heights]));
-    assert!(state.notices().iter().all(|n| !n.is_error), "all was taken");
+    assert!(
+        state.notices().iter().all(|n| !n.is_error()),
+        "all was taken"
+    );
     let surface = &state.shown().unwrap().scene.cuts[0].surfaces[0];
     assert!(surface.relief.is_some(), "the image is its relief");
 }
@@ -102,7 +105,7 @@ fn a_scene_file_that_was_written_is_read_again_unless_both_were_changed() {
     let after = state.shown().unwrap().scene.camera;
     assert_eq!(camera.viewpoint, after.viewpoint, "the eye stays");
     assert!(
-        state.notices().iter().all(|n| !n.is_error),
+        state.notices().iter().all(|n| !n.is_error()),
         "nothing is lost"
     );
 
@@ -118,7 +121,7 @@ fn a_scene_file_that_was_written_is_read_again_unless_both_were_changed() {
     let is_told = |phrase: &str| {
         notices
             .iter()
-            .any(|n| n.is_error && n.text.contains(phrase))
+            .any(|n| n.is_error() && n.to_string().contains(phrase))
     };
     assert!(is_told("the scene was changed here as well"), "{notices:?}");
 }

@@ -136,7 +136,7 @@ fn what_keys_move_is_changed_at_the_moment_that_is_shown() {
     let value = 2_i64.into();
     state.apply(Action::Set { path, value });
     assert_eq!(tracks(state.document()).len(), 1);
-    assert!(state.notices().iter().all(|n| !n.is_error));
+    assert!(state.notices().iter().all(|n| !n.is_error()));
 }
 
 #[test]
@@ -172,7 +172,7 @@ fn the_eye_is_keyed_where_it_is_and_may_be_moved_between() {
     state.apply(Action::MoveCamera(CameraMove::Home));
     state.apply(Action::Redo);
     let notices = state.notices();
-    assert!(notices.iter().all(|n| !n.is_error), "{notices:?}");
+    assert!(notices.iter().all(|n| !n.is_error()), "{notices:?}");
 }
 
 #[test]

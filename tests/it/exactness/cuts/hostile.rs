@@ -67,7 +67,7 @@ fn an_offset_of_no_part_of_the_cut_is_noted() {
         let notes = notes(offset, rest);
         let found = notes
             .iter()
-            .filter(|n| n.contains("no part of the cut"))
+            .filter(|n| n.to_string().contains("no part of the cut"))
             .count();
         assert_eq!(found, noted, "{offset}: {notes:?}");
     }

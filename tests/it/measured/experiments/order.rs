@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 
 use cutaway::Result;
-use cutaway::scene::Remark;
+use cutaway::error::Diagnostic;
 use cutaway_lab::experiment::run::{Assignment, Measured, measure};
 use cutaway_lab::experiment::{Invocation, Machine, Reached, Warning, Watcher};
 
@@ -12,7 +12,7 @@ use super::{common, read, scenes};
 /// Writes down what it is told, and says stop after so many steps.
 struct Writes {
     reported: RefCell<Vec<String>>,
-    remarks: RefCell<Vec<Remark>>,
+    messages: RefCell<Vec<Diagnostic>>,
     stops_after: usize,
 }
 
@@ -21,8 +21,8 @@ impl Watcher for Writes {
         self.reported.borrow_mut().push(what);
     }
 
-    fn opened(&self, remark: &Remark) {
-        self.remarks.borrow_mut().push(remark.clone());
+    fn opened(&self, message: &Diagnostic) {
+        self.messages.borrow_mut().push(message.clone());
     }
 
     fn reached(&self, reached: &Reached) {
@@ -50,7 +50,7 @@ fn measured(
     let run = scenes(&read(&text).unwrap(), false);
     let watcher = Writes {
         reported: RefCell::default(),
-        remarks: RefCell::default(),
+        messages: RefCell::default(),
         stops_after,
     };
     let assignment = Assignment {
@@ -67,7 +67,7 @@ fn measured(
         invocation: &Invocation::default(),
     };
     let measured = measure(&mut common::session(), &assignment, &watcher);
-    let texts: Vec<String> = (watcher.remarks.borrow().iter())
+    let texts: Vec<String> = (watcher.messages.borrow().iter())
         .map(|r| r.text.clone())
         .collect();
     let mut once = texts.clone();

@@ -223,7 +223,10 @@ fn parts_that_move_still_move_and_parts_that_share_a_mesh_still_do() {
     let defects = ["soup:amount=1%", "holes:amount=10%"].map(|d| parse_defect(d).unwrap());
     let notes = break_parts(&mut parts, &defects).unwrap();
     assert_eq!(notes.len(), 4, "two defects of two parts: {notes:?}");
-    assert!(notes[1].contains("1 of 12 faces are missing"), "{notes:?}");
+    assert!(
+        notes[1].to_string().contains("1 of 12 faces are missing"),
+        "{notes:?}"
+    );
     assert!(Arc::ptr_eq(&parts[0].mesh, &parts[1].mesh));
     let part: &Part = &parts[0];
     let posed = part.posed_mesh();

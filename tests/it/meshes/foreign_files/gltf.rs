@@ -102,7 +102,7 @@ fn instances_are_parts_whether_the_extension_is_required_or_not() {
         assert!(second.min.distance(at(2.0, 0.0, 10.0)) < 1e-6, "{second:?}");
         let third = loaded.parts[2].bounds_in_world();
         assert!(third.max.distance(at(7.0, 2.0, 10.5)) < 1e-6, "{third:?}");
-        assert_eq!(loaded.notes, [""; 0]);
+        assert_eq!(loaded.notes, []);
     }
 }
 

@@ -90,7 +90,7 @@ fn devices_pipes_and_folders_are_refused_by_name() {
     let path = folder.write("m.obj", format!("mtllib zero.mtl\n{}", obj()).as_bytes());
     let notes = load_mesh_file(&path).unwrap().notes;
     assert!(
-        notes[0].contains("zero.mtl") && notes[0].contains("device"),
+        notes[0].to_string().contains("zero.mtl") && notes[0].to_string().contains("device"),
         "{notes:?}"
     );
 }
@@ -169,7 +169,7 @@ fn many_open_parts_are_one_note() {
         "many.obj: 19 parts, 11 open (worst: part7, 4 open edges)",
         "inspect",
     ] {
-        assert!(note.contains(phrase), "{note}");
+        assert!(note.to_string().contains(phrase), "{note}");
     }
     // The control: of one part it is said where.
     let open = stl();
@@ -177,5 +177,8 @@ fn many_open_parts_are_one_note() {
     let notes = load_mesh_file(&folder.write("one.stl", &one))
         .unwrap()
         .notes;
-    assert!(notes.last().unwrap().contains("one near ("), "{notes:?}");
+    assert!(
+        notes.last().unwrap().to_string().contains("one near ("),
+        "{notes:?}"
+    );
 }

@@ -108,10 +108,13 @@ fn what_was_found_is_said() {
         let text = format!("[[part]]\nmesh = \"{mesh}\"\nsplit = true");
         let timeline = folder.timeline(&text);
         let notes = timeline.notes();
-        let found = notes.iter().find(|n| n.ends_with(said));
+        let found = notes.iter().find(|n| n.to_string().ends_with(said));
         assert!(found.is_some(), "{mesh}: {notes:?}");
         let whole = folder.timeline(&text.replace("true", "false"));
-        assert!(!whole.notes().iter().any(|n| n.contains("bod")), "{mesh}");
+        assert!(
+            !whole.notes().iter().any(|n| n.to_string().contains("bod")),
+            "{mesh}"
+        );
     }
 }
 
@@ -130,7 +133,7 @@ fn frames_come_apart_as_the_first_one_does() {
         timeline
             .notes()
             .iter()
-            .any(|n| n.ends_with("walk_%d.obj: 2 bodies in 1 part"))
+            .any(|n| n.to_string().ends_with("walk_%d.obj: 2 bodies in 1 part"))
     );
     for (time_s, x) in [(0.0, 3.0), (1.0, 0.5)] {
         let scene = timeline.at(time_s).expect("a frame");

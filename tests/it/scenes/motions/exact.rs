@@ -359,7 +359,7 @@ fn a_second_set_of_influences_counts() {
     let lift = document.floats(&[[0.0; 3], [0.0, 0.0, 1.0]]);
     document.clip(3, "translation", "LINEAR", &[0.0, 1.0], lift);
     let loaded = document.load();
-    let said = loaded.notes.join("\n");
+    let said = crate::common::text_of(&loaded.notes);
     assert!(
         said.contains("bar: the weights of 4 vertices did not sum to 1"),
         "{said}"
@@ -421,7 +421,7 @@ fn motion_goes_with_vertices_that_are_dropped_and_parts_that_come_apart() {
     let weights = document.floats(&[[0.0], [1.0]]);
     document.clip(0, "weights", "LINEAR", &[0.0, 1.0], weights);
     let loaded = document.load();
-    let said = loaded.notes.join("\n");
+    let said = crate::common::text_of(&loaded.notes);
     assert!(said.contains("left out 2 vertices"), "{said}");
     assert_eq!(loaded.parts.len(), 2, "two cubes");
     for (part, (x, by)) in loaded.parts.iter().zip([(0.0, 1.0), (5.0, -2.0)]) {

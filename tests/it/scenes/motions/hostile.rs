@@ -188,11 +188,11 @@ fn a_broken_clip_goes_and_the_mesh_stays() {
         let still = document.floats(&[[0.0, 0.0, 0.0]]);
         document.clip(1, "translation", "STEP", &[0.0], still);
         let loaded = document.load();
-        let said = loaded.notes.join("\n");
+        let said = crate::common::text_of(&loaded.notes);
         let starts = loaded
             .notes
             .iter()
-            .any(|n| n.contains(": left out clip `rotation`: "));
+            .any(|n| n.to_string().contains(": left out clip `rotation`: "));
         assert!(starts, "{fault}: {said}");
         for word in *words {
             assert!(said.contains(word), "{fault}: no `{word}` in {said}");
@@ -398,7 +398,7 @@ fn what_can_be_mended_is_mended_and_said() {
         let clips = document.load().parts[0].clips().len();
         plant(&mut document);
         let loaded = document.load();
-        let said = loaded.notes.join("\n");
+        let said = crate::common::text_of(&loaded.notes);
         for word in *words {
             assert!(said.contains(word), "{fault}: no `{word}` in {said}");
         }
@@ -536,7 +536,7 @@ fn split_cube(lift: impl Fn(usize, [f32; 3]) -> [f32; 3]) -> Document {
 #[test]
 fn what_is_welded_moves_as_one() {
     let together = split_cube(|_, [_, y, _]| [0.0, y, 0.0]).load();
-    let said = together.notes.join("\n");
+    let said = crate::common::text_of(&together.notes);
     assert!(
         said.contains("welded 36 corners to 8 vertices") && !said.contains("otherwise"),
         "{said}"
@@ -546,7 +546,7 @@ fn what_is_welded_moves_as_one() {
 
     // One corner of one triangle goes its own way.
     let apart = split_cube(|k, [_, y, _]| if k == 35 { [9.0; 3] } else { [0.0, y, 0.0] }).load();
-    let said = apart.notes.join("\n");
+    let said = crate::common::text_of(&apart.notes);
     assert!(
         said.contains("1 vertices move otherwise than those they were welded to"),
         "{said}"

@@ -235,7 +235,10 @@ fn images_of_an_obj_stand_upright() {
     without.insert("it.mtl", MTL.as_bytes().to_vec());
     let loaded = load_mesh_file_from(Path::new("it.obj"), &without).expect("a mesh");
     assert!(
-        loaded.notes.iter().any(|n| n.contains("four.png")),
+        loaded
+            .notes
+            .iter()
+            .any(|n| n.to_string().contains("four.png")),
         "{:?}",
         loaded.notes
     );
@@ -332,7 +335,10 @@ fn odd_images_of_a_gltf_are_said_and_its_mesh_is_read() {
         let loaded = load_mesh_file_from(Path::new("it.gltf"), &files);
         let loaded = loaded.unwrap_or_else(|e| panic!("{image}: {e}"));
         assert_eq!(loaded.parts[0].mesh.triangles.len(), 4, "{image}");
-        let is_said = loaded.notes.iter().any(|n| n.contains("shown without it"));
+        let is_said = loaded
+            .notes
+            .iter()
+            .any(|n| n.to_string().contains("shown without it"));
         assert!(is_said, "{image}: {:?}", loaded.notes);
     }
 }
@@ -363,5 +369,8 @@ fn texture_coordinates_of_a_gltf_are_moved_and_scaled() {
     assert!(notes.is_empty(), "{notes:?}");
     let (uv, notes) = read(true, json!({ "rotation": 1.0 }));
     assert!((uv[2].x - 4095.0 / 65535.0).abs() < 1e-6, "{uv:?}");
-    assert!(notes.iter().any(|n| n.contains("rotation")), "{notes:?}");
+    assert!(
+        notes.iter().any(|n| n.to_string().contains("rotation")),
+        "{notes:?}"
+    );
 }

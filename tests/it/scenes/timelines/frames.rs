@@ -127,7 +127,7 @@ fn a_gap_is_told() {
     std::fs::rename(folder.path("walk_005.obj"), folder.path("walk_009.obj"))
         .expect("a frame is moved");
     let file = folder.load(SCENE).expect("two frames are left");
-    let notes = file.notes().join("\n");
+    let notes = crate::common::text_of(file.notes());
     assert!(
         notes.contains("frame 5") && notes.contains("frame 9"),
         "{notes}"

@@ -71,7 +71,7 @@ pub(crate) fn run(args: &EncodeArgs) -> Result<Verdict> {
     if let Some(stamp) = &stamp {
         must_be_whole(&args.frames, &pattern, stamp)?;
     } else if let Some(gap) = gap {
-        return Err(Error::input(&args.frames, gap, DRAW_MISSING));
+        return Err(Error::input(&args.frames, gap.text, DRAW_MISSING));
     }
     let inputs = InputFiles::default();
     inputs.add(files.iter().cloned());

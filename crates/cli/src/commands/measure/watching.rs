@@ -2,7 +2,7 @@
 
 use std::cell::Cell;
 
-use cutaway::scene::Remark;
+use cutaway::error::Diagnostic;
 use cutaway_lab::experiment::{Reached, Watcher};
 
 use super::jobs::Job;
@@ -37,10 +37,8 @@ impl<'a> Watching<'a> {
 }
 
 impl Watcher for Watching<'_> {
-    fn opened(&self, remark: &Remark) {
-        let text = format!("{}: {}", self.place, remark.text);
-        let is_warning = remark.is_warning;
-        self.console.remark(&Remark { is_warning, text });
+    fn opened(&self, message: &Diagnostic) {
+        self.console.print_for(&self.place, message);
     }
 
     fn step(&self, what: String) {

@@ -1,6 +1,6 @@
 //! `defects` of a part: deliberate damage to its mesh, applied once, when the part is opened.
 
-use cutaway::error::{Result, did_you_mean};
+use cutaway::error::{Diagnostic, Result, did_you_mean};
 use cutaway::generate::defects::{Defect, DefectKind, break_parts};
 use cutaway::scene::Part;
 use cutaway::scene::describe::Described;
@@ -12,7 +12,7 @@ use super::reader::{Entry, Table};
 pub(super) fn apply<'a>(
     table: &Table<'_>,
     parts: impl IntoIterator<Item = &'a mut Part>,
-    notes: &mut Vec<String>,
+    notes: &mut Vec<Diagnostic>,
 ) -> Result<()> {
     let Some(entry) = table.get("defects") else {
         return Ok(());

@@ -6,10 +6,11 @@
 //! Entries are compared by the keys that affect their opening. A lookup compares an entry with all entries of the last document.
 
 use std::collections::BTreeSet;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 
-use cutaway::Result;
+use cutaway::error::{Diagnostic, Error, Result};
+use cutaway::scene::memo::{ById, Memo};
 use cutaway::scene::{Mesh, Motion, Part, Pose, Sight, sights};
 use glam::DAffine3;
 
@@ -34,52 +35,49 @@ const OPENED_BY: [&str; 10] = [
 ];
 
 /// An opened entry.
-pub(super) struct Known {
-    folder: PathBuf,
-    /// The entry's keys among [`OPENED_BY`].
-    by: Vec<(&'static str, Node)>,
+pub(super) struct OpenedEntry {
     /// Source of its parts, without a name or a colour.
     pub(super) source: PartSource,
-    notes: Vec<String>,
+    notes: Vec<Diagnostic>,
     files: BTreeSet<PathBuf>,
 }
 
-/// The entries of the last opened document.
-pub(super) type AllKnown = Vec<Arc<Known>>;
+/// The document's folder, and the entry's keys among [`OPENED_BY`].
+type EntryKey = (PathBuf, Vec<(&'static str, Node)>);
 
-impl Known {
-    fn is(&self, folder: &Path, by: &[(&'static str, Node)]) -> bool {
-        self.folder == folder && self.by == by
-    }
-}
+/// The opened entries of a document.
+pub(super) type OpenedEntries = Memo<EntryKey, Arc<OpenedEntry>>;
 
 impl Opening<'_> {
-    /// Opens an entry, or reuses it from the last document, and adds its notes.
-    pub(super) fn known(&mut self, table: &Table<'_>, before: &AllKnown) -> Result<Arc<Known>> {
-        let said = |key: &&'static str| Some((*key, table.get(key)?.node.clone()));
-        let by: Vec<_> = OPENED_BY.iter().filter_map(said).collect();
-        let known = match before.iter().find(|known| known.is(self.folder, &by)) {
-            Some(known) => known.clone(),
-            None => {
-                let mut own = Opening {
-                    folder: self.folder,
-                    assets: &mut *self.assets,
-                    notes: Vec::new(),
-                    files: BTreeSet::new(),
-                };
-                let source = own.entry(table)?;
-                let Opening { notes, files, .. } = own;
-                Arc::new(Known {
-                    folder: self.folder.to_owned(),
-                    by,
-                    source,
-                    notes,
-                    files,
-                })
+    /// Opens an entry, or reuses it from this document or the last one, and adds its notes.
+    pub(super) fn known(
+        &mut self,
+        table: &Table<'_>,
+        before: &OpenedEntries,
+        now: &OpenedEntries,
+    ) -> Result<Arc<OpenedEntry>> {
+        let given = |key: &&'static str| Some((*key, table.get(key)?.node.clone()));
+        let by: Vec<_> = OPENED_BY.iter().filter_map(given).collect();
+        let known = now.get_or_try_make((self.folder.to_owned(), by), |key| {
+            if let Some(known) = before.get(key) {
+                return Ok(known);
             }
-        };
+            let mut own = Opening {
+                folder: self.folder,
+                assets: &mut *self.assets,
+                notes: Vec::new(),
+                files: BTreeSet::new(),
+            };
+            let source = own.entry(table)?;
+            let Opening { notes, files, .. } = own;
+            Ok::<_, Error>(Arc::new(OpenedEntry {
+                source,
+                notes,
+                files,
+            }))
+        })?;
         let new = known.notes.iter().filter(|note| !self.notes.contains(note));
-        let new: Vec<String> = new.cloned().collect();
+        let new: Vec<Diagnostic> = new.cloned().collect();
         self.notes.extend(new);
         self.files.extend(known.files.iter().cloned());
         Ok(known)
@@ -87,41 +85,18 @@ impl Opening<'_> {
 }
 
 /// Data that determines the visibility of a part: its mesh, its motion, its placement and its pose.
-type PosedMesh = (Arc<Mesh>, Option<Arc<Motion>>, DAffine3, Pose);
+type PosedMesh = (ById<Mesh>, Option<ById<Motion>>, DAffine3, Pose);
 
 /// Visibility of the parts of the last document.
-struct KnownSights {
-    stands: Vec<PosedMesh>,
-    sights: Vec<Sight>,
-}
-
-impl KnownSights {
-    fn is_of(&self, parts: &[Part]) -> bool {
-        let same = |((mesh, motion, placed, pose), part): (&PosedMesh, &Part)| {
-            Arc::ptr_eq(mesh, &part.mesh)
-                && motion.as_ref().map(Arc::as_ptr) == part.motion.as_ref().map(Arc::as_ptr)
-                && *placed == part.world_from_part
-                && *pose == part.pose
-        };
-        self.stands.len() == parts.len() && self.stands.iter().zip(parts).all(same)
-    }
-}
+type KnownSights = Memo<Vec<PosedMesh>, Vec<Sight>>;
 
 /// Computes the visibility of each part from outside.
 pub(in crate::document) fn sights_of(parts: &[Part], assets: &mut Assets) -> Vec<Sight> {
-    if let Some(known) = assets.kept::<KnownSights>()
-        && known.is_of(parts)
-    {
-        return known.sights.clone();
-    }
-    let stand = |part: &Part| {
-        let (mesh, motion) = (part.mesh.clone(), part.motion.clone());
+    let posed_mesh = |part: &Part| {
+        let (mesh, motion) = (ById(part.mesh.clone()), ById::of(part.motion.as_ref()));
         (mesh, motion, part.world_from_part, part.pose.clone())
     };
-    let sights = sights(parts);
-    assets.keep(KnownSights {
-        stands: parts.iter().map(stand).collect(),
-        sights: sights.clone(),
-    });
-    sights
+    let known = assets.kept::<KnownSights>();
+    let known = known.unwrap_or_else(|| assets.keep(KnownSights::with_capacity(1)));
+    known.get_or_make(parts.iter().map(posed_mesh).collect(), |_| sights(parts))
 }

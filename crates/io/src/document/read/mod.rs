@@ -167,7 +167,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use std::sync::LazyLock;
 
-use cutaway::error::Result;
+use cutaway::error::{Diagnostic, Result};
 use cutaway::generate::defects::Defect;
 use cutaway::scene::{Bounds, ClipSurface, Fit, Outwards, Part, Scene, Style, Up};
 
@@ -269,7 +269,7 @@ pub(super) fn role_notes(
     root: &Table<'_>,
     scene_assets: &SceneAssets,
     parts: &[Part],
-) -> Result<Vec<String>> {
+) -> Result<Vec<Diagnostic>> {
     let roles = roles::read(root)?;
     let materials = scene_assets.parts.iter().flat_map(PartSource::materials);
     let names = names_of(scene_assets).into_iter().chain(materials);
@@ -303,7 +303,7 @@ pub(super) fn scene(
     scene_assets: &SceneAssets,
     (parts, stage): (Vec<Part>, Option<Bounds>),
     reliefs: &mut Resolved,
-    notes: &mut Vec<String>,
+    notes: &mut Vec<Diagnostic>,
 ) -> Result<(Scene, Seen)> {
     let settings = settings(root)?;
     let mut scene = Scene {

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use cutaway::error::{Error, Result};
+use cutaway::error::{Diagnostic, Error, Result};
 use cutaway::scene::Part;
 use cutaway::slice::close_holes_of;
 
@@ -23,7 +23,7 @@ pub(super) struct Opening<'a> {
     pub(super) folder: &'a Path,
     pub(super) assets: &'a mut Assets,
     /// Notes about the opened files, each once.
-    pub(super) notes: Vec<String>,
+    pub(super) notes: Vec<Diagnostic>,
     /// Files that were read.
     pub(super) files: BTreeSet<PathBuf>,
 }
@@ -106,10 +106,11 @@ impl Opening<'_> {
         let loaded = self.assets.mesh(&path)?;
         let parts = loaded.parts.clone();
         self.files.extend(loaded.files.iter().cloned());
-        let doubt = closes_holes.then(|| doubt(&path, &parts)).flatten();
-        let is_new = |n: &&String| !self.notes.contains(n) && Some(*n) != doubt.as_ref();
+        let doubt = closes_holes.then(|| doubt(&parts)).flatten();
+        let doubt = doubt.map(|note| note.in_file(&path));
+        let is_new = |n: &&Diagnostic| !self.notes.contains(n) && Some(*n) != doubt.as_ref();
         let new = loaded.notes.iter().filter(is_new);
-        let new: Vec<String> = new.cloned().collect();
+        let new: Vec<Diagnostic> = new.cloned().collect();
         self.notes.extend(new);
         Ok(parts)
     }

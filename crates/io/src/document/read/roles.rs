@@ -15,7 +15,7 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
-use cutaway::error::{Result, did_you_mean};
+use cutaway::error::{Diagnostic, Result, did_you_mean};
 use cutaway::scene::{Part, Role, Sight, glob_matches};
 
 use super::described;
@@ -119,11 +119,14 @@ impl Roles {
     }
 
     /// Notes about globs that match no part.
-    pub(super) fn notes(&self, parts: &[Part]) -> Vec<String> {
+    pub(super) fn notes(&self, parts: &[Part]) -> Vec<Diagnostic> {
         let has = |glob: &str| parts.iter().any(|part| fits(glob, part));
         let idle = self.globs.iter().filter(|(glob, _)| !has(glob));
-        idle.map(|(glob, _)| format!("roles: no part and no material is called `{glob}`"))
-            .collect()
+        let note = |glob: &String| {
+            let text = format!("no part and no material is called `{glob}`");
+            Diagnostic::note("no-such-part", text).about("roles")
+        };
+        idle.map(|(glob, _)| note(glob)).collect()
     }
 
     /// Returns the role of a part and its source. `given` is true if the table of the part sets the role.

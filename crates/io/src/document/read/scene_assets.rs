@@ -6,12 +6,12 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 
-use cutaway::error::Result;
+use cutaway::error::{Diagnostic, Result};
 use cutaway::scene::{CutoutFrame, Fit, Sight, Style};
 
 use super::clip::cutters::CutterSource;
 use super::clip::reliefs::Images;
-use super::known::AllKnown;
+use super::known::OpenedEntries;
 use super::opening::Opening;
 use super::part_source::PartSource;
 use super::parts::{KEYS, MATERIAL};
@@ -35,7 +35,7 @@ pub(in crate::document) struct SceneAssets {
     /// Frames of the cutouts, by the index of their cut, once computed.
     pub(in crate::document) frames: BTreeMap<usize, CutoutFrame>,
     /// Notes about the assets.
-    pub(in crate::document) notes: Vec<String>,
+    pub(in crate::document) notes: Vec<Diagnostic>,
     /// All files that were read.
     pub(in crate::document) files: BTreeSet<PathBuf>,
 }
@@ -45,8 +45,8 @@ pub(super) fn open(entries: &[Entry<'_>], opening: &mut Opening<'_>) -> Result<V
     let mut sources = Vec::with_capacity(entries.len());
     let mut given = Vec::with_capacity(entries.len());
     let mut of_caps = Vec::with_capacity(entries.len());
-    let before = opening.assets.kept::<AllKnown>().unwrap_or_default();
-    let mut all_known = AllKnown::with_capacity(entries.len());
+    let before = opening.assets.kept::<OpenedEntries>().unwrap_or_default();
+    let now = OpenedEntries::default();
     for entry in entries {
         let table = entry.table(KEYS.all())?;
         let name = table.get("name");
@@ -56,16 +56,15 @@ pub(super) fn open(entries: &[Entry<'_>], opening: &mut Opening<'_>) -> Result<V
             return Err(name.fault("it is empty", "give the part a name, or leave the key out"));
         }
         given.push(name.map(|n| n.text()).transpose()?);
-        let known = opening.known(&table, &before)?;
+        let known = opening.known(&table, &before, &now)?;
         sources.push(known.source.clone());
-        all_known.push(known);
         let hatch = of_material(&table, "hatch")?;
         let hatch = hatch.map(|hatch| hatches::open(&hatch, opening));
         let cap = of_material(&table, "cap")?;
         let cap = cap.map(|cap| cap_materials::open(&cap, opening));
         of_caps.push((hatch.transpose()?, cap.transpose()?));
     }
-    opening.assets.keep(all_known);
+    opening.assets.keep(now);
     let mut taken = BTreeSet::new();
     // Names from the document have priority over names from files.
     for is_given in [true, false] {

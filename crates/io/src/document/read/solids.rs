@@ -6,9 +6,12 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use cutaway::error::{Error, Result, did_you_mean};
+use cutaway::error::{Diagnostic, Error, Result, did_you_mean};
+use cutaway::scene::memo::{ById, Memo};
 use cutaway::scene::weld::thousands;
-use cutaway::scene::{Bodies, Bounds, Material, Part, Pieces, body_name, glob_matches};
+use cutaway::scene::{
+    Bodies, Bounds, GeometryId, Material, Mesh, Part, Pieces, body_name, glob_matches,
+};
 
 use super::reader::Table;
 
@@ -50,7 +53,7 @@ pub(super) struct Splits {
     /// Bodies of each solid.
     bodies: Vec<Bodies>,
     /// Split meshes, shared by solids with the same mesh.
-    known: Vec<Pieces>,
+    known: Memo<GeometryId, Arc<Pieces>>,
 }
 
 impl Splits {
@@ -62,17 +65,13 @@ impl Splits {
         if !entry.flag()? {
             return Ok(None);
         }
-        let mut bodies: Vec<Bodies> = Vec::with_capacity(solids.len());
-        for (index, solid) in solids.iter().enumerate() {
-            let same = |other: &SourceSolid| Arc::ptr_eq(&other.part.mesh, &solid.part.mesh);
-            bodies.push(match solids[..index].iter().position(same) {
-                Some(known) => bodies[known].clone(),
-                None => Bodies::of(&solid.part.mesh),
-            });
-        }
+        let bodies: Memo<ById<Mesh>, Bodies> = Memo::default();
+        let of_solid = |solid: &SourceSolid| {
+            bodies.get_or_make(ById(solid.part.mesh.clone()), |mesh| Bodies::of(&mesh.0))
+        };
         let splits = Self {
-            bodies,
-            known: Vec::new(),
+            bodies: solids.iter().map(of_solid).collect(),
+            known: Memo::default(),
         };
         let count = splits.count();
         if count > MOST_BODIES {
@@ -88,7 +87,7 @@ impl Splits {
     }
 
     /// Note about the bodies found in a file or shape.
-    pub(super) fn note(&self, of: &str) -> String {
+    pub(super) fn note(&self, of: &str) -> Diagnostic {
         let (count, solids) = (self.count(), self.bodies.len());
         let bodies = match count {
             1 => "1 body".to_owned(),
@@ -103,10 +102,8 @@ impl Splits {
             true => ": there is nothing to split",
             false => "",
         };
-        format!(
-            "{of}: {bodies} in {} {parts}{open}{nothing}",
-            thousands(solids)
-        )
+        let text = format!("{bodies} in {} {parts}{open}{nothing}", thousands(solids));
+        Diagnostic::note("bodies", text).about(of)
     }
 
     /// Divides solids that have the same triangles as those whose bodies were found.
@@ -115,12 +112,10 @@ impl Splits {
         taken.sort_unstable();
         let mut all = Vec::with_capacity(self.count());
         for (solid, bodies) in solids.into_iter().zip(&self.bodies) {
-            let known = self.known.iter().position(|p| p.are_of(&solid.part));
-            let known = known.unwrap_or_else(|| {
-                self.known.push(Pieces::of(&solid.part, bodies));
-                self.known.len() - 1
+            let pieces = self.known.get_or_make(GeometryId::of(&solid.part), |_| {
+                Arc::new(Pieces::of(&solid.part, bodies))
             });
-            let parts = self.known[known].parts(&solid.part);
+            let parts = pieces.parts(&solid.part);
             if parts.len() == 1 {
                 all.push(solid);
                 continue;

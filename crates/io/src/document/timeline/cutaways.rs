@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::{OnceLock, PoisonError};
 
-use cutaway::error::{Error, Result};
+use cutaway::error::{Diagnostic, Error, Result};
 use cutaway::scene::numbers::round;
 use cutaway::scene::{
     AxisRule, Breakaway, BreakawayView, Camera, CutoutFrame, Fit, Part, Scene, View,
@@ -75,14 +75,15 @@ impl Timeline {
 }
 
 /// Notes about the positions of cutouts.
-fn notes_of(frames: &BTreeMap<usize, CutoutFrame>) -> impl Iterator<Item = String> {
+fn notes_of(frames: &BTreeMap<usize, CutoutFrame>) -> impl Iterator<Item = Diagnostic> {
     let even = frames.iter().filter(|(_, frame)| frame.is_even);
     even.map(|(number, frame)| {
         let axis = frame.along.to_array().map(round);
         let axis = axis.join(", ");
-        format!(
-            "cut.{number}.cutout: no axis of the model stands out, so it goes around [{axis}], the upright; `axis` names another"
-        )
+        let text = format!(
+            "no axis of the model stands out, so it goes around [{axis}], the upright; `axis` names another"
+        );
+        Diagnostic::note("cutout-axis", text).about(format!("cut.{number}.cutout"))
     })
 }
 

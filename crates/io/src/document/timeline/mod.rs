@@ -19,7 +19,7 @@ use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-use cutaway::error::{Error, Result, did_you_mean};
+use cutaway::error::{Diagnostic, Error, Result, did_you_mean};
 use cutaway::scene::{Bounds, Clip, Fit, Outline, Outwards, Part, Scene, Style, View, Viewpoint};
 
 use super::read::reader::Table;
@@ -44,7 +44,7 @@ pub struct Timeline {
     /// Unanimated scene: numbers as written, and the first frame of each sequence.
     rest: Scene,
     /// Notes about the document.
-    notes: Vec<String>,
+    notes: Vec<Diagnostic>,
     clips: Vec<Clip>,
     /// The longest clip among the first clips of all parts.
     first_clip: Option<Clip>,
@@ -175,7 +175,7 @@ impl Timeline {
     }
 
     /// Notes for the user: repairs of meshes, and keys without effect.
-    pub fn notes(&self) -> &[String] {
+    pub fn notes(&self) -> &[Diagnostic] {
         &self.notes
     }
 

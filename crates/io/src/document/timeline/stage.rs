@@ -6,7 +6,8 @@
 use std::sync::Arc;
 
 use cutaway::error::Result;
-use cutaway::scene::{Bounds, Cut, Outline, Part, Scene, is_same_motion};
+use cutaway::scene::memo::is_same;
+use cutaway::scene::{Bounds, Cut, Outline, Part, Scene};
 
 use super::Timeline;
 
@@ -137,10 +138,6 @@ fn few(mut times: Vec<f64>) -> Vec<f64> {
 fn cut_alike(all: &[Cut], others: &[Cut]) -> bool {
     let is_like = |(a, b): (&Cut, &Cut)| {
         let mut surfaces = a.surfaces.iter().zip(&b.surfaces);
-        let same_map = |a: Option<&Arc<_>>, b: Option<&Arc<_>>| match (a, b) {
-            (Some(a), Some(b)) => Arc::ptr_eq(a, b),
-            (a, b) => a.is_none() && b.is_none(),
-        };
         let same_volume = match (&a.volume, &b.volume) {
             (Some(a), Some(b)) => {
                 Arc::ptr_eq(a.mesh(), b.mesh()) && a.world_from_cutter == b.world_from_cutter
@@ -153,7 +150,7 @@ fn cut_alike(all: &[Cut], others: &[Cut]) -> bool {
             && same_volume
             && surfaces.all(|(a, b)| {
                 (a.origin, a.u, a.v, a.scale) == (b.origin, b.u, b.v, b.scale)
-                    && same_map(a.relief.as_ref(), b.relief.as_ref())
+                    && is_same(a.relief.as_ref(), b.relief.as_ref())
             })
     };
     all.len() == others.len() && all.iter().zip(others).all(is_like)
@@ -161,7 +158,7 @@ fn cut_alike(all: &[Cut], others: &[Cut]) -> bool {
 
 /// Returns true if two parts occupy the same space because all data that places them is the same.
 fn stands_alike(a: &Part, b: &Part) -> bool {
-    is_same_motion(a.motion.as_ref(), b.motion.as_ref())
+    is_same(a.motion.as_ref(), b.motion.as_ref())
         && Arc::ptr_eq(&a.mesh, &b.mesh)
         && a.world_from_part == b.world_from_part
         && a.pose == b.pose

@@ -10,7 +10,7 @@ mod pattern;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use cutaway::error::{Error, Result};
+use cutaway::error::{Diagnostic, Error, Result};
 use cutaway::scene::Part;
 
 use super::Assets;
@@ -28,7 +28,7 @@ pub struct Sequence {
     frames: Arc<[Vec<Part>]>,
     fps: f64,
     loops: bool,
-    notes: Arc<[String]>,
+    notes: Arc<[Diagnostic]>,
     files: Arc<[PathBuf]>,
 }
 
@@ -47,7 +47,7 @@ impl Sequence {
     ) -> Result<Self> {
         let (files, gap) = pattern.files(first, assets.store())?;
         assets.read_meshes(&files)?;
-        let opened: Vec<(Vec<Part>, Vec<String>)> = files
+        let opened: Vec<(Vec<Part>, Vec<Diagnostic>)> = files
             .iter()
             .map(|path| {
                 let loaded = assets.mesh(path)?;
@@ -55,7 +55,7 @@ impl Sequence {
                 Ok((loaded.parts.clone(), loaded.notes.clone()))
             })
             .collect::<Result<_>>()?;
-        let mut notes: Vec<String> = gap.into_iter().collect();
+        let mut notes: Vec<Diagnostic> = gap.into_iter().collect();
         notes.extend(summary(&files, &opened));
         let several = opened.iter().any(|(parts, _)| parts.len() > 1);
         let stem = pattern.stem();
@@ -136,7 +136,7 @@ impl Sequence {
     }
 
     /// Notes for the user: frames left out, and repairs of frames.
-    pub fn notes(&self) -> &[String] {
+    pub fn notes(&self) -> &[Diagnostic] {
         &self.notes
     }
 }
@@ -154,7 +154,7 @@ fn whole(path: &Path, parts: &[Part]) -> Result<()> {
 }
 
 /// The notes of the first frame with notes, and the count of other frames with notes, since problems usually affect most frames.
-fn summary(files: &[PathBuf], opened: &[(Vec<Part>, Vec<String>)]) -> Vec<String> {
+fn summary(files: &[PathBuf], opened: &[(Vec<Part>, Vec<Diagnostic>)]) -> Vec<Diagnostic> {
     let mut noted = files.iter().zip(opened).filter(|(_, (_, n))| !n.is_empty());
     let Some((path, (_, notes))) = noted.next() else {
         return Vec::new();
@@ -162,10 +162,8 @@ fn summary(files: &[PathBuf], opened: &[(Vec<Part>, Vec<String>)]) -> Vec<String
     let mut notes = notes.clone();
     let others = noted.count();
     if others > 0 {
-        notes.push(format!(
-            "{}: {others} more frames have notes like these",
-            path.display()
-        ));
+        let text = format!("{others} more frames have notes like these");
+        notes.push(Diagnostic::note("notes-of-frames", text).in_file(path));
     }
     notes
 }

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use cutaway::error::{Error, Result};
+use cutaway::error::{Diagnostic, Error, Result};
 
 use crate::load::Files;
 
@@ -115,7 +115,7 @@ impl Pattern {
         &self,
         first: Option<u32>,
         store: &dyn Files,
-    ) -> Result<(Vec<PathBuf>, Option<String>)> {
+    ) -> Result<(Vec<PathBuf>, Option<Diagnostic>)> {
         let is_there = |number: &u32| store.is_file(&self.file(*number));
         let start = match first {
             Some(first) => is_there(&first).then_some(first),
@@ -146,10 +146,10 @@ impl Pattern {
         let beyond =
             (missing..missing.saturating_add(GAP_LOOKED_ACROSS)).find(|number| is_there(number));
         let gap = beyond.map(|beyond| {
-            format!(
-                "{}: the sequence ends before frame {missing}, which is missing, although frame {beyond} exists",
-                self.text
-            )
+            let text = format!(
+                "the sequence ends before frame {missing}, which is missing, although frame {beyond} exists"
+            );
+            Diagnostic::note("gap-in-sequence", text).about(&self.text)
         });
         Ok((files, gap))
     }

@@ -6,6 +6,7 @@
 
 use std::collections::BTreeMap;
 
+use cutaway::error::Diagnostic;
 use cutaway::scene::motion::{Clip, Moment, NodeTracks, Rig, Track, Way};
 use glam::DVec3;
 use gltf::accessor::DataType;
@@ -27,7 +28,12 @@ pub(super) struct Reader<'a> {
 
 impl Reader<'_> {
     /// Adds all usable clips to the rig.
-    pub(super) fn read(&self, animations: &[Animation], rig: &mut Rig, notes: &mut Vec<String>) {
+    pub(super) fn read(
+        &self,
+        animations: &[Animation],
+        rig: &mut Rig,
+        notes: &mut Vec<Diagnostic>,
+    ) {
         let accessors: Vec<Accessor<'_>> = self.document.accessors().collect();
         let mut flat = Vec::new();
         for (index, animation) in animations.iter().enumerate() {
@@ -39,7 +45,10 @@ impl Reader<'_> {
                 add(rig, &name, of_node)
             });
             if let Err(why) = added {
-                notes.push(format!("left out clip `{name}`: {why}"));
+                notes.push(Diagnostic::note(
+                    "clip-left-out",
+                    format!("left out clip `{name}`: {why}"),
+                ));
             }
         }
         if let Some(first) = flat.first() {
@@ -47,8 +56,9 @@ impl Reader<'_> {
                 0 => String::new(),
                 more => format!(" (and {more} more)"),
             };
-            notes.push(format!(
-                "{first}{more}: vertices that follow only this joint have no volume then"
+            notes.push(Diagnostic::note(
+                "joint-scaled-to-nothing",
+                format!("{first}{more}: vertices that follow only this joint have no volume then"),
             ));
         }
     }

@@ -6,7 +6,7 @@
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 
-use cutaway::error::{Error, Result};
+use cutaway::error::{Diagnostic, Error, Result};
 use gltf::json::{Animation, Root};
 use gltf::{Document, Glb};
 
@@ -27,7 +27,7 @@ pub(super) fn open(
     path: &Path,
     bytes: &[u8],
     store: &dyn Files,
-    (notes, files): (&mut Vec<String>, &mut Vec<PathBuf>),
+    (notes, files): (&mut Vec<Diagnostic>, &mut Vec<PathBuf>),
 ) -> Result<Opened> {
     let wrong = |what: String| Error::file(path, what, DAMAGED);
     check_glb(bytes).map_err(wrong)?;
@@ -57,7 +57,7 @@ pub(super) fn open(
     })
 }
 
-fn root(bytes: &[u8], notes: &mut Vec<String>) -> Result<(Root, Option<Vec<u8>>), gltf::Error> {
+fn root(bytes: &[u8], notes: &mut Vec<Diagnostic>) -> Result<(Root, Option<Vec<u8>>), gltf::Error> {
     let (json, blob) = if bytes.starts_with(b"glTF") {
         let glb = Glb::from_slice(bytes)?;
         (glb.json, glb.bin.map(Cow::into_owned))

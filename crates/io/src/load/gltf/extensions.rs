@@ -7,7 +7,7 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use cutaway::error::{Error, Result};
+use cutaway::error::{Diagnostic, Error, Result};
 use cutaway::scene::weld::thousands;
 use gltf::json::Root;
 use serde_json::{Map, Value};
@@ -61,14 +61,17 @@ fn has_any(name: &str, pieces: &[&str]) -> bool {
 pub(super) fn classify_required(
     path: &Path,
     root: &mut Root,
-    notes: &mut Vec<String>,
+    notes: &mut Vec<Diagnostic>,
 ) -> Result<()> {
     for name in std::mem::take(&mut root.extensions_required) {
         if READ.contains(&name.as_str()) {
             continue;
         }
         if has_any(&name, &LOOKS) || has_any(&name, &BESIDE) {
-            notes.push(format!("shown without {name}"));
+            notes.push(Diagnostic::note(
+                "extension-left-out",
+                format!("shown without {name}"),
+            ));
             continue;
         }
         let what = format!("it requires the extension {name}, which is not read");
@@ -82,7 +85,7 @@ pub(super) fn classify_required(
 }
 
 /// A note for each unread extension of nodes, meshes and primitives, except those that only change appearance.
-pub(super) fn unread(root: &Root) -> Vec<String> {
+pub(super) fn unread(root: &Root) -> Vec<Diagnostic> {
     let of_nodes = (root.nodes.iter()).filter_map(|node| Some(&node.extensions.as_ref()?.others));
     let of_meshes = (root.meshes.iter()).filter_map(|mesh| Some(&mesh.extensions.as_ref()?.others));
     let primitives = root.meshes.iter().flat_map(|mesh| &mesh.primitives);
@@ -105,7 +108,9 @@ pub(super) fn unread(root: &Root) -> Vec<String> {
             (noun, _) => format!("{noun}s"),
         };
         let count = thousands(count);
-        format!("shown without {name}, an extension of {count} {nouns} that is not read")
+        let text =
+            format!("shown without {name}, an extension of {count} {nouns} that is not read");
+        Diagnostic::note("extension-left-out", text)
     });
     notes.collect()
 }

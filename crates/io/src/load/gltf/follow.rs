@@ -4,6 +4,7 @@
 //! their first joint, as in other readers); vertices without joints (they follow the node); and morph targets that do not fit (they move
 //! nothing). Refused: a joint that the skin lacks, because the position of its vertices is unknown.
 
+use cutaway::error::Diagnostic;
 use cutaway::scene::motion::{JointWeight, Motion};
 use cutaway::scene::weld::thousands;
 use glam::DVec3;
@@ -100,7 +101,7 @@ impl Followers {
         vertices: usize,
         all: usize,
         buffers: &[Vec<u8>],
-        notes: &mut Vec<String>,
+        notes: &mut Vec<Diagnostic>,
     ) -> Result<(), String> {
         let targets = &mut self.motion.targets;
         for (index, target) in primitive.morph_targets().enumerate() {
@@ -121,8 +122,9 @@ impl Followers {
                 None
             };
             if let Some(fault) = fault {
-                notes.push(format!(
-                    "left out morph target {index} (accessor {number}): it has {fault}"
+                notes.push(Diagnostic::note(
+                    "morph-target-left-out",
+                    format!("left out morph target {index} (accessor {number}): it has {fault}"),
                 ));
                 continue;
             }
@@ -134,26 +136,32 @@ impl Followers {
     }
 
     /// The motion of all `vertices`; repairs are added to `notes`.
-    pub(super) fn finish(mut self, vertices: usize, notes: &mut Vec<String>) -> Motion {
+    pub(super) fn finish(mut self, vertices: usize, notes: &mut Vec<Diagnostic>) -> Motion {
         for target in &mut self.motion.targets {
             target.resize(vertices, DVec3::ZERO);
         }
         if self.unwhole > 0 {
-            notes.push(format!(
-                "the weights of {} vertices did not sum to 1 and were scaled",
-                thousands(self.unwhole)
+            notes.push(Diagnostic::note(
+                "weights-scaled",
+                format!(
+                    "the weights of {} vertices did not sum to 1 and were scaled",
+                    thousands(self.unwhole)
+                ),
             ));
         }
         if self.weightless > 0 {
-            notes.push(format!(
+            notes.push(Diagnostic::note("weights-zero", format!(
                 "{} vertices have no weight that is greater than zero and follow their first joint",
                 thousands(self.weightless)
-            ));
+            )));
         }
         if self.unpulled > 0 {
-            notes.push(format!(
-                "{} vertices have no joint and follow the node",
-                thousands(self.unpulled)
+            notes.push(Diagnostic::note(
+                "no-joint",
+                format!(
+                    "{} vertices have no joint and follow the node",
+                    thousands(self.unpulled)
+                ),
             ));
         }
         self.motion

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use cutaway::error::Error;
+use cutaway::error::{Diagnostic, Error};
 use cutaway::scene::{Texture, TextureKind};
 use gltf::image::Source;
 use serde_json::Map;
@@ -27,7 +27,7 @@ pub(super) struct Images<'a> {
     /// Files that were read.
     pub(super) files: Vec<PathBuf>,
     /// Notes about faulty images.
-    pub(super) notes: Vec<String>,
+    pub(super) notes: Vec<Diagnostic>,
 }
 
 impl Images<'_> {
@@ -43,7 +43,8 @@ impl Images<'_> {
             [] => "it has no image".to_owned(),
             some => format!("its image is of {}, which is not read", some.join(" and ")),
         };
-        let note = format!("texture {number}: {why}: shown without it");
+        let note = Diagnostic::note("image-left-out", format!("{why}: shown without it"))
+            .about(format!("texture {number}"));
         if !self.notes.contains(&note) {
             self.notes.push(note);
         }
@@ -67,8 +68,9 @@ impl Images<'_> {
                 Some(Arc::new(texture))
             }
             Err(why) => {
+                let note = Diagnostic::note("image-left-out", format!("{why}: shown without it"));
                 self.notes
-                    .push(format!("image {}: {why}: shown without it", image.index()));
+                    .push(note.about(format!("image {}", image.index())));
                 None
             }
         };

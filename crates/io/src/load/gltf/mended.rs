@@ -8,6 +8,7 @@
 //! | a clip whose JSON has the wrong structure | left out, with a note |
 //! | invalid materials, textures, images, samplers or cameras | all of them left out, with a note |
 
+use cutaway::error::Diagnostic;
 use gltf::json::accessor::{Accessor, Type};
 use gltf::json::validation::{Checked, Error, Validate};
 use gltf::json::{Animation, Path, Root};
@@ -24,7 +25,7 @@ const LOOKS: [&str; 5] = ["materials", "textures", "images", "samplers", "camera
 
 /// Parses a document again without its malformed animation or appearance entries; `None` if it has other faults
 /// as well.
-pub(super) fn without_odd_entries(json: &[u8], notes: &mut Vec<String>) -> Option<Root> {
+pub(super) fn without_odd_entries(json: &[u8], notes: &mut Vec<Diagnostic>) -> Option<Root> {
     let mut value: Value = serde_json::from_slice(json).ok()?;
     let mut said = without_odd_clips(&mut value);
     if let Ok(root) = serde_json::from_value(value.clone()) {
@@ -50,13 +51,16 @@ pub(super) fn without_odd_entries(json: &[u8], notes: &mut Vec<String>) -> Optio
         each(mesh, "primitives", "material");
     }
     let root = serde_json::from_value(value).ok()?;
-    said.push("shown without materials and cameras: their JSON is not valid glTF".to_owned());
+    said.push(Diagnostic::note(
+        "materials-left-out",
+        "shown without materials and cameras: their JSON is not valid glTF",
+    ));
     notes.append(&mut said);
     Some(root)
 }
 
 /// Removes malformed animations, and returns a note on each.
-fn without_odd_clips(document: &mut Value) -> Vec<String> {
+fn without_odd_clips(document: &mut Value) -> Vec<Diagnostic> {
     let mut said = Vec::new();
     let mut number = 0;
     let animations = document.get_mut("animations").and_then(Value::as_array_mut);
@@ -68,7 +72,10 @@ fn without_odd_clips(document: &mut Value) -> Vec<String> {
         if let Err(why) = &read {
             let name = animation.get("name").and_then(Value::as_str);
             let name = name.map_or(format!("clip_{number}"), str::to_owned);
-            said.push(format!("left out clip `{name}`: {why}"));
+            said.push(Diagnostic::note(
+                "clip-left-out",
+                format!("left out clip `{name}`: {why}"),
+            ));
         }
         number += 1;
         read.is_ok()
@@ -77,7 +84,7 @@ fn without_odd_clips(document: &mut Value) -> Vec<String> {
 }
 
 /// Makes the repairs that remove no geometry. Attribute indices must be in range.
-pub(super) fn mend(root: &mut Root, buffers: &mut Vec<Vec<u8>>, notes: &mut Vec<String>) {
+pub(super) fn mend(root: &mut Root, buffers: &mut Vec<Vec<u8>>, notes: &mut Vec<Diagnostic>) {
     let mut positions = Vec::new();
     for (number, mesh) in root.meshes.iter_mut().enumerate() {
         let before = mesh.primitives.len();
@@ -90,9 +97,9 @@ pub(super) fn mend(root: &mut Root, buffers: &mut Vec<Vec<u8>>, notes: &mut Vec<
         });
         let left_out = before - mesh.primitives.len();
         if left_out > 0 {
-            notes.push(format!(
-                "mesh {number}: left out {left_out} of {before} primitives: without positions they show nothing"
-            ));
+            notes.push(Diagnostic::note("primitives-left-out", format!(
+                "left out {left_out} of {before} primitives: without positions they show nothing"
+            )).about(format!("mesh {number}")));
         }
     }
     for position in &positions {
@@ -147,7 +154,7 @@ fn give_zeros(
 }
 
 /// Validates the document, without its appearance data if only that is invalid; otherwise returns the first fault and the number of faults.
-pub(super) fn validated(mut root: Root, notes: &mut Vec<String>) -> Result<Document, String> {
+pub(super) fn validated(mut root: Root, notes: &mut Vec<Diagnostic>) -> Result<Document, String> {
     let mut faults = faults(&root);
     let is_of_looks = |(at, _): &(Path, Error)| {
         LOOKS.iter().any(|looks| at.0.starts_with(looks))
@@ -156,9 +163,9 @@ pub(super) fn validated(mut root: Root, notes: &mut Vec<String>) -> Result<Docum
                 .any(|key| at.0.ends_with(key))
     };
     if let Some(first) = faults.first().filter(|_| faults.iter().all(is_of_looks)) {
-        notes.push(format!(
-            "shown without materials and cameras: {}",
-            said(first)
+        notes.push(Diagnostic::note(
+            "materials-left-out",
+            format!("shown without materials and cameras: {}", said(first)),
         ));
         root.materials.clear();
         root.textures.clear();

@@ -34,7 +34,7 @@ use std::collections::btree_map::Entry;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use cutaway::error::{Error, Result};
+use cutaway::error::{Diagnostic, Error, Result};
 use cutaway::scene::Role;
 use cutaway::scene::motion::{Bound, Driver, Motion, Rig, RigAttachment};
 use cutaway::scene::weld::thousands;
@@ -56,7 +56,7 @@ pub(super) fn read(
     path: &Path,
     bytes: &[u8],
     store: &dyn Files,
-    (notes, files): (&mut Vec<String>, &mut Vec<PathBuf>),
+    (notes, files): (&mut Vec<Diagnostic>, &mut Vec<PathBuf>),
 ) -> Result<Vec<Placed>> {
     let wrong = |what: String| Error::file(path, what, DAMAGED);
     let opened = document::open(path, bytes, store, (notes, files))?;
@@ -124,18 +124,20 @@ pub(super) fn read(
             shown.role = role;
             placed.push(shown);
         }
-        said_of_nodes.extend(said.into_iter().map(|s| (label.clone(), s)));
+        said_of_nodes.extend(said.into_iter().map(|note: Diagnostic| note.about(&label)));
     }
     notes.extend(grouped(said_of_nodes, "node"));
     match nodes.hidden() {
         0 => {}
-        1 => notes.push(format!(
-            "left out 1 node with a mesh, which {VISIBILITY} hides"
+        1 => notes.push(Diagnostic::note(
+            "node-hidden",
+            format!("left out 1 node with a mesh, which {VISIBILITY} hides"),
         )),
         more => {
             let more = thousands(more);
-            notes.push(format!(
-                "left out {more} nodes with meshes, which {VISIBILITY} hides"
+            notes.push(Diagnostic::note(
+                "node-hidden",
+                format!("left out {more} nodes with meshes, which {VISIBILITY} hides"),
             ));
         }
     }
@@ -152,14 +154,17 @@ pub(super) fn read(
 }
 
 /// The role in a node's `extras`: `{ "role": "interior" }`.
-fn role(node: &Node<'_>, notes: &mut Vec<String>) -> Option<Role> {
+fn role(node: &Node<'_>, notes: &mut Vec<Diagnostic>) -> Option<Role> {
     let extras = node.extras().as_ref()?;
     let value: serde_json::Value = serde_json::from_str(extras.get()).ok()?;
     let word = value.get("role")?.as_str()?;
     let role = Role::named(word);
     if role.is_none() {
         let known = Role::ALL.map(|(name, _)| name).join(", ");
-        notes.push(format!("its role {word:?} is not one of {known}"));
+        notes.push(Diagnostic::note(
+            "unknown-role",
+            format!("its role {word:?} is not one of {known}"),
+        ));
     }
     role
 }
@@ -168,7 +173,7 @@ fn role(node: &Node<'_>, notes: &mut Vec<String>) -> Option<Role> {
 fn usable_skin<T>(
     node: &Node<'_>,
     skins: &[Result<T, String>],
-    notes: &mut Vec<String>,
+    notes: &mut Vec<Diagnostic>,
 ) -> Option<usize> {
     let index = node.skin()?.index();
     let why = match skins.get(index)? {
@@ -178,12 +183,15 @@ fn usable_skin<T>(
         }
         Ok(_) => return Some(index),
     };
-    notes.push(format!("shown where its node is: {why}"));
+    notes.push(Diagnostic::note(
+        "skin-left-out",
+        format!("shown where its node is: {why}"),
+    ));
     None
 }
 
 /// Default weights of a node's morph targets, one per target.
-fn weights(node: &Node<'_>, notes: &mut Vec<String>) -> Vec<f64> {
+fn weights(node: &Node<'_>, notes: &mut Vec<Diagnostic>) -> Vec<f64> {
     let targets = clips::targets(node);
     let mesh = node.mesh();
     let given = node
@@ -196,13 +204,17 @@ fn weights(node: &Node<'_>, notes: &mut Vec<String>) -> Vec<f64> {
         .collect();
     if !weights.is_empty() && weights.len() != targets {
         let given = weights.len();
-        notes.push(format!(
-            "{given} weights for {targets} morph targets: those that are missing are 0"
+        notes.push(Diagnostic::note(
+            "weights-missing",
+            format!("{given} weights for {targets} morph targets: those that are missing are 0"),
         ));
     }
     weights.resize(targets, 0.0);
     if let Some(bad) = weights.iter_mut().find(|w| !w.is_finite()) {
-        notes.push(format!("a weight of its morph targets is {bad}: all are 0"));
+        notes.push(Diagnostic::note(
+            "weights-not-finite",
+            format!("a weight of its morph targets is {bad}: all are 0"),
+        ));
         weights.fill(0.0);
     }
     weights

@@ -1,6 +1,7 @@
 //! Appearance of a glTF primitive: base colour and its image, and vertex colours. Wrapping is always a repeat.
 //! Texture coordinates are translated and scaled by `KHR_texture_transform`; its rotation is ignored, with a note.
 
+use cutaway::error::Diagnostic;
 use cutaway::scene::{map_channels, srgb_from_linear};
 use glam::{Vec2, Vec3};
 use gltf::Accessor;
@@ -30,7 +31,7 @@ pub(super) fn triangles(
     triangles: &[[u32; 3]],
     vertices: usize,
     buffers: &[Vec<u8>],
-    (painted, notes): (&mut Vec<PaintedTriangle>, &mut Vec<String>),
+    (painted, notes): (&mut Vec<PaintedTriangle>, &mut Vec<Diagnostic>),
 ) {
     let material = primitive.material();
     let texture = material.pbr_metallic_roughness().base_color_texture();
@@ -38,7 +39,10 @@ pub(super) fn triangles(
     let mut is_right = |accessor: Option<Accessor<'_>>, wanted| {
         let checked = accessor.map(|accessor| check(&accessor, wanted, buffers));
         if let Some(Err(what)) = &checked {
-            notes.push(format!("{what}: shown without it"));
+            notes.push(Diagnostic::note(
+                "attribute-left-out",
+                format!("{what}: shown without it"),
+            ));
         }
         checked.is_some_and(|checked| checked.is_ok())
     };
@@ -77,7 +81,10 @@ pub(super) fn triangles(
         colors = read.map(|read| read.into_rgb_f32().map(encoded).collect());
     }
     if transform.is_some_and(|transform| transform.rotation() != 0.0) {
-        notes.push("shown without the rotation of KHR_texture_transform".into());
+        notes.push(Diagnostic::note(
+            "texture-rotation-left-out",
+            "shown without the rotation of KHR_texture_transform",
+        ));
     }
     // Coordinates that are missing for some vertices are not used.
     let places = places.filter(|all| all.len() >= vertices);

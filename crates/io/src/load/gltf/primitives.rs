@@ -1,5 +1,6 @@
 //! The triangles of a glTF mesh: all primitives as groups of one draft, with the motion of their vertices.
 
+use cutaway::error::Diagnostic;
 use glam::{DVec3, Vec3};
 use gltf::material::AlphaMode;
 use gltf::mesh::Mode;
@@ -19,7 +20,7 @@ pub(super) fn draft(
     mesh: &gltf::Mesh<'_>,
     joints: Option<usize>,
     (buffers, images): (&[Vec<u8>], &mut Images<'_>),
-    notes: &mut Vec<String>,
+    notes: &mut Vec<Diagnostic>,
 ) -> Result<Draft, String> {
     let mut draft = Draft::default();
     let mut paints = Vec::new();
@@ -28,13 +29,8 @@ pub(super) fn draft(
     let mut followers = Followers::new(joints);
     let mut left_out = 0;
     for primitive in mesh.primitives() {
-        let at = |what: String| {
-            format!(
-                "mesh {}, primitive {}: {what}",
-                mesh.index(),
-                primitive.index()
-            )
-        };
+        let label = format!("mesh {}, primitive {}", mesh.index(), primitive.index());
+        let at = |what: String| format!("{label}: {what}");
         let first = draft.mesh.positions.len() as u32;
         let accessor = primitive
             .get(&Semantic::Positions)
@@ -67,7 +63,10 @@ pub(super) fn draft(
         let group = draft.groups.len() as u32;
         let paint = paint::of(&primitive, images);
         if primitive.material().alpha_mode() == AlphaMode::Mask {
-            said.push("drawn without the holes of its alpha mask".to_owned());
+            said.push(Diagnostic::note(
+                "alpha-mask",
+                "drawn without the holes of its alpha mask",
+            ));
         }
         draft.groups.push(Group {
             name: None,
@@ -78,7 +77,7 @@ pub(super) fn draft(
         paints.push(paint);
         let (from, to) = ((group, &primitive), (&mut painted, &mut said));
         paint::triangles(from, &triangles, vertices, buffers, to);
-        notes.extend(said.into_iter().map(at));
+        notes.extend(said.into_iter().map(|note: Diagnostic| note.about(&label)));
         let more = triangles.len();
         draft
             .group_of_triangle
@@ -91,15 +90,16 @@ pub(super) fn draft(
     let mut targets = mesh.primitives().map(|p| p.morph_targets().len());
     let first = targets.next().unwrap_or(0);
     if targets.any(|more| more != first) {
-        notes.push(
-            "its primitives differ in their number of morph targets: vertices without a target stay".into(),
-        );
+        notes.push(Diagnostic::note("morph-targets-differ", "its primitives differ in their number of morph targets: vertices without a target stay"));
     }
     draft.mesh.corner_normals = normals;
     draft.mesh.vertex_paint = vertex_paint(&paints, &painted);
     draft.motion = followers.finish(draft.mesh.positions.len(), notes);
     if left_out > 0 {
-        notes.push(format!("left out {left_out} primitives of points or lines"));
+        notes.push(Diagnostic::note(
+            "points-left-out",
+            format!("left out {left_out} primitives of points or lines"),
+        ));
     }
     Ok(draft)
 }

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use cutaway::error::Diagnostic;
 use cutaway::scene::motion::{Rig, RigSkin};
 use glam::{DAffine3, DMat4};
 use gltf::{Document, Primitive, Semantic, Skin};
@@ -60,7 +61,7 @@ fn one(skin: &Skin<'_>, nodes: &Nodes<'_>, buffers: &[Vec<u8>]) -> Result<RigSki
 const FLAT: f64 = 1e-12;
 
 /// Notes on joints that flatten the vertices they influence in the rest pose.
-pub(super) fn flat_joints(rig: &Rig) -> Vec<String> {
+pub(super) fn flat_joints(rig: &Rig) -> Vec<Diagnostic> {
     let is_flat = |joint: &DAffine3| {
         let m = joint.matrix3;
         let columns = m.x_axis.length() * m.y_axis.length() * m.z_axis.length();
@@ -68,9 +69,10 @@ pub(super) fn flat_joints(rig: &Rig) -> Vec<String> {
     };
     let flat = |skin: usize| {
         let joint = rig.palette(skin, None).iter().position(is_flat)?;
-        Some(format!(
-            "skin {skin}: joint {joint} flattens its vertices: those that follow only this joint have no volume"
-        ))
+        let text = format!(
+            "joint {joint} flattens its vertices: those that follow only this joint have no volume"
+        );
+        Some(Diagnostic::note("joint-flattens", text).about(format!("skin {skin}")))
     };
     (0..rig.skins.len()).filter_map(flat).collect()
 }
@@ -102,7 +104,7 @@ pub(super) fn pulls(
     primitive: &Primitive<'_>,
     vertices: usize,
     buffers: &[Vec<u8>],
-    notes: &mut Vec<String>,
+    notes: &mut Vec<Diagnostic>,
 ) -> Result<Vec<Pulls>, String> {
     let sets: BTreeSet<u32> = primitive
         .attributes()
@@ -118,8 +120,9 @@ pub(super) fn pulls(
             primitive.get(&Semantic::Joints(set)),
             primitive.get(&Semantic::Weights(set)),
         ) else {
-            notes.push(format!(
-                "passed over JOINTS_{set} or WEIGHTS_{set}: the other is missing"
+            notes.push(Diagnostic::note(
+                "joints-left-out",
+                format!("passed over JOINTS_{set} or WEIGHTS_{set}: the other is missing"),
             ));
             continue;
         };

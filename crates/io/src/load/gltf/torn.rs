@@ -6,6 +6,7 @@
 
 use std::sync::Arc;
 
+use cutaway::error::Diagnostic;
 use cutaway::scene::Edges;
 use cutaway::scene::topology::Sets;
 use cutaway::scene::weld::weld;
@@ -18,7 +19,7 @@ use super::super::Placed;
 type End = [u32; 3];
 
 /// Returns the parts after joining those that form one solid.
-pub(super) fn joined(placed: Vec<Placed>, notes: &mut Vec<String>) -> Vec<Placed> {
+pub(super) fn joined(placed: Vec<Placed>, notes: &mut Vec<Diagnostic>) -> Vec<Placed> {
     let mut open: Vec<([End; 2], u32)> = Vec::new();
     for (number, part) in (0..).zip(&placed) {
         if part.driver.is_none() && part.world_from_part.matrix3.determinant() > 0.0 {
@@ -42,8 +43,9 @@ pub(super) fn joined(placed: Vec<Placed>, notes: &mut Vec<String>) -> Vec<Placed
         };
         let name = whole.name.as_deref().unwrap_or("a part");
         let count = set.len();
-        notes.push(format!(
-            "{count} nodes form one part, {name}: they close each other's open edges"
+        notes.push(Diagnostic::note(
+            "nodes-joined",
+            format!("{count} nodes form one part, {name}: they close each other's open edges"),
         ));
         set.iter().for_each(|i| parts[*i] = None);
         parts[set[0]] = Some(whole);

@@ -3,6 +3,7 @@
 //! A header line that does not begin with a header word, even a misspelt one, is treated as a comment: old
 //! versions of Blender wrote comments that way. Blank lines are comments, too. Lines may end with LF, CR LF, or CR alone.
 
+use cutaway::error::Diagnostic;
 use std::path::Path;
 
 /// First words of header lines.
@@ -27,7 +28,7 @@ const MISSPELT: f64 = 0.8;
 pub(super) fn split<'a>(
     path: &Path,
     bytes: &'a [u8],
-    notes: &mut Vec<String>,
+    notes: &mut Vec<Diagnostic>,
 ) -> (String, &'a [u8]) {
     let (header, payload) = bytes.split_at(length(bytes));
     let header = String::from_utf8_lossy(header);
@@ -38,8 +39,8 @@ pub(super) fn split<'a>(
         let is_known = WORDS.iter().any(is_like);
         if !word.is_empty() && !is_known {
             let shown: String = line.trim().chars().take(40).collect();
-            let file = path.display();
-            notes.push(format!("{file}:{number}: read as a comment: {shown:?}"));
+            let text = format!("read as a comment: {shown:?}");
+            notes.push(Diagnostic::note("ply-unknown-keyword", text).at_line(path, number));
         }
         if !is_known {
             text.push_str("comment ");

@@ -11,7 +11,7 @@ mod text;
 use std::io::{BufRead, Read};
 use std::path::Path;
 
-use cutaway::error::{Error, Result};
+use cutaway::error::{Diagnostic, Error, Result};
 use cutaway::scene::weld::has_three;
 use cutaway::scene::{Mesh, TexturedTriangle, VertexPaint};
 use glam::{DVec3, Vec3};
@@ -194,7 +194,7 @@ impl<R: BufRead> Source<'_, '_, R> {
     }
 }
 
-pub(super) fn read(path: &Path, bytes: &[u8], notes: &mut Vec<String>) -> Result<Draft> {
+pub(super) fn read(path: &Path, bytes: &[u8], notes: &mut Vec<Diagnostic>) -> Result<Draft> {
     let bytes = without_mark(bytes);
     let (header_text, payload) = header::split(path, bytes, notes);
     let refuse = |fault: Fault| match fault.line {
@@ -433,7 +433,7 @@ mod tests {
                 assert_eq!(notes.len(), usize::from(is_read), "{notes:?}");
                 if let Ok(draft) = draft {
                     assert_eq!(draft.mesh.triangles.len(), 3, "{line}");
-                    assert!(notes[0].starts_with("t.ply:3: "), "{notes:?}");
+                    assert!(notes[0].to_string().starts_with("t.ply:3: "), "{notes:?}");
                 }
             }
         }

@@ -24,7 +24,7 @@ use std::ops::RangeInclusive;
 use std::path::Path;
 use std::sync::Arc;
 
-use cutaway::error::{Error, Result};
+use cutaway::error::{Diagnostic, Error, Result};
 use cutaway::scene::{LengthUnit, Mesh};
 use glam::{DAffine3, DVec3, Vec3};
 
@@ -53,7 +53,7 @@ type Key = (String, u32);
 pub(super) fn read(
     path: &Path,
     bytes: &[u8],
-    notes: &mut Vec<String>,
+    notes: &mut Vec<Diagnostic>,
 ) -> Result<(Vec<Placed>, LengthUnit)> {
     let mut package = Package::open(path, bytes)?;
     let first = package.model()?;
@@ -74,7 +74,10 @@ pub(super) fn read(
     };
     reader.build()?;
     if unit != LengthUnit::Mm {
-        notes.push(format!("its unit of length is the {}", unit.in_3mf()));
+        notes.push(Diagnostic::note(
+            "unit-of-length",
+            format!("its unit of length is the {}", unit.in_3mf()),
+        ));
     }
     for model in reader.models.values_mut() {
         notes.append(&mut model.notes);
@@ -112,9 +115,9 @@ struct Reader<'a> {
     /// Number of objects visited, including repeated visits.
     objects: usize,
     placed: Vec<Placed>,
-    /// Labels of objects, and notes about them.
-    of_objects: Vec<(String, String)>,
-    notes: Vec<String>,
+    /// Notes about objects.
+    of_objects: Vec<Diagnostic>,
+    notes: Vec<Diagnostic>,
 }
 
 /// Path to an object.
@@ -204,7 +207,7 @@ impl Reader<'_> {
         };
         let label = label(id, object);
         if let Some(of) = object.used_as {
-            self.of_objects.push((label, of.note("its mesh")));
+            self.of_objects.push(of.note("its mesh").about(label));
             return Ok(());
         }
         match &mut object.shape {
@@ -225,8 +228,8 @@ impl Reader<'_> {
                         .get(&pair)
                         .filter(|_| key.0.is_empty());
                     if let Some(of) = of {
-                        let what = of.note(&format!("component {}", component.object));
-                        self.of_objects.push((label.clone(), what));
+                        let note = of.note(&format!("component {}", component.object));
+                        self.of_objects.push(note.about(&label));
                         continue;
                     }
                     self.follow(&key.0, component, inner)?;
@@ -253,10 +256,10 @@ impl Reader<'_> {
         let unit = self.models.get("").map_or(model.unit, |root| root.unit);
         if unit != model.unit {
             let (own, of_root) = (model.unit.in_3mf(), unit.in_3mf());
-            let note = format!(
-                "{part}: lengths in the {own} are shown in the {of_root} of the first model"
-            );
-            self.notes.push(note);
+            let note =
+                format!("lengths in the {own} are shown in the {of_root} of the first model");
+            self.notes
+                .push(Diagnostic::note("3mf-units-differ", note).about(part));
         }
     }
 
@@ -273,7 +276,8 @@ impl Reader<'_> {
             "model" => {}
             "support" | "solidsupport" | "surface" | "other" => {
                 let what = format!("left out: its type is `{}`, not a solid", object.kind);
-                self.of_objects.push((label, what));
+                self.of_objects
+                    .push(Diagnostic::note("3mf-not-a-solid", what).about(label));
                 return Ok(());
             }
             unknown => {
@@ -295,7 +299,7 @@ impl Reader<'_> {
                     .filter(|_| key.0.is_empty())
                     .map_or(&[][..], Vec::as_slice);
                 let solid = solid(model, key.1, (&label, of_triangles), &mut said)?;
-                let said = said.into_iter().map(|what| (label.clone(), what));
+                let said = said.into_iter().map(|note| note.about(&label));
                 self.of_objects.extend(said);
                 self.solids.insert(key, solid.clone());
                 solid
@@ -329,7 +333,7 @@ fn solid(
     model: &mut Model,
     id: u32,
     (label, uses): (&str, &[(RangeInclusive<usize>, Use)]),
-    notes: &mut Vec<String>,
+    notes: &mut Vec<Diagnostic>,
 ) -> Result<Option<ShownSolid>> {
     let Some(object) = model.objects.get_mut(&id) else {
         return Ok(None);
@@ -342,14 +346,20 @@ fn solid(
     };
     let mut geometry = read?;
     if geometry.has_beams {
-        notes.push("its beams are not drawn, its triangles are".to_owned());
+        notes.push(Diagnostic::note(
+            "3mf-beams",
+            "its beams are not drawn, its triangles are",
+        ));
     }
     for (range, of) in uses {
         notes.push(of.note(&format!("triangles {} to {}", range.start(), range.end())));
     }
     geometry.keep(|triangle| !uses.iter().any(|(range, _)| range.contains(&triangle)));
     if geometry.mesh.triangles.is_empty() {
-        notes.push("left out: it has no triangles".to_owned());
+        notes.push(Diagnostic::note(
+            "no-triangles",
+            "left out: it has no triangles",
+        ));
         return Ok(None);
     }
     let look = model.properties.look(&geometry, object.default);

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 use std::path::PathBuf;
 
-use cutaway::error::Result;
+use cutaway::error::{Diagnostic, Result};
 use cutaway::scene::LengthUnit;
 use glam::DAffine3;
 
@@ -27,7 +27,7 @@ pub(super) struct Model {
     pub(super) properties: Properties,
     /// Items of the build; `None` if the model has no `<build>`.
     pub(super) items: Option<Vec<Reference>>,
-    pub(super) notes: Vec<String>,
+    pub(super) notes: Vec<Diagnostic>,
 }
 
 /// An object.
@@ -114,13 +114,16 @@ impl Model {
                 0 => String::new(),
                 others => format!(" and {others} more"),
             };
-            model
-                .notes
-                .push(format!("passed over <{first}>{more}: not part of a mesh"));
+            model.notes.push(Diagnostic::note(
+                "3mf-unknown-element",
+                format!("passed over <{first}>{more}: not part of a mesh"),
+            ));
         }
         for id in &model.properties.repeated {
             let what = format!("properties {id} occur twice: the first are used");
-            model.notes.push(what);
+            model
+                .notes
+                .push(Diagnostic::note("3mf-repeated-properties", what));
         }
         Ok(model)
     }

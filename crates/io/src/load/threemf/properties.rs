@@ -9,7 +9,7 @@ use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-use cutaway::error::Result;
+use cutaway::error::{Diagnostic, Result};
 use cutaway::scene::weld::thousands;
 use cutaway::scene::{Texture, VertexPaint};
 use glam::{Vec2, Vec3};
@@ -69,7 +69,7 @@ pub(super) struct Look {
     pub(super) color: Option<Vec3>,
     pub(super) materials: Vec<String>,
     pub(super) is_transparent: bool,
-    pub(super) notes: Vec<String>,
+    pub(super) notes: Vec<Diagnostic>,
 }
 
 impl Properties {
@@ -139,7 +139,7 @@ impl Properties {
     pub(super) fn read_images(
         &mut self,
         read: &mut dyn FnMut(&str) -> std::result::Result<Arc<Texture>, String>,
-    ) -> Vec<String> {
+    ) -> Vec<Diagnostic> {
         let with_places = self.groups.values().filter_map(|group| match group {
             Group::Places(image, _) => Some(*image),
             _ => None,
@@ -149,7 +149,10 @@ impl Properties {
         for (_, image) in (self.images.iter_mut()).filter(|(id, _)| with_places.contains(id)) {
             match read(&image.path) {
                 Ok(texture) => image.texture = Some(texture),
-                Err(what) => notes.push(format!("{}: {what}", shortened(&image.path))),
+                Err(what) => {
+                    let note = Diagnostic::note("image-left-out", what);
+                    notes.push(note.about(shortened(&image.path)));
+                }
             }
         }
         notes
@@ -278,17 +281,26 @@ impl Properties {
         look.color = by_count.map(|(color, _)| vec3(*color));
         look.is_transparent = opaque == 0 && !painted.is_empty();
         look.materials = names.into_keys().map(str::to_owned).collect();
-        for (count, what) in [
+        for (count, code, what) in [
             (
                 mixed,
+                "3mf-several-properties",
                 "several materials or properties, of which one is shown",
             ),
-            (textured, "a texture that is not there or cannot be read"),
-            (missing, "a property that is not there or has no colour"),
+            (
+                textured,
+                "3mf-texture-left-out",
+                "a texture that is not there or cannot be read",
+            ),
+            (
+                missing,
+                "3mf-property-missing",
+                "a property that is not there or has no colour",
+            ),
         ] {
             if count > 0 {
-                look.notes
-                    .push(format!("{} triangles have {what}", thousands(count)));
+                let text = format!("{} triangles have {what}", thousands(count));
+                look.notes.push(Diagnostic::note(code, text));
             }
         }
         look

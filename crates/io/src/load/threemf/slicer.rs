@@ -10,7 +10,7 @@
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 
-use cutaway::error::Result;
+use cutaway::error::{Diagnostic, Result};
 
 use super::package::{Package, Text};
 use super::xml::{Element, Xml};
@@ -53,22 +53,22 @@ impl Use {
     }
 
     /// A note on what is left out.
-    pub(super) fn note(self, what: &str) -> String {
-        match self {
-            Self::Modifier => {
-                format!("left out {what}, a modifier of the slicer: a region, not a solid")
-            }
-            Self::Negative => {
-                format!(
-                    "left out {what}, a negative part of the slicer: it is not taken away from the solids that it overlaps"
-                )
-            }
-            Self::Support => {
-                format!(
-                    "left out {what}, where the slicer enforces or blocks supports: a region, not a solid"
-                )
-            }
-        }
+    pub(super) fn note(self, what: &str) -> Diagnostic {
+        let (code, text) = match self {
+            Self::Modifier => (
+                "slicer-modifier",
+                "a modifier of the slicer: a region, not a solid",
+            ),
+            Self::Negative => (
+                "slicer-negative",
+                "a negative part of the slicer: it is not taken away from the solids that it overlaps",
+            ),
+            Self::Support => (
+                "slicer-support",
+                "where the slicer enforces or blocks supports: a region, not a solid",
+            ),
+        };
+        Diagnostic::note(code, format!("left out {what}, {text}"))
     }
 }
 
@@ -83,15 +83,16 @@ pub(super) struct Uses {
 
 impl Uses {
     /// Reads the uses in a package; an unreadable one becomes a note.
-    pub(super) fn read(package: &mut Package<'_>, notes: &mut Vec<String>) -> Self {
+    pub(super) fn read(package: &mut Package<'_>, notes: &mut Vec<Diagnostic>) -> Self {
         let mut uses = Self::default();
         for part in PARTS {
             let read = package.read_if_there(part);
             let read = read.and_then(|text| text.map_or(Ok(()), |text| uses.add(&text)));
             if let Err(e) = read {
                 let why = e.into_what();
-                notes.push(format!(
-                    "{part} is not read: {why}: meshes that are not solids may be shown"
+                notes.push(Diagnostic::note(
+                    "slicer-file-unread",
+                    format!("{part} is not read: {why}: meshes that are not solids may be shown"),
                 ));
             }
         }

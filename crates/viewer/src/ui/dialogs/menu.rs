@@ -5,9 +5,9 @@ use eframe::egui::{Button, Context, Grid, ThemePreference, Ui, Window};
 
 use super::keys::{self, Does};
 use crate::action::Action;
-use crate::notice::Notice;
 use crate::picture::camera::CameraMove;
 use crate::ui::Viewer;
+use cutaway::error::Diagnostic;
 
 impl Viewer {
     pub(in crate::ui) fn keys(&mut self, ctx: &Context, actions: &mut Vec<Action>) {
@@ -113,8 +113,10 @@ impl Viewer {
         match self.state.command(self.size_px) {
             Ok(command) => {
                 ctx.copy_text(command);
-                self.toasts
-                    .add(ctx, Notice::done("the command is in the clipboard"));
+                self.toasts.add(
+                    ctx,
+                    Diagnostic::note("copied", "the command is in the clipboard"),
+                );
             }
             Err(error) => self.toasts.add(ctx, error.into()),
         }

@@ -1,22 +1,22 @@
-//! Notices in a corner: success notices disappear by themselves, errors stay until they are closed.
+//! Notices in a corner: notes disappear by themselves, warnings and errors stay until they are closed.
 
 use std::time::Duration;
 
 use eframe::egui::{self, Align2, Area, Color32, Frame, RichText, Vec2};
 
-use crate::notice::Notice;
+use cutaway::error::{Diagnostic, Severity};
 
 /// Display time of a notice about a completed action.
 const SHOWN_FOR: Duration = Duration::from_secs(4);
 
 /// Notices that are shown, and since when, on egui's clock in seconds.
 #[derive(Debug, Default)]
-pub(in crate::ui) struct Toasts(Vec<(Notice, f64)>);
+pub(in crate::ui) struct Toasts(Vec<(Diagnostic, f64)>);
 
 impl Toasts {
     /// Adds a notice.
-    pub(in crate::ui) fn add(&mut self, ctx: &egui::Context, notice: Notice) {
-        let is_same = |(held, _): &(Notice, f64)| *held == notice;
+    pub(in crate::ui) fn add(&mut self, ctx: &egui::Context, notice: Diagnostic) {
+        let is_same = |(held, _): &(Diagnostic, f64)| *held == notice;
         self.0.retain(|held| !is_same(held));
         self.0.push((notice, ctx.input(|input| input.time)));
     }
@@ -24,8 +24,8 @@ impl Toasts {
     /// Draws them.
     pub(in crate::ui) fn show(&mut self, ctx: &egui::Context) {
         let now = ctx.input(|input| input.time);
-        let is_there = |(notice, since): &(Notice, f64)| {
-            notice.is_error || now - since < SHOWN_FOR.as_secs_f64()
+        let is_there = |(notice, since): &(Diagnostic, f64)| {
+            notice.severity > Severity::Note || now - since < SHOWN_FOR.as_secs_f64()
         };
         self.0.retain(is_there);
         if self.0.is_empty() {
@@ -39,8 +39,8 @@ impl Toasts {
             for (index, (notice, _)) in self.0.iter().enumerate() {
                 Frame::popup(ui.style()).show(ui, |ui| {
                     ui.horizontal_top(|ui| {
-                        let text = RichText::new(&notice.text);
-                        ui.label(match notice.is_error {
+                        let text = RichText::new(notice.to_string());
+                        ui.label(match notice.severity > Severity::Note {
                             true => text.color(error_color(ui)),
                             false => text,
                         });

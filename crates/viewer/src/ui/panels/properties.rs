@@ -56,7 +56,7 @@ fn scene(ui: &mut Ui, state: &State, actions: &mut Vec<Action>) {
         let parts = shown.scene.parts.len();
         ui.label(format!("{faces} faces in {parts} parts"));
         for note in shown.timeline.notes() {
-            ui.weak(note);
+            ui.weak(note.to_string());
         }
     }
 }

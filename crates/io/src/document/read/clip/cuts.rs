@@ -7,7 +7,7 @@
 
 use std::sync::Arc;
 
-use cutaway::error::{Result, did_you_mean};
+use cutaway::error::{Diagnostic, Result, did_you_mean};
 use cutaway::scene::relief::place_map;
 use cutaway::scene::{
     Amount, Bounds, ClipSurface, Cut, CutoutFrame, Offset, OffsetMap, Part, PlaneSpec, Role, Up,
@@ -64,7 +64,7 @@ pub(in crate::document::read) fn read(
     index: usize,
     (cutter, frame): (Option<&cutters::CutterSource>, Option<&CutoutFrame>),
     context: &Context<'_>,
-    notes: &mut Vec<String>,
+    notes: &mut Vec<Diagnostic>,
 ) -> Result<Vec<Cut>> {
     let table = entry.table(KEYS.all())?;
     let desc: CutDesc = described::read(&table)?;
@@ -92,7 +92,7 @@ pub(in crate::document::read) fn read(
     }
     let may_cut = |p: &Part| cut.enabled && p.role == Role::Exterior && cut.names(p);
     if !context.parts.iter().any(may_cut) {
-        notes.push(format!("{}: it cuts no part", entry.key));
+        notes.push(Diagnostic::note("cuts-no-part", "it cuts no part").about(&entry.key));
     }
     if let Some(offsets) = table.get("offset") {
         if has_volume {
@@ -168,7 +168,7 @@ fn offsets_of(
     entry: &Entry<'_>,
     cut: &Cut,
     context: &Context<'_>,
-    notes: &mut Vec<String>,
+    notes: &mut Vec<Diagnostic>,
 ) -> Result<Vec<Offset>> {
     let diagonal = context.bounds.size().length();
     let mut offsets = Vec::new();
@@ -176,7 +176,8 @@ fn offsets_of(
         must_name_a_part(&value, glob, context)?;
         let mut cut_parts = context.parts.iter().filter(|p| cut.names(p));
         if !cut_parts.any(|p| glob_matches(glob, &p.name)) {
-            notes.push(format!("{}: no part of the cut has this name", value.key));
+            let note = Diagnostic::note("no-such-part", "no part of the cut has this name");
+            notes.push(note.about(&value.key));
         }
         let keeps = match value.amount()? {
             Amount::Units(v) => v,

@@ -1,10 +1,18 @@
-//! The library's only error type.
+//! The library's only error type, and the form of all messages to users.
 //!
 //! An error names the culprit (file, line, option, key), states what is wrong and how to fix it. A strategy's refusals and overflows
 //! are not errors but outcomes of a frame (see [`crate::strategies::Refusal`] and
 //! [`crate::session::Outcome`]).
 
+mod diagnostic;
+
 use std::path::{Path, PathBuf};
+
+pub use diagnostic::{Diagnostic, FilePosition, Severity};
+
+/// Advice where a plan exceeds the adapter's limits.
+const OVER_A_LIMIT: &str =
+    "lower --resolution, or choose an adapter that binds more with --adapter";
 
 /// Every error of the library, from reading a file to drawing a picture.
 #[derive(Debug, thiserror::Error)]
@@ -57,7 +65,7 @@ pub enum Error {
     #[error("plan: {0}")]
     Plan(String),
     /// A plan that exceeds the adapter's limits; the strategy's frame is then refused.
-    #[error("{0}\n  help: lower --resolution, or choose an adapter that binds more with --adapter")]
+    #[error("{0}\n  help: {OVER_A_LIMIT}")]
     Limit(String),
 }
 
