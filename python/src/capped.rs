@@ -11,7 +11,7 @@ use crate::arrays::rows;
 use crate::door::{Result, detached};
 use crate::opened::Purpose;
 use crate::scene::Scene;
-use crate::state::{Asked, Shared};
+use crate::state::{CallSettings, Shared};
 
 /// A half as arrays.
 struct Flat {
@@ -26,7 +26,7 @@ struct Flat {
 }
 
 /// Both halves of a part.
-struct Divided {
+struct DividedPart {
     name: String,
     kept: Flat,
     removed: Flat,
@@ -83,7 +83,7 @@ pub(crate) fn capped<'py>(
     scene: &Scene,
     py: Python<'py>,
     relief_cells: u32,
-    asked: Asked,
+    asked: CallSettings,
 ) -> PyResult<Bound<'py, PyList>> {
     let scene = scene.shared();
     let divided = detached(py, move || divided(&scene, relief_cells, asked))?;
@@ -100,7 +100,7 @@ pub(crate) fn capped<'py>(
     Ok(parts)
 }
 
-fn divided(scene: &Shared, relief_cells: u32, asked: Asked) -> Result<Vec<Divided>> {
+fn divided(scene: &Shared, relief_cells: u32, asked: CallSettings) -> Result<Vec<DividedPart>> {
     let shown = scene
         .state()
         .open(asked, Purpose::Measurement)?
@@ -114,7 +114,7 @@ fn divided(scene: &Shared, relief_cells: u32, asked: Asked) -> Result<Vec<Divide
     Ok(parts.iter().map(|part| of_part(&shown, part)).collect())
 }
 
-fn of_part(shown: &Shown, part: &CappedPart) -> Divided {
+fn of_part(shown: &Shown, part: &CappedPart) -> DividedPart {
     // Clip-surfaces are numbered through all cuts, a cutter after the others of its cut.
     let before = |cut: usize| -> usize {
         let cuts = shown.cuts[..cut].iter();
@@ -125,7 +125,7 @@ fn of_part(shown: &Shown, part: &CappedPart) -> Divided {
         i32::try_from(before(part.cuts[region]) + plane).unwrap_or(i32::MAX)
     };
     let defects = part.halves.defects.iter().filter(|d| d.loses_cap());
-    Divided {
+    DividedPart {
         name: shown.parts[part.part].name.clone(),
         kept: Flat::of(&part.halves.kept, number_of),
         removed: Flat::of(&part.halves.removed, number_of),

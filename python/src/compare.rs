@@ -8,9 +8,9 @@ use pyo3::prelude::*;
 
 use crate::device::with_session;
 use crate::door::{Result, stoppable};
-use crate::opened::{Opened, Purpose, view};
+use crate::opened::{OpenedDocument, Purpose, view};
 use crate::scene::Scene;
-use crate::state::Asked;
+use crate::state::CallSettings;
 
 /// Judges strategies, and gives JSON. An interrupt of Python ends it after the present round.
 pub(crate) fn compare(
@@ -18,7 +18,7 @@ pub(crate) fn compare(
     py: Python<'_>,
     strategies: Vec<String>,
     rounds: usize,
-    asked: Asked,
+    asked: CallSettings,
     command: String,
 ) -> PyResult<String> {
     let scene = scene.shared();
@@ -52,7 +52,7 @@ fn renderers(names: &[String]) -> Result<Vec<Renderer>> {
 }
 
 fn judged(
-    opened: &Opened,
+    opened: &OpenedDocument,
     renderers: &[Renderer],
     rounds: usize,
     command: String,

@@ -21,7 +21,7 @@ pub(crate) enum Purpose {
 }
 
 /// A document and its scene.
-pub(crate) struct Opened {
+pub(crate) struct OpenedDocument {
     document: Document,
     purpose: Purpose,
     pub(crate) timeline: Timeline,
@@ -29,7 +29,7 @@ pub(crate) struct Opened {
     pub(crate) at: SceneAtTime,
 }
 
-impl Opened {
+impl OpenedDocument {
     /// Opens a document at its own time. Data in common with the last one is reused.
     pub(crate) fn of(
         mut document: Document,
@@ -73,7 +73,7 @@ impl Opened {
 }
 
 /// The view of a picture of the requested size; an error if its rays are not finite.
-pub(crate) fn view(opened: &Opened) -> Result<View> {
+pub(crate) fn view(opened: &OpenedDocument) -> Result<View> {
     let view = (opened.at.model.prepared).view(opened.timeline.settings().size_px());
     match view.defect() {
         None => Ok(view),

@@ -17,15 +17,15 @@ use pyo3::types::{PyBytes, PyDict};
 use crate::arrays::pixels;
 use crate::device::with_session;
 use crate::door::{Result, detached};
-use crate::opened::{Opened, Purpose, shortfall, view};
+use crate::opened::{OpenedDocument, Purpose, shortfall, view};
 use crate::scene::Scene;
-use crate::state::Asked;
+use crate::state::CallSettings;
 
 /// Default supersampling factor.
 const USUAL_SUPERSAMPLE: u32 = 2;
 
 /// A drawn frame.
-struct Drawn {
+struct RenderedFrame {
     rgba: Vec<u8>,
     size_px: [u32; 2],
     layers: Channels,
@@ -80,7 +80,7 @@ impl Channels {
 pub(crate) fn render<'py>(
     scene: &Scene,
     py: Python<'py>,
-    asked: Asked,
+    asked: CallSettings,
 ) -> PyResult<Bound<'py, PyDict>> {
     let scene = scene.shared();
     let drawn = detached(py, move || {
@@ -121,8 +121,8 @@ pub(crate) fn render<'py>(
     Ok(result)
 }
 
-fn draw(session: &mut Session, opened: &Opened) -> Result<Drawn> {
-    let Opened {
+fn draw(session: &mut Session, opened: &OpenedDocument) -> Result<RenderedFrame> {
+    let OpenedDocument {
         timeline,
         scene,
         at,
@@ -166,7 +166,7 @@ fn draw(session: &mut Session, opened: &Opened) -> Result<Drawn> {
     let fineness = settings.supersample.unwrap_or(USUAL_SUPERSAMPLE);
     let image = picture::draw(session, at, &view, renderer, fineness)?.image;
     let of_cut = |number: usize| prepared.cuts.get(number).map(|cut| cut.name.clone());
-    Ok(Drawn {
+    Ok(RenderedFrame {
         size_px: view.size_px,
         rgba: image.into_raw(),
         layers: Channels::of(&layers, doubted, prepared.scale),

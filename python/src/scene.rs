@@ -14,15 +14,15 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 
 use crate::door::{detached, raised};
-use crate::state::{Asked, Shared, State, entries, has_parts};
+use crate::state::{CallSettings, Shared, SceneState, entries, has_parts};
 use crate::{arrays, values};
 
 /// A scene: parts, cuts, a camera and a look, as a document has them.
 #[pyclass(frozen, module = "cutaway._native")]
 pub(crate) struct Scene(Arc<Shared>);
 
-impl From<State> for Scene {
-    fn from(state: State) -> Self {
+impl From<SceneState> for Scene {
+    fn from(state: SceneState) -> Self {
         Self(Arc::new(state.into()))
     }
 }
@@ -36,7 +36,7 @@ impl Scene {
     fn add_draft(
         &self,
         py: Python<'_>,
-        draft: impl FnOnce(&State) -> PartDraft + Send + 'static,
+        draft: impl FnOnce(&SceneState) -> PartDraft + Send + 'static,
         fields: Vec<(String, Value)>,
     ) -> PyResult<()> {
         let scene = self.shared();
@@ -55,14 +55,14 @@ impl Scene {
 impl Scene {
     #[new]
     fn new() -> Self {
-        State::new(Document::new()).into()
+        SceneState::new(Document::new()).into()
     }
 
     /// A scene file.
     #[staticmethod]
     fn read(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
         detached(py, move || {
-            let mut state = State::new(Document::read(&path)?);
+            let mut state = SceneState::new(Document::read(&path)?);
             state.amend(|_| Ok(()))?;
             Ok(state.into())
         })
@@ -95,7 +95,7 @@ impl Scene {
         arrays: Vec<(String, Vec<u8>)>,
     ) -> PyResult<Self> {
         detached(py, move || {
-            Ok(State::unpickled(&text, &path, arrays)?.into())
+            Ok(SceneState::unpickled(&text, &path, arrays)?.into())
         })
     }
 
@@ -122,7 +122,7 @@ impl Scene {
                 help,
             )));
         }
-        let draft = move |state: &State| part(&state.store.keep(plain_ply(&mesh))).name(&name);
+        let draft = move |state: &SceneState| part(&state.store.keep(plain_ply(&mesh))).name(&name);
         self.add_draft(py, draft, entries(fields)?)
     }
 
@@ -211,7 +211,7 @@ impl Scene {
             if !has_parts(&state.document) {
                 return Ok(Default::default());
             }
-            let State {
+            let SceneState {
                 document, assets, ..
             } = &mut *state;
             let timeline = document.timeline(assets)?;
@@ -263,7 +263,7 @@ impl Scene {
         set: &Bound<'_, PyDict>,
         camera: &Bound<'_, PyDict>,
     ) -> PyResult<Bound<'py, PyDict>> {
-        crate::render::render(self, py, Asked::of(set, camera)?)
+        crate::render::render(self, py, CallSettings::of(set, camera)?)
     }
 
     /// Slices it: see `crate::section`.
@@ -274,7 +274,7 @@ impl Scene {
         set: &Bound<'_, PyDict>,
     ) -> PyResult<Bound<'py, PyDict>> {
         let none = PyDict::new(py);
-        crate::section::section(self, py, spec, Asked::of(set, &none)?)
+        crate::section::section(self, py, spec, CallSettings::of(set, &none)?)
     }
 
     /// Divides it: see `crate::capped`.
@@ -290,7 +290,7 @@ impl Scene {
             )));
         }
         let none = PyDict::new(py);
-        crate::capped::capped(self, py, relief_cells, Asked::of(set, &none)?)
+        crate::capped::capped(self, py, relief_cells, CallSettings::of(set, &none)?)
     }
 
     /// Judges strategies: see `crate::compare`.
@@ -303,7 +303,7 @@ impl Scene {
         camera: &Bound<'_, PyDict>,
         command: String,
     ) -> PyResult<String> {
-        let asked = Asked::of(set, camera)?;
+        let asked = CallSettings::of(set, camera)?;
         crate::compare::compare(self, py, strategies, rounds, asked, command)
     }
 }

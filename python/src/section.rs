@@ -15,16 +15,16 @@ use crate::arrays::points;
 use crate::door::{Result, detached};
 use crate::opened::Purpose;
 use crate::scene::Scene;
-use crate::state::{Asked, Shared};
+use crate::state::{CallSettings, Shared};
 
 /// A ring of points.
-type Ring = Vec<[f64; 2]>;
+type PolygonRing = Vec<[f64; 2]>;
 
 /// Section of a scene by a plane.
-struct Sliced {
-    axes: Axes,
+struct SceneSection {
+    axes: PlaneAxes,
     /// Outer ring and holes, with the name of the part.
-    polygons: Vec<(Ring, Vec<Ring>, String)>,
+    polygons: Vec<(PolygonRing, Vec<PolygonRing>, String)>,
     area: f64,
     perimeter: f64,
     doubts: Vec<String>,
@@ -32,14 +32,14 @@ struct Sliced {
 
 /// The frame of the plane.
 #[derive(Clone, Copy)]
-struct Axes {
+struct PlaneAxes {
     origin: DVec3,
     u: DVec3,
     v: DVec3,
     normal: DVec3,
 }
 
-impl Axes {
+impl PlaneAxes {
     fn of(plane: &SlicePlane) -> Self {
         let normal = plane.frame.normal;
         let nearest = (0..3).fold(0, |a, b| match normal[b].abs() > normal[a].abs() {
@@ -68,7 +68,7 @@ pub(crate) fn section<'py>(
     scene: &Scene,
     py: Python<'py>,
     spec: &str,
-    asked: Asked,
+    asked: CallSettings,
 ) -> PyResult<Bound<'py, PyDict>> {
     let (scene, spec) = (scene.shared(), spec.to_owned());
     let sliced = detached(py, move || sliced(&scene, &spec, asked))?;
@@ -85,7 +85,7 @@ pub(crate) fn section<'py>(
     result.set_item("parts", names)?;
     result.set_item("area", sliced.area)?;
     result.set_item("perimeter", sliced.perimeter)?;
-    let Axes {
+    let PlaneAxes {
         origin,
         u,
         v,
@@ -98,14 +98,14 @@ pub(crate) fn section<'py>(
     Ok(result)
 }
 
-fn sliced(scene: &Shared, spec: &str, asked: Asked) -> Result<Sliced> {
+fn sliced(scene: &Shared, spec: &str, asked: CallSettings) -> Result<SceneSection> {
     let mut state = scene.state();
     let shown = state.open(asked, Purpose::Measurement)?.scene.clone();
     let surface = section_draft(spec).on_from(&shown.bounds(), &mut state.assets)?;
     drop(state);
     let plane = SlicePlane::from(&surface);
-    let axes = Axes::of(&plane);
-    let mut sliced = Sliced {
+    let axes = PlaneAxes::of(&plane);
+    let mut sliced = SceneSection {
         axes,
         polygons: Vec::new(),
         area: 0.0,
@@ -121,7 +121,7 @@ fn sliced(scene: &Shared, spec: &str, asked: Asked) -> Result<Sliced> {
             let at: DVec2 = found.points[*number as usize];
             axes.uv(near.point(at))
         };
-        let ring = |points: &Vec<u32>| -> Ring { points.iter().map(point).collect() };
+        let ring = |points: &Vec<u32>| -> PolygonRing { points.iter().map(point).collect() };
         for polygon in found.polygons() {
             let holes = polygon.holes.iter().map(ring).collect();
             let named = (ring(&polygon.outer), holes, part.name.clone());

@@ -15,22 +15,22 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::door::Result;
-use crate::opened::{Opened, Purpose};
-use crate::store::{NamedBytes, Store};
+use crate::opened::{OpenedDocument, Purpose};
+use crate::store::{NamedBytes, ArrayStore};
 use crate::{camera, values};
 
 /// The state of a scene, which threads of its calls use in turn.
-pub(crate) struct Shared(Mutex<State>);
+pub(crate) struct Shared(Mutex<SceneState>);
 
-impl From<State> for Shared {
-    fn from(state: State) -> Self {
+impl From<SceneState> for Shared {
+    fn from(state: SceneState) -> Self {
         Self(Mutex::new(state))
     }
 }
 
 impl Shared {
     /// The state. Lock it without holding the interpreter lock, because its holder may wait for that.
-    pub(crate) fn state(&self) -> MutexGuard<'_, State> {
+    pub(crate) fn state(&self) -> MutexGuard<'_, SceneState> {
         self.0.lock().unwrap_or_else(|poisoned| {
             // Documents are never half changed; what was drawn may be.
             let mut state = PoisonError::into_inner(poisoned);
@@ -45,22 +45,22 @@ impl Shared {
 const IN_ROOT: &str = "/scene.toml";
 
 /// State of a scene.
-pub(crate) struct State {
+pub(crate) struct SceneState {
     pub(crate) document: Document,
     pub(crate) assets: Assets,
-    pub(crate) store: Arc<Store>,
-    opened: Option<Opened>,
+    pub(crate) store: Arc<ArrayStore>,
+    opened: Option<OpenedDocument>,
 }
 
 /// Settings of a single call on top of the scene: paths and their values, and keys of the camera.
 #[derive(Clone, Default)]
-pub(crate) struct Asked {
+pub(crate) struct CallSettings {
     /// Values by their paths, the style among them by its name or file.
     values: Vec<(String, Value)>,
     camera: Vec<(String, Value)>,
 }
 
-impl Asked {
+impl CallSettings {
     /// Reads the settings from two Python tables.
     pub(crate) fn of(set: &Bound<'_, PyDict>, camera: &Bound<'_, PyDict>) -> PyResult<Self> {
         Ok(Self {
@@ -78,9 +78,9 @@ pub(crate) fn entries(table: &Bound<'_, PyDict>) -> PyResult<Vec<(String, Value)
     table.iter().map(entry).collect()
 }
 
-impl State {
+impl SceneState {
     pub(crate) fn new(document: Document) -> Self {
-        let store = Arc::new(Store::default());
+        let store = Arc::new(ArrayStore::default());
         Self {
             document,
             assets: Assets::from_files(store.clone()),
@@ -113,7 +113,7 @@ impl State {
         Ok((text, path, self.store.all()))
     }
 
-    /// A scene that was [pickled](State::pickled). What it names is read again.
+    /// A scene that was [pickled](SceneState::pickled). What it names is read again.
     pub(crate) fn unpickled(
         text: &str,
         path: &Path,
@@ -139,7 +139,7 @@ impl State {
     }
 
     /// Opens the document with a call's settings.
-    pub(crate) fn open(&mut self, asked: Asked, purpose: Purpose) -> Result<&Opened> {
+    pub(crate) fn open(&mut self, asked: CallSettings, purpose: Purpose) -> Result<&OpenedDocument> {
         let mut document = self.document.clone();
         must_have_parts(&document)?;
         camera::aim(&mut document, asked.camera)?;
@@ -152,7 +152,7 @@ impl State {
                 }
             }
         }
-        let opened = Opened::of(document, &mut self.assets, purpose, self.opened.take())?;
+        let opened = OpenedDocument::of(document, &mut self.assets, purpose, self.opened.take())?;
         Ok(self.opened.insert(opened))
     }
 

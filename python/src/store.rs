@@ -17,9 +17,9 @@ pub(crate) type NamedBytes = (String, Arc<[u8]>);
 
 /// The files on disk, and those of arrays.
 #[derive(Debug, Default)]
-pub(crate) struct Store(RwLock<BTreeMap<String, Arc<[u8]>>>);
+pub(crate) struct ArrayStore(RwLock<BTreeMap<String, Arc<[u8]>>>);
 
-impl Store {
+impl ArrayStore {
     /// Stores bytes under a new name, for use in documents.
     pub(crate) fn keep(&self, bytes: Vec<u8>) -> String {
         let mut held = self.0.write().unwrap_or_else(PoisonError::into_inner);
@@ -56,7 +56,7 @@ pub(crate) fn is_virtual(path: &Path) -> bool {
     path.parent().is_some_and(|folder| folder.ends_with(FOLDER))
 }
 
-impl Files for Store {
+impl Files for ArrayStore {
     fn read(&self, path: &Path) -> io::Result<Cow<'_, [u8]>> {
         match self.held(path) {
             Some(bytes) => Ok(bytes.to_vec().into()),

@@ -10,12 +10,12 @@ pub(super) const RAMP_PX: u32 = 16;
 
 /// The borders of a frame, and the positions of their strokes.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Strokes {
+pub(super) struct StrokeBuffers {
     pub(super) borders: ResourceId,
     pub(super) strokes: ResourceId,
 }
 
-impl Strokes {
+impl StrokeBuffers {
     /// Adds their buffers to the plan.
     pub(super) fn new(plan: &mut Plan, scene: &SceneBuffers<'_>) -> Self {
         let [borders, strokes] =

@@ -6,7 +6,7 @@
 use super::pixels::{Pixels, per_pixel};
 use super::vertex_paint::vertex_paint;
 use crate::passes::SceneBuffers;
-use crate::plan::{Binding, Clock, Contents, Plan, Resource, ResourceId, Role, pack};
+use crate::plan::{Binding, BufferRole, Clock, Contents, Plan, Resource, ResourceId, pack};
 use crate::scene::PreparedSurface;
 use crate::shader::Shader;
 
@@ -23,8 +23,8 @@ pub(super) fn cap_materials(
         return None;
     }
     let [textures, texels] = cap_materials.textures();
-    let textures = Resource::upload("textures", Role::Storage, textures, Clock::Cut);
-    let texels = Resource::upload("texels", Role::Storage, texels, Clock::Cut);
+    let textures = Resource::upload("textures", BufferRole::Storage, textures, Clock::Cut);
+    let texels = Resource::upload("texels", BufferRole::Storage, texels, Clock::Cut);
     let textures = [
         Binding::read("textures", plan.add_resource(textures)),
         Binding::read("texels", plan.add_resource(texels)),
@@ -43,10 +43,14 @@ pub(super) fn cap_materials(
         scene.frame.clone(),
         scene.parts.clone(),
         Binding::read("layers", layers),
-        table("cap_materials", Role::Storage, cap_materials.materials()),
+        table(
+            "cap_materials",
+            BufferRole::Storage,
+            cap_materials.materials(),
+        ),
         Binding::write("picture", picture),
         Binding::write("lit_layers", lit),
-        table("cap_material_planes", Role::Uniform, planes),
+        table("cap_material_planes", BufferRole::Uniform, planes),
     ];
     bindings.extend(textures);
     let shader = Shader::from("effects/cap_materials.wgsl").with(match vertex_paints {

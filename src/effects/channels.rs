@@ -2,7 +2,7 @@
 //! are the same as for the picture; the plan of a picture contains no such passes.
 
 use super::ambient::occlusion::occlusion;
-use super::borders::Strokes;
+use super::borders::StrokeBuffers;
 use super::hatch::{hatch, zoom_of};
 use super::pixels::{Pixels, over_picture, per_pixel};
 use super::style_numbers::style_numbers;
@@ -20,7 +20,8 @@ pub(super) fn channels(plan: &mut Plan, scene: &SceneBuffers<'_>, layers: Resour
     let style = scene.input.model.prepared.style;
     let numbers = style_numbers(plan, scene);
     let stroke = (style.strokes.widest() > 0.0).then(|| {
-        let strokes = Strokes::new(plan, scene).find(plan, Pixels::all(scene), &numbers, layers);
+        let strokes =
+            StrokeBuffers::new(plan, scene).find(plan, Pixels::all(scene), &numbers, layers);
         let stroke = per_pixel(plan, scene, STROKE, 4);
         over_picture(
             plan,

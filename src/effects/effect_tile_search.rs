@@ -9,12 +9,12 @@
 
 use super::ambient::horizon;
 use super::backdrop::backdrop;
-use super::borders::Strokes;
+use super::borders::StrokeBuffers;
 use super::effect_tiles::EffectTiles;
 use super::halo;
 use super::style_numbers::reach_px;
 use crate::passes::{SceneBuffers, TILE_PX, tiles_in};
-use crate::plan::{Binding, Clock, Contents, Pass, Plan, Resource, ResourceId, Role, Work};
+use crate::plan::{Binding, BufferRole, Clock, Contents, Pass, Plan, Resource, ResourceId, Work};
 use crate::scene::View;
 use crate::scene::style::{Paper, Style};
 use crate::shader::Shader;
@@ -39,7 +39,7 @@ impl EffectTiles {
         scene: &SceneBuffers<'_>,
         style_numbers: &Binding,
         layers: ResourceId,
-        (picture, strokes): (ResourceId, Option<Strokes>),
+        (picture, strokes): (ResourceId, Option<StrokeBuffers>),
     ) -> Option<Self> {
         let model = scene.input.model;
         let style = &model.prepared.style;
@@ -51,7 +51,7 @@ impl EffectTiles {
         // The size of a WGSL struct is a multiple of its alignment, also with a single tile.
         let bytes = (BYTES_OF_HEAD + u64::from(tile_count) * BYTES_OF_TILE).next_multiple_of(16);
         let room = Contents::in_pieces(bytes, Vec::new(), true);
-        let list = Resource::upload("effect tiles", Role::Storage, room, Clock::Frame);
+        let list = Resource::upload("effect tiles", BufferRole::Storage, room, Clock::Frame);
         let list = plan.add_resource(list);
         let drawn = Binding::update("effect_tiles", list);
         let tiles = Self { list, tile_count };
@@ -78,7 +78,7 @@ impl EffectTiles {
         bindings.extend(numbers);
         let shader = Shader::from("effects/tiles/clear.wgsl").with(backdrop(style.paper));
         let shader = match strokes {
-            Some(Strokes { borders, strokes }) => {
+            Some(StrokeBuffers { borders, strokes }) => {
                 bindings.push(Binding::write("borders", borders));
                 bindings.push(Binding::write("strokes", strokes));
                 shader.with("lib/blank_strokes/drawn.wgsl")

@@ -5,7 +5,7 @@
 
 use super::pixels::over_picture;
 use crate::passes::SceneBuffers;
-use crate::plan::{Binding, Clock, Plan, Resource, ResourceId, Role};
+use crate::plan::{Binding, BufferRole, Clock, Plan, Resource, ResourceId};
 
 /// Darkens the ground in the picture.
 pub(super) fn ground(
@@ -21,8 +21,8 @@ pub(super) fn ground(
         let resource = Resource::upload(name, role, contents.clone(), Clock::Cut);
         Binding::read(name, plan.add_resource(resource))
     };
-    let numbers = upload("ground", Role::Uniform, &shadow.numbers);
-    let darkness = upload("ground_darkness", Role::Storage, &shadow.darkness);
+    let numbers = upload("ground", BufferRole::Uniform, &shadow.numbers);
+    let darkness = upload("ground_darkness", BufferRole::Storage, &shadow.darkness);
     let about = ("shade ground", "the kept parts cast a shadow on the ground");
     over_picture(
         plan,

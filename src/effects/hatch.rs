@@ -12,9 +12,9 @@
 
 use glam::DVec3;
 
-use super::hatch_lines::{Placed, lines_of};
+use super::hatch_lines::{HatchPlacement, lines_of};
 use crate::passes::{Moved, SceneBuffers, or_one};
-use crate::plan::{Binding, Clock, Contents, Plan, Resource, Role, pack};
+use crate::plan::{Binding, BufferRole, Clock, Contents, Plan, Resource, pack};
 use crate::scene::style::{Hatch, HatchAnchor, HatchZoom, Style};
 use crate::scene::{CapHatch, PreparedSurface, linear_from_srgb, map_channels};
 
@@ -46,9 +46,9 @@ pub(super) fn hatch(
     let parts = Contents::from_values(&or_one(parts));
     let lines = Contents::from_values(&or_one(lines));
     Some([
-        table("hatch_planes", Role::Uniform, planes),
-        table("part_hatches", Role::Storage, parts),
-        table("hatch_lines", Role::Storage, lines),
+        table("hatch_planes", BufferRole::Uniform, planes),
+        table("part_hatches", BufferRole::Storage, parts),
+        table("hatch_lines", BufferRole::Storage, lines),
     ])
 }
 
@@ -103,7 +103,7 @@ fn part_hatches(
             false => f64::INFINITY,
         };
         let is_solid = thickness < f64::from(hatch.solid_below);
-        let placed = Placed {
+        let placed = HatchPlacement {
             class: usize::from(classes.get(part.part).copied().unwrap_or_default()),
             angle_deg: f64::from(hatch.angle_deg),
             spacing: spacing_of(thickness, hatch) * unit * prepared.scale,

@@ -33,7 +33,7 @@ const CROSSED: [(f64, f64); 8] = [
 const PATTERN_DEG: f64 = 45.0;
 
 /// Placement of the lines of a part.
-pub(super) struct Placed {
+pub(super) struct HatchPlacement {
     /// Class of its part.
     pub(super) class: usize,
     /// Direction of the general hatch in the first class.
@@ -43,7 +43,10 @@ pub(super) struct Placed {
 }
 
 /// The lines of a pattern, or of the general hatch.
-pub(super) fn lines_of(pattern: Option<&HatchPattern>, placed: &Placed) -> Vec<pack::HatchLine> {
+pub(super) fn lines_of(
+    pattern: Option<&HatchPattern>,
+    placed: &HatchPlacement,
+) -> Vec<pack::HatchLine> {
     let is_crossed = pattern.is_some_and(HatchPattern::is_crossed);
     let classes = if is_crossed { &CROSSED } else { &CLASSES };
     let (turn_deg, wider) = classes[placed.class % classes.len()];
@@ -109,8 +112,8 @@ mod tests {
     use super::*;
     use crate::scene::Dash;
 
-    fn placed(class: usize) -> Placed {
-        Placed {
+    fn placed(class: usize) -> HatchPlacement {
+        HatchPlacement {
             class,
             angle_deg: 45.0,
             spacing: 1.0,

@@ -5,7 +5,7 @@
 use super::FrameOutput;
 use super::ambient::occlusion::occlusion;
 use super::backdrop::backdrop;
-use super::borders::Strokes;
+use super::borders::StrokeBuffers;
 use super::cap_materials::cap_materials;
 use super::effect_tiles::EffectTiles;
 use super::ghost;
@@ -27,7 +27,7 @@ pub(super) fn illustrate(
     let style = scene.input.model.prepared.style;
     let numbers = style_numbers(plan, scene);
     let picture = picture(plan, scene.input);
-    let strokes = (style.strokes.widest() > 0.0).then(|| Strokes::new(plan, scene));
+    let strokes = (style.strokes.widest() > 0.0).then(|| StrokeBuffers::new(plan, scene));
     let pixels = Pixels {
         scene,
         tiles: EffectTiles::find(plan, scene, &numbers, layers, (picture, strokes)),

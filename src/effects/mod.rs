@@ -27,7 +27,7 @@ pub(crate) use channels::{HATCH, STROKE};
 pub(crate) use pixels::VISIBILITY;
 
 use crate::passes::{Input, Lanes, Layered, Model, Refusal, SceneBuffers};
-use crate::plan::{Capacities, Clock, Contents, Plan, Resource, ResourceId, Role};
+use crate::plan::{BufferRole, Capacities, Clock, Contents, Plan, Resource, ResourceId};
 use crate::scene::View;
 
 /// Output of a frame.
@@ -84,7 +84,7 @@ fn over_layers<'a>(
         false => SceneBuffers::unposed(plan, input, Lanes::none()),
     };
     let layers = Contents::from_values(layers);
-    let layers = Resource::upload("layers", Role::Storage, layers, Clock::Frame);
+    let layers = Resource::upload("layers", BufferRole::Storage, layers, Clock::Frame);
     Ok((scene, plan.add_resource(layers)))
 }
 

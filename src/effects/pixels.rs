@@ -2,7 +2,7 @@
 
 use super::effect_tiles::EffectTiles;
 use crate::passes::SceneBuffers;
-use crate::plan::{Binding, Clock, Contents, Pass, Plan, Resource, ResourceId, Role, Work};
+use crate::plan::{Binding, BufferRole, Clock, Contents, Pass, Plan, Resource, ResourceId, Work};
 use crate::shader::Shader;
 
 /// Buffer with the fraction of light left after occlusion, one f32 per pixel.
@@ -64,7 +64,7 @@ pub(super) fn numbers<T: bytemuck::Pod>(
     numbers: T,
 ) -> Binding {
     let contents = Contents::from_values(&[numbers]);
-    let uniform = Resource::upload(name, Role::Uniform, contents, Clock::Cut);
+    let uniform = Resource::upload(name, BufferRole::Uniform, contents, Clock::Cut);
     Binding::read(name, plan.add_resource(uniform))
 }
 

@@ -6,7 +6,9 @@
 
 use crate::passes::DrawPass;
 use crate::passes::{SceneBuffers, Surfaces, VertexPaints};
-use crate::plan::{Binding, Clock, Contents, Draw, Plan, Resource, ResourceId, Role, Vertices};
+use crate::plan::{
+    Binding, BufferRole, Clock, Contents, Draw, Plan, Resource, ResourceId, Vertices,
+};
 
 /// The colour texture: its first word is RGBA8 in sRGB, 0 where there is no paint.
 pub(super) fn vertex_paint(
@@ -20,17 +22,17 @@ pub(super) fn vertex_paint(
     };
     let rows = upload(
         "vertex_paint_rows",
-        Role::Storage,
+        BufferRole::Storage,
         Contents::from_values(&vertex_paints.rows),
     );
     let words = upload(
         "vertex_paint_words",
-        Role::Storage,
+        BufferRole::Storage,
         vertex_paints.words.clone(),
     );
     let indices = upload(
         "vertex_paint indices",
-        Role::Index,
+        BufferRole::Index,
         vertex_paints.indices.clone(),
     );
     let [vertices, _] = scene.mesh_in_storage(Clock::Solid);

@@ -10,11 +10,11 @@ use crate::{Error, Result};
 #[derive(Debug)]
 pub(super) struct Arrival {
     staging: wgpu::Buffer,
-    state: Arc<Mutex<State>>,
+    state: Arc<Mutex<ArrivalState>>,
 }
 
 #[derive(Debug)]
-enum State {
+enum ArrivalState {
     UnderWay(Option<Waker>),
     Arrived,
     Lost,
@@ -23,15 +23,15 @@ enum State {
 impl Arrival {
     /// Awaits a copy encoded in the same encoder.
     pub(super) fn new(encoder: &wgpu::CommandEncoder, staging: wgpu::Buffer) -> Self {
-        let state = Arc::new(Mutex::new(State::UnderWay(None)));
+        let state = Arc::new(Mutex::new(ArrivalState::UnderWay(None)));
         let shared = state.clone();
         encoder.map_buffer_on_submit(&staging, wgpu::MapMode::Read, .., move |mapped| {
             let how = match mapped {
-                Ok(()) => State::Arrived,
-                Err(_) => State::Lost,
+                Ok(()) => ArrivalState::Arrived,
+                Err(_) => ArrivalState::Lost,
             };
             let before = std::mem::replace(&mut *lock(&shared), how);
-            if let State::UnderWay(Some(waker)) = before {
+            if let ArrivalState::UnderWay(Some(waker)) = before {
                 waker.wake();
             }
         });
@@ -40,17 +40,17 @@ impl Arrival {
 
     /// Returns true if it may still arrive.
     pub(super) fn is_under_way(&self) -> bool {
-        matches!(*lock(&self.state), State::UnderWay(_))
+        matches!(*lock(&self.state), ArrivalState::UnderWay(_))
     }
 
     /// Resolves when the copy has arrived or has failed.
     async fn ended(&self) {
         poll_fn(|context| match &mut *lock(&self.state) {
-            State::UnderWay(waker) => {
+            ArrivalState::UnderWay(waker) => {
                 *waker = Some(context.waker().clone());
                 Poll::Pending
             }
-            State::Arrived | State::Lost => Poll::Ready(()),
+            ArrivalState::Arrived | ArrivalState::Lost => Poll::Ready(()),
         })
         .await;
     }
@@ -79,7 +79,7 @@ impl Arrival {
 
     /// The values, if they have arrived.
     pub(super) fn values<T: bytemuck::Pod>(&self) -> Option<Vec<T>> {
-        if !matches!(*lock(&self.state), State::Arrived) {
+        if !matches!(*lock(&self.state), ArrivalState::Arrived) {
             return None;
         }
         let mapped = self.staging.get_mapped_range(..).ok()?;
@@ -88,6 +88,6 @@ impl Arrival {
 }
 
 /// A poisoned lock only means that another thread panicked while it held plain data.
-fn lock(state: &Mutex<State>) -> MutexGuard<'_, State> {
+fn lock(state: &Mutex<ArrivalState>) -> MutexGuard<'_, ArrivalState> {
     state.lock().unwrap_or_else(PoisonError::into_inner)
 }

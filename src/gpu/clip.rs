@@ -108,14 +108,14 @@ impl ClipTable {
 }
 
 /// The clip bind group of a program, valid as long as the program keeps its buffers.
-pub(crate) struct Clip {
+pub(crate) struct ClipBindGroup {
     generation: u64,
     table: ClipTable,
     buffer: wgpu::Buffer,
     group: wgpu::BindGroup,
 }
 
-impl Clip {
+impl ClipBindGroup {
     pub(crate) fn group(&self) -> &wgpu::BindGroup {
         &self.group
     }
@@ -123,8 +123,13 @@ impl Clip {
 
 impl Program {
     /// The bind group of its lists, with a table of the parts; a previous bind group is reused if it still fits.
-    pub(crate) fn clip(&self, gpu: &Gpu, table: ClipTable, before: Option<Clip>) -> Result<Clip> {
-        let fits = |b: &Clip| {
+    pub(crate) fn clip(
+        &self,
+        gpu: &Gpu,
+        table: ClipTable,
+        before: Option<ClipBindGroup>,
+    ) -> Result<ClipBindGroup> {
+        let fits = |b: &ClipBindGroup| {
             b.generation == self.generation() && b.table.parts.len() == table.parts.len()
         };
         if let Some(clip) = before.filter(fits) {
@@ -132,7 +137,7 @@ impl Program {
                 let words = table.words();
                 (gpu.queue).write_buffer(&clip.buffer, 0, bytemuck::cast_slice(&words));
             }
-            return Ok(Clip { table, ..clip });
+            return Ok(ClipBindGroup { table, ..clip });
         }
         let words = table.words();
         let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::UNIFORM;
@@ -163,7 +168,7 @@ impl Program {
                 layout,
                 entries: &entries,
             });
-            Ok(Clip {
+            Ok(ClipBindGroup {
                 generation: self.generation(),
                 table,
                 buffer,

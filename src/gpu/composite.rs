@@ -42,7 +42,7 @@ impl Compositors {
 }
 
 /// Buffers of a frame that are composited into attachments.
-pub(super) struct Composed<'a> {
+pub(super) struct CompositeBuffers<'a> {
     pub(super) picture: &'a wgpu::Buffer,
     pub(super) layers: &'a wgpu::Buffer,
     pub(super) parts: &'a wgpu::Buffer,
@@ -59,7 +59,11 @@ pub(crate) struct Compositor {
 
 impl Compositor {
     /// Makes a compositor from the buffers of a frame.
-    pub(super) fn new(gpu: &Gpu, target: &Destination<'_>, frame: &Composed<'_>) -> Result<Self> {
+    pub(super) fn new(
+        gpu: &Gpu,
+        target: &Destination<'_>,
+        frame: &CompositeBuffers<'_>,
+    ) -> Result<Self> {
         let attachments = attachments(target);
         let pipeline = gpu.compositors().get(gpu, attachments)?;
         let uniform = gpu.device.create_buffer(&wgpu::BufferDescriptor {

@@ -5,7 +5,7 @@ use std::ops::Range;
 use super::Gpu;
 use super::programs::bind::{GpuResources, bind_groups, buffer, layer_view, texture};
 use super::programs::pipelines::Pipeline;
-use super::timing::Stopwatch;
+use super::timing::TimestampQueries;
 use super::viewport::viewport_px;
 use crate::Result;
 use crate::plan::{DepthCompare, Pass, Plan, Vertices, Work};
@@ -132,7 +132,7 @@ impl ReadyPass {
     pub(super) fn encode(
         &self,
         encoder: &mut wgpu::CommandEncoder,
-        stopwatch: Option<&Stopwatch>,
+        stopwatch: Option<&TimestampQueries>,
         index: usize,
     ) {
         let (begin, end) = (Some(index as u32 * 2), Some(index as u32 * 2 + 1));

@@ -26,7 +26,7 @@ pub use ::wgpu;
 pub use ::wgpu::{BindGroup, CommandEncoder};
 pub use adapter::AdapterReport;
 pub use clip::clip_wgsl;
-pub(crate) use clip::{Clip, ClipTable};
+pub(crate) use clip::{ClipBindGroup, ClipTable};
 pub(crate) use composite::Compositor;
 pub use device::Gpu;
 pub use layer_words::{layers_from_words, words_from_layers};

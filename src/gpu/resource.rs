@@ -1,7 +1,7 @@
 //! Resources of a plan on the device: buffers, textures and samplers, made with their contents.
 
 use super::Gpu;
-use crate::plan::{Format, Resource, Role, Shape};
+use crate::plan::{BufferRole, Format, Resource, Shape};
 use crate::scene::Wrap;
 
 /// A resource on the device.
@@ -40,16 +40,16 @@ fn texel_bytes(format: wgpu::TextureFormat) -> u32 {
 /// Creates a resource with its contents.
 pub(super) fn make(gpu: &Gpu, resource: &Resource) -> GpuResource {
     let usage = |role| match role {
-        Role::Storage => wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC,
-        Role::Uniform => gpu.uniform_usage(),
+        BufferRole::Storage => wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC,
+        BufferRole::Uniform => gpu.uniform_usage(),
         // The compute rasteriser reads the mesh from the same buffers as the hardware rasteriser.
-        Role::Vertex => {
+        BufferRole::Vertex => {
             wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC
         }
-        Role::Index => {
+        BufferRole::Index => {
             wgpu::BufferUsages::INDEX | wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC
         }
-        Role::Arguments => {
+        BufferRole::Arguments => {
             wgpu::BufferUsages::INDIRECT
                 | wgpu::BufferUsages::STORAGE
                 | wgpu::BufferUsages::COPY_SRC

@@ -134,14 +134,14 @@ impl RunTimes {
 }
 
 /// Two timestamps per pass, resolved after the last pass.
-pub(super) struct Stopwatch {
+pub(super) struct TimestampQueries {
     pub(super) queries: wgpu::QuerySet,
     resolved: wgpu::Buffer,
     pub(super) copied: wgpu::Buffer,
     count: u32,
 }
 
-impl Stopwatch {
+impl TimestampQueries {
     /// Creates one for a device with timestamps; none if there are too many passes.
     pub(super) fn new(device: &wgpu::Device, passes: usize) -> Option<Self> {
         let count = u32::try_from(passes * 2).ok();
@@ -217,7 +217,7 @@ impl Stopwatch {
 
 /// Runs something, and adds the time it took.
 pub(super) fn timed<T>(time: &mut Duration, work: impl FnOnce() -> T) -> T {
-    let began = Stopwatch::now();
+    let began = TimestampQueries::now();
     let done = work();
     *time += began.elapsed();
     done

@@ -8,8 +8,8 @@
 use std::collections::BTreeMap;
 
 use super::{
-    ARGUMENT_BYTES, Access, Arguments, DISPATCH_ARGUMENT_BYTES, Format, INDEX_BYTES, Plan,
-    ResourceId, Role, Shape, Vertices, Work,
+    ARGUMENT_BYTES, Access, Arguments, BufferRole, DISPATCH_ARGUMENT_BYTES, Format, INDEX_BYTES,
+    Plan, ResourceId, Shape, Vertices, Work,
 };
 use crate::shader::{self, BindingKind};
 use crate::{Error, Result};
@@ -109,7 +109,7 @@ impl Plan {
         let is_for_arguments = matches!(
             of.shape,
             Shape::Buffer {
-                role: Role::Arguments,
+                role: BufferRole::Arguments,
                 ..
             }
         );
@@ -209,7 +209,7 @@ impl Plan {
             let (have, most, what) = match r.shape {
                 Shape::Buffer {
                     bytes,
-                    role: Role::Storage,
+                    role: BufferRole::Storage,
                 } => (
                     bytes,
                     limits.storage_binding_bytes,
@@ -217,7 +217,7 @@ impl Plan {
                 ),
                 Shape::Buffer {
                     bytes,
-                    role: Role::Uniform,
+                    role: BufferRole::Uniform,
                 } => (
                     bytes,
                     limits.uniform_binding_bytes,

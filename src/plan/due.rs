@@ -180,7 +180,7 @@ fn same_work(a: &Work, b: &Work, same: impl Fn(ResourceId, ResourceId) -> bool) 
 }
 
 /// A range of a resource, and how a pass accesses it.
-struct Use {
+struct ResourceUse {
     resource: usize,
     stretch: Range<u64>,
     access: Access,
@@ -327,10 +327,10 @@ fn whole(resource: &Resource) -> Range<u64> {
 }
 
 /// Ranges that a pass uses, with the access. Clearing a target counts as writing it, even if nothing is then drawn into it.
-fn uses(plan: &Plan, pass: &Pass) -> Vec<Use> {
+fn uses(plan: &Plan, pass: &Pass) -> Vec<ResourceUse> {
     let layer = |layer: u32| u64::from(layer)..u64::from(layer) + 1;
-    let mut all: Vec<Use> = (pass.bindings.iter())
-        .map(|b| Use {
+    let mut all: Vec<ResourceUse> = (pass.bindings.iter())
+        .map(|b| ResourceUse {
             resource: b.resource.0,
             stretch: match (&b.bytes, b.layer) {
                 (Some(bytes), _) => bytes.clone(),
@@ -340,7 +340,7 @@ fn uses(plan: &Plan, pass: &Pass) -> Vec<Use> {
             access: b.access,
         })
         .collect();
-    let read_arguments = |arguments: &Arguments, bytes: u64| Use {
+    let read_arguments = |arguments: &Arguments, bytes: u64| ResourceUse {
         resource: arguments.resource.0,
         stretch: arguments.offset..arguments.offset + bytes,
         access: Access::Read,
@@ -366,18 +366,18 @@ fn uses(plan: &Plan, pass: &Pass) -> Vec<Use> {
             Access::ReadWrite
         }
     };
-    all.extend(color.map(|c| Use {
+    all.extend(color.map(|c| ResourceUse {
         resource: c.resource.0,
         stretch: 0..1,
         access: drawn_into(c.clear),
     }));
-    all.push(Use {
+    all.push(ResourceUse {
         resource: depth.resource.0,
         stretch: layer(depth.layer),
         access: drawn_into(depth.clear),
     });
     for draw in draws {
-        let read = |id: ResourceId, first: u64, count: u64, size: u64| Use {
+        let read = |id: ResourceId, first: u64, count: u64, size: u64| ResourceUse {
             resource: id.0,
             stretch: first * size..(first + count) * size,
             access: Access::Read,

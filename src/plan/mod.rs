@@ -21,7 +21,7 @@ pub use clock::Clock;
 pub use cpu::{CpuStep, CpuWork, Recorded};
 pub use due::Due;
 pub use pass::{Access, Binding, Pass};
-pub use resource::{Contents, Format, Piece, Resource, ResourceId, Role, Shape};
+pub use resource::{BufferRole, Contents, Format, Piece, Resource, ResourceId, Shape};
 pub use work::{
     ARGUMENT_BYTES, Arguments, ColorTarget, DISPATCH_ARGUMENT_BYTES, DepthCompare, DepthTarget,
     Draw, INDEX_BYTES, Stencil, StencilStep, VERTEX_BYTES, Vertices, Work, groups_over,

@@ -36,7 +36,7 @@ impl Format {
 
 /// How a buffer is used.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Role {
+pub enum BufferRole {
     /// `var<storage>`.
     Storage,
     /// `var<uniform>`.
@@ -57,7 +57,7 @@ pub enum Shape {
         /// Size in bytes.
         bytes: u64,
         /// Its use.
-        role: Role,
+        role: BufferRole,
     },
     /// A 2D texture, with layers.
     Texture {
@@ -234,7 +234,7 @@ impl Resource {
         // WebGPU has no empty bindings.
         let shape = Shape::Buffer {
             bytes: bytes.max(4),
-            role: Role::Storage,
+            role: BufferRole::Storage,
         };
         Self {
             name: name.into(),
@@ -250,14 +250,19 @@ impl Resource {
         Self {
             shape: Shape::Buffer {
                 bytes,
-                role: Role::Arguments,
+                role: BufferRole::Arguments,
             },
             ..Self::storage(name, bytes, clock)
         }
     }
 
     /// A buffer with scene contents.
-    pub fn upload(name: impl Into<String>, role: Role, contents: Contents, clock: Clock) -> Self {
+    pub fn upload(
+        name: impl Into<String>,
+        role: BufferRole,
+        contents: Contents,
+        clock: Clock,
+    ) -> Self {
         let shape = Shape::Buffer {
             bytes: contents.len(),
             role,
@@ -274,7 +279,7 @@ impl Resource {
     /// A buffer with contents specific to a strategy: they count as its cost.
     pub fn own_upload(
         name: impl Into<String>,
-        role: Role,
+        role: BufferRole,
         contents: Contents,
         clock: Clock,
     ) -> Self {

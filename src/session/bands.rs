@@ -9,7 +9,7 @@ use super::encode::Last;
 use super::rows::Rows;
 use super::{Drawn, MOST_TRIES, Outcome};
 use crate::effects;
-use crate::gpu::{Clip, ClockSet, Compositor, Gpu, Program, Report, RunTimes};
+use crate::gpu::{ClipBindGroup, ClockSet, Compositor, Gpu, Program, Report, RunTimes};
 use crate::layers::Layers;
 use crate::passes::Model;
 use crate::plan::{Capacities, Due, Recorded};
@@ -52,7 +52,7 @@ pub(super) struct Slot {
     /// True if a bounded buffer has grown since.
     pub(super) must_redraw: bool,
     /// Bindings of an encoded frame for a host's shaders. The flag is true if that frame is the last one.
-    pub(super) clip: Option<Clip>,
+    pub(super) clip: Option<ClipBindGroup>,
     pub(super) is_clip_of_last: bool,
     pub(super) reports: Vec<Report>,
 }

@@ -11,7 +11,7 @@ use glam::DVec2;
 use spade::Triangulation;
 
 use super::fill::{preclassified, windings};
-use super::outline::{Drawn, Outline};
+use super::outline::{ConstrainedMesh, FillRegion};
 
 /// A surface in a plane. Point numbers run through the given points, then through `added`.
 #[derive(Debug, Default)]
@@ -30,7 +30,7 @@ pub(super) struct Cover {
 
 /// Covers the region that loops wind around. Points must be finite.
 pub(super) fn cover(points: &[DVec2], loops: &[Vec<u32>]) -> Cover {
-    let mut outline = Outline::of(points, loops);
+    let mut outline = FillRegion::of(points, loops);
     let drawn = preclassified(&mut outline);
     let mut cover = Cover {
         stand_ins: outline.stand_ins(),
@@ -53,7 +53,7 @@ pub(super) fn cover(points: &[DVec2], loops: &[Vec<u32>]) -> Cover {
 }
 
 /// The edges that were drawn in several steps.
-fn paths(outline: &Outline, drawn: &Drawn) -> Vec<Vec<u32>> {
+fn paths(outline: &FillRegion, drawn: &ConstrainedMesh) -> Vec<Vec<u32>> {
     let mut steps: Vec<(u32, [u32; 2])> = (drawn.covered.iter())
         .map(|(part, edge)| {
             let ends = drawn.mesh.directed_edge(*edge).vertices();

@@ -12,7 +12,7 @@
 use glam::DVec2;
 use spade::Triangulation;
 
-use super::outline::{Drawn, Edge, Mesh, Outline, is_first};
+use super::outline::{ConstrainedMesh, Edge, FillRegion, LoopTriangulation, is_first};
 
 /// Rounds in which crossing edges are cut. A star of 60 edges that all pass near its middle takes 40.
 const ROUNDS: usize = 64;
@@ -34,7 +34,7 @@ pub(super) struct Filled {
 
 /// Fills the faces whose winding number satisfies `holds`. Points must be finite.
 pub(super) fn fill(points: &[DVec2], loops: &[Vec<u32>], holds: impl Fn(i32) -> bool) -> Filled {
-    let mut outline = Outline::of(points, loops);
+    let mut outline = FillRegion::of(points, loops);
     match preclassified(&mut outline) {
         Some(drawn) => outline.filled(&drawn.mesh, holds),
         None => Filled {
@@ -45,7 +45,7 @@ pub(super) fn fill(points: &[DVec2], loops: &[Vec<u32>], holds: impl Fn(i32) -> 
 }
 
 /// Draws an outline, cut until no edges cross and without loops that still do. None if nothing is left.
-pub(super) fn preclassified(outline: &mut Outline) -> Option<Drawn> {
+pub(super) fn preclassified(outline: &mut FillRegion) -> Option<ConstrainedMesh> {
     let (mut round, mut parts_drawn) = (0, 0);
     while !outline.parts.is_empty() {
         let Some(drawn) = outline.draw() else {
@@ -68,7 +68,7 @@ pub(super) fn preclassified(outline: &mut Outline) -> Option<Drawn> {
 }
 
 /// Winding number of the loops around each face of a triangulation.
-pub(super) fn windings(mesh: &Mesh) -> Vec<i32> {
+pub(super) fn windings(mesh: &LoopTriangulation) -> Vec<i32> {
     let mut windings: Vec<Option<i32>> = vec![None; mesh.num_all_faces()];
     let outer = mesh.outer_face().fix().index();
     windings[outer] = Some(0);
@@ -96,9 +96,9 @@ pub(super) fn windings(mesh: &Mesh) -> Vec<i32> {
         .collect()
 }
 
-impl Outline {
+impl FillRegion {
     /// Selects the faces that satisfy the rule.
-    fn filled(self, mesh: &Mesh, holds: impl Fn(i32) -> bool) -> Filled {
+    fn filled(self, mesh: &LoopTriangulation, holds: impl Fn(i32) -> bool) -> Filled {
         let windings = windings(mesh);
         let is_in = |face: usize| holds(windings[face]);
         let mut filled = Filled {

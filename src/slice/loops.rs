@@ -12,7 +12,7 @@ use glam::DVec2;
 
 /// Segment in which a plane cuts one triangle: from one crossed mesh edge to another, each as its two vertices, lesser first.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Piece {
+pub(super) struct CutSegment {
     pub(super) from: [u32; 2],
     pub(super) to: [u32; 2],
 }
@@ -37,7 +37,7 @@ const NO_LENGTH: f64 = 1e-9;
 const NONE: u32 = u32::MAX;
 
 /// Joins pieces; `locate` returns the point at which a mesh edge is crossed.
-pub(super) fn join(pieces: &[Piece], locate: impl Fn([u32; 2]) -> DVec2) -> Curves {
+pub(super) fn join(pieces: &[CutSegment], locate: impl Fn([u32; 2]) -> DVec2) -> Curves {
     // Half 2i starts piece i, half 2i + 1 ends it.
     let mut halves: Vec<([u32; 2], u32)> = (0_u32..)
         .zip(pieces)

@@ -27,12 +27,12 @@ const NEAR: f64 = 0.7 * STEP;
 const MOST_CUTS: usize = 250_000;
 
 /// A vertex position with its index.
-pub(super) struct Vertex {
+pub(super) struct OutlineVertex {
     at: DVec2,
     pub(super) number: u32,
 }
 
-impl HasPosition for Vertex {
+impl HasPosition for OutlineVertex {
     type Scalar = f64;
 
     fn position(&self) -> Point2<f64> {
@@ -46,12 +46,12 @@ pub(super) struct Passed {
     pub(super) net: i32,
 }
 
-pub(super) type Edge<'a> = DirectedEdgeHandle<'a, Vertex, (), CdtEdge<Passed>, ()>;
-pub(super) type Mesh = ConstrainedDelaunayTriangulation<Vertex, (), Passed, ()>;
+pub(super) type Edge<'a> = DirectedEdgeHandle<'a, OutlineVertex, (), CdtEdge<Passed>, ()>;
+pub(super) type LoopTriangulation = ConstrainedDelaunayTriangulation<OutlineVertex, (), Passed, ()>;
 
 /// An edge of a loop, or a part of one.
 #[derive(Clone, Copy)]
-pub(super) struct Part {
+pub(super) struct EdgeSegment {
     from: u32,
     to: u32,
     of_loop: usize,
@@ -60,7 +60,7 @@ pub(super) struct Part {
 }
 
 /// Region to fill, scaled into the range of the triangulation by a power of two.
-pub(super) struct Outline {
+pub(super) struct FillRegion {
     /// Input units per internal unit.
     unit: f64,
     /// Vertex positions, no two equal, each with its point index.
@@ -70,7 +70,7 @@ pub(super) struct Outline {
     vertex_of: Vec<Option<u32>>,
     /// Vertices by lattice cell, once something is to be cut.
     vertex_in: HashMap<[i64; 2], u32>,
-    pub(super) parts: Vec<Part>,
+    pub(super) parts: Vec<EdgeSegment>,
     /// Number of input points.
     given: usize,
     /// Points at which parts were cut, in units of the input.
@@ -79,15 +79,15 @@ pub(super) struct Outline {
 }
 
 /// A triangulation with the parts that could be inserted as its edges.
-pub(super) struct Drawn {
-    pub(super) mesh: Mesh,
+pub(super) struct ConstrainedMesh {
+    pub(super) mesh: LoopTriangulation,
     /// Edges of the inserted parts, each with the index of its part, in order along the part.
     pub(super) covered: Vec<(usize, FixedDirectedEdgeHandle)>,
     /// Parts that could not be inserted.
     pub(super) failed: Vec<usize>,
 }
 
-impl Outline {
+impl FillRegion {
     pub(super) fn of(points: &[DVec2], loops: &[Vec<u32>]) -> Self {
         let used = || loops.iter().flatten().map(|i| points[*i as usize]);
         let largest = used().fold(0.0_f64, |m, p| m.max(p.abs().max_element()));
@@ -112,7 +112,7 @@ impl Outline {
             }
             let next = vertices.iter().cycle().skip(1);
             for ((from, to), edge) in vertices.iter().zip(next).zip(&mut edges) {
-                outline.add(Part {
+                outline.add(EdgeSegment {
                     from: *from,
                     to: *to,
                     of_loop,
@@ -123,7 +123,7 @@ impl Outline {
         outline
     }
 
-    fn add(&mut self, part: Part) {
+    fn add(&mut self, part: EdgeSegment) {
         if part.from != part.to {
             self.parts.push(part);
         }
@@ -187,14 +187,14 @@ impl Outline {
     }
 
     /// Triangulates the vertices and inserts the parts as edges.
-    pub(super) fn draw(&self) -> Option<Drawn> {
+    pub(super) fn draw(&self) -> Option<ConstrainedMesh> {
         let vertices = self.vertices.iter();
-        let vertices = vertices.map(|(at, number)| Vertex {
+        let vertices = vertices.map(|(at, number)| OutlineVertex {
             at: *at,
             number: *number,
         });
         // This way of loading preserves the order.
-        let mut mesh = Mesh::bulk_load_cdt(vertices.collect(), Vec::new()).ok()?;
+        let mut mesh = LoopTriangulation::bulk_load_cdt(vertices.collect(), Vec::new()).ok()?;
         if mesh.num_vertices() != self.vertices.len() {
             return None;
         }
@@ -220,7 +220,7 @@ impl Outline {
                 covered.push((i, edge));
             }
         }
-        Some(Drawn {
+        Some(ConstrainedMesh {
             mesh,
             covered,
             failed,
@@ -233,7 +233,7 @@ impl Outline {
     /// All vertices first move to a lattice, and an edge that passes within half a cell of a vertex is cut there: then edges that run
     /// side by side become one, and edges that nearly meet in a point do meet. This is snap rounding (Hobby 1999), one crossing
     /// after the other.
-    pub(super) fn cut(&mut self, drawn: &Drawn) -> bool {
+    pub(super) fn cut(&mut self, drawn: &ConstrainedMesh) -> bool {
         if self.vertex_in.is_empty() {
             self.snap();
             return true;
@@ -281,7 +281,7 @@ impl Outline {
             let cuts = of(&on_edges, edge.as_undirected().index());
             let [from, to] = ends;
             self.add_cut(
-                Part {
+                EdgeSegment {
                     from,
                     to,
                     ..before[*i]
@@ -296,7 +296,7 @@ impl Outline {
     }
 
     /// Adds the parts between cuts.
-    fn add_cut(&mut self, part: Part, cuts: &[(usize, u32)]) {
+    fn add_cut(&mut self, part: EdgeSegment, cuts: &[(usize, u32)]) {
         let at = |v: u32| self.vertices[v as usize].0;
         let [start, end] = [part.from, part.to].map(at);
         let mut along: Vec<u32> = cuts.iter().map(|(_, v)| *v).collect();
@@ -304,7 +304,7 @@ impl Outline {
         along.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
         let mut from = part.from;
         for to in along.into_iter().chain([part.to]) {
-            self.add(Part { from, to, ..part });
+            self.add(EdgeSegment { from, to, ..part });
             from = to;
         }
     }

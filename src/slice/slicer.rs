@@ -8,7 +8,7 @@ use rayon::prelude::*;
 
 use super::fill::{Filled, fill};
 use super::in_world::in_world;
-use super::loops::{Curves, Piece, join};
+use super::loops::{Curves, CutSegment, join};
 use super::plane::is_within;
 use super::{Loop, Section, SectionDefect, SlicePlane};
 use crate::scene::meshes::tree::{BRANCHES, Tree, sort};
@@ -29,7 +29,7 @@ pub struct Slicer {
 }
 
 /// Elements that a plane crosses, and the faces that lie in the plane.
-struct Cut<'a> {
+struct PlaneCrossing<'a> {
     slicer: &'a Slicer,
     plane: &'a SlicePlane,
     in_plane: FacesInPlane,
@@ -110,7 +110,7 @@ impl Slicer {
         &self,
         plane: &SlicePlane,
         rule: Fill,
-        pieces_of: impl FnOnce(&mut Cut<'_>) -> Vec<Piece>,
+        pieces_of: impl FnOnce(&mut PlaneCrossing<'_>) -> Vec<CutSegment>,
     ) -> Section {
         let mut section = Section::default();
         if self.unusable > 0 {
@@ -122,7 +122,7 @@ impl Slicer {
             section.defects.push(SectionDefect::Plane);
             return section;
         }
-        let mut cut = Cut {
+        let mut cut = PlaneCrossing {
             slicer: self,
             plane,
             in_plane: FacesInPlane::default(),
@@ -225,7 +225,7 @@ impl Slicer {
     }
 }
 
-impl Cut<'_> {
+impl PlaneCrossing<'_> {
     fn position(&self, vertex: u32) -> DVec3 {
         self.slicer.positions[vertex as usize]
     }
@@ -248,7 +248,7 @@ impl Cut<'_> {
     }
 
     /// The pieces from the crossed triangles, in the order of the tree.
-    fn pieces(&self) -> Vec<Piece> {
+    fn pieces(&self) -> Vec<CutSegment> {
         let groups = self.slicer.groups_near(self.plane);
         let of_group = |group: &usize| {
             let first = group * BRANCHES;
@@ -264,7 +264,7 @@ impl Cut<'_> {
     }
 
     /// From the edge in which a triangle descends, in its own order, to that in which it ascends: then the inner side is on the left.
-    fn piece(&self, triangle: [u32; 3]) -> Option<Piece> {
+    fn piece(&self, triangle: [u32; 3]) -> Option<CutSegment> {
         let above = triangle.map(|i| self.is_above(i));
         if above[0] == above[1] && above[1] == above[2] {
             return None;
@@ -280,11 +280,11 @@ impl Cut<'_> {
         }
         let [from, to] = [down, up].map(|[a, b]| [a.min(b), a.max(b)]);
         // A triangle that has a vertex twice descends and ascends in the same edge, and joins nothing.
-        (from != to).then_some(Piece { from, to })
+        (from != to).then_some(CutSegment { from, to })
     }
 
     /// Boundaries of the faces in the plane with the solid above them: the winding number within them is one less.
-    fn rims_of_faces(&self) -> Vec<Piece> {
+    fn rims_of_faces(&self) -> Vec<CutSegment> {
         let above = (self.in_plane.faces().iter()).filter(|(_, side)| *side == Side::Kept);
         let mut count: BTreeMap<[u32; 2], i32> = BTreeMap::new();
         for (triangle, _) in above {
@@ -296,7 +296,7 @@ impl Cut<'_> {
         }
         let pieces = count.into_iter().flat_map(|([low, high], net)| {
             let [from, to] = if net > 0 { [low, high] } else { [high, low] };
-            let piece = Piece {
+            let piece = CutSegment {
                 from: [from, from],
                 to: [to, to],
             };

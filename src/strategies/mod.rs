@@ -18,7 +18,8 @@ pub use method::{DrawOptions, Method};
 pub use name::Strategy;
 use row::unpaired;
 pub use row::{
-    Abilities, CapSurface, CapSurfaceRow, InsideTest, InsideTestRow, Parameter, StrategyInfo,
+    Abilities, CapSurface, CapSurfaceRow, InsideTest, InsideTestRow, StrategyInfo,
+    StrategyParameter,
 };
 pub(crate) use row::{Caps, InsideTestKind};
 

@@ -4,7 +4,8 @@ use std::fmt;
 use std::str::FromStr;
 
 use super::row::{
-    Abilities, CapSurface, CapSurfaceRow, Caps, InsideTest, InsideTestKind, Row, Selection,
+    Abilities, CapSurface, CapSurfaceRow, Caps, InsideTest, InsideTestKind, SelectedRow,
+    StrategyRow,
 };
 use super::table::{CAP_SURFACES, INSIDE_TESTS, all};
 use super::{inside, surface};
@@ -175,7 +176,7 @@ impl FromStr for Strategy {
             CAP_SURFACES.iter().partition(|row| row.is_alone());
         let by_itself = alone.iter().find(|row| row.facts.name == surface);
         match (by_itself, inside) {
-            (Some(row), None) => Ok(Self::alone(Selection::usual(*row))),
+            (Some(row), None) => Ok(Self::alone(SelectedRow::usual(*row))),
             (Some(_), Some(_)) => Err(wrong(
                 format!("`{surface}` takes no inside test"),
                 format!("write `{surface}` alone"),
@@ -205,12 +206,12 @@ impl FromStr for Strategy {
 }
 
 /// The row with the given name, with its parameter.
-fn chosen<R: Row>(
+fn chosen<R: StrategyRow>(
     what: &str,
     word: &str,
     rows: &[&'static R],
     wrong: &dyn Fn(String, String) -> Error,
-) -> Result<Selection<R>, Error> {
+) -> Result<SelectedRow<R>, Error> {
     let (name, value) = match word.split_once(':') {
         Some((name, value)) => (name.trim(), Some(value.trim())),
         None => (word, None),
@@ -222,7 +223,7 @@ fn chosen<R: Row>(
         ));
     };
     match (value, &row.facts().parameter) {
-        (None, _) => Ok(Selection::usual(*row)),
+        (None, _) => Ok(SelectedRow::usual(*row)),
         (Some(value), None) => Err(wrong(
             format!("{name} has no parameter, and `:{value}` follows it"),
             format!("write {name}"),
@@ -230,10 +231,10 @@ fn chosen<R: Row>(
         (Some(value), Some(parameter)) => {
             let number = value.parse().ok();
             number
-                .and_then(|n| Selection::with(*row, n))
+                .and_then(|n| SelectedRow::with(*row, n))
                 .ok_or_else(|| {
                     let [least, most] =
-                        [parameter.least, parameter.most].map(|s| Selection::new(*row, s));
+                        [parameter.least, parameter.most].map(|s| SelectedRow::new(*row, s));
                     wrong(
                         format!("`{word}` is out of range"),
                         format!("use {least} to {most}: {}", parameter.about),

@@ -15,7 +15,7 @@ use crate::plan::{CpuWork, Plan};
 
 /// A parameter that follows the name of a row, as in `grid:256`.
 #[derive(Clone, Copy, Debug)]
-pub struct Parameter {
+pub struct StrategyParameter {
     /// Placeholder in help texts.
     pub letter: &'static str,
     /// Description, with the unit.
@@ -30,7 +30,7 @@ pub struct Parameter {
     pub steps_per_unit: u32,
 }
 
-impl Parameter {
+impl StrategyParameter {
     /// A value in steps, converted to a number.
     pub(super) fn number(&self, steps: u32) -> f64 {
         f64::from(steps) / f64::from(self.steps_per_unit)
@@ -93,7 +93,7 @@ pub struct StrategyInfo {
     /// Its name.
     pub name: &'static str,
     /// Its parameter, if it has one.
-    pub parameter: Option<Parameter>,
+    pub parameter: Option<StrategyParameter>,
     /// Description in one line.
     pub about: &'static str,
     /// Limitations in a few words; empty if there are none.
@@ -187,18 +187,18 @@ pub(super) type RecordImages =
     fn(&mut Plan, &SceneBuffers<'_>, u32) -> Result<Vec<(Range<usize>, Volume)>, Refusal>;
 
 /// A row of one of the two tables.
-pub trait Row: fmt::Debug + 'static {
+pub trait StrategyRow: fmt::Debug + 'static {
     /// Facts for reports and help.
     fn facts(&self) -> &StrategyInfo;
 }
 
-impl Row for CapSurfaceRow {
+impl StrategyRow for CapSurfaceRow {
     fn facts(&self) -> &StrategyInfo {
         &self.facts
     }
 }
 
-impl Row for InsideTestRow {
+impl StrategyRow for InsideTestRow {
     fn facts(&self) -> &StrategyInfo {
         &self.facts
     }
@@ -206,19 +206,19 @@ impl Row for InsideTestRow {
 
 /// A row with its parameter value: compared by name and value.
 #[derive(Debug)]
-pub struct Selection<R: Row> {
+pub struct SelectedRow<R: StrategyRow> {
     row: &'static R,
     /// The parameter in steps; 0 if there is none.
     steps: u32,
 }
 
 /// A way to produce cap points per pixel.
-pub type CapSurface = Selection<CapSurfaceRow>;
+pub type CapSurface = SelectedRow<CapSurfaceRow>;
 
 /// A way to determine whether a point is inside a solid.
-pub type InsideTest = Selection<InsideTestRow>;
+pub type InsideTest = SelectedRow<InsideTestRow>;
 
-impl<R: Row> Selection<R> {
+impl<R: StrategyRow> SelectedRow<R> {
     /// A row with its parameter in steps.
     pub(super) const fn new(row: &'static R, steps: u32) -> Self {
         Self { row, steps }
@@ -261,35 +261,35 @@ impl<R: Row> Selection<R> {
     }
 }
 
-impl<R: Row> Clone for Selection<R> {
+impl<R: StrategyRow> Clone for SelectedRow<R> {
     fn clone(&self) -> Self {
         *self
     }
 }
 
-impl<R: Row> Copy for Selection<R> {}
+impl<R: StrategyRow> Copy for SelectedRow<R> {}
 
-impl<R: Row> PartialEq for Selection<R> {
+impl<R: StrategyRow> PartialEq for SelectedRow<R> {
     fn eq(&self, other: &Self) -> bool {
         self.key() == other.key()
     }
 }
 
-impl<R: Row> Eq for Selection<R> {}
+impl<R: StrategyRow> Eq for SelectedRow<R> {}
 
-impl<R: Row> PartialOrd for Selection<R> {
+impl<R: StrategyRow> PartialOrd for SelectedRow<R> {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         Some(self.cmp(other))
     }
 }
 
-impl<R: Row> Ord for Selection<R> {
+impl<R: StrategyRow> Ord for SelectedRow<R> {
     fn cmp(&self, other: &Self) -> Ordering {
         self.key().cmp(&other.key())
     }
 }
 
-impl<R: Row> Hash for Selection<R> {
+impl<R: StrategyRow> Hash for SelectedRow<R> {
     fn hash<H: Hasher>(&self, state: &mut H) {
         self.key().hash(state);
     }
@@ -300,7 +300,7 @@ pub(super) fn unpaired(who: impl fmt::Display, what: &str) -> Refusal {
     Refusal::new(Unsupported::Pairing, format!("{who} {what}"))
 }
 
-impl<R: Row> fmt::Display for Selection<R> {
+impl<R: StrategyRow> fmt::Display for SelectedRow<R> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.facts().name)?;
         match self.parameter() {

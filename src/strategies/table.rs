@@ -2,7 +2,7 @@
 //!
 //! Adding one is a file with its row and its passes, a folder of shaders, and a line here.
 
-use super::row::{Abilities, CapSurfaceRow, InsideTestRow, Selection, StrategyInfo};
+use super::row::{Abilities, CapSurfaceRow, InsideTestRow, SelectedRow, StrategyInfo};
 use super::{Strategy, inside, surface};
 
 /// All cap surfaces.
@@ -29,10 +29,10 @@ pub static INSIDE_TESTS: &[&InsideTestRow] = &[
 pub fn all() -> Vec<Strategy> {
     let with_tests = |surface: &'static CapSurfaceRow| {
         let usual = (INSIDE_TESTS.iter()).filter(|test| (surface.usual_tests)(test));
-        let tests = usual.map(|test| Some(Selection::usual(*test)));
+        let tests = usual.map(|test| Some(SelectedRow::usual(*test)));
         let alone = surface.is_alone().then_some(None);
         let pair = move |inside| Strategy {
-            surface: Selection::usual(surface),
+            surface: SelectedRow::usual(surface),
             inside,
         };
         alone.into_iter().chain(tests).map(pair).collect::<Vec<_>>()

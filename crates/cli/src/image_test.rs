@@ -11,7 +11,7 @@ use image::{Rgba, RgbaImage};
 
 /// Result of an image test.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Finding {
+pub(super) enum ImageTestResult {
     /// No channel of any pixel differs by more than the threshold.
     Same,
     /// Some channels differ by more; the picture shows where.
@@ -50,10 +50,14 @@ pub(super) fn difference_path(output: &Path) -> PathBuf {
 }
 
 /// Compares a picture with the reference. `threshold` is the largest allowed difference of a channel, 0 to 1.
-pub(super) fn compare(picture: &RgbaImage, reference: &RgbaImage, threshold: f64) -> Finding {
+pub(super) fn compare(
+    picture: &RgbaImage,
+    reference: &RgbaImage,
+    threshold: f64,
+) -> ImageTestResult {
     if picture.dimensions() != reference.dimensions() {
         let ((w, h), (rw, rh)) = (picture.dimensions(), reference.dimensions());
-        return Finding::Different {
+        return ImageTestResult::Different {
             what: format!("the picture is {w} x {h}, the reference {rw} x {rh}"),
             difference: None,
         };
@@ -71,7 +75,7 @@ pub(super) fn compare(picture: &RgbaImage, reference: &RgbaImage, threshold: f64
         }
     }
     if count == 0 {
-        return Finding::Same;
+        return ImageTestResult::Same;
     }
     let difference = RgbaImage::from_fn(picture.width(), picture.height(), |x, y| {
         let (a, b) = (picture.get_pixel(x, y), reference.get_pixel(x, y));
@@ -83,7 +87,7 @@ pub(super) fn compare(picture: &RgbaImage, reference: &RgbaImage, threshold: f64
         }
     });
     let (most, [x, y]) = worst;
-    Finding::Different {
+    ImageTestResult::Different {
         what: format!(
             "{count} pixels differ by more than {threshold}, the worst by {most:.3} at {x},{y}"
         ),
@@ -99,14 +103,15 @@ mod tests {
     fn one_pixel_off_by_more_than_the_threshold_fails() {
         let reference = RgbaImage::from_pixel(20, 10, Rgba([100, 100, 100, 255]));
         let mut picture = reference.clone();
-        assert_eq!(compare(&picture, &reference, 0.0), Finding::Same);
+        assert_eq!(compare(&picture, &reference, 0.0), ImageTestResult::Same);
         picture.put_pixel(7, 3, Rgba([100, 151, 100, 255]));
         assert_eq!(
             compare(&picture, &reference, 0.2),
-            Finding::Same,
+            ImageTestResult::Same,
             "exactly at the threshold"
         );
-        let Finding::Different { what, difference } = compare(&picture, &reference, 0.19) else {
+        let ImageTestResult::Different { what, difference } = compare(&picture, &reference, 0.19)
+        else {
             panic!("a difference of 0.2 is more than 0.19");
         };
         assert!(
@@ -124,7 +129,7 @@ mod tests {
         assert!(
             matches!(
                 found,
-                Finding::Different {
+                ImageTestResult::Different {
                     difference: None,
                     ..
                 }

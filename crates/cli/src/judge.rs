@@ -7,7 +7,7 @@ use cutaway_lab::experiment::{
 };
 
 use super::console::Console;
-use super::input::subject::Subject;
+use super::input::subject::SceneInput;
 
 /// Number of progress steps of [`judge`].
 pub(super) fn steps(renderers: usize, rounds: usize) -> usize {
@@ -18,7 +18,7 @@ pub(super) fn steps(renderers: usize, rounds: usize) -> usize {
 pub(super) fn judge(
     session: &mut Session,
     shown: &SceneAtTime,
-    subject: &Subject,
+    subject: &SceneInput,
     renderers: &[Renderer],
     rounds: usize,
     console: &Console,

@@ -8,7 +8,7 @@ use glam::DVec3;
 use crate::editing::cuts::{NewCut, PlaneMove};
 use crate::editing::regions::RegionMove;
 use crate::picture::camera::CameraMove;
-use crate::picture::slot::{Layout, Painter, SlotSide};
+use crate::picture::slot::{Painter, SlotLayout, SlotSide};
 
 /// Subject of the panels.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -75,7 +75,7 @@ pub enum Action {
     /// Swaps the slots.
     Swap,
     /// Sets the layout of the slots.
-    Arrange(Layout),
+    Arrange(SlotLayout),
     /// Sets the position of the line between the slots: 0 at the left end.
     Wipe(f32),
     /// Shows errors over the slots, or hides them.

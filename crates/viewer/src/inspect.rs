@@ -16,7 +16,7 @@ use crate::beside::beside;
 
 /// Defects of a mesh.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Findings {
+pub struct MeshDefects {
     /// End points of edges with an odd number of faces, in mesh space.
     pub open: Vec<[DVec3; 2]>,
     /// Edges with more than two faces.
@@ -29,7 +29,7 @@ pub struct Findings {
     pub inside_out: usize,
 }
 
-impl Findings {
+impl MeshDefects {
     /// Inspects a mesh.
     pub fn of(mesh: &Mesh) -> Self {
         let facts = Topology::new(mesh);
@@ -57,7 +57,7 @@ pub struct Counts {
 
 impl Counts {
     /// Sums the findings of several meshes.
-    pub fn of<'a>(all: impl IntoIterator<Item = &'a Findings>) -> Self {
+    pub fn of<'a>(all: impl IntoIterator<Item = &'a MeshDefects>) -> Self {
         let mut sum = Self::default();
         for findings in all {
             sum.open += findings.open.len();
@@ -125,14 +125,14 @@ impl Counts {
 }
 
 /// Findings with a weak reference to their mesh.
-type CachedFindings = (Weak<Mesh>, Findings);
+type CachedFindings = (Weak<Mesh>, MeshDefects);
 
 /// Known findings of meshes, and the mesh under inspection.
 #[derive(Debug, Default)]
 pub struct Inspector {
     /// By the mesh's address, which stays unique while it is referenced here.
     known: BTreeMap<usize, CachedFindings>,
-    under_way: Option<(Arc<Mesh>, Receiver<Findings>)>,
+    under_way: Option<(Arc<Mesh>, Receiver<MeshDefects>)>,
     /// Revision for which all meshes are inspected.
     done: Option<u64>,
 }
@@ -158,7 +158,7 @@ impl Inspector {
                 self.under_way = Some((mesh.clone(), answers));
                 beside(move || {
                     // If the window is closed, there is no receiver.
-                    let _ = tell.send(Findings::of(&mesh));
+                    let _ = tell.send(MeshDefects::of(&mesh));
                     wake();
                 });
             }
@@ -173,7 +173,7 @@ impl Inspector {
     }
 
     /// Findings of a mesh, once they are known.
-    pub fn of(&self, mesh: &Arc<Mesh>) -> Option<&Findings> {
+    pub fn of(&self, mesh: &Arc<Mesh>) -> Option<&MeshDefects> {
         self.known.get(&address(mesh)).map(|(_, findings)| findings)
     }
 
@@ -185,7 +185,7 @@ impl Inspector {
             Ok(findings) => findings,
             Err(TryRecvError::Empty) => return false,
             // A failed inspection is not repeated.
-            Err(TryRecvError::Disconnected) => Findings::default(),
+            Err(TryRecvError::Disconnected) => MeshDefects::default(),
         };
         let known = (Arc::downgrade(mesh), findings);
         self.known.insert(address(mesh), known);
@@ -209,13 +209,13 @@ mod tests {
 
     #[test]
     fn holes_and_doubled_faces_are_found_and_sound_meshes_have_no_badge() {
-        let sound = Findings::of(&mesh());
+        let sound = MeshDefects::of(&mesh());
         assert_eq!(Counts::of([&sound]).badge(), None);
         assert_eq!(Counts::of([&sound]).details(), "");
 
         let mut open = mesh();
         open.triangles.pop();
-        let found = Findings::of(&open);
+        let found = MeshDefects::of(&open);
         assert_eq!(found.open.len(), 3, "around the face that is missing");
         let counts = Counts::of([&found, &sound, &found]);
         assert_eq!(counts.badge().as_deref(), Some("open: 6 edges"));
@@ -227,7 +227,7 @@ mod tests {
 
         let mut turned = mesh();
         turned.triangles.iter_mut().for_each(|t| t.reverse());
-        let counts = Counts::of([&Findings::of(&turned)]);
+        let counts = Counts::of([&MeshDefects::of(&turned)]);
         assert_eq!(counts.badge().as_deref(), Some("inside out"));
 
         let mut doubled = mesh();
@@ -235,7 +235,7 @@ mod tests {
         doubled
             .triangles
             .extend([face, [face[0], face[2], face[1]]]);
-        let counts = Counts::of([&Findings::of(&doubled)]);
+        let counts = Counts::of([&MeshDefects::of(&doubled)]);
         assert!(
             counts.badge().is_some_and(|b| b.starts_with("doubled")),
             "{counts:?}"

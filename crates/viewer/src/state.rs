@@ -26,12 +26,12 @@ use crate::editing::history::History;
 use crate::editing::{parts, removal, styles, timeline};
 use crate::picture::camera;
 use crate::picture::shown::Shown;
-use crate::picture::slot::{Layout, Painter, SlotSide};
-use crate::storage::files::Store;
+use crate::picture::slot::{Painter, SlotLayout, SlotSide};
+use crate::storage::files::FileStorage;
 use ahead::Ahead;
 use cutaway::error::Diagnostic;
 
-pub use ahead::Moment;
+pub use ahead::StateRevision;
 
 /// State of the window. A clone shares large data.
 #[derive(Clone, Debug)]
@@ -43,7 +43,7 @@ pub struct State {
     saved: Document,
     history: History,
     assets: Assets,
-    store: Arc<dyn Store>,
+    store: Arc<dyn FileStorage>,
     shown: Option<Shown>,
     /// Counts changes to the scene and the eye.
     scene_revision: u64,
@@ -56,7 +56,7 @@ pub struct State {
     time_s: Option<f64>,
     selection: Selection,
     slots: [Painter; 2],
-    layout: Layout,
+    layout: SlotLayout,
     wipe: f32,
     shows_errors: bool,
     shows_open_edges: bool,
@@ -81,13 +81,17 @@ impl State {
     /// # Errors
     ///
     /// As of [`State::open`].
-    pub fn open_from(store: Arc<dyn Store>, document: Document, assets: Assets) -> Result<Self> {
+    pub fn open_from(
+        store: Arc<dyn FileStorage>,
+        document: Document,
+        assets: Assets,
+    ) -> Result<Self> {
         Self::open_like(store, document, assets, None)
     }
 
     /// The same; data in common with another scene is reused.
     fn open_like(
-        store: Arc<dyn Store>,
+        store: Arc<dyn FileStorage>,
         mut document: Document,
         mut assets: Assets,
         alike: Option<&Shown>,
@@ -112,7 +116,7 @@ impl State {
             time_s: None,
             selection: Selection::Scene,
             slots: [Painter::Auto; 2],
-            layout: Layout::Single,
+            layout: SlotLayout::Single,
             wipe: 0.5,
             shows_errors: false,
             shows_open_edges: false,
@@ -131,7 +135,7 @@ impl State {
     }
 
     /// Storage of its files.
-    pub fn store(&self) -> &Arc<dyn Store> {
+    pub fn store(&self) -> &Arc<dyn FileStorage> {
         &self.store
     }
 
@@ -176,7 +180,7 @@ impl State {
     }
 
     /// Layout of the slots.
-    pub fn layout(&self) -> Layout {
+    pub fn layout(&self) -> SlotLayout {
         self.layout
     }
 

@@ -45,7 +45,7 @@ const INSTALL: &str = "install a Vulkan driver, for which a software one will do
 ///
 /// A document that cannot be opened, a display or an adapter that there is not, a device that is lost again and again.
 pub fn open(opened: Opened) -> Result<()> {
-    let mut window = Window {
+    let mut window = WindowState {
         state: Some(State::open(opened.document, opened.assets)?),
         viewer: None,
         adapter: opened.adapter,
@@ -112,7 +112,7 @@ fn not_opened(error: &eframe::Error) -> Error {
 }
 
 /// State that survives a change of the device.
-struct Window {
+struct WindowState {
     /// State of the first window.
     state: Option<State>,
     viewer: Option<Viewer>,
@@ -127,7 +127,7 @@ struct Window {
     loses_by: Option<OsString>,
 }
 
-impl Window {
+impl WindowState {
     /// Opens a window, and stays until it is closed or its device is lost.
     fn run(&mut self) -> eframe::Result {
         let mut options = eframe::NativeOptions {
@@ -229,7 +229,7 @@ fn placed_as(info: &ViewportInfo) -> ViewportBuilder {
 
 /// A window on one device.
 struct App<'a> {
-    window: &'a mut Window,
+    window: &'a mut WindowState,
     device: wgpu::Device,
     loss: DeviceLoss,
 }

@@ -5,7 +5,7 @@
 
 use crate::effects::pixels::{Pixels, VISIBILITY, numbers, per_pixel};
 use crate::passes::SceneBuffers;
-use crate::plan::{Binding, Clock, Plan, Resource, ResourceId, Role, pack};
+use crate::plan::{Binding, BufferRole, Clock, Plan, Resource, ResourceId, pack};
 use crate::shader::Shader;
 
 /// Returns true if this pass is needed: a style requests it, and a relief cuts something.
@@ -37,7 +37,7 @@ pub(in crate::effects) fn relief_sky(
         },
     );
     let maps = model.relief_sky.contents().clone();
-    let maps = Resource::upload("relief_sky_maps", Role::Storage, maps, Clock::Cut);
+    let maps = Resource::upload("relief_sky_maps", BufferRole::Storage, maps, Clock::Cut);
     let maps = plan.add_resource(maps);
     let visibility = per_pixel(plan, scene, VISIBILITY, 4);
     let mut bindings = vec![

@@ -8,7 +8,7 @@ use std::collections::HashMap;
 
 use glam::DVec3;
 
-use super::spec::{Parameter, ShapeInfo};
+use super::spec::{ShapeInfo, ShapeParameter};
 use super::{Mesh, Part};
 
 /// A cube around the origin.
@@ -16,8 +16,8 @@ pub(super) const CUBE: ShapeInfo = ShapeInfo {
     name: "cube",
     summary: "a cube around the origin",
     parameters: &[
-        Parameter::length("size", "length of an edge", 1.0),
-        Parameter::count("divisions", "squares along an edge", 1, [1, 1000]),
+        ShapeParameter::length("size", "length of an edge", 1.0),
+        ShapeParameter::count("divisions", "squares along an edge", 1, [1, 1000]),
     ],
     triangles: |v| 12.0 * v.real("divisions").powi(2),
     build: |v| {
@@ -46,8 +46,8 @@ pub(super) const SPONGE: ShapeInfo = ShapeInfo {
     name: "sponge",
     summary: "a Menger sponge: many through-holes, genus 5, 81, 1409, ...",
     parameters: &[
-        Parameter::length("size", "length of an edge of the whole", 1.0),
-        Parameter::count("level", "times every cube is drilled", 2, [0, 5]),
+        ShapeParameter::length("size", "length of an edge of the whole", 1.0),
+        ShapeParameter::count("level", "times every cube is drilled", 2, [0, 5]),
     ],
     // 2.20^n + 4.8^n unit squares: those of each of the 20 cubes, minus the ones glued together.
     triangles: |v| 4.0 * 20_f64.powf(v.real("level")) + 8.0 * 8_f64.powf(v.real("level")),
@@ -66,17 +66,17 @@ pub(super) const COMB: ShapeInfo = ShapeInfo {
     name: "comb",
     summary: "thin parallel plates on a common spine: high depth complexity",
     parameters: &[
-        Parameter::count("teeth", "plates", 24, [1, 400_000]),
-        Parameter::real(
+        ShapeParameter::count("teeth", "plates", 24, [1, 400_000]),
+        ShapeParameter::real(
             "fill",
             "thickness of a plate as a share of the pitch",
             0.4,
             [0.01, 0.99],
         ),
-        Parameter::length("length", "along x, across the plates", 1.5),
-        Parameter::length("height", "of plates and spine", 1.0),
-        Parameter::length("depth", "of the plates, along z", 1.0),
-        Parameter::real("spine", "its share of the height", 0.15, [0.01, 0.99]),
+        ShapeParameter::length("length", "along x, across the plates", 1.5),
+        ShapeParameter::length("height", "of plates and spine", 1.0),
+        ShapeParameter::length("depth", "of the plates, along z", 1.0),
+        ShapeParameter::real("spine", "its share of the height", 0.15, [0.01, 0.99]),
     ],
     // Squares: 5 per plate, 3 per plate and 4 per gap on the spine, 2 at its ends.
     triangles: |v| 24.0 * v.real("teeth") - 4.0,

@@ -9,15 +9,15 @@ use glam::{DVec2, DVec3};
 use super::Part;
 use super::milled::{Facing, Milled, WallSide};
 use super::outline::circle;
-use super::spec::{Parameter, ShapeInfo};
+use super::spec::{ShapeInfo, ShapeParameter};
 
 pub(super) const COLUMN: ShapeInfo = ShapeInfo {
     name: "column",
     summary: "a fluted column between a round base and a square slab",
     parameters: &[
-        Parameter::count("flutes", "flutes", 20, [4, 64]),
-        Parameter::count("detail", "points across a flute", 10, [2, 200]),
-        Parameter::length("height", "of the shaft, over the radius at its foot", 8.0),
+        ShapeParameter::count("flutes", "flutes", 20, [4, 64]),
+        ShapeParameter::count("detail", "points across a flute", 10, [2, 200]),
+        ShapeParameter::length("height", "of the shaft, over the radius at its foot", 8.0),
     ],
     triangles: |v| {
         let around = v.real("flutes") * v.real("detail");

@@ -14,7 +14,7 @@ use glam::{DVec2, DVec3};
 use super::lathe::{Fineness, turned};
 use super::milled::{Facing, Milled, WallSide};
 use super::outline::inset;
-use super::spec::{Parameter, ShapeInfo};
+use super::spec::{ShapeInfo, ShapeParameter};
 use super::web::{Web, throw_angles};
 use super::{Mesh, Part};
 use crate::Result;
@@ -24,8 +24,8 @@ pub(super) const CRANK: ShapeInfo = ShapeInfo {
     name: "crank",
     summary: "a crankshaft with counterweights, fillets and through-bores, about 100,000 triangles",
     parameters: &[
-        Parameter::count("throws", "crank pins", 4, [1, 12]),
-        Parameter::count(
+        ShapeParameter::count("throws", "crank pins", 4, [1, 12]),
+        ShapeParameter::count(
             "detail",
             "corners around a main journal; triangles grow with its square",
             DETAIL,

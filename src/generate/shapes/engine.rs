@@ -12,7 +12,7 @@ use super::crank::{self, pin_middle};
 use super::lathe::{Fineness, turned};
 use super::milled::{Facing, Milled, WallSide};
 use super::outline::{arc, circle, subdivided};
-use super::spec::{Parameter, ShapeInfo};
+use super::spec::{ShapeInfo, ShapeParameter};
 use super::{Mesh, Part};
 use crate::Result;
 use crate::scene::{Material, Role};
@@ -22,8 +22,8 @@ pub(super) const ENGINE: ShapeInfo = ShapeInfo {
     name: "engine",
     summary: "an inline engine: block, head and case around crank, rods and pistons, about 145,000 triangles",
     parameters: &[
-        Parameter::count("cylinders", "cylinders", 4, [1, 8]),
-        Parameter::count(
+        ShapeParameter::count("cylinders", "cylinders", 4, [1, 8]),
+        ShapeParameter::count(
             "detail",
             "corners around a main journal; triangles grow with its square",
             120,

@@ -11,12 +11,12 @@ use spade::{ConstrainedDelaunayTriangulation, HasPosition, Point2, Triangulation
 use crate::{Error, Result};
 
 /// A vertex of the triangulation with its index.
-struct Vertex {
+struct FillVertex {
     at: DVec2,
     number: u32,
 }
 
-impl HasPosition for Vertex {
+impl HasPosition for FillVertex {
     type Scalar = f64;
 
     fn position(&self) -> Point2<f64> {
@@ -25,7 +25,7 @@ impl HasPosition for Vertex {
 }
 
 /// A filled region.
-pub(super) struct Filled {
+pub(super) struct FilledRegion {
     /// Points added inside; their indices follow those of the polygons' points.
     pub(super) added: Vec<DVec2>,
     /// Counter-clockwise triangles; indices run through the polygons' points in order, then through `added`.
@@ -33,7 +33,7 @@ pub(super) struct Filled {
 }
 
 /// Fills the region inside an odd number of the polygons, with interior points `spacing` apart. Polygons must not cross or touch.
-pub(super) fn fill(polygons: &[&[DVec2]], spacing: f64) -> Result<Filled> {
+pub(super) fn fill(polygons: &[&[DVec2]], spacing: f64) -> Result<FilledRegion> {
     let added = lattice(polygons, spacing);
     let mut edges = Vec::new();
     let mut points: Vec<DVec2> = Vec::new();
@@ -44,9 +44,9 @@ pub(super) fn fill(polygons: &[&[DVec2]], spacing: f64) -> Result<Filled> {
     }
     points.extend_from_slice(&added);
     let vertices = (0_u32..).zip(&points);
-    let vertices = vertices.map(|(number, at)| Vertex { at: *at, number });
+    let vertices = vertices.map(|(number, at)| FillVertex { at: *at, number });
     let wanted = edges.len();
-    let cdt = ConstrainedDelaunayTriangulation::<Vertex>::try_bulk_load_cdt(
+    let cdt = ConstrainedDelaunayTriangulation::<FillVertex>::try_bulk_load_cdt(
         vertices.collect(),
         edges,
         |_| {},
@@ -74,7 +74,7 @@ pub(super) fn fill(polygons: &[&[DVec2]], spacing: f64) -> Result<Filled> {
         }
         reached.extend(around.map(|e| (e.rev(), is_inside != e.is_constraint_edge())));
     }
-    Ok(Filled { added, triangles })
+    Ok(FilledRegion { added, triangles })
 }
 
 fn broken(what: &str) -> Error {

@@ -9,7 +9,7 @@ use glam::{DVec2, DVec3};
 
 use super::milled::{Facing, Milled, WallSide};
 use super::outline::{arc, circle, subdivided};
-use super::spec::{Parameter, ShapeInfo, Values};
+use super::spec::{ShapeInfo, ShapeParameter, Values};
 use super::{Mesh, parts_of};
 use crate::Result;
 
@@ -18,17 +18,17 @@ pub(super) const GEARS: ShapeInfo = ShapeInfo {
     name: "gears",
     summary: "two meshing involute gears with bores, as two parts",
     parameters: &[
-        Parameter::count("wheel", "teeth of the wheel", 28, TEETH),
-        Parameter::count("pinion", "teeth of the pinion", 19, TEETH),
-        Parameter::length("module", "pitch diameter per tooth", 0.04),
-        Parameter::length("thickness", "along z", 0.25),
-        Parameter::real(
+        ShapeParameter::count("wheel", "teeth of the wheel", 28, TEETH),
+        ShapeParameter::count("pinion", "teeth of the pinion", 19, TEETH),
+        ShapeParameter::length("module", "pitch diameter per tooth", 0.04),
+        ShapeParameter::length("thickness", "along z", 0.25),
+        ShapeParameter::real(
             "bore",
             "radius of a bore as a share of the pitch radius",
             0.3,
             [0.01, 0.7],
         ),
-        Parameter::count("flank", "pieces of a tooth's flank", 8, [1, 256]),
+        ShapeParameter::count("flank", "pieces of a tooth's flank", 8, [1, 256]),
     ],
     triangles: |v| {
         let flank = v.real("flank");

@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec3, Vec3};
 
 use super::milled::{Facing, Milled, WallSide};
-use super::spec::{Parameter, ShapeInfo};
+use super::spec::{ShapeInfo, ShapeParameter};
 use super::{Mesh, Part};
 use crate::Result;
 use crate::scene::{Material, Role};
@@ -11,7 +11,7 @@ use crate::scene::{Material, Role};
 pub(super) const HOUSE: ShapeInfo = ShapeInfo {
     name: "house",
     summary: "a house: walls around four rooms, a roof, and furniture within",
-    parameters: &[Parameter::real(
+    parameters: &[ShapeParameter::real(
         "wall",
         "thickness of the walls",
         0.08,

@@ -26,7 +26,7 @@ mod spec;
 mod swept;
 mod web;
 
-pub use spec::{MOST_TRIANGLES, Parameter, ShapeInfo};
+pub use spec::{MOST_TRIANGLES, ShapeInfo, ShapeParameter};
 
 use crate::error::did_you_mean;
 use crate::scene::{Material, Mesh, Part};

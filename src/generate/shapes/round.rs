@@ -6,11 +6,11 @@ use std::collections::HashMap;
 
 use glam::{DVec3, Vec3};
 
-use super::spec::{Parameter, ShapeInfo, Values};
+use super::spec::{ShapeInfo, ShapeParameter, Values};
 use super::{Mesh, Part, parts_of};
 use crate::scene::Material;
 
-const SUBDIVISIONS: Parameter = Parameter::count(
+const SUBDIVISIONS: ShapeParameter = ShapeParameter::count(
     "subdivisions",
     "times each triangle of the icosahedron is split in four",
     5,
@@ -21,7 +21,10 @@ const SUBDIVISIONS: Parameter = Parameter::count(
 pub(super) const SPHERE: ShapeInfo = ShapeInfo {
     name: "sphere",
     summary: "a ball",
-    parameters: &[Parameter::length("radius", "radius", 0.5), SUBDIVISIONS],
+    parameters: &[
+        ShapeParameter::length("radius", "radius", 0.5),
+        SUBDIVISIONS,
+    ],
     triangles: |v| icosphere_triangles(v, 1.0),
     build: |v| {
         let ball = icosphere(v.real("radius"), v.count("subdivisions"));
@@ -35,9 +38,9 @@ pub(super) const EARTH: ShapeInfo = ShapeInfo {
     name: "earth",
     summary: "core, mantle and crust: three nested solid balls, the smaller one wins",
     parameters: &[
-        Parameter::length("core", "radius of the core", 0.35),
-        Parameter::length("mantle", "radius of the mantle", 0.85),
-        Parameter::length("crust", "radius of the crust", 1.0),
+        ShapeParameter::length("core", "radius of the core", 0.35),
+        ShapeParameter::length("mantle", "radius of the mantle", 0.85),
+        ShapeParameter::length("crust", "radius of the crust", 1.0),
         SUBDIVISIONS,
     ],
     triangles: |v| icosphere_triangles(v, 3.0),
@@ -69,9 +72,9 @@ pub(super) const SHELLS: ShapeInfo = ShapeInfo {
     name: "shells",
     summary: "a hollow ball: two spheres in one mesh, the inner one flipped or not",
     parameters: &[
-        Parameter::length("radius", "outer radius", 0.5),
-        Parameter::length("inner", "inner radius", 0.3),
-        Parameter::count(
+        ShapeParameter::length("radius", "outer radius", 0.5),
+        ShapeParameter::length("inner", "inner radius", 0.3),
+        ShapeParameter::count(
             "flip_inner",
             "1: the inner sphere faces inward; 0: outward, so that only the even-odd rule finds the void",
             1,
@@ -101,9 +104,9 @@ pub(super) const SLIVERS: ShapeInfo = ShapeInfo {
     name: "slivers",
     summary: "a bicone of needle triangles that all meet in two points",
     parameters: &[
-        Parameter::length("radius", "radius of the rim", 0.5),
-        Parameter::length("height", "from tip to tip along z", 0.5),
-        Parameter::count("needles", "triangles at each tip", 1000, [3, 5_000_000]),
+        ShapeParameter::length("radius", "radius of the rim", 0.5),
+        ShapeParameter::length("height", "from tip to tip along z", 0.5),
+        ShapeParameter::count("needles", "triangles at each tip", 1000, [3, 5_000_000]),
     ],
     triangles: |v| v.real("needles") * 2.0,
     build: |v| {

@@ -12,7 +12,7 @@ pub const MOST_TRIANGLES: f64 = 20e6;
 
 /// A numeric parameter of a shape.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Parameter {
+pub struct ShapeParameter {
     /// Name in a spec.
     pub name: &'static str,
     /// Description for help texts.
@@ -27,7 +27,7 @@ pub struct Parameter {
     pub whole: bool,
 }
 
-impl Parameter {
+impl ShapeParameter {
     /// A real number.
     pub(super) const fn real(
         name: &'static str,
@@ -98,7 +98,7 @@ pub struct ShapeInfo {
     /// One line for help texts.
     pub summary: &'static str,
     /// Its parameters.
-    pub parameters: &'static [Parameter],
+    pub parameters: &'static [ShapeParameter],
     /// Maximum number of triangles; exact for all but the crank and the gears.
     pub(super) triangles: fn(&Values) -> f64,
     /// Builds the parts.

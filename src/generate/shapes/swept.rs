@@ -9,7 +9,7 @@ use std::f64::consts::TAU;
 use glam::{DVec2, DVec3};
 
 use super::round::icosphere;
-use super::spec::{Parameter, ShapeInfo};
+use super::spec::{ShapeInfo, ShapeParameter};
 use super::{Mesh, Part};
 use crate::scene::{Material, Role};
 
@@ -20,10 +20,10 @@ pub(super) const TORUS: ShapeInfo = ShapeInfo {
     name: "torus",
     summary: "a ring around the y axis",
     parameters: &[
-        Parameter::length("major", "from the centre to the middle of the tube", 0.5),
-        Parameter::length("minor", "radius of the tube", 0.2),
-        Parameter::count("segments", "sections along the tube", 96, AROUND),
-        Parameter::count("sides", "corners of a section", 48, AROUND),
+        ShapeParameter::length("major", "from the centre to the middle of the tube", 0.5),
+        ShapeParameter::length("minor", "radius of the tube", 0.2),
+        ShapeParameter::count("segments", "sections along the tube", 96, AROUND),
+        ShapeParameter::count("sides", "corners of a section", 48, AROUND),
     ],
     triangles: |v| 2.0 * v.real("segments") * v.real("sides"),
     build: |v| {
@@ -45,18 +45,18 @@ pub(super) const KNOT: ShapeInfo = ShapeInfo {
     name: "knot",
     summary: "a tube along the torus knot (p, q); the trefoil by default",
     parameters: &[
-        Parameter::count("p", "turns around the axis", 2, [1, 12]),
-        Parameter::count(
+        ShapeParameter::count("p", "turns around the axis", 2, [1, 12]),
+        ShapeParameter::count(
             "q",
             "turns around the ring, without common divisor with p",
             3,
             [1, 12],
         ),
-        Parameter::length("major", "from the centre to the middle of the ring", 0.5),
-        Parameter::length("minor", "radius of the ring", 0.25),
-        Parameter::length("tube", "radius of the tube", 0.1),
-        Parameter::count("segments", "sections along the tube", 480, [24, 1_000_000]),
-        Parameter::count("sides", "corners of a section", 32, AROUND),
+        ShapeParameter::length("major", "from the centre to the middle of the ring", 0.5),
+        ShapeParameter::length("minor", "radius of the ring", 0.25),
+        ShapeParameter::length("tube", "radius of the tube", 0.1),
+        ShapeParameter::count("segments", "sections along the tube", 480, [24, 1_000_000]),
+        ShapeParameter::count("sides", "corners of a section", 32, AROUND),
     ],
     triangles: |v| 2.0 * v.real("segments") * v.real("sides"),
     build: |v| {
@@ -100,14 +100,14 @@ pub(super) const CONDUIT: ShapeInfo = ShapeInfo {
     name: "conduit",
     summary: "a hollow pipe: a straight leg, a bend, a straight leg",
     parameters: &[
-        Parameter::length("bend", "radius of the bend, to the middle of the pipe", 0.5),
-        Parameter::real("angle", "of the bend, in degrees", 90.0, [1.0, 350.0]),
-        Parameter::length("leg", "length of a leg", 0.4),
-        Parameter::length("outer", "outer radius of the pipe", 0.2),
-        Parameter::length("inner", "inner radius of the pipe", 0.15),
-        Parameter::count("segments", "sections along the bend", 48, [1, 100_000]),
-        Parameter::count("sides", "corners of a section", 64, AROUND),
-        Parameter::count(
+        ShapeParameter::length("bend", "radius of the bend, to the middle of the pipe", 0.5),
+        ShapeParameter::real("angle", "of the bend, in degrees", 90.0, [1.0, 350.0]),
+        ShapeParameter::length("leg", "length of a leg", 0.4),
+        ShapeParameter::length("outer", "outer radius of the pipe", 0.2),
+        ShapeParameter::length("inner", "inner radius of the pipe", 0.15),
+        ShapeParameter::count("segments", "sections along the bend", 48, [1, 100_000]),
+        ShapeParameter::count("sides", "corners of a section", 64, AROUND),
+        ShapeParameter::count(
             "inside",
             "balls in the bend, parts of their own",
             0,

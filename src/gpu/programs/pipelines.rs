@@ -30,12 +30,12 @@ const MOST_IDLE: usize = 256;
 /// Pipelines, keyed by everything they depend on.
 #[derive(Default)]
 pub(in crate::gpu) struct Pipelines {
-    made: BTreeMap<Recipe, (Arc<Pipeline>, Arc<Composed>)>,
+    made: BTreeMap<PipelineKey, (Arc<Pipeline>, Arc<Composed>)>,
 }
 
 /// Everything a pipeline depends on.
 #[derive(PartialEq, Eq, PartialOrd, Ord)]
-struct Recipe {
+struct PipelineKey {
     shader: Shader,
     /// Names, and values as bits.
     constants: Vec<(&'static str, u64)>,
@@ -53,7 +53,7 @@ struct DrawState {
     has_vertices: bool,
 }
 
-impl Recipe {
+impl PipelineKey {
     fn of(plan: &Plan, pass: &Pass) -> Self {
         let draw = match &pass.work {
             Work::Compute { .. } | Work::ComputeIndirect { .. } => None,
@@ -87,7 +87,7 @@ impl Pipelines {
         plan: &Plan,
         pass: &Pass,
     ) -> Result<(Arc<Pipeline>, Arc<Composed>)> {
-        let recipe = Recipe::of(plan, pass);
+        let recipe = PipelineKey::of(plan, pass);
         if let Some(made) = self.made.get(&recipe) {
             return Ok(made.clone());
         }

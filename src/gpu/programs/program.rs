@@ -6,7 +6,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::gpu::Gpu;
-use crate::gpu::composite::{Composed, Compositor};
+use crate::gpu::composite::{CompositeBuffers, Compositor};
 use crate::gpu::device::is_shared;
 use crate::gpu::draw::ReadyPass;
 use crate::gpu::layer_words::{LAYER_BYTES, layers_from_words};
@@ -14,13 +14,13 @@ use crate::gpu::pick::{Arriving, Pick};
 use crate::gpu::report::Report;
 use crate::gpu::resource::{GpuResource, make};
 use crate::gpu::target::Destination;
-use crate::gpu::timing::{ClockSet, PassTime, RunTimes, Stopwatch, timed};
+use crate::gpu::timing::{ClockSet, PassTime, RunTimes, TimestampQueries, timed};
 use crate::layers::Layers;
 use crate::plan::{Clock, Due, Pass, Plan, Recorded, Resource, ResourceId, Shape};
 use crate::{Error, Result};
 
 /// Passes that were encoded.
-pub(crate) struct Encoded {
+pub(crate) struct EncodedPasses {
     /// Number of passes.
     pub(crate) passes: usize,
     /// Needs of bounded buffers, known after the frame.
@@ -33,7 +33,7 @@ pub struct Program {
     recorded: Recorded,
     resources: BTreeMap<String, (Shape, GpuResource)>,
     steps: Vec<ReadyPass>,
-    stopwatch: Option<Stopwatch>,
+    stopwatch: Option<TimestampQueries>,
     generation: u64,
     /// Work that has not run since its inputs changed, including after a failed run.
     due: Due,
@@ -96,7 +96,7 @@ impl Program {
             let step = |pass| ReadyPass::new(gpu, &plan, pass, &self.resources);
             let steps = plan.passes.iter().map(step).collect::<Result<Vec<_>>>()?;
             let is_timed = gpu.has_timestamps();
-            let stopwatch = || Stopwatch::new(&gpu.device, plan.passes.len());
+            let stopwatch = || TimestampQueries::new(&gpu.device, plan.passes.len());
             self.stopwatch = is_timed.then(stopwatch).flatten();
             gpu.complaint()?;
             self.steps = steps;
@@ -138,7 +138,7 @@ impl Program {
     pub fn run(&self, gpu: &Gpu, clocks: ClockSet) -> Result<RunTimes> {
         let works = PassTime::of_cpu(&self.recorded, |step, work| {
             let is_asked = clocks.contains(step.clock);
-            is_asked.then(|| Stopwatch::ms_of(&*work.again))
+            is_asked.then(|| TimestampQueries::ms_of(&*work.again))
         });
         let mut times = self.run_passes(gpu, |pass| clocks.contains(pass.clock))?;
         times.add_before(works);
@@ -175,7 +175,7 @@ impl Program {
         &self,
         gpu: &Gpu,
         runs: impl Fn(&Pass) -> bool,
-        stopwatch: &Stopwatch,
+        stopwatch: &TimestampQueries,
     ) -> Result<RunTimes> {
         let mut encoder = new_encoder(gpu);
         let mut ran = Vec::with_capacity(self.steps.len());
@@ -187,7 +187,7 @@ impl Program {
         gpu.queue.submit([encoder.finish()]);
         let ticks = gpu.map::<u64>(&stopwatch.copied)?;
         let ns_per_tick = gpu.queue.get_timestamp_period();
-        Ok(Stopwatch::times(ns_per_tick, &ticks, &ran))
+        Ok(TimestampQueries::times(ns_per_tick, &ticks, &ran))
     }
 
     /// One submission per pass, each waited for: the cost of per-pass times on a device without timestamps.
@@ -195,7 +195,7 @@ impl Program {
         gpu.wait()?;
         let mut passes = Vec::with_capacity(self.steps.len());
         for (index, pass, step) in self.steps_that(runs) {
-            let started = Stopwatch::now();
+            let started = TimestampQueries::now();
             let mut encoder = new_encoder(gpu);
             step.encode(&mut encoder, None, index);
             gpu.queue.submit([encoder.finish()]);
@@ -230,7 +230,7 @@ impl Program {
         &mut self,
         gpu: &Gpu,
         encoder: &mut wgpu::CommandEncoder,
-    ) -> Result<Encoded> {
+    ) -> Result<EncodedPasses> {
         let due = &self.due.passes;
         let mut passes = 0;
         for (index, _, step) in self.steps_that(|pass| due.contains(&pass.name)) {
@@ -248,7 +248,7 @@ impl Program {
             }
             _ => None,
         };
-        Ok(Encoded { passes, report })
+        Ok(EncodedPasses { passes, report })
     }
 
     /// Copies the layers of one pixel after the encoded commands; pixels are numbered row by row from the upper left corner.
@@ -288,7 +288,7 @@ impl Program {
             let fault = || Error::Plan(format!("the plan has no {name}"));
             self.buffer_named(name).ok_or_else(fault)
         };
-        let frame = Composed {
+        let frame = CompositeBuffers {
             picture: self.picture_buffer()?,
             layers: self.layers_buffer()?,
             parts: table("parts")?,

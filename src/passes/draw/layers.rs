@@ -3,7 +3,7 @@
 use super::surface::Surfaces;
 use crate::passes::frame::buffers::SceneBuffers;
 use crate::passes::frame::input::Input;
-use crate::plan::{Binding, Clock, Contents, Pass, Plan, Resource, ResourceId, Role, Work};
+use crate::plan::{Binding, BufferRole, Clock, Contents, Pass, Plan, Resource, ResourceId, Work};
 use crate::scene::{linear_from_srgb, map_channels};
 
 /// Completed layers of a frame.
@@ -72,7 +72,7 @@ pub(crate) fn overlap(
     };
     let linear = map_channels(color, linear_from_srgb).extend(1.0).to_array();
     let color = Contents::from_values(&[linear]);
-    let color = Resource::upload("interference", Role::Uniform, color, Clock::Cut);
+    let color = Resource::upload("interference", BufferRole::Uniform, color, Clock::Cut);
     bindings.push(Binding::read("interference", plan.add_resource(color)));
     "lib/overlap/hatched.wgsl"
 }

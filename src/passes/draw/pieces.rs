@@ -1,13 +1,13 @@
 //! Pieces of triangles that are too large for one invocation ([`Share`](super::share::Share)).
 
-use super::scan::{Run, Scan, Total};
+use super::scan::{Scan, ScanRange, Total};
 use super::share::first_piece_at;
 use crate::passes::frame::dispatch::groups_along;
-use crate::passes::frame::on_screen::Screen;
+use crate::passes::frame::on_screen::ScreenMesh;
 use crate::plan::{Access, Arguments, Pass, Plan, Work};
 use crate::shader::Shader;
 
-impl Screen {
+impl ScreenMesh {
     /// A dispatch of one workgroup per piece.
     pub(crate) fn over_pieces(&self) -> Work {
         let arguments = Arguments {
@@ -39,7 +39,7 @@ impl Screen {
             what: "pieces of queued triangles",
             clock: self.clock,
             items: self.queue,
-            run: Run {
+            run: ScanRange {
                 first: first_piece_at(self.triangle_count),
                 length: self.triangle_count,
                 count_at: Some(0),

@@ -13,11 +13,11 @@ use super::resolve::{Inside, cap_normal, constants_of_decision};
 use super::screen::{Fresh, ScreenOf};
 use super::share::Share;
 use super::store::Store;
-use super::sweep::Sweep;
+use super::sweep::SweepPasses;
 use crate::passes::frame::buffers::SceneBuffers;
 use crate::passes::frame::crossings::CrossingSource;
 use crate::passes::frame::dispatch::groups_along;
-use crate::passes::frame::on_screen::{OnScreen, Screen};
+use crate::passes::frame::on_screen::{OnScreen, ScreenMesh};
 use crate::passes::frame::rasteriser::Rasteriser;
 use crate::passes::frame::refusal::Refusal;
 use crate::passes::frame::touched::Touched;
@@ -111,7 +111,7 @@ fn take_to_screen(
             items: touched.tile_count(),
         },
     };
-    let mut screen = Screen::record(plan, scene, of)?;
+    let mut screen = ScreenMesh::record(plan, scene, of)?;
     // No pass reads pixels before the sweep.
     let by_sweep = input.active_cuts.lanes == 0 || (store.is_some() && input.asks_plane());
     if !by_sweep {
@@ -128,7 +128,7 @@ fn take_to_screen(
 }
 
 /// Finds the tiles touched by small triangles one by one, then by the pieces of the others, which are queued in the first step.
-fn find_tiles(plan: &mut Plan, screen: &Screen, touched: Touched) {
+fn find_tiles(plan: &mut Plan, screen: &ScreenMesh, touched: Touched) {
     let bindings = |queue_access| {
         let mut all = screen.bindings();
         all.extend([
@@ -179,7 +179,7 @@ pub(crate) fn rasterise(
             take_to_screen(plan, scene, None, share)?
         }
     };
-    let marking = Sweep {
+    let marking = SweepPasses {
         name: "mark",
         reason: "each sample marks the crossings in front of it, and stores its triangle if it is the nearest kept",
         sample: "lib/sample/fused.wgsl",
@@ -192,13 +192,13 @@ pub(crate) fn rasterise(
     if input.wide_atomics {
         marking.record(plan, scene, &screen);
     } else {
-        let marking = Sweep {
+        let marking = SweepPasses {
             reason: "each sample marks the crossings in front of it, and raises its pixel's depth if it is kept",
             sample: "lib/sample/raised.wgsl",
             ..marking
         };
         marking.record(plan, scene, &screen);
-        let claiming = Sweep {
+        let claiming = SweepPasses {
             name: "claim",
             reason: "the first triangle at a pixel's depth claims the pixel",
             again: true,

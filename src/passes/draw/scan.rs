@@ -24,14 +24,14 @@ pub struct Scan<'a> {
     /// The buffer whose words are summed in place.
     pub items: ResourceId,
     /// Range of the words.
-    pub run: Run,
+    pub run: ScanRange,
     /// Destination of the total.
     pub total: Total,
 }
 
 /// The range of words to sum.
 #[derive(Clone, Copy, Debug)]
-pub struct Run {
+pub struct ScanRange {
     /// Index of the first word.
     pub first: u32,
     /// Maximum number of words. Passes are dispatched for all of them; blocks beyond the count end at once.
@@ -40,7 +40,7 @@ pub struct Run {
     pub count_at: Option<u32>,
 }
 
-impl Run {
+impl ScanRange {
     /// A known number of words from the start of the buffer.
     pub fn known(length: u32) -> Self {
         Self {
@@ -95,7 +95,7 @@ impl Scan<'_> {
                 blocks,
             );
             plan.add_pass(pass.with_constants(run.constants()));
-            levels.push((sums, Run::known(blocks)));
+            levels.push((sums, ScanRange::known(blocks)));
         }
         let top = levels.pop().unwrap_or((self.items, self.run));
         let (total, form) = match self.total {

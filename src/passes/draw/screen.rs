@@ -16,11 +16,12 @@ use crate::passes::frame::buffers::SceneBuffers;
 use crate::passes::frame::dispatch::groups_along;
 use crate::passes::frame::input::Input;
 use crate::passes::frame::lanes::Lanes;
-use crate::passes::frame::on_screen::Screen;
+use crate::passes::frame::on_screen::ScreenMesh;
 use crate::passes::frame::refusal::Refusal;
 use crate::plan::pack::{DrawnPart, MOST_DRAWN_PARTS, Sweep};
 use crate::plan::{
-    Access, Binding, Clock, Contents, DISPATCH_ARGUMENT_BYTES, Pass, Plan, Resource, Role, Work,
+    Access, Binding, BufferRole, Clock, Contents, DISPATCH_ARGUMENT_BYTES, Pass, Plan, Resource,
+    Work,
 };
 use crate::scene::View;
 use crate::shader::Shader;
@@ -74,7 +75,7 @@ impl Fresh {
     }
 }
 
-impl Screen {
+impl ScreenMesh {
     /// Name of a pass or resource of this screen.
     pub(crate) fn named(&self, what: &str) -> String {
         named(self.name.as_str(), what)
@@ -121,7 +122,7 @@ fn named(screen: &str, what: &str) -> String {
     }
 }
 
-impl Screen {
+impl ScreenMesh {
     /// Records the pass that transforms parts to a screen; returns the reason if there are too many.
     pub(crate) fn record(
         plan: &mut Plan,
@@ -173,7 +174,7 @@ impl Screen {
         // Tables that change with the cuts, unless the passes that read them run on a slower clock.
         let mut table_of = |variable, what, contents| {
             let (name, clock) = (named(of.name, what), of.clock.min(Clock::Cut));
-            let table = Resource::upload(name, Role::Uniform, contents, clock);
+            let table = Resource::upload(name, BufferRole::Uniform, contents, clock);
             Binding::read(variable, plan.add_resource(table))
         };
         let again = Sweep { again: 1, ..sweep };

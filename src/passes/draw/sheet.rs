@@ -18,8 +18,8 @@ use crate::passes::frame::need::{NEED_OF_SHEETS, need};
 use crate::passes::frame::refusal::Refusal;
 use crate::plan::pack::SheetPool;
 use crate::plan::{
-    Access, Binding, Bounded, Capacity, Clock, Contents, DepthTarget, Draw, Pass, Plan, Resource,
-    ResourceId, Role, Vertices, Work,
+    Access, Binding, Bounded, BufferRole, Capacity, Clock, Contents, DepthTarget, Draw, Pass, Plan,
+    Resource, ResourceId, Vertices, Work,
 };
 use crate::shader::Shader;
 
@@ -175,7 +175,7 @@ impl SheetLists {
             padding: [0; 2],
         };
         let contents = Contents::from_values(&[layout]);
-        let pool = Resource::upload("sheet pool", Role::Uniform, contents, Clock::Frame);
+        let pool = Resource::upload("sheet pool", BufferRole::Uniform, contents, Clock::Frame);
         plan.bounded.push(Bounded {
             what: FRAGMENTS_OF_SHEETS.to_owned(),
             slot: NEED_OF_SHEETS,

@@ -13,14 +13,14 @@ use super::store::Store;
 use crate::passes::frame::buffers::SceneBuffers;
 use crate::passes::frame::crossings::CrossingSource;
 use crate::passes::frame::dispatch::groups_along;
-use crate::passes::frame::on_screen::Screen;
+use crate::passes::frame::on_screen::ScreenMesh;
 use crate::passes::frame::touched::Touched;
 use crate::plan::{Access, Binding, Pass, Plan, Work};
 use crate::shader::Shader;
 
 /// Description of a sweep.
 #[derive(Clone, Debug)]
-pub(crate) struct Sweep<'a> {
+pub(crate) struct SweepPasses<'a> {
     /// Prefix of the pass names: "mark" makes "mark small" and "mark large".
     pub name: &'a str,
     /// Why it is there: what a sample does.
@@ -39,7 +39,7 @@ pub(crate) struct Sweep<'a> {
     pub again: bool,
 }
 
-impl<'a> Sweep<'a> {
+impl<'a> SweepPasses<'a> {
     /// A first sweep in which fragments only store what an inside test needs.
     pub(crate) fn of_fragments(name: &'a str, reason: &'a str, store: &'a Store) -> Self {
         Self {
@@ -55,7 +55,7 @@ impl<'a> Sweep<'a> {
     }
 
     /// Records the sweep over a screen: small triangles, then the pieces of the others, which the first sweep counts.
-    pub(crate) fn record(&self, plan: &mut Plan, scene: &SceneBuffers<'_>, screen: &Screen) {
+    pub(crate) fn record(&self, plan: &mut Plan, scene: &SceneBuffers<'_>, screen: &ScreenMesh) {
         let shader = |path: &'static str| {
             let touch = match self.touched {
                 Some(_) => "lib/touch/tiles.wgsl",

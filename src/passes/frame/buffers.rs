@@ -12,7 +12,9 @@ use super::on_screen::OnScreen;
 use super::pose::pose_parts;
 use super::refusal::Refusal;
 use crate::plan::pack::{self, CutTable, MAX_SURFACES, Part};
-use crate::plan::{Binding, Clock, Contents, Format, Plan, Resource, ResourceId, Role, Vertices};
+use crate::plan::{
+    Binding, BufferRole, Clock, Contents, Format, Plan, Resource, ResourceId, Vertices,
+};
 
 /// Scene buffers that passes bind.
 #[derive(Clone, Debug)]
@@ -75,30 +77,60 @@ impl<'a> SceneBuffers<'a> {
             Binding::read(name, id)
         };
         let frame = Contents::from_values(&[pack::frame(input.view, &input.active_cuts.cut_box)]);
-        let frame = upload("frame", Role::Uniform, Clock::Frame, frame);
+        let frame = upload("frame", BufferRole::Uniform, Clock::Frame, frame);
         let vertices = upload(
             "vertices",
-            Role::Vertex,
+            BufferRole::Vertex,
             Clock::Solid,
             model.vertices.clone(),
         );
-        let indices = upload("indices", Role::Index, Clock::Solid, model.indices.clone());
+        let indices = upload(
+            "indices",
+            BufferRole::Index,
+            Clock::Solid,
+            model.indices.clone(),
+        );
         let sorted = input.sorted_indices().map(|sorted| {
-            let sorted = upload("sorted indices", Role::Index, Clock::Cut, sorted.clone());
+            let sorted = upload(
+                "sorted indices",
+                BufferRole::Index,
+                Clock::Cut,
+                sorted.clone(),
+            );
             sorted.resource
         });
-        let cut_table = upload("cut_table", Role::Uniform, Clock::Cut, cut_table(input));
-        let ray_table = upload("ray_table", Role::Uniform, Clock::Frame, ray_table(input));
-        let parts = upload("parts", Role::Storage, Clock::Cut, parts(input, &lanes));
+        let cut_table = upload(
+            "cut_table",
+            BufferRole::Uniform,
+            Clock::Cut,
+            cut_table(input),
+        );
+        let ray_table = upload(
+            "ray_table",
+            BufferRole::Uniform,
+            Clock::Frame,
+            ray_table(input),
+        );
+        let parts = upload(
+            "parts",
+            BufferRole::Storage,
+            Clock::Cut,
+            parts(input, &lanes),
+        );
         let preclassified = (input.preclassified.as_ref()).map(|_| {
             upload(
                 "preclassified",
-                Role::Uniform,
+                BufferRole::Uniform,
                 input.preclassified_clock(),
                 input.preclassified_table(),
             )
         });
-        let heights = upload("heights", Role::Storage, Clock::Cut, model.heights.clone());
+        let heights = upload(
+            "heights",
+            BufferRole::Storage,
+            Clock::Cut,
+            model.heights.clone(),
+        );
         let filtered_heights = match input.sampled() {
             None => vec![heights.clone()],
             Some(maps) => maps.upload(plan, model.heights.clone()),
@@ -107,7 +139,8 @@ impl<'a> SceneBuffers<'a> {
         let depth = Resource::texture("surface_depth", input.view.size_px, 1, format, Clock::Frame);
         let depth = plan.add_resource(depth);
         let triangle = Contents::from_values(&[0_u32, 1, 2]);
-        let triangle = Resource::own_upload("screen indices", Role::Index, triangle, Clock::Cut);
+        let triangle =
+            Resource::own_upload("screen indices", BufferRole::Index, triangle, Clock::Cut);
         Self {
             input,
             lanes,

@@ -9,18 +9,18 @@
 use super::buffers::SceneBuffers;
 use super::input::Input;
 use super::need::NEED_OF_FRAGMENTS;
-use super::on_screen::Screen;
+use super::on_screen::ScreenMesh;
 use super::rasteriser::Rasteriser;
 use super::refusal::Refusal;
-use crate::passes::draw::scan::{Run, Scan, Total};
+use crate::passes::draw::scan::{Scan, ScanRange, Total};
 use crate::passes::draw::screen::{Fresh, ScreenOf};
 use crate::passes::draw::share::Share;
 use crate::passes::draw::store::Store;
-use crate::passes::draw::sweep::Sweep;
+use crate::passes::draw::sweep::SweepPasses;
 use crate::plan::pack::FragmentPool;
 use crate::plan::{
-    Binding, Bounded, Capacity, Clock, Contents, DepthTarget, Pass, Plan, Resource, ResourceId,
-    Role, Work,
+    Binding, Bounded, BufferRole, Capacity, Clock, Contents, DepthTarget, Pass, Plan, Resource,
+    ResourceId, Work,
 };
 use crate::shader::Shader;
 
@@ -140,7 +140,7 @@ impl FragmentLists {
             what,
             clock: Clock::Frame,
             items: self.fragments,
-            run: Run::known(self.layout.lists),
+            run: ScanRange::known(self.layout.lists),
             total: Total::Word(need, NEED_OF_FRAGMENTS),
         }
         .record(plan);
@@ -149,7 +149,7 @@ impl FragmentLists {
 
 fn pool(plan: &mut Plan, name: &str, layout: FragmentPool) -> Binding {
     let contents = Contents::from_values(&[layout]);
-    let pool = Resource::upload(name, Role::Uniform, contents, Clock::Frame);
+    let pool = Resource::upload(name, BufferRole::Uniform, contents, Clock::Frame);
     Binding::read("pool", plan.add_resource(pool))
 }
 
@@ -175,8 +175,8 @@ pub(crate) fn leave_fragments(
                 share: Share::of_store(store),
                 fresh: Fresh::nothing(),
             };
-            let screen = Screen::record(plan, scene, of)?;
-            Sweep::of_fragments("fragments", reason, store).record(plan, scene, &screen);
+            let screen = ScreenMesh::record(plan, scene, of)?;
+            SweepPasses::of_fragments("fragments", reason, store).record(plan, scene, &screen);
         }
     }
     Ok(())

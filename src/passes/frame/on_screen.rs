@@ -6,7 +6,7 @@ use crate::plan::{Binding, Clock, ResourceId};
 
 /// A mesh on a screen, ready to be swept.
 #[derive(Clone, Debug)]
-pub(crate) struct Screen {
+pub(crate) struct ScreenMesh {
     pub(crate) name: String,
     pub(crate) clock: Clock,
     pub(crate) frame: Binding,
@@ -35,7 +35,7 @@ pub(crate) struct Screen {
 /// The mesh on the screen of a frame, before anything is swept.
 #[derive(Clone, Debug)]
 pub(crate) struct OnScreen {
-    pub(crate) screen: Screen,
+    pub(crate) screen: ScreenMesh,
     pub(crate) nearest: ResourceId,
     pub(crate) layers: ResourceId,
     pub(crate) picture: Option<ResourceId>,

@@ -15,7 +15,7 @@ use super::input::Input;
 use super::refusal::Refusal;
 use crate::passes::pack::packed_pose::Moving;
 use crate::plan::{
-    Binding, Clock, Contents, Pass, Plan, Resource, ResourceId, Role, VERTEX_BYTES, Work,
+    Binding, BufferRole, Clock, Contents, Pass, Plan, Resource, ResourceId, VERTEX_BYTES, Work,
 };
 use crate::shader::Shader;
 
@@ -56,14 +56,14 @@ fn pose_part(
     let end = first + u64::from(range.vertex_count);
     let bytes = first * VERTEX_BYTES..end * VERTEX_BYTES;
     // The part's own resources, bound under the name of their kind.
-    let mut own = |kind: &'static str, role: Role, contents: &Contents| {
+    let mut own = |kind: &'static str, role: BufferRole, contents: &Contents| {
         let name = format!("{kind} {number}");
         let resource = Resource::upload(name, role, contents.clone(), Clock::Solid);
         Binding::read(kind, plan.add_resource(resource))
     };
     let mut bindings = vec![
-        own("pose", Role::Uniform, &packed_pose.pose),
-        own("rest", Role::Storage, &rest.vertices),
+        own("pose", BufferRole::Uniform, &packed_pose.pose),
+        own("rest", BufferRole::Storage, &rest.vertices),
         Binding::write("posed", vertices).within(bytes),
     ];
     let mut shader = Shader::from("passes/pose.wgsl");
@@ -73,8 +73,8 @@ fn pose_part(
         (Some(displacements), Some(weights)) => {
             per_position = true;
             how.push("morph targets");
-            bindings.push(own("displacements", Role::Storage, displacements));
-            bindings.push(own("weights", Role::Storage, weights));
+            bindings.push(own("displacements", BufferRole::Storage, displacements));
+            bindings.push(own("weights", BufferRole::Storage, weights));
             shader.with("lib/morph/targets.wgsl")
         }
         _ => shader.with("lib/morph/none.wgsl"),
@@ -83,8 +83,8 @@ fn pose_part(
         (Some(pulls), Some(joints)) => {
             per_position = true;
             how.push("its skin");
-            bindings.push(own("pulls", Role::Storage, pulls));
-            bindings.push(own("joints", Role::Storage, joints));
+            bindings.push(own("pulls", BufferRole::Storage, pulls));
+            bindings.push(own("joints", BufferRole::Storage, joints));
             shader.with("lib/skin/linear.wgsl")
         }
         _ => shader.with("lib/skin/none.wgsl"),
@@ -93,11 +93,11 @@ fn pose_part(
         (None, _) => shader.with("lib/deform/none.wgsl"),
         (Some(deformers), outward) => {
             how.push("deformers");
-            bindings.push(own("deformers", Role::Uniform, deformers));
+            bindings.push(own("deformers", BufferRole::Uniform, deformers));
             match outward.as_ref().filter(|_| packed_pose.inflates) {
                 Some(outward) => {
                     per_position = true;
-                    bindings.push(own("outward", Role::Storage, outward));
+                    bindings.push(own("outward", BufferRole::Storage, outward));
                     shader.with("lib/deform/mesh.wgsl")
                 }
                 None => shader.with("lib/deform/space.wgsl"),
@@ -106,7 +106,7 @@ fn pose_part(
     };
     if per_position {
         let contents = &rest.position_of_vertex;
-        bindings.push(own("position_of_vertex", Role::Storage, contents));
+        bindings.push(own("position_of_vertex", BufferRole::Storage, contents));
     }
     how.push("its placement");
     let pass = Pass::new(

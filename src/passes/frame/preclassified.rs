@@ -4,13 +4,13 @@
 use bytemuck::Zeroable;
 
 use super::input::Input;
-use crate::passes::pack::classifiers::{Group, NORMAL_STEPS};
+use crate::passes::pack::classifiers::{ClassifiedGroup, NORMAL_STEPS};
 use crate::plan::pack::{MOST_PRECLASSIFIED_GROUPS, PreclassifiedGroup};
 use crate::plan::{Clock, Contents, Draw};
 use crate::scene::Side;
 
 /// A group of preclassified triangles, with the rank of its part.
-pub(crate) type GroupOfPart<'a> = (usize, &'a Group);
+pub(crate) type GroupOfPart<'a> = (usize, &'a ClassifiedGroup);
 
 impl<'a> Input<'a> {
     /// The groups of the drawn parts, in table order, for as many parts as the table has room for. None if no active clip-surface
@@ -18,7 +18,7 @@ impl<'a> Input<'a> {
     pub(crate) fn find_preclassified(&self) -> Option<Vec<GroupOfPart<'a>>> {
         let (model, order) = (self.model, &self.active_cuts.order);
         let of_parts = &model.preclassified.as_ref()?.groups;
-        let classifies = |group: &Group| {
+        let classifies = |group: &ClassifiedGroup| {
             let [surfaces, _, cutters, _] = self.bits_of(group);
             group.lie.is_doubled || group.lie.plane.is_some() || surfaces | cutters != 0
         };
@@ -47,7 +47,7 @@ impl<'a> Input<'a> {
 
     /// Four bit sets of clip-surfaces for a group: those that classify it, those on whose removed side it lies, cutters that share
     /// faces with it, and clip-surfaces that it lies in.
-    fn bits_of(&self, group: &Group) -> [u32; 4] {
+    fn bits_of(&self, group: &ClassifiedGroup) -> [u32; 4] {
         let mut bits = [0; 4];
         for (slot, number) in self.active_cuts.surfaces.iter().enumerate() {
             let is_shared = group.lie.in_cutters.contains(&(*number as u16));
@@ -91,7 +91,7 @@ impl<'a> Input<'a> {
     }
 
     /// The plane that a group shares with other parts, encoded as [`PreclassifiedGroup::plane`].
-    fn plane_of(&self, rank: usize, group: &Group) -> [f32; 4] {
+    fn plane_of(&self, rank: usize, group: &ClassifiedGroup) -> [f32; 4] {
         let shared = self.model.prepared.shared.planes();
         let plane = group.lie.plane.map(|number| &shared[usize::from(number)]);
         let seen = plane.and_then(|plane| Some((plane, plane.in_view(self.view)?)));

@@ -10,7 +10,9 @@
 use super::buffers::SceneBuffers;
 use super::input::Input;
 use crate::plan::pack::{LOWEST, MAX_SURFACES, Pyramid, SIDE};
-use crate::plan::{Binding, Clock, Contents, Limits, Pass, Plan, Resource, ResourceId, Role, Work};
+use crate::plan::{
+    Binding, BufferRole, Clock, Contents, Limits, Pass, Plan, Resource, ResourceId, Work,
+};
 use crate::scene::Wrap;
 use crate::shader::Shader;
 
@@ -93,7 +95,7 @@ pub(crate) fn pyramids(plan: &mut Plan, scene: &SceneBuffers<'_>) -> [Binding; 2
     let mut all = rows.clone();
     all.resize(MAX_SURFACES, bytemuck::Zeroable::zeroed());
     let table = Contents::from_values(&all);
-    let table = Resource::upload("pyramid_table", Role::Uniform, table, Clock::Cut);
+    let table = Resource::upload("pyramid_table", BufferRole::Uniform, table, Clock::Cut);
     let table = Binding::read("pyramid_table", plan.add_resource(table));
     let built = build(plan, &scene.heights, &table, &rows, nodes);
     [table, Binding::read("nodes", built)]

@@ -14,7 +14,7 @@ use super::input::{Input, counted};
 use crate::passes::pack::sliced::{PackedSection, Sliced};
 use crate::plan::pack::MAX_SURFACES;
 use crate::plan::{
-    Clock, Contents, CpuStep, CpuWork, Draw, Piece, Plan, Resource, ResourceId, Role,
+    BufferRole, Clock, Contents, CpuStep, CpuWork, Draw, Piece, Plan, Resource, ResourceId,
 };
 use crate::scene::PreparedPart;
 use crate::slice::SlicePlane;
@@ -32,22 +32,22 @@ pub(crate) struct Sections {
 }
 
 /// A part to slice, and the plane.
-struct Wanted {
+struct SliceTask {
     part: PreparedPart,
     sliced: Arc<Sliced>,
     plane: SlicePlane,
     instance: u32,
 }
 
-impl Wanted {
+impl SliceTask {
     fn sliced(&self) -> PackedSection {
         self.sliced.slice(&self.part, &self.plane)
     }
 }
 
 /// One of the wanted sections per part.
-fn of_each_part<'a>(wanted: impl IntoIterator<Item = &'a Wanted>) -> Vec<&'a Wanted> {
-    let mut of_each: Vec<&Wanted> = wanted.into_iter().collect();
+fn of_each_part<'a>(wanted: impl IntoIterator<Item = &'a SliceTask>) -> Vec<&'a SliceTask> {
+    let mut of_each: Vec<&SliceTask> = wanted.into_iter().collect();
     of_each.dedup_by(|a, b| Arc::ptr_eq(&a.sliced, &b.sliced));
     of_each
 }
@@ -117,7 +117,7 @@ impl Sections {
 }
 
 /// The work of making slicers, and of slicing: the time of each, if its results were not known before.
-fn work(wanted: Vec<Wanted>, slicers_ms: Option<f64>, took_ms: Option<f64>) -> [CpuWork; 2] {
+fn work(wanted: Vec<SliceTask>, slicers_ms: Option<f64>, took_ms: Option<f64>) -> [CpuWork; 2] {
     let wanted = Arc::new(wanted);
     let of_slicers = wanted.clone();
     let slicers = CpuWork {
@@ -136,14 +136,14 @@ fn work(wanted: Vec<Wanted>, slicers_ms: Option<f64>, took_ms: Option<f64>) -> [
     [slicers, slices]
 }
 
-fn wanted(input: &Input<'_>) -> Vec<Wanted> {
+fn wanted(input: &Input<'_>) -> Vec<SliceTask> {
     let prepared = &input.model.prepared;
     let mut wanted = Vec::new();
     for (place, rank) in input.active_cuts.cut_parts().iter().enumerate() {
         for slot in input.active_cuts.surfaces_of(*rank) {
             let surface = &prepared.surfaces[input.active_cuts.surfaces[slot]];
             let lift = surface.flat_height().unwrap_or(0.0);
-            wanted.push(Wanted {
+            wanted.push(SliceTask {
                 part: prepared.parts[*rank].clone(),
                 sliced: input.model.sliced(*rank),
                 // All parts are near the centre of scene space; the origin of the plane may be anywhere.
@@ -155,7 +155,7 @@ fn wanted(input: &Input<'_>) -> Vec<Wanted> {
     wanted
 }
 
-fn upload(plan: &mut Plan, met: &[(&Wanted, &Arc<PackedSection>)]) -> [ResourceId; 2] {
+fn upload(plan: &mut Plan, met: &[(&SliceTask, &Arc<PackedSection>)]) -> [ResourceId; 2] {
     let mut ends = [0_u64; 2];
     let mut pieces = [Vec::new(), Vec::new()];
     for (_, section) in met {
@@ -171,8 +171,8 @@ fn upload(plan: &mut Plan, met: &[(&Wanted, &Arc<PackedSection>)]) -> [ResourceI
         }
     }
     let of = [
-        ("section vertices", Role::Vertex),
-        ("section indices", Role::Index),
+        ("section vertices", BufferRole::Vertex),
+        ("section indices", BufferRole::Index),
     ];
     let mut pieces = pieces.into_iter();
     [0, 1].map(|i| {
@@ -182,7 +182,7 @@ fn upload(plan: &mut Plan, met: &[(&Wanted, &Arc<PackedSection>)]) -> [ResourceI
 }
 
 /// Makes the slicers that the unknown sections need; returns the time it took, if any was made.
-fn make_slicers(wanted: &[Wanted], known: &[Option<Arc<PackedSection>>]) -> Option<f64> {
+fn make_slicers(wanted: &[SliceTask], known: &[Option<Arc<PackedSection>>]) -> Option<f64> {
     let started = now();
     let missing = (wanted.iter().zip(known))
         .filter(|(w, known)| known.is_none() && !w.sliced.has_slicer())
@@ -194,7 +194,7 @@ fn make_slicers(wanted: &[Wanted], known: &[Option<Arc<PackedSection>>]) -> Opti
 }
 
 /// Draws of the sections that have an interior, and of the incomplete ones.
-fn draws(met: &[(&Wanted, &Arc<PackedSection>)]) -> (Vec<Draw>, Vec<Draw>) {
+fn draws(met: &[(&SliceTask, &Arc<PackedSection>)]) -> (Vec<Draw>, Vec<Draw>) {
     let (mut draws, mut doubts) = (Vec::new(), Vec::new());
     let (mut first_vertex, mut first_index) = (0_u32, 0_u32);
     for (wanted, section) in met {

@@ -6,7 +6,7 @@
 //!
 //! Cost: 16 bytes per tile of 16 x 16 pixels. Whole tiles are processed: for small or thin objects many of their pixels are background.
 
-use crate::plan::{Access, Binding, Clock, Contents, Plan, Resource, ResourceId, Role, Work};
+use crate::plan::{Access, Binding, BufferRole, Clock, Contents, Plan, Resource, ResourceId, Work};
 
 /// Pixels along a side of a tile: `shaders/lib/touched.wgsl`.
 pub(crate) const TILE_PX: u32 = 16;
@@ -32,7 +32,7 @@ impl Touched {
         let tile_count = tiles_in(size_px);
         let bytes = HEAD_BYTES + u64::from(tile_count) * TILE_BYTES;
         let room = Contents::in_pieces(bytes, Vec::new(), true);
-        let list = Resource::upload("touched", Role::Storage, room, Clock::Frame);
+        let list = Resource::upload("touched", BufferRole::Storage, room, Clock::Frame);
         Self {
             list: plan.add_resource(list),
             tile_count,

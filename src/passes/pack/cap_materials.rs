@@ -234,12 +234,12 @@ fn solid_from_scene(part: &Part, space: &SceneSpace, size: Option<f64>) -> DAffi
     solid_from_part * part_from_scene
 }
 
-trait Rows {
+trait AffineRows {
     /// The rows that take a point (x, y, z, 1) to each coordinate.
     fn transpose_rows(&self) -> [[f32; 4]; 3];
 }
 
-impl Rows for DAffine3 {
+impl AffineRows for DAffine3 {
     fn transpose_rows(&self) -> [[f32; 4]; 3] {
         [0, 1, 2].map(|i| {
             let row = self.matrix3.row(i).extend(self.translation[i]);

@@ -29,13 +29,13 @@ impl PartialEq for ClassifiedBy {
 }
 
 /// A clip-surface with its number.
-pub(crate) type Numbered = (u16, ClassifiedBy);
+pub(crate) type NumberedSurface = (u16, ClassifiedBy);
 
 /// Surfaces and shared planes that can classify triangles of a part.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Classifiers {
     /// Clip-surfaces close to the part.
-    pub(crate) surfaces: Vec<Numbered>,
+    pub(crate) surfaces: Vec<NumberedSurface>,
     /// Triangles in planes shared between parts, each with the number of its plane.
     pub(crate) shared: Arc<[(u32, u16)]>,
 }
@@ -69,7 +69,7 @@ pub(crate) struct Lie {
 
 /// Triangles of a part with the same position relative to the classifying surfaces.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Group {
+pub(crate) struct ClassifiedGroup {
     pub(crate) lie: Lie,
     pub(crate) indices: Range<u32>,
 }
@@ -78,7 +78,7 @@ pub(crate) struct Group {
 #[derive(Debug)]
 pub(crate) struct Sorted {
     /// The groups with their ranges of the part's indices, in order.
-    pub(crate) groups: Vec<Group>,
+    pub(crate) groups: Vec<ClassifiedGroup>,
     pub(crate) indices: Arc<[u8]>,
 }
 
@@ -133,7 +133,7 @@ impl Sorted {
         for (lie, triangles) in alike {
             let first = 3 * sorted.len() as u32;
             sorted.extend(triangles.iter().map(|t| drawn[*t as usize]));
-            groups.push(Group {
+            groups.push(ClassifiedGroup {
                 lie,
                 indices: first..3 * sorted.len() as u32,
             });

@@ -30,12 +30,12 @@ pub struct Cutters {
     pub indices: Contents,
     /// Range of each cutter, by number of the clip-surface.
     ranges: Vec<Option<MeshRange>>,
-    packed: Vec<Packed>,
+    packed: Vec<PackedCutter>,
 }
 
 /// One cutter, packed.
 #[derive(Clone, Debug)]
-struct Packed {
+struct PackedCutter {
     surface: usize,
     volume: Arc<PreparedVolume>,
     order: Arc<Order>,
@@ -46,13 +46,13 @@ struct Packed {
 impl Cutters {
     /// Packs the cutters among the given clip-surfaces, reusing whatever is still valid from the previous packing.
     pub(crate) fn of(surfaces: &[PreparedSurface], before: Option<&Self>) -> Self {
-        let old = before.map_or(&[] as &[Packed], |b| &b.packed);
+        let old = before.map_or(&[] as &[PackedCutter], |b| &b.packed);
         let cutters = surfaces.iter().enumerate();
-        let packed: Vec<Packed> = cutters
+        let packed: Vec<PackedCutter> = cutters
             .filter_map(|(surface, s)| Some((surface, s.volume.as_ref()?)))
             .map(|(surface, volume)| {
                 let known = old.iter().find(|p| p.surface == surface);
-                Packed::of(surface, volume, known)
+                PackedCutter::of(surface, volume, known)
             })
             .collect();
         let mut ranges = vec![None; surfaces.len()];
@@ -117,7 +117,7 @@ impl Cutters {
     }
 }
 
-impl Packed {
+impl PackedCutter {
     fn of(surface: usize, volume: &Arc<PreparedVolume>, before: Option<&Self>) -> Self {
         let splits = |v: &PreparedVolume| v.shading.as_ref().map(Arc::as_ptr);
         let known = before.filter(|b| {
@@ -141,7 +141,7 @@ impl Packed {
 
 /// A vertex, and the triangle that begins with it, if any.
 #[derive(Clone, Copy, Debug)]
-struct Corner {
+struct CutterVertex {
     position: u32,
     normal: Vec3,
     begins: Option<u32>,
@@ -150,18 +150,18 @@ struct Corner {
 /// Vertices and the triangles that index them; both depend only on the mesh and its creases.
 #[derive(Debug)]
 struct Order {
-    corners: Vec<Corner>,
+    corners: Vec<CutterVertex>,
     indices: Arc<[u8]>,
 }
 
 impl Order {
     fn of(volume: &PreparedVolume) -> Self {
-        let corner = |position, normal| Corner {
+        let corner = |position, normal| CutterVertex {
             position,
             normal,
             begins: None,
         };
-        let (mut corners, triangles): (Vec<Corner>, &[[u32; 3]]) = match &volume.shading {
+        let (mut corners, triangles): (Vec<CutterVertex>, &[[u32; 3]]) = match &volume.shading {
             None => {
                 let all = 0..volume.positions.len() as u32;
                 (
@@ -206,7 +206,7 @@ impl Order {
 
     fn faces(&self, volume: &PreparedVolume) -> Arc<[u8]> {
         let is_smooth = f32::from(u8::from(volume.shading.is_some()));
-        let of = |corner: &Corner| {
+        let of = |corner: &CutterVertex| {
             let Some(number) = corner.begins else {
                 return CutterFace::zeroed();
             };

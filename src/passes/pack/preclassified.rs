@@ -13,7 +13,7 @@
 //! Cannot: distinguish more than [`MOST_PRECLASSIFIED_GROUPS`](crate::plan::pack::MOST_PRECLASSIFIED_GROUPS) parts and groups (others keep
 //! their depths). A part's face beside and coplanar with a face of a thin cutter may be taken for a face in it.
 
-use super::classifiers::{ClassifiedBy, Classifiers, Group, Numbered};
+use super::classifiers::{ClassifiedBy, ClassifiedGroup, Classifiers, NumberedSurface};
 use super::packed::{Packed, Room};
 use crate::plan::{Contents, INDEX_BYTES, Piece};
 use crate::scene::{Prepared, PreparedPart};
@@ -22,7 +22,7 @@ use crate::scene::{Prepared, PreparedPart};
 #[derive(Clone, Debug)]
 pub(crate) struct PreclassifiedTriangles {
     /// Groups by rank, with their ranges of `indices`.
-    pub(crate) groups: Vec<Vec<Group>>,
+    pub(crate) groups: Vec<Vec<ClassifiedGroup>>,
     /// Indices of all parts.
     pub(crate) indices: Contents,
 }
@@ -48,7 +48,7 @@ impl PreclassifiedTriangles {
         let groups = prepared.parts.iter().zip(&sorted).map(|(part, sorted)| {
             let first = rooms[part.part].first_index;
             let groups = sorted.iter().flat_map(|s| &s.groups);
-            let moved = groups.map(|g| Group {
+            let moved = groups.map(|g| ClassifiedGroup {
                 indices: first + g.indices.start..first + g.indices.end,
                 ..g.clone()
             });
@@ -77,7 +77,7 @@ impl PreclassifiedTriangles {
 }
 
 /// The clip-surfaces close enough to a part to classify some of its triangles.
-fn surfaces_near(prepared: &Prepared, part: &PreparedPart) -> Vec<Numbered> {
+fn surfaces_near(prepared: &Prepared, part: &PreparedPart) -> Vec<NumberedSurface> {
     if part.is_posed {
         return Vec::new();
     }

@@ -14,7 +14,7 @@ use crate::scene::{OffsetMap, Prepared};
 
 /// A height map, its placement, and its first texel.
 #[derive(Debug)]
-struct Placed {
+struct PlacedMap {
     map: Arc<OffsetMap>,
     scale: MapScale,
     first: u32,
@@ -23,7 +23,7 @@ struct Placed {
 /// The maps of a scene.
 #[derive(Debug, Default)]
 pub(crate) struct ReliefSky {
-    placed: Vec<Placed>,
+    placed: Vec<PlacedMap>,
     contents: OnceLock<Contents>,
 }
 
@@ -34,13 +34,13 @@ impl ReliefSky {
         first_texel: &[u32],
         before: Option<&Arc<Self>>,
     ) -> Arc<Self> {
-        let mut placed: Vec<Placed> = Vec::new();
+        let mut placed: Vec<PlacedMap> = Vec::new();
         for (surface, first) in prepared.surfaces.iter().zip(first_texel) {
             let Some(map) = surface.relief.as_ref().filter(|_| *first != NO_RELIEF) else {
                 continue;
             };
             if placed.iter().all(|p| p.first != *first) {
-                placed.push(Placed {
+                placed.push(PlacedMap {
                     map: map.clone(),
                     scale: MapScale {
                         repeat: 1.0 / DVec2::from(surface.map_per_unit),
@@ -51,7 +51,7 @@ impl ReliefSky {
                 });
             }
         }
-        let is_same = |a: &Placed, b: &Placed| {
+        let is_same = |a: &PlacedMap, b: &PlacedMap| {
             Arc::ptr_eq(&a.map, &b.map) && a.scale == b.scale && a.first == b.first
         };
         let holds = |before: &&Arc<Self>| {
@@ -79,7 +79,7 @@ impl ReliefSky {
     /// The share of the sky visible from each texel.
     pub(crate) fn contents(&self) -> &Contents {
         self.contents.get_or_init(|| {
-            let end = |p: &Placed| p.first as usize + p.map.texels().len();
+            let end = |p: &PlacedMap| p.first as usize + p.map.texels().len();
             let count = self.placed.iter().map(end).max().unwrap_or(1);
             let mut sky = vec![1.0_f32; count];
             for placed in &self.placed {

@@ -38,7 +38,7 @@ enum ShellPosition {
 }
 
 /// Hit of a ray on a shell.
-struct Found {
+struct ShellHit {
     shell: u32,
     /// Direction of the crossing; 0 where the point is on the shell.
     step: i32,
@@ -110,7 +110,7 @@ impl<'a> Insides<'a> {
             let (y, z) = (point.y, point.z);
             b.min.y > y || b.max.y < y || b.min.z > z || b.max.z < z || b.max.x < point.x
         };
-        let mut found: Vec<Found> = Vec::new();
+        let mut found: Vec<ShellHit> = Vec::new();
         for group in self.tree.groups(beside) {
             let end = self.triangles.len().min((group + 1) * BRANCHES);
             for triangle in &self.triangles[group * BRANCHES..end] {
@@ -121,15 +121,15 @@ impl<'a> Insides<'a> {
                     continue;
                 }
                 if point.x >= bounds.min.x && is_on(point, corners) {
-                    found.push(Found { shell, step: 0 });
+                    found.push(ShellHit { shell, step: 0 });
                 } else if let Some(step) = crossing(point, corners) {
-                    found.push(Found { shell, step });
+                    found.push(ShellHit { shell, step });
                 }
             }
         }
         found.sort_by_key(|f| f.shell);
         let of_shells = found.chunk_by(|a, b| a.shell == b.shell);
-        let place = |found: &[Found]| {
+        let place = |found: &[ShellHit]| {
             let shell = found[0].shell;
             if found.iter().any(|f| f.step == 0) {
                 return Some((shell, ShellPosition::On));

@@ -30,7 +30,7 @@ use rayon::prelude::*;
 use self::inside::Insides;
 pub(super) use self::pieces::bound_of;
 pub use self::pieces::{GeometryId, Pieces, body_name};
-use self::shells::{Facing, Shells};
+use self::shells::{ShellOrientation, Shells};
 use super::Mesh;
 
 /// Body of each triangle of a mesh.
@@ -98,7 +98,7 @@ impl Bodies {
 fn heads(mesh: &Mesh, shells: &Shells) -> Vec<u32> {
     let all = &shells.shells;
     let mut heads: Vec<u32> = (0..all.len() as u32).collect();
-    let faces_out = |s: &shells::Shell| s.facing == Some(Facing::Out);
+    let faces_out = |s: &shells::Shell| s.facing == Some(ShellOrientation::Out);
     if all.iter().all(|s| !s.is_closed || faces_out(s)) {
         // However the shells nest, there is no cavity.
         return heads;

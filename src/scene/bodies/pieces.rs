@@ -7,7 +7,7 @@
 use std::sync::Arc;
 
 use super::super::memo::ById;
-use super::super::motion::Bound;
+use super::super::motion::BoundMesh;
 use super::super::{Mesh, Motion, Part};
 use super::Bodies;
 
@@ -16,7 +16,7 @@ use super::Bodies;
 pub struct GeometryId {
     mesh: ById<Mesh>,
     motion: Option<ById<Motion>>,
-    bound: Option<ById<Bound>>,
+    bound: Option<ById<BoundMesh>>,
 }
 
 impl GeometryId {
@@ -33,15 +33,15 @@ impl GeometryId {
 /// The bodies of a mesh as separate meshes.
 #[derive(Debug)]
 pub struct Pieces {
-    pieces: Vec<Piece>,
+    pieces: Vec<BodyPiece>,
 }
 
 #[derive(Debug)]
-struct Piece {
+struct BodyPiece {
     mesh: Arc<Mesh>,
     motion: Option<Arc<Motion>>,
     /// The mesh as its file bound it, and in the file's rest pose.
-    bound: Option<(Arc<Bound>, Arc<Mesh>)>,
+    bound: Option<(Arc<BoundMesh>, Arc<Mesh>)>,
 }
 
 impl Pieces {
@@ -50,7 +50,7 @@ impl Pieces {
         let pieces = match bodies.count() {
             0 | 1 => Vec::new(),
             _ => (bodies.triangles().iter())
-                .map(|triangles| Piece::of(part, triangles))
+                .map(|triangles| BodyPiece::of(part, triangles))
                 .collect(),
         };
         Self { pieces }
@@ -61,7 +61,7 @@ impl Pieces {
         if self.pieces.is_empty() {
             return vec![part.clone()];
         }
-        let of_piece = |piece: &Piece| Part {
+        let of_piece = |piece: &BodyPiece| Part {
             mesh: Arc::clone(&piece.mesh),
             motion: piece.motion.clone(),
             driver: (part.driver.as_ref().zip(piece.bound.as_ref()))
@@ -72,7 +72,7 @@ impl Pieces {
     }
 }
 
-impl Piece {
+impl BodyPiece {
     fn of(part: &Part, triangles: &[u32]) -> Self {
         let (mesh, vertices) = part.mesh.picked(triangles);
         let mesh = Arc::new(mesh);
@@ -91,7 +91,7 @@ impl Piece {
                 false => of.picked(triangles).0,
             };
             let own_motion = bound.motion.as_ref().map(of_motion);
-            let own_bound = Bound::new(own(&bound.mesh), own_motion.unwrap_or_default());
+            let own_bound = BoundMesh::new(own(&bound.mesh), own_motion.unwrap_or_default());
             let rest = match Arc::ptr_eq(driver.rest_mesh(), &bound.mesh) {
                 true => Arc::clone(&own_bound.mesh),
                 false => Arc::new(own(driver.rest_mesh())),
@@ -112,7 +112,7 @@ impl Piece {
 }
 
 /// The part's binding from its file, if the part still has the file's triangles.
-pub(in crate::scene) fn bound_of(part: &Part) -> Option<&Arc<Bound>> {
+pub(in crate::scene) fn bound_of(part: &Part) -> Option<&Arc<BoundMesh>> {
     let driver = part.driver.as_ref()?;
     let has_its_mesh = [driver.rest_mesh(), &driver.bound().mesh]
         .into_iter()

@@ -19,7 +19,7 @@ const FLAT: f64 = 1e-9;
 
 /// Orientation of a closed shell.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Facing {
+pub(super) enum ShellOrientation {
     Out,
     In,
 }
@@ -32,7 +32,7 @@ pub(super) struct Shell {
     /// True if the shell uses every edge equally often in both directions.
     pub(super) is_consistent: bool,
     /// Set for a closed shell if its orientation is consistent and it is not flat.
-    pub(super) facing: Option<Facing>,
+    pub(super) facing: Option<ShellOrientation>,
     pub(super) bounds: Bounds,
     volume: f64,
 }
@@ -129,7 +129,7 @@ fn joined(mesh: &Mesh, uses: &EdgeUses) -> Vec<u32> {
         false => (0..count as u32).map(|t| sets.find(t)).collect(),
     };
     let faces_in = !shared.is_empty()
-        && facing_of(mesh.volume(), mesh.area(), &mesh.bounds()) == Some(Facing::In);
+        && facing_of(mesh.volume(), mesh.area(), &mesh.bounds()) == Some(ShellOrientation::In);
     for (edge, mut run) in shared {
         if faces_in {
             run.iter_mut().for_each(|u| u.is_down = !u.is_down);
@@ -225,12 +225,12 @@ fn measured(mesh: &Mesh, of_triangles: &[u32], count: usize) -> Vec<Shell> {
 }
 
 /// Orientation of a closed surface, unless it is flat.
-fn facing_of(volume: f64, area: f64, bounds: &Bounds) -> Option<Facing> {
+fn facing_of(volume: f64, area: f64, bounds: &Bounds) -> Option<ShellOrientation> {
     let is_flat = volume.abs() <= FLAT * area * bounds.size().length();
     let facing = if volume > 0.0 {
-        Facing::Out
+        ShellOrientation::Out
     } else {
-        Facing::In
+        ShellOrientation::In
     };
     (!is_flat).then_some(facing)
 }

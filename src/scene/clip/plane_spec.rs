@@ -24,7 +24,7 @@ const EXAMPLES: &str =
     "write for example `z=10`, `-x=50%`, `0,1,1@0,0,5` (normal @ point) or `0,1,1,5` (ax+by+cz=d)";
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Plane {
+enum PlaneNotation {
     Axis { axis: usize, sign: f64, at: Amount },
     Point { normal: DVec3, point: [Amount; 3] },
     Offset { normal: DVec3, offset: f64 },
@@ -34,7 +34,7 @@ enum Plane {
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlaneSpec {
     text: String,
-    plane: Plane,
+    plane: PlaneNotation,
 }
 
 impl PlaneSpec {
@@ -60,7 +60,7 @@ impl PlaneSpec {
             ));
         }
         let point = point.to_array().map(Amount::Units);
-        let plane = Plane::Point { normal, point };
+        let plane = PlaneNotation::Point { normal, point };
         Ok(Self { text, plane })
     }
 
@@ -69,9 +69,9 @@ impl PlaneSpec {
     pub fn surface(&self, bounds: &Bounds, up: Up) -> Result<ClipSurface> {
         let percent = |a: &Amount| matches!(a, Amount::Percent(_));
         let relative = match &self.plane {
-            Plane::Axis { at, .. } => percent(at),
-            Plane::Point { point, .. } => point.iter().any(percent),
-            Plane::Offset { .. } => false,
+            PlaneNotation::Axis { at, .. } => percent(at),
+            PlaneNotation::Point { point, .. } => point.iter().any(percent),
+            PlaneNotation::Offset { .. } => false,
         };
         let fault = |what: &str, help: &str| {
             Err(Error::input(format!("section `{}`", self.text), what, help))
@@ -84,16 +84,18 @@ impl PlaneSpec {
         }
         let middle = bounds.centre();
         let (origin, normal) = match self.plane {
-            Plane::Axis { axis, sign, at } => {
+            PlaneNotation::Axis { axis, sign, at } => {
                 let mut origin = middle;
                 origin[axis] = at.between(bounds.min[axis], bounds.max[axis]);
                 (origin, DVec3::AXES[axis] * sign)
             }
-            Plane::Point { normal, point } => {
+            PlaneNotation::Point { normal, point } => {
                 let at = |i: usize| point[i].between(bounds.min[i], bounds.max[i]);
                 (DVec3::new(at(0), at(1), at(2)), unit(normal))
             }
-            Plane::Offset { normal, offset } => (foot(middle, normal, offset), unit(normal)),
+            PlaneNotation::Offset { normal, offset } => {
+                (foot(middle, normal, offset), unit(normal))
+            }
         };
         // Written so that NaN fails, too.
         if !origin.to_array().iter().all(|c| c.abs() <= LARGEST) {
@@ -125,20 +127,20 @@ impl PlaneSpec {
             }
         };
         Self::new(match self.plane {
-            Plane::Axis { axis, sign, at } => Plane::Axis {
+            PlaneNotation::Axis { axis, sign, at } => PlaneNotation::Axis {
                 axis,
                 sign,
                 at: moved(at, sign * distance, axis),
             },
-            Plane::Point { normal, point } => {
+            PlaneNotation::Point { normal, point } => {
                 let by = unit(normal) * distance;
                 let at = |i: usize| moved(point[i], by[i], i);
-                Plane::Point {
+                PlaneNotation::Point {
                     normal,
                     point: [at(0), at(1), at(2)],
                 }
             }
-            Plane::Offset { normal, offset } => Plane::Offset {
+            PlaneNotation::Offset { normal, offset } => PlaneNotation::Offset {
                 normal,
                 offset: rounded(offset + distance * normal.length(), bounds),
             },
@@ -149,17 +151,17 @@ impl PlaneSpec {
     #[must_use]
     pub fn flipped(&self) -> Self {
         Self::new(match self.plane {
-            Plane::Axis { axis, sign, at } => Plane::Axis {
+            PlaneNotation::Axis { axis, sign, at } => PlaneNotation::Axis {
                 axis,
                 sign: -sign,
                 at,
             },
-            Plane::Point { normal, point } => Plane::Point {
+            PlaneNotation::Point { normal, point } => PlaneNotation::Point {
                 // Zero is written without a sign.
                 normal: DVec3::ZERO - normal,
                 point,
             },
-            Plane::Offset { normal, offset } => Plane::Offset {
+            PlaneNotation::Offset { normal, offset } => PlaneNotation::Offset {
                 normal: DVec3::ZERO - normal,
                 offset: 0.0 - offset,
             },
@@ -182,9 +184,9 @@ impl PlaneSpec {
                 let percent = (through[axis] - bounds.min[axis]) / extent[axis] * 100.0;
                 let at = Amount::Percent(to_decimals(percent, PERCENT_DECIMALS));
                 let sign = normal[axis].signum();
-                Plane::Axis { axis, sign, at }
+                PlaneNotation::Axis { axis, sign, at }
             }
-            None => Plane::Point {
+            None => PlaneNotation::Point {
                 normal: DVec3::from_array(normal.to_array().map(|c| to_decimals(c, 6))),
                 point: through
                     .to_array()
@@ -193,7 +195,7 @@ impl PlaneSpec {
         }))
     }
 
-    fn new(plane: Plane) -> Self {
+    fn new(plane: PlaneNotation) -> Self {
         let text = plane.to_string();
         Self { text, plane }
     }
@@ -206,7 +208,7 @@ impl fmt::Display for PlaneSpec {
     }
 }
 
-impl fmt::Display for Plane {
+impl fmt::Display for PlaneNotation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Axis { axis, sign, at } => {
@@ -262,7 +264,7 @@ impl ClipSurface {
     }
 }
 
-fn parse_plane(text: &str) -> Result<Plane, String> {
+fn parse_plane(text: &str) -> Result<PlaneNotation, String> {
     if let Some((axis, at)) = text.split_once('=') {
         let axis = axis.trim();
         let (sign, letter) = match axis.strip_prefix('-') {
@@ -276,14 +278,14 @@ fn parse_plane(text: &str) -> Result<Plane, String> {
             _ => return Err(format!("`{axis}` is not an axis")),
         };
         let at = Amount::parse(at)?;
-        return Ok(Plane::Axis { axis, sign, at });
+        return Ok(PlaneNotation::Axis { axis, sign, at });
     }
     if let Some((normal, point)) = text.split_once('@') {
         let point = list(point)?;
         let [x, y, z] = point[..] else {
             return Err(format!("the point has {} coordinates, not 3", point.len()));
         };
-        return Ok(Plane::Point {
+        return Ok(PlaneNotation::Point {
             normal: direction(&list(normal)?)?,
             point: [x, y, z],
         });
@@ -298,7 +300,7 @@ fn parse_plane(text: &str) -> Result<Plane, String> {
             numbers.len()
         ));
     }
-    Ok(Plane::Offset {
+    Ok(PlaneNotation::Offset {
         normal: direction(&numbers[..3])?,
         offset,
     })

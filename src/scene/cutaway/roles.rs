@@ -46,7 +46,7 @@ pub fn sights(parts: &[Part]) -> Vec<Sight> {
     for level in 0..MOST_LEVELS {
         let seen = seen_of(&shapes, &left);
         let mut stays = Vec::new();
-        for (part, Seen { share, expected_px }) in left.iter().zip(seen) {
+        for (part, ShapeVisibility { share, expected_px }) in left.iter().zip(seen) {
             let sight = &mut sights[*part];
             if level == 0 {
                 sight.seen = share;
@@ -88,14 +88,14 @@ impl PartTriangles {
 }
 
 /// Visibility of a shape in the pictures.
-struct Seen {
+struct ShapeVisibility {
     /// Ratio of the share of pixels to the share of area.
     share: f64,
     expected_px: f64,
 }
 
 /// Visibility of the shapes in `of`, with all others removed.
-fn seen_of(shapes: &[PartTriangles], of: &[usize]) -> Vec<Seen> {
+fn seen_of(shapes: &[PartTriangles], of: &[usize]) -> Vec<ShapeVisibility> {
     let corners = of.iter().flat_map(|i| &shapes[*i].corners).flatten();
     let bounds = Bounds::from_points(corners.copied());
     let sides: Vec<DVec3> = (0..27)
@@ -114,7 +114,7 @@ fn seen_of(shapes: &[PartTriangles], of: &[usize]) -> Vec<Seen> {
     let seen = |(part, count): (&usize, &u64)| {
         let expected_px = shapes[*part].area / all_area * all_px;
         let is_there = expected_px > 0.0;
-        Seen {
+        ShapeVisibility {
             share: if is_there {
                 *count as f64 / expected_px
             } else {

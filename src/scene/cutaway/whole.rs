@@ -42,11 +42,11 @@ pub(crate) fn is_removed_whole(scene: &Scene, world: &Bounds, part: &Part) -> bo
 struct Removed {
     surfaces: Vec<ClipSurface>,
     flush: f64,
-    cutter: Option<Inside>,
+    cutter: Option<CutterSide>,
 }
 
 /// The inside of a cutter, or its outside.
-struct Inside {
+struct CutterSide {
     bounds: Bounds,
     triangles: Vec<[DVec3; 3]>,
     keeps_inside: bool,
@@ -58,7 +58,7 @@ impl Removed {
         Self {
             surfaces: cut.surfaces.iter().map(|s| s.keeping(keeps)).collect(),
             flush,
-            cutter: cut.volume.as_ref().map(Inside::of),
+            cutter: cut.volume.as_ref().map(CutterSide::of),
         }
     }
 
@@ -72,7 +72,7 @@ impl Removed {
     }
 }
 
-impl Inside {
+impl CutterSide {
     fn of(cutter: &Cutter) -> Self {
         let mesh = cutter.mesh();
         let place = |i: u32| {

@@ -60,7 +60,7 @@ impl ConvexHull {
     }
 }
 
-struct Facet {
+struct HullFacet {
     /// Counter-clockwise from outside.
     corners: [usize; 3],
     /// The facet across the edge from each corner to the next.
@@ -74,7 +74,7 @@ struct Facet {
 
 struct Hull<'a> {
     points: &'a [DVec3],
-    facets: Vec<Facet>,
+    facets: Vec<HullFacet>,
     aside: f64,
 }
 
@@ -161,7 +161,7 @@ impl<'a> Hull<'a> {
 
     fn push(&mut self, corners: [usize; 3], neighbours: [usize; 3]) {
         let [a, b, c] = corners.map(|i| self.points[i]);
-        self.facets.push(Facet {
+        self.facets.push(HullFacet {
             corners,
             neighbours,
             normal: (b - a).cross(c - a).normalize_or_zero(),
@@ -171,7 +171,7 @@ impl<'a> Hull<'a> {
     }
 
     fn distance(&self, facet: usize, point: usize) -> f64 {
-        let Facet {
+        let HullFacet {
             normal, corners, ..
         } = &self.facets[facet];
         normal.dot(self.points[point] - self.points[corners[0]])
@@ -209,7 +209,7 @@ impl<'a> Hull<'a> {
         while let Some(facet) = seen.get(looked_at).copied() {
             looked_at += 1;
             for edge in 0..3 {
-                let Facet {
+                let HullFacet {
                     corners,
                     neighbours,
                     ..

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use crate::scene::bodies::bound_of;
-use crate::scene::motion::Bound;
+use crate::scene::motion::BoundMesh;
 use crate::scene::{Mesh, Motion, Part, TexturedTriangle};
 
 /// A part with added triangles.
@@ -15,7 +15,7 @@ pub(crate) struct FilledPart {
     mesh: Arc<Mesh>,
     motion: Option<Arc<Motion>>,
     /// The mesh as bound by its file, without and with the added triangles, and in the file's rest pose.
-    bound: Option<(Arc<Bound>, Arc<Bound>, Arc<Mesh>)>,
+    bound: Option<(Arc<BoundMesh>, Arc<BoundMesh>, Arc<Mesh>)>,
 }
 
 impl FilledPart {
@@ -34,7 +34,7 @@ impl FilledPart {
                 false => of.with_triangles(triangles),
             };
             let motion = bound.motion.as_ref().map(of_motion);
-            let grown = Arc::new(Bound::new(own(&bound.mesh), motion.unwrap_or_default()));
+            let grown = Arc::new(BoundMesh::new(own(&bound.mesh), motion.unwrap_or_default()));
             let rest = match Arc::ptr_eq(driver.rest_mesh(), &bound.mesh) {
                 true => Arc::clone(&grown.mesh),
                 false => Arc::new(own(driver.rest_mesh())),

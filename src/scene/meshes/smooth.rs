@@ -48,7 +48,7 @@ struct Chunk {
 
 /// A triangle corner in its position's bucket.
 #[derive(Clone, Copy)]
-struct Corner {
+struct TriangleCorner {
     /// Neighbours along the two edges that meet here.
     ends: [u32; 2],
     /// Unit normal of the triangle; zero if it has no area.
@@ -144,7 +144,7 @@ fn chunk(
         normals: Vec::with_capacity(positions.len()),
         vertex_of_corner: Vec::with_capacity(positions.len() * 6),
     };
-    let mut around: Vec<Corner> = Vec::new();
+    let mut around: Vec<TriangleCorner> = Vec::new();
     let mut ends: Vec<(u32, u32)> = Vec::new();
     for position in positions {
         around.clear();
@@ -156,7 +156,7 @@ fn chunk(
             let ends = [triangle[(k + 1) % 3], triangle[(k + 2) % 3]];
             let at = |i: u32| faces.positions[i as usize].as_dvec3();
             let from = faces.positions[position].as_dvec3();
-            Corner {
+            TriangleCorner {
                 ends,
                 face: normals[t],
                 pull: given
@@ -179,7 +179,7 @@ fn angle(a: DVec3, b: DVec3) -> f64 {
 }
 
 /// Gives corners that meet in a smooth edge the same group: the least index among them.
-fn group(around: &mut [Corner], ends: &mut Vec<(u32, u32)>, least_cos: f64) {
+fn group(around: &mut [TriangleCorner], ends: &mut Vec<(u32, u32)>, least_cos: f64) {
     ends.clear();
     for (i, corner) in around.iter().enumerate() {
         ends.extend(corner.ends.map(|end| (end, i as u32)));
@@ -198,7 +198,7 @@ fn group(around: &mut [Corner], ends: &mut Vec<(u32, u32)>, least_cos: f64) {
     }
 }
 
-fn root(around: &[Corner], mut i: usize) -> usize {
+fn root(around: &[TriangleCorner], mut i: usize) -> usize {
     while around[i].group as usize != i {
         i = around[i].group as usize;
     }
@@ -206,7 +206,7 @@ fn root(around: &[Corner], mut i: usize) -> usize {
 }
 
 /// Adds a vertex for each different normal at a position.
-fn append(out: &mut Chunk, position: u32, around: &mut [Corner]) {
+fn append(out: &mut Chunk, position: u32, around: &mut [TriangleCorner]) {
     let first = out.normals.len();
     let fallback = around
         .iter()

@@ -142,13 +142,18 @@ pub fn has_three(t: &[u32; 3]) -> bool {
     t[0] != t[1] && t[1] != t[2] && t[2] != t[0]
 }
 
-struct Near {
+struct VertexWeld {
     new_from_old: Vec<u32>,
     vertices: usize,
     open: usize,
 }
 
-fn join_near(at: &[DVec3], triangles: &[[u32; 3]], edges: &Edges, now: EdgeCount) -> Option<Near> {
+fn join_near(
+    at: &[DVec3],
+    triangles: &[[u32; 3]],
+    edges: &Edges,
+    now: EdgeCount,
+) -> Option<VertexWeld> {
     let near = NEAR_SHARE * Bounds::from_points(at.iter().copied()).size().length();
     if near <= 0.0 {
         return None;
@@ -179,7 +184,7 @@ fn join_near(at: &[DVec3], triangles: &[[u32; 3]], edges: &Edges, now: EdgeCount
         return None;
     }
     let then = Edges::of(&moved(triangles, &new_from_old)).count();
-    (then.open < now.open && then.non_manifold <= now.non_manifold).then_some(Near {
+    (then.open < now.open && then.non_manifold <= now.non_manifold).then_some(VertexWeld {
         new_from_old,
         vertices,
         open: then.open,

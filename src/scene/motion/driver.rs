@@ -20,14 +20,14 @@ use crate::scene::{Mesh, Pose};
 
 /// A mesh in its bind pose, and its motion data.
 #[derive(Debug)]
-pub struct Bound {
+pub struct BoundMesh {
     pub(crate) mesh: Arc<Mesh>,
     pub(crate) motion: Option<Arc<Motion>>,
     /// Measured on first use.
     reach: OnceLock<Reach>,
 }
 
-impl Bound {
+impl BoundMesh {
     #[doc(hidden)]
     pub fn new(mesh: Mesh, motion: Motion) -> Self {
         Self {
@@ -66,7 +66,7 @@ pub struct Driver {
     rig: Arc<Rig>,
     node: usize,
     hold: RigAttachment,
-    bound: Arc<Bound>,
+    bound: Arc<BoundMesh>,
     rest_weights: Vec<f64>,
     /// The mesh in its rest pose.
     rest_mesh: Arc<Mesh>,
@@ -83,7 +83,7 @@ impl Driver {
         rig: &Arc<Rig>,
         node: usize,
         hold: RigAttachment,
-        bound: &Arc<Bound>,
+        bound: &Arc<BoundMesh>,
         rest_weights: Vec<f64>,
     ) -> Self {
         let mut driver = Self {
@@ -151,7 +151,7 @@ impl Driver {
     }
 
     /// The mesh in its bind pose, with its motion data.
-    pub(crate) fn bound(&self) -> &Arc<Bound> {
+    pub(crate) fn bound(&self) -> &Arc<BoundMesh> {
         &self.bound
     }
 
@@ -161,7 +161,7 @@ impl Driver {
     }
 
     /// The driver for a fragment of the mesh, given in bind and rest pose: the fragment moves as it did in the whole mesh.
-    pub(crate) fn of_piece(&self, bound: &Arc<Bound>, rest_mesh: &Arc<Mesh>) -> Self {
+    pub(crate) fn of_piece(&self, bound: &Arc<BoundMesh>, rest_mesh: &Arc<Mesh>) -> Self {
         Self {
             bound: Arc::clone(bound),
             rest_mesh: Arc::clone(rest_mesh),

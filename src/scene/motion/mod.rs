@@ -27,7 +27,7 @@ pub use defect::MotionDefect;
 pub use deform::{Axis, Deformer};
 pub use driver::Driver;
 #[doc(hidden)]
-pub use driver::{Bound, RigAttachment};
+pub use driver::{BoundMesh, RigAttachment};
 pub use rig::Clip;
 #[doc(hidden)]
 pub use rig::{Moment, NodeTracks, NodeTransform, Rig, RigNode, RigSkin};

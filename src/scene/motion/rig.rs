@@ -74,7 +74,7 @@ impl NodeTracks {
 
 /// Nodes that a clip moves.
 #[derive(Clone, Debug, Default)]
-struct Moves {
+struct MovedNodes {
     of_node: BTreeMap<usize, NodeTracks>,
     /// Per node, whether it or one of its ancestors moves.
     is_moved: Vec<bool>,
@@ -87,7 +87,7 @@ pub struct Rig {
     pub nodes: Vec<RigNode>,
     pub skins: Vec<RigSkin>,
     clips: Vec<Clip>,
-    moves: Vec<Moves>,
+    moves: Vec<MovedNodes>,
 }
 
 impl Rig {
@@ -113,7 +113,7 @@ impl Rig {
             is_moved.push(above || of_node.get(&index).is_some_and(NodeTracks::moves));
         }
         self.clips.push(clip);
-        self.moves.push(Moves { of_node, is_moved });
+        self.moves.push(MovedNodes { of_node, is_moved });
     }
 
     /// Removes the clip that was added last.

@@ -19,7 +19,7 @@ pub enum Way {
 }
 
 /// Type of the values of a track.
-pub trait Value: Clone {
+pub trait Interpolated: Clone {
     /// Sum of values multiplied by factors.
     fn sum(terms: &[(f64, &Self)]) -> Self;
 
@@ -43,7 +43,7 @@ pub trait Value: Clone {
     }
 }
 
-impl Value for DVec3 {
+impl Interpolated for DVec3 {
     fn sum(terms: &[(f64, &Self)]) -> Self {
         terms.iter().map(|(f, v)| **v * *f).sum()
     }
@@ -54,7 +54,7 @@ impl Value for DVec3 {
 }
 
 /// Weights of morph targets.
-impl Value for Vec<f64> {
+impl Interpolated for Vec<f64> {
     fn sum(terms: &[(f64, &Self)]) -> Self {
         let width = terms.first().map_or(0, |(_, v)| v.len());
         let at = |i| terms.iter().map(|(f, v)| f * v[i]).sum();
@@ -69,7 +69,7 @@ impl Value for Vec<f64> {
 /// A quaternion shorter than this no longer defines a rotation.
 const SHORTEST_ROTATION: f64 = 1e-6;
 
-impl Value for DQuat {
+impl Interpolated for DQuat {
     fn sum(terms: &[(f64, &Self)]) -> Self {
         let zero = Self::from_xyzw(0.0, 0.0, 0.0, 0.0);
         terms.iter().fold(zero, |sum, (f, v)| sum + **v * *f)
@@ -115,7 +115,7 @@ pub struct Track<V> {
     values: Vec<V>,
 }
 
-impl<V: Value> Track<V> {
+impl<V: Interpolated> Track<V> {
     /// Checks the data of a file; the error states the defect.
     pub fn new(times_s: Vec<f64>, way: Way, mut values: Vec<V>) -> Result<Self, String> {
         let per_key = if way == Way::Cubic { 3 } else { 1 };

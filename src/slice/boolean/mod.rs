@@ -20,14 +20,14 @@ use self::filled::filled;
 use self::sheet::{Sheet, below};
 pub(super) use self::solid::Undivided;
 pub use self::solid::is_at_work;
-use self::solid::{ManifoldSolid, Origin};
+use self::solid::{FaceOrigin, ManifoldSolid};
 use super::SlicePlane;
 use super::capped::{Cap, Half, Halves, halves, of_used};
 use super::in_world::in_world;
 use crate::scene::{Bounds, ClipSurface, Cutter, Edges, Fill, Mesh};
 
 /// A region that a cut removes from a part.
-pub(super) struct Region<'a> {
+pub(super) struct RemovedRegion<'a> {
     /// The region's clip-surfaces in world space, moved by the part's offset.
     pub(super) surfaces: Vec<ClipSurface>,
     pub(super) cutter: Option<&'a Cutter>,
@@ -58,7 +58,7 @@ struct CapOf {
 pub(super) fn divided(
     mesh: &Mesh,
     fill: Fill,
-    regions: &[Region<'_>],
+    regions: &[RemovedRegion<'_>],
     cells: u32,
 ) -> Result<Divided, Undivided> {
     let (part, numbers) = filled(mesh, fill)?;
@@ -90,7 +90,7 @@ pub(super) fn divided(
     })
 }
 
-impl Region<'_> {
+impl RemovedRegion<'_> {
     /// The region's part of a block; none if no part of the block lies in it.
     fn solid(
         &self,
@@ -164,7 +164,7 @@ fn half(solid: &ManifoldSolid, part: &[u32], caps: &[CapOf]) -> Result<Half, Und
         });
     }
     // Faces of the part come before all caps, which are sorted by region and clip-surface.
-    let place = |origin: &Origin| {
+    let place = |origin: &FaceOrigin| {
         let cap = caps.iter().find(|c| c.mesh == origin.mesh);
         cap.map(|cap| (cap.region, cap.surface.unwrap_or(origin.face as usize)))
     };

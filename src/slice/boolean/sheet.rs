@@ -21,13 +21,13 @@ pub(super) struct Sheet {
 }
 
 /// Corners along one axis of the plane.
-struct Axis {
+struct SheetAxis {
     first: f64,
     step: f64,
     cells: usize,
 }
 
-impl Axis {
+impl SheetAxis {
     /// Corners that cover a range, about `step` apart, on texel centres where possible.
     fn covering([low, high]: [f64; 2], texel: f64, step: f64) -> Self {
         let ratio = texel / step;
@@ -65,7 +65,7 @@ pub(super) fn below(surface: &ClipSurface, block: &Bounds, cells: u32) -> Sheet 
     let texels = surface.relief.as_ref().map_or([1; 2], |map| map.size());
     let axis = |i: usize, stretch: f64, repeats: f64| {
         let texel = stretch / (repeats.abs() * f64::from(texels[i]));
-        Axis::covering([seen.min[i] - margin, seen.max[i] + margin], texel, step)
+        SheetAxis::covering([seen.min[i] - margin, seen.max[i] + margin], texel, step)
     };
     let along = [
         axis(0, surface.u.length(), surface.scale.x),

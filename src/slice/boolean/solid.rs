@@ -11,7 +11,7 @@ use crate::scene::Mesh;
 
 /// Where a face of a result comes from: its source mesh and its face in that mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) struct Origin {
+pub(super) struct FaceOrigin {
     /// Number of the mesh.
     pub(super) mesh: u32,
     /// Face index in the source mesh.
@@ -69,7 +69,7 @@ impl ManifoldSolid {
     }
 
     /// Its faces, and the origin of each.
-    pub(super) fn mesh(&self) -> (Mesh, Vec<Origin>) {
+    pub(super) fn mesh(&self) -> (Mesh, Vec<FaceOrigin>) {
         let made: MeshGLP<f64, u32> = self.0.get_mesh_glp(-1);
         let mut vertex: Vec<u32> = (0..made.num_vert() as u32).collect();
         for (from, to) in made.merge_from_vert.iter().zip(&made.merge_to_vert) {
@@ -80,7 +80,7 @@ impl ManifoldSolid {
         let mut origins = Vec::with_capacity(made.num_tri());
         for (run, mesh) in made.run_original_id.iter().enumerate() {
             let of_run = made.run_index[run] as usize / 3..made.run_index[run + 1] as usize / 3;
-            origins.extend(of_run.map(|t| Origin {
+            origins.extend(of_run.map(|t| FaceOrigin {
                 mesh: *mesh,
                 face: made.face_id[t],
             }));

@@ -18,7 +18,7 @@ use glam::{DVec2, DVec3};
 use super::super::SectionDefect;
 use super::super::cover::{Cover, cover};
 use super::super::loops::{self, Curves, join};
-use super::complex::{CAP, Complex, ComplexFace, MarkedPlane, Splits, State};
+use super::complex::{CAP, Complex, ComplexFace, FaceState, MarkedPlane, Splits};
 use crate::scene::meshes::weld::has_three;
 
 /// A candidate face's use of an edge in a plane.
@@ -47,7 +47,7 @@ impl PlaneUse {
 
 /// An edge of an outline.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Piece {
+pub(super) struct CapEdge {
     /// Group of the adjacent faces.
     pub(super) group: u32,
     ends: [u32; 2],
@@ -56,7 +56,7 @@ pub(super) struct Piece {
 }
 
 /// Edges of the faces above a plane that do not cancel, group by group.
-pub(super) fn pieces(mut uses: Vec<PlaneUse>) -> Vec<Piece> {
+pub(super) fn pieces(mut uses: Vec<PlaneUse>) -> Vec<CapEdge> {
     uses.sort_unstable();
     let mut pieces = Vec::new();
     for run in uses.chunk_by(|a, b| (a.group, a.ends) == (b.group, b.ends)) {
@@ -77,7 +77,7 @@ pub(super) fn pieces(mut uses: Vec<PlaneUse>) -> Vec<Piece> {
         } else {
             [low, high]
         };
-        let piece = Piece {
+        let piece = CapEdge {
             group,
             ends,
             is_oriented,
@@ -89,16 +89,16 @@ pub(super) fn pieces(mut uses: Vec<PlaneUse>) -> Vec<Piece> {
 
 impl Complex<'_> {
     /// Closes a group's candidates, which are below a plane, with a cap along their outline.
-    pub(super) fn cap(&mut self, number: usize, pieces: &[Piece]) {
+    pub(super) fn cap(&mut self, number: usize, pieces: &[CapEdge]) {
         let Some(group) = pieces.first().map(|piece| piece.group) else {
             return;
         };
         let MarkedPlane { plane, mark } = self.planes[number];
         let plane = plane.seen_from(self.middle);
-        let halves: Vec<loops::Piece> = (pieces.iter())
+        let halves: Vec<loops::CutSegment> = (pieces.iter())
             .map(|p| {
                 let [from, to] = p.ends.map(|v| [v, v]);
-                loops::Piece { from, to }
+                loops::CutSegment { from, to }
             })
             .collect();
         // Adding zero turns -0 into +0.
@@ -165,7 +165,7 @@ impl Complex<'_> {
             let face = ComplexFace {
                 corners,
                 source: CAP | number as u32,
-                state: State::Candidate,
+                state: FaceState::Candidate,
                 group,
             };
             std::iter::repeat_n(face, count as usize)

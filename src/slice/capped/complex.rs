@@ -26,14 +26,14 @@ use rayon::prelude::*;
 
 use super::super::slicer::share;
 use super::super::{SectionDefect, SlicePlane};
-use super::cap::{Piece, PlaneUse, pieces};
+use super::cap::{CapEdge, PlaneUse, pieces};
 use super::groups::groups;
 use crate::scene::meshes::weld::has_three;
 use crate::scene::{Bounds, FacesInPlane, Mesh, Side};
 
 /// State of a face.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum State {
+pub(super) enum FaceState {
     /// A face of the kept half.
     Kept,
     /// A face that may lie in the region that is being removed.
@@ -50,7 +50,7 @@ pub(super) struct ComplexFace {
     pub(super) corners: [u32; 3],
     /// Number of the mesh triangle; for a cap, [`CAP`] and the number of its plane.
     pub(super) source: u32,
-    pub(super) state: State,
+    pub(super) state: FaceState,
     /// The group of bodies with which it is capped ([`groups`]).
     pub(super) group: u32,
 }
@@ -107,7 +107,7 @@ impl<'a> Complex<'a> {
             .map(|((i, t), group)| ComplexFace {
                 corners: *t,
                 source: *i as u32,
-                state: State::Kept,
+                state: FaceState::Kept,
                 group,
             })
             .collect();
@@ -141,38 +141,38 @@ impl<'a> Complex<'a> {
 
     /// Removes everything that lies below all planes of a range.
     pub(super) fn remove(&mut self, region: std::ops::Range<usize>) {
-        for face in self.faces.iter_mut().filter(|f| f.state == State::Kept) {
-            face.state = State::Candidate;
+        for face in self.faces.iter_mut().filter(|f| f.state == FaceState::Kept) {
+            face.state = FaceState::Candidate;
         }
         for plane in region.clone() {
             let pieces = self.cut(plane, region.start);
             for of_group in pieces.chunk_by(|a, b| a.group == b.group) {
                 self.cap(plane, of_group);
             }
-            if !self.faces.iter().any(|f| f.state == State::Candidate) {
+            if !self.faces.iter().any(|f| f.state == FaceState::Candidate) {
                 break;
             }
         }
         for face in self
             .faces
             .iter_mut()
-            .filter(|f| f.state == State::Candidate)
+            .filter(|f| f.state == FaceState::Candidate)
         {
             face.state = match face.plane() {
-                None => State::Removed,
+                None => FaceState::Removed,
                 Some(plane) if region.contains(&plane) => {
                     face.corners.swap(1, 2);
-                    State::Kept
+                    FaceState::Kept
                 }
-                Some(_) => State::Gone,
+                Some(_) => FaceState::Gone,
             };
         }
-        self.faces.retain(|f| f.state != State::Gone);
+        self.faces.retain(|f| f.state != FaceState::Gone);
     }
 
     /// Divides the candidates by a plane, and keeps those above. Returns the outline to be capped: directed edges with the solid on
     /// their left, seen from above. Caps of planes from `first` on belong to the region itself, and end at the plane.
-    fn cut(&mut self, plane: usize, first: usize) -> Vec<Piece> {
+    fn cut(&mut self, plane: usize, first: usize) -> Vec<CapEdge> {
         let in_plane = self.in_planes.get(plane).cloned().unwrap_or_default();
         let MarkedPlane { plane, mark } = self.planes[plane];
         let mut sides: Vec<i8> = (self.positions.par_iter().zip(&self.marks))
@@ -184,7 +184,7 @@ impl<'a> Complex<'a> {
             .collect();
         let is_crossed = |f: &ComplexFace| {
             let of = f.corners.map(|i| sides[i as usize]);
-            f.state == State::Candidate && of.contains(&1) && of.contains(&-1)
+            f.state == FaceState::Candidate && of.contains(&1) && of.contains(&-1)
         };
         let crossed: Vec<[u32; 3]> = (self.faces.par_iter().with_min_len(1 << 12))
             .filter(|f| is_crossed(f))
@@ -206,7 +206,7 @@ impl<'a> Complex<'a> {
         for face in self
             .faces
             .iter_mut()
-            .filter(|f| f.state == State::Candidate)
+            .filter(|f| f.state == FaceState::Candidate)
         {
             let of = face.corners.map(|i| sides[i as usize]);
             let corners = || face.corners.map(|i| self.positions[i as usize]);
@@ -235,8 +235,8 @@ impl<'a> Complex<'a> {
             if is_above {
                 let is_of_region = face.plane().is_some_and(|p| p >= first);
                 face.state = match is_of_region {
-                    true => State::Gone,
-                    false => State::Kept,
+                    true => FaceState::Gone,
+                    false => FaceState::Kept,
                 };
             }
         }
@@ -306,7 +306,7 @@ impl<'a> Complex<'a> {
             });
             match parts.next() {
                 Some(first) => self.faces[index] = first,
-                None => self.faces[index].state = State::Gone,
+                None => self.faces[index].state = FaceState::Gone,
             }
             self.faces.extend(parts);
         }

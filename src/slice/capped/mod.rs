@@ -34,7 +34,7 @@ use glam::DVec3;
 pub use self::scene::planes_of;
 pub use self::scene::{CappedPart, RELIEF_CELLS, capped, capped_with};
 
-use self::complex::{Complex, ComplexFace, State};
+use self::complex::{Complex, ComplexFace, FaceState};
 use self::in_scene::InScene;
 use super::plane::is_within;
 use super::{SectionDefect, SlicePlane};
@@ -145,7 +145,7 @@ fn halves_in(mesh: &Mesh, regions: &[Vec<SlicePlane>], decided: Option<&InScene>
     for face in &complex.faces {
         let [a, b, c] = face.corners;
         match face.state {
-            State::Removed => removed.push(*face),
+            FaceState::Removed => removed.push(*face),
             _ => kept.push(*face),
         }
         if face.plane().is_some() {

@@ -117,14 +117,14 @@ fn sides(parts: &[ComplexFace], corners: [u32; 3]) -> Option<[Vec<u32>; 3]> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::complex::State;
+    use super::super::complex::FaceState;
     use super::*;
 
     fn parts(triangles: &[[u32; 3]]) -> Vec<ComplexFace> {
         let part = |corners: &[u32; 3]| ComplexFace {
             corners: *corners,
             source: 0,
-            state: State::Kept,
+            state: FaceState::Kept,
             group: 0,
         };
         triangles.iter().map(part).collect()

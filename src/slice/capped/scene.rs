@@ -7,7 +7,7 @@ use super::{Half, Halves, halves_in};
 use crate::scene::{Cut, Mesh, Part, Scene, SceneSpace, is_removed_whole};
 use crate::slice::SlicePlane;
 #[cfg(feature = "boolean")]
-use crate::slice::boolean::{self, Region};
+use crate::slice::boolean::{self, RemovedRegion};
 use crate::slice::in_world::in_world;
 use crate::{Error, Result};
 
@@ -117,12 +117,12 @@ fn divided<'a>(
 ) -> Result<(Halves, f64)> {
     let region = |cut: &'a Cut| {
         let keeps = cut.offset_for(part);
-        Region {
+        RemovedRegion {
             surfaces: cut.surfaces.iter().map(|s| s.keeping(keeps)).collect(),
             cutter: cut.volume.as_ref(),
         }
     };
-    let regions: Vec<Region<'_>> = cuts.map(region).collect();
+    let regions: Vec<RemovedRegion<'_>> = cuts.map(region).collect();
     let divided = boolean::divided(mesh, part.fill, &regions, relief_cells).map_err(|why| {
         let what = format!("it cannot be cut by a relief or by a mesh: {why}");
         Error::input(format!("part `{}`", part.name), what, why.help())

@@ -7,7 +7,7 @@
 //!
 //! Cost: a pass over all faces, and a sort of the short edges.
 
-use super::complex::{Complex, State};
+use super::complex::{Complex, FaceState};
 use crate::scene::Bounds;
 use crate::scene::meshes::weld::has_three;
 
@@ -88,7 +88,7 @@ impl Complex<'_> {
         let of = |f: &usize| {
             let face = &self.faces[*f];
             let (corners, is_up) = key(face.corners);
-            (corners, face.state == State::Removed, is_up)
+            (corners, face.state == FaceState::Removed, is_up)
         };
         order.sort_by_cached_key(of);
         let mut is_gone = vec![false; self.faces.len()];

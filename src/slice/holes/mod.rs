@@ -107,7 +107,7 @@ pub fn close_holes(mesh: &Mesh) -> Closing {
             ..Closing::default()
         };
     }
-    let mut surface = Surface::around(mesh, &rims);
+    let mut surface = SurroundingSurface::around(mesh, &rims);
     let planes: Vec<Option<Plane>> = (rims.loops.iter())
         .map(|rim| Plane::of(mesh, rim))
         .collect();
@@ -149,7 +149,7 @@ pub fn close_holes(mesh: &Mesh) -> Closing {
 }
 
 /// The surface around the holes.
-struct Surface<'a> {
+struct SurroundingSurface<'a> {
     mesh: &'a Mesh,
     /// The normals of triangles at open edges, keyed by the edges in the direction of the holes.
     normals: BTreeMap<[u32; 2], DVec3>,
@@ -157,7 +157,7 @@ struct Surface<'a> {
     edges: BTreeSet<[u32; 2]>,
 }
 
-impl<'a> Surface<'a> {
+impl<'a> SurroundingSurface<'a> {
     fn around(mesh: &'a Mesh, rims: &rims::Rims) -> Self {
         let mut is_rim = vec![false; mesh.positions.len()];
         for vertex in rims.loops.iter().flatten() {

@@ -17,10 +17,10 @@ use crate::passes::{
     resolve,
 };
 use crate::plan::pack::Cascade;
-use crate::plan::{Binding, Bounded, Clock, Contents, Pass, Plan, Resource, Role, Work};
+use crate::plan::{Binding, Bounded, BufferRole, Clock, Contents, Pass, Plan, Resource, Work};
 use crate::shader::Shader;
 use crate::strategies::row::{
-    Abilities, CapSurface, InsideTestKind, InsideTestRow, Parameter, StrategyInfo,
+    Abilities, CapSurface, InsideTestKind, InsideTestRow, StrategyInfo, StrategyParameter,
 };
 use crate::strategies::surface;
 
@@ -28,7 +28,7 @@ use crate::strategies::surface;
 pub(crate) static ROW: InsideTestRow = InsideTestRow {
     facts: StrategyInfo {
         name: "kbuffer",
-        parameter: Some(Parameter {
+        parameter: Some(StrategyParameter {
             letter: "K",
             about: "fragments of a pixel and part",
             usual: 8,
@@ -66,7 +66,7 @@ fn record(
         lanes: lanes as u32,
         padding: [0; 2],
     }]);
-    let cascade = Resource::upload("cascade", Role::Uniform, cascade, Clock::Cut);
+    let cascade = Resource::upload("cascade", BufferRole::Uniform, cascade, Clock::Cut);
     let cascade = Binding::read("cascade", plan.add_resource(cascade));
     let store = Store {
         file: "lib/store/cascade.wgsl",

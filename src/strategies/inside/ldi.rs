@@ -15,15 +15,18 @@
 
 use super::vds;
 use crate::passes::{
-    FragmentLists, Fresh, Rasteriser, Refusal, SceneBuffers, Screen, ScreenOf, Share, Store, Sweep,
-    Volume, counted, groups_along, need,
+    FragmentLists, Fresh, Rasteriser, Refusal, SceneBuffers, ScreenMesh, ScreenOf, Share, Store,
+    SweepPasses, Volume, counted, groups_along, need,
 };
 use crate::plan::pack::{self, Sprite};
 use crate::plan::{
-    Binding, Clock, Contents, DepthTarget, Format, Pass, Plan, Resource, ResourceId, Role, Work,
+    Binding, BufferRole, Clock, Contents, DepthTarget, Format, Pass, Plan, Resource, ResourceId,
+    Work,
 };
 use crate::shader::Shader;
-use crate::strategies::row::{Abilities, InsideTestKind, InsideTestRow, Parameter, StrategyInfo};
+use crate::strategies::row::{
+    Abilities, InsideTestKind, InsideTestRow, StrategyInfo, StrategyParameter,
+};
 
 /// Name of the bounded buffer, reported when a frame needs more.
 const FRAGMENTS_OF_TEXELS: &str = "fragments of the layered depth images";
@@ -32,7 +35,7 @@ const FRAGMENTS_OF_TEXELS: &str = "fragments of the layered depth images";
 pub(crate) static ROW: InsideTestRow = InsideTestRow {
     facts: StrategyInfo {
         name: "ldi",
-        parameter: Some(Parameter {
+        parameter: Some(StrategyParameter {
             letter: "RES",
             about: "texels along a side",
             usual: 1024,
@@ -95,15 +98,15 @@ fn record(plan: &mut Plan, scene: &SceneBuffers<'_>, resolution: u32) -> Result<
                 let own = lists.starting_at(plan, first);
                 let counting = own.counting();
                 let screen = screen(plan, scene, (image, *rank), resolution, &counting)?;
-                Sweep::of_fragments("count", &count, &counting).record(plan, scene, &screen);
+                SweepPasses::of_fragments("count", &count, &counting).record(plan, scene, &screen);
                 screens.push((screen, own));
             }
             lists.lay_out(plan, "fragments of each texel", need);
             for (screen, own) in screens {
                 let keeping = own.keeping();
-                let filling = Sweep {
+                let filling = SweepPasses {
                     again: true,
-                    ..Sweep::of_fragments("fill", &fill, &keeping)
+                    ..SweepPasses::of_fragments("fill", &fill, &keeping)
                 };
                 filling.record(plan, scene, &screen);
             }
@@ -126,7 +129,7 @@ fn table(plan: &mut Plan, scene: &SceneBuffers<'_>, resolution: u32) -> Binding 
         .collect();
     let images = Resource::own_upload(
         "images",
-        Role::Storage,
+        BufferRole::Storage,
         Contents::from_values(&rows),
         Clock::Cut,
     );
@@ -167,14 +170,14 @@ fn screen(
     (image, rank): (usize, usize),
     resolution: u32,
     store: &Store,
-) -> Result<Screen, Refusal> {
+) -> Result<ScreenMesh, Refusal> {
     let bounds = scene.input.model.prepared.parts[rank].bounds;
     let sprite = vds::sprite(&bounds, resolution, 0, 0);
     let view = vds::view(&bounds, resolution);
     let name = format!("image {image}");
     let frame = Contents::from_values(&[pack::sprite_frame(&sprite)]);
     let frame_name = format!("{name} frame");
-    let frame = Resource::upload(frame_name, Role::Uniform, frame, Clock::Frame);
+    let frame = Resource::upload(frame_name, BufferRole::Uniform, frame, Clock::Frame);
     let of = ScreenOf {
         classifies: false,
         share: Share::of_store(store),
@@ -185,5 +188,5 @@ fn screen(
         ranks: &[rank],
         fresh: Fresh::nothing(),
     };
-    Screen::record(plan, scene, of)
+    ScreenMesh::record(plan, scene, of)
 }

@@ -20,17 +20,19 @@ use glam::{DVec2, DVec3};
 use crate::passes::{NEED_OF_SPRITES, SceneBuffers, Volume, need, pixels};
 use crate::plan::pack::Sprite;
 use crate::plan::{
-    Binding, Bounded, Capacity, Clock, Contents, DepthCompare, DepthTarget, Format, Pass, Plan,
-    Resource, ResourceId, Role, Work,
+    Binding, Bounded, BufferRole, Capacity, Clock, Contents, DepthCompare, DepthTarget, Format,
+    Pass, Plan, Resource, ResourceId, Work,
 };
 use crate::scene::{Bounds, Precision, View};
-use crate::strategies::row::{Abilities, InsideTestKind, InsideTestRow, Parameter, StrategyInfo};
+use crate::strategies::row::{
+    Abilities, InsideTestKind, InsideTestRow, StrategyInfo, StrategyParameter,
+};
 
 /// The row of the table.
 pub(crate) static ROW: InsideTestRow = InsideTestRow {
     facts: StrategyInfo {
         name: "vds",
-        parameter: Some(Parameter {
+        parameter: Some(StrategyParameter {
             letter: "RES",
             about: "texels along a side",
             usual: 1024,
@@ -83,7 +85,7 @@ fn record(
     let size = [resolution; 2];
     let sprite = Contents::from_values(&[sprite(&part.bounds, resolution, layers, slot)]);
     let table_name = format!("sprite {number}");
-    let sprite = Resource::upload(table_name, Role::Uniform, sprite, Clock::Solid);
+    let sprite = Resource::upload(table_name, BufferRole::Uniform, sprite, Clock::Solid);
     let sprite = Binding::read("sprite", plan.add_resource(sprite));
     let layers_name = format!("sprite layers {number}");
     let format = Format::Depth32Float;

@@ -23,10 +23,10 @@ use super::tessellation::{Facets, Tessellation, rounding};
 use crate::passes::{NEED_OF_TRIANGLES, Refusal, SceneBuffers, need};
 use crate::plan::pack::{Domain, MAX_SURFACES, Refinement};
 use crate::plan::{
-    ARGUMENT_BYTES, Arguments, Binding, Bounded, Capacities, Capacity, Clock, Contents,
-    DISPATCH_ARGUMENT_BYTES, INDEX_BYTES, Pass, Plan, Resource, ResourceId, Role, Shape, Work,
+    ARGUMENT_BYTES, Arguments, Binding, Bounded, BufferRole, Capacities, Capacity, Clock, Contents,
+    DISPATCH_ARGUMENT_BYTES, INDEX_BYTES, Pass, Plan, Resource, ResourceId, Shape, Work,
 };
-use crate::strategies::row::{Abilities, CapSurfaceRow, Caps, Parameter, StrategyInfo};
+use crate::strategies::row::{Abilities, CapSurfaceRow, Caps, StrategyInfo, StrategyParameter};
 
 /// Steps of the parameter TAU per pixel.
 const STEPS_PER_PX: u32 = 1000;
@@ -35,7 +35,7 @@ const STEPS_PER_PX: u32 = 1000;
 pub(crate) static ROW: CapSurfaceRow = CapSurfaceRow {
     facts: StrategyInfo {
         name: "adaptive",
-        parameter: Some(Parameter {
+        parameter: Some(StrategyParameter {
             letter: "TAU",
             about: "an error in pixels",
             usual: STEPS_PER_PX / 2,
@@ -144,14 +144,19 @@ fn table<T: bytemuck::Pod>(
 ) -> Binding {
     let mut all = vec![T::zeroed(); MAX_SURFACES];
     all[..rows.len()].copy_from_slice(rows);
-    let table = Resource::own_upload(name, Role::Uniform, Contents::from_values(&all), clock);
+    let table = Resource::own_upload(
+        name,
+        BufferRole::Uniform,
+        Contents::from_values(&all),
+        clock,
+    );
     Binding::read(variable, plan.add_resource(table))
 }
 
 /// The two triangles of a plane, whose domain is one step along each side.
 fn square_indices(plan: &mut Plan) -> ResourceId {
     let corners = Contents::from_values(&[[0, 1, 0x1_0001], [0, 0x1_0001, 0x1_0000]]);
-    let indices = Resource::own_upload("square indices", Role::Index, corners, Clock::Cut);
+    let indices = Resource::own_upload("square indices", BufferRole::Index, corners, Clock::Cut);
     plan.add_resource(indices)
 }
 
@@ -174,7 +179,7 @@ impl Reliefs<'_> {
         let indices = plan.add_resource(Resource {
             shape: Shape::Buffer {
                 bytes,
-                role: Role::Index,
+                role: BufferRole::Index,
             },
             ..Resource::storage("triangles", bytes, Clock::Frame)
         });

@@ -12,7 +12,7 @@
 
 use super::raycast;
 use crate::passes::{Crossings, Input, Refusal, SceneBuffers, SheetDraw, Sheets, Store};
-use crate::plan::{Binding, Clock, Draw, Plan, Resource, Role, Vertices};
+use crate::plan::{Binding, BufferRole, Clock, Draw, Plan, Resource, Vertices};
 use crate::shader::Shader;
 
 /// Bits of the clip-surfaces that are cutters, by their index in the table.
@@ -70,9 +70,9 @@ pub(super) fn add(plan: &mut Plan, scene: &SceneBuffers<'_>, sheets: &mut Sheets
         });
     }
     let [vertices, faces, indices] = [
-        ("cutter vertices", Role::Vertex, &cutters.vertices),
-        ("cutter_faces", Role::Storage, &cutters.faces),
-        ("cutter indices", Role::Index, &cutters.indices),
+        ("cutter vertices", BufferRole::Vertex, &cutters.vertices),
+        ("cutter_faces", BufferRole::Storage, &cutters.faces),
+        ("cutter indices", BufferRole::Index, &cutters.indices),
     ]
     .map(|(name, role, contents)| {
         plan.add_resource(Resource::upload(name, role, contents.clone(), Clock::Cut))

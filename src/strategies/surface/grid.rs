@@ -7,21 +7,21 @@
 //! Per cut: a quad of 64 bytes and N² x 24 bytes of indices. Per frame: (N + 1)² vertices for each drawn clip-surface.
 
 use crate::strategies::row::{
-    Abilities, CapSurfaceRow, Caps, InsideTestKind, Parameter, StrategyInfo,
+    Abilities, CapSurfaceRow, Caps, InsideTestKind, StrategyInfo, StrategyParameter,
 };
 use glam::DVec3;
 
 use super::tessellation::{Facets, Tessellation, beyond_box, rounding, span};
 use crate::passes::{Input, SceneBuffers};
 use crate::plan::pack::Quad;
-use crate::plan::{Binding, Clock, Contents, Plan, Resource, Role};
+use crate::plan::{Binding, BufferRole, Clock, Contents, Plan, Resource};
 use crate::scene::PreparedSurface;
 
 /// The row of the table.
 pub(crate) static ROW: CapSurfaceRow = CapSurfaceRow {
     facts: StrategyInfo {
         name: "grid",
-        parameter: Some(Parameter {
+        parameter: Some(StrategyParameter {
             letter: "N",
             about: "cells along a side",
             usual: 256,
@@ -47,7 +47,7 @@ fn tessellation(plan: &mut Plan, scene: &SceneBuffers<'_>, cells: u32) -> Tessel
     let input = scene.input;
     let kept = &input.model.grid_indices;
     let contents = kept.get_or_make(cells, |_| indices_of_grid(cells));
-    let indices = Resource::own_upload("grid indices", Role::Index, contents, Clock::Cut);
+    let indices = Resource::own_upload("grid indices", BufferRole::Index, contents, Clock::Cut);
     let indices = plan.add_resource(indices);
     let facets = |surface| Facets {
         surface,
@@ -57,7 +57,7 @@ fn tessellation(plan: &mut Plan, scene: &SceneBuffers<'_>, cells: u32) -> Tessel
     };
     let count = input.active_cuts.surfaces.len() as u32;
     let quads = Contents::from_values(&quads(input, cells));
-    let quads = Resource::own_upload("quads", Role::Storage, quads, Clock::Cut);
+    let quads = Resource::own_upload("quads", BufferRole::Storage, quads, Clock::Cut);
     let quads = Binding::read("quads", plan.add_resource(quads));
     let filter = input.height_filter_file();
     Tessellation {

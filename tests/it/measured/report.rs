@@ -7,7 +7,7 @@ use std::fs;
 use std::path::Path;
 
 use cutaway_lab::experiment::Record;
-use cutaway_lab::report::{Pages, PictureOptions, Recorded, pages};
+use cutaway_lab::report::{Pages, PictureOptions, RecordedFolders, pages};
 
 use crate::common::command;
 mod answering;
@@ -20,7 +20,7 @@ use fixture::{NAME, PNG, adapter, cases, reached, records, write};
 
 fn report(folders: &[&Path], most_bytes: u64) -> Pages {
     let folders: Vec<_> = folders.iter().map(|f| f.to_path_buf()).collect();
-    let recorded = Recorded::read(&folders).unwrap();
+    let recorded = RecordedFolders::read(&folders).unwrap();
     let options = PictureOptions {
         out: folders[0].clone(),
         link: false,

@@ -6,7 +6,7 @@
 use std::fs;
 
 use cutaway_lab::experiment::{FamilyMember, Parameter, Record, Samples};
-use cutaway_lab::report::{PictureOptions, Recorded, pages};
+use cutaway_lab::report::{PictureOptions, RecordedFolders, pages};
 use serde_json::{Value, json};
 
 use crate::common::command;
@@ -29,7 +29,7 @@ fn describe(folder: &Scratch, records: &[Record], of_run: &Value) -> String {
         link: false,
         most_bytes: PictureOptions::MOST_BYTES,
     };
-    pages(&Recorded::read(&[path]).unwrap(), &options).markdown
+    pages(&RecordedFolders::read(&[path]).unwrap(), &options).markdown
 }
 
 /// Rows of a table that begin with a text.

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
 use cutaway_lab::experiment::{Record, Samples};
-use cutaway_lab::report::{Pages, PictureOptions, Recorded, pages};
+use cutaway_lab::report::{Pages, PictureOptions, RecordedFolders, pages};
 use serde_json::Value;
 
 use crate::common::root;
@@ -20,8 +20,8 @@ mod book;
 
 const RECORD: &str = "experiments/record/2026-11-24-llvmpipe";
 
-static RECORDED: LazyLock<Recorded> =
-    LazyLock::new(|| Recorded::read(&[root().join(RECORD)]).unwrap());
+static RECORDED: LazyLock<RecordedFolders> =
+    LazyLock::new(|| RecordedFolders::read(&[root().join(RECORD)]).unwrap());
 
 static PAGES: LazyLock<Pages> = LazyLock::new(|| {
     let options = PictureOptions {

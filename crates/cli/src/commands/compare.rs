@@ -16,7 +16,7 @@ use image::{Rgba, RgbaImage};
 use crate::console::{Console, ConsoleArgs};
 use crate::input::args::{AdapterArgs, DrawOptionArgs, SceneArgs};
 use crate::input::look::Defaults;
-use crate::input::subject::Subject;
+use crate::input::subject::SceneInput;
 use crate::input::when::TimeArgs;
 use crate::judge::{self, judge};
 use crate::verdict::Verdict;
@@ -230,7 +230,7 @@ fn add_pictures(
     folder: &Path,
     session: &mut Session,
     shown: &SceneAtTime,
-    subject: &Subject,
+    subject: &SceneInput,
     judgement: &Judgement,
 ) -> Result<()> {
     let mut write = |name: &str, bytes| results.add(&Output::File(folder.join(name)), bytes);

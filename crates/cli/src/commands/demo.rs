@@ -10,7 +10,7 @@ use cutaway::{Error, Result};
 use cutaway_io::document::Value;
 use cutaway_io::load::Assets;
 use cutaway_lab::experiment::{Record, Renderer, Run, SceneAtTime, draw_options, picture};
-use cutaway_lab::report::{Recorded, text};
+use cutaway_lab::report::{RecordedFolders, text};
 
 use super::measure::{self, MeasureArgs};
 use super::report::{self, ReportArgs};
@@ -102,7 +102,7 @@ pub(crate) fn run(args: &DemoArgs) -> Result<Verdict> {
     if measured != Verdict::Done {
         return Ok(measured);
     }
-    let recorded = Recorded::read(std::slice::from_ref(out))?;
+    let recorded = RecordedFolders::read(std::slice::from_ref(out))?;
     let mut experiments = recorded.folders.iter().flat_map(|f| &f.experiments);
     let demo = experiments.find(|e| e.synopsis.name == NAME);
     let Some(record) = demo.and_then(|e| e.records.first()) else {

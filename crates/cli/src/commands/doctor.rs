@@ -12,8 +12,8 @@ use cutaway::session::{Outcome, Session};
 use cutaway::strategies::Method;
 use cutaway::{Error, Result};
 use cutaway_lab::experiment::Stopwatch;
-use cutaway_lab::hard_cases::{Asked, found, list, random};
-use cutaway_lab::report::Table;
+use cutaway_lab::hard_cases::{CaseSelection, found, list, random};
+use cutaway_lab::report::TextTable;
 use serde::Serialize;
 use serde_json::json;
 
@@ -143,8 +143,8 @@ fn about(adapters: &[String], gpu: &Gpu, can: &[(&str, bool)]) -> String {
     text
 }
 
-fn table_of(examined: &[Examined]) -> Table {
-    let mut table = Table::new(["strategy", "hard cases", "random scenes", "verdict"]);
+fn table_of(examined: &[Examined]) -> TextTable {
+    let mut table = TextTable::new(["strategy", "hard cases", "random scenes", "verdict"]);
     for e in examined {
         let verdict = match (e.faults.len(), e.cases + e.scenes) {
             (0, 0) => "not tried".to_owned(),
@@ -174,7 +174,7 @@ fn examine(session: &mut Session, console: &Console) -> Result<(Vec<Examined>, f
         if !is_before(CASES_S) {
             break;
         }
-        let asked = Asked {
+        let asked = CaseSelection {
             ids: std::slice::from_ref(&listed.id),
             sizes_px: &[SIDE_PX],
             methods: Some(&methods),

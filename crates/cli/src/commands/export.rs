@@ -15,7 +15,7 @@ use cutaway::scene::weld::thousands;
 use cutaway::scene::{Fill, LengthUnit, Scene, SceneSpace, Texture, doubts};
 use cutaway::slice::{CappedPart, Half, RELIEF_CELLS, capped_with};
 use cutaway::{Error, Result};
-use cutaway_io::save::{Format, Solid, encoded, leaves_out, rounding};
+use cutaway_io::save::{MeshFormat, Solid, encoded, leaves_out, rounding};
 use serde_json::{Value, json};
 
 use self::summary::ExportSummary;
@@ -28,7 +28,7 @@ use crate::input::look::Defaults;
 use crate::input::sections::SectionArgs;
 use crate::input::split::SplitArgs;
 use crate::input::stdin::StdinArgs;
-use crate::input::subject::{Subject, document};
+use crate::input::subject::{SceneInput, document};
 use crate::input::when::TimeArgs;
 use crate::interrupt::Interrupt;
 use crate::verdict::Verdict;
@@ -108,7 +108,7 @@ pub(crate) struct ExportArgs {
 
 /// Runs `export`.
 pub(crate) fn run(args: &ExportArgs) -> Result<Verdict> {
-    let outputs = Outputs::checked(args)?;
+    let outputs = ExportOutputs::checked(args)?;
     // Before any file begins, which Ctrl-C would otherwise leave half written.
     let interrupt = Interrupt::listen("export", "step")?;
     let console = Console::new(args.console, 3);
@@ -120,7 +120,7 @@ pub(crate) fn run(args: &ExportArgs) -> Result<Verdict> {
     args.holes.amend(&mut document)?;
     args.sections.amend(&mut document)?;
     args.when.amend(&mut document)?;
-    let subject = Subject::open(document, None, Defaults::default(), &args.edits, &console)?;
+    let subject = SceneInput::open(document, None, Defaults::default(), &args.edits, &console)?;
     subject.must_be_cut_by(&args.sections)?;
     let scene = &subject.scene;
     let vertex_paints = scene
@@ -155,7 +155,7 @@ pub(crate) fn run(args: &ExportArgs) -> Result<Verdict> {
     let unit = match (args.unit, subject.unit()) {
         (Some(unit), _) | (None, Some(unit)) => unit,
         (None, None) => {
-            if outputs.kept.format == Format::ThreeMf {
+            if outputs.kept.format == MeshFormat::ThreeMf {
                 console.note("nothing says how long a unit of the model is: it is written as a millimetre, unless --unit sets another one");
             }
             LengthUnit::Mm
@@ -180,7 +180,7 @@ pub(crate) fn run(args: &ExportArgs) -> Result<Verdict> {
         results.add(output, json.into_bytes())?;
     }
     results.place()?;
-    if outputs.kept.format == Format::ThreeMf && summary.iter().any(|f| f.kept.open_edges > 0) {
+    if outputs.kept.format == MeshFormat::ThreeMf && summary.iter().any(|f| f.kept.open_edges > 0) {
         console.note("3MF requires closed meshes: programs may refuse or repair open ones");
     }
     Ok(verdict(&summary, &parts, &console))
@@ -189,7 +189,7 @@ pub(crate) fn run(args: &ExportArgs) -> Result<Verdict> {
 /// A mesh file, and the files next to it.
 struct MeshFile {
     path: PathBuf,
-    format: Format,
+    format: MeshFormat,
     /// The half in the file, in a word.
     what: &'static str,
 }
@@ -207,16 +207,16 @@ impl MeshFile {
 }
 
 /// Output files.
-struct Outputs {
+struct ExportOutputs {
     kept: MeshFile,
     removed: Option<MeshFile>,
     json: Option<Output>,
 }
 
-impl Outputs {
+impl ExportOutputs {
     fn checked(args: &ExportArgs) -> Result<Self> {
         let value = args.output.as_str();
-        let extensions = Format::BY_EXTENSION.map(|(extension, _)| extension);
+        let extensions = MeshFormat::BY_EXTENSION.map(|(extension, _)| extension);
         let path = match Output::checked("--output", value, &extensions)? {
             Output::File(path) => path,
             Output::Stdout => {
@@ -229,12 +229,12 @@ impl Outputs {
             }
         };
         let extension = path.extension().unwrap_or_default().to_string_lossy();
-        let Some(format) = Format::of_extension(&extension) else {
+        let Some(format) = MeshFormat::of_extension(&extension) else {
             let what = "it is not a regular file, and its name has no mesh extension";
             let help = "name a file that ends in .stl, .ply, .obj, .glb or .3mf";
             return Err(Error::input(format!("--output {value}"), what, help));
         };
-        if args.unit.is_some() && format != Format::ThreeMf {
+        if args.unit.is_some() && format != MeshFormat::ThreeMf {
             let what = format!("a .{extension} file does not store a length unit");
             return Err(Error::input("--unit", what, "leave it out, or write .3mf"));
         }

@@ -5,7 +5,7 @@ use cutaway::scene::numbers::{describe_bounds, round};
 use cutaway::scene::weld::thousands;
 use cutaway::scene::{Bodies, Clip, Part, Topology};
 use cutaway::{Error, Result};
-use cutaway_lab::report::Table;
+use cutaway_lab::report::TextTable;
 use serde_json::{Value, json};
 
 use crate::console::{Console, ConsoleArgs};
@@ -16,7 +16,7 @@ use crate::input::look::Defaults;
 use crate::input::roles;
 use crate::input::split::SplitArgs;
 use crate::input::stdin::StdinArgs;
-use crate::input::subject::{Subject, document};
+use crate::input::subject::{SceneInput, document};
 use crate::input::when::TimeArgs;
 use crate::verdict::Verdict;
 use crate::writing::output::{Output, write_stdout};
@@ -83,7 +83,7 @@ pub(crate) fn run(args: &InspectArgs) -> Result<Verdict> {
     args.holes.amend(&mut document)?;
     args.when.amend(&mut document)?;
     roles::amend(&mut document, &[], args.roles)?;
-    let subject = Subject::open(document, None, Defaults::default(), &args.edits, &console)?;
+    let subject = SceneInput::open(document, None, Defaults::default(), &args.edits, &console)?;
     subject.save_beside(paths_of(&[("--json", json.as_ref())]), &args.edits)?;
     let clips = subject.timeline.clips();
     let parts = subject.scene.posed().parts;
@@ -169,7 +169,7 @@ fn to_json(facts: &[MeshSummary<'_>], total: &MeshSummary<'_>, clips: &[Clip]) -
 }
 
 fn to_text(facts: &[MeshSummary<'_>], total: &MeshSummary<'_>) -> String {
-    let mut table = Table::new([
+    let mut table = TextTable::new([
         "part",
         "vertices",
         "faces",

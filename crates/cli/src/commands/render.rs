@@ -16,10 +16,10 @@ use cutaway_lab::experiment::{PerClock, Renderer, SceneAtTime, Stopwatch, pictur
 use serde_json::{Value, json};
 
 use crate::console::{Console, ConsoleArgs};
-use crate::image_test::{self, Finding};
+use crate::image_test::{self, ImageTestResult};
 use crate::input::args::{AdapterArgs, DrawOptionArgs, SceneArgs};
 use crate::input::look::{Defaults, LookArgs};
-use crate::input::subject::Subject;
+use crate::input::subject::SceneInput;
 use crate::input::when::TimeArgs;
 use crate::notes::{adapter_in_words, note_what_is_not_seen, unreliable_px, warn_of_doubt};
 use crate::renderer_request::RendererChoice;
@@ -152,7 +152,7 @@ pub(crate) fn run(args: &RenderArgs) -> Result<Verdict> {
     }
     if let (Some(reference), Some(path)) = (reference, outputs.picture.path()) {
         let finding = image_test::compare(&drawn, &reference, args.reference_threshold);
-        if let Finding::Different { what, difference } = finding {
+        if let ImageTestResult::Different { what, difference } = finding {
             let beside = image_test::difference_path(path);
             console.failed(format!("{}: {what}", path.display()));
             if let Some(difference) = difference {
@@ -278,7 +278,7 @@ impl PlainFrame {
 
     fn json(
         &self,
-        subject: &Subject,
+        subject: &SceneInput,
         session: &Session,
         model: &Model,
         chosen: &RendererChoice,

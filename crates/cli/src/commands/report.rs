@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use cutaway::Result;
 use cutaway_lab::experiment::Run;
-use cutaway_lab::report::{PictureOptions, Recorded, method_pages, pages};
+use cutaway_lab::report::{PictureOptions, RecordedFolders, method_pages, pages};
 
 use crate::console::{Console, ConsoleArgs};
 use crate::verdict::Verdict;
@@ -96,7 +96,7 @@ pub(crate) fn run(args: &ReportArgs) -> Result<Verdict> {
     let inputs = InputFiles::default();
     inputs.add(args.folders.iter().flat_map(|folder| files_below(folder)));
     inputs.keep_from(names.iter().map(|name| ("--out", out.join(name))))?;
-    let recorded = Recorded::read(&args.folders)?;
+    let recorded = RecordedFolders::read(&args.folders)?;
     console.step("making pages");
     let texts = match &args.method {
         None => all_of(&recorded, args, out),
@@ -121,7 +121,7 @@ pub(crate) fn run(args: &ReportArgs) -> Result<Verdict> {
 }
 
 /// Contents of the files named in [`NAMES`].
-fn all_of(recorded: &Recorded, args: &ReportArgs, out: &Path) -> Vec<String> {
+fn all_of(recorded: &RecordedFolders, args: &ReportArgs, out: &Path) -> Vec<String> {
     let options = PictureOptions {
         out: out.to_owned(),
         link: args.link,
@@ -132,7 +132,7 @@ fn all_of(recorded: &Recorded, args: &ReportArgs, out: &Path) -> Vec<String> {
 }
 
 /// Warns of missing points.
-fn completeness(recorded: &Recorded, args: &ReportArgs, console: &Console) -> Verdict {
+fn completeness(recorded: &RecordedFolders, args: &ReportArgs, console: &Console) -> Verdict {
     let (there, asked, missing) = recorded.completeness();
     if missing.is_empty() {
         return Verdict::Done;

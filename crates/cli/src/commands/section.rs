@@ -15,10 +15,10 @@ use cutaway::scene::numbers::round;
 use cutaway::scene::{Fill, LengthUnit, Part, Scene, SceneSpace, doubts, who_wins};
 use cutaway::slice::{Section, Slicer, Trim};
 use cutaway::{Error, Result};
-use cutaway_io::save::section::{Drawn, PartReport, PlaneReport, SectionReport, dxf, svg};
-use cutaway_lab::report::Table;
+use cutaway_io::save::section::{DrawingPlane, PartReport, PlaneReport, SectionReport, dxf, svg};
+use cutaway_lab::report::TextTable;
 
-use self::planes::{Plane, planes};
+use self::planes::{CutPlane, planes};
 use crate::console::{Console, ConsoleArgs};
 use crate::input::args::fill_by;
 use crate::input::defects::DefectArgs;
@@ -28,7 +28,7 @@ use crate::input::look::Defaults;
 use crate::input::sections::SectionArgs;
 use crate::input::split::SplitArgs;
 use crate::input::stdin::StdinArgs;
-use crate::input::subject::{Subject, document};
+use crate::input::subject::{SceneInput, document};
 use crate::input::when::TimeArgs;
 use crate::verdict::Verdict;
 use crate::writing::output::{Output, write_stdout};
@@ -91,7 +91,7 @@ pub(crate) struct SectionCommandArgs {
 
 /// Runs `section`.
 pub(crate) fn run(args: &SectionCommandArgs) -> Result<Verdict> {
-    let outputs = Outputs::checked(args)?;
+    let outputs = SectionOutputs::checked(args)?;
     let console = Console::new(args.console, 3);
     console.step("opening");
     let mut document = document(&args.inputs, args.stdin, None)?;
@@ -101,7 +101,7 @@ pub(crate) fn run(args: &SectionCommandArgs) -> Result<Verdict> {
     fill_by(&mut document, args.fill)?;
     args.sections.amend(&mut document)?;
     args.when.amend(&mut document)?;
-    let subject = Subject::open(document, None, Defaults::default(), &args.edits, &console)?;
+    let subject = SceneInput::open(document, None, Defaults::default(), &args.edits, &console)?;
     subject.must_be_cut_by(&args.sections)?;
     subject.save_beside(outputs.paths.clone(), &args.edits)?;
     let scene = &subject.scene;
@@ -134,14 +134,14 @@ pub(crate) fn run(args: &SectionCommandArgs) -> Result<Verdict> {
 }
 
 /// Output files.
-struct Outputs {
+struct SectionOutputs {
     drawing: Option<Output>,
     json: Option<Output>,
     /// The outputs that are files, with the options that name them.
     paths: Vec<(&'static str, PathBuf)>,
 }
 
-impl Outputs {
+impl SectionOutputs {
     fn checked(args: &SectionCommandArgs) -> Result<Self> {
         let output = args.output.as_ref();
         let output = output.map(|v| Output::checked("--output", v, &["svg", "dxf", "json"]));
@@ -179,51 +179,54 @@ fn has_extension(output: &Output, wanted: &str) -> bool {
     extension.is_some_and(|e| e.eq_ignore_ascii_case(wanted))
 }
 
-fn sliced(scene: &Scene, planes: &[Plane], is_whole: bool) -> SectionReport {
+fn sliced(scene: &Scene, planes: &[CutPlane], is_whole: bool) -> SectionReport {
     let mut parts: Vec<(usize, &Part)> = scene.parts.iter().enumerate().collect();
     // The part that is shown where solids share a point is drawn last, over the others: of equals the first.
     parts.sort_by_cached_key(|(index, p)| {
         Reverse(who_wins(p, p.placed_volume(p.mesh.volume()), *index))
     });
     let space = SceneSpace::new(&scene.bounds());
-    let drawn: Vec<Drawn> = (planes.iter())
-        .map(|p| Drawn::of(&p.plane, scene.camera.up))
+    let drawn: Vec<DrawingPlane> = (planes.iter())
+        .map(|p| DrawingPlane::of(&p.plane, scene.camera.up))
         .collect();
-    let of_parts: Vec<Vec<Sliced>> = (parts.par_iter())
+    let of_parts: Vec<Vec<PartSection>> = (parts.par_iter())
         .map(|(_, part)| {
-            let is_cut = |p: &&Plane| scene.cuts[p.cut].applies_to(part);
+            let is_cut = |p: &&CutPlane| scene.cuts[p.cut].applies_to(part);
             if !planes.iter().any(|p| is_cut(&p)) {
-                return planes.iter().map(|_| Sliced::Missed).collect();
+                return planes.iter().map(|_| PartSection::Missed).collect();
             }
             let (slicer, bounds) = (Slicer::of_part_in(part, &space), part.bounds_in_world());
-            let of_plane = |(p, drawn): (&Plane, &Drawn)| {
+            let of_plane = |(p, drawn): (&CutPlane, &DrawingPlane)| {
                 if !is_cut(&p) {
-                    return Sliced::Missed;
+                    return PartSection::Missed;
                 }
                 let at = p.for_part(scene, part).seen_from(bounds.centre());
                 let whole = slicer.section_by(&at, part.fill);
                 if is_nothing(&whole) {
-                    return Sliced::Missed;
+                    return PartSection::Missed;
                 }
                 let all = is_whole.then(Trim::default);
                 let size = bounds.radius();
                 let trim = all.or_else(|| p.trim((scene, planes), part, &at, size));
                 let Some(trim) = trim else {
-                    return Sliced::Trimmed(None);
+                    return PartSection::Trimmed(None);
                 };
                 let Some(section) = trim.of(&whole, &at) else {
-                    return Sliced::Whole(PartReport::new(part, &whole, &at, drawn));
+                    return PartSection::Whole(PartReport::new(part, &whole, &at, drawn));
                 };
                 let report = || PartReport::new(part, &section, &at, drawn);
-                Sliced::Trimmed((!is_nothing(&section)).then(report))
+                PartSection::Trimmed((!is_nothing(&section)).then(report))
             };
             planes.iter().zip(&drawn).map(of_plane).collect()
         })
         .collect();
-    let of_plane = |(i, (p, drawn)): (usize, (&Plane, &Drawn))| {
+    let of_plane = |(i, (p, drawn)): (usize, (&CutPlane, &DrawingPlane))| {
         let of_plane = || of_parts.iter().map(|all| &all[i]);
-        let is_trimmed = of_plane().any(|s| matches!(s, Sliced::Trimmed(_)));
-        let met = of_plane().filter_map(Sliced::report).cloned().collect();
+        let is_trimmed = of_plane().any(|s| matches!(s, PartSection::Trimmed(_)));
+        let met = of_plane()
+            .filter_map(PartSection::report)
+            .cloned()
+            .collect();
         let name = &scene.cuts[p.cut].name;
         PlaneReport {
             trimmed: is_trimmed,
@@ -239,7 +242,7 @@ fn sliced(scene: &Scene, planes: &[Plane], is_whole: bool) -> SectionReport {
 }
 
 /// A part's section by a plane.
-enum Sliced {
+enum PartSection {
     /// No section: the plane misses the part, or does not apply to it.
     Missed,
     /// The whole section in the plane.
@@ -248,7 +251,7 @@ enum Sliced {
     Trimmed(Option<PartReport>),
 }
 
-impl Sliced {
+impl PartSection {
     fn report(&self) -> Option<&PartReport> {
         match self {
             Self::Missed => None,
@@ -263,7 +266,7 @@ fn is_nothing(section: &Section) -> bool {
 }
 
 fn to_text(report: &SectionReport) -> String {
-    let mut table = Table::new(["cut", "part", "area", "perimeter", "loops", "open"]);
+    let mut table = TextTable::new(["cut", "part", "area", "perimeter", "loops", "open"]);
     for plane in &report.sections {
         for part in &plane.parts {
             table.row([

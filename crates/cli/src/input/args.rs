@@ -17,7 +17,7 @@ use super::look::Defaults;
 use super::sections::SectionArgs;
 use super::split::SplitArgs;
 use super::stdin::StdinArgs;
-use super::subject::{Subject, document};
+use super::subject::{SceneInput, document};
 use crate::console::Console;
 
 /// Model, cuts and camera of a picture.
@@ -86,8 +86,8 @@ impl SceneArgs {
         at_s: Option<f64>,
         usual: Defaults,
         console: &Console,
-    ) -> Result<Subject> {
-        let subject = Subject::open(document, at_s, usual, &self.edits, console)?;
+    ) -> Result<SceneInput> {
+        let subject = SceneInput::open(document, at_s, usual, &self.edits, console)?;
         subject.must_be_cut_by(&self.sections)?;
         subject.doubt(console)?;
         Ok(subject)

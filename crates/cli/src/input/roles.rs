@@ -3,7 +3,7 @@
 use cutaway::Result;
 use cutaway::scene::{Part, Role};
 use cutaway_io::document::{Document, Node, Origin, RoleBy, Value};
-use cutaway_lab::report::Table;
+use cutaway_lab::report::TextTable;
 use serde_json::{Value as Json, json};
 
 /// One value of `--roles`.
@@ -77,7 +77,7 @@ fn name_of(role: Role) -> &'static str {
 
 /// The roles of parts as a table.
 pub(crate) fn to_text(roles: &[(Part, RoleBy)]) -> String {
-    let mut table = Table::new(["part", "role", "by"]);
+    let mut table = TextTable::new(["part", "role", "by"]);
     for (part, by) in roles {
         table.row(vec![
             part.name.clone(),

@@ -14,7 +14,7 @@ use super::subject::check_model;
 const HEADING: &str = "Cuts";
 
 #[derive(Args)]
-struct Words {
+struct SectionOptions {
     /// Cuts by a plane and keeps the side its normal points to: `z=10`, `-z=50%` (of the bounds), `nx,ny,nz@px,py,pz`,
     /// `nx,ny,nz,d`. Repeatable
     #[arg(long, value_name = "SPEC", allow_hyphen_values = true, help_heading = HEADING)]
@@ -86,7 +86,7 @@ enum Combination {
 
 /// A section with its relief and flip.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-struct Section {
+struct SectionOption {
     section: String,
     relief: Option<String>,
     flip: bool,
@@ -122,7 +122,7 @@ impl Stray {
 /// The cuts of the command line.
 #[derive(Clone, Debug)]
 pub(crate) struct SectionArgs {
-    sections: Vec<Section>,
+    sections: Vec<SectionOption>,
     boxes: Vec<String>,
     wedges: Vec<String>,
     /// Option without a section to apply to, if any.
@@ -137,26 +137,26 @@ pub(crate) struct SectionArgs {
 
 impl Args for SectionArgs {
     fn augment_args(cmd: Command) -> Command {
-        Words::augment_args(cmd)
+        SectionOptions::augment_args(cmd)
     }
 
     fn augment_args_for_update(cmd: Command) -> Command {
-        Words::augment_args_for_update(cmd)
+        SectionOptions::augment_args_for_update(cmd)
     }
 }
 
 impl FromArgMatches for SectionArgs {
     fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
-        let words = Words::from_arg_matches(matches)?;
+        let words = SectionOptions::from_arg_matches(matches)?;
         let places =
             |id: &str| -> Vec<usize> { matches.indices_of(id).into_iter().flatten().collect() };
         let places_of_sections = places("section");
-        let mut sections: Vec<Section> = words
+        let mut sections: Vec<SectionOption> = words
             .section
             .into_iter()
-            .map(|section| Section {
+            .map(|section| SectionOption {
                 section,
-                ..Section::default()
+                ..SectionOption::default()
             })
             .collect();
         // The last section before a position on the command line, else the first one.
@@ -270,7 +270,7 @@ impl SectionArgs {
     }
 }
 
-impl Section {
+impl SectionOption {
     fn draft(&self) -> SurfaceDraft {
         let mut surface = section(&self.section);
         if let Some(relief) = &self.relief {

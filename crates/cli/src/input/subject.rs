@@ -24,7 +24,7 @@ use crate::writing::places::InputFiles;
 const USUAL_SUPERSAMPLE: u32 = 2;
 
 /// A document and its scene.
-pub(crate) struct Subject {
+pub(crate) struct SceneInput {
     /// The scene at the requested time.
     pub(crate) scene: Scene,
     /// The scene over time.
@@ -37,7 +37,7 @@ pub(crate) struct Subject {
     saved: Option<PathBuf>,
 }
 
-impl Subject {
+impl SceneInput {
     /// Opens a document amended by options, at a given time or at the document's own, with defaults for what it
     /// omits.
     pub(crate) fn open(

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use cutaway::error::Result;
 
-use super::build::{CutDraft, PartDraft, Table, put};
+use super::build::{CutDraft, PartDraft, TableEntries, put};
 use super::node::{Node, Origin, Value};
 use super::{Document, files, read};
 
@@ -49,7 +49,7 @@ impl Document {
         if let Some(fault) = of_surfaces.or(draft.fault) {
             return Err(fault);
         }
-        let mut table = Table::new();
+        let mut table = TableEntries::new();
         let said = draft.table.iter().find(|(key, _)| **key == *"name");
         let said = said.and_then(|(_, node)| node.text());
         let made_of = draft.names.join(" and ");
@@ -131,7 +131,7 @@ impl Document {
     }
 
     /// Converts file paths relative to the current folder to paths relative to the document's folder.
-    fn seen_from_here(&self, mut table: Table, files: &[&str]) -> Table {
+    fn seen_from_here(&self, mut table: TableEntries, files: &[&str]) -> TableEntries {
         for (_, node) in table.iter_mut().filter(|(key, _)| files.contains(&&**key)) {
             if let Value::Text(name) = &node.value
                 && !name.starts_with("shape:")

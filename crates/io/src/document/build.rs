@@ -27,12 +27,12 @@ use super::read;
 use super::spec::{self, Entries};
 use crate::load::Assets;
 
-pub(super) type Table = Vec<(Arc<str>, Node)>;
+pub(super) type TableEntries = Vec<(Arc<str>, Node)>;
 
 /// A part to be added.
 #[derive(Debug)]
 pub struct PartDraft {
-    pub(super) table: Table,
+    pub(super) table: TableEntries,
     pub(super) origin: Origin,
     pub(super) fault: Option<Error>,
 }
@@ -41,7 +41,7 @@ pub struct PartDraft {
 #[derive(Debug)]
 pub struct SurfaceDraft {
     name: String,
-    pub(super) table: Table,
+    pub(super) table: TableEntries,
     pub(super) relief: Option<(String, Node)>,
     pub(super) origin: Origin,
     pub(super) fault: Option<Error>,
@@ -55,7 +55,7 @@ pub struct CutDraft {
     pub(super) wedges: Vec<Node>,
     /// Default names, from the contents of the cut.
     pub(super) names: Vec<String>,
-    pub(super) table: Table,
+    pub(super) table: TableEntries,
     pub(super) fault: Option<Error>,
 }
 
@@ -67,7 +67,7 @@ pub fn part(model: &str) -> PartDraft {
         None => ("mesh", model),
     };
     let mut draft = PartDraft {
-        table: Table::new(),
+        table: TableEntries::new(),
         origin,
         fault: None,
     };
@@ -99,7 +99,7 @@ pub fn cut(surfaces: impl IntoIterator<Item = SurfaceDraft>) -> CutDraft {
 }
 
 /// Sets a key of a table.
-pub(super) fn put(table: &mut Table, key: &str, value: Value, origin: &Origin) {
+pub(super) fn put(table: &mut TableEntries, key: &str, value: Value, origin: &Origin) {
     let node = Node::new(value).said(origin);
     match table.iter_mut().find(|(name, _)| **name == *key) {
         Some((_, held)) => *held = node,
@@ -108,7 +108,7 @@ pub(super) fn put(table: &mut Table, key: &str, value: Value, origin: &Origin) {
 }
 
 fn table_of(entries: Entries, origin: &Origin) -> Node {
-    let mut table = Table::new();
+    let mut table = TableEntries::new();
     for (key, value) in entries {
         put(&mut table, &key, value, origin);
     }
@@ -176,7 +176,7 @@ impl SurfaceDraft {
     fn of<const N: usize>(name: String, origin: Origin, entries: [(&str, Value); N]) -> Self {
         let mut draft = Self {
             name,
-            table: Table::new(),
+            table: TableEntries::new(),
             relief: None,
             origin,
             fault: None,

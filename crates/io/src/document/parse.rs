@@ -13,7 +13,7 @@ use super::node::{Node, Number, Origin, Value};
 
 /// Parses a text to a tree; `path` is for errors.
 pub(crate) fn parse(path: &Path, text: &str) -> Result<Node> {
-    let lines = Lines::of(text);
+    let lines = LineIndex::of(text);
     let root = toml_edit::Document::parse(text).map_err(|e| {
         let (line, column) = lines.place(e.span().map_or(0, |s| s.start));
         let help = "correct the TOML: `key = value`, texts in double quotes, tables in [brackets], numbers of 64 bits";
@@ -26,14 +26,14 @@ pub(crate) fn parse(path: &Path, text: &str) -> Result<Node> {
 }
 
 /// A text and the start of each of its lines.
-struct Lines<'a> {
+struct LineIndex<'a> {
     text: &'a str,
     begins: Vec<usize>,
     /// Byte and character number of the last lookup in its line: the next lookup usually follows it.
     last: Cell<(usize, usize)>,
 }
 
-impl<'a> Lines<'a> {
+impl<'a> LineIndex<'a> {
     fn of(text: &'a str) -> Self {
         let ends = text.bytes().enumerate().filter(|(_, b)| *b == b'\n');
         let begins = iter::once(0).chain(ends.map(|(at, _)| at + 1)).collect();

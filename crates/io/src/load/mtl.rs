@@ -117,7 +117,7 @@ fn image(
 
 /// Properties of a material in a library.
 #[derive(Debug, PartialEq)]
-struct Look {
+struct MtlMaterial {
     name: String,
     /// `Kd`, as sRGB in 0..=1.
     color: Option<Vec3>,
@@ -133,11 +133,11 @@ fn images_in(text: &str) -> impl Iterator<Item = String> {
 }
 
 /// Parses all materials. A material whose colour does not parse has none.
-fn looks_of(text: &str) -> Vec<Look> {
-    let mut all: Vec<Look> = Vec::new();
+fn looks_of(text: &str) -> Vec<MtlMaterial> {
+    let mut all: Vec<MtlMaterial> = Vec::new();
     for line in lines(text).map(str::trim) {
         if let Some(name) = line.strip_prefix("newmtl") {
-            all.push(Look {
+            all.push(MtlMaterial {
                 name: name.trim().to_owned(),
                 color: None,
                 image: None,

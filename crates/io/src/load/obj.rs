@@ -46,7 +46,7 @@ struct Label {
 }
 
 /// The largest index named before it was defined, and the line of the face that did.
-type Ahead = Option<(usize, usize)>;
+type ForwardReference = Option<(usize, usize)>;
 
 /// An omitted element: the line and text of its first occurrence, and the total count.
 #[derive(Debug, Default)]
@@ -64,13 +64,13 @@ impl LeftOut {
 
 /// Indices of a face corner, from 0.
 #[derive(Clone, Copy, Debug)]
-struct Corner {
+struct ObjCorner {
     position: u32,
     place: Option<u32>,
     normal: Option<u32>,
 }
 
-struct Reader<'a> {
+struct ObjReader<'a> {
     path: &'a Path,
     draft: Draft,
     normals: Vec<Vec3>,
@@ -82,7 +82,7 @@ struct Reader<'a> {
     labels: HashMap<Label, u32>,
     group: Option<u32>,
     libraries: Vec<String>,
-    ahead: [Ahead; 2],
+    ahead: [ForwardReference; 2],
     unknown_words: LeftOut,
     no_normals: LeftOut,
 }
@@ -99,7 +99,7 @@ pub(super) fn read(
         return Err(Error::file(path, what, "save it as plain text in UTF-8"));
     }
     let text = String::from_utf8_lossy(without_mark(bytes));
-    let mut reader = Reader {
+    let mut reader = ObjReader {
         path,
         draft: Draft::default(),
         normals: Vec::new(),
@@ -129,7 +129,7 @@ pub(super) fn read(
     reader.finish(store, notes, files)
 }
 
-impl Reader<'_> {
+impl ObjReader<'_> {
     fn line(&mut self, number: usize, line: &str) -> Result<()> {
         let line = line.split('#').next().unwrap_or(line).trim();
         let (word, rest) = line.split_once(char::is_whitespace).unwrap_or((line, ""));
@@ -185,7 +185,7 @@ impl Reader<'_> {
     }
 
     fn face(&mut self, line: usize, rest: &str) -> Result<()> {
-        let mut polygon: Vec<Corner> = Vec::with_capacity(4);
+        let mut polygon: Vec<ObjCorner> = Vec::with_capacity(4);
         for word in rest.split_ascii_whitespace() {
             polygon.push(self.corner(line, word)?);
         }
@@ -208,7 +208,7 @@ impl Reader<'_> {
     }
 
     /// `v`, `v/vt`, `v//vn` or `v/vt/vn`.
-    fn corner(&mut self, line: usize, word: &str) -> Result<Corner> {
+    fn corner(&mut self, line: usize, word: &str) -> Result<ObjCorner> {
         let mut fields = word.split('/');
         let position = fields.next().unwrap_or("");
         let place = fields.next().and_then(|word| word.parse().ok());
@@ -217,7 +217,7 @@ impl Reader<'_> {
             return Err(self.error(line, format!("`{word}` has more than two slashes")));
         }
         let place = place.and_then(|index| from_zero(index, self.vertex_paint.places.len()));
-        Ok(Corner {
+        Ok(ObjCorner {
             position: self.position(line, position)?,
             place: place.and_then(|place| u32::try_from(place).ok()),
             normal: normal.and_then(|n| self.normal(line, n)),

@@ -131,7 +131,7 @@ impl Keyword {
 }
 
 /// An ASCII file, read word by word.
-struct Text<'a> {
+struct AsciiReader<'a> {
     path: &'a Path,
     draft: Draft,
     corners: Vec<DVec3>,
@@ -141,7 +141,7 @@ struct Text<'a> {
 }
 
 fn ascii(path: &Path, text: &str) -> Result<Draft> {
-    let mut reader = Text {
+    let mut reader = AsciiReader {
         path,
         draft: Draft::default(),
         corners: Vec::with_capacity(3),
@@ -163,7 +163,7 @@ fn ascii(path: &Path, text: &str) -> Result<Draft> {
     Ok(reader.draft)
 }
 
-impl Text<'_> {
+impl AsciiReader<'_> {
     fn error(&self, line: usize, what: String) -> Error {
         Error::file_line(self.path, line, what, CUT_OFF)
     }

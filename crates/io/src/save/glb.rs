@@ -21,7 +21,7 @@ const UNSIGNED_INT: u32 = 5125;
 
 /// Contents of a file under construction.
 #[derive(Default)]
-struct Draft {
+struct GlbBuilder {
     bytes: Vec<u8>,
     views: Vec<Value>,
     accessors: Vec<Value>,
@@ -31,7 +31,7 @@ struct Draft {
 }
 
 pub(super) fn encoded(solids: &[Solid<'_>]) -> Result<Vec<u8>, Unwritable> {
-    let mut draft = Draft::default();
+    let mut draft = GlbBuilder::default();
     let images = Images::of(solids);
     for (index, solid) in solids.iter().enumerate() {
         draft.add(solid, groups(solid, index, &images));
@@ -92,7 +92,7 @@ pub(super) fn origin(mesh: &Mesh) -> DVec3 {
 }
 
 /// Triangles with the same material.
-struct Group {
+struct MaterialGroup {
     name: String,
     /// Indices of triangles in the solid.
     triangles: Vec<usize>,
@@ -105,7 +105,7 @@ struct Group {
 }
 
 /// The faces of solid number `index`, grouped by image, followed by its caps.
-fn groups(solid: &Solid<'_>, index: usize, images: &Images) -> Vec<Group> {
+fn groups(solid: &Solid<'_>, index: usize, images: &Images) -> Vec<MaterialGroup> {
     let linear = |color: Vec3| {
         color
             .to_array()
@@ -114,7 +114,7 @@ fn groups(solid: &Solid<'_>, index: usize, images: &Images) -> Vec<Group> {
     let count = solid.mesh.triangles.len();
     let mut groups = Vec::new();
     match &solid.vertex_paint {
-        None => groups.push(Group {
+        None => groups.push(MaterialGroup {
             name: solid.name.to_owned(),
             triangles: (0..solid.faces).collect(),
             color: linear(solid.color),
@@ -123,7 +123,7 @@ fn groups(solid: &Solid<'_>, index: usize, images: &Images) -> Vec<Group> {
         }),
         Some(_) => {
             let faces = images.faces(index, solid).into_iter();
-            groups.extend(faces.map(|(image, triangles)| Group {
+            groups.extend(faces.map(|(image, triangles)| MaterialGroup {
                 name: solid.name.to_owned(),
                 triangles,
                 color: [1.0; 3],
@@ -132,7 +132,7 @@ fn groups(solid: &Solid<'_>, index: usize, images: &Images) -> Vec<Group> {
             }));
         }
     }
-    groups.push(Group {
+    groups.push(MaterialGroup {
         name: format!("{} cap", solid.name),
         triangles: (solid.faces..count).collect(),
         color: linear(solid.cap_color),
@@ -145,8 +145,8 @@ fn groups(solid: &Solid<'_>, index: usize, images: &Images) -> Vec<Group> {
 /// A corner of a painted triangle: its vertex, its colour, and the bits of its texture coordinate.
 type TexturedCorner = (u32, [u8; 4], [u32; 2]);
 
-impl Draft {
-    fn add(&mut self, solid: &Solid<'_>, groups: Vec<Group>) {
+impl GlbBuilder {
+    fn add(&mut self, solid: &Solid<'_>, groups: Vec<MaterialGroup>) {
         let origin = origin(solid.mesh);
         let positions: Vec<Vec3> = (solid.mesh.positions.iter())
             .map(|p| (*p - origin).as_vec3())
@@ -195,7 +195,7 @@ impl Draft {
     /// The attributes of painted triangles, and their corners: one vertex per distinct combination at a position.
     fn textured(
         &mut self,
-        group: &Group,
+        group: &MaterialGroup,
         vertex_paint: &VertexPaint,
         triangles: &[[u32; 3]],
         positions: &[Vec3],
@@ -262,7 +262,7 @@ impl Draft {
         self.accessors.len() - 1
     }
 
-    fn material(&mut self, group: Group) -> usize {
+    fn material(&mut self, group: MaterialGroup) -> usize {
         let [r, g, b] = group.color;
         let mut surface = json!({
             "baseColorFactor": [r, g, b, 1.0], "metallicFactor": 0.0, "roughnessFactor": 0.8,

@@ -33,11 +33,11 @@ mod zip;
 use cutaway::scene::{LengthUnit, Mesh, TexturedTriangle};
 use glam::DVec3;
 
-pub use solid::{Encoded, Solid, Unwritable};
+pub use solid::{EncodedMesh, Solid, Unwritable};
 
 /// Format of a mesh file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Format {
+pub enum MeshFormat {
     /// Binary STL.
     Stl,
     /// Binary PLY, little-endian.
@@ -50,7 +50,7 @@ pub enum Format {
     ThreeMf,
 }
 
-impl Format {
+impl MeshFormat {
     /// All formats, by file extension.
     pub const BY_EXTENSION: [(&'static str, Self); 5] = [
         ("stl", Self::Stl),
@@ -85,32 +85,32 @@ impl Format {
 ///
 /// See [`Unwritable`].
 pub fn encoded(
-    format: Format,
+    format: MeshFormat,
     solids: &[Solid<'_>],
     stem: &str,
     unit: LengthUnit,
-) -> Result<Encoded, Unwritable> {
-    let is_of_f32 = matches!(format, Format::Stl | Format::Glb);
+) -> Result<EncodedMesh, Unwritable> {
+    let is_of_f32 = matches!(format, MeshFormat::Stl | MeshFormat::Glb);
     let mut positions = solids.iter().flat_map(|s| &s.mesh.positions);
     if is_of_f32 && positions.any(|p| !p.as_vec3().is_finite()) {
         return Err(Unwritable::Infinite);
     }
     match format {
-        Format::Stl => stl::encoded(solids).map(Encoded::alone),
-        Format::Ply => ply::encoded(solids, stem),
-        Format::Obj => obj::encoded(solids, stem),
-        Format::Glb => glb::encoded(solids).map(Encoded::alone),
-        Format::ThreeMf => threemf::encoded(solids, unit).map(Encoded::alone),
+        MeshFormat::Stl => stl::encoded(solids).map(EncodedMesh::alone),
+        MeshFormat::Ply => ply::encoded(solids, stem),
+        MeshFormat::Obj => obj::encoded(solids, stem),
+        MeshFormat::Glb => glb::encoded(solids).map(EncodedMesh::alone),
+        MeshFormat::ThreeMf => threemf::encoded(solids, unit).map(EncodedMesh::alone),
     }
 }
 
 /// The largest distance by which writing a format moves a vertex along an axis, in model units; `None` for formats that
 /// hold f64.
-pub fn rounding(format: Format, solids: &[Solid<'_>]) -> Option<f64> {
+pub fn rounding(format: MeshFormat, solids: &[Solid<'_>]) -> Option<f64> {
     let origin = |solid: &Solid<'_>| match format {
-        Format::Stl => Some(DVec3::ZERO),
-        Format::Glb => Some(glb::origin(solid.mesh)),
-        Format::Ply | Format::Obj | Format::ThreeMf => None,
+        MeshFormat::Stl => Some(DVec3::ZERO),
+        MeshFormat::Glb => Some(glb::origin(solid.mesh)),
+        MeshFormat::Ply | MeshFormat::Obj | MeshFormat::ThreeMf => None,
     };
     let mut most = None;
     for solid in solids {
@@ -124,14 +124,16 @@ pub fn rounding(format: Format, solids: &[Solid<'_>]) -> Option<f64> {
 }
 
 /// Names the colours and images of solids that a format cannot hold; `None` if it holds all.
-pub fn leaves_out(format: Format, solids: &[Solid<'_>]) -> Option<&'static str> {
+pub fn leaves_out(format: MeshFormat, solids: &[Solid<'_>]) -> Option<&'static str> {
     let mut vertex_paints = solids.iter().filter_map(|s| s.vertex_paint.as_ref());
     let are_both = |face: &TexturedTriangle| face.image.is_some() && face.has_colors();
     match format {
-        Format::Glb | Format::Ply | Format::Obj => None,
-        Format::Stl => (vertex_paints.next().is_some()).then_some("colours of vertices and images"),
+        MeshFormat::Glb | MeshFormat::Ply | MeshFormat::Obj => None,
+        MeshFormat::Stl => {
+            (vertex_paints.next().is_some()).then_some("colours of vertices and images")
+        }
         // If there are both, the images are written.
-        Format::ThreeMf => (vertex_paints
+        MeshFormat::ThreeMf => (vertex_paints
             .any(|vertex_paint| vertex_paint.triangles.iter().any(are_both)))
         .then_some("colours of vertices under the images"),
     }

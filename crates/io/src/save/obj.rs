@@ -10,9 +10,9 @@ use glam::{Vec2, Vec3};
 
 use super::images::{Images, bits, file_name, upwards, word_of};
 use super::painted::by_vertex;
-use super::solid::{Encoded, Solid, Unwritable, bytes_of};
+use super::solid::{EncodedMesh, Solid, Unwritable, bytes_of};
 
-pub(super) fn encoded(solids: &[Solid<'_>], stem: &str) -> Result<Encoded, Unwritable> {
+pub(super) fn encoded(solids: &[Solid<'_>], stem: &str) -> Result<EncodedMesh, Unwritable> {
     let images = Images::of(solids);
     let names = Names::of(solids, images.count());
     let library = (
@@ -21,7 +21,7 @@ pub(super) fn encoded(solids: &[Solid<'_>], stem: &str) -> Result<Encoded, Unwri
     );
     let mut beside = vec![library];
     beside.extend(images.files(stem)?);
-    Ok(Encoded {
+    Ok(EncodedMesh {
         file: text(solids, &images, &names, stem).into_bytes(),
         beside,
     })

@@ -7,7 +7,7 @@ use glam::{DVec3, Vec2};
 
 use super::images::{Images, file_name, upwards};
 use super::painted::{ColoredVertex, by_vertex};
-use super::solid::{Encoded, Solid, Unwritable, bytes_of};
+use super::solid::{EncodedMesh, Solid, Unwritable, bytes_of};
 
 /// Properties that hold a colour.
 const COLOR: &str = "property uchar red\nproperty uchar green\nproperty uchar blue\n";
@@ -15,7 +15,7 @@ const COLOR: &str = "property uchar red\nproperty uchar green\nproperty uchar bl
 /// Properties of a face with an image.
 const PLACE: &str = "property list uchar float texcoord\nproperty int texnumber\n";
 
-pub(super) fn encoded(solids: &[Solid<'_>], stem: &str) -> Result<Encoded, Unwritable> {
+pub(super) fn encoded(solids: &[Solid<'_>], stem: &str) -> Result<EncodedMesh, Unwritable> {
     let images = Images::of(solids);
     let has_images = images.count() > 0;
     let has_colors = solids.iter().any(Solid::has_colors);
@@ -77,7 +77,7 @@ pub(super) fn encoded(solids: &[Solid<'_>], stem: &str) -> Result<Encoded, Unwri
         first += vertices as u32;
     }
     let (file, beside) = (bytes, images.files(stem)?);
-    Ok(Encoded { file, beside })
+    Ok(EncodedMesh { file, beside })
 }
 
 /// Writes the texture coordinates of the corners of a face, and the number of its image.

@@ -53,14 +53,14 @@ impl<'a> Solid<'a> {
 
 /// A mesh file with its companion files.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Encoded {
+pub struct EncodedMesh {
     /// Its bytes.
     pub file: Vec<u8>,
-    /// Names and bytes of the companion files for the same folder, a subset of those that [`Format::beside`](super::Format::beside) names.
+    /// Names and bytes of the companion files for the same folder, a subset of those that [`MeshFormat::beside`](super::MeshFormat::beside) names.
     pub beside: Vec<(String, Vec<u8>)>,
 }
 
-impl Encoded {
+impl EncodedMesh {
     pub(super) fn alone(file: Vec<u8>) -> Self {
         let beside = Vec::new();
         Self { file, beside }

@@ -7,7 +7,7 @@
 use cutaway::layers::{Kind, Layer, Layers};
 use image::{Rgba, RgbaImage};
 
-use super::Verdict;
+use super::PixelErrors;
 use crate::exact::Exact;
 
 /// Classes of a heat map, the gravest first: a pixel has the colour of the first class that fits.
@@ -98,7 +98,7 @@ pub fn legend() -> [LegendEntry; 7] {
 
 impl Class {
     fn of(exact: &Exact, index: usize, found: &Layer) -> Option<Self> {
-        let verdict = Verdict::of(&exact.layers, index, found);
+        let verdict = PixelErrors::of(&exact.layers, index, found);
         [
             (verdict.crack && !verdict.missed_cap, Self::Crack),
             (verdict.missed_cap, Self::MissedCap),

@@ -99,10 +99,13 @@ pub fn compare(exact: &Exact, layers: &Layers, view: &View, scale: f64) -> Compa
         overlap_px: layers.overlap_px(),
         ..Comparison::default()
     };
-    let (mut depth, mut depth_px, mut normal) =
-        (Error::default(), Error::default(), Error::default());
+    let (mut depth, mut depth_px, mut normal) = (
+        ErrorSummary::default(),
+        ErrorSummary::default(),
+        ErrorSummary::default(),
+    );
     for (index, (truth, found)) in exact.layers.pixels.iter().zip(&layers.pixels).enumerate() {
-        let verdict = Verdict::of(&exact.layers, index, found);
+        let verdict = PixelErrors::of(&exact.layers, index, found);
         result.missed_cap_px += usize::from(verdict.missed_cap);
         result.leaked_cap_px += usize::from(verdict.leaked_cap);
         result.wrong_part_px += usize::from(verdict.wrong_part);
@@ -133,7 +136,7 @@ pub fn compare(exact: &Exact, layers: &Layers, view: &View, scale: f64) -> Compa
 
 /// Errors of one pixel.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-struct Verdict {
+struct PixelErrors {
     missed_cap: bool,
     leaked_cap: bool,
     wrong_part: bool,
@@ -142,7 +145,7 @@ struct Verdict {
     wrong: bool,
 }
 
-impl Verdict {
+impl PixelErrors {
     /// Judges a pixel, by its index in the exact image.
     fn of(exact: &Layers, index: usize, found: &Layer) -> Self {
         let truth = &exact.pixels[index];
@@ -206,13 +209,13 @@ fn angle_deg(truth: &Layer, found: &Layer) -> f64 {
 
 /// Maximum and mean of errors.
 #[derive(Default)]
-struct Error {
+struct ErrorSummary {
     max: f64,
     sum: f64,
     count: usize,
 }
 
-impl Error {
+impl ErrorSummary {
     fn add(&mut self, error: f64) {
         // A NaN in the frame must show, not vanish in `max`; JSON has no infinity.
         let error = if error.is_finite() { error } else { f64::MAX };

@@ -15,10 +15,10 @@
 use cutaway::scene::{Prepared, View};
 
 use super::clip::{Graze, Ray, Root};
-use super::cutter::{self, Cutters};
-use super::outline::{Brush, Edge};
+use super::cutter::{self, CutterMeshes};
+use super::outline::{Brush, OutlineEdge};
 use super::raster::{Crossing, Projected};
-use super::walk::{Cause, Event, Sight, State, restore_order, walk};
+use super::walk::{Cause, Event, RayState, VisiblePoint, restore_order, walk};
 
 /// Four ulp of f32 at a depth. Scene space has a radius of about 1 and its coordinates are rounded to ulps of 1, so
 /// depths below 1 are no more precise; an orthographic depth buffer has one resolution over its whole depth range.
@@ -59,7 +59,7 @@ impl Openness {
 }
 
 /// Everything known about one ray.
-pub(super) struct Case<'a> {
+pub(super) struct RayCase<'a> {
     pub(super) prepared: &'a Prepared,
     pub(super) view: &'a View,
     pub(super) parts: &'a [Projected<'a>],
@@ -67,7 +67,7 @@ pub(super) struct Case<'a> {
     /// Ranks of the parts that the ray meets.
     pub(super) ranks: &'a [u16],
     /// State before the first event.
-    pub(super) start: &'a State,
+    pub(super) start: &'a RayState,
     /// Sorted.
     pub(super) events: &'a [Event],
     pub(super) crossings: &'a [Crossing],
@@ -76,9 +76,9 @@ pub(super) struct Case<'a> {
     pub(super) brushes: &'a [Brush],
     /// Outlines of cutters near the sample; the ranks of cutters follow those of the parts.
     pub(super) cutter_brushes: &'a [Brush],
-    pub(super) cutters: &'a Cutters,
+    pub(super) cutters: &'a CutterMeshes,
     /// The answer.
-    pub(super) sight: Option<Sight>,
+    pub(super) sight: Option<VisiblePoint>,
     /// Crossings whose triangles are preclassified: the clip-surface, and whether the crossing is before it (-1) or behind it (1).
     pub(super) preclassified: &'a [(u32, u16, i8)],
     /// Crossings, each with the number of the plane in which its triangle is coplanar with triangles of other parts.
@@ -89,7 +89,7 @@ pub(super) struct Case<'a> {
 #[derive(Default)]
 pub(super) struct Scratch {
     pub(super) events: Vec<Event>,
-    state: State,
+    state: RayState,
     pub(super) margins: Vec<f64>,
 }
 
@@ -97,7 +97,7 @@ impl Scratch {
     /// Buffers for a scene.
     pub(super) fn of(prepared: &Prepared) -> Self {
         Self {
-            state: State::of(prepared),
+            state: RayState::of(prepared),
             ..Self::default()
         }
     }
@@ -109,7 +109,7 @@ impl Scratch {
     }
 }
 
-impl Case<'_> {
+impl RayCase<'_> {
     /// Degree to which the answer of this ray is undecided.
     pub(super) fn openness(&self, scratch: &mut Scratch) -> Openness {
         if self.brushed(scratch) || self.bitten() {
@@ -139,7 +139,9 @@ impl Case<'_> {
                 let beyond = self.brushes.iter().filter_map(|brush| {
                     let apart = (brush.depth - event.depth).abs();
                     match brush.edge {
-                        Edge::Seam(two) if brush.rank == rank && apart <= own + brush.margin => {
+                        OutlineEdge::Seam(two)
+                            if brush.rank == rank && apart <= own + brush.margin =>
+                        {
                             Some(two)
                         }
                         _ => None,
@@ -160,9 +162,9 @@ impl Case<'_> {
         self.brushes.iter().any(|brush| {
             let is_hidden = brush.depth - brush.margin > self.seen_depth();
             match brush.edge {
-                Edge::Rim => !is_hidden || self.start_matters(scratch, brush.rank),
-                Edge::Fold => !is_hidden && !self.clearly_removed(brush),
-                Edge::Seam(_) => false,
+                OutlineEdge::Rim => !is_hidden || self.start_matters(scratch, brush.rank),
+                OutlineEdge::Fold => !is_hidden && !self.clearly_removed(brush),
+                OutlineEdge::Seam(_) => false,
             }
         })
     }
@@ -231,9 +233,9 @@ impl Case<'_> {
                 removed[surface as usize] ^= true;
             }
         }
-        let state = State {
+        let state = RayState {
             removed,
-            ..State::default()
+            ..RayState::default()
         };
         state.removes(self.prepared, brush.rank)
     }

@@ -27,7 +27,7 @@ struct Level {
 }
 
 /// A block, seen from a ray.
-pub(super) struct Block {
+pub(super) struct RayBlock {
     /// Least and greatest height of the map.
     pub(super) range: [f32; 2],
     /// Per axis: the cell border at which the ray leaves the block.
@@ -82,11 +82,11 @@ impl Blocks {
     }
 
     /// The block of a level that contains a cell; the ray's direction selects the borders ahead.
-    pub(super) fn block(&self, level: u32, cell: [i64; 2], up: [bool; 2]) -> Block {
+    pub(super) fn block(&self, level: u32, cell: [i64; 2], up: [bool; 2]) -> RayBlock {
         let of = |axis: usize| self.along(axis, level, cell[axis], up[axis]);
         let ((column, x), (row, y)) = (of(0), of(1));
         let level = &self.levels[(level - SMALLEST) as usize];
-        Block {
+        RayBlock {
             range: level.ranges[row * level.width + column],
             ahead: [x, y],
         }

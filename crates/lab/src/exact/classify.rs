@@ -21,7 +21,7 @@ use super::clip::{Ray, Root};
 use super::raster::Crossing;
 use super::ray_scratch::RayScratch;
 use super::walk::Event;
-use super::{Lines, ambiguity, cutter};
+use super::{BandedScene, ambiguity, cutter};
 
 /// The preclassified triangles of a part.
 pub(super) struct PreclassifiedFaces {
@@ -97,7 +97,7 @@ pub(super) fn share_plane(shared: &[(u32, u16)], events: [&Event; 2]) -> bool {
     is_at_once && a.is_some() && a == b
 }
 
-impl Lines<'_> {
+impl BandedScene<'_> {
     /// Sets the depth of crossings in a shared plane to that of the plane: parts at one depth are ordered by rank.
     fn share(&self, at: DVec2, index: u32, bench: &mut RayScratch) {
         let crossing = &mut bench.crossings[index as usize];

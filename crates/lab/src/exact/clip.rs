@@ -10,7 +10,7 @@ use cutaway::scene::{PreparedSurface, View};
 use glam::{DVec2, DVec3};
 
 use super::outline::change_per_px;
-use super::relief::Relief;
+use super::relief::RayRelief;
 
 /// The ray of a sample.
 #[derive(Clone, Copy, Debug)]
@@ -79,16 +79,16 @@ pub(super) struct Graze {
 }
 
 /// A clip-surface ready for rays.
-pub(super) struct Clip {
+pub(super) struct RayClipSurface {
     number: u16,
     origin: DVec3,
     normal: DVec3,
     /// Height of a flat surface over its plane.
     offset: f64,
-    relief: Option<Relief>,
+    relief: Option<RayRelief>,
 }
 
-impl Clip {
+impl RayClipSurface {
     /// Prepares a surface for rays within a ball around the origin of scene space.
     pub(super) fn of(number: u16, surface: &PreparedSurface, radius: f64) -> Self {
         let flat = surface
@@ -102,7 +102,7 @@ impl Clip {
             normal: surface.frame.normal,
             offset: flat.map_or(0.0, |[lo, _]| f64::from(lo) * surface.height_scale),
             relief: match (&surface.relief, flat) {
-                (Some(map), None) => Some(Relief::of(surface, map.clone(), radius)),
+                (Some(map), None) => Some(RayRelief::of(surface, map.clone(), radius)),
                 _ => None,
             },
         }
@@ -202,7 +202,7 @@ mod tests {
     /// Intersects a ray with a surface, checks that the crossings are consistent, and returns them.
     fn met(s: &PreparedSurface, ray: Ray, range: [f64; 2]) -> Vec<Root> {
         let (mut roots, mut grazes) = (Vec::new(), Vec::new());
-        let clip = Clip::of(0, s, 2.0);
+        let clip = RayClipSurface::of(0, s, 2.0);
         let first = clip.meet(&view(), &ray, range, &mut roots, &mut grazes);
         let at = |t: f64| kept_height(s, ray.origin + ray.direction * t);
         assert_eq!(first, at(range[0]) < 0.0, "side at the start of {ray:?}");
@@ -342,7 +342,7 @@ mod tests {
             |x, y| if (x + y) % 2 == 0 { 1.0 } else { -1.0 },
         );
         let corner = 0.5 / f64::from(SIZE);
-        let clip = Clip::of(0, &saddle, 2.0);
+        let clip = RayClipSurface::of(0, &saddle, 2.0);
         for z in [
             0.0,
             f64::MIN_POSITIVE,

@@ -20,15 +20,15 @@ use super::clip::{CutterTriangle, Ray, Root};
 use super::outline::Brush;
 use super::raster::{Crossing, Projected};
 use super::screen::Corner;
-use super::walk::{Cause, Event, State};
+use super::walk::{Cause, Event, RayState};
 
 /// The cutters' meshes among the meshes of a picture: they follow the parts, in the order of their clip-surfaces.
-pub(super) struct Cutters {
+pub(super) struct CutterMeshes {
     parts: u16,
     surfaces: Vec<u16>,
 }
 
-impl Cutters {
+impl CutterMeshes {
     /// The cutters of a scene.
     pub(super) fn of(prepared: &Prepared) -> Self {
         let numbers = 0..prepared.surfaces.len() as u16;
@@ -143,7 +143,7 @@ pub(super) fn bites<'a>(
     prepared: &Prepared,
     (brush, surface): (&Brush, u16),
     ranks: &[u16],
-    start: &State,
+    start: &RayState,
     events: impl Iterator<Item = (&'a Event, f64)>,
 ) -> bool {
     let mut state = start.clone();

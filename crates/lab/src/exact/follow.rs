@@ -10,8 +10,8 @@ use super::clip::Ray;
 use super::outline::Brush;
 use super::raster::{Crossing, Projected};
 use super::ray_scratch::RayScratch;
-use super::walk::{Cause, Sight, walk};
-use super::{Lines, cutter, shading};
+use super::walk::{Cause, VisiblePoint, walk};
+use super::{BandedScene, cutter, shading};
 
 /// Distance before the first and behind the last mesh crossing within which clip-surfaces are searched, in pixels at that depth: events
 /// farther apart than this are never too close to order.
@@ -20,12 +20,12 @@ const PAD_PX: f64 = 4.0;
 /// Result of following a ray.
 pub(super) struct Followed {
     pub(super) layer: Layer,
-    pub(super) sight: Option<Sight>,
+    pub(super) sight: Option<VisiblePoint>,
     /// There is a crossing or an outline beyond the near plane.
     pub(super) meets_something: bool,
 }
 
-impl<'a> Lines<'a> {
+impl<'a> BandedScene<'a> {
     /// Follows the ray of a sample. `found` are its crossings with all meshes, `brushes` the outlines of parts near it; `bench` keeps
     /// the events in order and the state before the first, until it is cleared.
     pub(super) fn follow(
@@ -142,7 +142,13 @@ impl<'a> Lines<'a> {
     }
 
     /// Writes what is seen into the layer.
-    pub(super) fn show(&self, ray: &Ray, sight: &Sight, bench: &RayScratch, layer: &mut Layer) {
+    pub(super) fn show(
+        &self,
+        ray: &Ray,
+        sight: &VisiblePoint,
+        bench: &RayScratch,
+        layer: &mut Layer,
+    ) {
         layer.part = self.prepared.parts[sight.rank as usize].part as u16;
         layer.depth = sight.depth;
         layer.overlap = sight.overlap;

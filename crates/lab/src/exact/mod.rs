@@ -42,12 +42,12 @@ use cutaway::scene::{Prepared, View};
 use glam::DVec2;
 use rayon::prelude::*;
 
-use self::ambiguity::{Case, Openness};
+use self::ambiguity::{Openness, RayCase};
 use self::classify::PreclassifiedFaces;
-use self::clip::{Clip, Ray};
-use self::cutter::Cutters;
+use self::clip::{Ray, RayClipSurface};
+use self::cutter::CutterMeshes;
 use self::follow::Followed;
-use self::outline::{Brush, Outline};
+use self::outline::{Brush, SilhouetteEdge};
 use self::raster::{BAND_ROWS, Bands, Crossing, Projected};
 use self::ray_scratch::RayScratch;
 
@@ -101,7 +101,7 @@ impl Exact {
 pub fn evaluate(prepared: &Prepared, view: &View) -> Exact {
     prepared.must_be_whole();
     let [width, height] = view.size_px;
-    let scene = Lines::with(prepared, view, Outlining::With);
+    let scene = BandedScene::with(prepared, view, Outlining::With);
     let mut exact = Exact {
         layers: Layers::background(view.size_px),
         undecided: vec![false; width as usize * height as usize],
@@ -134,24 +134,24 @@ pub fn evaluate(prepared: &Prepared, view: &View) -> Exact {
 }
 
 /// A scene sorted into bands of rows.
-struct Lines<'a> {
+struct BandedScene<'a> {
     prepared: &'a Prepared,
     view: &'a View,
     /// Parts by rank, then cutters.
     parts: Vec<Projected<'a>>,
-    cutters: Cutters,
+    cutters: CutterMeshes,
     /// Clips by number; those of cutters are unused.
-    clips: Vec<Clip>,
+    clips: Vec<RayClipSurface>,
     /// By rank.
     preclassified: Vec<PreclassifiedFaces>,
     /// By number: the planes shared by several parts, as depth-buffer values of the view; none for a plane seen edge-on.
     shared_in_view: Vec<Option<[f64; 3]>>,
     triangles: Bands,
-    outlines: Vec<Vec<Outline>>,
+    outlines: Vec<Vec<SilhouetteEdge>>,
     outline_bands: Bands,
 }
 
-struct Answer {
+struct PixelResult {
     layer: Layer,
     open: Openness,
 }
@@ -163,7 +163,7 @@ enum Outlining {
     Without,
 }
 
-impl<'a> Lines<'a> {
+impl<'a> BandedScene<'a> {
     fn with(prepared: &'a Prepared, view: &'a View, outlining: Outlining) -> Self {
         let volumes = prepared.surfaces.iter().filter_map(|s| s.volume.as_deref());
         let solids = prepared.parts.iter().map(|p| Projected::of(view, p));
@@ -171,7 +171,7 @@ impl<'a> Lines<'a> {
             .chain(volumes.map(|v| Projected::of_volume(view, v)))
             .collect();
         let triangle_rows: Vec<_> = parts.iter().map(|p| raster::rows_of(view, p)).collect();
-        let outlines: Vec<Vec<Outline>> = parts
+        let outlines: Vec<Vec<SilhouetteEdge>> = parts
             .par_iter()
             .enumerate()
             .filter(|_| outlining == Outlining::With)
@@ -194,7 +194,7 @@ impl<'a> Lines<'a> {
                 .surfaces
                 .iter()
                 .enumerate()
-                .map(|(i, s)| Clip::of(i as u16, s, radius))
+                .map(|(i, s)| RayClipSurface::of(i as u16, s, radius))
                 .collect(),
             preclassified: (prepared.parts.par_iter().enumerate())
                 .map(|part| PreclassifiedFaces::of(prepared, part))
@@ -204,14 +204,14 @@ impl<'a> Lines<'a> {
                 .collect(),
             triangles: Bands::of(view.size_px[1], &triangle_rows),
             outline_bands: Bands::of(view.size_px[1], &outline_rows),
-            cutters: Cutters::of(prepared),
+            cutters: CutterMeshes::of(prepared),
             parts,
             outlines,
         }
     }
 
     /// Answers for the pixels of a band that are anything but plain background.
-    fn band(&self, band: usize, mut answer: impl FnMut(usize, Answer)) {
+    fn band(&self, band: usize, mut answer: impl FnMut(usize, PixelResult)) {
         let [width, height] = self.view.size_px;
         let first_row = band as u32 * BAND_ROWS;
         let rows = [first_row, (first_row + BAND_ROWS).min(height)];
@@ -244,7 +244,7 @@ impl<'a> Lines<'a> {
         found: &[Crossing],
         brushes: &[Brush],
         bench: &mut RayScratch,
-    ) -> Answer {
+    ) -> PixelResult {
         let (brushes, cutter_brushes) = brushes.split_at(self.cutters.split(brushes, |b| b.rank));
         let ray = Ray::through(self.view, at);
         let Followed {
@@ -255,7 +255,7 @@ impl<'a> Lines<'a> {
         let open = match meets_something {
             false => Openness::Nothing,
             true => {
-                let case = Case {
+                let case = RayCase {
                     prepared: self.prepared,
                     view: self.view,
                     parts: &self.parts,
@@ -277,6 +277,6 @@ impl<'a> Lines<'a> {
             }
         };
         bench.clear();
-        Answer { layer, open }
+        PixelResult { layer, open }
     }
 }

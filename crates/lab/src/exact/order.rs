@@ -6,11 +6,11 @@
 
 use glam::DVec3;
 
-use super::ambiguity::{Case, Openness, Scratch, rounding};
+use super::ambiguity::{Openness, RayCase, Scratch, rounding};
 use super::classify::share_plane;
 use super::walk::{Cause, Event};
 
-impl Case<'_> {
+impl RayCase<'_> {
     /// Openness caused by swapping two events whose order is open. The near plane is an event too.
     pub(super) fn disordered(&self, scratch: &mut Scratch) -> Openness {
         let mut margins = std::mem::take(&mut scratch.margins);

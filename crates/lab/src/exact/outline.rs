@@ -36,16 +36,16 @@ const SEAM: f64 = 4.0;
 const LINE_WIDTH: f64 = 2.0 * f32::EPSILON as f64;
 
 /// An edge that is an outline, from a little before the near plane on.
-pub(super) struct Outline {
+pub(super) struct SilhouetteEdge {
     ends: [Corner; 2],
     rank: u16,
-    edge: Edge,
+    edge: OutlineEdge,
     margin: f64,
 }
 
 /// Undecided property near an edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Edge {
+pub(super) enum OutlineEdge {
     /// There may be two more crossings.
     Fold,
     /// The part may be open: the edge has an odd number of faces or, where the rule is nonzero, face directions that do not cancel; or an
@@ -63,7 +63,7 @@ pub(super) struct Brush {
     /// Rank of the part.
     pub(super) rank: u16,
     /// Undecided property there.
-    pub(super) edge: Edge,
+    pub(super) edge: OutlineEdge,
     /// Depth of the edge.
     pub(super) depth: f64,
     /// Largest depth difference from the edge that its faces may have within [`View::doubt_px`].
@@ -71,7 +71,7 @@ pub(super) struct Brush {
 }
 
 /// One face at an edge. `side` is the face's side of the edge in the picture: 1 and -1 are opposite, 0 is edge-on.
-struct Use {
+struct FaceAtEdge {
     key: (u32, u32),
     triangle: u32,
     side: i8,
@@ -82,9 +82,9 @@ struct Use {
 }
 
 /// The outlines of a part.
-pub(super) fn outlines(view: &View, rank: u16, projected: &Projected<'_>) -> Vec<Outline> {
+pub(super) fn outlines(view: &View, rank: u16, projected: &Projected<'_>) -> Vec<SilhouetteEdge> {
     let names = points(projected);
-    let mut uses: Vec<Use> = projected
+    let mut uses: Vec<FaceAtEdge> = projected
         .triangles
         .par_iter()
         .enumerate()
@@ -99,7 +99,7 @@ pub(super) fn outlines(view: &View, rank: u16, projected: &Projected<'_>) -> Vec
             let degenerate = t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
             (0..if degenerate { 0 } else { 3 }).map(move |e| {
                 let (from, to) = (t[e], t[(e + 1) % 3]);
-                Use {
+                FaceAtEdge {
                     key: (from.min(to), from.max(to)),
                     triangle: index as u32,
                     side: if from < to { facing } else { -facing },
@@ -116,18 +116,18 @@ pub(super) fn outlines(view: &View, rank: u16, projected: &Projected<'_>) -> Vec
         let is_beyond = |i: u32| projected.corners[i as usize].depth > view.near;
         is_coarse && is_beyond(from) != is_beyond(to)
     };
-    let sum = |faces: &[Use]| -> i32 { faces.iter().map(|f| i32::from(f.direction)).sum() };
+    let sum = |faces: &[FaceAtEdge]| -> i32 { faces.iter().map(|f| i32::from(f.direction)).sum() };
     uses.chunk_by(|a, b| a.key == b.key)
         .filter_map(|faces| {
             let (from, to) = faces[0].key;
             let edge = match faces {
-                _ if fill.holds(sum(faces)) || is_clipped((from, to)) => Edge::Rim,
+                _ if fill.holds(sum(faces)) || is_clipped((from, to)) => OutlineEdge::Rim,
                 [a, b] if a.side != 0 && a.side == -b.side => {
                     let least = a.change.min(b.change) + rounding(view, view.near);
                     let is_seam = a.change.max(b.change) > SEAM * least;
-                    is_seam.then_some(Edge::Seam([a.triangle, b.triangle]))?
+                    is_seam.then_some(OutlineEdge::Seam([a.triangle, b.triangle]))?
                 }
-                _ => Edge::Fold,
+                _ => OutlineEdge::Fold,
             };
             let [a, b] = [from, to].map(|i| projected.corners[i as usize]);
             let margin = faces
@@ -141,7 +141,7 @@ pub(super) fn outlines(view: &View, rank: u16, projected: &Projected<'_>) -> Vec
             // Faces at an edge just before the near plane may extend beyond the plane near the edge, or be rounded there.
             let before = view.before_near(margin + rounding(view, view.near));
             let ends = beyond(before, a, b)?;
-            Some(Outline {
+            Some(SilhouetteEdge {
                 ends,
                 rank,
                 edge,
@@ -232,7 +232,7 @@ fn beyond(near: f64, a: Corner, b: Corner) -> Option<[Corner; 2]> {
     }
 }
 
-impl Outline {
+impl SilhouetteEdge {
     /// Range of rows whose samples may be near the outline.
     pub(super) fn rows(&self, view: &View) -> Option<[u32; 2]> {
         let ([a, b], near_px) = (self.ends.map(|e| e.pixel()), view.doubt_px());

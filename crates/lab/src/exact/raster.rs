@@ -2,7 +2,7 @@
 //!
 //! A band is [`BAND_ROWS`] rows of pixels. Triangles are sorted into bands once; the crossings of a band are listed by pixel
 //! and dropped after use, so memory is that of the triangles plus the crossings of one band per thread. Within a row the
-//! three edge functions bound the columns to test, with a slack above their error; [`Line::side`] decides.
+//! three edge functions bound the columns to test, with a slack above their error; [`EdgeFunction::side`] decides.
 //!
 //! Triangles behind the eye are crossed like all others, at negative depths: this is what gives a closed part an even
 //! number of crossings in every pixel, wherever the camera is.
@@ -12,7 +12,7 @@ use glam::{DVec2, Vec3};
 use rayon::prelude::*;
 
 use super::facet::Facet;
-use super::screen::{Corner, Line, facing};
+use super::screen::{Corner, EdgeFunction, facing};
 
 /// Rows of pixels in a band.
 pub(super) const BAND_ROWS: u32 = 8;
@@ -247,7 +247,7 @@ fn cross_triangle(
 ) {
     let [width, _] = view.size_px;
     let [a, b, c] = part.corners(triangle);
-    let lines = [(b, c), (c, a), (a, b)].map(|(f, t)| Line::through(f, t, view.size_px));
+    let lines = [(b, c), (c, a), (a, b)].map(|(f, t)| EdgeFunction::through(f, t, view.size_px));
     let facing = part.facing[triangle as usize];
     let facet = part.facet(triangle);
     let weights = [a, b, c].map(|c| c.at.z);
@@ -292,7 +292,7 @@ fn cross_triangle(
 }
 
 /// Columns of a row that may lie in all three half-planes.
-fn columns(lines: &[Line; 3], wanted: f64, y: f64, width: u32) -> Option<[u32; 2]> {
+fn columns(lines: &[EdgeFunction; 3], wanted: f64, y: f64, width: u32) -> Option<[u32; 2]> {
     let (mut lo, mut hi) = (0.0f64, f64::from(width));
     for line in lines {
         let n = line.normal * wanted;

@@ -6,7 +6,7 @@ use super::ambiguity::Scratch;
 use super::clip::{Graze, Root};
 use super::outline::Brush;
 use super::raster::Crossing;
-use super::walk::{Cause, Event, State, by_depth};
+use super::walk::{Cause, Event, RayState, by_depth};
 
 /// Scratch memory for one ray; reused from ray to ray.
 pub(super) struct RayScratch {
@@ -24,11 +24,11 @@ pub(super) struct RayScratch {
     pub(super) preclassified: Vec<(u32, u16, i8)>,
     /// Crossings, each with the number of the plane in which its triangle is coplanar with triangles of other parts.
     pub(super) shared: Vec<(u32, u16)>,
-    pub(super) start: State,
-    pub(super) state: State,
+    pub(super) start: RayState,
+    pub(super) state: RayState,
     pub(super) scratch: Scratch,
     /// Winding numbers after all crossings of the line.
-    pub(super) end: State,
+    pub(super) end: RayState,
 }
 
 impl RayScratch {
@@ -43,10 +43,10 @@ impl RayScratch {
             met: vec![false; prepared.surfaces.len()],
             preclassified: Vec::new(),
             shared: Vec::new(),
-            start: State::of(prepared),
-            state: State::of(prepared),
+            start: RayState::of(prepared),
+            state: RayState::of(prepared),
             scratch: Scratch::of(prepared),
-            end: State::of(prepared),
+            end: RayState::of(prepared),
         }
     }
 

@@ -14,11 +14,11 @@ use cutaway::scene::{OffsetMap, PreparedSurface, View};
 use glam::DVec3;
 
 use super::ambiguity::rounding;
-use super::blocks::{Block, Blocks, SMALLEST};
+use super::blocks::{Blocks, RayBlock, SMALLEST};
 use super::clip::{Graze, Ray, Root};
 use super::outline::change_per_px;
 use super::quadratic::Quadratic;
-use super::table::Table;
+use super::table::TexelTable;
 
 /// Signed distance from the plane along a ray, `base + slope * depth`.
 #[derive(Clone, Copy, Debug)]
@@ -34,7 +34,7 @@ impl PlaneLine {
 }
 
 /// A relief ready for rays.
-pub(super) struct Relief {
+pub(super) struct RayRelief {
     map: Arc<OffsetMap>,
     origin: DVec3,
     normal: DVec3,
@@ -44,13 +44,13 @@ pub(super) struct Relief {
     /// Minimum and maximum of `f.Sz`.
     slab: [f64; 2],
     /// Per axis: the texels for the addresses around the scene.
-    tables: [Table; 2],
+    tables: [TexelTable; 2],
     blocks: Blocks,
 }
 
 /// Heights of a cell: `h + x along columns + y along rows + xy of both`, times `Sz`.
 #[derive(Clone, Copy, Default)]
-struct Cell {
+struct ReliefCell {
     h: f64,
     x: f64,
     y: f64,
@@ -59,7 +59,7 @@ struct Cell {
     hi: f64,
 }
 
-impl Relief {
+impl RayRelief {
     /// Prepares a relief for rays within a ball around the origin of scene space.
     pub(super) fn of(surface: &PreparedSurface, map: Arc<OffsetMap>, radius: f64) -> Self {
         let size = map.size().map(f64::from);
@@ -70,7 +70,7 @@ impl Relief {
         let ends = map.range().map(|h| f64::from(h) * surface.height_scale);
         let table = |i: usize| {
             let centre = -surface.origin.dot(axes[i]) - 0.5;
-            Table::of(
+            TexelTable::of(
                 surface.wrap,
                 map.size()[i],
                 centre,
@@ -89,7 +89,7 @@ impl Relief {
         }
     }
 
-    fn cell(&self, x: i64, y: i64) -> Cell {
+    fn cell(&self, x: i64, y: i64) -> ReliefCell {
         let width = self.map.size()[0] as usize;
         let columns = [self.tables[0].texel(x), self.tables[0].texel(x + 1)];
         let rows = [self.tables[1].texel(y), self.tables[1].texel(y + 1)];
@@ -97,7 +97,7 @@ impl Relief {
             f64::from(self.map.texels()[rows[j] * width + columns[i]]) * self.height
         };
         let (h00, h10, h01, h11) = (h(0, 0), h(1, 0), h(0, 1), h(1, 1));
-        Cell {
+        ReliefCell {
             h: h00,
             x: h10 - h00,
             y: h01 - h00,
@@ -107,7 +107,7 @@ impl Relief {
         }
     }
 
-    /// See [`super::clip::Clip::meet`].
+    /// See [`super::clip::RayClipSurface::meet`].
     pub(super) fn meet(
         &self,
         view: &View,
@@ -157,7 +157,7 @@ impl Relief {
         first
     }
 
-    fn gradient(&self, cell: &Cell, [lx, ly]: [f64; 2]) -> DVec3 {
+    fn gradient(&self, cell: &ReliefCell, [lx, ly]: [f64; 2]) -> DVec3 {
         self.normal
             + self.axes[0] * (cell.x + cell.xy * ly)
             + self.axes[1] * (cell.y + cell.xy * lx)
@@ -166,7 +166,7 @@ impl Relief {
 
 /// The traversal of the texel grid by a ray. Texel coordinates along it are `p + d * depth`.
 struct Walk<'a> {
-    relief: &'a Relief,
+    relief: &'a RayRelief,
     view: &'a View,
     surface: u16,
     plane: PlaneLine,
@@ -227,7 +227,7 @@ impl Walk<'_> {
         let (mut x, mut y) = self.cell_at(from);
         let mut level = self.relief.blocks.top();
         loop {
-            let Block { range, ahead } = self.relief.blocks.block(level, [x, y], up);
+            let RayBlock { range, ahead } = self.relief.blocks.block(level, [x, y], up);
             // Per axis, the last cell before the border ahead: the ray leaves the block from it.
             let last = [0, 1].map(|i| if up[i] { ahead[i] - 1 } else { ahead[i] });
             let (end_x, end_y) = (border(last[0], 0), border(last[1], 1));
@@ -416,14 +416,14 @@ mod tests {
         })
     }
 
-    fn relief_of(prepared: &Prepared) -> Relief {
+    fn relief_of(prepared: &Prepared) -> RayRelief {
         let surface = &prepared.surfaces[0];
         let map = surface.relief.clone().expect("a relief");
-        Relief::of(surface, map, 2.0)
+        RayRelief::of(surface, map, 2.0)
     }
 
     /// All crossings of a picture's rays with a relief, as text, and their number.
-    fn met(prepared: &Prepared, relief: &Relief) -> (String, usize) {
+    fn met(prepared: &Prepared, relief: &RayRelief) -> (String, usize) {
         let view = prepared.view([24, 24]);
         let (mut roots, mut grazes) = (Vec::new(), Vec::new());
         let mut sides = Vec::new();
@@ -449,7 +449,7 @@ mod tests {
                     let prepared = prepared(wrap, size, height, angle_deg);
                     let relief = relief_of(&prepared);
                     let (passed, count) = met(&prepared, &relief);
-                    let cell_by_cell = Relief {
+                    let cell_by_cell = RayRelief {
                         blocks: relief.blocks.always_near(),
                         ..relief
                     };
@@ -468,7 +468,7 @@ mod tests {
         let right = met(&prepared, &relief_of(&prepared)).0;
         for level in SMALLEST..5 {
             let relief = relief_of(&prepared);
-            let wrong = Relief {
+            let wrong = RayRelief {
                 blocks: relief.blocks.with_a_fault(level),
                 ..relief
             };

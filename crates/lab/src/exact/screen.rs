@@ -94,7 +94,7 @@ fn sign(x: f64) -> i8 {
 }
 
 /// The edge function of two corners, evaluated over a picture.
-pub(super) struct Line {
+pub(super) struct EdgeFunction {
     from: DVec3,
     to: DVec3,
     /// `from x to`: coefficients of `x`, `y` and 1.
@@ -103,7 +103,7 @@ pub(super) struct Line {
     pub(super) error: f64,
 }
 
-impl Line {
+impl EdgeFunction {
     /// The line through two corners.
     pub(super) fn through(from: &Corner, to: &Corner, size_px: [u32; 2]) -> Self {
         let (f, t) = (from.at, to.at);
@@ -161,8 +161,8 @@ mod tests {
             ((0.0, 5.0), (5.0, 0.0), (5.0, 5.0)),
         ] {
             let (f, t) = (corner(from.0, from.1, 3.0), corner(to.0, to.1, 7.0));
-            let line = Line::through(&f, &t, [8, 8]);
-            let back = Line::through(&t, &f, [8, 8]);
+            let line = EdgeFunction::through(&f, &t, [8, 8]);
+            let back = EdgeFunction::through(&t, &f, [8, 8]);
             let inner = DVec2::new(inner.0, inner.1);
             assert_eq!(
                 line.side(at),
@@ -182,7 +182,7 @@ mod tests {
         // The edge passes 2^-60 of a pixel from the sample, far below the resolution of f64 in one product.
         let off = (-50f64).exp2();
         let line = |d: f64| {
-            Line::through(
+            EdgeFunction::through(
                 &corner(0.5 + d, 0.5, 1.0),
                 &corner(1023.5 + d, 1023.5, 1.0),
                 [1024, 1024],

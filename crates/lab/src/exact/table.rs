@@ -6,14 +6,14 @@ use cutaway::scene::Wrap;
 const TABLE_TEXELS: i64 = 1 << 20;
 
 /// The texels for the addresses around a point, along one axis.
-pub(super) struct Table {
+pub(super) struct TexelTable {
     first: i64,
     texels: Vec<u32>,
     wrap: Wrap,
     size: u32,
 }
 
-impl Table {
+impl TexelTable {
     /// The table of addresses within a reach of a centre.
     pub(super) fn of(wrap: Wrap, size: u32, centre: f64, reach: f64) -> Self {
         let first = (centre - reach).floor() as i64 - 2;

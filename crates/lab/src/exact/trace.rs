@@ -9,8 +9,8 @@ use glam::DVec2;
 use super::clip::Ray;
 use super::raster::{self, BAND_ROWS};
 use super::ray_scratch::RayScratch;
-use super::walk::{Cause, Event, State};
-use super::{Lines, Outlining};
+use super::walk::{Cause, Event, RayState};
+use super::{BandedScene, Outlining};
 
 /// Object that a ray crosses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -80,7 +80,7 @@ pub fn trace(prepared: &Prepared, view: &View, [x, y]: [u32; 2]) -> Trace {
         x < width && y < height,
         "pixel ({x}, {y}) of a picture of {width} x {height}"
     );
-    let lines = Lines::with(prepared, view, Outlining::Without);
+    let lines = BandedScene::with(prepared, view, Outlining::Without);
     let triangles = lines.triangles.items((y / BAND_ROWS) as usize);
     let (found, starts) = raster::crossings_of_band(view, &lines.parts, triangles, [y, y + 1]);
     let found = &found[starts[x as usize]..starts[x as usize + 1]];
@@ -130,7 +130,7 @@ fn is_same(a: &Event, b: &Event) -> bool {
     (a.cause, a.source) == (b.cause, b.source)
 }
 
-fn shown(prepared: &Prepared, ranks: &[u16], state: &State) -> Vec<bool> {
+fn shown(prepared: &Prepared, ranks: &[u16], state: &RayState) -> Vec<bool> {
     let shows = |rank: &u16| state.is_inside(*rank) && !state.removes(prepared, *rank);
     ranks.iter().map(shows).collect()
 }

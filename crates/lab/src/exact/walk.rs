@@ -82,7 +82,7 @@ pub(super) fn restore_order(events: &mut [Event]) {
 
 /// State of a ray at a depth.
 #[derive(Clone, Debug, Default)]
-pub(super) struct State {
+pub(super) struct RayState {
     /// Per rank: the winding number.
     pub(super) winding: Vec<i32>,
     /// Per rank: the fill rule.
@@ -94,7 +94,7 @@ pub(super) struct State {
     pub(super) ends: Vec<f64>,
 }
 
-impl State {
+impl RayState {
     /// A state outside everything.
     pub(super) fn of(prepared: &Prepared) -> Self {
         Self {
@@ -146,7 +146,7 @@ impl State {
 
 /// Visible point of a ray.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Sight {
+pub(super) struct VisiblePoint {
     /// Rank of the part.
     pub(super) rank: u16,
     /// Depth of the point.
@@ -157,7 +157,7 @@ pub(super) struct Sight {
     pub(super) overlap: bool,
 }
 
-impl Sight {
+impl VisiblePoint {
     /// What two equal answers have in common: the part and, for a cap, the clip-surface; for a surface, the side it shows.
     pub(super) fn class(&self) -> (u16, Option<Cause>) {
         let cause = self.event.map(|e| match e.cause {
@@ -177,8 +177,8 @@ pub(super) fn walk(
     (near, near_cap): (f64, bool),
     ranks: &[u16],
     events: &[Event],
-    state: &mut State,
-) -> Option<Sight> {
+    state: &mut RayState,
+) -> Option<VisiblePoint> {
     let first = events.partition_point(|e| e.depth <= near);
     for event in &events[..first] {
         state.apply(event);
@@ -186,7 +186,7 @@ pub(super) fn walk(
     if near_cap {
         let mut shown = ranks.iter().filter(|r| state.shows(prepared, **r));
         if let Some(rank) = shown.next() {
-            return Some(Sight {
+            return Some(VisiblePoint {
                 rank: *rank,
                 depth: near,
                 event: None,
@@ -216,7 +216,7 @@ pub(super) fn walk(
             Cause::Clip { .. } => pass_clips(prepared, ranks, now, state),
         };
         if let Some((rank, event, overlap)) = seen {
-            return Some(Sight {
+            return Some(VisiblePoint {
                 rank,
                 depth: event.depth,
                 event: Some(event),
@@ -233,9 +233,9 @@ pub(super) fn pass_clips(
     prepared: &Prepared,
     ranks: &[u16],
     events: &[Event],
-    state: &mut State,
+    state: &mut RayState,
 ) -> Option<(u16, Event, bool)> {
-    let freed = |state: &State, rank: u16| {
+    let freed = |state: &RayState, rank: u16| {
         events.iter().copied().find(|e| {
             let Cause::Clip { surface, .. } = e.cause else {
                 return false;

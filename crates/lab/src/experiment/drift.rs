@@ -116,7 +116,7 @@ fn class(layer: &Layer) -> (Kind, u16, u8, bool) {
 }
 
 /// The exact image for the sub-pixel bits of a frame, and the frame.
-type Drawn = (Arc<Exact>, Layers);
+type ComparedFrame = (Arc<Exact>, Layers);
 
 /// Moves the camera of a scene and returns the figures of each renderer, none for one that refuses or is no method. Ends early with
 /// `None` as soon as `goes_on` returns false.
@@ -131,7 +131,7 @@ pub fn flicker(
     let truth = question.truth.unwrap_or(question.shown).truth()?;
     let mut sums: Vec<Option<Flicker>> = vec![Some(Flicker::default()); renderers.len()];
     let mut pictures = vec![PictureFlicker::default(); renderers.len()];
-    let mut before: Option<Vec<Option<Drawn>>> = None;
+    let mut before: Option<Vec<Option<ComparedFrame>>> = None;
     for frame in 0..drift.frames {
         if !goes_on() {
             return Ok(None);

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::definition::{Claim, SceneRun, Wanted};
 use super::figures::figure;
-use super::sweep::{Axis, Point};
+use super::sweep::{Point, SweepAxis};
 use super::{Bound, Ending, Expectation, Measurement, Reached, Record, StrategyMeasurement};
 
 /// Judges a kept record by its run's current expectations. Returns true if any result differs from the recorded one.
@@ -182,7 +182,11 @@ fn falls(
 type Chain = (usize, Vec<(String, String)>);
 
 /// Groups of renderers that differ only in one axis, each renderer with the index of its value, in the order of the values.
-fn chains(point: &Point, axis: &Axis, meant: &[usize]) -> BTreeMap<Chain, Vec<(usize, usize)>> {
+fn chains(
+    point: &Point,
+    axis: &SweepAxis,
+    meant: &[usize],
+) -> BTreeMap<Chain, Vec<(usize, usize)>> {
     let mut chains: BTreeMap<Chain, Vec<(usize, usize)>> = BTreeMap::new();
     for index in meant {
         for (template, member) in &point.trials[*index].families {

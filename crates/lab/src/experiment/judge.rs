@@ -21,7 +21,7 @@ use cutaway::{Error, Result};
 use image::RgbaImage;
 
 use super::measurement::{
-    Ending, Measurement, PassTime, PerClock, Price, Reference, StrategyMeasurement, Timing,
+    Ending, Measurement, MedianPassTime, PerClock, Price, Reference, StrategyMeasurement, Timing,
 };
 use super::{Evaluator, Renderer, Samples, SceneAtTime, Stopwatch};
 use crate::compare::{Comparison, compare, heatmap};
@@ -61,7 +61,7 @@ impl<'a> FrameQuestion<'a> {
 }
 
 /// A frame of a renderer.
-pub struct Frame {
+pub struct JudgedFrame {
     /// Renderer of the frame.
     pub renderer: Renderer,
     /// Outcome of the drawing.
@@ -79,7 +79,7 @@ pub struct Judgement {
     /// The truth.
     pub exact: Arc<Exact>,
     /// The frames, in the order of the measurement.
-    pub frames: Vec<Frame>,
+    pub frames: Vec<JudgedFrame>,
     options: DrawOptions,
     model: Model,
     view: View,
@@ -87,12 +87,12 @@ pub struct Judgement {
 
 impl Judgement {
     /// Heatmap of the differences from exact; none if the frame was refused.
-    pub fn heatmap(&self, frame: &Frame) -> Option<RgbaImage> {
+    pub fn heatmap(&self, frame: &JudgedFrame) -> Option<RgbaImage> {
         (frame.layers.as_ref()).map(|l| heatmap(&frame.exact, l))
     }
 
     /// The picture of a frame, at the measured resolution: RGBA8, rows from the top.
-    pub fn picture(&self, session: &mut Session, frame: &Frame) -> Result<Vec<u8>> {
+    pub fn picture(&self, session: &mut Session, frame: &JudgedFrame) -> Result<Vec<u8>> {
         match (frame.renderer.or(self.options), &frame.layers) {
             (Renderer::Method(method), _) => session.picture(method),
             (_, Some(layers)) => session.shade(&self.model, &self.view, layers),
@@ -215,7 +215,7 @@ fn draw_by(
     question: &FrameQuestion<'_>,
     renderer: &Renderer,
     truth: &Truth<&Prepared>,
-) -> Result<(Frame, StrategyMeasurement)> {
+) -> Result<(JudgedFrame, StrategyMeasurement)> {
     let (model, view) = (&question.shown.model, &question.view);
     let (outcome, layers, bytes) = match renderer.or(question.options) {
         Renderer::Method(method) => {
@@ -256,7 +256,7 @@ fn draw_by(
         cut: None,
         passes: Vec::new(),
     };
-    let frame = Frame {
+    let frame = JudgedFrame {
         renderer: *renderer,
         outcome,
         layers,
@@ -358,7 +358,7 @@ fn samples(runs: &[RunTimes], clock: Clock) -> Samples {
     )
 }
 
-fn passes(runs: &[RunTimes]) -> Vec<PassTime> {
+fn passes(runs: &[RunTimes]) -> Vec<MedianPassTime> {
     let Some(first) = runs.first() else {
         return Vec::new();
     };
@@ -370,7 +370,7 @@ fn passes(runs: &[RunTimes]) -> Vec<PassTime> {
             .collect()
     };
     (first.passes.iter().enumerate())
-        .map(|(i, pass)| PassTime {
+        .map(|(i, pass)| MedianPassTime {
             name: pass.name.clone(),
             clock: pass.clock,
             median_ms: Samples::new(of(i)).median,

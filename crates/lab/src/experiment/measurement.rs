@@ -138,7 +138,7 @@ pub enum Timing {
 
 /// Time of one pass.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct PassTime {
+pub struct MedianPassTime {
     /// Name of the pass.
     pub name: String,
     /// Clock that it runs on.
@@ -213,7 +213,7 @@ pub struct StrategyMeasurement {
     #[serde(default)]
     pub cut: Option<Price>,
     /// Times of the passes.
-    pub passes: Vec<PassTime>,
+    pub passes: Vec<MedianPassTime>,
 }
 
 impl StrategyMeasurement {
@@ -319,7 +319,7 @@ pub(crate) mod tests {
                 ns_per_triangle: None,
             }),
             frame_over_draw_only_mad: Some(0.25),
-            passes: vec![PassTime {
+            passes: vec![MedianPassTime {
                 name: "shade".to_owned(),
                 clock: Clock::Frame,
                 median_ms: 0.5,

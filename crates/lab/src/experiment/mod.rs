@@ -27,10 +27,10 @@ mod warnings;
 
 pub use definition::{Definition, Moves};
 pub use identity::Identity;
-pub use judge::{Frame, FrameQuestion, Judgement, error_steps, errors, times, timing_steps};
+pub use judge::{FrameQuestion, JudgedFrame, Judgement, error_steps, errors, times, timing_steps};
 pub use measurement::{
-    Ending, MOST_UNDECIDED, Measurement, PassTime, PerClock, Price, Reference, StrategyMeasurement,
-    Timing,
+    Ending, MOST_UNDECIDED, Measurement, MedianPassTime, PerClock, Price, Reference,
+    StrategyMeasurement, Timing,
 };
 pub use memory::check_memory;
 pub use parameter::{Parameter, Parameters};

@@ -36,7 +36,7 @@ pub fn draw(
     let n = supersample;
     let grounded = on_ground(session, shown, renderer)?;
     let model = grounded.as_ref().unwrap_or(&shown.model);
-    let mut samples = Samples::new(view.size_px, n);
+    let mut samples = PictureSamples::new(view.size_px, n);
     let mut frames = Vec::new();
     for (at, view) in view.samples(n) {
         let rgba = match renderer {
@@ -79,13 +79,13 @@ fn on_ground(session: &Session, shown: &SceneAtTime, renderer: Renderer) -> Resu
 }
 
 /// The samples of a picture: N x N in each pixel, as in a picture N times as large.
-struct Samples {
+struct PictureSamples {
     size_px: [u32; 2],
     n: u32,
     rgba: Vec<u8>,
 }
 
-impl Samples {
+impl PictureSamples {
     fn new([width, height]: [u32; 2], n: u32) -> Self {
         let size_px = [width * n, height * n];
         let count = size_px[0] as usize * size_px[1] as usize;
@@ -147,13 +147,13 @@ pub fn png(picture: &RgbaImage) -> Result<Vec<u8>> {
 
 /// A picture from RGBA8 data, as a session returns it.
 pub fn plain(rgba: &[u8], size_px: [u32; 2]) -> RgbaImage {
-    let mut samples = Samples::new(size_px, 1);
+    let mut samples = PictureSamples::new(size_px, 1);
     samples.add([0, 0], rgba);
     filtered(&samples)
 }
 
-fn filtered(samples: &Samples) -> RgbaImage {
-    let Samples { size_px, n, .. } = *samples;
+fn filtered(samples: &PictureSamples) -> RgbaImage {
+    let PictureSamples { size_px, n, .. } = *samples;
     if n == 1 {
         return of_one(samples);
     }
@@ -187,7 +187,7 @@ fn filtered(samples: &Samples) -> RgbaImage {
 }
 
 /// A picture with one sample per pixel.
-fn of_one(samples: &Samples) -> RgbaImage {
+fn of_one(samples: &PictureSamples) -> RgbaImage {
     let [width, height] = samples.size_px;
     let mut rgba = samples.rgba.clone();
     let pixels = rgba.as_chunks_mut::<4>().0.iter_mut();
@@ -201,7 +201,7 @@ mod tests {
 
     /// A picture of one pixel from 2 x 2 samples.
     fn of_four(rgba: [[u8; 4]; 4]) -> RgbaImage {
-        let mut samples = Samples::new([1, 1], 2);
+        let mut samples = PictureSamples::new([1, 1], 2);
         for (at, color) in [[0, 0], [1, 0], [0, 1], [1, 1]].into_iter().zip(rgba) {
             samples.add(at, &color);
         }
@@ -210,7 +210,7 @@ mod tests {
 
     #[test]
     fn samples_find_their_places() {
-        let mut samples = Samples::new([2, 1], 2);
+        let mut samples = PictureSamples::new([2, 1], 2);
         for (v, at) in [[0, 0], [1, 0], [0, 1], [1, 1]].into_iter().enumerate() {
             let v = v as u8 * 10;
             samples.add(at, &[v, v, v, v, v + 1, v + 1, v + 1, v + 1]);

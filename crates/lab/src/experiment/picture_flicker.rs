@@ -17,7 +17,7 @@ use super::figures::OF_PICTURES;
 
 /// Accumulated values of a pixel over all frames so far.
 #[derive(Clone, Copy, Debug, Default)]
-struct Seen {
+struct PixelTotals {
     sum: f64,
     squares: f64,
     /// It was background in no frame; a cap without strokes in all; touched by a stroke in some.
@@ -30,7 +30,7 @@ struct Seen {
 #[derive(Clone, Debug, Default)]
 pub(super) struct PictureFlicker {
     frames: f64,
-    pixels: Vec<Seen>,
+    pixels: Vec<PixelTotals>,
 }
 
 impl PictureFlicker {
@@ -43,7 +43,7 @@ impl PictureFlicker {
         channels: &StyleChannels,
     ) {
         self.frames += 1.0;
-        self.pixels.resize(picture.len(), Seen::default());
+        self.pixels.resize(picture.len(), PixelTotals::default());
         for (i, seen) in self.pixels.iter_mut().enumerate() {
             let strays = f64::from(picture[i]) - f64::from(truth[i]);
             seen.sum += strays;
@@ -58,7 +58,7 @@ impl PictureFlicker {
 
     /// The figures of a record: for all covered pixels, for caps away from strokes, and for strokes.
     pub(super) fn figures(&self) -> BTreeMap<String, f64> {
-        let of = |is_of: fn(&Seen) -> bool| {
+        let of = |is_of: fn(&PixelTotals) -> bool| {
             let pixels = self.pixels.iter().filter(|p| is_of(p));
             let (count, sum) = pixels.fold((0.0, 0.0), |(count, sum), pixel| {
                 let mean = pixel.sum / self.frames;

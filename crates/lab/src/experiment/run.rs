@@ -81,14 +81,14 @@ pub fn file_stem(run: &str, point: &Point) -> String {
 }
 
 /// Pictures, each with its file name.
-pub type Images = Vec<(String, RgbaImage)>;
+pub type NamedPictures = Vec<(String, RgbaImage)>;
 
 /// A measured point.
 pub struct Measured {
     /// Its record.
     pub record: Record,
     /// Its pictures, by their names in the record.
-    pub pictures: Images,
+    pub pictures: NamedPictures,
 }
 
 /// Measures a point; `None` if it was ended early. Leaves nothing in the session.
@@ -236,7 +236,7 @@ fn pictures(
     question: &FrameQuestion<'_>,
     judgement: &Judgement,
     stem: &str,
-) -> Result<(Vec<RecordedPicture>, Images)> {
+) -> Result<(Vec<RecordedPicture>, NamedPictures)> {
     let [width, height] = question.view.size_px;
     let image = |rgba| RgbaImage::from_raw(width, height, rgba).unwrap_or_default();
     let exact = session.shade(

@@ -23,7 +23,7 @@ pub type Changes = Vec<(String, Node)>;
 
 /// One value of an axis.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Value {
+pub struct SweepValue {
     /// Label of the value.
     pub is: Parameter,
     /// Changes to the scene; empty for an axis of strategies.
@@ -32,18 +32,18 @@ pub struct Value {
 
 /// Axis of a sweep.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Axis {
+pub struct SweepAxis {
     /// Its name.
     pub name: String,
     /// Paths that all its values set, if the axis is one list of values.
     pub paths: Vec<String>,
     /// Its values, in the order they are written.
-    pub values: Vec<Value>,
+    pub values: Vec<SweepValue>,
 }
 
-impl Axis {
+impl SweepAxis {
     /// Makes an axis, if its values are distinct and set the same paths.
-    pub fn of(name: &str, paths: Vec<String>, values: Vec<Value>) -> Result<Self> {
+    pub fn of(name: &str, paths: Vec<String>, values: Vec<SweepValue>) -> Result<Self> {
         let fault = |what: &str, help: &str| Error::input(format!("axis `{name}`"), what, help);
         let Some(first) = values.first() else {
             return Err(fault(
@@ -51,7 +51,7 @@ impl Axis {
                 "write at least one, or leave it out",
             ));
         };
-        let set_by = |value: &Value| -> BTreeSet<String> {
+        let set_by = |value: &SweepValue| -> BTreeSet<String> {
             value.sets.iter().map(|(path, _)| path.clone()).collect()
         };
         if values.iter().any(|v| set_by(v) != set_by(first)) {
@@ -82,11 +82,11 @@ impl Axis {
 
 /// Axes by name.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Axes(pub Vec<Axis>);
+pub struct Axes(pub Vec<SweepAxis>);
 
 impl Axes {
     /// Replaces the axis of the same name.
-    pub fn replace(&mut self, axis: Axis) {
+    pub fn replace(&mut self, axis: SweepAxis) {
         for place in self.0.iter_mut().filter(|a| a.name == axis.name) {
             *place = axis.clone();
         }
@@ -94,12 +94,13 @@ impl Axes {
 
     /// Removes strategy axes that no strategy uses any more.
     pub fn forget_unused(&mut self, strategies: &[String]) {
-        let is_kept = |a: &Axis| !a.is_of_strategies() || strategies.iter().any(|s| a.is_in(s));
+        let is_kept =
+            |a: &SweepAxis| !a.is_of_strategies() || strategies.iter().any(|s| a.is_in(s));
         self.0.retain(is_kept);
     }
 
     /// An axis by its name.
-    pub fn get(&self, name: &str) -> Option<&Axis> {
+    pub fn get(&self, name: &str) -> Option<&SweepAxis> {
         self.0.iter().find(|a| a.name == name)
     }
 
@@ -156,7 +157,7 @@ impl Trial {
 /// Expands a sweep into its points.
 pub fn expand(axes: &Axes, of: &Variable) -> Result<Vec<Point>> {
     check_braces(axes, &of.strategies)?;
-    let (of_renderers, of_points): (Vec<&Axis>, Vec<&Axis>) =
+    let (of_renderers, of_points): (Vec<&SweepAxis>, Vec<&SweepAxis>) =
         axes.0.iter().partition(|a| a.is_of_strategies());
     let Some(count) = product(&of_points).filter(|count| *count <= MOST_POINTS) else {
         let what = "the values give too many points";
@@ -187,7 +188,7 @@ pub fn expand(axes: &Axes, of: &Variable) -> Result<Vec<Point>> {
 
 /// Refuses two axes that set the same value.
 fn must_be_apart(axes: &Axes, scene: &Document) -> Result<()> {
-    let paths = |axis: &Axis| -> Vec<String> {
+    let paths = |axis: &SweepAxis| -> Vec<String> {
         let first = axis.values.first().map_or(&[] as &[_], |v| &v.sets);
         first.iter().map(|(path, _)| path.clone()).collect()
     };
@@ -205,7 +206,7 @@ fn must_be_apart(axes: &Axes, scene: &Document) -> Result<()> {
     Ok(())
 }
 
-fn named_values(axes: &[&Axis], values: &[&Value]) -> Parameters {
+fn named_values(axes: &[&SweepAxis], values: &[&SweepValue]) -> Parameters {
     let pairs = axes.iter().zip(values);
     pairs
         .map(|(axis, value)| (axis.name.clone(), value.is.clone()))
@@ -252,9 +253,9 @@ fn in_braces(text: &str) -> Result<Vec<&str>> {
 }
 
 /// All choices of one value from each axis; the last axis varies fastest.
-fn combinations<'a>(axes: &[&'a Axis]) -> Vec<Vec<&'a Value>> {
+fn combinations<'a>(axes: &[&'a SweepAxis]) -> Vec<Vec<&'a SweepValue>> {
     axes.iter().fold(vec![Vec::new()], |chosen, axis| {
-        let longer = |c: &Vec<&'a Value>| {
+        let longer = |c: &Vec<&'a SweepValue>| {
             let mut all = Vec::new();
             for value in &axis.values {
                 let mut longer = c.clone();
@@ -268,7 +269,7 @@ fn combinations<'a>(axes: &[&'a Axis]) -> Vec<Vec<&'a Value>> {
 }
 
 /// A file name for the point that differs from those of the others.
-fn stem(values: &[&Value], taken: &mut BTreeSet<String>) -> String {
+fn stem(values: &[&SweepValue], taken: &mut BTreeSet<String>) -> String {
     let is_safe = |c: char| c.is_ascii_alphanumeric() || "+-".contains(c);
     let safe = |text: String| -> String {
         text.chars()
@@ -289,11 +290,11 @@ fn stem(values: &[&Value], taken: &mut BTreeSet<String>) -> String {
     stem
 }
 
-fn trials(texts: &[String], axes: &[&Axis]) -> Result<Vec<Trial>> {
+fn trials(texts: &[String], axes: &[&SweepAxis]) -> Result<Vec<Trial>> {
     let mut trials: Vec<Trial> = Vec::new();
     let mut places: BTreeMap<String, usize> = BTreeMap::new();
     for (template, text) in texts.iter().enumerate() {
-        let own: Vec<&Axis> = axes.iter().copied().filter(|a| a.is_in(text)).collect();
+        let own: Vec<&SweepAxis> = axes.iter().copied().filter(|a| a.is_in(text)).collect();
         if product(&own).is_none_or(|count| count > MOST_RENDERERS) {
             let help = format!("leave some out: at most {MOST_RENDERERS} are measured in turns");
             return Err(Error::input(
@@ -337,6 +338,6 @@ fn trials(texts: &[String], axes: &[&Axis]) -> Result<Vec<Trial>> {
 }
 
 /// Number of combinations; `None` on overflow.
-fn product(axes: &[&Axis]) -> Option<usize> {
+fn product(axes: &[&SweepAxis]) -> Option<usize> {
     (axes.iter()).try_fold(1_usize, |count, axis| count.checked_mul(axis.values.len()))
 }

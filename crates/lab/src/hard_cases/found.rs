@@ -19,12 +19,12 @@ pub struct CaseFound {
     /// The tests of what its pictures cannot show, as the arguments after `cargo test -p cutaway-tests`.
     pub held_by: Option<String>,
     /// Expected and found result of each strategy; empty if the case has no pictures.
-    pub reached: Vec<Reached>,
+    pub reached: Vec<CaseOutcome>,
 }
 
 /// Expected and found result of a strategy.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Reached {
+pub struct CaseOutcome {
     /// Name of the strategy.
     pub strategy: String,
     /// Expected result.
@@ -39,7 +39,7 @@ pub struct Reached {
 
 /// Selection of cases, sizes and methods to run in a session.
 #[derive(Clone, Copy, Debug)]
-pub struct Asked<'a> {
+pub struct CaseSelection<'a> {
     /// Globs over the ids of cases.
     pub ids: &'a [String],
     /// Side lengths of the pictures.
@@ -75,7 +75,7 @@ pub fn check_ids(ids: &[String]) -> Result<()> {
 /// `goes_on` returns false; `goes_on` is called before each method.
 pub fn found(
     session: &mut Session,
-    asked: &Asked<'_>,
+    asked: &CaseSelection<'_>,
     step: &mut dyn FnMut(String),
     goes_on: &dyn Fn() -> bool,
 ) -> Result<Option<Vec<CaseFound>>> {
@@ -151,10 +151,10 @@ pub fn caps_px(pictures: &[(String, Question)]) -> usize {
 fn reached(
     session: &mut Session,
     case: &Case,
-    asked: &Asked<'_>,
+    asked: &CaseSelection<'_>,
     step: &mut dyn FnMut(String),
     goes_on: &dyn Fn() -> bool,
-) -> Result<Option<Vec<Reached>>> {
+) -> Result<Option<Vec<CaseOutcome>>> {
     let mut tallies: Vec<(Method, Tally)> = Vec::new();
     for size_px in asked.sizes_px {
         step(format!("case {} at {size_px} px", case.id));
@@ -179,7 +179,7 @@ fn reached(
     }
     let describe = |(method, tally): (Method, Tally)| {
         let expected = case.expected_on(&method, tally.is_coarse);
-        Reached {
+        CaseOutcome {
             strategy: method.to_string(),
             expected: expected.to_string(),
             why: expected.why().filter(|_| tally.is_short_of_exact()),

@@ -30,7 +30,9 @@ pub use case::{Case, CasePicture, Form, Keeps};
 pub use cases::cases;
 pub use expected::{Expected, Tally};
 pub use files::read;
-pub use found::{Asked, CaseFound, Reached, caps_px, check_ids, found, pictures, tallied};
+pub use found::{
+    CaseFound, CaseOutcome, CaseSelection, caps_px, check_ids, found, pictures, tallied,
+};
 pub use listed::{Listed, list};
 pub use methods::usual_methods;
 pub use question::{Judged, Question, class_of, is_wrong};

@@ -3,10 +3,10 @@
 use crate::Comparison;
 
 /// A word, and the count that it stands for.
-pub(super) type Error = (&'static str, fn(&Comparison) -> usize);
+pub(super) type ErrorCount = (&'static str, fn(&Comparison) -> usize);
 
 /// All of them, the sum first.
-pub(super) const ERRORS: [Error; 9] = [
+pub(super) const ERRORS: [ErrorCount; 9] = [
     ("decided wrong px", |c| c.decided_wrong_px),
     ("missed cap", |c| c.missed_cap_px),
     ("leaked cap", |c| c.leaked_cap_px),

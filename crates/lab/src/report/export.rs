@@ -10,14 +10,14 @@ use serde::Serialize;
 use super::derived::{
     Row, Situation, StrategyTotals, has_other_truth, ranked, rows, totals_of_strategies,
 };
-use super::recorded::{Experiment, Folder, PeerRecord, Recorded};
+use super::recorded::{Experiment, Folder, PeerRecord, RecordedFolders};
 use crate::experiment::{CaseRecords, Record, Run, Synopsis};
 
 /// Version of the form of [`json`].
 const REPORT_FORMAT: u32 = 1;
 
 /// One row for each point and strategy: what it is, then every figure by name; what was not measured is empty.
-pub(super) fn csv(recorded: &Recorded) -> String {
+pub(super) fn csv(recorded: &RecordedFolders) -> String {
     let mut all: Vec<(&Folder, Row<'_>)> = Vec::new();
     for folder in &recorded.folders {
         for record in folder.experiments.iter().flat_map(|e| &e.records) {
@@ -118,7 +118,7 @@ fn inert(cell: String) -> String {
 }
 
 #[derive(Serialize)]
-struct Joined<'a> {
+struct JsonExport<'a> {
     format: u32,
     folders: Vec<JoinedFolder<'a>>,
     derived: Vec<DerivedPoint<'a>>,
@@ -170,7 +170,7 @@ struct DerivedTotals {
 }
 
 /// All records, and what is worked out of them.
-pub(super) fn json(recorded: &Recorded) -> String {
+pub(super) fn json(recorded: &RecordedFolders) -> String {
     let records = |folder| experiments_of(folder).flat_map(|e| &e.records);
     let points = (recorded.folders.iter()).flat_map(|f| records(f).map(move |r| derived(f, r)));
     let folders = recorded.folders.iter().map(|folder| JoinedFolder {
@@ -185,7 +185,7 @@ pub(super) fn json(recorded: &Recorded) -> String {
             .collect(),
         peers: &folder.peers,
     });
-    let joined = Joined {
+    let joined = JsonExport {
         format: REPORT_FORMAT,
         folders: folders.collect(),
         derived: points.collect(),

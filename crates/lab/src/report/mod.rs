@@ -18,6 +18,6 @@ mod text;
 
 pub use chapters::PictureOptions;
 pub use pages::{MethodPages, Pages, method_pages, pages};
-pub use recorded::{Experiment, Folder, PeerCheck, PeerRecord, PeerRow, Recorded};
-pub use table::Table;
+pub use recorded::{Experiment, Folder, PeerCheck, PeerRecord, PeerRow, RecordedFolders};
+pub use table::TextTable;
 pub use text::text;

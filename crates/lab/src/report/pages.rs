@@ -5,7 +5,7 @@ use cutaway::Result;
 use super::chapters::{PictureOptions, document, method_document};
 use super::document::{html, markdown};
 use super::export::{csv, json};
-use super::recorded::Recorded;
+use super::recorded::RecordedFolders;
 
 /// The forms of a report, each the text of a file.
 #[derive(Clone, Debug)]
@@ -21,7 +21,7 @@ pub struct Pages {
 }
 
 /// Makes the report of some folders.
-pub fn pages(recorded: &Recorded, pictures: &PictureOptions) -> Pages {
+pub fn pages(recorded: &RecordedFolders, pictures: &PictureOptions) -> Pages {
     let document = document(recorded, pictures);
     Pages {
         html: html(&document),
@@ -45,7 +45,7 @@ pub struct MethodPages {
 /// # Errors
 ///
 /// Fails if no point used the method; the error names the methods that were used.
-pub fn method_pages(recorded: &Recorded, name: &str) -> Result<MethodPages> {
+pub fn method_pages(recorded: &RecordedFolders, name: &str) -> Result<MethodPages> {
     let document = method_document(recorded, name)?;
     Ok(MethodPages {
         html: html(&document),

@@ -2,12 +2,12 @@
 
 /// Columns with a heading each; the first column is aligned left, the others right.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Table {
+pub struct TextTable {
     heading: Vec<String>,
     rows: Vec<Vec<String>>,
 }
 
-impl Table {
+impl TextTable {
     /// A table with headings and no rows.
     pub fn new<S: Into<String>>(heading: impl IntoIterator<Item = S>) -> Self {
         Self {
@@ -54,7 +54,7 @@ mod tests {
 
     #[test]
     fn columns_line_up() {
-        let mut table = Table::new(["name", "µ"]);
+        let mut table = TextTable::new(["name", "µ"]);
         table.row(["a|<b", "1"]);
         table.row(["longer"]);
         assert_eq!(table.to_text(), "name    µ\n---------\na|<b    1\nlonger\n");

@@ -1,6 +1,6 @@
 //! A report for a terminal: error first, then time, then what was refused and why.
 
-use super::Table;
+use super::TextTable;
 use super::errors::ERRORS;
 use super::number::{mebibytes, milliseconds, significant};
 use crate::experiment::{Measurement, StrategyMeasurement};
@@ -45,10 +45,10 @@ pub fn text(report: &Measurement) -> String {
 }
 
 /// Errors of each strategy, in pixels, scene units and degrees.
-fn errors(report: &Measurement) -> Table {
+fn errors(report: &Measurement) -> TextTable {
     let words = ERRORS.iter().map(|(word, _)| *word);
     let heading = std::iter::once("error").chain(words);
-    let mut table = Table::new(heading.chain(["depth max", "normal max deg"]));
+    let mut table = TextTable::new(heading.chain(["depth max", "normal max deg"]));
     for strategy in &report.strategies {
         let Some(c) = &strategy.comparison else {
             table.row([strategy.name.as_str(), strategy.outcome.name()]);
@@ -66,8 +66,8 @@ fn errors(report: &Measurement) -> Table {
 }
 
 /// Costs of each strategy.
-fn times(report: &Measurement) -> Table {
-    let mut table = Table::new([
+fn times(report: &Measurement) -> TextTable {
+    let mut table = TextTable::new([
         "time, median ms",
         "solid",
         "cut",

@@ -164,25 +164,25 @@ pub enum PlaneMove {
 }
 
 /// A surface of a cut, and its notation.
-struct Surface {
+struct CutSurface {
     path: String,
-    words: Words,
+    words: SurfaceNotation,
 }
 
-enum Words {
+enum SurfaceNotation {
     Section(PlaneSpec),
     Vectors { normal: DVec3, origin: DVec3 },
 }
 
-impl Surface {
+impl CutSurface {
     fn find(document: &Document, cut: usize, surface: usize) -> Result<Self> {
         let path = format!("cut.{cut}.surfaces.{surface}");
         let node = document.get(&path)?;
         let vector = |key: &str| node.get(key).and_then(|n| vector(&n.value));
         let section = node.get("section").and_then(Node::text);
         let words = match (section, vector("normal")) {
-            (Some(text), _) => Words::Section(PlaneSpec::parse(text)?),
-            (None, Some(normal)) => Words::Vectors {
+            (Some(text), _) => SurfaceNotation::Section(PlaneSpec::parse(text)?),
+            (None, Some(normal)) => SurfaceNotation::Vectors {
                 normal,
                 origin: vector("origin").unwrap_or_default(),
             },
@@ -200,11 +200,13 @@ impl Surface {
     /// Its unit normal and a point on it.
     fn plane(&self, bounds: &Bounds) -> Result<(DVec3, DVec3)> {
         match &self.words {
-            Words::Section(spec) => {
+            SurfaceNotation::Section(spec) => {
                 let surface = spec.surface(bounds, Up::PlusY)?;
                 Ok((surface.frame().normal, surface.origin))
             }
-            Words::Vectors { normal, origin } => Ok((normal.normalize_or(DVec3::Z), *origin)),
+            SurfaceNotation::Vectors { normal, origin } => {
+                Ok((normal.normalize_or(DVec3::Z), *origin))
+            }
         }
     }
 }
@@ -215,7 +217,7 @@ impl Surface {
 ///
 /// A surface that does not exist, or one that is invalid for such bounds.
 pub fn plane(document: &Document, cut: usize, bounds: &Bounds) -> Result<(DVec3, DVec3)> {
-    let surface = Surface::find(document, cut, 0)?;
+    let surface = CutSurface::find(document, cut, 0)?;
     let (normal, origin) = surface.plane(bounds)?;
     let is_flipped = is_flipped(document, &surface.path);
     Ok((if is_flipped { -normal } else { normal }, origin))
@@ -224,7 +226,7 @@ pub fn plane(document: &Document, cut: usize, bounds: &Bounds) -> Result<(DVec3,
 /// The direction that a cut's first surface is rotated about, as in the document, and the angle in degrees; `None` for a surface
 /// without a relief, where a rotation has no effect.
 pub fn spin(document: &Document, cut: usize, bounds: &Bounds) -> Option<(DVec3, f64)> {
-    let surface = Surface::find(document, cut, 0).ok()?;
+    let surface = CutSurface::find(document, cut, 0).ok()?;
     let node = document.get(&surface.path).ok()?;
     node.get("relief")?;
     let degrees = match node.get("spin_deg").map(|n| &n.value) {
@@ -253,13 +255,13 @@ pub fn move_plane(
     bounds: &Bounds,
 ) -> Result<()> {
     let was = plane(document, cut, bounds)?;
-    let Surface { path, words } = Surface::find(document, cut, 0)?;
+    let CutSurface { path, words } = CutSurface::find(document, cut, 0)?;
     if let PlaneMove::Spin(degrees) = by {
         return document.set(&format!("{path}.spin_deg"), degrees);
     }
     let mut spec = match &words {
-        Words::Section(spec) => spec.clone(),
-        Words::Vectors { normal, origin } => PlaneSpec::through(*origin, *normal)?,
+        SurfaceNotation::Section(spec) => spec.clone(),
+        SurfaceNotation::Vectors { normal, origin } => PlaneSpec::through(*origin, *normal)?,
     };
     // From now on the plane itself sets the kept side.
     let flip = format!("{path}.flip");
@@ -290,8 +292,8 @@ pub fn move_plane(
         }
     };
     match words {
-        Words::Section(_) => document.set(&format!("{path}.section"), moved.to_string()),
-        Words::Vectors { .. } => {
+        SurfaceNotation::Section(_) => document.set(&format!("{path}.section"), moved.to_string()),
+        SurfaceNotation::Vectors { .. } => {
             let surface = moved.surface(bounds, Up::PlusY)?;
             let list = |v: DVec3| Value::from(v.to_array().to_vec());
             document.set(&format!("{path}.normal"), list(surface.frame().normal))?;

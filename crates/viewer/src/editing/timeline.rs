@@ -22,7 +22,7 @@ const TIME_DECIMALS: f64 = 1000.0;
 
 /// The keys of one target.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Track {
+pub struct TimelineTrack {
     /// Dotted path of the target.
     pub target: String,
     /// Ascending times in seconds.
@@ -32,12 +32,12 @@ pub struct Track {
 }
 
 /// All rows of a document, in order.
-pub fn tracks(document: &Document) -> Vec<Track> {
+pub fn tracks(document: &Document) -> Vec<TimelineTrack> {
     let keys = document.root().get("key").map_or(&[] as &[_], Node::items);
     let track = |key: &Node| {
         let list = |name: &str| key.get(name).map_or(&[] as &[_], Node::items);
         let target = key.get("target").and_then(Node::text).unwrap_or_default();
-        Track {
+        TimelineTrack {
             target: target.to_owned(),
             times_s: list("times_s").iter().filter_map(number).collect(),
             values: list("values")
@@ -65,7 +65,7 @@ pub fn add(document: &mut Document, target: &str, time_s: f64, value: Value) -> 
     let time_s = rounded(time_s);
     let path = by_number(document, target);
     let tracks = tracks(document);
-    let own = |track: &Track| by_number(document, &track.target) == path;
+    let own = |track: &TimelineTrack| by_number(document, &track.target) == path;
     let Some(index) = tracks.iter().position(own) else {
         let key = Value::from([
             ("target", target.into()),
@@ -74,7 +74,7 @@ pub fn add(document: &mut Document, target: &str, time_s: f64, value: Value) -> 
         ]);
         return document.push("key", Node::new(key));
     };
-    let Track {
+    let TimelineTrack {
         mut times_s,
         mut values,
         ..
@@ -147,7 +147,7 @@ pub fn remove_below(document: &mut Document, path: &str) -> Result<()> {
     Ok(())
 }
 
-fn found(document: &Document, [track, key]: [usize; 2]) -> Result<Track> {
+fn found(document: &Document, [track, key]: [usize; 2]) -> Result<TimelineTrack> {
     let tracks = tracks(document);
     let found = tracks.get(track).filter(|t| key < t.times_s.len());
     found.cloned().ok_or_else(|| {

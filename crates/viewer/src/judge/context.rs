@@ -23,11 +23,11 @@ pub(super) struct JudgeContext {
     adapter: Option<String>,
     session: Option<(Session, DeviceLoss)>,
     /// References for one scene and viewpoint, the last requested one at the end.
-    references: Vec<Reference>,
+    references: Vec<PictureReference>,
 }
 
 /// The reference of a picture.
-struct Reference {
+struct PictureReference {
     subject: Subject,
     exact: Arc<Exact>,
     /// The reference's shaded picture, with its scene.
@@ -85,10 +85,10 @@ impl JudgeContext {
 
     /// The reference of a picture.
     pub(super) fn exact(&mut self, subject: &Subject) -> Result<Arc<Exact>> {
-        let is_of = |r: &Reference| r.subject.has_the_rays_of(subject);
+        let is_of = |r: &PictureReference| r.subject.has_the_rays_of(subject);
         let reference = match self.references.iter().position(is_of) {
             Some(index) => self.references.remove(index),
-            None => Reference {
+            None => PictureReference {
                 subject: subject.clone(),
                 exact: Arc::new(evaluate(subject.at.truth()?, &subject.view())),
                 picture: None,
@@ -132,7 +132,7 @@ pub(super) fn picture([width, height]: [u32; 2], rgba: Vec<u8>) -> RgbaImage {
 mod tests {
     use super::*;
     use crate::picture::camera::CameraMove;
-    use crate::picture::slot::{Layout, Painter, SlotSide};
+    use crate::picture::slot::{Painter, SlotLayout, SlotSide};
     use crate::{Action, State};
     use cutaway_io::Document;
     use cutaway_io::document::part;
@@ -162,7 +162,7 @@ mod tests {
         let of_slots = [
             Action::Choose(SlotSide::B, Painter::Named(Renderer::EXACT)),
             Action::Swap,
-            Action::Arrange(Layout::Wipe),
+            Action::Arrange(SlotLayout::Wipe),
         ];
         for action in of_slots {
             let before = state.revision();

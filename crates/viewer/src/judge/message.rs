@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 use wasm_bindgen::{JsCast, JsValue};
 
 use super::magnify::{DepthRow, Magnified, Neighbourhood, SIDE_PX};
-use super::{Answer, Content, Finding, Subject, failed};
+use super::{Answer, Content, JudgeFinding, Subject, failed};
 use crate::picture::slot::SlotSide;
 
 /// A question.
@@ -69,7 +69,7 @@ impl QuestionMessage {
         match self.about {
             QuestionKind::Slots { .. } => failed(self.id, why).map(Reply::Answer).into(),
             QuestionKind::Pixel(_) => {
-                vec![Reply::Finding(Finding::Magnified(
+                vec![Reply::JudgeFinding(JudgeFinding::Magnified(
                     self.id,
                     Err(why.to_owned()),
                 ))]
@@ -81,7 +81,7 @@ impl QuestionMessage {
 /// A reply of the worker.
 pub(super) enum Reply {
     Answer(Answer),
-    Finding(Finding),
+    JudgeFinding(JudgeFinding),
 }
 
 #[derive(Serialize, Deserialize)]
@@ -149,12 +149,12 @@ impl Reply {
                 };
                 (message, bytes)
             }
-            Self::Finding(Finding::Magnified(id, magnified)) => {
+            Self::JudgeFinding(JudgeFinding::Magnified(id, magnified)) => {
                 let mut bytes = Vec::new();
                 let magnified = magnified.map(|m| magnified_message(m, &mut bytes));
                 (ReplyMessage::Magnified { id, magnified }, bytes)
             }
-            Self::Finding(_) => return None,
+            Self::JudgeFinding(_) => return None,
         };
         let text = serde_json::to_string(&message).ok()?;
         Some(Array::of2(&text.into(), &Uint8Array::from(&*bytes)).into())
@@ -178,7 +178,7 @@ impl Reply {
             }),
             ReplyMessage::Magnified { id, magnified } => {
                 let magnified = magnified.map(|m| magnified_from(m, &bytes));
-                Self::Finding(Finding::Magnified(id, magnified))
+                Self::JudgeFinding(JudgeFinding::Magnified(id, magnified))
             }
         })
     }

@@ -140,7 +140,7 @@ fn failed(id: u64, why: &str) -> [Answer; 2] {
 
 /// A result other than errors.
 #[derive(Debug)]
-pub enum Finding {
+pub enum JudgeFinding {
     /// The neighbourhood of a pixel, by the number of the question.
     Magnified(u64, Result<Magnified, String>),
     /// The cost of a frame of a slot, by the number of the question.

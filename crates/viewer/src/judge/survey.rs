@@ -51,14 +51,14 @@ pub struct Surveyed {
 #[derive(Clone, Debug, PartialEq)]
 pub enum Found {
     /// The method draws the picture.
-    Point(Point),
+    SurveyPoint(SurveyPoint),
     /// The method refuses the scene, or failed.
     Refused(String),
 }
 
 /// Error and time of a method.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Point {
+pub struct SurveyPoint {
     /// Time of the passes of the frame clock, in milliseconds: the median.
     pub time_ms: f64,
     /// True if that is device time; otherwise wall-clock time.
@@ -172,7 +172,7 @@ fn measure(
         let times = session.repeat(method, ClockSet::FRAME)?;
         times_ms.push(times.clock_ms(Clock::Frame));
     }
-    Ok(Found::Point(Point {
+    Ok(Found::SurveyPoint(SurveyPoint {
         time_ms: Samples::new(times_ms).median,
         is_device_time: session.gpu().has_timestamps(),
         wrong_px: comparison.decided_wrong_px,

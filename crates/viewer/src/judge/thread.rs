@@ -12,20 +12,20 @@ use pollster::block_on;
 
 use super::context::JudgeContext;
 use super::survey::{self, Found, Survey};
-use super::{Answer, AnswerSink, ErrorQuestion, Finding, cost, errors, failed, magnify};
+use super::{Answer, AnswerSink, ErrorQuestion, JudgeFinding, cost, errors, failed, magnify};
 use crate::beside::beside;
 use crate::state::State;
 
 /// The newest question of each kind: a question not yet begun is replaced by the next one.
 #[derive(Default)]
 struct Mailbox {
-    pending: Mutex<Pending>,
+    pending: Mutex<PendingQuestions>,
     changed: Condvar,
 }
 
 /// Questions not yet begun, by kind.
 #[derive(Default)]
-struct Pending {
+struct PendingQuestions {
     errors: Option<ErrorQuestion>,
     pixel: Option<magnify::MagnifyQuestion>,
     cost: Option<cost::CostQuestion>,
@@ -37,7 +37,7 @@ struct Pending {
 }
 
 /// The next task.
-enum Task {
+enum JudgeTask {
     Errors(ErrorQuestion),
     Pixel(magnify::MagnifyQuestion),
     Cost(cost::CostQuestion),
@@ -49,7 +49,7 @@ enum Task {
 pub struct Judge {
     mailbox: Arc<Mailbox>,
     answers: Receiver<Answer>,
-    findings: Receiver<Finding>,
+    findings: Receiver<JudgeFinding>,
 }
 
 impl Judge {
@@ -101,11 +101,11 @@ impl Judge {
     }
 
     /// Findings since the last call.
-    pub fn findings(&self) -> impl Iterator<Item = Finding> + '_ {
+    pub fn findings(&self) -> impl Iterator<Item = JudgeFinding> + '_ {
         self.findings.try_iter()
     }
 
-    fn put(&self, change: impl FnOnce(&mut Pending)) {
+    fn put(&self, change: impl FnOnce(&mut PendingQuestions)) {
         change(&mut lock(&self.mailbox.pending));
         self.mailbox.changed.notify_one();
     }
@@ -124,7 +124,7 @@ fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
 fn work(
     mailbox: &Mailbox,
     adapter: String,
-    (answers, findings): (&Sender<Answer>, &Sender<Finding>),
+    (answers, findings): (&Sender<Answer>, &Sender<JudgeFinding>),
     wake: &(dyn Fn() + Sync),
 ) {
     let mut context = JudgeContext::new(Some(adapter));
@@ -141,7 +141,7 @@ fn work(
     };
     while let Some(task) = next(mailbox, &mut survey) {
         match task {
-            Task::Errors(question) => {
+            JudgeTask::Errors(question) => {
                 let answered = guarded(&mut context, |context| {
                     Ok(block_on(errors::answer(context, &question, &sink)))
                 });
@@ -158,16 +158,16 @@ fn work(
                         .for_each(|answer| sink.send(answer)),
                 }
             }
-            Task::Pixel(question) => {
+            JudgeTask::Pixel(question) => {
                 let magnified = guarded(&mut context, |context| {
                     let answer = async |context: &mut JudgeContext| {
                         magnify::answer(context, &question).await
                     };
                     block_on(context.retried(answer))
                 });
-                found(Finding::Magnified(question.id, magnified));
+                found(JudgeFinding::Magnified(question.id, magnified));
             }
-            Task::Cost(question) => {
+            JudgeTask::Cost(question) => {
                 for (side, renderer) in question.slots() {
                     let cost = guarded(&mut context, |context| {
                         let answer = async |context: &mut JudgeContext| {
@@ -175,18 +175,18 @@ fn work(
                         };
                         block_on(context.retried(answer))
                     });
-                    found(Finding::Cost(question.id, side, cost));
+                    found(JudgeFinding::Cost(question.id, side, cost));
                 }
             }
-            Task::BeginSurvey(question) => survey = Some(Survey::new(question)),
-            Task::GoOnWithSurvey => {
+            JudgeTask::BeginSurvey(question) => survey = Some(Survey::new(question)),
+            JudgeTask::GoOnWithSurvey => {
                 if let Some(survey) = &mut survey {
                     let method = survey.begin_step();
                     let step = guarded(&mut context, |context| {
                         block_on(survey.step(context, method))
                     });
                     let surveyed = survey.surveyed(method, step.unwrap_or_else(Found::Refused));
-                    found(Finding::Surveyed(survey.id(), surveyed));
+                    found(JudgeFinding::Surveyed(survey.id(), surveyed));
                 }
             }
         }
@@ -234,7 +234,7 @@ impl AnswerSink for ThreadSink<'_> {
 }
 
 /// Waits for the next task; `None` when the thread should end.
-fn next(mailbox: &Mailbox, survey: &mut Option<Survey>) -> Option<Task> {
+fn next(mailbox: &Mailbox, survey: &mut Option<Survey>) -> Option<JudgeTask> {
     let mut held = lock(&mailbox.pending);
     loop {
         let pending = &mut *held;
@@ -244,11 +244,11 @@ fn next(mailbox: &Mailbox, survey: &mut Option<Survey>) -> Option<Task> {
         let is_wanted =
             |survey: &Survey| pending.surveyed == Some(survey.id()) && !survey.is_done();
         *survey = survey.take().filter(is_wanted);
-        let goes_on = survey.as_ref().map(|_| Task::GoOnWithSurvey);
-        let task = (pending.pixel.take().map(Task::Pixel))
-            .or_else(|| pending.errors.take().map(Task::Errors))
-            .or_else(|| pending.cost.take().map(Task::Cost))
-            .or_else(|| pending.survey.take().map(Task::BeginSurvey))
+        let goes_on = survey.as_ref().map(|_| JudgeTask::GoOnWithSurvey);
+        let task = (pending.pixel.take().map(JudgeTask::Pixel))
+            .or_else(|| pending.errors.take().map(JudgeTask::Errors))
+            .or_else(|| pending.cost.take().map(JudgeTask::Cost))
+            .or_else(|| pending.survey.take().map(JudgeTask::BeginSurvey))
             .or(goes_on);
         if task.is_some() {
             return task;
@@ -303,7 +303,7 @@ mod tests {
             );
             wait();
             match judge.findings().next() {
-                Some(Finding::Magnified(of, answer)) if of == id => answer,
+                Some(JudgeFinding::Magnified(of, answer)) if of == id => answer,
                 other => panic!("{other:?}"),
             }
         };

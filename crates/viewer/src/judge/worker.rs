@@ -22,7 +22,9 @@ use web_sys::{DedicatedWorkerGlobalScope, Event, MessageEvent, Worker, WorkerOpt
 
 use super::context::JudgeContext;
 use super::message::{QuestionKind, QuestionMessage, Reply};
-use super::{Answer, AnswerSink, ErrorQuestion, Finding, Subject, cost, errors, magnify, survey};
+use super::{
+    Answer, AnswerSink, ErrorQuestion, JudgeFinding, Subject, cost, errors, magnify, survey,
+};
 use crate::picture::shown::Shown;
 use crate::state::State;
 use crate::web::files::PageFiles;
@@ -49,14 +51,14 @@ pub struct Judge {
 #[derive(Default)]
 struct Replies {
     answers: Vec<Answer>,
-    findings: Vec<Finding>,
+    findings: Vec<JudgeFinding>,
 }
 
 impl Replies {
     fn add(&mut self, reply: Reply) {
         match reply {
             Reply::Answer(answer) => self.answers.push(answer),
-            Reply::Finding(finding) => self.findings.push(finding),
+            Reply::JudgeFinding(finding) => self.findings.push(finding),
         }
     }
 }
@@ -171,7 +173,7 @@ impl Judge {
     }
 
     /// Findings since the last call.
-    pub fn findings(&self) -> impl Iterator<Item = Finding> + '_ {
+    pub fn findings(&self) -> impl Iterator<Item = JudgeFinding> + '_ {
         std::mem::take(&mut self.replies.borrow_mut().findings).into_iter()
     }
 
@@ -200,7 +202,7 @@ struct Received {
 }
 
 /// State of the worker.
-struct Mailbox {
+struct WorkerMailbox {
     /// The newest unanswered question of each kind.
     pending: RefCell<[Option<Received>; 2]>,
     /// State for answering; taken while a question is answered.
@@ -219,7 +221,7 @@ struct WorkerState {
 }
 
 thread_local! {
-    static MAILBOX: Rc<Mailbox> = Rc::new(Mailbox::new());
+    static MAILBOX: Rc<WorkerMailbox> = Rc::new(WorkerMailbox::new());
 }
 
 /// Receives a message from the page; called by the worker's script.
@@ -237,7 +239,7 @@ pub fn judge(message: &JsValue) {
     }
 }
 
-fn read_question(message: &JsValue, mailbox: &Mailbox) -> Option<Received> {
+fn read_question(message: &JsValue, mailbox: &WorkerMailbox) -> Option<Received> {
     let message: &Array = message.dyn_ref()?;
     let text = |index| message.get(index).as_string();
     let asked: QuestionMessage = serde_json::from_str(&text(0)?).ok()?;
@@ -259,7 +261,7 @@ fn read_question(message: &JsValue, mailbox: &Mailbox) -> Option<Received> {
 }
 
 /// Answers all pending questions, pixels before slots.
-async fn work(mailbox: Rc<Mailbox>, mut state: WorkerState) {
+async fn work(mailbox: Rc<WorkerMailbox>, mut state: WorkerState) {
     loop {
         let received = mailbox
             .pending
@@ -318,7 +320,7 @@ async fn work(mailbox: Rc<Mailbox>, mut state: WorkerState) {
                     async |context: &mut JudgeContext| magnify::answer(context, &question).await;
                 let magnified = state.context.retried(answer).await;
                 let magnified = magnified.map_err(|e| e.to_string());
-                post(Reply::Finding(Finding::Magnified(id, magnified)));
+                post(Reply::JudgeFinding(JudgeFinding::Magnified(id, magnified)));
             }
         }
     }
@@ -348,7 +350,7 @@ fn open<'a>(
     Ok(shown)
 }
 
-impl Mailbox {
+impl WorkerMailbox {
     fn new() -> Self {
         let files = Arc::new(PageFiles::default());
         let state = WorkerState {
@@ -367,7 +369,7 @@ impl Mailbox {
 
 /// Sends answers to the page.
 struct PageSink<'a> {
-    mailbox: &'a Mailbox,
+    mailbox: &'a WorkerMailbox,
 }
 
 /// Sends a reply to the page.

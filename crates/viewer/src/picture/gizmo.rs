@@ -70,7 +70,7 @@ impl Grip {
 
 /// Map from the amount along a rail to the value of a handle.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-struct Scale {
+struct RailScale {
     /// The value at amount 0.
     start: f64,
     /// Change of the value per unit of amount.
@@ -81,7 +81,7 @@ struct Scale {
     range: [f64; 2],
 }
 
-impl Scale {
+impl RailScale {
     fn value(&self, amount: f64, snaps: bool) -> f64 {
         let value = self.start + amount * self.unit;
         let [from, step] = self.snap;
@@ -103,7 +103,7 @@ pub struct Handle {
     /// The knob on it, in pixels.
     pub knob: Option<DVec2>,
     rail: Rail,
-    scale: Scale,
+    scale: RailScale,
     /// Normal of the plane, of length 1.
     normal: DVec3,
 }
@@ -119,7 +119,7 @@ impl Default for Handle {
                 along: DVec3::ZERO,
                 length: 0.0,
             },
-            scale: Scale::default(),
+            scale: RailScale::default(),
             normal: DVec3::ZERO,
         }
     }

@@ -35,10 +35,10 @@ use crate::picture::slot::SlotSide;
 use difference::Difference;
 use picture::ShownTexture;
 pub use samples::Sample;
-use samples::Samples;
+use samples::SlotSamples;
 
 /// A frame that the device has not done yet.
-struct UnderWay {
+struct PendingFrame {
     divisor: u32,
     /// Time in milliseconds, as the bits of a float; 0 until it is done.
     took: Arc<AtomicU64>,
@@ -52,10 +52,10 @@ pub struct Screen {
     /// Renderer of each picture.
     painted_by: [Option<Renderer>; 2],
     difference: Difference,
-    samples: Samples,
+    samples: SlotSamples,
     /// View of the last frame drawn by a method.
     view: Option<View>,
-    under_way: Option<UnderWay>,
+    under_way: Option<PendingFrame>,
     /// A requested pixel.
     pick: Option<([u32; 2], Pick)>,
     /// Reason why a slot shows nothing.
@@ -81,7 +81,7 @@ impl Screen {
             pictures: BTreeMap::new(),
             painted_by: [None; 2],
             difference: Difference::new(&host.device),
-            samples: Samples::new(&host.device),
+            samples: SlotSamples::new(&host.device),
             view: None,
             under_way: None,
             pick: None,
@@ -359,7 +359,7 @@ impl Screen {
         queue.on_submitted_work_done(move || {
             tell.store(watch.ms().max(1e-3).to_bits(), Ordering::Release);
         });
-        self.under_way = Some(UnderWay { divisor, took });
+        self.under_way = Some(PendingFrame { divisor, took });
     }
 }
 

@@ -83,7 +83,7 @@ impl FromStr for Painter {
 
 /// Layout of the two slots.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Layout {
+pub enum SlotLayout {
     /// Only A.
     #[default]
     Single,
@@ -97,7 +97,7 @@ pub enum Layout {
     Difference,
 }
 
-impl Layout {
+impl SlotLayout {
     /// All of them.
     pub const ALL: [Self; 5] = [
         Self::Single,

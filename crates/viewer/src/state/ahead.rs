@@ -21,15 +21,15 @@ pub(super) struct Ahead {
 
 /// Revision counters of a state when it was copied.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Moment {
+pub struct StateRevision {
     acted: u64,
     scene_revision: u64,
 }
 
 impl State {
     /// Present revision counters.
-    pub fn moment(&self) -> Moment {
-        Moment {
+    pub fn moment(&self) -> StateRevision {
+        StateRevision {
             acted: self.acted,
             scene_revision: self.scene_revision,
         }
@@ -45,7 +45,7 @@ impl State {
     }
 
     /// Takes over the result of an action on a copy. Returns true if the copy has replaced the state.
-    pub fn take_over(&mut self, since: Moment, action: Action, mut copy: Self) -> bool {
+    pub fn take_over(&mut self, since: StateRevision, action: Action, mut copy: Self) -> bool {
         if self.acted == since.acted {
             self.notices.append(&mut copy.notices);
             self.opened.append(&mut copy.opened);

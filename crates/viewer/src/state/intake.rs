@@ -27,7 +27,7 @@ impl State {
     pub(super) fn take(&mut self, paths: &[PathBuf]) -> Result<()> {
         for path in paths {
             match files::kind(path)? {
-                files::Kind::Scene => {
+                files::FileKind::Scene => {
                     let document = Document::read_from(path, &*self.store)?;
                     let (store, assets) = (self.store.clone(), self.fresh_assets());
                     let alike = self.ahead.as_ref().and_then(|ahead| ahead.shown.as_ref());
@@ -41,14 +41,14 @@ impl State {
                     opened.opened.append(&mut self.opened);
                     *self = opened;
                 }
-                files::Kind::Model => self.take_model(path)?,
-                files::Kind::Image => self.take_image(path)?,
+                files::FileKind::Model => self.take_model(path)?,
+                files::FileKind::Image => self.take_image(path)?,
             }
             self.tell(Diagnostic::note(
                 "opened",
                 format!("opened {}", path.display()),
             ));
-            let is_file = files::kind(path)? != files::Kind::Image && path.is_file();
+            let is_file = files::kind(path)? != files::FileKind::Image && path.is_file();
             self.opened.extend(is_file.then(|| path.clone()));
         }
         Ok(())

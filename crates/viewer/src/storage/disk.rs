@@ -6,9 +6,9 @@ use cutaway::Result;
 use cutaway_cli::{is_one_file, write_file};
 use cutaway_io::load::{Disk, place_of};
 
-use crate::storage::files::Store;
+use crate::storage::files::FileStorage;
 
-impl Store for Disk {
+impl FileStorage for Disk {
     fn write(&self, path: &Path, bytes: &[u8]) -> Result<()> {
         write_file(path, bytes)
     }

@@ -6,7 +6,7 @@ use cutaway::{Error, Result};
 use cutaway_io::load::{Files, place_of};
 
 /// Storage that files are read from and written to.
-pub trait Store: Files {
+pub trait FileStorage: Files {
     /// Writes a file completely or not at all.
     ///
     /// # Errors
@@ -22,7 +22,7 @@ pub trait Store: Files {
 
 /// Kind of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub enum FileKind {
     /// A scene file.
     Scene,
     /// A mesh.
@@ -44,19 +44,19 @@ const IMAGES: [&str; 11] = [
 /// # Errors
 ///
 /// A name without a known extension.
-pub fn kind(path: &Path) -> Result<Kind> {
+pub fn kind(path: &Path) -> Result<FileKind> {
     let name = path.to_string_lossy().to_lowercase();
     if name.starts_with("shape:") {
-        return Ok(Kind::Model);
+        return Ok(FileKind::Model);
     }
     let name = name.strip_suffix(".gz").unwrap_or(&name);
     let ending = name.rsplit('.').next().unwrap_or_default();
     if ending == "toml" {
-        Ok(Kind::Scene)
+        Ok(FileKind::Scene)
     } else if MODELS.contains(&ending) {
-        Ok(Kind::Model)
+        Ok(FileKind::Model)
     } else if IMAGES.contains(&ending) {
-        Ok(Kind::Image)
+        Ok(FileKind::Image)
     } else {
         Err(Error::file(
             path,

@@ -13,7 +13,7 @@ use cutaway::Error;
 
 use crate::action::Action;
 use crate::beside::beside;
-use crate::state::{Moment, State};
+use crate::state::{State, StateRevision};
 
 /// The opening in progress, and the actions that wait for it.
 #[derive(Debug, Default)]
@@ -25,7 +25,7 @@ pub struct Opening {
 #[derive(Debug)]
 struct UnderWay {
     action: Action,
-    since: Moment,
+    since: StateRevision,
     done: Receiver<Box<State>>,
 }
 

@@ -8,7 +8,7 @@ use eframe::egui::Context;
 
 use super::Viewer;
 use crate::picture::pace::{Detail, REST};
-use crate::picture::slot::{Layout, SlotSide};
+use crate::picture::slot::{SlotLayout, SlotSide};
 
 /// Samples along each side of a pixel where a document specifies none; exported pictures use the same default.
 const USUAL_SAMPLES: u32 = 2;
@@ -18,7 +18,7 @@ const MOST_SAMPLES: u32 = 3;
 
 /// State of the last frame drawn.
 #[derive(Clone, Copy, PartialEq)]
-pub(super) struct Last {
+pub(super) struct LastFrame {
     revision: u64,
     is_preclassified: bool,
     size_px: [u32; 2],
@@ -42,7 +42,8 @@ impl Viewer {
     pub(super) fn is_refining(&self) -> bool {
         let last = self.last.filter(|_| self.state.shown().is_some());
         let per_side = self.samples_per_side();
-        let is_open = |last: Last| Detail::next(Some(last.detail), 1, false, per_side).is_some();
+        let is_open =
+            |last: LastFrame| Detail::next(Some(last.detail), 1, false, per_side).is_some();
         last.is_some_and(is_open) || self.screen.is_busy()
     }
 
@@ -53,7 +54,7 @@ impl Viewer {
         let is_refused = |side: SlotSide| self.screen.refusal(side).is_some();
         let seen = || drawn.iter().flatten();
         // Comparisons use one sample per pixel, as the reference does, and a difference compares pixels, not means.
-        let is_compared = self.state.layout() == Layout::Difference
+        let is_compared = self.state.layout() == SlotLayout::Difference
             || seen().any(|renderer| renderer.method().is_none());
         let is_idle = seen().next().is_none() || SlotSide::BOTH.into_iter().all(is_refused);
         match self.is_smooth && !is_compared && !is_idle {
@@ -104,15 +105,15 @@ impl Viewer {
         }
         let about = (self.size_px, renderers, is_preclassified);
         self.judged.ask(ctx, &self.state, &self.screen, about);
-        let next = Last {
+        let next = LastFrame {
             revision,
             is_preclassified,
             size_px: self.size_px,
             renderers,
             detail: Detail::WHOLE,
         };
-        let is_same = |last: &Last| {
-            Last {
+        let is_same = |last: &LastFrame| {
+            LastFrame {
                 detail: Detail::WHOLE,
                 ..*last
             } == next
@@ -120,13 +121,13 @@ impl Viewer {
         let same = self.last.filter(is_same).map(|last| last.detail);
         let detail = Detail::next(same, divisor, is_moving, self.samples_per_side());
         if let Some(detail) = detail.filter(|_| !self.screen.is_busy()) {
-            let wants_difference = self.state.layout() == Layout::Difference;
+            let wants_difference = self.state.layout() == SlotLayout::Difference;
             let watch = Stopwatch::start();
             let drawn = self
                 .screen
                 .draw(shown, renderers, self.size_px, detail, wants_difference);
             self.cost.picture_ms = Some(watch.ms());
-            self.last = Some(Last { detail, ..next });
+            self.last = Some(LastFrame { detail, ..next });
             drawn?;
         }
         if self.screen.is_busy() || detail.is_some() {

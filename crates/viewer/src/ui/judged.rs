@@ -6,7 +6,7 @@ use eframe::egui::{ColorImage, Context, TextureHandle};
 use image::RgbaImage;
 
 use super::latest::Latest;
-use crate::judge::{Answer, Content, ErrorQuestion, Finding, Judge, Subject};
+use crate::judge::{Answer, Content, ErrorQuestion, Judge, JudgeFinding, Subject};
 use crate::picture::screen::{PLAIN, Screen};
 use crate::picture::slot::SlotSide;
 use crate::state::State;
@@ -34,7 +34,7 @@ struct JudgedSubject {
 
 /// The judge, and its answers.
 #[derive(Default)]
-pub(super) struct Judged {
+pub(super) struct JudgeState {
     judge: Option<Judge>,
     latest: Latest<JudgedSubject>,
     /// The picture of the last question.
@@ -44,7 +44,7 @@ pub(super) struct Judged {
     pictures: [(u64, u32); 2],
 }
 
-impl Judged {
+impl JudgeState {
     /// Sends a question about the visible picture if it needs an answer and differs from the last question.
     pub(super) fn ask(
         &mut self,
@@ -88,7 +88,7 @@ impl Judged {
     }
 
     /// New findings other than errors.
-    pub(super) fn findings(&self) -> Vec<Finding> {
+    pub(super) fn findings(&self) -> Vec<JudgeFinding> {
         self.judge.iter().flat_map(Judge::findings).collect()
     }
 
@@ -103,7 +103,7 @@ impl Judged {
         } in answers
         {
             // An answer to an older question is better than none: it is shown, faded, until the next.
-            let wants_difference = state.layout() == crate::picture::slot::Layout::Difference;
+            let wants_difference = state.layout() == crate::picture::slot::SlotLayout::Difference;
             let by = self.renderer(side);
             let errors = &mut self.errors[side.index()];
             match what {

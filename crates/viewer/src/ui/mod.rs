@@ -25,7 +25,7 @@ use egui_wgpu::RenderState;
 
 use crate::action::Action;
 use crate::inspect::Inspector;
-use crate::judge::Finding;
+use crate::judge::JudgeFinding;
 use crate::judge::cost::Cost;
 use crate::judge::magnify::Magnified;
 use crate::judge::survey::Found;
@@ -44,14 +44,14 @@ use cutaway::error::Diagnostic;
 use desktop::Outside;
 use dialogs::naming::Asks;
 use dialogs::toasts::Toasts;
-use frames::Last;
-use judged::Judged;
+use frames::LastFrame;
+use judged::JudgeState;
 use magnifier::Magnifier;
 #[cfg(target_arch = "wasm32")]
 use page::Outside;
 use panels::cost::Costs;
 use panels::defects::Badges;
-use panels::survey::Chart;
+use panels::survey::ChartWindow;
 use panels::time::Strip;
 use pointing::Pointing;
 use viewport::Held;
@@ -61,10 +61,10 @@ pub struct Viewer {
     state: State,
     opening: Opening,
     screen: Screen,
-    judged: Judged,
+    judged: JudgeState,
     toasts: Toasts,
     pace: Pace,
-    last: Option<Last>,
+    last: Option<LastFrame>,
     /// The revision last seen, and the time since when, on egui's clock in seconds.
     changed: (u64, f64),
     /// The revision prepared as for an exported picture.
@@ -75,7 +75,7 @@ pub struct Viewer {
     strip: Strip,
     pointing: Pointing,
     magnifier: Magnifier,
-    chart: Chart,
+    chart: ChartWindow,
     costs: Costs,
     /// The scene's files, and the time of the last check.
     watch: (Watch, f64),
@@ -85,7 +85,7 @@ pub struct Viewer {
     inspector: Inspector,
     badges: Badges,
     #[cfg(not(target_arch = "wasm32"))]
-    closing: dialogs::closing::Closing,
+    closing: dialogs::closing::CloseProgress,
     /// Action to carry out once the changes are saved or discarded; `None` where the window is closed.
     #[cfg(not(target_arch = "wasm32"))]
     leaves_for: Option<Action>,
@@ -115,7 +115,7 @@ impl Viewer {
             state,
             opening: Opening::default(),
             screen,
-            judged: Judged::default(),
+            judged: JudgeState::default(),
             toasts: Toasts::default(),
             pace: Pace::default(),
             last: None,
@@ -127,7 +127,7 @@ impl Viewer {
             strip: Strip::default(),
             pointing: Pointing::default(),
             magnifier: Magnifier::default(),
-            chart: Chart::default(),
+            chart: ChartWindow::default(),
             costs: Costs::default(),
             watch: (Watch::default(), 0.0),
             outside: Outside::default(),
@@ -136,7 +136,7 @@ impl Viewer {
             inspector: Inspector::default(),
             badges: Badges::default(),
             #[cfg(not(target_arch = "wasm32"))]
-            closing: dialogs::closing::Closing::default(),
+            closing: dialogs::closing::CloseProgress::default(),
             #[cfg(not(target_arch = "wasm32"))]
             leaves_for: None,
             #[cfg(not(target_arch = "wasm32"))]
@@ -344,9 +344,11 @@ impl Viewer {
     fn take_findings(&mut self, ctx: &Context) {
         for finding in self.judged.findings() {
             match finding {
-                Finding::Magnified(id, magnified) => self.magnifier.take_in(ctx, id, magnified),
-                Finding::Surveyed(id, surveyed) => self.chart.take_in(id, surveyed),
-                Finding::Cost(id, side, cost) => self.costs.take_in(id, side, cost),
+                JudgeFinding::Magnified(id, magnified) => {
+                    self.magnifier.take_in(ctx, id, magnified)
+                }
+                JudgeFinding::Surveyed(id, surveyed) => self.chart.take_in(id, surveyed),
+                JudgeFinding::Cost(id, side, cost) => self.costs.take_in(id, side, cost),
             }
         }
     }

@@ -18,7 +18,7 @@ use crate::action::Action;
 use crate::editing::link;
 use crate::picture::slot::SlotSide;
 use crate::state::State;
-use crate::storage::files::{self, Kind};
+use crate::storage::files::{self, FileKind};
 use crate::web::files::{PageFiles, download};
 use cutaway::error::{Diagnostic, Severity};
 
@@ -127,7 +127,7 @@ fn unreadable(path: &Path, why: &str) -> Come {
 /// The files to open: of a scene with its files, the scene; of a mesh with its files, the mesh.
 fn taken(paths: Vec<PathBuf>) -> Vec<PathBuf> {
     let of = |kind| move |path: &&PathBuf| files::kind(path).is_ok_and(|k| k == kind);
-    for kind in [Kind::Scene, Kind::Model] {
+    for kind in [FileKind::Scene, FileKind::Model] {
         let taken: Vec<PathBuf> = paths.iter().filter(of(kind)).cloned().collect();
         if !taken.is_empty() {
             return taken;
@@ -146,8 +146,9 @@ impl Viewer {
         for come in self.outside.come.take() {
             match come {
                 Come::Files(paths) => {
-                    let is_scene =
-                        |path: &PathBuf| files::kind(path).is_ok_and(|kind| kind == Kind::Scene);
+                    let is_scene = |path: &PathBuf| {
+                        files::kind(path).is_ok_and(|kind| kind == FileKind::Scene)
+                    };
                     let leaves = paths.iter().any(is_scene);
                     if !(leaves && self.state.has_unsaved_changes()) || is_agreed() {
                         actions.extend(actions_of(paths, &self.state));

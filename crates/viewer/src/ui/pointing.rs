@@ -11,7 +11,7 @@ use crate::picture::pick::Picked;
 
 /// A requested pixel.
 #[derive(Clone, Copy, Debug)]
-struct Asked {
+struct PixelRequest {
     revision: u64,
     pointed: Pointed,
     view: View,
@@ -20,7 +20,7 @@ struct Asked {
 /// The pixel under the pointer, and the last clicks.
 #[derive(Debug, Default)]
 pub(super) struct Pointing {
-    asked: Option<Asked>,
+    asked: Option<PixelRequest>,
     under_pointer: Option<Picked>,
     /// The last two clicks.
     clicked: Vec<Picked>,
@@ -81,7 +81,7 @@ impl Viewer {
             self.pointing.under_pointer = None;
             return;
         };
-        let is_known = |asked: Asked| asked.revision == revision && asked.pointed == pointed;
+        let is_known = |asked: PixelRequest| asked.revision == revision && asked.pointed == pointed;
         let rests = !self.is_drawing() && !self.screen.is_picking();
         if !rests || self.pointing.asked.is_some_and(is_known) && waiting.is_none() {
             return;
@@ -95,7 +95,7 @@ impl Viewer {
             (self.pointing.asked, self.pointing.under_pointer) = (None, None);
             return;
         };
-        self.pointing.asked = Some(Asked {
+        self.pointing.asked = Some(PixelRequest {
             revision,
             pointed,
             view: *view,

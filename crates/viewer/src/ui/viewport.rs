@@ -7,14 +7,14 @@ use eframe::egui::{
 use glam::DVec2;
 
 use super::handles;
-use super::judged::Judged;
+use super::judged::JudgeState;
 use super::panels::defects;
 use crate::action::Action;
 use crate::inspect::Inspector;
 use crate::picture::camera::CameraMove;
 use crate::picture::gizmo::{Gizmo, Hold};
 use crate::picture::screen::Screen;
-use crate::picture::slot::{Layout, SlotSide};
+use crate::picture::slot::{SlotLayout, SlotSide};
 use crate::picture::world_view::WorldView;
 use crate::state::State;
 
@@ -48,8 +48,8 @@ pub(super) struct Pointed {
 }
 
 /// The size of the picture of a slot, in pixels.
-pub(super) fn size_px(rect: Rect, layout: Layout, pixels_per_point: f32) -> [u32; 2] {
-    let columns = if layout == Layout::SideBySide {
+pub(super) fn size_px(rect: Rect, layout: SlotLayout, pixels_per_point: f32) -> [u32; 2] {
+    let columns = if layout == SlotLayout::SideBySide {
         2.0
     } else {
         1.0
@@ -63,7 +63,7 @@ pub(super) fn show(
     ui: &mut Ui,
     rect: Rect,
     state: &State,
-    (screen, judged, inspector): (&Screen, &Judged, &Inspector),
+    (screen, judged, inspector): (&Screen, &JudgeState, &Inspector),
     (held, flickers): (&mut Held, bool),
     actions: &mut Vec<Action>,
 ) -> Option<Pointed> {
@@ -84,14 +84,14 @@ pub(super) fn show(
         return None;
     };
     match layout {
-        Layout::Single => slot(
+        SlotLayout::Single => slot(
             &painter,
             (rect, rect),
             (SlotSide::A, picture(SlotSide::A)),
             state,
             (screen, judged),
         ),
-        Layout::Flicker => {
+        SlotLayout::Flicker => {
             let side = if flickers { SlotSide::B } else { SlotSide::A };
             slot(
                 &painter,
@@ -101,7 +101,7 @@ pub(super) fn show(
                 (screen, judged),
             );
         }
-        Layout::Wipe => {
+        SlotLayout::Wipe => {
             let x = line(rect, state.wipe());
             let (left, right) = rect.split_left_right_at_x(x);
             slot(
@@ -121,7 +121,7 @@ pub(super) fn show(
             painter.vline(x, rect.y_range(), Stroke::new(1.5, Color32::WHITE));
             painter.circle_filled(pos2(x, rect.center().y), 5.0, Color32::WHITE);
         }
-        Layout::SideBySide => {
+        SlotLayout::SideBySide => {
             let (left, right) = rect.split_left_right_at_fraction(0.5);
             slot(
                 &painter,
@@ -138,14 +138,14 @@ pub(super) fn show(
                 (screen, judged),
             );
         }
-        Layout::Difference => {
+        SlotLayout::Difference => {
             if let Some(id) = screen.difference() {
                 image(&painter, (rect, rect), id, Color32::WHITE);
             }
         }
     }
     let pictures: Vec<Rect> = match layout {
-        Layout::SideBySide => {
+        SlotLayout::SideBySide => {
             let (left, right) = rect.split_left_right_at_fraction(0.5);
             vec![left, right]
         }
@@ -186,9 +186,9 @@ pub(super) fn show(
         false => response.hover_pos().filter(|_| !response.dragged()),
     }?;
     let side = match layout {
-        Layout::Wipe if at.x >= line(rect, state.wipe()) => SlotSide::B,
-        Layout::SideBySide if own.min.x > rect.min.x => SlotSide::B,
-        Layout::Flicker if flickers => SlotSide::B,
+        SlotLayout::Wipe if at.x >= line(rect, state.wipe()) => SlotSide::B,
+        SlotLayout::SideBySide if own.min.x > rect.min.x => SlotSide::B,
+        SlotLayout::Flicker if flickers => SlotSide::B,
         _ => SlotSide::A,
     };
     let px = ui.ctx().pixels_per_point();
@@ -214,7 +214,7 @@ fn slot(
     (whole, part): (Rect, Rect),
     (side, picture): (SlotSide, Option<TextureId>),
     state: &State,
-    (screen, judged): (&Screen, &Judged),
+    (screen, judged): (&Screen, &JudgeState),
 ) {
     if let Some(id) = picture {
         image(painter, (whole, part), id, Color32::WHITE);
@@ -235,7 +235,7 @@ fn slot(
         let galley = painter.layout(text, font.clone(), Color32::GRAY, part.width() * 0.8);
         painter.galley(part.center() - galley.size() * 0.5, galley, Color32::GRAY);
     }
-    if state.layout() != Layout::Single {
+    if state.layout() != SlotLayout::Single {
         let at = part.left_top() + Vec2::splat(8.0);
         let label = format!("{side}: {}", state.painter(side));
         let galley = painter.layout_no_wrap(label, font, Color32::WHITE);
@@ -260,7 +260,7 @@ fn pointer(
     actions: &mut Vec<Action>,
 ) {
     let at_line = |at: Pos2| {
-        state.layout() == Layout::Wipe && (at.x - line(rect, state.wipe())).abs() <= NEAR_LINE
+        state.layout() == SlotLayout::Wipe && (at.x - line(rect, state.wipe())).abs() <= NEAR_LINE
     };
     let handle = |at: Pos2| gizmo.at(handles::in_picture(own, at));
     if response.drag_started() {

@@ -11,13 +11,13 @@ use js_sys::{Array, Uint8Array};
 use wasm_bindgen::{JsCast, JsValue};
 use web_sys::{Blob, HtmlAnchorElement, Url};
 
-use crate::storage::files::Store;
+use crate::storage::files::FileStorage;
 
-type File = (PathBuf, Arc<[u8]>);
+type PageFile = (PathBuf, Arc<[u8]>);
 
 /// Files in memory, in order of arrival; of two with the same name only the newer keeps its bytes.
 #[derive(Debug, Default)]
-pub struct PageFiles(Mutex<Vec<File>>);
+pub struct PageFiles(Mutex<Vec<PageFile>>);
 
 impl PageFiles {
     /// Those of this page.
@@ -38,7 +38,7 @@ impl PageFiles {
     }
 
     /// Files added after the first `count`.
-    pub fn since(&self, count: usize) -> Vec<File> {
+    pub fn since(&self, count: usize) -> Vec<PageFile> {
         self.lock().get(count..).unwrap_or_default().to_vec()
     }
 
@@ -48,7 +48,7 @@ impl PageFiles {
         found.map(|(_, bytes)| bytes.clone())
     }
 
-    fn lock(&self) -> MutexGuard<'_, Vec<File>> {
+    fn lock(&self) -> MutexGuard<'_, Vec<PageFile>> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
@@ -67,7 +67,7 @@ impl Files for PageFiles {
     }
 }
 
-impl Store for PageFiles {
+impl FileStorage for PageFiles {
     fn write(&self, path: &Path, bytes: &[u8]) -> Result<()> {
         self.insert(path, bytes);
         download(path, bytes)

@@ -7,8 +7,8 @@ use cutaway_io::Document;
 use cutaway_io::load::Assets;
 use cutaway_lab::exact::evaluate;
 use cutaway_lab::experiment::Renderer;
-use cutaway_viewer::judge::survey::{Found, Point, methods};
-use cutaway_viewer::slot::{Layout, Painter, SlotSide};
+use cutaway_viewer::judge::survey::{Found, SurveyPoint, methods};
+use cutaway_viewer::slot::{Painter, SlotLayout, SlotSide};
 use cutaway_viewer::ui::Viewer;
 use cutaway_viewer::{Action, State};
 use eframe::egui::accesskit::Role;
@@ -139,7 +139,7 @@ fn the_magnifier_follows_the_scene_and_is_not_there_without_errors() {
         "nothing is compared"
     );
     act(&mut harness, Action::ShowErrors(true));
-    act(&mut harness, Action::Arrange(Layout::Wipe));
+    act(&mut harness, Action::Arrange(SlotLayout::Wipe));
     choose(&mut harness, SlotSide::B, "exact");
     click_at(&mut harness, in_ring);
     let first = harness.state().magnified().unwrap().clone();
@@ -152,10 +152,10 @@ fn the_magnifier_follows_the_scene_and_is_not_there_without_errors() {
     assert_ne!(first.depths, second.depths, "the other half is kept");
 }
 
-fn point<'a>(harness: &'a Harness<'_, Viewer>, name: &str) -> Option<&'a Point> {
+fn point<'a>(harness: &'a Harness<'_, Viewer>, name: &str) -> Option<&'a SurveyPoint> {
     let entries = harness.state().surveyed().iter();
     let mut points = entries.filter_map(|(method, found)| match found {
-        Found::Point(point) if method.to_string() == name => Some(point),
+        Found::SurveyPoint(point) if method.to_string() == name => Some(point),
         _ => None,
     });
     points.next()
@@ -229,7 +229,7 @@ fn costs_are_known_of_the_slots_that_are_seen_while_they_are_shown() {
     harness.get_by_label_contains("per frame, for each frame: ");
 
     let mut harness = viewer(ragged(TORUS));
-    act(&mut harness, Action::Arrange(Layout::SideBySide));
+    act(&mut harness, Action::Arrange(SlotLayout::SideBySide));
     choose(&mut harness, SlotSide::A, "raycast+mask");
     choose(&mut harness, SlotSide::B, "grid:16+vds:64");
     click(&mut harness, "Cost");

@@ -6,7 +6,7 @@ use cutaway_viewer::camera::CameraMove;
 use cutaway_viewer::cuts::{NewCut, PlaneMove};
 use cutaway_viewer::device::DeviceLoss;
 use cutaway_viewer::screen::Screen;
-use cutaway_viewer::slot::{Layout, SlotSide};
+use cutaway_viewer::slot::{SlotLayout, SlotSide};
 use cutaway_viewer::ui::Viewer;
 use egui_kittest::kittest::Queryable;
 use glam::DVec2;
@@ -19,7 +19,7 @@ fn a_scene_that_was_changed_goes_on_with_another_device() {
     act(&mut harness, Action::Add(NewCut::Plane(2)));
     let by = CameraMove::Orbit(DVec2::new(25.0, 10.0));
     act(&mut harness, Action::MoveCamera(by));
-    act(&mut harness, Action::Arrange(Layout::SideBySide));
+    act(&mut harness, Action::Arrange(SlotLayout::SideBySide));
     act(&mut harness, Action::ShowErrors(true));
     act(&mut harness, Action::ShowErrors(false));
     let added = harness.state().state().document().clone();
@@ -42,7 +42,7 @@ fn a_scene_that_was_changed_goes_on_with_another_device() {
     let state = harness.state().state();
     assert_eq!(state.document().to_string(), moved.to_string());
     assert_eq!(state.selection(), Selection::Cut(0));
-    assert_eq!(state.layout(), Layout::SideBySide);
+    assert_eq!(state.layout(), SlotLayout::SideBySide);
     assert!(state.has_unsaved_changes(), "no file has it");
     let after = pixels(&harness, SlotSide::B);
     assert!(after == before, "the picture is another one");

@@ -13,7 +13,7 @@ use cutaway_io::document::part;
 use cutaway_io::load::{Assets, Disk, Files};
 use cutaway_viewer::camera::CameraMove;
 use cutaway_viewer::cuts::NewCut;
-use cutaway_viewer::files::Store;
+use cutaway_viewer::files::FileStorage;
 use cutaway_viewer::slot::SlotSide;
 use cutaway_viewer::ui::Viewer;
 use cutaway_viewer::{Action, State};
@@ -56,7 +56,7 @@ impl Files for Slow {
     }
 }
 
-impl Store for Slow {
+impl FileStorage for Slow {
     fn write(&self, path: &Path, bytes: &[u8]) -> Result<()> {
         Disk.write(path, bytes)
     }

@@ -16,7 +16,7 @@ use cutaway_viewer::action::Selection;
 use cutaway_viewer::camera::CameraMove;
 use cutaway_viewer::cuts::{NewCut, PlaneMove};
 use cutaway_viewer::regions::RegionMove;
-use cutaway_viewer::slot::{Layout, SlotSide};
+use cutaway_viewer::slot::{SlotLayout, SlotSide};
 use cutaway_viewer::{Action, State, link};
 use glam::{DVec2, DVec3};
 use image::RgbaImage;
@@ -287,7 +287,7 @@ fn action(random: &mut Random, kinds: Kinds) -> Action {
         31 => random.pick(&[Action::Release, Action::Undo]),
         32 => match random.below(7) {
             0 => Action::Swap,
-            1 => Action::Arrange(random.pick(&Layout::ALL)),
+            1 => Action::Arrange(random.pick(&SlotLayout::ALL)),
             2 => Action::Wipe(number(random, kinds, 2.0) as f32),
             3 => Action::ShowErrors(random.flag()),
             4 => Action::ShowOpenEdges(random.flag()),

@@ -46,7 +46,7 @@ pub(super) fn kept_of(part: &Part, regions: &Regions) -> Vec<DVec3> {
         least: FLUSH * most,
     };
     let chunks = mesh.triangles.par_chunks(CHUNK);
-    let found: Vec<Found> = chunks.map(|chunk| gather.found(chunk)).collect();
+    let found: Vec<GatheredPoints> = chunks.map(|chunk| gather.found(chunk)).collect();
     let Gather { placed, least, .. } = gather;
     let (mut more, mut is_taken) = (Vec::new(), vec![false; placed.len()]);
     let mut rims = vec![Vec::new(); regions.sides.len()];
@@ -86,7 +86,7 @@ struct Gather<'a> {
 }
 
 /// Points from some triangles.
-struct Found {
+struct GatheredPoints {
     /// Vertices that are kept, some of them more than once.
     taken: Vec<usize>,
     more: Vec<DVec3>,
@@ -122,8 +122,8 @@ impl Gather<'_> {
     }
 
     /// Points of the kept geometry of some triangles.
-    fn found(&self, triangles: &[[u32; 3]]) -> Found {
-        let mut found = Found {
+    fn found(&self, triangles: &[[u32; 3]]) -> GatheredPoints {
+        let mut found = GatheredPoints {
             taken: Vec::new(),
             more: Vec::new(),
             rims: vec![Vec::new(); self.regions.sides.len()],
@@ -134,7 +134,7 @@ impl Gather<'_> {
         found
     }
 
-    fn take_triangle(&self, corners: [usize; 3], found: &mut Found) {
+    fn take_triangle(&self, corners: [usize; 3], found: &mut GatheredPoints) {
         if self.is_whole(&corners) {
             found.taken.extend(corners);
             return;
@@ -150,7 +150,7 @@ impl Gather<'_> {
     }
 
     /// Takes the pieces of an edge that are kept.
-    fn take_edge(&self, a: usize, b: usize, found: &mut Found) {
+    fn take_edge(&self, a: usize, b: usize, found: &mut GatheredPoints) {
         if self.is_gone(&[a, b]) {
             return;
         }
@@ -215,7 +215,7 @@ impl Gather<'_> {
     }
 
     /// Takes where two sides of different cuts meet in a triangle.
-    fn take_meetings(&self, corners: [usize; 3], found: &mut Found) {
+    fn take_meetings(&self, corners: [usize; 3], found: &mut GatheredPoints) {
         let regions = self.regions;
         for second in 0..regions.sides.len() {
             for first in 0..second {

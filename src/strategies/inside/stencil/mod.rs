@@ -35,7 +35,7 @@ const MOST_PASSES: usize = 2000;
 
 /// One draw of one part.
 #[derive(Clone, Copy)]
-struct Mark {
+struct StencilDraw {
     rank: usize,
     /// The crossing behind which fragments count; none to count all fragments.
     crossing: Option<u32>,
@@ -97,9 +97,9 @@ fn record(
             .copied()
             .collect();
         let crossings = (0..capacity).map(Some).chain([None]);
-        let all: Vec<Mark> = crossings
+        let all: Vec<StencilDraw> = crossings
             .flat_map(|crossing| {
-                ranks.iter().map(move |rank| Mark {
+                ranks.iter().map(move |rank| StencilDraw {
                     rank: *rank,
                     crossing,
                 })
@@ -127,7 +127,7 @@ struct Marks<'a> {
 
 impl Marks<'_> {
     /// Records the draws that fill the stencil, and the pass that copies it into the mask.
-    fn record(&mut self, plan: &mut Plan, fill: Fill, batch: &[Mark]) {
+    fn record(&mut self, plan: &mut Plan, fill: Fill, batch: &[StencilDraw]) {
         let (scene, input) = (self.scene, self.scene.input);
         let (vertices, indices) = scene.mesh();
         let mut constants = vec![("used", batch.len() as f64)];

@@ -19,15 +19,15 @@ const CELLS_FOR_PYRAMID: f64 = 40.0;
 const RAYS: u32 = 12;
 
 /// The choice and its reason, worded for readers of the plan.
-pub(super) struct Choice {
+pub(super) struct WalkChoice {
     pub(super) walk: ReliefWalk,
     pub(super) reason: String,
 }
 
 /// The choice for the reliefs of a frame, or the walk that the options request.
-pub(super) fn of(input: &Input<'_>) -> Choice {
+pub(super) fn of(input: &Input<'_>) -> WalkChoice {
     if !input.pyramids_fit() {
-        return Choice {
+        return WalkChoice {
             walk: ReliefWalk::Cells,
             reason: "reliefs are walked cell by cell, for their pyramids are too large".to_owned(),
         };
@@ -43,7 +43,7 @@ pub(super) fn of(input: &Input<'_>) -> Choice {
         ReliefWalk::Cells => "walked cell by cell",
         ReliefWalk::Pyramid => "passed over by a pyramid",
     };
-    Choice {
+    WalkChoice {
         walk,
         reason: format!("reliefs are {how}{asked}: a ray meets about {cells:.0} cells"),
     }

@@ -7,8 +7,8 @@ use std::path::Path;
 use cutaway::session::Outcome;
 use cutaway::strategies::{Method, Unsupported};
 use cutaway_lab::hard_cases::{
-    Asked, Case, Expected, Question, Tally, caps_px, cases, check_ids, found, pictures, random,
-    read, tallied, usual_methods,
+    Case, CaseSelection, Expected, Question, Tally, caps_px, cases, check_ids, found, pictures,
+    random, read, tallied, usual_methods,
 };
 
 use crate::common::shares::{Share, in_shares};
@@ -228,7 +228,7 @@ fn turned_normals_and_shifted_depths_are_noticed() {
 fn what_is_asked_is_found_by_number_and_told() {
     let mut steps = Vec::new();
     let ids = ["1".to_owned(), "35".to_owned(), "B1?".to_owned()];
-    let asked = Asked {
+    let asked = CaseSelection {
         ids: &ids,
         sizes_px: &[32],
         methods: None,
@@ -259,7 +259,7 @@ fn what_is_asked_is_found_by_number_and_told() {
 #[test]
 fn exactly_the_named_are_asked_whatever_their_parameters() {
     let named = [named("grid:16+vds:32"), named("raycast+kbuffer:8")];
-    let asked = Asked {
+    let asked = CaseSelection {
         ids: &["1".to_owned()],
         // The usual ones of pictures of this size do not have the second of them.
         sizes_px: &[96],
@@ -280,7 +280,7 @@ fn hard_cases_and_the_search_end_when_they_are_told_to() {
     let left = Cell::new(0_u32);
     let goes_on = || left.replace(left.get().saturating_sub(1)) > 0;
     let mut steps = 0;
-    let asked = Asked {
+    let asked = CaseSelection {
         ids: &["*".to_owned()],
         sizes_px: &[16],
         methods: None,

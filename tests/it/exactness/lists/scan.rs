@@ -1,8 +1,8 @@
 //! The prefix sum against the sum: lengths about its blocks and its levels.
 
 use cutaway::gpu::{ClockSet, Program};
-use cutaway::passes::{BLOCK_WORDS, Run, Scan, Total};
-use cutaway::plan::{Clock, Contents, Plan, Resource, Role};
+use cutaway::passes::{BLOCK_WORDS, Scan, ScanRange, Total};
+use cutaway::plan::{BufferRole, Clock, Contents, Plan, Resource};
 
 use crate::common::numbers::Numbers;
 use crate::common::session;
@@ -12,7 +12,7 @@ fn plan_of(values: &[u32]) -> Plan {
     let contents = Contents::from_values(values);
     let items = plan.add_resource(Resource::upload(
         "items",
-        Role::Storage,
+        BufferRole::Storage,
         contents,
         Clock::Frame,
     ));
@@ -23,7 +23,7 @@ fn plan_of(values: &[u32]) -> Plan {
         what: "values",
         clock: Clock::Frame,
         items,
-        run: Run::known(values.len() as u32),
+        run: ScanRange::known(values.len() as u32),
         total: Total::Word(total, 1),
     }
     .record(&mut plan);

@@ -3,7 +3,7 @@
 use cutaway::gpu::{ClockSet, Program};
 use cutaway::plan::pack::{self, CutTable, NO_RELIEF, Quad, SheetPool};
 use cutaway::plan::{
-    Binding, Clock, Contents, Pass, Piece, Plan, Resource, Role, Work, groups_over,
+    Binding, BufferRole, Clock, Contents, Pass, Piece, Plan, Resource, Work, groups_over,
 };
 use cutaway::scene::{Bounds, Precision, View};
 use cutaway::shader::Shader;
@@ -135,18 +135,30 @@ fn merge(pixels: &[Vec<Fragment>], (plane, beside): (f64, f64), room: u32) -> Ve
         padding: [0; 2],
     };
     let frame = pack::frame(&view, &bounds);
-    let frame = upload("frame", Role::Uniform, &of(bytemuck::bytes_of(&frame)));
-    let table = upload("cut_table", Role::Uniform, &of(bytemuck::bytes_of(&table)));
-    let pool = upload("sheet_pool", Role::Uniform, &of(bytemuck::bytes_of(&pool)));
-    let sheets = upload("sheets", Role::Storage, &sheets);
-    let heights = upload("heights", Role::Storage, &[0]);
+    let frame = upload(
+        "frame",
+        BufferRole::Uniform,
+        &of(bytemuck::bytes_of(&frame)),
+    );
+    let table = upload(
+        "cut_table",
+        BufferRole::Uniform,
+        &of(bytemuck::bytes_of(&table)),
+    );
+    let pool = upload(
+        "sheet_pool",
+        BufferRole::Uniform,
+        &of(bytemuck::bytes_of(&pool)),
+    );
+    let sheets = upload("sheets", BufferRole::Storage, &sheets);
+    let heights = upload("heights", BufferRole::Storage, &[0]);
     let quads = of(bytemuck::cast_slice(&[quad, quad]));
-    let quads = upload("quads", Role::Storage, &quads);
-    let heads = upload("heads", Role::Storage, &vec![0; 2 * count as usize]);
+    let quads = upload("quads", BufferRole::Storage, &quads);
+    let heads = upload("heads", BufferRole::Storage, &vec![0; 2 * count as usize]);
     let blank = vec![0; (count * CAPACITY) as usize];
-    let z = upload("z", Role::Storage, &blank);
-    let surfaces = upload("surfaces", Role::Storage, &blank);
-    let need = upload("need", Role::Storage, &[0; 8]);
+    let z = upload("z", BufferRole::Storage, &blank);
+    let surfaces = upload("surfaces", BufferRole::Storage, &blank);
+    let need = upload("need", BufferRole::Storage, &[0; 8]);
     plan.need = Some(need);
     plan.add_pass(Pass {
         name: "merge".to_owned(),

@@ -9,8 +9,8 @@ use cutaway::plan::Clock;
 use cutaway_io::document::{Document, cut, part, section};
 use cutaway_lab::Comparison;
 use cutaway_lab::experiment::{
-    CaseRecord, CaseRecords, Ending, Expectation, FamilyMember, Machine, Measurement, Parameter,
-    PassTime, PerClock, Reached, Record, RecordedPicture, Reference, Run, Samples,
+    CaseRecord, CaseRecords, Ending, Expectation, FamilyMember, Machine, Measurement,
+    MedianPassTime, Parameter, PerClock, Reached, Record, RecordedPicture, Reference, Run, Samples,
     StrategyMeasurement, Timing, Warning,
 };
 use serde_json::json;
@@ -53,7 +53,7 @@ pub(crate) fn drawn(name: &str, wrong_px: usize, ratio: f64) -> StrategyMeasurem
         frame_over_draw_only: Some(ratio),
         frame_over_draw_only_mad: Some(0.01),
         cut: None,
-        passes: vec![PassTime {
+        passes: vec![MedianPassTime {
             name: "shade & light".to_owned(),
             clock: Clock::Frame,
             median_ms: 0.5,

@@ -3,7 +3,8 @@
 use cutaway::Error;
 use cutaway::passes::ActiveCuts;
 use cutaway::plan::{
-    Access, Binding, Contents, DepthCompare, Format, Limits, Resource, ResourceId, Role, Shape,
+    Access, Binding, BufferRole, Contents, DepthCompare, Format, Limits, Resource, ResourceId,
+    Shape,
 };
 use cutaway::scene::{Mesh, Part};
 use cutaway::strategies::{CapSurface, InsideTest, Unsupported};
@@ -56,7 +57,7 @@ fn every_plan_keeps_the_rules_up_to_4k() {
                     let is_storage = matches!(
                         r.shape,
                         Shape::Buffer {
-                            role: Role::Storage,
+                            role: BufferRole::Storage,
                             ..
                         }
                     );
@@ -304,10 +305,10 @@ fn limits_are_checked() {
     };
     let buffer = |bytes, role| Shape::Buffer { bytes, role };
     for (name, role, most) in [
-        ("mask", Role::Storage, 128_u64 << 20),
-        ("frame", Role::Uniform, 64 << 10),
-        ("vertices", Role::Vertex, 256 << 20),
-        ("indices", Role::Index, 256 << 20),
+        ("mask", BufferRole::Storage, 128_u64 << 20),
+        ("frame", BufferRole::Uniform, 64 << 10),
+        ("vertices", BufferRole::Vertex, 256 << 20),
+        ("indices", BufferRole::Index, 256 << 20),
     ] {
         let message = refusal(mask, set(name, buffer(most + 4, role)));
         tells(&message, &format!("{name} needs {} bytes", most + 4));

@@ -17,7 +17,7 @@ use cutaway_lab::experiment::Identity;
 use super::encoder::encoder;
 use super::plays::LoopArgs;
 use super::stamp::Stamp;
-use super::target::Target;
+use super::target::AnimationOutput;
 use super::times::{Times, parse_fps};
 use super::{gif, note_of_even_size};
 use crate::console::{Console, ConsoleArgs};
@@ -55,8 +55,8 @@ pub(crate) struct EncodeArgs {
 /// Runs `encode`.
 pub(crate) fn run(args: &EncodeArgs) -> Result<Verdict> {
     let console = Console::new(args.console, 1);
-    let target = Target::checked(&args.output)?;
-    if let Target::Numbered(_) = target {
+    let target = AnimationOutput::checked(&args.output)?;
+    if let AnimationOutput::Numbered(_) = target {
         let help = "name one file: run.gif, run.png or run.mp4";
         return Err(Error::input(
             "--output",
@@ -77,7 +77,7 @@ pub(crate) fn run(args: &EncodeArgs) -> Result<Verdict> {
     inputs.add(files.iter().cloned());
     inputs.keep_from([("--output", target.path())])?;
     let fps = match target {
-        Target::Gif(_) => gif::nearest_fps(args.fps),
+        AnimationOutput::Gif(_) => gif::nearest_fps(args.fps),
         _ => args.fps,
     };
     let times = Times {

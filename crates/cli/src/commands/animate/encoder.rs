@@ -11,7 +11,7 @@ use super::ffmpeg::Ffmpeg;
 use super::gif::Gif;
 use super::numbered::Numbered;
 use super::plays::Plays;
-use super::target::Target;
+use super::target::AnimationOutput;
 use super::times::Times;
 use crate::console::Console;
 
@@ -31,17 +31,21 @@ pub(super) trait Encoder {
 
 /// Begins an animation.
 pub(super) fn encoder(
-    target: &Target,
+    target: &AnimationOutput,
     size_px: [u32; 2],
     times: &Times,
     plays: Plays,
     run: Identity,
 ) -> Result<Box<dyn Encoder>> {
     Ok(match target {
-        Target::Gif(path) => Box::new(Gif::begin(path, size_px, times, plays)?),
-        Target::Apng(path) => Box::new(Apng::begin(path, size_px, times, plays)?),
-        Target::Mp4(path, program) => Box::new(Ffmpeg::begin(program, path, size_px, times.fps)?),
-        Target::Numbered(pattern) => Box::new(Numbered::new(pattern.clone(), times.count, run)),
+        AnimationOutput::Gif(path) => Box::new(Gif::begin(path, size_px, times, plays)?),
+        AnimationOutput::Apng(path) => Box::new(Apng::begin(path, size_px, times, plays)?),
+        AnimationOutput::Mp4(path, program) => {
+            Box::new(Ffmpeg::begin(program, path, size_px, times.fps)?)
+        }
+        AnimationOutput::Numbered(pattern) => {
+            Box::new(Numbered::new(pattern.clone(), times.count, run))
+        }
     })
 }
 

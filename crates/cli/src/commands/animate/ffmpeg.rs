@@ -14,7 +14,7 @@ use image::RgbaImage;
 
 use super::encoder::{Encoder, cannot_encode};
 use super::mp4;
-use super::program::Program;
+use super::program::FfmpegProgram;
 use crate::console::Console;
 use crate::writing::output::Pending;
 
@@ -48,7 +48,7 @@ pub(super) struct Ffmpeg {
 impl Ffmpeg {
     /// Starts ffmpeg.
     pub(super) fn begin(
-        program: &Program,
+        program: &FfmpegProgram,
         path: &Path,
         size_px: [u32; 2],
         fps: f64,

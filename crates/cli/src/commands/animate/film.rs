@@ -12,11 +12,11 @@ use serde_json::{Value, json};
 
 use super::AnimateArgs;
 use super::report::{self, FrameReport};
-use super::target::Target;
+use super::target::AnimationOutput;
 use super::times::Times;
 use super::turntable::turned;
 use crate::console::Console;
-use crate::input::subject::Subject;
+use crate::input::subject::SceneInput;
 use crate::notes::warn_of_doubt;
 use crate::renderer_request::RendererChoice;
 use crate::verdict::Verdict;
@@ -27,7 +27,7 @@ const PATIENCE_S: f64 = 10.0;
 /// Everything needed to draw the frames.
 pub(super) struct Film<'a> {
     pub(super) args: &'a AnimateArgs,
-    pub(super) subject: &'a Subject,
+    pub(super) subject: &'a SceneInput,
     pub(super) times: Times,
     /// The frames to draw: all, or a share.
     pub(super) own: Range<u32>,
@@ -110,7 +110,12 @@ impl Film<'_> {
     }
 
     /// Report of the run and its frames as JSON.
-    pub(super) fn json(&self, session: &Session, target: &Target, frames: &[FrameReport]) -> Value {
+    pub(super) fn json(
+        &self,
+        session: &Session,
+        target: &AnimationOutput,
+        frames: &[FrameReport],
+    ) -> Value {
         let options = self.chosen.renderer.options();
         json!({
             "scene": self.subject.scene.name,

@@ -103,7 +103,7 @@ impl Encoder for Gif {
         } = *self;
         let palette = sampler.palette();
         console.say_step("writing");
-        let film = Film {
+        let film = GifWriter {
             palette: &palette,
             size_px,
             delay_cs,
@@ -116,14 +116,14 @@ impl Encoder for Gif {
 }
 
 /// Data common to all frames.
-struct Film<'a> {
+struct GifWriter<'a> {
     palette: &'a Palette,
     size_px: [u32; 2],
     delay_cs: u16,
     has_holes: bool,
 }
 
-impl Film<'_> {
+impl GifWriter<'_> {
     fn write(&self, file: File, frames: &[Vec<u8>], plays: Plays) -> Result<(), EncodingError> {
         let mut colors = self.palette.colors.concat();
         // The last of the 256 entries is reserved for "as before".

@@ -6,7 +6,7 @@ use cutaway_lab::experiment::Identity;
 
 use super::times::Times;
 use crate::input::stdin;
-use crate::input::subject::Subject;
+use crate::input::subject::SceneInput;
 
 /// Identity of this program: its file's length and modification time. Reading the whole file would take as long as a frame.
 fn program() -> String {
@@ -17,7 +17,7 @@ fn program() -> String {
 
 /// The identity of a run; output paths and the share of frames do not count.
 pub(super) fn of(
-    subject: &Subject,
+    subject: &SceneInput,
     times: &Times,
     turn_deg: Option<f64>,
     session: &Session,

@@ -34,7 +34,7 @@ use crate::input::args::{AdapterArgs, DrawOptionArgs, SceneArgs, parse_finite};
 use crate::input::look::{Defaults, LookArgs};
 use crate::input::shard::Shard;
 use crate::input::stdin;
-use crate::input::subject::Subject;
+use crate::input::subject::SceneInput;
 use crate::input::when::ClipArgs;
 use crate::interrupt::Interrupt;
 use crate::verdict::Verdict;
@@ -45,8 +45,8 @@ use encoder::encoder;
 use film::Film;
 use plays::LoopArgs;
 use report::FrameReport;
-use sweep::{Sweep, parse_sweep};
-use target::Target;
+use sweep::{PlaneSweep, parse_sweep};
+use target::AnimationOutput;
 use times::{Times, TimesArgs};
 
 pub(crate) const EXAMPLES: &str = "\
@@ -84,7 +84,7 @@ pub(crate) struct AnimateArgs {
         allow_hyphen_values = true,
         help_heading = "Cuts"
     )]
-    sweep: Option<Sweep>,
+    sweep: Option<PlaneSweep>,
     /// Moves the camera around the up axis, a full turn or N degrees, in addition to all other motion: --turntable=90
     #[arg(
         long = "turntable",
@@ -130,7 +130,7 @@ pub(crate) fn run(args: &AnimateArgs) -> Result<Verdict> {
     args.look.amend(&mut document)?;
     args.options.amend(&mut document)?;
     // After all options, because some cutaways depend on the picture.
-    if matches!(target, Target::Gif(_)) && document.get("resolution").is_err() {
+    if matches!(target, AnimationOutput::Gif(_)) && document.get("resolution").is_err() {
         document.set("resolution", USUAL_GIF_SIZE_PX.map(Value::from).to_vec())?;
     }
     if let Some(sweep) = args.sweep {
@@ -154,7 +154,7 @@ pub(crate) fn run(args: &AnimateArgs) -> Result<Verdict> {
     let mut session = args.device.session(args.json.is_some())?;
     // Computed for numbered frames only, because it reads the input files once more.
     let run = match target {
-        Target::Numbered(_) => identity::of(&subject, &times, args.turn_deg, &session),
+        AnimationOutput::Numbered(_) => identity::of(&subject, &times, args.turn_deg, &session),
         _ => Identity::default(),
     };
     // Before the encoder begins a file, which Ctrl-C would otherwise leave half written.
@@ -200,7 +200,7 @@ pub(crate) fn run(args: &AnimateArgs) -> Result<Verdict> {
     }
     if interrupt.is_wanted() && frames.len() < own.len() {
         console.note(match &target {
-            Target::Numbered(_) => format!(
+            AnimationOutput::Numbered(_) => format!(
                 "{} of {} frames are complete: the same command continues from there",
                 frames.len(),
                 own.len()
@@ -225,10 +225,10 @@ pub(crate) fn run(args: &AnimateArgs) -> Result<Verdict> {
 
 /// Adds the moving plane, for the requested duration or as long as anything else moves.
 fn add_sweep(
-    sweep: Sweep,
+    sweep: PlaneSweep,
     document: &mut Document,
     args: &AnimateArgs,
-    target: &Target,
+    target: &AnimationOutput,
 ) -> Result<()> {
     let timeline = document.timeline(&mut stdin::assets())?;
     let bounds = timeline
@@ -245,8 +245,8 @@ fn add_sweep(
     sweep.amend(document, &bounds, span_s, &args.scene.sections)
 }
 
-fn outputs(args: &AnimateArgs) -> Result<(Target, Option<Output>)> {
-    let target = Target::checked(&args.output)?;
+fn outputs(args: &AnimateArgs) -> Result<(AnimationOutput, Option<Output>)> {
+    let target = AnimationOutput::checked(&args.output)?;
     let json = args
         .json
         .as_ref()
@@ -254,7 +254,7 @@ fn outputs(args: &AnimateArgs) -> Result<(Target, Option<Output>)> {
     let json = json.transpose()?;
     let file = Output::File(target.path());
     no_place_twice(&[("--output", Some(&file)), ("--json", json.as_ref())])?;
-    if args.shard.is_some() && !matches!(target, Target::Numbered(_)) {
+    if args.shard.is_some() && !matches!(target, AnimationOutput::Numbered(_)) {
         return Err(Error::input(
             "--shard",
             "only numbered frames are drawn in shares",
@@ -262,7 +262,7 @@ fn outputs(args: &AnimateArgs) -> Result<(Target, Option<Output>)> {
         ));
     }
     args.loops.must_fit(&target)?;
-    if args.look.no_background && matches!(target, Target::Mp4(..)) {
+    if args.look.no_background && matches!(target, AnimationOutput::Mp4(..)) {
         let help = "leave it out, or write a .gif or a .png";
         let what = "an MP4 has no transparent pixels";
         return Err(Error::input("--no-background", what, help));
@@ -286,8 +286,8 @@ fn turn_is_no_input(args: &AnimateArgs) -> Result<()> {
 /// The frame times; an error if all frames would be the same.
 fn times(
     args: &AnimateArgs,
-    target: &Target,
-    subject: &Subject,
+    target: &AnimationOutput,
+    subject: &SceneInput,
     console: &Console,
 ) -> Result<Times> {
     let timeline = &subject.timeline;
@@ -313,9 +313,9 @@ fn times(
 }
 
 /// Requested frames per second, and those that the target supports.
-fn rate(args: &AnimateArgs, target: &Target, stands_still: bool) -> (f64, f64) {
+fn rate(args: &AnimateArgs, target: &AnimationOutput, stands_still: bool) -> (f64, f64) {
     match target {
-        Target::Gif(_) => {
+        AnimationOutput::Gif(_) => {
             // Numbered meshes are played once each, at the rate used for other outputs.
             let usual = match args.scene.inputs.iter().any(|i| Pattern::is_in(i)) {
                 true => USUAL_FPS,
@@ -331,9 +331,9 @@ fn rate(args: &AnimateArgs, target: &Target, stands_still: bool) -> (f64, f64) {
     }
 }
 
-fn note_of_even_size(target: &Target, size_px: [u32; 2], console: &Console) {
+fn note_of_even_size(target: &AnimationOutput, size_px: [u32; 2], console: &Console) {
     let [width, height] = ffmpeg::even(size_px);
-    if matches!(target, Target::Mp4(..)) && [width, height] != size_px {
+    if matches!(target, AnimationOutput::Mp4(..)) && [width, height] != size_px {
         console.note(format!(
             "an MP4 needs even sizes: it becomes {width} x {height}, padded at its border"
         ));

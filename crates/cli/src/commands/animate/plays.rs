@@ -5,7 +5,7 @@ use std::str::FromStr;
 use clap::Args;
 use cutaway::Error;
 
-use super::target::Target;
+use super::target::AnimationOutput;
 
 /// Play count of an animation, as an option.
 #[derive(Args, Clone, Copy)]
@@ -22,7 +22,7 @@ pub(crate) struct LoopArgs {
 
 impl LoopArgs {
     /// Refuses a play count for formats that do not store one.
-    pub(super) fn must_fit(self, target: &Target) -> cutaway::Result<()> {
+    pub(super) fn must_fit(self, target: &AnimationOutput) -> cutaway::Result<()> {
         if self.plays.is_none() || target.counts_plays() {
             return Ok(());
         }

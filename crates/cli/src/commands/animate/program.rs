@@ -8,7 +8,7 @@ use cutaway::{Error, Result};
 
 /// The program, and its codec options.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Program {
+pub(super) struct FfmpegProgram {
     pub(super) codec: &'static [&'static str],
 }
 
@@ -22,7 +22,7 @@ const CODECS: &[(&str, &[&str])] = &[
     ("mpeg4", &["-c:v", "mpeg4", "-q:v", "2"]),
 ];
 
-impl Program {
+impl FfmpegProgram {
     /// Queries the codecs of ffmpeg, before any frame is drawn.
     pub(super) fn find(output: &Path) -> Result<Self> {
         let culprit = || format!("--output {}", output.display());

@@ -12,7 +12,7 @@ use crate::input::sections::SectionArgs;
 
 /// An axis, its kept side, and the start and end of the plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Sweep {
+pub(super) struct PlaneSweep {
     axis: usize,
     sign: f64,
     ends: [Amount; 2],
@@ -21,7 +21,7 @@ pub(super) struct Sweep {
 /// The name of the cut.
 const NAME: &str = "sweep";
 
-impl Sweep {
+impl PlaneSweep {
     /// Adds the cut and its key.
     pub(super) fn amend(
         self,
@@ -63,7 +63,7 @@ impl Sweep {
 }
 
 /// Reads `[-]AXIS=FROM:TO`.
-pub(super) fn parse_sweep(text: &str) -> Result<Sweep, String> {
+pub(super) fn parse_sweep(text: &str) -> Result<PlaneSweep, String> {
     let fault = |what: String| format!("{what}\n  help: write for example y=10%:90%, or -z=0:25");
     let no_form = || fault("expected AXIS=FROM:TO".to_owned());
     let (axis, places) = text.split_once('=').ok_or_else(no_form)?;
@@ -80,7 +80,7 @@ pub(super) fn parse_sweep(text: &str) -> Result<Sweep, String> {
         Amount::parse(from).map_err(fault)?,
         Amount::parse(to).map_err(fault)?,
     ];
-    Ok(Sweep { axis, sign, ends })
+    Ok(PlaneSweep { axis, sign, ends })
 }
 
 #[cfg(test)]

@@ -6,20 +6,20 @@ use cutaway::error::did_you_mean;
 use cutaway::{Error, Result};
 use cutaway_io::load::frames::Pattern;
 
-use super::program::Program;
+use super::program::FfmpegProgram;
 use crate::writing::output::Output;
 
 const OPTION: &str = "--output";
 
 /// A destination of frames.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum Target {
+pub(super) enum AnimationOutput {
     /// 255 colours, shown by any browser.
     Gif(PathBuf),
     /// Lossless.
     Apng(PathBuf),
     /// Written by ffmpeg, which is installed.
-    Mp4(PathBuf, Program),
+    Mp4(PathBuf, FfmpegProgram),
     /// One PNG per frame.
     Numbered(Pattern),
 }
@@ -27,7 +27,7 @@ pub(super) enum Target {
 /// The formats by extension; `.apng` means the same as `.png`.
 const EXTENSIONS: &[&str] = &["gif", "png", "apng", "mp4"];
 
-impl Target {
+impl AnimationOutput {
     /// The destination that an option's value names; checks that it can be written.
     pub(super) fn checked(value: &str) -> Result<Self> {
         if value == "-" {
@@ -68,7 +68,7 @@ impl Target {
         Ok(match extension.as_str() {
             "gif" => Self::Gif(path),
             "mp4" => {
-                let program = Program::find(&path)?;
+                let program = FfmpegProgram::find(&path)?;
                 Self::Mp4(path, program)
             }
             _ => Self::Apng(path),
@@ -120,7 +120,11 @@ mod tests {
             ("a.apng", "apng"),
             ("a%d.png", "numbered"),
         ] {
-            assert_eq!(Target::checked(value).unwrap().name(), name, "{value}");
+            assert_eq!(
+                AnimationOutput::checked(value).unwrap().name(),
+                name,
+                "{value}"
+            );
         }
     }
 
@@ -137,7 +141,7 @@ mod tests {
             ("%d/a.png", "folder"),
             ("/", "folder"),
         ] {
-            let message = Target::checked(value).unwrap_err().to_string();
+            let message = AnimationOutput::checked(value).unwrap_err().to_string();
             assert!(
                 message.contains(said) && message.contains("help:"),
                 "{value}: {message}"

@@ -17,7 +17,7 @@ pub(super) fn cases(
     step: &mut dyn FnMut(String),
     goes_on: &dyn Fn() -> bool,
 ) -> Result<Option<Vec<CaseRecord>>> {
-    let asked = hard_cases::Asked {
+    let asked = hard_cases::CaseSelection {
         ids: &asked.cases,
         sizes_px: &sizes_px(asked),
         methods: asked.methods.as_deref(),

@@ -16,13 +16,13 @@ use crate::writing::output::{checked_folder, write_file};
 const OTHER_FOLDER: &str = "choose another folder with --out, or measure all again with --force";
 
 /// The folder of a run.
-pub(super) struct Folder {
+pub(super) struct OutputFolder {
     path: PathBuf,
     /// Name of the file that describes the run; each shard has its own, so that no two write the same file.
     run_file: String,
 }
 
-impl Folder {
+impl OutputFolder {
     /// Opens a folder, which must be writable.
     pub(super) fn checked(path: &Path, shard: Option<Shard>) -> Result<Self> {
         checked_folder("--out", path)?;

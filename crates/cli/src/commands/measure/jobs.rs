@@ -16,7 +16,7 @@ use cutaway_lab::experiment::{Definition, Identity};
 use cutaway_lab::hard_cases::check_ids;
 
 use super::MeasureArgs;
-use super::folder::Folder;
+use super::folder::OutputFolder;
 use crate::judge::quoted;
 use crate::writing::places::InputFiles;
 
@@ -175,7 +175,7 @@ impl Job<'_> {
 pub(super) fn keep_inputs(
     definitions: &[Definition],
     jobs: &[Job<'_>],
-    folder: &Folder,
+    folder: &OutputFolder,
     is_quick: bool,
 ) -> Result<()> {
     let files = InputFiles::default();

@@ -29,9 +29,9 @@ use crate::interrupt::Interrupt;
 use crate::judge::command_line;
 use crate::verdict::Verdict;
 use crate::writing::output::write_stdout;
-use folder::Folder;
+use folder::OutputFolder;
 use jobs::{Job, Task};
-use tally::Tally;
+use tally::JobTally;
 use watching::Watching;
 
 pub(crate) const EXAMPLES: &str = "\
@@ -89,7 +89,7 @@ pub(crate) fn run(args: &MeasureArgs) -> Result<Verdict> {
         write_stdout(jobs::listed(&jobs, args).as_bytes())?;
         return Ok(Verdict::Done);
     }
-    let folder = Folder::checked(&args.out, args.shard)?;
+    let folder = OutputFolder::checked(&args.out, args.shard)?;
     jobs::keep_inputs(&definitions, &jobs, &folder, args.quick)?;
     let machine = machine::machine();
     let gpu = args.device.open()?;
@@ -98,7 +98,7 @@ pub(crate) fn run(args: &MeasureArgs) -> Result<Verdict> {
     let console = Console::new(args.console, steps);
     console.show_what_is_left();
     let run = run_of(&gpu, earlier, machine.clone(), args.quick);
-    let mut work = Work {
+    let mut work = InvocationState {
         invocation: Invocation {
             began: machine::now(),
             load: machine.load,
@@ -119,7 +119,7 @@ pub(crate) fn run(args: &MeasureArgs) -> Result<Verdict> {
         console,
     };
     let took_before_s = work.run.took_s;
-    let mut tally = Tally::of(&jobs);
+    let mut tally = JobTally::of(&jobs);
     let mut began: Vec<&str> = Vec::new();
     for job in &jobs {
         if !began.contains(&job.definition.name.as_str()) {
@@ -169,10 +169,10 @@ fn run_of(gpu: &Gpu, earlier: Option<Run>, machine: Machine, is_quick: bool) -> 
 }
 
 /// State of one invocation.
-struct Work<'a> {
+struct InvocationState<'a> {
     invocation: Invocation,
     args: &'a MeasureArgs,
-    folder: Folder,
+    folder: OutputFolder,
     run: Run,
     machine: Machine,
     program: String,
@@ -182,7 +182,7 @@ struct Work<'a> {
     console: Console,
 }
 
-impl Work<'_> {
+impl InvocationState<'_> {
     /// Begins an experiment.
     fn begin(&self, job: &Job<'_>) -> Result<()> {
         let definition = job.definition;
@@ -216,7 +216,7 @@ impl Work<'_> {
     }
 
     /// Measures a job, or keeps its record. Returns false if the work is to end.
-    fn do_job(&mut self, job: &Job<'_>, tally: &mut Tally) -> Result<bool> {
+    fn do_job(&mut self, job: &Job<'_>, tally: &mut JobTally) -> Result<bool> {
         if self.interrupt.is_wanted() {
             tally.interrupted = true;
             return Ok(false);
@@ -250,7 +250,7 @@ impl Work<'_> {
     }
 
     /// Prints a line for each point, for the log of an unattended run.
-    fn say_how_far(&self, job: &Job<'_>, tally: &Tally) {
+    fn say_how_far(&self, job: &Job<'_>, tally: &JobTally) {
         let (name, run) = (&job.definition.name, &job.run.name);
         let [complete, asked] = tally.of_run(job);
         let s = self.watch.ms() / 1e3;
@@ -280,7 +280,7 @@ impl Work<'_> {
         &mut self,
         job: &Job<'_>,
         identity: String,
-        tally: &mut Tally,
+        tally: &mut JobTally,
     ) -> Result<Option<Vec<Reached>>> {
         let Task::Point(run, point, keeps_pictures) = job.task else {
             return Ok(None);

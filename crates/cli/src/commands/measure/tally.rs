@@ -11,7 +11,7 @@ use crate::verdict::Verdict;
 
 /// Jobs done for one experiment.
 #[derive(Default)]
-struct Line {
+struct ExperimentTally {
     name: String,
     measured: usize,
     kept: usize,
@@ -26,8 +26,8 @@ fn key(job: &Job<'_>) -> [String; 2] {
 
 /// Jobs done for all experiments.
 #[derive(Default)]
-pub(super) struct Tally {
-    lines: Vec<Line>,
+pub(super) struct JobTally {
+    lines: Vec<ExperimentTally>,
     /// Per experiment and run: the number of complete jobs, and of all jobs.
     runs: BTreeMap<[String; 2], [usize; 2]>,
     /// An interrupted job, which must be restarted.
@@ -36,7 +36,7 @@ pub(super) struct Tally {
     pub(super) interrupted: bool,
 }
 
-impl Tally {
+impl JobTally {
     /// A tally of jobs of which none is done.
     pub(super) fn of(jobs: &[Job<'_>]) -> Self {
         let mut tally = Self::default();
@@ -66,13 +66,13 @@ impl Tally {
         self.line(job).missing += 1;
     }
 
-    fn line(&mut self, job: &Job<'_>) -> &mut Line {
+    fn line(&mut self, job: &Job<'_>) -> &mut ExperimentTally {
         let name = &job.definition.name;
         let at = self.lines.iter().position(|l| l.name == *name);
         let at = at.unwrap_or_else(|| {
-            self.lines.push(Line {
+            self.lines.push(ExperimentTally {
                 name: name.clone(),
-                ..Line::default()
+                ..ExperimentTally::default()
             });
             self.lines.len() - 1
         });

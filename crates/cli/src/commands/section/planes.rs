@@ -15,7 +15,7 @@ use glam::{DVec2, DVec3};
 const PARALLEL: f64 = 1e-12;
 
 /// A plane, the cut that it belongs to, and its number in the scene.
-pub(super) struct Plane {
+pub(super) struct CutPlane {
     /// Index of the cut.
     pub(super) cut: usize,
     /// Number of the clip-surface.
@@ -38,7 +38,7 @@ enum RelativeSide {
     Same { is_opposite: bool },
 }
 
-impl Plane {
+impl CutPlane {
     /// The plane for a part, with the cut's offset for that part.
     pub(super) fn for_part(&self, scene: &Scene, part: &Part) -> SlicePlane {
         self.plane.keeping(scene.cuts[self.cut].offset_for(part))
@@ -111,7 +111,7 @@ fn side(plane: &SlicePlane, other: &SlicePlane, size: f64) -> RelativeSide {
 }
 
 /// The planes of all cuts; an error if there is none, or if a clip-surface is not a plane.
-pub(super) fn planes(scene: &Scene) -> Result<Vec<Plane>> {
+pub(super) fn planes(scene: &Scene) -> Result<Vec<CutPlane>> {
     let mut planes = Vec::new();
     // Clip-surfaces of a disabled cut keep their numbers, and a cutter has the number after the other clip-surfaces of its cut.
     let mut next = 0;
@@ -139,7 +139,7 @@ pub(super) fn planes(scene: &Scene) -> Result<Vec<Plane>> {
                     "leave the relief out, or see the ragged cap with `cutaway render`",
                 ));
             };
-            planes.push(Plane {
+            planes.push(CutPlane {
                 cut: index,
                 number,
                 face: face(scene, index, number - first, &plane),

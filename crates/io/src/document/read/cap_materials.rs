@@ -15,7 +15,7 @@ use cutaway::error::Result;
 use cutaway::scene::{CapMaterial, SolidTexture, Texture, TextureKind};
 
 use super::described;
-use super::opening::{Opening, missing};
+use super::opening::{LoadContext, missing};
 use super::reader::{Entry, Table};
 use crate::document::Keys;
 use crate::document::describe::CapMaterialDesc;
@@ -76,7 +76,7 @@ fn slices(entry: &Entry<'_>, folder: &Path, assets: &Assets) -> Result<Vec<std::
 }
 
 /// Opens the cap material of a part.
-pub(super) fn open(entry: &Entry<'_>, opening: &mut Opening<'_>) -> Result<Arc<CapMaterial>> {
+pub(super) fn open(entry: &Entry<'_>, opening: &mut LoadContext<'_>) -> Result<Arc<CapMaterial>> {
     let table = entry.table(KEYS.all())?;
     let mut material = plain(&table)?;
     let mut read = |entry: &Entry<'_>, path: &Path, kind| -> Result<Arc<Texture>> {

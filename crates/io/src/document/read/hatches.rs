@@ -6,7 +6,7 @@ use std::sync::{Arc, LazyLock};
 use cutaway::error::{Result, did_you_mean};
 use cutaway::scene::{CapHatch, HatchPattern};
 
-use super::opening::{Opening, missing};
+use super::opening::{LoadContext, missing};
 use super::reader::Entry;
 use crate::load::{Assets, read_patterns};
 
@@ -65,7 +65,7 @@ pub(super) fn check(entry: &Entry<'_>, folder: &Path, assets: &Assets) -> Result
 }
 
 /// Opens the hatch named by a text.
-pub(super) fn open(entry: &Entry<'_>, opening: &mut Opening<'_>) -> Result<CapHatch> {
+pub(super) fn open(entry: &Entry<'_>, opening: &mut LoadContext<'_>) -> Result<CapHatch> {
     let Some((file, name)) = file_of(entry.text()?) else {
         return named(entry, entry.text()?);
     };

@@ -9,7 +9,7 @@ use cutaway::error::{Result, did_you_mean};
 
 use super::described;
 use super::reader::{Entry, Table};
-use super::target::{self, Nesting, Target};
+use super::target::{self, KeyTarget, Nesting};
 use crate::document::Keys;
 use crate::document::describe::KeyDesc;
 use crate::document::{Interpolation, Node, Number, Place, Value};
@@ -84,12 +84,12 @@ impl Keyed {
 
 /// A time, and the keys that are set at it.
 #[derive(Clone, Copy)]
-pub(crate) struct Moment<'a> {
+pub(crate) struct KeyedTime<'a> {
     pub time_s: f64,
     pub(crate) keys: &'a [Keyed],
 }
 
-impl Moment<'_> {
+impl KeyedTime<'_> {
     /// Describes the time, and the keys that may have caused an error in a value.
     pub(super) fn blame(&self, of: &str) -> String {
         let touches = |keyed: &&Keyed| {
@@ -163,7 +163,7 @@ fn read_one(entry: &Entry<'_>, root: &Table<'_>) -> Result<Keyed> {
         [one] => format!("{one}"),
         several => format!("{several:?}"),
     };
-    let Target {
+    let KeyTarget {
         path: full,
         places,
         shape,

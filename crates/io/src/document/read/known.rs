@@ -14,7 +14,7 @@ use cutaway::scene::memo::{ById, Memo};
 use cutaway::scene::{Mesh, Motion, Part, Pose, Sight, sights};
 use glam::DAffine3;
 
-use super::opening::Opening;
+use super::opening::LoadContext;
 use super::part_source::PartSource;
 use super::reader::Table;
 use crate::document::Node;
@@ -48,7 +48,7 @@ type EntryKey = (PathBuf, Vec<(&'static str, Node)>);
 /// The opened entries of a document.
 pub(super) type OpenedEntries = Memo<EntryKey, Arc<OpenedEntry>>;
 
-impl Opening<'_> {
+impl LoadContext<'_> {
     /// Opens an entry, or reuses it from this document or the last one, and adds its notes.
     pub(super) fn known(
         &mut self,
@@ -62,14 +62,14 @@ impl Opening<'_> {
             if let Some(known) = before.get(key) {
                 return Ok(known);
             }
-            let mut own = Opening {
+            let mut own = LoadContext {
                 folder: self.folder,
                 assets: &mut *self.assets,
                 notes: Vec::new(),
                 files: BTreeSet::new(),
             };
             let source = own.entry(table)?;
-            let Opening { notes, files, .. } = own;
+            let LoadContext { notes, files, .. } = own;
             Ok::<_, Error>(Arc::new(OpenedEntry {
                 source,
                 notes,

@@ -175,7 +175,7 @@ use super::Settings;
 use super::node::Node;
 use super::paths::keys_below;
 use crate::load::Assets;
-use opening::Opening;
+use opening::LoadContext;
 use reader::{Entry, Source, Table};
 
 pub(super) use camera::Seen;
@@ -184,7 +184,7 @@ pub(super) use clip::cutaways::cutouts;
 pub(super) use clip::reliefs::Resolved;
 pub use described::parse_value;
 pub use keys::Key;
-pub(super) use keys::{Keyed, Moment};
+pub(super) use keys::{Keyed, KeyedTime};
 pub(super) use known::sights_of;
 pub(super) use part_source::PartSource;
 pub(super) use parts::all as parts_with_roles;
@@ -200,7 +200,7 @@ static KEYS: LazyLock<Vec<&str>> = LazyLock::new(|| [keys_below(""), vec!["case"
 pub(super) fn root<'a>(
     path: &'a Path,
     node: &'a Node,
-    moment: Option<Moment<'a>>,
+    moment: Option<KeyedTime<'a>>,
 ) -> Result<Table<'a>> {
     Table::of_file(Source { path, moment }, node, &KEYS)
 }
@@ -212,7 +212,7 @@ pub(super) fn top<'a>(path: &'a Path, node: &'a Node) -> Result<Table<'a>> {
 
 /// Opens all files that a document names.
 pub(super) fn open(root: &Table<'_>, folder: &Path, assets: &mut Assets) -> Result<SceneAssets> {
-    let mut opening = Opening {
+    let mut opening = LoadContext {
         folder,
         assets,
         notes: Vec::new(),

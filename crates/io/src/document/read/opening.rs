@@ -11,14 +11,14 @@ use super::defects;
 use super::described;
 use super::part_source::PartSource;
 use super::reader::{Entry, Table};
-use super::solids::{SourceSolid, Splits, chosen};
+use super::solids::{BodySplits, SourceSolid, chosen};
 use crate::document::Origin;
 use crate::document::describe::PartDesc;
 use crate::load::frames::{Pattern, Sequence, USUAL_FPS};
 use crate::load::{Assets, doubt};
 
 /// Context for opening the files that a document names.
-pub(super) struct Opening<'a> {
+pub(super) struct LoadContext<'a> {
     /// Folder to which file names are relative.
     pub(super) folder: &'a Path,
     pub(super) assets: &'a mut Assets,
@@ -28,7 +28,7 @@ pub(super) struct Opening<'a> {
     pub(super) files: BTreeSet<PathBuf>,
 }
 
-impl Opening<'_> {
+impl LoadContext<'_> {
     /// Opens an entry.
     pub(super) fn entry(&mut self, table: &Table<'_>) -> Result<PartSource> {
         let (origin, text, is_mesh) = match (table.get("mesh"), table.get("shape")) {
@@ -63,7 +63,7 @@ impl Opening<'_> {
         let alone = parts.len() == 1;
         let below = |_, part: &Part| (!alone).then(|| part.name.clone());
         let mut solids = SourceSolid::all(&parts, below);
-        if let Some(mut splits) = Splits::asked_for(table, &solids)? {
+        if let Some(mut splits) = BodySplits::asked_for(table, &solids)? {
             self.notes.push(splits.note(&match is_mesh {
                 true => path.display().to_string(),
                 false => format!("shape:{text}"),
@@ -138,7 +138,7 @@ impl Opening<'_> {
             .frames()
             .map(|parts| SourceSolid::all(parts, below));
         let mut frames: Vec<Vec<SourceSolid>> = frames.collect();
-        if let Some(mut splits) = Splits::asked_for(table, &frames[0])? {
+        if let Some(mut splits) = BodySplits::asked_for(table, &frames[0])? {
             let numbered = || frames.iter().map(Vec::as_slice).zip(sequence.files());
             for (frame, file) in numbered().skip(1) {
                 let first = (frames[0].as_slice(), sequence.files()[0].as_path());

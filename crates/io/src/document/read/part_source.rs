@@ -20,7 +20,7 @@ pub(crate) struct PartSource {
     /// Part name for each solid name that occurs in the file at any time.
     names: BTreeMap<String, String>,
     /// Forms of the solids by their index, each from the first frame that has a solid of this index.
-    forms: Vec<Form>,
+    forms: Vec<SolidMeasures>,
     /// Bounds of all solids at all times, in the file's space if they share it, else in world space.
     pub(super) rest: Bounds,
     /// True if all solids of the file share one space.
@@ -30,10 +30,10 @@ pub(crate) struct PartSource {
 impl PartSource {
     pub(super) fn of(mut frames: Vec<Vec<SourceSolid>>, sequence: Option<Sequence>) -> Self {
         frames.iter_mut().flatten().for_each(SourceSolid::measure);
-        let mut forms: Vec<Form> = Vec::new();
+        let mut forms: Vec<SolidMeasures> = Vec::new();
         for frame in &frames {
             let new = frame.iter().skip(forms.len());
-            forms.extend(new.map(|solid| Form::of(&solid.part)));
+            forms.extend(new.map(|solid| SolidMeasures::of(&solid.part)));
         }
         let solids = || frames.iter().flatten();
         let share_a_space = solids().all(|s| s.part.world_from_part == DAffine3::IDENTITY);
@@ -109,7 +109,7 @@ impl PartSource {
 
     /// Colours parts without a file colour by their shape, so that a hundred equal screws look alike; adds new shapes to `shapes`.
     /// Later frames have the colours of the first.
-    pub(super) fn colour(&mut self, shapes: &mut Vec<Form>) {
+    pub(super) fn colour(&mut self, shapes: &mut Vec<SolidMeasures>) {
         let mut colours = Vec::with_capacity(self.forms.len());
         for form in &self.forms {
             let known = shapes.iter().position(|known| known.is_like(form));
@@ -128,13 +128,13 @@ impl PartSource {
 
 /// Properties that equal solids share regardless of their position.
 #[derive(Clone, Debug)]
-pub(super) struct Form {
+pub(super) struct SolidMeasures {
     triangles: usize,
     volume: f64,
     area: f64,
 }
 
-impl Form {
+impl SolidMeasures {
     fn of(part: &Part) -> Self {
         Self {
             triangles: part.mesh.triangles.len(),

@@ -10,7 +10,7 @@ use cutaway::error::{Error, Result, did_you_mean};
 use cutaway::scene::Amount;
 use cutaway::scene::range::LARGEST;
 
-use super::keys::Moment;
+use super::keys::KeyedTime;
 use super::target::Nesting;
 use crate::document::{Node, Origin, Value};
 
@@ -21,7 +21,7 @@ pub use super::table::{Table, with_table};
 pub(crate) struct Source<'a> {
     pub(crate) path: &'a Path,
     /// Time of an animated scene, and its keys.
-    pub(crate) moment: Option<Moment<'a>>,
+    pub(crate) moment: Option<KeyedTime<'a>>,
 }
 
 /// A value with its position and its key.

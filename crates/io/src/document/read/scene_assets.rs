@@ -10,9 +10,9 @@ use cutaway::error::{Diagnostic, Result};
 use cutaway::scene::{CutoutFrame, Fit, Sight, Style};
 
 use super::clip::cutters::CutterSource;
-use super::clip::reliefs::Images;
+use super::clip::reliefs::ReliefImages;
 use super::known::OpenedEntries;
-use super::opening::Opening;
+use super::opening::LoadContext;
 use super::part_source::PartSource;
 use super::parts::{KEYS, MATERIAL};
 use super::reader::{Entry, Table};
@@ -25,7 +25,7 @@ pub(in crate::document) struct SceneAssets {
     pub(in crate::document) parts: Vec<PartSource>,
     /// Cutter of each cut.
     pub(super) cutters: Vec<Option<CutterSource>>,
-    pub(super) images: Images,
+    pub(super) images: ReliefImages,
     /// Base of the document's style, if it has one.
     pub(in crate::document) style: Option<Style>,
     /// Default target that orbits are fitted to.
@@ -41,7 +41,10 @@ pub(in crate::document) struct SceneAssets {
 }
 
 /// Opens the files of a document's parts.
-pub(super) fn open(entries: &[Entry<'_>], opening: &mut Opening<'_>) -> Result<Vec<PartSource>> {
+pub(super) fn open(
+    entries: &[Entry<'_>],
+    opening: &mut LoadContext<'_>,
+) -> Result<Vec<PartSource>> {
     let mut sources = Vec::with_capacity(entries.len());
     let mut given = Vec::with_capacity(entries.len());
     let mut of_caps = Vec::with_capacity(entries.len());

@@ -49,14 +49,14 @@ impl SourceSolid {
 }
 
 /// Division of the solids of a file, or of a sequence's first frame, into bodies.
-pub(super) struct Splits {
+pub(super) struct BodySplits {
     /// Bodies of each solid.
     bodies: Vec<Bodies>,
     /// Split meshes, shared by solids with the same mesh.
     known: Memo<GeometryId, Arc<Pieces>>,
 }
 
-impl Splits {
+impl BodySplits {
     /// Finds the bodies of solids, if the entry has `split`.
     pub(super) fn asked_for(table: &Table<'_>, solids: &[SourceSolid]) -> Result<Option<Self>> {
         let Some(entry) = table.get("split") else {

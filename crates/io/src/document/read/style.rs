@@ -9,7 +9,7 @@ use cutaway::scene::describe::OrWord;
 use cutaway::scene::style::{Hue, Style};
 
 use super::described::{self, keys_of};
-use super::opening::{Opening, missing};
+use super::opening::{LoadContext, missing};
 use super::reader::{Entry, Table};
 use super::table::with_table;
 use crate::document::{Keys, Settings};
@@ -76,7 +76,7 @@ pub(in crate::document) fn is_file(base: &str) -> bool {
 }
 
 /// Opens the base style of a document, if it names one.
-pub(super) fn open(root: &Table<'_>, opening: &mut Opening<'_>) -> Result<Option<Style>> {
+pub(super) fn open(root: &Table<'_>, opening: &mut LoadContext<'_>) -> Result<Option<Style>> {
     let Some(base) = base(root)? else {
         return Ok(None);
     };

@@ -30,7 +30,7 @@ impl fmt::Display for Nesting {
 
 /// The numbers at a path.
 #[derive(Debug)]
-pub(super) struct Target {
+pub(super) struct KeyTarget {
     /// The path in the form used by errors: entries by name if they have one.
     pub(super) path: String,
     /// Positions of the numbers, in text order.
@@ -40,14 +40,14 @@ pub(super) struct Target {
 }
 
 /// Finds the numbers at a path; `example` is a value for the error.
-pub(super) fn find(root: &Node, path: &str, example: &str) -> Result<Target, Lost> {
+pub(super) fn find(root: &Node, path: &str, example: &str) -> Result<KeyTarget, Lost> {
     let step = walk(root, path);
     if !step.rest.is_empty() {
         return Err(missing(&step, example));
     }
     let mut places = Vec::new();
     match numbers(&step.node.value, &step.place, &mut places) {
-        Some(shape) if !places.is_empty() => Ok(Target {
+        Some(shape) if !places.is_empty() => Ok(KeyTarget {
             path: step.path,
             places,
             shape,

@@ -23,7 +23,7 @@ use cutaway::error::{Diagnostic, Error, Result, did_you_mean};
 use cutaway::scene::{Bounds, Clip, Fit, Outline, Outwards, Part, Scene, Style, View, Viewpoint};
 
 use super::read::reader::Table;
-use super::read::{self, Key, Keyed, Moment, PartSource, Resolved, SceneAssets, Seen};
+use super::read::{self, Key, Keyed, KeyedTime, PartSource, Resolved, SceneAssets, Seen};
 use super::{Document, Node, Settings};
 use crate::load::Assets;
 use crate::load::frames::Sequence;
@@ -339,7 +339,7 @@ impl Timeline {
             keyed.set(root.to_mut(), time_s);
         }
         let keys = self.keys.as_slice();
-        let moment = (!keys.is_empty()).then_some(Moment { time_s, keys });
+        let moment = (!keys.is_empty()).then_some(KeyedTime { time_s, keys });
         read(&read::root(&self.path, &root, moment)?)
     }
 

@@ -12,69 +12,69 @@ const MOST_IMPLIED_ITEMS: usize = 1 << 26;
 
 /// Expected content of the accessor.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Wanted {
+pub(super) struct AccessorFormat {
     pub(super) what: &'static str,
     pub(super) types: &'static [DataType],
     pub(super) dimensions: Dimensions,
 }
 
 /// `POSITION` and `NORMAL`, of vertices and of morph targets.
-pub(super) const VEC3: Wanted = Wanted {
+pub(super) const VEC3: AccessorFormat = AccessorFormat {
     what: "positions or normals",
     types: SHARES,
     dimensions: Dimensions::Vec3,
 };
 
 /// `TEXCOORD_n`.
-pub(super) const PLACES: Wanted = Wanted {
+pub(super) const PLACES: AccessorFormat = AccessorFormat {
     what: "texture coordinates",
     types: &[DataType::F32, DataType::U8, DataType::U16],
     dimensions: Dimensions::Vec2,
 };
 
 /// `COLOR_0` with alpha.
-pub(super) const COLORS_WITH_ALPHA: Wanted = Wanted {
+pub(super) const COLORS_WITH_ALPHA: AccessorFormat = AccessorFormat {
     dimensions: Dimensions::Vec4,
     ..COLORS
 };
 
 /// `COLOR_0`.
-pub(super) const COLORS: Wanted = Wanted {
+pub(super) const COLORS: AccessorFormat = AccessorFormat {
     what: "colours",
     types: &[DataType::F32, DataType::U8, DataType::U16],
     dimensions: Dimensions::Vec3,
 };
 
 /// Vertex indices of triangles.
-pub(super) const INDICES: Wanted = Wanted {
+pub(super) const INDICES: AccessorFormat = AccessorFormat {
     what: "indices",
     types: &[DataType::U8, DataType::U16, DataType::U32],
     dimensions: Dimensions::Scalar,
 };
 
 /// `JOINTS_n`.
-pub(super) const JOINTS: Wanted = Wanted {
+pub(super) const JOINTS: AccessorFormat = AccessorFormat {
     what: "joints",
     types: &[DataType::U8, DataType::U16],
     dimensions: Dimensions::Vec4,
 };
 
 /// `WEIGHTS_n`.
-pub(super) const WEIGHTS: Wanted = Wanted {
+pub(super) const WEIGHTS: AccessorFormat = AccessorFormat {
     what: "weights",
     types: &[DataType::F32, DataType::U8, DataType::U16],
     dimensions: Dimensions::Vec4,
 };
 
 /// Times of keys.
-pub(super) const TIMES: Wanted = Wanted {
+pub(super) const TIMES: AccessorFormat = AccessorFormat {
     what: "times",
     types: &[DataType::F32],
     dimensions: Dimensions::Scalar,
 };
 
 /// Keys of translations and scales.
-pub(super) const TRIPLES: Wanted = Wanted {
+pub(super) const TRIPLES: AccessorFormat = AccessorFormat {
     what: "translations or scales",
     types: &[DataType::F32],
     dimensions: Dimensions::Vec3,
@@ -90,21 +90,21 @@ const SHARES: &[DataType] = &[
 ];
 
 /// Keys of rotations.
-pub(super) const ROTATIONS: Wanted = Wanted {
+pub(super) const ROTATIONS: AccessorFormat = AccessorFormat {
     what: "rotations",
     types: SHARES,
     dimensions: Dimensions::Vec4,
 };
 
 /// Keys of the weights of morph targets.
-pub(super) const TARGET_WEIGHTS: Wanted = Wanted {
+pub(super) const TARGET_WEIGHTS: AccessorFormat = AccessorFormat {
     what: "weights of morph targets",
     types: SHARES,
     dimensions: Dimensions::Scalar,
 };
 
 /// Inverse bind matrices.
-pub(super) const MAT4: Wanted = Wanted {
+pub(super) const MAT4: AccessorFormat = AccessorFormat {
     what: "inverse bind matrices",
     types: &[DataType::F32],
     dimensions: Dimensions::Mat4,
@@ -113,7 +113,7 @@ pub(super) const MAT4: Wanted = Wanted {
 /// Returns an error message if an accessor is invalid. `buffers` are by index.
 pub(super) fn check(
     accessor: &Accessor<'_>,
-    wanted: Wanted,
+    wanted: AccessorFormat,
     buffers: &[Vec<u8>],
 ) -> Result<(), String> {
     let (kind, dimensions) = (accessor.data_type(), accessor.dimensions());
@@ -171,7 +171,7 @@ pub(super) fn check(
 /// The items of an accessor whose item type is known to be `T`.
 pub(super) fn items<T: Item>(
     accessor: Accessor<'_>,
-    wanted: Wanted,
+    wanted: AccessorFormat,
     buffers: &[Vec<u8>],
 ) -> Result<Vec<T>, String> {
     check(&accessor, wanted, buffers)?;

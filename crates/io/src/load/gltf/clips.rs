@@ -20,13 +20,13 @@ use super::nodes::Nodes;
 use super::quantized::{rotations, share};
 
 /// A rig that only lacks its clips, and the sources to read them from.
-pub(super) struct Reader<'a> {
+pub(super) struct ClipReader<'a> {
     pub(super) document: &'a Document,
     pub(super) nodes: &'a Nodes<'a>,
     pub(super) buffers: &'a [Vec<u8>],
 }
 
-impl Reader<'_> {
+impl ClipReader<'_> {
     /// Adds all usable clips to the rig.
     pub(super) fn read(
         &self,

@@ -14,7 +14,7 @@ use super::super::{Files, without_mark};
 use super::{DAMAGED, extensions, mended, packed, uri};
 
 /// A file that has passed the checks of this module.
-pub(super) struct Opened {
+pub(super) struct GltfFile {
     pub(super) document: Document,
     /// Buffer contents by index.
     pub(super) buffers: Vec<Vec<u8>>,
@@ -28,7 +28,7 @@ pub(super) fn open(
     bytes: &[u8],
     store: &dyn Files,
     (notes, files): (&mut Vec<Diagnostic>, &mut Vec<PathBuf>),
-) -> Result<Opened> {
+) -> Result<GltfFile> {
     let wrong = |what: String| Error::file(path, what, DAMAGED);
     check_glb(bytes).map_err(wrong)?;
     let broken = |e: gltf::Error| wrong(format!("glTF: {e}"));
@@ -50,7 +50,7 @@ pub(super) fn open(
     packed::unpack(&mut root, &mut buffers).map_err(wrong)?;
     mended::mend(&mut root, &mut buffers, notes);
     let document = mended::validated(root, notes).map_err(wrong)?;
-    Ok(Opened {
+    Ok(GltfFile {
         document,
         buffers,
         animations,

@@ -10,12 +10,12 @@ use gltf::json::validation::{Checked, USize64};
 use gltf::json::{Index, Root};
 use serde::Deserialize;
 
-use super::packed::{Room, add_view, range};
+use super::packed::{ByteBudget, add_view, range};
 
 /// Content of the extension on a primitive.
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase")]
-pub(super) struct Packed {
+pub(super) struct DracoExtension {
     buffer_view: usize,
     /// Attribute numbers in the stream, by glTF attribute name.
     attributes: BTreeMap<String, u32>,
@@ -26,8 +26,8 @@ pub(super) fn unpack(
     root: &mut Root,
     buffers: &mut Vec<Vec<u8>>,
     [mesh, primitive]: [usize; 2],
-    packed: &Packed,
-    room: &mut Room,
+    packed: &DracoExtension,
+    room: &mut ByteBudget,
 ) -> Result<(), String> {
     let view = root.buffer_views.get(packed.buffer_view);
     let view = view.ok_or_else(|| format!("there is no buffer view {}", packed.buffer_view))?;
@@ -83,7 +83,7 @@ pub(super) fn unpack(
 }
 
 /// Decodes the mesh in a stream.
-fn decoded(stream: &[u8], room: &Room) -> Result<Mesh, String> {
+fn decoded(stream: &[u8], room: &ByteBudget) -> Result<Mesh, String> {
     // Each attribute value and each face index takes at least four bytes.
     let mut limits = DecodeLimits::default();
     limits.max_points = limits.max_points.min(room.0 / 4);

@@ -17,7 +17,7 @@ use crate::load::images::texture::texture_of;
 const MOST_PIXELS: u64 = 1 << 27;
 
 /// The images of a file.
-pub(super) struct Images<'a> {
+pub(super) struct GltfImages<'a> {
     pub(super) path: &'a Path,
     pub(super) store: &'a dyn Files,
     pub(super) buffers: &'a [Vec<u8>],
@@ -30,7 +30,7 @@ pub(super) struct Images<'a> {
     pub(super) notes: Vec<Diagnostic>,
 }
 
-impl Images<'_> {
+impl GltfImages<'_> {
     /// The image of a texture; `None` if it has none or the image cannot be read.
     pub(super) fn of_texture(&mut self, texture: &gltf::Texture<'_>) -> Option<Arc<Texture>> {
         if let Some(image) = texture.source() {

@@ -36,17 +36,17 @@ use std::sync::Arc;
 
 use cutaway::error::{Diagnostic, Error, Result};
 use cutaway::scene::Role;
-use cutaway::scene::motion::{Bound, Driver, Motion, Rig, RigAttachment};
+use cutaway::scene::motion::{BoundMesh, Driver, Motion, Rig, RigAttachment};
 use cutaway::scene::weld::thousands;
 use gltf::Node;
 
 use super::grouped::grouped;
 use super::{DraftSolid, Files, Placed};
 
-use document::Opened;
+use document::GltfFile;
 pub(super) use document::named_files;
 use extensions::VISIBILITY;
-use images::Images;
+use images::GltfImages;
 pub(super) use uri::leads_away;
 
 const DAMAGED: &str =
@@ -60,7 +60,7 @@ pub(super) fn read(
 ) -> Result<Vec<Placed>> {
     let wrong = |what: String| Error::file(path, what, DAMAGED);
     let opened = document::open(path, bytes, store, (notes, files))?;
-    let Opened {
+    let GltfFile {
         document, buffers, ..
     } = &opened;
     let nodes = nodes::read(document, buffers).map_err(wrong)?;
@@ -68,14 +68,14 @@ pub(super) fn read(
     let of_rig = skins.iter().map(|s| s.clone().unwrap_or_default());
     let mut rig = Rig::new(nodes.of_rig.clone(), of_rig.collect());
     notes.extend(skin::flat_joints(&rig));
-    clips::Reader {
+    clips::ClipReader {
         document,
         nodes: &nodes,
         buffers,
     }
     .read(&opened.animations, &mut rig, notes);
     let rig = Arc::new(rig);
-    let mut images = Images {
+    let mut images = GltfImages {
         path,
         store,
         buffers,
@@ -225,7 +225,7 @@ struct GltfSolid {
     color: Option<glam::Vec3>,
     materials: Vec<String>,
     is_transparent: bool,
-    bound: Arc<Bound>,
+    bound: Arc<BoundMesh>,
     hold: RigAttachment,
 }
 
@@ -245,7 +245,7 @@ impl GltfSolid {
             color: solid.color,
             materials: solid.materials,
             is_transparent: solid.is_transparent,
-            bound: Arc::new(Bound::new(solid.mesh, solid.motion)),
+            bound: Arc::new(BoundMesh::new(solid.mesh, solid.motion)),
             hold,
         }
     }

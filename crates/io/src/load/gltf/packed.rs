@@ -43,7 +43,7 @@ pub(super) fn is_stand_in(root: &Root) -> Vec<bool> {
 /// Unpacks all views and primitives into new buffers.
 pub(super) fn unpack(root: &mut Root, buffers: &mut Vec<Vec<u8>>) -> Result<(), String> {
     let packed = buffers.iter().map(|b| b.len() as u64).sum();
-    let mut room = Room(most_unpacked(packed));
+    let mut room = ByteBudget(most_unpacked(packed));
     for number in 0..root.buffer_views.len() {
         let Some((name, packed)) = meshopt_of(&root.buffer_views[number]) else {
             continue;
@@ -65,7 +65,7 @@ pub(super) fn unpack(root: &mut Root, buffers: &mut Vec<Vec<u8>>) -> Result<(), 
                 continue;
             };
             let at = |what: String| format!("mesh {mesh}, primitive {primitive} ({DRACO}): {what}");
-            let packed: draco::Packed = said(packed).map_err(at)?;
+            let packed: draco::DracoExtension = said(packed).map_err(at)?;
             let place = [mesh, primitive];
             draco::unpack(root, buffers, place, &packed, &mut room).map_err(at)?;
         }
@@ -74,9 +74,9 @@ pub(super) fn unpack(root: &mut Root, buffers: &mut Vec<Vec<u8>>) -> Result<(), 
 }
 
 /// Number of bytes that may still be unpacked.
-pub(super) struct Room(pub(super) u64);
+pub(super) struct ByteBudget(pub(super) u64);
 
-impl Room {
+impl ByteBudget {
     pub(super) fn take(&mut self, bytes: usize) -> Result<(), String> {
         self.0 = self.0.checked_sub(bytes as u64).ok_or(
             "it unpacks to more bytes than are accepted for a file of its size: unpack it with another program",
@@ -157,7 +157,12 @@ struct PackedView {
 }
 
 impl PackedView {
-    fn unpack(&self, view: &View, buffers: &[Vec<u8>], room: &mut Room) -> Result<Vec<u8>, String> {
+    fn unpack(
+        &self,
+        view: &View,
+        buffers: &[Vec<u8>],
+        room: &mut ByteBudget,
+    ) -> Result<Vec<u8>, String> {
         let packing = Packing {
             mode: named("mode", &self.mode, &Mode::NAMED)?,
             filter: named(

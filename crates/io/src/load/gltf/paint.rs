@@ -12,10 +12,10 @@ use gltf::{Primitive, Semantic};
 
 use super::super::painted::{Paint, PaintedTriangle};
 use super::accessor::{COLORS, COLORS_WITH_ALPHA, PLACES, check};
-use super::images::Images;
+use super::images::GltfImages;
 
 /// Reads the paint of a primitive.
-pub(super) fn of(primitive: &Primitive<'_>, images: &mut Images<'_>) -> Paint {
+pub(super) fn of(primitive: &Primitive<'_>, images: &mut GltfImages<'_>) -> Paint {
     let material = primitive.material();
     let texture = material.pbr_metallic_roughness().base_color_texture();
     Paint {

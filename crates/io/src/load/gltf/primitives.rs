@@ -10,7 +10,7 @@ use super::super::painted::vertex_paint;
 use super::super::{Draft, Group};
 use super::accessor::{INDICES, check};
 use super::follow::Followers;
-use super::images::Images;
+use super::images::GltfImages;
 use super::paint;
 use super::quantized::triples;
 use super::skin;
@@ -19,7 +19,7 @@ use super::skin;
 pub(super) fn draft(
     mesh: &gltf::Mesh<'_>,
     joints: Option<usize>,
-    (buffers, images): (&[Vec<u8>], &mut Images<'_>),
+    (buffers, images): (&[Vec<u8>], &mut GltfImages<'_>),
     notes: &mut Vec<Diagnostic>,
 ) -> Result<Draft, String> {
     let mut draft = Draft::default();

@@ -16,11 +16,11 @@ use glam::{DAffine3, Vec3};
 use super::super::Placed;
 
 /// An end of an edge: its f32 coordinates as bits.
-type End = [u32; 3];
+type EdgeEnd = [u32; 3];
 
 /// Returns the parts after joining those that form one solid.
 pub(super) fn joined(placed: Vec<Placed>, notes: &mut Vec<Diagnostic>) -> Vec<Placed> {
-    let mut open: Vec<([End; 2], u32)> = Vec::new();
+    let mut open: Vec<([EdgeEnd; 2], u32)> = Vec::new();
     for (number, part) in (0..).zip(&placed) {
         if part.driver.is_none() && part.world_from_part.matrix3.determinant() > 0.0 {
             open.extend(open_edges(part).map(|edge| (edge, number)));
@@ -53,7 +53,7 @@ pub(super) fn joined(placed: Vec<Placed>, notes: &mut Vec<Diagnostic>) -> Vec<Pl
     parts.into_iter().flatten().collect()
 }
 
-fn open_edges(part: &Placed) -> impl Iterator<Item = [End; 2]> {
+fn open_edges(part: &Placed) -> impl Iterator<Item = [EdgeEnd; 2]> {
     let edges: Vec<[u32; 2]> = Edges::of(&part.mesh.triangles).open().collect();
     edges.into_iter().map(|edge| {
         let mut ends = edge.map(|i| {

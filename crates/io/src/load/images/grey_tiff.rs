@@ -9,10 +9,10 @@ use tiff::ColorType;
 use tiff::decoder::{Decoder, DecodingResult};
 
 /// Width and height in texels, and the heights row by row.
-pub(in crate::load) type Heights = ([u32; 2], Vec<f32>);
+pub(in crate::load) type GreyHeights = ([u32; 2], Vec<f32>);
 
 /// Decodes the heights of a grey TIFF; `None` for a TIFF in colour. The error is the reason for a decoding failure.
-pub(in crate::load) fn read(bytes: &[u8]) -> Result<Option<Heights>, String> {
+pub(in crate::load) fn read(bytes: &[u8]) -> Result<Option<GreyHeights>, String> {
     let mut decoder = Decoder::new(Cursor::new(bytes)).map_err(|e| e.to_string())?;
     let (width, height) = decoder.dimensions().map_err(|e| e.to_string())?;
     match decoder.colortype().map_err(|e| e.to_string())? {

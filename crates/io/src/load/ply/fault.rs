@@ -5,12 +5,12 @@ use std::io::ErrorKind;
 use ply_rs_bw::parser::ParseError;
 
 /// An error message and its line.
-pub(super) struct Fault {
+pub(super) struct PlyError {
     pub(super) line: Option<usize>,
     pub(super) what: String,
 }
 
-impl Fault {
+impl PlyError {
     /// The parser's error message in one line.
     pub(super) fn of(error: &ParseError) -> Self {
         let text = error.to_string();

@@ -23,7 +23,7 @@ use ply_rs_bw::ply::{
 
 use super::{Draft, without_mark};
 
-use fault::Fault;
+use fault::PlyError;
 use text::Words;
 
 /// Name used here for the property that lists a face's corners.
@@ -38,7 +38,7 @@ const DAMAGED: &str = "the file is cut off, damaged or no PLY: export or downloa
 const COLORS: [&str; 3] = ["red", "green", "blue"];
 
 #[derive(Debug, Default)]
-struct Vertex {
+struct PlyVertex {
     at: DVec3,
     normal: Vec3,
     /// sRGB, each channel from 0 to the largest value of its type, or in 0..=1.
@@ -78,7 +78,7 @@ impl Default for Corners {
 #[derive(Debug, Default)]
 struct Ignored;
 
-impl PropertyAccess for Vertex {
+impl PropertyAccess for PlyVertex {
     fn new() -> Self {
         Self::default()
     }
@@ -153,7 +153,7 @@ impl PropertyAccess for Ignored {
 /// Elements of a mesh, and flags that are true if the vertices have complete normals and complete colours.
 #[derive(Default)]
 struct Elements {
-    vertices: Vec<Vertex>,
+    vertices: Vec<PlyVertex>,
     faces: Vec<PlyFace>,
     strips: Vec<PlyFace>,
     has_normals: bool,
@@ -161,22 +161,22 @@ struct Elements {
 }
 
 /// Source of the elements, in header order.
-enum Source<'a, 'b, R: BufRead> {
+enum ElementSource<'a, 'b, R: BufRead> {
     Binary(&'a mut Reader<R>, &'a Header),
     Text(&'a mut Words<'b>),
 }
 
-impl<R: BufRead> Source<'_, '_, R> {
-    fn read<E: PropertyAccess>(&mut self, element: &ElementDef) -> Result<Vec<E>, Fault> {
+impl<R: BufRead> ElementSource<'_, '_, R> {
+    fn read<E: PropertyAccess>(&mut self, element: &ElementDef) -> Result<Vec<E>, PlyError> {
         match self {
             Self::Binary(reader, header) => Parser::<E>::new()
                 .read_payload_for_element(reader, element, header)
-                .map_err(|e| Fault::of(&e)),
+                .map_err(|e| PlyError::of(&e)),
             Self::Text(words) => words.read(element),
         }
     }
 
-    fn elements(&mut self, elements: &[ElementDef]) -> Result<Elements, Fault> {
+    fn elements(&mut self, elements: &[ElementDef]) -> Result<Elements, PlyError> {
         let mut read = Elements::default();
         for element in elements {
             match element.name.as_str() {
@@ -197,14 +197,14 @@ impl<R: BufRead> Source<'_, '_, R> {
 pub(super) fn read(path: &Path, bytes: &[u8], notes: &mut Vec<Diagnostic>) -> Result<Draft> {
     let bytes = without_mark(bytes);
     let (header_text, payload) = header::split(path, bytes, notes);
-    let refuse = |fault: Fault| match fault.line {
+    let refuse = |fault: PlyError| match fault.line {
         Some(line) => Error::file_line(path, line, fault.what, DAMAGED),
         None => Error::file(path, fault.what, DAMAGED),
     };
     let mut reader = Reader::new(header_text.as_bytes().chain(payload));
     let header = Parser::<Ignored>::new()
         .read_header(&mut reader)
-        .map_err(|e| refuse(Fault::in_header(&e, &header_text)))?;
+        .map_err(|e| refuse(PlyError::in_header(&e, &header_text)))?;
     let mut elements: Vec<ElementDef> = header.elements.values().cloned().collect();
     for element in &mut elements {
         name_corner_list(element);
@@ -215,10 +215,10 @@ pub(super) fn read(path: &Path, bytes: &[u8], notes: &mut Vec<Diagnostic>) -> Re
             let text = String::from_utf8_lossy(payload);
             let before = header_text.lines().count();
             text::in_either_layout(&text, before, |words| {
-                Source::<&[u8]>::Text(words).elements(&elements)
+                ElementSource::<&[u8]>::Text(words).elements(&elements)
             })
         }
-        _ => Source::Binary(&mut reader, &header).elements(&elements),
+        _ => ElementSource::Binary(&mut reader, &header).elements(&elements),
     };
     let read = read.map_err(refuse)?;
     if read.faces.is_empty() && read.strips.is_empty() {

@@ -9,7 +9,7 @@ use ply_rs_bw::ply::{
     ElementDef, Property, PropertyAccess, PropertyAccessResult, PropertyType, ScalarType,
 };
 
-use super::Fault;
+use super::PlyError;
 use crate::load::lines::{Lines, lines};
 
 /// Maximum capacity reserved from a count in the header alone.
@@ -30,8 +30,8 @@ pub(super) struct Words<'a> {
 pub(super) fn in_either_layout<T>(
     text: &str,
     lines_before: usize,
-    read: impl Fn(&mut Words<'_>) -> Result<T, Fault>,
-) -> Result<T, Fault> {
+    read: impl Fn(&mut Words<'_>) -> Result<T, PlyError>,
+) -> Result<T, PlyError> {
     let mut words = Words {
         lines: lines(text),
         words: "".split_ascii_whitespace(),
@@ -53,11 +53,11 @@ impl<'a> Words<'a> {
     pub(super) fn read<E: PropertyAccess>(
         &mut self,
         element: &ElementDef,
-    ) -> Result<Vec<E>, Fault> {
+    ) -> Result<Vec<E>, PlyError> {
         let mut all = Vec::with_capacity(element.count.min(MOST_RESERVED));
         for number in 0..element.count {
             if self.by_line && !self.next_line() {
-                return Err(Fault {
+                return Err(PlyError {
                     line: Some(self.number),
                     what: format!(
                         "the file ends after {number} of {} `{}`",
@@ -73,7 +73,7 @@ impl<'a> Words<'a> {
                     set,
                     Some(PropertyAccessResult::Set | PropertyAccessResult::Ignored)
                 ) {
-                    return Err(Fault::of_line(self.number, self.line));
+                    return Err(PlyError::of_line(self.number, self.line));
                 }
             }
             all.push(item);

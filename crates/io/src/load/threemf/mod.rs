@@ -32,7 +32,7 @@ use super::Placed;
 use super::draft::{Draft, Group};
 use super::grouped::grouped;
 
-use model::{Model, Object, ObjectGeometry, Reference};
+use model::{Object, ObjectGeometry, ObjectReference, ThreeMfModel};
 use package::Package;
 use slicer::{Use, Uses};
 use xml::shortened;
@@ -47,7 +47,7 @@ const BUILD: &str =
     "export it with solid objects: supports, surfaces, points and lines are not cut";
 
 /// An object of a package: the name of its package part, which is empty for the first model, and its number.
-type Key = (String, u32);
+type ObjectKey = (String, u32);
 
 /// Reads the solids of a package, and the unit of their coordinates.
 pub(super) fn read(
@@ -109,9 +109,9 @@ struct Reader<'a> {
     uses: Uses,
     /// Name of the package part with the first model.
     first: String,
-    models: BTreeMap<String, Model>,
+    models: BTreeMap<String, ThreeMfModel>,
     /// Solids built from objects so far; `None` for objects without triangles.
-    solids: BTreeMap<Key, Option<ShownSolid>>,
+    solids: BTreeMap<ObjectKey, Option<ShownSolid>>,
     /// Number of objects visited, including repeated visits.
     objects: usize,
     placed: Vec<Placed>,
@@ -122,9 +122,9 @@ struct Reader<'a> {
 
 /// Path to an object.
 #[derive(Clone, Copy)]
-struct Way<'a> {
+struct ObjectPath<'a> {
     /// The enclosing objects, outermost first.
-    around: &'a [Key],
+    around: &'a [ObjectKey],
     part_number: Option<&'a str>,
     world_from_outer: DAffine3,
 }
@@ -137,7 +137,7 @@ impl Reader<'_> {
             return Err(Error::file(self.path, what, xml::DAMAGED));
         };
         for item in &items {
-            let way = Way {
+            let way = ObjectPath {
                 around: &[],
                 part_number: item.part_number.as_deref(),
                 world_from_outer: DAffine3::IDENTITY,
@@ -148,7 +148,12 @@ impl Reader<'_> {
     }
 
     /// Follows a reference in the model of package part `from`.
-    fn follow(&mut self, from: &str, reference: &Reference, way: Way<'_>) -> Result<()> {
+    fn follow(
+        &mut self,
+        from: &str,
+        reference: &ObjectReference,
+        way: ObjectPath<'_>,
+    ) -> Result<()> {
         let part = match &reference.part {
             Some(part) if is_same(part, &self.first) => String::new(),
             Some(part) => part.trim_start_matches('/').to_lowercase(),
@@ -215,7 +220,7 @@ impl Reader<'_> {
                 // Put back after the loop: a cycle back to this object is refused before its components are needed.
                 let components = std::mem::take(components);
                 let around = [way.around, std::slice::from_ref(&key)].concat();
-                let inner = Way {
+                let inner = ObjectPath {
                     around: &around,
                     part_number: way.part_number,
                     world_from_outer: world_from_object,
@@ -252,7 +257,7 @@ impl Reader<'_> {
         }
     }
 
-    fn note_unit(&mut self, part: &str, model: &Model) {
+    fn note_unit(&mut self, part: &str, model: &ThreeMfModel) {
         let unit = self.models.get("").map_or(model.unit, |root| root.unit);
         if unit != model.unit {
             let (own, of_root) = (model.unit.in_3mf(), unit.in_3mf());
@@ -264,7 +269,12 @@ impl Reader<'_> {
     }
 
     /// Shows the mesh of an object at a placement.
-    fn place(&mut self, key: Key, way: Way<'_>, world_from_part: DAffine3) -> Result<()> {
+    fn place(
+        &mut self,
+        key: ObjectKey,
+        way: ObjectPath<'_>,
+        world_from_part: DAffine3,
+    ) -> Result<()> {
         let Some(model) = self.models.get_mut(&key.0) else {
             return Ok(());
         };
@@ -320,8 +330,8 @@ impl Reader<'_> {
 }
 
 /// Reads a model of a package, with its images.
-fn model_of(package: &mut Package<'_>, part: &str) -> Result<Model> {
-    let mut model = Model::read(&package.read(part)?)?;
+fn model_of(package: &mut Package<'_>, part: &str) -> Result<ThreeMfModel> {
+    let mut model = ThreeMfModel::read(&package.read(part)?)?;
     let properties = &mut model.properties;
     let notes = properties.read_images(&mut |image| package.texture(image));
     model.notes.extend(notes);
@@ -330,7 +340,7 @@ fn model_of(package: &mut Package<'_>, part: &str) -> Result<Model> {
 
 /// Builds the solid of an object, whose mesh is consumed; further placements reuse the result.
 fn solid(
-    model: &mut Model,
+    model: &mut ThreeMfModel,
     id: u32,
     (label, uses): (&str, &[(RangeInclusive<usize>, Use)]),
     notes: &mut Vec<Diagnostic>,

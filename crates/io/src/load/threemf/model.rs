@@ -20,13 +20,13 @@ use super::xml::{Element, Space, Xml, shortened};
 
 /// A model part.
 #[derive(Debug)]
-pub(super) struct Model {
+pub(super) struct ThreeMfModel {
     pub(super) path: PathBuf,
     pub(super) unit: LengthUnit,
     pub(super) objects: BTreeMap<u32, Object>,
     pub(super) properties: Properties,
     /// Items of the build; `None` if the model has no `<build>`.
-    pub(super) items: Option<Vec<Reference>>,
+    pub(super) items: Option<Vec<ObjectReference>>,
     pub(super) notes: Vec<Diagnostic>,
 }
 
@@ -48,14 +48,14 @@ pub(super) struct Object {
 #[derive(Debug)]
 pub(super) enum ObjectGeometry {
     Mesh(Result<Geometry>),
-    Components(Vec<Reference>),
+    Components(Vec<ObjectReference>),
     /// Name of the element found instead of a mesh or components.
     Other(Option<String>),
 }
 
 /// A build item or a component: an object with a transform.
 #[derive(Debug)]
-pub(super) struct Reference {
+pub(super) struct ObjectReference {
     pub(super) object: u32,
     /// The package part that contains the object, if it is another one.
     pub(super) part: Option<String>,
@@ -65,7 +65,7 @@ pub(super) struct Reference {
     pub(super) line: usize,
 }
 
-impl Model {
+impl ThreeMfModel {
     pub(super) fn read(text: &Text) -> Result<Self> {
         let mut xml = Xml::new(&text.path, &text.text);
         let root = xml.root("model")?;
@@ -227,7 +227,7 @@ fn object(xml: &mut Xml<'_>, element: &Element<'_>) -> Result<(u32, Object)> {
 }
 
 /// The build items, or the components of an object, in the element that is open.
-fn references(xml: &mut Xml<'_>, name: &str) -> Result<Vec<Reference>> {
+fn references(xml: &mut Xml<'_>, name: &str) -> Result<Vec<ObjectReference>> {
     let mut references = Vec::new();
     while let Some(element) = xml.child()? {
         if element.is(Space::Core, name) {
@@ -235,7 +235,7 @@ fn references(xml: &mut Xml<'_>, name: &str) -> Result<Vec<Reference>> {
                 element.values(["objectid", "transform", "partnumber"])?;
             let object = element.id(&element.needed(id, "objectid")?)?;
             let transform = transform.map_or(Ok(DAffine3::IDENTITY), |t| affine(&element, &t))?;
-            references.push(Reference {
+            references.push(ObjectReference {
                 object,
                 part: xml.value_of(&element, Space::Production, "path")?,
                 part_number: part_number.map(Into::into),

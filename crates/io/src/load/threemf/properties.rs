@@ -23,7 +23,7 @@ type Rgba = [u8; 4];
 
 /// A group of properties.
 #[derive(Clone, Debug)]
-enum Group {
+enum PropertyGroup {
     /// Names and colours of materials.
     Materials(Vec<(Option<String>, Option<Rgba>)>),
     Colors(Vec<Option<Rgba>>),
@@ -37,7 +37,7 @@ enum Group {
 
 /// An image of the package.
 #[derive(Clone, Debug)]
-struct Image {
+struct TextureImage {
     /// Name of its package part.
     path: String,
     /// Decoded texture, if it could be read.
@@ -47,14 +47,14 @@ struct Image {
 /// The properties of a model part, by their numbers.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Properties {
-    groups: BTreeMap<u32, Group>,
-    images: BTreeMap<u32, Image>,
+    groups: BTreeMap<u32, PropertyGroup>,
+    images: BTreeMap<u32, TextureImage>,
     /// Numbers that are used twice.
     pub(super) repeated: Vec<u32>,
 }
 
 /// Resolved property.
-enum Found<'a> {
+enum ResolvedProperty<'a> {
     Color(Rgba, Option<&'a str>),
     /// The number of an image, and the texture coordinate in it.
     Place(u32, Vec2),
@@ -63,7 +63,7 @@ enum Found<'a> {
 
 /// Appearance of an object, from its properties.
 #[derive(Debug, Default)]
-pub(super) struct Look {
+pub(super) struct ObjectAppearance {
     pub(super) vertex_paint: Option<VertexPaint>,
     /// The most common triangle colour.
     pub(super) color: Option<Vec3>,
@@ -80,18 +80,20 @@ impl Properties {
             let path = element.value("path")?.map(|path| path.into_owned());
             if let (Some(Ok(id)), Some(path)) = (id.map(|id| element.id(&id)), path) {
                 let texture = None;
-                self.images.entry(id).or_insert(Image { path, texture });
+                self.images
+                    .entry(id)
+                    .or_insert(TextureImage { path, texture });
             }
             xml.skip()?;
             return Ok(true);
         }
         let group = if element.is(Space::Core, "basematerials") {
-            Group::Materials(rows(xml, "base", |base| {
+            PropertyGroup::Materials(rows(xml, "base", |base| {
                 let [name, color] = base.values(["name", "displaycolor"])?;
                 Ok((name.map(Into::into), color.and_then(|c| rgba(&c))))
             })?)
         } else if element.is(Space::Material, "colorgroup") {
-            Group::Colors(rows(xml, "color", |color| {
+            PropertyGroup::Colors(rows(xml, "color", |color| {
                 Ok(color.value("color")?.and_then(|c| rgba(&c)))
             })?)
         } else if element.is(Space::Material, "compositematerials") {
@@ -103,13 +105,13 @@ impl Properties {
                 let greatest = of_material.max_by(|a, b| a.0.total_cmp(b.0));
                 Ok(greatest.map(|(_, index)| *index))
             })?;
-            Group::Composites(of_group, mains)
+            PropertyGroup::Composites(of_group, mains)
         } else if element.is(Space::Material, "multiproperties") {
             let of_groups = numbers(&groups.unwrap_or_default());
             let indices = rows(xml, "multi", |multi| {
                 Ok(numbers(&multi.value("pindices")?.unwrap_or_default()))
             })?;
-            Group::Several(of_groups, indices)
+            PropertyGroup::Several(of_groups, indices)
         } else if element.is(Space::Material, "texture2dgroup") {
             let of = element.value("texid")?;
             let of = of.and_then(|of| of.trim().parse().ok()).unwrap_or(NONE);
@@ -122,7 +124,7 @@ impl Properties {
                 // V points up in the file, and down in rows of texels.
                 Ok(Vec2::new(number("u")?, 1.0 - number("v")?))
             })?;
-            Group::Places(of, places)
+            PropertyGroup::Places(of, places)
         } else {
             return Ok(false);
         };
@@ -141,7 +143,7 @@ impl Properties {
         read: &mut dyn FnMut(&str) -> std::result::Result<Arc<Texture>, String>,
     ) -> Vec<Diagnostic> {
         let with_places = self.groups.values().filter_map(|group| match group {
-            Group::Places(image, _) => Some(*image),
+            PropertyGroup::Places(image, _) => Some(*image),
             _ => None,
         });
         let with_places: BTreeSet<u32> = with_places.collect();
@@ -159,8 +161,8 @@ impl Properties {
     }
 
     /// The image of a triangle and the texture coordinates of its corners, if all corners lie in the same image.
-    fn place(&self, found: &[Found<'_>; 3]) -> Option<(u32, [Vec2; 3])> {
-        let Found::Place(image, _) = found[0] else {
+    fn place(&self, found: &[ResolvedProperty<'_>; 3]) -> Option<(u32, [Vec2; 3])> {
+        let ResolvedProperty::Place(image, _) = found[0] else {
             return None;
         };
         if !self.is_there(image) {
@@ -169,7 +171,7 @@ impl Properties {
         let mut uv = [Vec2::ZERO; 3];
         for (uv, found) in uv.iter_mut().zip(found) {
             match found {
-                Found::Place(of, at) if *of == image => *uv = *at,
+                ResolvedProperty::Place(of, at) if *of == image => *uv = *at,
                 _ => return None,
             }
         }
@@ -180,30 +182,33 @@ impl Properties {
         self.images.get(&image).is_some_and(|i| i.texture.is_some())
     }
 
-    fn find(&self, group: u32, index: u32) -> Found<'_> {
+    fn find(&self, group: u32, index: u32) -> ResolvedProperty<'_> {
         match self.groups.get(&group) {
-            Some(Group::Composites(of, mains)) => match mains.get(index as usize) {
+            Some(PropertyGroup::Composites(of, mains)) => match mains.get(index as usize) {
                 Some(Some(main)) => self.plain(*of, *main),
-                _ => Found::Missing,
+                _ => ResolvedProperty::Missing,
             },
-            Some(Group::Several(groups, indices)) => {
+            Some(PropertyGroup::Several(groups, indices)) => {
                 let Some(indices) = indices.get(index as usize) else {
-                    return Found::Missing;
+                    return ResolvedProperty::Missing;
                 };
-                let mut found_first = Found::Missing;
+                let mut found_first = ResolvedProperty::Missing;
                 for (at, group) in groups.iter().enumerate() {
                     // A missing index means the first entry.
                     let index = indices.get(at).copied().unwrap_or_default();
                     let found = match self.groups.get(group) {
-                        Some(Group::Composites(of, mains)) => {
+                        Some(PropertyGroup::Composites(of, mains)) => {
                             let main = mains.get(index as usize).copied().flatten();
-                            main.map_or(Found::Missing, |main| self.plain(*of, main))
+                            main.map_or(ResolvedProperty::Missing, |main| self.plain(*of, main))
                         }
                         _ => self.plain(*group, index),
                     };
                     found_first = match (&found_first, &found) {
-                        (_, Found::Place(image, _)) if self.is_there(*image) => return found,
-                        (Found::Missing, _) | (Found::Place(..), Found::Color(..)) => found,
+                        (_, ResolvedProperty::Place(image, _)) if self.is_there(*image) => {
+                            return found;
+                        }
+                        (ResolvedProperty::Missing, _)
+                        | (ResolvedProperty::Place(..), ResolvedProperty::Color(..)) => found,
                         _ => found_first,
                     };
                 }
@@ -214,27 +219,31 @@ impl Properties {
     }
 
     /// Resolves a property that does not combine others.
-    fn plain(&self, group: u32, index: u32) -> Found<'_> {
+    fn plain(&self, group: u32, index: u32) -> ResolvedProperty<'_> {
         match self.groups.get(&group) {
-            Some(Group::Materials(all)) => match all.get(index as usize) {
-                Some((name, Some(color))) => Found::Color(*color, name.as_deref()),
-                _ => Found::Missing,
+            Some(PropertyGroup::Materials(all)) => match all.get(index as usize) {
+                Some((name, Some(color))) => ResolvedProperty::Color(*color, name.as_deref()),
+                _ => ResolvedProperty::Missing,
             },
-            Some(Group::Colors(all)) => match all.get(index as usize) {
-                Some(Some(color)) => Found::Color(*color, None),
-                _ => Found::Missing,
+            Some(PropertyGroup::Colors(all)) => match all.get(index as usize) {
+                Some(Some(color)) => ResolvedProperty::Color(*color, None),
+                _ => ResolvedProperty::Missing,
             },
-            Some(Group::Places(image, all)) => match all.get(index as usize) {
-                Some(at) => Found::Place(*image, *at),
-                None => Found::Missing,
+            Some(PropertyGroup::Places(image, all)) => match all.get(index as usize) {
+                Some(at) => ResolvedProperty::Place(*image, *at),
+                None => ResolvedProperty::Missing,
             },
-            _ => Found::Missing,
+            _ => ResolvedProperty::Missing,
         }
     }
 
     /// Computes the appearance of the triangles of an object; `default` is the property of triangles without their own.
-    pub(super) fn look(&self, geometry: &Geometry, default: Option<(u32, u32)>) -> Look {
-        let mut look = Look::default();
+    pub(super) fn look(
+        &self,
+        geometry: &Geometry,
+        default: Option<(u32, u32)>,
+    ) -> ObjectAppearance {
+        let mut look = ObjectAppearance::default();
         let mut count_of: BTreeMap<Rgba, usize> = BTreeMap::new();
         let mut painted = Vec::with_capacity(geometry.assigned.len());
         let [mut mixed, mut textured, mut missing, mut opaque] = [0_usize; 4];
@@ -257,12 +266,12 @@ impl Properties {
                         paints.len() as u32 - 1
                     });
                 } else {
-                    textured += usize::from(matches!(found[0], Found::Place(..)));
+                    textured += usize::from(matches!(found[0], ResolvedProperty::Place(..)));
                 }
-                missing += usize::from(matches!(found[0], Found::Missing));
-                if let Found::Color(first, name) = found[0] {
+                missing += usize::from(matches!(found[0], ResolvedProperty::Missing));
+                if let ResolvedProperty::Color(first, name) = found[0] {
                     let colors = found.map(|found| match found {
-                        Found::Color(color, _) => color,
+                        ResolvedProperty::Color(color, _) => color,
                         _ => first,
                     });
                     if colors == [first; 3] {
@@ -308,7 +317,10 @@ impl Properties {
 
     fn is_mixed(&self, group: u32) -> bool {
         let of = self.groups.get(&group);
-        matches!(of, Some(Group::Composites(..) | Group::Several(..)))
+        matches!(
+            of,
+            Some(PropertyGroup::Composites(..) | PropertyGroup::Several(..))
+        )
     }
 }
 

@@ -33,12 +33,12 @@ const ZERO: &str = "0";
 const FIRST_FREE: u32 = 0x100;
 
 /// Code and value pairs of the file, and the next free handle.
-struct Draft {
+struct DxfWriter {
     text: String,
     next: u32,
 }
 
-impl Draft {
+impl DxfWriter {
     fn pair(&mut self, code: u16, value: impl std::fmt::Display) {
         // Writing to a string cannot fail.
         let _ = write!(self.text, "{code:>3}\n{value}\n");
@@ -58,12 +58,12 @@ impl Draft {
 
 /// The drawing as the text of a file.
 pub fn dxf(report: &SectionReport, unit: Option<LengthUnit>) -> String {
-    let mut draft = Draft {
+    let mut draft = DxfWriter {
         text: String::new(),
         next: FIRST_FREE,
     };
-    let layers = Layers::of(report);
-    let mut entities = Draft {
+    let layers = DxfLayers::of(report);
+    let mut entities = DxfWriter {
         text: String::new(),
         next: FIRST_FREE + layers.colors.len() as u32 + 1,
     };
@@ -93,14 +93,14 @@ pub fn dxf(report: &SectionReport, unit: Option<LengthUnit>) -> String {
 
 /// The layers of a drawing.
 #[derive(Default)]
-struct Layers {
+struct DxfLayers {
     /// Layers of closed and of open curves, by part name.
     of_parts: BTreeMap<String, [String; 2]>,
     /// Colours by layer name.
     colors: BTreeMap<String, [u8; 3]>,
 }
 
-impl Layers {
+impl DxfLayers {
     fn of(report: &SectionReport) -> Self {
         let mut layers = Self::default();
         // Layer names are compared without regard to case.
@@ -161,7 +161,7 @@ fn in_ascii(text: &str) -> String {
     ascii
 }
 
-fn polyline(draft: &mut Draft, curve: &Curve, layer: &str, is_closed: bool, by: [f64; 2]) {
+fn polyline(draft: &mut DxfWriter, curve: &Curve, layer: &str, is_closed: bool, by: [f64; 2]) {
     let handle = draft.handle();
     draft.pairs(&[
         (0, "LWPOLYLINE"),
@@ -191,7 +191,7 @@ fn insunits(unit: LengthUnit) -> u8 {
     }
 }
 
-fn header(draft: &mut Draft, unit: Option<LengthUnit>, next: u32) {
+fn header(draft: &mut DxfWriter, unit: Option<LengthUnit>, next: u32) {
     draft.pairs(&[
         (999, "written by cutaway"),
         (0, "SECTION"),
@@ -213,7 +213,7 @@ fn header(draft: &mut Draft, unit: Option<LengthUnit>, next: u32) {
     draft.pairs(&[(0, "ENDSEC")]);
 }
 
-fn tables(draft: &mut Draft, layers: &BTreeMap<String, [u8; 3]>) {
+fn tables(draft: &mut DxfWriter, layers: &BTreeMap<String, [u8; 3]>) {
     draft.pairs(&[(0, "SECTION"), (2, "TABLES")]);
     table(draft, "VPORT", "8", 0);
     draft.pairs(&[(0, "ENDTAB")]);
@@ -282,7 +282,7 @@ fn tables(draft: &mut Draft, layers: &BTreeMap<String, [u8; 3]>) {
     draft.pairs(&[(0, "ENDTAB"), (0, "ENDSEC")]);
 }
 
-fn table(draft: &mut Draft, name: &str, handle: &str, count: usize) {
+fn table(draft: &mut DxfWriter, name: &str, handle: &str, count: usize) {
     draft.pairs(&[
         (0, "TABLE"),
         (2, name),
@@ -293,7 +293,7 @@ fn table(draft: &mut Draft, name: &str, handle: &str, count: usize) {
     draft.pair(70, count);
 }
 
-fn record(draft: &mut Draft, kind: &str, owner: &str, handle: &str, class: &str, name: &str) {
+fn record(draft: &mut DxfWriter, kind: &str, owner: &str, handle: &str, class: &str, name: &str) {
     draft.pairs(&[
         (0, kind),
         (5, handle),
@@ -305,7 +305,7 @@ fn record(draft: &mut Draft, kind: &str, owner: &str, handle: &str, class: &str,
     ]);
 }
 
-fn blocks(draft: &mut Draft) {
+fn blocks(draft: &mut DxfWriter) {
     draft.pairs(&[(0, "SECTION"), (2, "BLOCKS")]);
     for (owner, name, begin, end) in [
         ("1F", "*Model_Space", "20", "21"),
@@ -339,7 +339,7 @@ fn blocks(draft: &mut Draft) {
     draft.pairs(&[(0, "ENDSEC")]);
 }
 
-fn objects(draft: &mut Draft) {
+fn objects(draft: &mut DxfWriter) {
     draft.pairs(&[(0, "SECTION"), (2, "OBJECTS")]);
     draft.pairs(&[
         (0, "DICTIONARY"),

@@ -35,7 +35,7 @@ pub struct PlaneReport {
     /// Number of the clip-surface in the scene.
     pub clip_surface: usize,
     /// The plane, with its right and up directions.
-    pub plane: Drawn,
+    pub plane: DrawingPlane,
     /// True if other clip-surfaces of the cut, or other cuts, remove part of the section.
     pub trimmed: bool,
     /// Total area over all parts.
@@ -96,7 +96,7 @@ pub struct Curve {
 
 /// A plane with its drawing axes.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Drawn {
+pub struct DrawingPlane {
     /// The point of the plane nearest to the world origin.
     #[serde(serialize_with = "as_array")]
     pub origin: DVec3,
@@ -116,7 +116,7 @@ fn as_array<S: Serializer>(v: &DVec3, serializer: S) -> Result<S::Ok, S::Error> 
     (*v + DVec3::ZERO).to_array().serialize(serializer)
 }
 
-impl Drawn {
+impl DrawingPlane {
     /// A plane of a scene with an up axis.
     pub fn of(plane: &SlicePlane, up: Up) -> Self {
         let normal = plane.frame.normal;
@@ -150,7 +150,7 @@ impl PlaneReport {
         cut: &str,
         face: SectionFace,
         clip_surface: usize,
-        plane: Drawn,
+        plane: DrawingPlane,
         parts: Vec<PartReport>,
     ) -> Self {
         let total = |of: fn(&PartReport) -> f64| parts.iter().map(of).sum::<f64>() + 0.0;
@@ -179,7 +179,7 @@ impl PlaneReport {
 
 impl PartReport {
     /// Creates the report of the section of a part.
-    pub fn new(part: &Part, section: &Section, plane: &SlicePlane, drawn: &Drawn) -> Self {
+    pub fn new(part: &Part, section: &Section, plane: &SlicePlane, drawn: &DrawingPlane) -> Self {
         let curve = |points: &[u32], closed| {
             // Seen from the other side, loops run in the opposite direction.
             let seen = points.iter().rev();
@@ -206,7 +206,7 @@ impl PartReport {
 }
 
 impl Curve {
-    fn of(at: &[DVec2], closed: bool, plane: &SlicePlane, drawn: &Drawn) -> Self {
+    fn of(at: &[DVec2], closed: bool, plane: &SlicePlane, drawn: &DrawingPlane) -> Self {
         let steps = at.windows(2).map(|w| w[0].distance(w[1]));
         let back = match at {
             [first, .., last] if closed => first.distance(*last),

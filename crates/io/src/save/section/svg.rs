@@ -26,12 +26,12 @@ const NON_SCALING: &str = "@supports (vector-effect: non-scaling-stroke) \
 
 /// A rectangle in a plane.
 #[derive(Clone, Copy, Debug)]
-struct Frame {
+struct PlaneRect {
     min: [f64; 2],
     max: [f64; 2],
 }
 
-impl Frame {
+impl PlaneRect {
     /// Bounds of all curves of a plane; the unit square if there are none.
     fn of(plane: &PlaneReport) -> Self {
         let curves = plane
@@ -61,16 +61,16 @@ impl Frame {
 }
 
 /// Layout of the planes of a report side by side.
-struct Layout {
-    frames: Vec<Frame>,
+struct DrawingLayout {
+    frames: Vec<PlaneRect>,
     /// The longest side of all planes.
     longest: f64,
 }
 
-impl Layout {
+impl DrawingLayout {
     fn of(report: &SectionReport) -> Self {
-        let frames: Vec<Frame> = report.sections.iter().map(Frame::of).collect();
-        let longest = (frames.iter().flat_map(Frame::size)).fold(0.0, f64::max);
+        let frames: Vec<PlaneRect> = report.sections.iter().map(PlaneRect::of).collect();
+        let longest = (frames.iter().flat_map(PlaneRect::size)).fold(0.0, f64::max);
         let longest = if longest > 0.0 { longest } else { 1.0 };
         Self { frames, longest }
     }
@@ -78,12 +78,12 @@ impl Layout {
 
 /// Offset of each plane, so that all stand on one line; the first has none.
 pub(super) fn places(report: &SectionReport) -> Vec<[f64; 2]> {
-    let Layout { frames, longest } = Layout::of(report);
+    let DrawingLayout { frames, longest } = DrawingLayout::of(report);
     let Some(first) = frames.first() else {
         return Vec::new();
     };
     let mut left = first.min[0];
-    let place = |frame: &Frame| {
+    let place = |frame: &PlaneRect| {
         let by = [left - frame.min[0], frame.min[1] - first.min[1]];
         left += frame.size()[0] + longest * GAP_SHARE;
         by
@@ -93,10 +93,10 @@ pub(super) fn places(report: &SectionReport) -> Vec<[f64; 2]> {
 
 /// The drawing as the text of a file.
 pub fn svg(report: &SectionReport, unit: Option<LengthUnit>) -> String {
-    let Layout { frames, longest } = Layout::of(report);
+    let DrawingLayout { frames, longest } = DrawingLayout::of(report);
     let decimals = (DRAWN_DIGITS - longest.log10().ceil() as i32).clamp(0, 300) as usize;
     let gap = longest * GAP_SHARE;
-    let first = frames.first().copied().unwrap_or(Frame {
+    let first = frames.first().copied().unwrap_or(PlaneRect {
         min: [0.0; 2],
         max: [1.0; 2],
     });

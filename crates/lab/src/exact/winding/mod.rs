@@ -25,12 +25,12 @@ use cutaway::scene::{Bounds, Prepared, View};
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 
-use self::tree::Tree;
+use self::tree::WindingTree;
 use super::clip::Ray;
 use super::raster::{self, BAND_ROWS, Crossing};
 use super::ray_scratch::RayScratch;
-use super::walk::{Cause, Event, Sight, pass_clips};
-use super::{Lines, Outlining};
+use super::walk::{Cause, Event, VisiblePoint, pass_clips};
+use super::{BandedScene, Outlining};
 
 /// The winding number is evaluated this far before a clip-surface, in scene units: a face in the surface is then behind the point,
 /// as it is for the exact reference. Half of the last bit of a scene coordinate.
@@ -42,7 +42,7 @@ const SURE: f64 = 0.25;
 /// The meshes of a scene, prepared for winding-number queries.
 pub struct Windings {
     /// The trees, by rank.
-    trees: Vec<Tree>,
+    trees: Vec<WindingTree>,
 }
 
 impl Windings {
@@ -52,7 +52,7 @@ impl Windings {
         let trees = prepared.parts.par_iter();
         Self {
             trees: trees
-                .map(|p| Tree::of(&p.positions, &p.triangles))
+                .map(|p| WindingTree::of(&p.positions, &p.triangles))
                 .collect(),
         }
     }
@@ -64,12 +64,12 @@ impl Windings {
 
     /// Bytes of the trees.
     pub fn bytes(&self) -> u64 {
-        self.trees.iter().map(Tree::bytes).sum()
+        self.trees.iter().map(WindingTree::bytes).sum()
     }
 
     /// Layers of a view of the scene.
     pub fn layers(&self, prepared: &Prepared, view: &View) -> Layers {
-        let lines = Lines::with(prepared, view, Outlining::Without);
+        let lines = BandedScene::with(prepared, view, Outlining::Without);
         let mut layers = Layers::background(view.size_px);
         let band_pixels = (view.size_px[0] * BAND_ROWS) as usize;
         let bands = layers.pixels.par_chunks_mut(band_pixels).enumerate();
@@ -77,7 +77,7 @@ impl Windings {
         layers
     }
 
-    fn band(&self, lines: &Lines<'_>, band: usize, pixels: &mut [Layer]) {
+    fn band(&self, lines: &BandedScene<'_>, band: usize, pixels: &mut [Layer]) {
         let [width, _] = lines.view.size_px;
         let first_row = band as u32 * BAND_ROWS;
         let rows = [first_row, first_row + pixels.len() as u32 / width];
@@ -97,7 +97,7 @@ impl Windings {
 
     fn pixel(
         &self,
-        lines: &Lines<'_>,
+        lines: &BandedScene<'_>,
         at: DVec2,
         found: &[Crossing],
         bench: &mut RayScratch,
@@ -167,7 +167,7 @@ impl Ask<'_> {
     }
 
     /// First visible point, like [`super::walk::walk`], but winding numbers are evaluated instead of counted.
-    fn walk(&mut self, lines: &Lines<'_>, bench: &mut RayScratch) -> Option<Sight> {
+    fn walk(&mut self, lines: &BandedScene<'_>, bench: &mut RayScratch) -> Option<VisiblePoint> {
         let (prepared, view) = (lines.prepared, lines.view);
         let RayScratch {
             ranks,
@@ -190,7 +190,7 @@ impl Ask<'_> {
         if view.near_cap
             && let Some((rank, _)) = within.first()
         {
-            return Some(Sight {
+            return Some(VisiblePoint {
                 rank: *rank,
                 depth: view.near,
                 event: None,
@@ -206,7 +206,7 @@ impl Ask<'_> {
                 rest = later;
                 let was_removed: Vec<bool> =
                     ranks.iter().map(|r| state.removes(prepared, *r)).collect();
-                let pass = |state: &mut super::walk::State| {
+                let pass = |state: &mut super::walk::RayState| {
                     now.iter().for_each(|event| state.apply(event));
                 };
                 pass(state);
@@ -227,7 +227,7 @@ impl Ask<'_> {
                 // Applying an event a second time undoes it.
                 pass(state);
                 if let Some((rank, event, overlap)) = pass_clips(prepared, ranks, now, state) {
-                    return Some(Sight {
+                    return Some(VisiblePoint {
                         rank,
                         depth: event.depth,
                         event: Some(event),
@@ -247,7 +247,7 @@ impl Ask<'_> {
                     within.swap_remove(still);
                 }
             } else if !state.removes(prepared, rank) {
-                return Some(Sight {
+                return Some(VisiblePoint {
                     rank,
                     depth: event.depth,
                     event: Some(*event),

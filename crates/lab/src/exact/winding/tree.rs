@@ -14,7 +14,7 @@ const FAR: f64 = 3.0;
 const LEAF_FACES: usize = 8;
 
 /// A ball around some faces.
-struct Node {
+struct BallNode {
     /// Centroid of the area of the faces.
     middle: DVec3,
     radius: f64,
@@ -36,12 +36,12 @@ enum BuildStep {
 }
 
 /// A mesh in a tree, its nodes in depth-first order.
-pub(super) struct Tree {
+pub(super) struct WindingTree {
     faces: Vec<[Vec3; 3]>,
-    nodes: Vec<Node>,
+    nodes: Vec<BallNode>,
 }
 
-impl Tree {
+impl WindingTree {
     /// Builds the tree of a mesh.
     pub(super) fn of(positions: &[Vec3], triangles: &[[u32; 3]]) -> Self {
         let corners = |t: &[u32; 3]| t.map(|i| positions[i as usize]);
@@ -57,7 +57,7 @@ impl Tree {
                 BuildStep::Make(range) if range.is_empty() => {}
                 BuildStep::Make(range) => {
                     let faces = &mut tree.faces[range.clone()];
-                    let mut node = Node::around(faces);
+                    let mut node = BallNode::around(faces);
                     (node.first, node.end) = (range.start as u32, range.end as u32);
                     let number = tree.nodes.len();
                     tree.nodes.push(node);
@@ -100,7 +100,7 @@ impl Tree {
     }
 }
 
-impl Node {
+impl BallNode {
     /// The ball around some faces, of which there must be at least one.
     fn around(faces: &[[Vec3; 3]]) -> Self {
         let mut area = DVec3::ZERO;
@@ -174,7 +174,7 @@ mod tests {
             .filter(|(i, _)| keep(*i))
             .map(|(_, t)| *t)
             .collect();
-        let tree = Tree::of(&positions, &triangles);
+        let tree = WindingTree::of(&positions, &triangles);
         assert_eq!(tree.faces.len(), triangles.len());
         let sum: f64 = tree.faces.iter().map(|f| solid_angle(f, point)).sum();
         [tree.winding(point), sum / (4.0 * std::f64::consts::PI)]

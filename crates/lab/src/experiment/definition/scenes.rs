@@ -12,7 +12,7 @@ use super::claims::{self, Claim};
 use super::drift::drift;
 use crate::experiment::Parameter;
 use crate::experiment::drift::Drift;
-use crate::experiment::sweep::{Axes, Axis, Changes, Point, Value, Variable, expand};
+use crate::experiment::sweep::{Axes, Changes, Point, SweepAxis, SweepValue, Variable, expand};
 
 const RUN_KEYS: &[&str] = &[
     "name",
@@ -91,7 +91,7 @@ impl Pictures {
 
 /// A run as written, before it is expanded.
 #[derive(Clone)]
-struct Draft {
+struct RunDraft {
     variable: Variable,
     axes: Axes,
     rounds: usize,
@@ -113,7 +113,7 @@ pub(super) fn read(entry: &Entry<'_>, path: &Path) -> Result<(Asked, Asked)> {
         (entry, table)
     };
     let entry = &entry;
-    let mut draft = Draft {
+    let mut draft = RunDraft {
         variable: Variable {
             scene,
             truth: table.get("truth").map(|t| changes(&t)).transpose()?,
@@ -142,7 +142,7 @@ pub(super) fn read(entry: &Entry<'_>, path: &Path) -> Result<(Asked, Asked)> {
     Ok((Asked::Scenes(full), Asked::Scenes(quick)))
 }
 
-impl Draft {
+impl RunDraft {
     /// Sets the keys of a run that change the scene, other than `scene` itself.
     fn set(&mut self, table: &Table<'_>) -> Result<()> {
         let scene = &mut self.variable.scene;
@@ -172,7 +172,7 @@ impl Draft {
         }
         // There is one quick size, however many sizes there are in full.
         if table.get("resolution").is_some() {
-            let is_of_more = |a: &Axis| {
+            let is_of_more = |a: &SweepAxis| {
                 let mut sets = a.values.iter().flat_map(|v| &v.sets);
                 a.is_of_strategies() || sets.any(|(path, _)| path != "resolution")
             };
@@ -262,7 +262,7 @@ fn rounds(table: &Table<'_>) -> Result<Option<usize>> {
 
 /// Reads an axis. Its name is the path at which its values are set, or a placeholder in braces in a strategy, or neither if the values
 /// give the paths: `{ path = "..", values = [..] }` or a table for each value.
-fn axis(name: &str, entry: &Entry<'_>, draft: &Draft) -> Result<Axis> {
+fn axis(name: &str, entry: &Entry<'_>, draft: &RunDraft) -> Result<SweepAxis> {
     if entry.is_table() {
         let table = entry.table(&["path", "values"])?;
         let path = table.need("path", "\"cut.front.surfaces.0.amplitude\"")?;
@@ -282,7 +282,7 @@ fn axis(name: &str, entry: &Entry<'_>, draft: &Draft) -> Result<Axis> {
         let values = entry.list()?;
         let values = values.iter().map(|e| tabled(e, draft));
         let values = values.collect::<Result<_>>()?;
-        return Axis::of(name, Vec::new(), values).map_err(|f| entry.place(f));
+        return SweepAxis::of(name, Vec::new(), values).map_err(|f| entry.place(f));
     }
     let is_path = paths::find(name).is_some();
     if !name.contains('.') && !is_path && draft.variable.scene.root().get(name).is_none() {
@@ -295,7 +295,7 @@ fn axis(name: &str, entry: &Entry<'_>, draft: &Draft) -> Result<Axis> {
 }
 
 /// Reads fewer or other values of an axis. On an axis with tables, a value is selected by its label.
-fn fewer(name: &str, entry: &Entry<'_>, draft: &Draft) -> Result<Axis> {
+fn fewer(name: &str, entry: &Entry<'_>, draft: &RunDraft) -> Result<SweepAxis> {
     let Some(full) = draft.axes.get(name) else {
         return axis(name, entry, draft);
     };
@@ -318,37 +318,42 @@ fn fewer(name: &str, entry: &Entry<'_>, draft: &Draft) -> Result<Axis> {
         })
     };
     let values = entry.list()?.iter().map(value).collect::<Result<_>>()?;
-    Axis::of(name, Vec::new(), values).map_err(|f| entry.place(f))
+    SweepAxis::of(name, Vec::new(), values).map_err(|f| entry.place(f))
 }
 
-fn of_strategies(name: &str, entry: &Entry<'_>) -> Result<Axis> {
+fn of_strategies(name: &str, entry: &Entry<'_>) -> Result<SweepAxis> {
     let value = |e: &Entry<'_>| {
-        Ok(Value {
+        Ok(SweepValue {
             is: called(e)?,
             sets: Changes::new(),
         })
     };
     let values = entry.list()?.iter().map(value).collect::<Result<_>>()?;
-    Axis::of(name, Vec::new(), values).map_err(|f| entry.place(f))
+    SweepAxis::of(name, Vec::new(), values).map_err(|f| entry.place(f))
 }
 
 /// Reads an axis whose values are set at some paths.
-fn of_paths(name: &str, paths: Vec<String>, entry: &Entry<'_>, draft: &Draft) -> Result<Axis> {
+fn of_paths(
+    name: &str,
+    paths: Vec<String>,
+    entry: &Entry<'_>,
+    draft: &RunDraft,
+) -> Result<SweepAxis> {
     let value = |e: &Entry<'_>| {
         let sets = paths.iter().map(|path| (path.clone(), e.node.clone()));
         let sets: Changes = sets.collect();
         settable(&sets, e, draft)?;
-        Ok(Value {
+        Ok(SweepValue {
             is: called(e)?,
             sets,
         })
     };
     let values = entry.list()?.iter().map(value).collect::<Result<_>>()?;
-    Axis::of(name, paths, values).map_err(|f| entry.place(f))
+    SweepAxis::of(name, paths, values).map_err(|f| entry.place(f))
 }
 
 /// Reads a value that gives the paths it sets: `{ is = "2 k", "part.0.shape" = "torus?segments=48&sides=21" }`.
-fn tabled(entry: &Entry<'_>, draft: &Draft) -> Result<Value> {
+fn tabled(entry: &Entry<'_>, draft: &RunDraft) -> Result<SweepValue> {
     let table = entry.open_table()?;
     let is = called(&table.need("is", "\"2 k\"")?)?;
     let others = table.all().filter(|(key, _)| *key != "is");
@@ -360,10 +365,10 @@ fn tabled(entry: &Entry<'_>, draft: &Draft) -> Result<Value> {
         return Err(entry.fault("it sets nothing", help));
     }
     settable(&sets, entry, draft)?;
-    Ok(Value { is, sets })
+    Ok(SweepValue { is, sets })
 }
 
-fn settable(sets: &Changes, entry: &Entry<'_>, draft: &Draft) -> Result<()> {
+fn settable(sets: &Changes, entry: &Entry<'_>, draft: &RunDraft) -> Result<()> {
     if sets
         .iter()
         .any(|(path, _)| path == "strategy.name" || path == "strategy")

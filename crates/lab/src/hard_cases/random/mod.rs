@@ -25,7 +25,7 @@ const MOST_FINDINGS: usize = 5;
 
 /// A scene that was drawn wrong.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Finding {
+pub struct WrongScene {
     /// Name of the strategy.
     pub strategy: String,
     /// Number of the scene in the search.
@@ -40,7 +40,7 @@ pub struct Finding {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Searched {
     /// Scenes that were drawn wrong.
-    pub findings: Vec<Finding>,
+    pub findings: Vec<WrongScene>,
     /// Per method, in order: the number of scenes it drew completely; it refused the others, or drew them with an overflow.
     pub drawn: Vec<usize>,
     /// Pixels that show a cap in exact.
@@ -101,7 +101,7 @@ pub fn search(
                 fault_kept(session, &question, &judged, method)
             })?;
             step(format!("{strategy}, scene {scene}: {what}"));
-            searched.findings.push(Finding {
+            searched.findings.push(WrongScene {
                 strategy,
                 scene,
                 what,

@@ -1,13 +1,13 @@
 //! Broken meshes: which strategy is least wrong, and how many of the wrong pixels it marks.
 
 use super::figures::{counts, ranged, shares};
-use super::point::Point;
+use super::point::RecordedPoint;
 use crate::experiment::Record;
 use crate::report::derived::{harms, has_defect, usage};
 use crate::report::document::{Cell, Grid, Tone};
 
 /// A table with a row for each defect and strategy; `None` if no point has another scene as its truth.
-pub(super) fn grid(points: &[Point<'_>]) -> Option<Grid> {
+pub(super) fn grid(points: &[RecordedPoint<'_>]) -> Option<Grid> {
     let mut grid = Grid::new(
         "broken meshes",
         [

@@ -4,16 +4,16 @@ use super::expectations::missed_notice;
 use super::figures::counted;
 use crate::experiment::{CaseRecord, CaseRecords, Reached};
 use crate::report::derived::natural;
-use crate::report::document::{Block, Cell, Grid, Tone};
-use crate::report::recorded::{Experiment, Recorded};
+use crate::report::document::{Cell, Grid, ReportBlock, Tone};
+use crate::report::recorded::{Experiment, RecordedFolders};
 
-pub(super) fn chapter(recorded: &Recorded) -> Vec<Block> {
+pub(super) fn chapter(recorded: &RecordedFolders) -> Vec<ReportBlock> {
     let mut blocks = Vec::new();
     for folder in &recorded.folders {
         for experiment in &folder.experiments {
             for cases in &experiment.cases {
                 if blocks.is_empty() {
-                    blocks.push(Block::Text(
+                    blocks.push(ReportBlock::Text(
                         "Scenes with a known answer. A cell says what came of the expectation of that method: `✓`, reached; `declared`, a failure or a bound that was \
                          stated beforehand with its reason, and occurred as stated; or `missed`, which a declared failure that passes is too. Cases with something missed come first."
                             .to_owned(),
@@ -24,7 +24,7 @@ pub(super) fn chapter(recorded: &Recorded) -> Vec<Block> {
                     _ => (folder.run.as_ref())
                         .map_or_else(String::new, |run| format!(" · {}", run.adapter.name)),
                 };
-                blocks.push(Block::Heading(
+                blocks.push(ReportBlock::Heading(
                     4,
                     format!("{}, run {}{place}", cases.experiment, cases.run),
                 ));
@@ -39,18 +39,18 @@ pub(super) fn chapter(recorded: &Recorded) -> Vec<Block> {
 }
 
 /// Question and analysis of an experiment that are shown in no other section.
-fn asked(experiment: &Experiment) -> Vec<Block> {
+fn asked(experiment: &Experiment) -> Vec<ReportBlock> {
     let synopsis = &experiment.synopsis;
     if !experiment.records.is_empty() {
         return Vec::new();
     }
     vec![
-        Block::Heading(5, synopsis.question.clone()),
-        Block::Prose(synopsis.analysis.clone()),
+        ReportBlock::Heading(5, synopsis.question.clone()),
+        ReportBlock::Prose(synopsis.analysis.clone()),
     ]
 }
 
-fn one(cases: &CaseRecords) -> Vec<Block> {
+fn one(cases: &CaseRecords) -> Vec<ReportBlock> {
     let all = || cases.cases.iter().flat_map(|c| &c.expectations);
     let missed = || all().filter(|r| !r.holds);
     let declared = all().filter(|r| r.holds && r.expected.why.is_some());
@@ -59,7 +59,7 @@ fn one(cases: &CaseRecords) -> Vec<Block> {
         true => String::new(),
         false => format!(", pictures with sides of {} px", sizes.join(" and ")),
     };
-    let mut blocks = vec![Block::Text(format!(
+    let mut blocks = vec![ReportBlock::Text(format!(
         "{}{sizes}: {}, {} missed, {} declared.",
         counted(cases.cases.len(), "case"),
         counted(all().count(), "expectation"),
@@ -68,16 +68,16 @@ fn one(cases: &CaseRecords) -> Vec<Block> {
     ))];
     for case in &cases.cases {
         for reached in case.expectations.iter().filter(|r| !r.holds) {
-            if let Block::Notice(tone, text) = missed_notice(reached) {
+            if let ReportBlock::Notice(tone, text) = missed_notice(reached) {
                 let text = format!("Case {} ({}). {text}", case.id, case.name);
-                blocks.push(Block::Notice(tone, text));
+                blocks.push(ReportBlock::Notice(tone, text));
             }
         }
     }
-    blocks.push(Block::Folded {
+    blocks.push(ReportBlock::Folded {
         summary: format!("{} by each method", counted(cases.cases.len(), "case")),
         open: missed().count() > 0,
-        blocks: vec![Block::Grid(table(cases))],
+        blocks: vec![ReportBlock::Grid(table(cases))],
     });
     blocks
 }

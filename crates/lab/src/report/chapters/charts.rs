@@ -4,11 +4,11 @@
 //! marks of one strategy with a swept parameter form one series, in the order of the parameter.
 
 use super::figures::label;
-use super::point::{Point, Points};
+use super::point::{Points, RecordedPoint};
 use super::{fronts, series};
 use crate::experiment::{ChartSynopsis, Ending, Parameter};
 use crate::report::derived::{Row, natural, rows_by_family};
-use crate::report::document::{Axis, Block, Chart, Mark, Panel, Series, Tone};
+use crate::report::document::{Chart, ChartAxis, Mark, Panel, ReportBlock, Series, Tone};
 use crate::report::look::{Look, look};
 use crate::report::number::figure;
 
@@ -16,14 +16,14 @@ use crate::report::number::figure;
 pub(super) fn blocks(
     charts: &[ChartSynopsis],
     points: &Points<'_>,
-    all: &[Point<'_>],
-) -> Vec<Block> {
+    all: &[RecordedPoint<'_>],
+) -> Vec<ReportBlock> {
     let mut blocks = Vec::new();
     for asked in charts {
         let of_runs = all
             .iter()
             .filter(|p| asked.runs.is_empty() || asked.runs.contains(&p.record.run));
-        let mut facets: Vec<(String, Vec<Point<'_>>)> = Vec::new();
+        let mut facets: Vec<(String, Vec<RecordedPoint<'_>>)> = Vec::new();
         for point in of_runs {
             let facet = match asked.pareto {
                 true => format!("{}{}", point.name(), points.on_whom(point)),
@@ -44,25 +44,25 @@ pub(super) fn blocks(
                 "\"{}\" has nothing to show: no record has figures for both `{}` and `{}`.",
                 asked.title, asked.x, asked.y
             );
-            blocks.push(Block::Notice(Tone::Fair, text));
+            blocks.push(ReportBlock::Notice(Tone::Fair, text));
         }
     }
     blocks
 }
 
 /// Puts a chart next to the previous one, unless it is as wide as the page.
-fn add_card(blocks: &mut Vec<Block>, chart: Vec<Block>) {
-    let is_wide = (chart.iter()).any(|b| matches!(b, Block::Chart(c) if c.panels.len() > 1));
+fn add_card(blocks: &mut Vec<ReportBlock>, chart: Vec<ReportBlock>) {
+    let is_wide = (chart.iter()).any(|b| matches!(b, ReportBlock::Chart(c) if c.panels.len() > 1));
     match blocks.last_mut() {
         _ if chart.is_empty() => {}
         _ if is_wide => blocks.extend(chart),
-        Some(Block::Cards(cards)) => cards.push(chart),
-        _ => blocks.push(Block::Cards(vec![chart])),
+        Some(ReportBlock::Cards(cards)) => cards.push(chart),
+        _ => blocks.push(ReportBlock::Cards(vec![chart])),
     }
 }
 
 /// A strategy at a point, with its position in a chart.
-pub(super) struct Placed<'a> {
+pub(super) struct PlottedStrategy<'a> {
     pub(super) row: Row<'a>,
     pub(super) at: [f64; 2],
     pub(super) series: String,
@@ -71,18 +71,21 @@ pub(super) struct Placed<'a> {
 }
 
 /// All strategies of some points that have both figures of a chart, and the categories of its x axis if its values are not numbers.
-fn placed<'a>(asked: &ChartSynopsis, points: &[Point<'a>]) -> (Vec<Placed<'a>>, Vec<String>) {
+fn placed<'a>(
+    asked: &ChartSynopsis,
+    points: &[RecordedPoint<'a>],
+) -> (Vec<PlottedStrategy<'a>>, Vec<String>) {
     let rows: Vec<Row<'_>> = points
         .iter()
         .flat_map(|p| rows_by_family(p.record))
         .collect();
     let categories = categories(asked, &rows);
-    let mut placed: Vec<Placed<'_>> = Vec::new();
+    let mut placed: Vec<PlottedStrategy<'_>> = Vec::new();
     for row in rows {
         let x = x_of(asked, &categories, &row);
         let y = row.figures.get(&asked.y).copied();
         if let (Some(x), Some(y)) = (x, y) {
-            placed.push(Placed {
+            placed.push(PlottedStrategy {
                 at: [x, y],
                 series: String::new(),
                 panel: String::new(),
@@ -93,11 +96,15 @@ fn placed<'a>(asked: &ChartSynopsis, points: &[Point<'a>]) -> (Vec<Placed<'a>>, 
     (placed, categories)
 }
 
-fn is_drawn(asked: &ChartSynopsis, points: &[Point<'_>]) -> bool {
+fn is_drawn(asked: &ChartSynopsis, points: &[RecordedPoint<'_>]) -> bool {
     !placed(asked, points).0.is_empty()
 }
 
-fn draw_chart(asked: &ChartSynopsis, facet: &str, points: &[Point<'_>]) -> Vec<Block> {
+fn draw_chart(
+    asked: &ChartSynopsis,
+    facet: &str,
+    points: &[RecordedPoint<'_>],
+) -> Vec<ReportBlock> {
     let (mut placed, categories) = placed(asked, points);
     if placed.is_empty() {
         return Vec::new();
@@ -113,19 +120,19 @@ fn draw_chart(asked: &ChartSynopsis, facet: &str, points: &[Point<'_>]) -> Vec<B
     let (on_front, prices) = front.unzip();
     let mut blocks = match fronts::is_mostly_without_error(asked, &placed) {
         true => vec![
-            Block::Heading(5, title.clone()),
-            Block::Ranking(fronts::ranking(asked, title, &placed)),
-            Block::Text(note),
+            ReportBlock::Heading(5, title.clone()),
+            ReportBlock::Ranking(fronts::ranking(asked, title, &placed)),
+            ReportBlock::Text(note),
         ],
-        false => vec![Block::Chart(Chart {
+        false => vec![ReportBlock::Chart(Chart {
             title,
             note: Some(note),
-            x: Axis {
+            x: ChartAxis {
                 label: label(&asked.x),
                 is_log: is_log("x") && categories.is_empty(),
                 categories,
             },
-            y: Axis {
+            y: ChartAxis {
                 label: label(&asked.y),
                 // Errors span decades.
                 is_log: is_log("y") || asked.pareto,
@@ -139,8 +146,8 @@ fn draw_chart(asked: &ChartSynopsis, facet: &str, points: &[Point<'_>]) -> Vec<B
 }
 
 /// The note of a chart, with the points it shows: each run with its values on the sweep axes.
-fn note(asked: &ChartSynopsis, placed: &[Placed<'_>]) -> String {
-    let mut runs: Named<'_, Named<'_, Vec<String>>> = Vec::new();
+fn note(asked: &ChartSynopsis, placed: &[PlottedStrategy<'_>]) -> String {
+    let mut runs: NamedValues<'_, NamedValues<'_, Vec<String>>> = Vec::new();
     for record in placed.iter().map(|p| p.row.record) {
         let run = place_of(&mut runs, record.run.as_str());
         for (axis, value) in &record.parameters {
@@ -167,10 +174,10 @@ fn note(asked: &ChartSynopsis, placed: &[Placed<'_>]) -> String {
 }
 
 /// A list of named values, in order.
-type Named<'n, T> = Vec<(&'n str, T)>;
+type NamedValues<'n, T> = Vec<(&'n str, T)>;
 
 /// The value with a name in a list, added if there is none.
-fn place_of<'l, 'n, T: Default>(list: &'l mut Named<'n, T>, name: &'n str) -> &'l mut T {
+fn place_of<'l, 'n, T: Default>(list: &'l mut NamedValues<'n, T>, name: &'n str) -> &'l mut T {
     let place = list.iter().position(|(n, _)| *n == name);
     let place = place.unwrap_or_else(|| {
         list.push((name, T::default()));
@@ -208,7 +215,7 @@ pub(super) fn spread(row: &Row<'_>, figure: &str) -> f64 {
 }
 
 /// The drawings of a chart, one for each combination of values varied in addition to the strategies.
-fn panels(asked: &ChartSynopsis, placed: &[Placed<'_>], front: &[[f64; 2]]) -> Vec<Panel> {
+fn panels(asked: &ChartSynopsis, placed: &[PlottedStrategy<'_>], front: &[[f64; 2]]) -> Vec<Panel> {
     let mut titles: Vec<&str> = Vec::new();
     for p in placed {
         if !titles.contains(&p.panel.as_str()) {
@@ -226,7 +233,7 @@ fn panels(asked: &ChartSynopsis, placed: &[Placed<'_>], front: &[[f64; 2]]) -> V
     titles.iter().map(panel).collect()
 }
 
-fn series_of(asked: &ChartSynopsis, placed: &[&Placed<'_>]) -> Vec<Series> {
+fn series_of(asked: &ChartSynopsis, placed: &[&PlottedStrategy<'_>]) -> Vec<Series> {
     let mut names: Vec<&str> = Vec::new();
     for p in placed {
         if !names.contains(&p.series.as_str()) {
@@ -236,7 +243,7 @@ fn series_of(asked: &ChartSynopsis, placed: &[&Placed<'_>]) -> Vec<Series> {
     names
         .into_iter()
         .map(|name| {
-            let mut of_it: Vec<&Placed<'_>> = placed
+            let mut of_it: Vec<&PlottedStrategy<'_>> = placed
                 .iter()
                 .copied()
                 .filter(|p| p.series == name)
@@ -254,8 +261,12 @@ fn series_of(asked: &ChartSynopsis, placed: &[&Placed<'_>]) -> Vec<Series> {
 }
 
 /// Orders marks by the strategy's own parameters if x is a figure, else along x.
-fn in_order(asked: &ChartSynopsis, a: &Placed<'_>, b: &Placed<'_>) -> std::cmp::Ordering {
-    let values = |p: &Placed<'_>| p.row.member.parameters.clone();
+fn in_order(
+    asked: &ChartSynopsis,
+    a: &PlottedStrategy<'_>,
+    b: &PlottedStrategy<'_>,
+) -> std::cmp::Ordering {
+    let values = |p: &PlottedStrategy<'_>| p.row.member.parameters.clone();
     let along_x = a.at[0].total_cmp(&b.at[0]);
     if a.row.parameter(&asked.x).is_some() {
         return along_x;
@@ -267,7 +278,7 @@ fn in_order(asked: &ChartSynopsis, a: &Placed<'_>, b: &Placed<'_>) -> std::cmp::
     by_values.then(along_x)
 }
 
-fn mark(asked: &ChartSynopsis, placed: &Placed<'_>) -> Mark {
+fn mark(asked: &ChartSynopsis, placed: &PlottedStrategy<'_>) -> Mark {
     let row = &placed.row;
     let describe = |name: &str, value: f64| {
         let word = row

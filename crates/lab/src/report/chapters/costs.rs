@@ -5,8 +5,8 @@ use std::collections::BTreeSet;
 use cutaway::plan::Clock;
 
 use super::figures::{self, label, timed, wrong_px};
-use crate::experiment::{Ending, PassTime, Record, Samples, StrategyMeasurement, Warning};
-use crate::report::document::{Bar, Bars, Block, Cell, Grid, Segment, Tone};
+use crate::experiment::{Ending, MedianPassTime, Record, Samples, StrategyMeasurement, Warning};
+use crate::report::document::{Bar, Bars, Cell, Grid, ReportBlock, Segment, Tone};
 use crate::report::errors::ERRORS;
 use crate::report::number::{figure, mebibytes, significant};
 
@@ -37,7 +37,7 @@ const FRAME: usize = COLUMNS_BEFORE + 5;
 pub(super) type Labelled<'a> = (String, &'a Record);
 
 /// Error and cost of each strategy at some points. Columns with only zeros are left out, and listed below the table.
-pub(super) fn table(points: &[Labelled<'_>]) -> Vec<Block> {
+pub(super) fn table(points: &[Labelled<'_>]) -> Vec<ReportBlock> {
     let named = |name: &str, label: &str| match label {
         "" => name.to_owned(),
         label => format!("{name}, {label}"),
@@ -65,7 +65,7 @@ pub(super) fn table(points: &[Labelled<'_>]) -> Vec<Block> {
 }
 
 /// Error and cost of one strategy, with a row for each point that requests it.
-pub(super) fn of_method(name: &str, points: &[Labelled<'_>]) -> Vec<Block> {
+pub(super) fn of_method(name: &str, points: &[Labelled<'_>]) -> Vec<ReportBlock> {
     let mut grid = empty("point", points);
     for (label, record) in points {
         let strategies = record.measurement.strategies.iter();
@@ -99,11 +99,13 @@ fn empty(first: &str, points: &[Labelled<'_>]) -> Grid {
     Grid::new("error and cost", heading)
 }
 
-fn finished(mut grid: Grid) -> Vec<Block> {
+fn finished(mut grid: Grid) -> Vec<ReportBlock> {
     let left_out = grid.without_zeros(&["decided wrong px"]);
     let note = (!left_out.is_empty())
-        .then(|| Block::Text(format!("0 in every row: {}.", left_out.join(", "))));
-    std::iter::once(Block::Grid(grid)).chain(note).collect()
+        .then(|| ReportBlock::Text(format!("0 in every row: {}.", left_out.join(", "))));
+    std::iter::once(ReportBlock::Grid(grid))
+        .chain(note)
+        .collect()
 }
 
 /// The cells of the uncut scene, after the first.
@@ -181,8 +183,8 @@ fn warned(cell: Cell, found: &StrategyMeasurement, warnings: &[Warning]) -> Cell
 }
 
 /// Time of each strategy by pass, and every sample; `None` if no time was taken.
-pub(super) fn passes(record: &Record) -> Option<Block> {
-    let of = |passes: &[PassTime], clock: Clock| -> Vec<Segment> {
+pub(super) fn passes(record: &Record) -> Option<ReportBlock> {
+    let of = |passes: &[MedianPassTime], clock: Clock| -> Vec<Segment> {
         let of_clock = passes.iter().filter(|p| p.clock == clock);
         of_clock
             .map(|p| Segment {
@@ -215,7 +217,7 @@ pub(super) fn passes(record: &Record) -> Option<Block> {
     let bars: Vec<Bar> = draw_only.chain(compute).chain(drawn).collect();
     let is_timed = |bar: &Bar| bar.samples.iter().any(|s| !s.is_empty());
     bars.iter().any(is_timed).then(|| {
-        Block::Bars(Bars {
+        ReportBlock::Bars(Bars {
             label: "where the time goes: medians of passes, and every sample".to_owned(),
             clocks: ["solid", "cut", "frame"].map(str::to_owned).into(),
             bars,

@@ -2,15 +2,15 @@
 
 use super::figures::counted;
 use crate::experiment::{Reached, Record};
-use crate::report::document::{Block, Cell, Grid, Tone};
+use crate::report::document::{Cell, Grid, ReportBlock, Tone};
 
 /// Missed expectations of a point.
-pub(super) fn missed(expectations: &[Reached]) -> impl Iterator<Item = Block> {
+pub(super) fn missed(expectations: &[Reached]) -> impl Iterator<Item = ReportBlock> {
     expectations.iter().filter(|r| !r.holds).map(missed_notice)
 }
 
 /// An expectation of a strategy that several points of a run share.
-struct Shared<'a> {
+struct SharedExpectation<'a> {
     first: &'a Reached,
     reached: usize,
     missed: usize,
@@ -19,17 +19,17 @@ struct Shared<'a> {
 }
 
 /// The expectations of some points in one table, for all strategies or only one; missed expectations come first.
-pub(super) fn of_run(records: &[&Record], only: Option<&str>) -> Option<Block> {
-    let mut all: Vec<Shared<'_>> = Vec::new();
+pub(super) fn of_run(records: &[&Record], only: Option<&str>) -> Option<ReportBlock> {
+    let mut all: Vec<SharedExpectation<'_>> = Vec::new();
     let expected = records.iter().flat_map(|r| &r.expectations);
     for reached in expected.filter(|r| only.is_none_or(|name| r.strategy == name)) {
-        let is_it = |s: &&mut Shared<'_>| {
+        let is_it = |s: &&mut SharedExpectation<'_>| {
             s.first.strategy == reached.strategy && s.first.expected == reached.expected
         };
         let place = match all.iter_mut().find(is_it) {
             Some(shared) => shared,
             None => {
-                all.push(Shared {
+                all.push(SharedExpectation {
                     first: reached,
                     reached: 0,
                     missed: 0,
@@ -73,10 +73,10 @@ pub(super) fn of_run(records: &[&Record], only: Option<&str>) -> Option<Block> {
         0 => "all reached".to_owned(),
         missed => format!("{missed} missed"),
     };
-    Some(Block::Folded {
+    Some(ReportBlock::Folded {
         summary: format!("{}: {of_them}", counted(count, "expectation")),
         open: false,
-        blocks: vec![Block::Grid(grid)],
+        blocks: vec![ReportBlock::Grid(grid)],
     })
 }
 
@@ -93,8 +93,8 @@ fn found(all: &[&str]) -> Cell {
 }
 
 /// Notice of a missed expectation.
-pub(super) fn missed_notice(reached: &Reached) -> Block {
-    Block::Notice(
+pub(super) fn missed_notice(reached: &Reached) -> ReportBlock {
+    ReportBlock::Notice(
         Tone::Bad,
         format!(
             "Expectation missed by {}. Expected: {}. Found: {}.",

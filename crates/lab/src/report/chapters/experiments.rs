@@ -5,26 +5,26 @@ use cutaway_io::document::Document;
 use super::advice::answers::situation_of;
 use super::advice::cards;
 use super::figures::counted;
-use super::point::{Point, Points};
+use super::point::{Points, RecordedPoint};
 use super::{charts, costs, expectations, head, pictures, warnings};
 use crate::experiment::Record;
 use crate::report::derived::variants;
-use crate::report::document::Block;
+use crate::report::document::ReportBlock;
 use crate::report::number::milliseconds;
-use crate::report::recorded::Recorded;
+use crate::report::recorded::RecordedFolders;
 
 pub(super) fn chapter(
-    recorded: &Recorded,
+    recorded: &RecordedFolders,
     points: &Points<'_>,
     pictures: &pictures::Galleries,
-) -> Vec<Block> {
+) -> Vec<ReportBlock> {
     let mut blocks = Vec::new();
     let all = || (recorded.folders.iter()).flat_map(|f| f.experiments.iter().map(move |e| (f, e)));
     for (folder, experiment) in all().filter(|(_, e)| e.records.is_empty()) {
         let name = &experiment.synopsis.name;
         let missing = head::missing(folder, experiment);
         if !missing.is_empty() && !points.by_experiment().iter().any(|(n, _)| n == name) {
-            blocks.push(Block::Heading(3, name.clone()));
+            blocks.push(ReportBlock::Heading(3, name.clone()));
             blocks.extend(missing);
         }
     }
@@ -33,9 +33,9 @@ pub(super) fn chapter(
             continue;
         };
         let synopsis = &first.experiment.synopsis;
-        blocks.push(Block::Heading(3, name.to_owned()));
+        blocks.push(ReportBlock::Heading(3, name.to_owned()));
         if !synopsis.question.is_empty() {
-            blocks.push(Block::Heading(4, synopsis.question.clone()));
+            blocks.push(ReportBlock::Heading(4, synopsis.question.clone()));
         }
         for (folder, experiment) in all().filter(|(_, e)| e.synopsis.name == name) {
             blocks.extend(head::missing(folder, experiment));
@@ -45,10 +45,10 @@ pub(super) fn chapter(
         blocks.extend(pictured.into_iter().flat_map(|p| pictures.gallery(p)));
         blocks.extend(charts::blocks(&synopsis.charts, points, &of_it));
         if !synopsis.analysis.is_empty() {
-            blocks.push(Block::Folded {
+            blocks.push(ReportBlock::Folded {
                 summary: "What was asked, and how to read the answer".to_owned(),
                 open: false,
-                blocks: vec![Block::Prose(synopsis.analysis.clone())],
+                blocks: vec![ReportBlock::Prose(synopsis.analysis.clone())],
             });
         }
         blocks.push(measurements(points, &of_it, pictures, pictured));
@@ -57,10 +57,11 @@ pub(super) fn chapter(
 }
 
 /// The answer of an experiment for each setup; there is none where no methods are compared.
-fn answers(points: &Points<'_>, of_it: &[Point<'_>]) -> Vec<Block> {
+fn answers(points: &Points<'_>, of_it: &[RecordedPoint<'_>]) -> Vec<ReportBlock> {
     let answer = |setup| {
         let on_it = points.on(setup);
-        let is_on_it = |p: &&Point<'_>| on_it.iter().any(|q| std::ptr::eq(p.record, q.record));
+        let is_on_it =
+            |p: &&RecordedPoint<'_>| on_it.iter().any(|q| std::ptr::eq(p.record, q.record));
         let records: Vec<&Record> = of_it.iter().filter(is_on_it).map(|p| p.record).collect();
         let first = records.first()?;
         let is_alone = records.iter().all(|r| r.measurement.strategies.len() < 2);
@@ -71,7 +72,7 @@ fn answers(points: &Points<'_>, of_it: &[Point<'_>]) -> Vec<Block> {
         let sentence = cards::sentence(&records, situation);
         let on_whom = of_it.iter().find(|p| std::ptr::eq(p.record, *first));
         let on_whom = on_whom.map_or_else(String::new, |p| points.on_whom(p));
-        Some(Block::Text(format!("{sentence}{on_whom}")))
+        Some(ReportBlock::Text(format!("{sentence}{on_whom}")))
     };
     points.setups().filter_map(answer).collect()
 }
@@ -79,10 +80,10 @@ fn answers(points: &Points<'_>, of_it: &[Point<'_>]) -> Vec<Block> {
 /// Every point of every run, and what was expected.
 fn measurements(
     points: &Points<'_>,
-    of_it: &[Point<'_>],
+    of_it: &[RecordedPoint<'_>],
     pictures: &pictures::Galleries,
-    shown: Option<&Point<'_>>,
-) -> Block {
+    shown: Option<&RecordedPoint<'_>>,
+) -> ReportBlock {
     let mut blocks = Vec::new();
     let mut runs: Vec<&str> = of_it.iter().map(|p| p.record.run.as_str()).collect();
     runs.dedup();
@@ -91,13 +92,14 @@ fn measurements(
     }
     runs.dedup();
     for run in runs {
-        blocks.push(Block::Heading(4, format!("Run {run}")));
-        let of_run: Vec<&Point<'_>> = of_it.iter().filter(|p| p.record.run == run).collect();
+        blocks.push(ReportBlock::Heading(4, format!("Run {run}")));
+        let of_run: Vec<&RecordedPoint<'_>> =
+            of_it.iter().filter(|p| p.record.run == run).collect();
         let about = of_run
             .first()
             .and_then(|p| p.run())
             .and_then(|r| r.about.as_ref());
-        blocks.extend(about.map(|about| Block::Text(about.clone())));
+        blocks.extend(about.map(|about| ReportBlock::Text(about.clone())));
         let records: Vec<&Record> = of_run.iter().map(|p| p.record).collect();
         blocks.extend(expectations::of_run(&records, None));
         let labels = of_run.iter().map(|p| {
@@ -113,8 +115,8 @@ fn measurements(
             blocks.push(folded(points, point, own, is_open));
         }
     }
-    let has_missed = |p: &Point<'_>| p.record.expectations.iter().any(|r| !r.holds);
-    Block::Folded {
+    let has_missed = |p: &RecordedPoint<'_>| p.record.expectations.iter().any(|r| !r.holds);
+    ReportBlock::Folded {
         summary: format!(
             "{}: errors, times, memory, scenes, and the commands that repeat them",
             counted(of_it.len(), "point")
@@ -126,10 +128,10 @@ fn measurements(
 
 fn folded(
     points: &Points<'_>,
-    point: &Point<'_>,
+    point: &RecordedPoint<'_>,
     pictures: Option<&pictures::Galleries>,
     is_open: bool,
-) -> Block {
+) -> ReportBlock {
     let record = point.record;
     let missed = record.expectations.iter().filter(|r| !r.holds).count();
     let missed_words = match missed {
@@ -140,7 +142,7 @@ fn folded(
         true => record.run.clone(),
         false => point.parameters(),
     };
-    Block::Folded {
+    ReportBlock::Folded {
         summary: format!("{parameters}{}{missed_words}", points.on_whom(point)),
         open: is_open || missed > 0,
         blocks: one(points, point, pictures),
@@ -149,11 +151,11 @@ fn folded(
 
 fn one(
     points: &Points<'_>,
-    point: &Point<'_>,
+    point: &RecordedPoint<'_>,
     pictures: Option<&pictures::Galleries>,
-) -> Vec<Block> {
+) -> Vec<ReportBlock> {
     let record = point.record;
-    let mut blocks = vec![Block::Text(facts(record))];
+    let mut blocks = vec![ReportBlock::Text(facts(record))];
     let common = points.common(point.folder);
     let own = record.warnings.iter().filter(|w| !common.contains(w));
     blocks.extend(warnings::notices(own));
@@ -161,19 +163,22 @@ fn one(
     blocks.extend(pictures.into_iter().flat_map(|p| p.gallery(point)));
     blocks.extend(scenes(record));
     blocks.extend(costs::passes(record));
-    blocks.push(Block::Text("To repeat this point:".to_owned()));
-    blocks.push(Block::Command(record.measurement.command.clone()));
+    blocks.push(ReportBlock::Text("To repeat this point:".to_owned()));
+    blocks.push(ReportBlock::Command(record.measurement.command.clone()));
     blocks
 }
 
 /// The scene of a point, and its truth scene if that is another.
-fn scenes(record: &Record) -> Vec<Block> {
+fn scenes(record: &Record) -> Vec<ReportBlock> {
     let truth = record.truth.as_ref();
     let truth = truth.map(|truth| ("The scene whose exact image is the truth:", truth));
     let all = std::iter::once(("The scene, as a file:", &record.scene)).chain(truth);
     all.flat_map(|(what, scene): (&str, &Document)| {
         let text = scene.to_string().trim().to_owned();
-        [Block::Text(what.to_owned()), Block::Command(text)]
+        [
+            ReportBlock::Text(what.to_owned()),
+            ReportBlock::Command(text),
+        ]
     })
     .collect()
 }

@@ -1,37 +1,47 @@
 //! Additions to a chart of error against cost: the price of accuracy along the front, and a list if nearly all errors are 0.
 
-use super::charts::{Placed, spread};
+use super::charts::{PlottedStrategy, spread};
 use super::figures::{label, times};
 use crate::experiment::{ChartSynopsis, Ending};
-use crate::report::derived::{Offer, Price, Row, Spread, front, steps};
-use crate::report::document::{Block, Cell, Grid, Line, Ranking, Tone};
+use crate::report::derived::{Offer, Row, Spread, StepPrice, front, steps};
+use crate::report::document::{Cell, Grid, Line, Ranking, ReportBlock, Tone};
 use crate::report::look::look;
 use crate::report::number::figure;
 
 /// The points of the front, the cheapest first, and the table of its prices.
-pub(super) fn front_of(asked: &ChartSynopsis, placed: &[Placed<'_>]) -> (Vec<[f64; 2]>, Block) {
+pub(super) fn front_of(
+    asked: &ChartSynopsis,
+    placed: &[PlottedStrategy<'_>],
+) -> (Vec<[f64; 2]>, ReportBlock) {
     let offers: Vec<Offer> = placed.iter().map(|p| offer(asked, p)).collect();
     let on_front = front(&offers);
-    let prices = Block::Folded {
+    let prices = ReportBlock::Folded {
         summary: "The cheapest for each error, and the price of accuracy".to_owned(),
         open: false,
-        blocks: vec![Block::Grid(price_table(placed, &offers, &on_front))],
+        blocks: vec![ReportBlock::Grid(price_table(placed, &offers, &on_front))],
     };
     (on_front.iter().map(|i| placed[*i].at).collect(), prices)
 }
 
 /// Returns true if nearly all marks would lie on the line of zero error, so that a list is more informative.
-pub(super) fn is_mostly_without_error(asked: &ChartSynopsis, placed: &[Placed<'_>]) -> bool {
+pub(super) fn is_mostly_without_error(
+    asked: &ChartSynopsis,
+    placed: &[PlottedStrategy<'_>],
+) -> bool {
     const FEW: usize = 2;
     let wrong = placed.iter().filter(|p| p.at[1] > 0.0).count();
     asked.pareto && placed.len() >= 2 * FEW && wrong <= FEW
 }
 
 /// The strategies of a point by cost, with their errors as text.
-pub(super) fn ranking(asked: &ChartSynopsis, title: String, placed: &[Placed<'_>]) -> Ranking {
-    let mut sorted: Vec<&Placed<'_>> = placed.iter().collect();
+pub(super) fn ranking(
+    asked: &ChartSynopsis,
+    title: String,
+    placed: &[PlottedStrategy<'_>],
+) -> Ranking {
+    let mut sorted: Vec<&PlottedStrategy<'_>> = placed.iter().collect();
     sorted.sort_by(|a, b| a.at[0].total_cmp(&b.at[0]));
-    let line = |p: &&Placed<'_>| {
+    let line = |p: &&PlottedStrategy<'_>| {
         let (median, mad) = (p.at[0], spread(&p.row, &asked.x));
         let error = Cell::from(figure(p.at[1]));
         Line {
@@ -63,7 +73,7 @@ pub(super) fn ranking(asked: &ChartSynopsis, title: String, placed: &[Placed<'_>
     }
 }
 
-fn offer(asked: &ChartSynopsis, placed: &Placed<'_>) -> Offer {
+fn offer(asked: &ChartSynopsis, placed: &PlottedStrategy<'_>) -> Offer {
     Offer {
         error: placed.at[1],
         cost: placed.at[0],
@@ -83,7 +93,7 @@ fn known_spread(row: &Row<'_>, figure: &str) -> Option<f64> {
     }
 }
 
-fn price_table(placed: &[Placed<'_>], offers: &[Offer], on_front: &[usize]) -> Grid {
+fn price_table(placed: &[PlottedStrategy<'_>], offers: &[Offer], on_front: &[usize]) -> Grid {
     let heading = [
         "on the front",
         "error",
@@ -98,10 +108,10 @@ fn price_table(placed: &[Placed<'_>], offers: &[Offer], on_front: &[usize]) -> G
         let price = match step {
             None => Cell::from("cheapest").toned(Tone::Faint),
             Some(step) => match step.price {
-                Price::Factor(price) => Cell::number(times(price), price),
-                Price::ToNoError => Cell::from("to no error at all"),
-                Price::TooShort => Cell::from("too short a step").toned(Tone::Faint),
-                Price::WithinSpread => Cell::from("within spread").toned(Tone::Faint),
+                StepPrice::Factor(price) => Cell::number(times(price), price),
+                StepPrice::ToNoError => Cell::from("to no error at all"),
+                StepPrice::TooShort => Cell::from("too short a step").toned(Tone::Faint),
+                StepPrice::WithinSpread => Cell::from("within spread").toned(Tone::Faint),
             },
         };
         let over = step.map_or_else(Cell::default, |step| {

@@ -3,8 +3,8 @@
 use super::figures::percent;
 use super::pictures;
 use crate::report::derived::BETWEEN_RUNS;
-use crate::report::document::{Block, Cell, Grid};
-use crate::report::recorded::Recorded;
+use crate::report::document::{Cell, Grid, ReportBlock};
+use crate::report::recorded::RecordedFolders;
 
 const WORDS: [[&str; 2]; 14] = [
     [
@@ -66,7 +66,7 @@ const WORDS: [[&str; 2]; 14] = [
 ];
 
 /// The table; empty if nothing was measured.
-pub(super) fn chapter(recorded: &Recorded) -> Vec<Block> {
+pub(super) fn chapter(recorded: &RecordedFolders) -> Vec<ReportBlock> {
     let mut experiments = recorded.folders.iter().flat_map(|f| &f.experiments);
     if experiments.all(|e| e.records.is_empty()) {
         return Vec::new();
@@ -84,8 +84,8 @@ pub(super) fn chapter(recorded: &Recorded) -> Vec<Block> {
         ),
     ]);
     vec![
-        Block::Grid(grid),
-        Block::Text("Colours of pictures of errors:".to_owned()),
-        Block::Swatches(pictures::colors()),
+        ReportBlock::Grid(grid),
+        ReportBlock::Text("Colours of pictures of errors:".to_owned()),
+        ReportBlock::Swatches(pictures::colors()),
     ]
 }

@@ -4,29 +4,29 @@ use super::figures::counted;
 use super::point::Points;
 use super::{pictures, warnings};
 use crate::experiment::Run;
-use crate::report::document::{Block, Cell, Grid, Tone};
-use crate::report::recorded::{Experiment, Folder, Recorded};
+use crate::report::document::{Cell, Grid, ReportBlock, Tone};
+use crate::report::recorded::{Experiment, Folder, RecordedFolders};
 
 /// Number of measurements, missing points, missed expectations, and warnings on all figures.
 pub(super) fn notices(
-    recorded: &Recorded,
+    recorded: &RecordedFolders,
     points: &Points<'_>,
     pictures: &pictures::Galleries,
-) -> Vec<Block> {
+) -> Vec<ReportBlock> {
     let experiments = points.by_experiment().len();
     let strategies: usize = (points.all.iter())
         .map(|p| p.record.measurement.strategies.len())
         .sum();
     if points.all.is_empty() && recorded.folders.iter().all(|f| f.run.is_none()) {
         let peers = recorded.folders.iter().map(|f| f.peers.len()).sum();
-        let mut blocks = vec![Block::Text(format!(
+        let mut blocks = vec![ReportBlock::Text(format!(
             "{} with other tools, and no measurement of ours beside what they hold.",
             counted(peers, "comparison")
         ))];
         blocks.extend(reached(recorded));
         return blocks;
     }
-    let mut blocks = vec![Block::Text(format!(
+    let mut blocks = vec![ReportBlock::Text(format!(
         "{} with {}; {} of strategies, each judged for every pixel against an exact reference in double precision, \
          and timed in turns with the plain drawing of the uncut scene (\"draw only\"), to which all ratios refer.",
         counted(experiments, "experiment"),
@@ -45,7 +45,7 @@ pub(super) fn notices(
         .collect();
     let are_quick = runs.iter().filter(|run| run.is_quick).count();
     if are_quick > 0 {
-        blocks.push(Block::Notice(
+        blocks.push(ReportBlock::Notice(
             Tone::Fair,
             format!(
                 "{} with `--quick`: fewer pixels, values and rounds. Errors are those of the smaller pictures, and times scatter more.",
@@ -60,7 +60,9 @@ pub(super) fn notices(
         };
         let common = warnings::notices(points.common(folder)).into_iter();
         blocks.extend(common.map(|block| match block {
-            Block::Notice(tone, text) => Block::Notice(tone, format!("All points{place}: {text}")),
+            ReportBlock::Notice(tone, text) => {
+                ReportBlock::Notice(tone, format!("All points{place}: {text}"))
+            }
             other => other,
         }));
     }
@@ -69,22 +71,22 @@ pub(super) fn notices(
 }
 
 /// Machine and commands that measured each folder.
-pub(super) fn chapter(recorded: &Recorded) -> Vec<Block> {
+pub(super) fn chapter(recorded: &RecordedFolders) -> Vec<ReportBlock> {
     if recorded.folders.iter().all(|f| f.run.is_none()) {
         return Vec::new();
     }
     vec![
-        Block::Grid(facts(recorded)),
-        Block::Text(
+        ReportBlock::Grid(facts(recorded)),
+        ReportBlock::Text(
             "Each record names the command that measured it; those of hard cases do not. The last command may have kept all points that it asked for."
                 .to_owned(),
         ),
-        Block::Grid(commands(recorded)),
+        ReportBlock::Grid(commands(recorded)),
     ]
 }
 
 /// A row for each command of each folder.
-fn commands(recorded: &Recorded) -> Grid {
+fn commands(recorded: &RecordedFolders) -> Grid {
     let heading = ["folder", "began", "load before", "points", "command"];
     let mut grid = Grid::new("the commands that measured", heading);
     for folder in &recorded.folders {
@@ -106,7 +108,7 @@ fn commands(recorded: &Recorded) -> Grid {
 
 /// Number of expectations reached at points, in cases, and for areas of outside baselines; `None` if those with expectations are not
 /// measured yet.
-fn reached(recorded: &Recorded) -> Option<Block> {
+fn reached(recorded: &RecordedFolders) -> Option<ReportBlock> {
     let experiments = || recorded.folders.iter().flat_map(|f| &f.experiments);
     let of_points = experiments().flat_map(|e| e.records.iter().flat_map(|r| &r.expectations));
     let of_cases = experiments()
@@ -124,12 +126,14 @@ fn reached(recorded: &Recorded) -> Option<Block> {
     let is_whole = experiments().all(|e| e.missing.is_empty());
     let block = match (all, missed) {
         (0, _) if !is_whole => return None,
-        (0, _) => Block::Notice(
+        (0, _) => ReportBlock::Notice(
             Tone::Plain,
             "Nothing was expected of these measurements.".to_owned(),
         ),
-        (all, 0) => Block::Notice(Tone::Good, format!("All {all} expectations were reached.")),
-        (all, missed) => Block::Notice(
+        (all, 0) => {
+            ReportBlock::Notice(Tone::Good, format!("All {all} expectations were reached."))
+        }
+        (all, missed) => ReportBlock::Notice(
             Tone::Bad,
             format!(
                 "{missed} of {all} expectations were missed: they are marked where they belong."
@@ -140,7 +144,7 @@ fn reached(recorded: &Recorded) -> Option<Block> {
 }
 
 /// Points of a folder that are not measured yet, and the commands that continue; empty if all are measured.
-pub(super) fn missing(folder: &Folder, experiment: &Experiment) -> Vec<Block> {
+pub(super) fn missing(folder: &Folder, experiment: &Experiment) -> Vec<ReportBlock> {
     let lacking = &experiment.missing;
     if lacking.is_empty() {
         return Vec::new();
@@ -158,14 +162,14 @@ pub(super) fn missing(folder: &Folder, experiment: &Experiment) -> Vec<Block> {
         lacking.join(", ")
     );
     let commands = folder.invocations().into_iter();
-    let commands = commands.map(|(invocation, _)| Block::Command(invocation.command));
-    std::iter::once(Block::Notice(Tone::Bad, text))
+    let commands = commands.map(|(invocation, _)| ReportBlock::Command(invocation.command));
+    std::iter::once(ReportBlock::Notice(Tone::Bad, text))
         .chain(commands)
         .collect()
 }
 
 /// A column for each folder.
-fn facts(recorded: &Recorded) -> Grid {
+fn facts(recorded: &RecordedFolders) -> Grid {
     type Fact = (&'static str, fn(&Run) -> String);
     const FACTS: [Fact; 11] = [
         ("began", |run| run.began.clone()),

@@ -1,8 +1,8 @@
 //! Section on how the report was made: commands, limits, and biases of the measurements.
 
 use super::pictures::Galleries;
-use crate::report::document::{Block, Cell, Grid};
-use crate::report::recorded::Recorded;
+use crate::report::document::{Cell, Grid, ReportBlock};
+use crate::report::recorded::RecordedFolders;
 
 /// Biases to consider before trusting a figure.
 const BIAS: &str = "\
@@ -15,21 +15,21 @@ const BIAS: &str = "\
 - The shapes are few and most are our own. Real meshes enter only where an experiment names their files.
 ";
 
-pub(super) fn chapter(recorded: &Recorded, pictures: &Galleries) -> Vec<Block> {
-    let mut blocks = vec![Block::Prose(BIAS.to_owned())];
+pub(super) fn chapter(recorded: &RecordedFolders, pictures: &Galleries) -> Vec<ReportBlock> {
+    let mut blocks = vec![ReportBlock::Prose(BIAS.to_owned())];
     let [shown, left_out] = pictures.counts();
     if shown + left_out > 0 {
-        blocks.push(Block::Text(format!(
+        blocks.push(ReportBlock::Text(format!(
             "{shown} pictures are shown and {left_out} left out."
         )));
     }
     for (folder, run) in (recorded.folders.iter()).filter_map(|f| Some((f, f.run.as_ref()?))) {
-        blocks.push(Block::Text(format!(
+        blocks.push(ReportBlock::Text(format!(
             "`{}` was measured by",
             folder.path.display()
         )));
         let commands = folder.invocations().into_iter();
-        blocks.extend(commands.map(|(invocation, _)| Block::Command(invocation.command)));
+        blocks.extend(commands.map(|(invocation, _)| ReportBlock::Command(invocation.command)));
         let mut limits = Grid::new(
             "limits",
             ["limit of the device that plans are made for", "value"],
@@ -38,13 +38,13 @@ pub(super) fn chapter(recorded: &Recorded, pictures: &Galleries) -> Vec<Block> {
             let value = Cell::number(value.to_string(), *value as f64);
             limits.row([Cell::from(name.as_str()), value]);
         }
-        blocks.push(Block::Folded {
+        blocks.push(ReportBlock::Folded {
             summary: "Limits of its device".to_owned(),
             open: false,
-            blocks: vec![Block::Grid(limits)],
+            blocks: vec![ReportBlock::Grid(limits)],
         });
     }
-    blocks.push(Block::Text(
+    blocks.push(ReportBlock::Text(
         "Every figure is in `report.json`, with all records, and in `report.csv`, one row for each point and strategy. \
          Cells of the CSV that a spreadsheet could take for a formula begin with an apostrophe. Times differ from run to run, errors do not."
             .to_owned(),

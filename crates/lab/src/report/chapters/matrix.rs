@@ -1,35 +1,35 @@
 //! Scenes by methods: one cell for each method over the points of a run.
 
 use super::figures::{times, tone_of};
-use super::point::{Point, Points};
+use super::point::{Points, RecordedPoint};
 use crate::experiment::Record;
 use crate::report::derived::{StrategyTotals, totals_of_strategies};
-use crate::report::document::{Block, Cell, Grid, Tone};
+use crate::report::document::{Cell, Grid, ReportBlock, Tone};
 
-pub(super) fn chapter(points: &Points<'_>) -> Vec<Block> {
+pub(super) fn chapter(points: &Points<'_>) -> Vec<ReportBlock> {
     // A single point has its own table.
     if points.all.len() < 2 {
         return Vec::new();
     }
-    let mut blocks = vec![Block::Text(
+    let mut blocks = vec![ReportBlock::Text(
         "A row for each run of an experiment, a column for each method. A cell has the median of the time of a frame over that of drawing uncut, and the \
          most decided wrong pixels of a point where there are some; `!` marks a bounded buffer that overflowed. The range over the points is in the tooltip of a cell."
             .to_owned(),
     )];
     for setup in points.setups() {
         if points.setups().count() > 1 {
-            blocks.push(Block::Heading(5, points.label(setup)));
+            blocks.push(ReportBlock::Heading(5, points.label(setup)));
         }
-        blocks.push(Block::Folded {
+        blocks.push(ReportBlock::Folded {
             summary: "The whole table".to_owned(),
             open: false,
-            blocks: vec![Block::Grid(matrix(&points.on(setup)))],
+            blocks: vec![ReportBlock::Grid(matrix(&points.on(setup)))],
         });
     }
     blocks
 }
 
-fn matrix(points: &[Point<'_>]) -> Grid {
+fn matrix(points: &[RecordedPoint<'_>]) -> Grid {
     let mut runs: Vec<(&str, &str)> = Vec::new();
     for point in points {
         let run = (point.record.experiment.as_str(), point.record.run.as_str());

@@ -7,17 +7,20 @@ use super::point::Points;
 use super::{costs, expectations, glossary, head};
 use crate::experiment::{Record, StrategyMeasurement};
 use crate::report::derived::{Situation, Spread, StrategyTotals, has_other_truth, ranked, usage};
-use crate::report::document::{Block, Cell, Document, Grid, Line, Ranking, Tone};
+use crate::report::document::{Cell, Grid, Line, Ranking, ReportBlock, ReportDocument, Tone};
 use crate::report::look::look;
 use crate::report::number::{mebibytes, milliseconds};
-use crate::report::recorded::Recorded;
+use crate::report::recorded::RecordedFolders;
 
 /// The page of a method.
 ///
 /// # Errors
 ///
 /// Fails if no point used the method; the error names the methods that were used.
-pub(in crate::report) fn method_document(recorded: &Recorded, name: &str) -> Result<Document> {
+pub(in crate::report) fn method_document(
+    recorded: &RecordedFolders,
+    name: &str,
+) -> Result<ReportDocument> {
     let points = Points::of(recorded);
     let records: Vec<&Record> = points.all.iter().map(|p| p.record).collect();
     let known = names(&records);
@@ -44,22 +47,25 @@ pub(in crate::report) fn method_document(recorded: &Recorded, name: &str) -> Res
             1 => String::new(),
             _ => format!(" on {}", points.label(setup)),
         };
-        blocks.push(Block::Heading(2, format!("In short{place}")));
+        blocks.push(ReportBlock::Heading(2, format!("In short{place}")));
         blocks.extend(short(name, &records));
-        blocks.push(Block::Ranking(by_run(name, &records)));
+        blocks.push(ReportBlock::Ranking(by_run(name, &records)));
         let refused = refusals(name, &records);
         if !refused.rows.is_empty() {
-            blocks.push(Block::Heading(
+            blocks.push(ReportBlock::Heading(
                 2,
                 format!("What it refuses or cannot finish{place}"),
             ));
-            blocks.push(Block::Grid(refused));
+            blocks.push(ReportBlock::Grid(refused));
         }
         if let Some(expected) = expectations::of_run(&records, Some(name)) {
-            blocks.push(Block::Heading(2, format!("What was expected of it{place}")));
+            blocks.push(ReportBlock::Heading(
+                2,
+                format!("What was expected of it{place}"),
+            ));
             blocks.push(expected);
         }
-        blocks.push(Block::Heading(2, format!("Every point{place}")));
+        blocks.push(ReportBlock::Heading(2, format!("Every point{place}")));
         let labelled: Vec<costs::Labelled<'_>> = (on_it.iter())
             .map(|p| (format!("{} {}", p.record.experiment, p.name()), p.record))
             .collect();
@@ -69,10 +75,10 @@ pub(in crate::report) fn method_document(recorded: &Recorded, name: &str) -> Res
         ("What the words mean", glossary::chapter(recorded)),
         ("What was run", head::chapter(recorded)),
     ] {
-        blocks.push(Block::Heading(2, heading.to_owned()));
+        blocks.push(ReportBlock::Heading(2, heading.to_owned()));
         blocks.extend(section);
     }
-    Ok(Document {
+    Ok(ReportDocument {
         title: format!("What {name} does"),
         blocks,
     })
@@ -96,7 +102,7 @@ fn of<'a>(record: &'a Record, name: &str) -> Option<&'a StrategyMeasurement> {
 }
 
 /// The answer in a few sentences.
-fn short(name: &str, records: &[&Record]) -> Vec<Block> {
+fn short(name: &str, records: &[&Record]) -> Vec<ReportBlock> {
     let sound: Vec<&Record> = records
         .iter()
         .copied()
@@ -111,7 +117,7 @@ fn short(name: &str, records: &[&Record]) -> Vec<Block> {
         (_, 0) => " No decided pixel is wrong at any of them.".to_owned(),
         (_, px) => format!(" At worst {px} decided pixels are wrong."),
     };
-    let mut blocks = vec![Block::Text(format!(
+    let mut blocks = vec![ReportBlock::Text(format!(
         "`{name}` drew {} of {}, and is exact at {} of them.{wrong}{limit}",
         totals.drawn,
         counted(totals.asked, "point"),
@@ -132,7 +138,7 @@ fn short(name: &str, records: &[&Record]) -> Vec<Block> {
             median(|s| s.time_ms.solid.median),
         ];
         let memory = median(|s| (s.bytes.solid + s.bytes.cut + s.bytes.frame) as f64);
-        blocks.push(Block::Text(format!(
+        blocks.push(ReportBlock::Text(format!(
             "A frame takes {} of drawing uncut in the median ({} to {}): {} ms. When the cut changes {} ms come on top, when the mesh changes {} ms. \
              It takes {} MiB in the median, {} MiB at most.{}",
             times(ratio.median),
@@ -156,7 +162,7 @@ fn short(name: &str, records: &[&Record]) -> Vec<Block> {
         Some(wrong / r.measurement.exact.cap_px.max(1) as f64)
     });
     if let Some(share) = Spread::of(shares.collect()) {
-        blocks.push(Block::Text(format!(
+        blocks.push(ReportBlock::Text(format!(
             "On {} judged by the exact image of another scene, as broken meshes are by that of the whole one, it gets {} of the cap wrong in the median, \
              {} at most.",
             counted(broken.len(), "point"),
@@ -165,8 +171,8 @@ fn short(name: &str, records: &[&Record]) -> Vec<Block> {
         )));
     }
     if let Some(usage) = usage {
-        blocks.push(Block::Text("To draw a picture by it:".to_owned()));
-        blocks.push(Block::Command(format!(
+        blocks.push(ReportBlock::Text("To draw a picture by it:".to_owned()));
+        blocks.push(ReportBlock::Command(format!(
             "cutaway render MODEL --section x=50% --strategy {} -o picture.png",
             usage.words
         )));

@@ -23,12 +23,12 @@ mod warnings;
 pub(super) use method::method_document;
 pub use pictures::PictureOptions;
 
-use super::document::{Block, Document};
-use super::recorded::Recorded;
+use super::document::{ReportBlock, ReportDocument};
+use super::recorded::RecordedFolders;
 use point::Points;
 
 /// The report of some folders.
-pub(super) fn document(recorded: &Recorded, options: &PictureOptions) -> Document {
+pub(super) fn document(recorded: &RecordedFolders, options: &PictureOptions) -> ReportDocument {
     let points = Points::of(recorded);
     let pictures = pictures::Galleries::of(&points, options);
     let mut blocks = head::notices(recorded, &points, &pictures);
@@ -46,11 +46,11 @@ pub(super) fn document(recorded: &Recorded, options: &PictureOptions) -> Documen
         ("How it was made", made::chapter(recorded, &pictures)),
     ] {
         if !section.is_empty() {
-            blocks.push(Block::Heading(2, heading.to_owned()));
+            blocks.push(ReportBlock::Heading(2, heading.to_owned()));
             blocks.extend(section);
         }
     }
-    Document {
+    ReportDocument {
         title: "What accuracy costs".to_owned(),
         blocks,
     }

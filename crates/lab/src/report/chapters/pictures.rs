@@ -9,10 +9,12 @@ use std::path::{Path, PathBuf};
 use cutaway_io::load::place_of;
 
 use super::figures::{counted, times};
-use super::point::{Point, Points};
+use super::point::{Points, RecordedPoint};
 use crate::compare::{LegendEntry, legend};
 use crate::experiment::RecordedPicture;
-use crate::report::document::{Block, Cell, Gallery, Image, Shot, Source, Swatch, Tone};
+use crate::report::document::{
+    Cell, Gallery, GalleryImage, PictureLocation, ReportBlock, Shot, Swatch, Tone,
+};
 use crate::report::look::look;
 
 /// Options for the pictures of the page.
@@ -41,7 +43,7 @@ pub(super) struct Galleries {
 }
 
 /// A picture that may or may not fit into the page.
-struct Wanted {
+struct PictureCandidate {
     name: String,
     caption: Cell,
     path: PathBuf,
@@ -81,17 +83,17 @@ impl Galleries {
     }
 
     /// The pictures of a point, with what was left out.
-    pub(super) fn gallery(&self, point: &Point<'_>) -> Vec<Block> {
+    pub(super) fn gallery(&self, point: &RecordedPoint<'_>) -> Vec<ReportBlock> {
         let Some(index) = self.of.iter().position(|k| *k == key(point)) else {
             return Vec::new();
         };
         let gallery = &self.galleries[index];
         let mut blocks = Vec::new();
         if !gallery.shots.is_empty() {
-            blocks.push(Block::Gallery(gallery.clone()));
+            blocks.push(ReportBlock::Gallery(gallery.clone()));
         }
         if !gallery.left_out.is_empty() {
-            blocks.push(Block::Text(format!(
+            blocks.push(ReportBlock::Text(format!(
                 "Not in this page, which would be too large (see --link): {}.",
                 gallery.left_out.join(", ")
             )));
@@ -100,17 +102,17 @@ impl Galleries {
     }
 
     /// Returns true if there are pictures of a point.
-    pub(super) fn has(&self, point: &Point<'_>) -> bool {
+    pub(super) fn has(&self, point: &RecordedPoint<'_>) -> bool {
         let index = self.of.iter().position(|k| *k == key(point));
         index.is_some_and(|index| !self.galleries[index].shots.is_empty())
     }
 
     /// Number of pictures without a file, and how to make them; `None` if no file is missing.
-    pub(super) fn gone(&self) -> Option<Block> {
+    pub(super) fn gone(&self) -> Option<ReportBlock> {
         let gone: usize = self.gone.iter().sum();
         let points = self.gone.iter().filter(|gone| **gone > 0).count();
         (gone > 0).then(|| {
-            Block::Notice(
+            ReportBlock::Notice(
                 Tone::Plain,
                 format!(
                     "{} of {} not beside the records, and not in this page. The commands that measured make them in a folder of their own: give another \
@@ -139,7 +141,7 @@ impl Galleries {
     }
 }
 
-fn key(point: &Point<'_>) -> (PathBuf, String, String) {
+fn key(point: &RecordedPoint<'_>) -> (PathBuf, String, String) {
     let record = point.record;
     let values: Vec<String> = record
         .parameters
@@ -153,7 +155,7 @@ fn key(point: &Point<'_>) -> (PathBuf, String, String) {
 /// The pictures of a point within a share of the budget, the bytes they use, and the number without a file.
 fn gallery(
     points: &Points<'_>,
-    point: &Point<'_>,
+    point: &RecordedPoint<'_>,
     options: &PictureOptions,
     share: u64,
 ) -> (Gallery, u64, usize) {
@@ -222,7 +224,7 @@ fn opens_at(wrong_px: &[Option<usize>]) -> [usize; 2] {
     [0, worst.map_or(1, |(index, _)| index)]
 }
 
-fn wanted(point: &Point<'_>) -> Vec<Wanted> {
+fn wanted(point: &RecordedPoint<'_>) -> Vec<PictureCandidate> {
     let folder = point.folder.pictures(point.experiment);
     let strategies = &point.record.measurement.strategies;
     let of = |picture: &RecordedPicture| {
@@ -230,7 +232,7 @@ fn wanted(point: &Point<'_>) -> Vec<Wanted> {
         let wrong_px = found.and_then(|s| s.comparison).map(|c| c.decided_wrong_px);
         let ratio = found.and_then(|s| s.frame_over_draw_only);
         let ratio = ratio.map_or_else(String::new, |r| format!(", {}", times(r)));
-        Wanted {
+        PictureCandidate {
             name: picture.drawer.clone(),
             caption: match wrong_px {
                 None => Cell::from("the reference, evaluated for every pixel"),
@@ -246,20 +248,20 @@ fn wanted(point: &Point<'_>) -> Vec<Wanted> {
 }
 
 /// A picture, and the number of bytes it takes from the rest of the budget.
-fn image(path: &Path, options: &PictureOptions, left: u64) -> Result<(Image, u64), Lack> {
+fn image(path: &Path, options: &PictureOptions, left: u64) -> Result<(GalleryImage, u64), Lack> {
     let bytes = fs::metadata(path).map_err(|_| Lack::Gone)?.len();
-    let image = |source| Image {
+    let image = |source| GalleryImage {
         link: relative(&options.out, path),
         source,
     };
     if options.link {
-        return Ok((image(Source::Beside), 0));
+        return Ok((image(PictureLocation::Beside), 0));
     }
     if bytes > left {
         return Err(Lack::TooLarge);
     }
     let png = fs::read(path).map_err(|_| Lack::Gone)?;
-    Ok((image(Source::Inside(png)), bytes))
+    Ok((image(PictureLocation::Inside(png)), bytes))
 }
 
 /// A path relative to a folder.

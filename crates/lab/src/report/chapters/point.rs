@@ -3,17 +3,17 @@
 use cutaway::gpu::AdapterReport;
 
 use crate::experiment::{Record, RunSynopsis, Warning};
-use crate::report::recorded::{Experiment, Folder, Recorded};
+use crate::report::recorded::{Experiment, Folder, RecordedFolders};
 
 /// A point of an experiment.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Point<'a> {
+pub(super) struct RecordedPoint<'a> {
     pub(super) folder: &'a Folder,
     pub(super) experiment: &'a Experiment,
     pub(super) record: &'a Record,
 }
 
-impl Point<'_> {
+impl RecordedPoint<'_> {
     /// Its parameters: `amplitude = 1%, size = 2 k`.
     pub(super) fn parameters(&self) -> String {
         let words: Vec<String> = (self.record.parameters.iter())
@@ -46,7 +46,7 @@ pub(super) struct Setup<'a> {
 }
 
 impl Setup<'_> {
-    fn has(&self, point: &Point<'_>) -> bool {
+    fn has(&self, point: &RecordedPoint<'_>) -> bool {
         std::ptr::eq(self.folder, point.folder)
             && *self.adapter == point.record.measurement.adapter
             && self.is_quick == point.record.is_quick
@@ -56,21 +56,21 @@ impl Setup<'_> {
 /// All points, and where they were measured.
 #[derive(Clone, Debug)]
 pub(super) struct Points<'a> {
-    pub(super) all: Vec<Point<'a>>,
+    pub(super) all: Vec<RecordedPoint<'a>>,
     setups: Vec<Setup<'a>>,
     /// Warnings that every point of a folder has.
     common: Vec<(&'a Folder, Vec<Warning>)>,
 }
 
 impl<'a> Points<'a> {
-    pub(super) fn of(recorded: &'a Recorded) -> Self {
+    pub(super) fn of(recorded: &'a RecordedFolders) -> Self {
         let mut all = Vec::new();
         let mut setups: Vec<Setup<'_>> = Vec::new();
         let mut common = Vec::new();
         for folder in &recorded.folders {
             let start = all.len();
             for experiment in &folder.experiments {
-                all.extend(experiment.records.iter().map(|record| Point {
+                all.extend(experiment.records.iter().map(|record| RecordedPoint {
                     folder,
                     experiment,
                     record,
@@ -100,7 +100,7 @@ impl<'a> Points<'a> {
     }
 
     /// Points of a setup.
-    pub(super) fn on(&self, setup: &Setup<'_>) -> Vec<Point<'a>> {
+    pub(super) fn on(&self, setup: &Setup<'_>) -> Vec<RecordedPoint<'a>> {
         let all = self.all.iter();
         all.filter(|p| setup.has(p)).copied().collect()
     }
@@ -126,7 +126,7 @@ impl<'a> Points<'a> {
     }
 
     /// The name of a point's setup after a separator, where there are several.
-    pub(super) fn on_whom(&self, point: &Point<'_>) -> String {
+    pub(super) fn on_whom(&self, point: &RecordedPoint<'_>) -> String {
         match self.setups.iter().find(|b| b.has(point)) {
             Some(setup) if self.setups.len() > 1 => format!(" · {}", self.label(setup)),
             _ => String::new(),
@@ -140,7 +140,7 @@ impl<'a> Points<'a> {
     }
 
     /// Experiments by name, each with its points in all folders.
-    pub(super) fn by_experiment(&self) -> Vec<(&'a str, Vec<Point<'a>>)> {
+    pub(super) fn by_experiment(&self) -> Vec<(&'a str, Vec<RecordedPoint<'a>>)> {
         let mut names: Vec<&str> = self.all.iter().map(|p| name_of(p)).collect();
         names.sort_unstable();
         names.dedup();
@@ -155,12 +155,12 @@ impl<'a> Points<'a> {
     }
 }
 
-fn name_of<'a>(point: &Point<'a>) -> &'a str {
+fn name_of<'a>(point: &RecordedPoint<'a>) -> &'a str {
     &point.experiment.synopsis.name
 }
 
 /// Warnings about no particular strategy that all points have in identical form.
-fn common_warnings(points: &[Point<'_>]) -> Vec<Warning> {
+fn common_warnings(points: &[RecordedPoint<'_>]) -> Vec<Warning> {
     let Some((first, others)) = points.split_first() else {
         return Vec::new();
     };

@@ -1,6 +1,6 @@
 //! Grouping of the marks of a chart into series, and their names.
 
-use super::charts::Placed;
+use super::charts::PlottedStrategy;
 use crate::experiment::ChartSynopsis;
 use crate::report::derived::Row;
 
@@ -10,7 +10,7 @@ const OF_SCENE: [&str; 2] = ["triangles", "pixels"];
 /// A series has one strategy and one value of each varied parameter except the one along x: where x is a parameter,
 /// all other parameters separate series; where x is a figure, the strategy's own parameters run along the series. Strategies share a
 /// drawing, and each value of the rest has one of its own; where there is one strategy alone, the values of what is varied last share one.
-pub(super) fn name_series(asked: &ChartSynopsis, placed: &mut [Placed<'_>]) {
+pub(super) fn name_series(asked: &ChartSynopsis, placed: &mut [PlottedStrategy<'_>]) {
     let is_of_scene = OF_SCENE.contains(&asked.x.as_str());
     let mut names: Vec<&String> = placed
         .iter()
@@ -29,7 +29,7 @@ pub(super) fn name_series(asked: &ChartSynopsis, placed: &mut [Placed<'_>]) {
     let has_runs = placed
         .iter()
         .any(|p| p.row.record.run != placed[0].row.record.run);
-    let only = |p: &Placed<'_>| p.row.found().name == placed[0].row.found().name;
+    let only = |p: &PlottedStrategy<'_>| p.row.found().name == placed[0].row.found().name;
     let is_alone = placed.iter().all(only);
     for p in placed {
         let mut words = Vec::new();

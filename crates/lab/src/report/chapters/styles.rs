@@ -5,11 +5,11 @@ use super::figures::times;
 use super::point::Points;
 use crate::experiment::Record;
 use crate::report::derived::{Situation, Variants, variants};
-use crate::report::document::{Block, Cell, Grid};
+use crate::report::document::{Cell, Grid, ReportBlock};
 use crate::report::number::milliseconds;
 
 /// A question with its answer and its table for each run whose points are variants of one picture.
-pub(super) fn blocks(points: &Points<'_>) -> Vec<Block> {
+pub(super) fn blocks(points: &Points<'_>) -> Vec<ReportBlock> {
     let mut blocks = Vec::new();
     for setup in points.setups() {
         let on_it = points.on(setup);
@@ -35,22 +35,23 @@ pub(super) fn blocks(points: &Points<'_>) -> Vec<Block> {
                 "cutaway" => "What does a cutaway cost over the picture without one?",
                 _ => "What does a style cost over plain light?",
             };
-            let is_asked = |b: &Block| matches!(b, Block::Heading(_, text) if text == question);
+            let is_asked =
+                |b: &ReportBlock| matches!(b, ReportBlock::Heading(_, text) if text == question);
             if !blocks.iter().any(is_asked) {
-                blocks.push(Block::Heading(4, question.to_owned()));
+                blocks.push(ReportBlock::Heading(4, question.to_owned()));
             }
             let answer = cards::sentence(&records, Situation::Mesh);
             let place = match points.setups().count() {
                 1 => String::new(),
                 _ => format!(" on {}", points.label(setup)),
             };
-            blocks.push(Block::Text(format!(
+            blocks.push(ReportBlock::Text(format!(
                 "{answer} ({experiment}, run {run}{place})"
             )));
-            blocks.push(Block::Folded {
+            blocks.push(ReportBlock::Folded {
                 summary: "Every picture".to_owned(),
                 open: false,
-                blocks: vec![Block::Grid(table(&found))],
+                blocks: vec![ReportBlock::Grid(table(&found))],
             });
         }
     }

@@ -1,10 +1,10 @@
 //! Warnings on figures: each once, with everything that it concerns.
 
 use crate::experiment::Warning;
-use crate::report::document::{Block, Tone};
+use crate::report::document::{ReportBlock, Tone};
 
 /// Warnings as notices, those with one remedy together.
-pub(super) fn notices<'a>(warnings: impl IntoIterator<Item = &'a Warning>) -> Vec<Block> {
+pub(super) fn notices<'a>(warnings: impl IntoIterator<Item = &'a Warning>) -> Vec<ReportBlock> {
     let mut groups: Vec<(&str, Vec<&Warning>)> = Vec::new();
     for warning in warnings {
         let remedy = warning.remedy();
@@ -19,7 +19,7 @@ pub(super) fn notices<'a>(warnings: impl IntoIterator<Item = &'a Warning>) -> Ve
         .collect()
 }
 
-fn notice(remedy: &str, group: &[&Warning]) -> Block {
+fn notice(remedy: &str, group: &[&Warning]) -> ReportBlock {
     let mut texts: Vec<String> = Vec::new();
     let scattered: Vec<String> = (group.iter())
         .filter_map(|w| match w {
@@ -47,7 +47,7 @@ fn notice(remedy: &str, group: &[&Warning]) -> Block {
         true => Tone::Plain,
         false => Tone::Fair,
     };
-    Block::Notice(tone, format!("{}. To do: {remedy}.", texts.join("; ")))
+    ReportBlock::Notice(tone, format!("{}. To do: {remedy}.", texts.join("; ")))
 }
 
 #[cfg(test)]
@@ -63,7 +63,7 @@ mod tests {
         let all = [noisy("a", 0.25), Warning::WallTimes, noisy("b", 0.5)];
         let found: Vec<String> = (notices(&all).into_iter())
             .map(|b| match b {
-                Block::Notice(_, text) => text,
+                ReportBlock::Notice(_, text) => text,
                 other => panic!("{other:?}"),
             })
             .collect();

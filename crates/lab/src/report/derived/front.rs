@@ -22,7 +22,7 @@ pub(crate) struct Offer {
 
 /// Price of a tenfold smaller error along a step of a front.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Price {
+pub(crate) enum StepPrice {
     /// Factor on the cost.
     Factor(f64),
     /// There is no error left: no number of tenfolds.
@@ -46,7 +46,7 @@ pub(crate) struct FrontStep {
     /// Cost of the second over that of the first.
     pub cost_ratio: f64,
     /// Price of a tenfold smaller error.
-    pub price: Price,
+    pub price: StepPrice,
     /// True if the spreads of both costs are known.
     pub is_spread_known: bool,
 }
@@ -87,17 +87,17 @@ pub(crate) fn steps(offers: &[Offer], front: &[usize]) -> Vec<FrontStep> {
         .collect()
 }
 
-fn price(from: &Offer, to: &Offer) -> Price {
+fn price(from: &Offer, to: &Offer) -> StepPrice {
     let spreads = from.spread.zip(to.spread);
     if spreads.is_some_and(|(a, b)| to.cost - from.cost <= a + b) {
-        return Price::WithinSpread;
+        return StepPrice::WithinSpread;
     }
     if to.error <= 0.0 {
-        return Price::ToNoError;
+        return StepPrice::ToNoError;
     }
     match (from.error / to.error).log10() {
-        decades if decades < LEAST_DECADES => Price::TooShort,
-        decades => Price::Factor((to.cost / from.cost).powf(decades.recip())),
+        decades if decades < LEAST_DECADES => StepPrice::TooShort,
+        decades => StepPrice::Factor((to.cost / from.cost).powf(decades.recip())),
     }
 }
 
@@ -140,7 +140,7 @@ mod tests {
             let steps = steps(&all, &front(&all));
             assert_eq!(steps.len(), 2);
             for step in steps {
-                let Price::Factor(price) = step.price else {
+                let StepPrice::Factor(price) = step.price else {
                     panic!("{step:?}");
                 };
                 assert!((price - 10_f64.sqrt()).abs() < 1e-12, "{price}");
@@ -153,7 +153,10 @@ mod tests {
         let all = offers(&[(50.0, 2.0), (0.0, 3.0), (5.0, 2.2)]);
         let steps = steps(&all, &front(&all));
         let last = steps[1];
-        assert_eq!((last.from, last.to, last.price), (2, 1, Price::ToNoError));
+        assert_eq!(
+            (last.from, last.to, last.price),
+            (2, 1, StepPrice::ToNoError)
+        );
         assert!((last.cost_ratio - 3.0 / 2.2).abs() < 1e-12, "{last:?}");
     }
 
@@ -173,13 +176,22 @@ mod tests {
             let steps = steps(&all, &front(&all));
             (steps[0].price, steps[0].is_spread_known)
         };
-        assert_eq!(price_of(10.0, 3.0, Some(0.1)), (Price::Factor(1.5), true));
-        assert_eq!(price_of(10.0, 3.0, Some(0.6)), (Price::WithinSpread, true));
-        assert_eq!(price_of(0.0, 3.0, Some(0.6)), (Price::WithinSpread, true));
-        assert_eq!(price_of(50.0, 3.0, Some(0.1)), (Price::TooShort, true));
+        assert_eq!(
+            price_of(10.0, 3.0, Some(0.1)),
+            (StepPrice::Factor(1.5), true)
+        );
+        assert_eq!(
+            price_of(10.0, 3.0, Some(0.6)),
+            (StepPrice::WithinSpread, true)
+        );
+        assert_eq!(
+            price_of(0.0, 3.0, Some(0.6)),
+            (StepPrice::WithinSpread, true)
+        );
+        assert_eq!(price_of(50.0, 3.0, Some(0.1)), (StepPrice::TooShort, true));
         assert!(matches!(
             price_of(46.0, 3.0, None),
-            (Price::Factor(_), false)
+            (StepPrice::Factor(_), false)
         ));
     }
 }

@@ -29,13 +29,13 @@ mod variants;
 
 pub(super) use broken::{Harm, TOO_MUCH, harms, has_defect, has_other_truth};
 pub(super) use candidates::{Candidate, candidates};
-pub(super) use front::{Offer, Price, front, steps};
+pub(super) use front::{Offer, StepPrice, front, steps};
 pub(super) use invocations::invocations;
 pub(super) use order::natural;
 pub(super) use paper::papers;
 pub(super) use ranking::{BETWEEN_RUNS, Ranked, ranked};
 pub(super) use row::{Row, rows, rows_by_family};
-pub(super) use situation::{Kind, Situation, is_exact};
+pub(super) use situation::{CutSetKind, Situation, is_exact};
 pub(super) use totals::{Spread, StrategyTotals, totals_of_strategies};
 pub(super) use usage::{Usage, usage};
 pub(super) use variants::{Variants, variants};

@@ -107,13 +107,13 @@ mod tests {
     use crate::report::derived::totals::tests::record_of;
 
     /// A strategy with its times on solid and frame, and its wrong pixels.
-    type Asked<'a> = (&'a str, f64, f64, usize);
+    type TimedStrategy<'a> = (&'a str, f64, f64, usize);
 
-    const PEELED: Asked<'_> = ("raycast+vds:64", 50.0, 4.0, 0);
-    const STEADY: Asked<'_> = ("raycast+mask", 0.0, 8.0, 0);
-    const CHEAP: Asked<'_> = ("stencil", 0.0, 1.0, 0);
+    const PEELED: TimedStrategy<'_> = ("raycast+vds:64", 50.0, 4.0, 0);
+    const STEADY: TimedStrategy<'_> = ("raycast+mask", 0.0, 8.0, 0);
+    const CHEAP: TimedStrategy<'_> = ("stencil", 0.0, 1.0, 0);
 
-    fn record(strategies: &[Asked<'_>]) -> Record {
+    fn record(strategies: &[TimedStrategy<'_>]) -> Record {
         let mut measurement = example();
         let one = measurement.strategies[0].clone();
         let named = strategies.iter().map(|(name, solid, frame, wrong)| {

@@ -91,7 +91,7 @@ pub(crate) fn is_exact(found: &StrategyMeasurement) -> bool {
 
 /// Kind of the cuts of a scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Kind {
+pub(crate) enum CutSetKind {
     /// One plane alone.
     Plane,
     /// Several planes, or what is made of planes.
@@ -100,7 +100,7 @@ pub(crate) enum Kind {
     Relief,
 }
 
-impl Kind {
+impl CutSetKind {
     pub(crate) const ALL: [Self; 3] = [Self::Plane, Self::Planes, Self::Relief];
 
     /// Classifies the cuts of a point's scene.
@@ -166,27 +166,30 @@ mod tests {
     fn a_document_says_by_what_its_scene_is_cut() {
         let mut record = record();
         for (cuts, kind) in [
-            ("[{ surfaces = [{ section = \"x=1\" }] }]", Kind::Plane),
+            (
+                "[{ surfaces = [{ section = \"x=1\" }] }]",
+                CutSetKind::Plane,
+            ),
             (
                 "[{ surfaces = [{ section = \"x=1\" }, { section = \"y=1\" }] }]",
-                Kind::Planes,
+                CutSetKind::Planes,
             ),
             (
                 "[{ surfaces = [{ section = \"x=1\" }], wedge = { axis = \"x\" } }]",
-                Kind::Planes,
+                CutSetKind::Planes,
             ),
-            ("[{ wedge = { axis = \"x\" } }]", Kind::Planes),
+            ("[{ wedge = { axis = \"x\" } }]", CutSetKind::Planes),
             (
                 "[{ wedge = { axis = \"x\", relief = \"a\" } }]",
-                Kind::Relief,
+                CutSetKind::Relief,
             ),
             (
                 "[{ surfaces = [{ section = \"x=1\", relief = \"a\" }] }]",
-                Kind::Relief,
+                CutSetKind::Relief,
             ),
         ] {
             record.scene.set("cut", Value::read(cuts)).unwrap();
-            assert_eq!(Kind::of(&record), kind, "{cuts}");
+            assert_eq!(CutSetKind::of(&record), kind, "{cuts}");
         }
     }
 }

@@ -9,7 +9,7 @@ use std::collections::BTreeSet;
 use maud::{Markup, html};
 
 use super::axis::{Scale, apart};
-use super::ends::{self, Ending};
+use super::ends::{self, SeriesLabel};
 use super::marker::{badge, color, marker, px};
 use crate::report::look::Look;
 
@@ -21,9 +21,9 @@ pub(crate) struct Chart {
     /// One line under it.
     pub note: Option<String>,
     /// The horizontal axis.
-    pub x: Axis,
+    pub x: ChartAxis,
     /// The vertical axis.
-    pub y: Axis,
+    pub y: ChartAxis,
     /// The drawings, all with the same axes.
     pub panels: Vec<Panel>,
 }
@@ -41,7 +41,7 @@ pub(crate) struct Panel {
 
 /// An axis of a chart.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Axis {
+pub(crate) struct ChartAxis {
     /// Measured quantity, with its unit.
     pub label: String,
     /// True if the axis is logarithmic.
@@ -73,7 +73,7 @@ pub(crate) struct Mark {
 }
 
 /// Size of a drawing and placement of its axes.
-pub(super) struct Frame {
+pub(super) struct ChartFrame {
     /// Size of the drawing.
     size: [f64; 2],
     /// Left, right, top and bottom of the axes.
@@ -83,14 +83,14 @@ pub(super) struct Frame {
 }
 
 /// A drawing that is alone, with room for names on the right.
-const LARGE: Frame = Frame {
+const LARGE: ChartFrame = ChartFrame {
     size: [720.0, 400.0],
     sides: [64.0, 706.0, 14.0, 346.0],
     between_ticks: 34.0,
 };
 
 /// One of several.
-const SMALL: Frame = Frame {
+const SMALL: ChartFrame = ChartFrame {
     size: [360.0, 250.0],
     sides: [58.0, 350.0, 12.0, 204.0],
     between_ticks: 44.0,
@@ -117,7 +117,7 @@ impl Chart {
     }
 
     fn scales(&self, [left, right, top, bottom]: [f64; 4]) -> [Scale; 2] {
-        let scale = |i: usize, axis: &Axis, px: [f64; 2]| {
+        let scale = |i: usize, axis: &ChartAxis, px: [f64; 2]| {
             let values: Vec<f64> = if axis.categories.is_empty() {
                 // Ends of spreads too, but none that would squeeze the rest.
                 let ends = |m: &Mark| {
@@ -158,7 +158,7 @@ impl Chart {
         if names.len() > 1 {
             right -= (longest.unwrap_or(0) as f64 * NAME_LETTER).min(200.0);
         }
-        let frame = Frame {
+        let frame = ChartFrame {
             sides: [left, right, top, bottom],
             ..LARGE
         };
@@ -173,7 +173,7 @@ impl Chart {
         }
     }
 
-    fn endings(&self, panel: &Panel, frame: &Frame) -> Vec<Ending> {
+    fn endings(&self, panel: &Panel, frame: &ChartFrame) -> Vec<SeriesLabel> {
         let scales = self.scales(frame.sides);
         let place = |m: &Mark| [0, 1].map(|i| scales[i].place(m.at[i]));
         let series = panel.series.iter();
@@ -187,9 +187,9 @@ impl Chart {
     fn svg(
         &self,
         panel: &Panel,
-        frame: &Frame,
+        frame: &ChartFrame,
         names: &[(&str, Look)],
-        endings: &[Ending],
+        endings: &[SeriesLabel],
     ) -> Markup {
         let scales = self.scales(frame.sides);
         let place = |at: [f64; 2]| [0, 1].map(|i| scales[i].place(at[i]));
@@ -225,9 +225,9 @@ impl Chart {
         }
     }
 
-    fn axes(&self, frame: &Frame, scales: &[Scale; 2]) -> Markup {
+    fn axes(&self, frame: &ChartFrame, scales: &[Scale; 2]) -> Markup {
         let [left, right, top, bottom] = frame.sides;
-        let ticks = |i: usize, axis: &Axis| -> Vec<(f64, String)> {
+        let ticks = |i: usize, axis: &ChartAxis| -> Vec<(f64, String)> {
             if axis.categories.is_empty() {
                 return scales[i].ticks();
             }
@@ -335,9 +335,9 @@ mod tests {
     fn chart(panels: Vec<Panel>) -> Chart {
         Chart {
             title: "a & b".to_owned(),
-            y: Axis {
+            y: ChartAxis {
                 is_log: true,
-                ..Axis::default()
+                ..ChartAxis::default()
             },
             panels,
             ..Chart::default()

@@ -5,7 +5,7 @@
 
 /// A name in a drawing.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Ending {
+pub(super) struct SeriesLabel {
     /// Index of the series.
     pub series: usize,
     /// Start of the text, on its base line.
@@ -27,7 +27,11 @@ fn meet(a: &Area, b: &Area) -> bool {
 }
 
 /// Places the names of series, given the positions of their marks, within an area.
-pub(super) fn placed(series: &[(&str, Vec<[f64; 2]>)], within: Area, letter: f64) -> Vec<Ending> {
+pub(super) fn placed(
+    series: &[(&str, Vec<[f64; 2]>)],
+    within: Area,
+    letter: f64,
+) -> Vec<SeriesLabel> {
     let marks = series.iter().flat_map(|(_, marks)| marks);
     let mut taken: Vec<Area> = marks
         .map(|[x, y]| [x - 5.0, x + 5.0, y - 5.0, y + 5.0])
@@ -65,7 +69,7 @@ pub(super) fn placed(series: &[(&str, Vec<[f64; 2]>)], within: Area, letter: f64
         let mut all = beside.chain(farther.map(|at| (at, Some(last))));
         if let Some((at, lead)) = all.find(|(at, _)| is_free(at, &taken)) {
             taken.push(area(at));
-            endings.push(Ending {
+            endings.push(SeriesLabel {
                 series: index,
                 at,
                 lead,

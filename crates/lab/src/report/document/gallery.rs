@@ -43,35 +43,35 @@ pub(crate) struct Shot {
     pub look: Option<Look>,
     /// Caption of the picture.
     pub caption: Cell,
-    pub picture: Image,
+    pub picture: GalleryImage,
     /// Heat map of its errors.
-    pub errors: Option<Image>,
+    pub errors: Option<GalleryImage>,
 }
 
 /// A picture.
 #[derive(Clone, Debug)]
-pub(crate) struct Image {
-    pub source: Source,
+pub(crate) struct GalleryImage {
+    pub source: PictureLocation,
     /// The file, as seen from the report.
     pub link: String,
 }
 
 /// Location of a picture.
 #[derive(Clone, Debug)]
-pub(crate) enum Source {
+pub(crate) enum PictureLocation {
     /// In the page.
     Inside(Vec<u8>),
     /// In its file.
     Beside,
 }
 
-impl Image {
+impl GalleryImage {
     fn url(&self) -> String {
         match &self.source {
-            Source::Inside(png) => {
+            PictureLocation::Inside(png) => {
                 format!("data:image/png;base64,{}", BASE64_STANDARD.encode(png))
             }
-            Source::Beside => encoded(&self.link),
+            PictureLocation::Beside => encoded(&self.link),
         }
     }
 }
@@ -140,12 +140,12 @@ impl Gallery {
 mod tests {
     use super::*;
 
-    fn shot(source: Source, errors: Option<Image>) -> Shot {
+    fn shot(source: PictureLocation, errors: Option<GalleryImage>) -> Shot {
         Shot {
             name: "<exact>".to_owned(),
             look: None,
             caption: Cell::default(),
-            picture: Image {
+            picture: GalleryImage {
                 source,
                 link: "x/exact.png".to_owned(),
             },
@@ -161,9 +161,9 @@ mod tests {
 
     #[test]
     fn pictures_are_in_the_page_or_beside_it() {
-        let inside = Source::Inside(b"foo".to_vec());
+        let inside = PictureLocation::Inside(b"foo".to_vec());
         let gallery = Gallery {
-            shots: vec![shot(inside, None), shot(Source::Beside, None)],
+            shots: vec![shot(inside, None), shot(PictureLocation::Beside, None)],
             ..Gallery::default()
         };
         let page = gallery.html(0).into_string();
@@ -176,12 +176,14 @@ mod tests {
     #[test]
     fn one_switch_shows_where_all_are_wrong() {
         let errors = || {
-            let source = Source::Beside;
+            let source = PictureLocation::Beside;
             let link = "x/errors.png".to_owned();
-            Some(Image { source, link })
+            Some(GalleryImage { source, link })
         };
         let gallery = Gallery {
-            shots: (0..3).map(|_| shot(Source::Beside, errors())).collect(),
+            shots: (0..3)
+                .map(|_| shot(PictureLocation::Beside, errors()))
+                .collect(),
             ..Gallery::default()
         };
         let page = gallery.html(7).into_string();

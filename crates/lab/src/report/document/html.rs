@@ -5,7 +5,7 @@
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
-use super::{Block, Cell, Document, Grid, gallery, stretches, width};
+use super::{Cell, Grid, ReportBlock, ReportDocument, gallery, stretches, width};
 
 const PAGE_STYLE: &str = include_str!("style.css");
 const SCRIPT: &str = include_str!("script.js");
@@ -14,8 +14,8 @@ const SCRIPT: &str = include_str!("script.js");
 const LONG_CELL: usize = 60;
 
 /// The report as a page.
-pub(crate) fn html(document: &Document) -> String {
-    let mut writer = Writer::of(&document.blocks);
+pub(crate) fn html(document: &ReportDocument) -> String {
+    let mut writer = HtmlWriter::of(&document.blocks);
     let body = writer.all(&document.blocks);
     let page = html! {
         (DOCTYPE)
@@ -46,10 +46,10 @@ struct Anchor {
 }
 
 /// Unique anchors for all headings of some blocks, in order.
-fn anchors(blocks: &[Block], found: &mut Vec<Anchor>) {
+fn anchors(blocks: &[ReportBlock], found: &mut Vec<Anchor>) {
     for block in blocks {
         match block {
-            Block::Heading(level, text) => {
+            ReportBlock::Heading(level, text) => {
                 let words: Vec<String> = text
                     .split(|c: char| !c.is_ascii_alphanumeric())
                     .filter(|w| !w.is_empty())
@@ -70,15 +70,15 @@ fn anchors(blocks: &[Block], found: &mut Vec<Anchor>) {
                     text: text.clone(),
                 });
             }
-            Block::Folded { blocks, .. } => anchors(blocks, found),
-            Block::Cards(cards) => cards.iter().for_each(|c| anchors(c, found)),
+            ReportBlock::Folded { blocks, .. } => anchors(blocks, found),
+            ReportBlock::Cards(cards) => cards.iter().for_each(|c| anchors(c, found)),
             _ => {}
         }
     }
 }
 
 /// Writes blocks in their order.
-struct Writer {
+struct HtmlWriter {
     /// Anchors of all headings.
     anchors: Vec<Anchor>,
     /// Headings that are written.
@@ -87,8 +87,8 @@ struct Writer {
     galleries: usize,
 }
 
-impl Writer {
-    fn of(blocks: &[Block]) -> Self {
+impl HtmlWriter {
+    fn of(blocks: &[ReportBlock]) -> Self {
         let mut found = Vec::new();
         anchors(blocks, &mut found);
         Self {
@@ -108,7 +108,7 @@ impl Writer {
         }
     }
 
-    fn all(&mut self, blocks: &[Block]) -> Markup {
+    fn all(&mut self, blocks: &[ReportBlock]) -> Markup {
         html! {
             @for block in blocks { (self.one(block)) "\n" }
         }
@@ -136,19 +136,19 @@ impl Writer {
         }
     }
 
-    fn one(&mut self, block: &Block) -> Markup {
+    fn one(&mut self, block: &ReportBlock) -> Markup {
         match block {
-            Block::Heading(level, text) => self.heading(*level, text),
-            Block::Gallery(gallery) => {
+            ReportBlock::Heading(level, text) => self.heading(*level, text),
+            ReportBlock::Gallery(gallery) => {
                 self.galleries += 1;
                 gallery.html(self.galleries)
             }
-            Block::Cards(cards) => html! {
+            ReportBlock::Cards(cards) => html! {
                 div.cards {
                     @for card in cards { div.card { (self.all(card)) } }
                 }
             },
-            Block::Folded {
+            ReportBlock::Folded {
                 summary,
                 open,
                 blocks,
@@ -164,30 +164,31 @@ impl Writer {
 }
 
 /// Writes a block that contains no others and needs no number.
-fn plain(block: &Block) -> Markup {
+fn plain(block: &ReportBlock) -> Markup {
     match block {
-        Block::Text(text) => html! { p { (inline(text)) } },
-        Block::Prose(text) => html! { div.prose { (PreEscaped(super::prose::prose(text))) } },
-        Block::Grid(table) => html! {
+        ReportBlock::Text(text) => html! { p { (inline(text)) } },
+        ReportBlock::Prose(text) => html! { div.prose { (PreEscaped(super::prose::prose(text))) } },
+        ReportBlock::Grid(table) => html! {
             @for piece in width::pieces(table) { (grid(&piece)) }
         },
-        Block::Notice(tone, text) => {
+        ReportBlock::Notice(tone, text) => {
             html! { p class={ "notice " (tone.name()) } { (inline(text)) } }
         }
-        Block::Command(text) => html! { div.command { pre { (text) } } },
-        Block::Chart(chart) => html! {
+        ReportBlock::Command(text) => html! { div.command { pre { (text) } } },
+        ReportBlock::Chart(chart) => html! {
             figure.chart {
                 figcaption { (inline(&chart.title)) }
                 (chart.html())
                 @if let Some(note) = &chart.note { p { (inline(note)) } }
             }
         },
-        Block::Ranking(ranking) => ranking.html(),
-        Block::Bars(bars) => bars.html(),
-        Block::Swatches(all) => gallery::swatches(all),
-        Block::Heading(..) | Block::Gallery(_) | Block::Cards(_) | Block::Folded { .. } => {
-            Markup::default()
-        }
+        ReportBlock::Ranking(ranking) => ranking.html(),
+        ReportBlock::Bars(bars) => bars.html(),
+        ReportBlock::Swatches(all) => gallery::swatches(all),
+        ReportBlock::Heading(..)
+        | ReportBlock::Gallery(_)
+        | ReportBlock::Cards(_)
+        | ReportBlock::Folded { .. } => Markup::default(),
     }
 }
 

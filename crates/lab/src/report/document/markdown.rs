@@ -1,37 +1,37 @@
 //! A report as Markdown, as code forges show it.
 
-use super::{Block, Cell, Document, Gallery, Grid, Swatch, gallery, stretches, width};
+use super::{Cell, Gallery, Grid, ReportBlock, ReportDocument, Swatch, gallery, stretches, width};
 
 /// The report as text.
-pub(crate) fn markdown(document: &Document) -> String {
+pub(crate) fn markdown(document: &ReportDocument) -> String {
     let mut text = format!("# {}\n", words(&document.title));
     write(&mut text, &document.blocks);
     text
 }
 
-fn write(text: &mut String, blocks: &[Block]) {
+fn write(text: &mut String, blocks: &[ReportBlock]) {
     for block in blocks {
         text.push('\n');
         match block {
-            Block::Heading(level, heading) => {
+            ReportBlock::Heading(level, heading) => {
                 let marks = "#".repeat(usize::from(*level));
                 text.push_str(&format!("{marks} {}\n", words(heading)));
             }
-            Block::Text(paragraph) => text.push_str(&format!("{}\n", words(paragraph))),
-            Block::Prose(prose) => {
+            ReportBlock::Text(paragraph) => text.push_str(&format!("{}\n", words(paragraph))),
+            ReportBlock::Prose(prose) => {
                 let prose = super::prose::without_html(prose.trim());
                 text.push_str(&format!("{prose}\n"));
             }
-            Block::Grid(grid) => {
+            ReportBlock::Grid(grid) => {
                 let pieces = width::pieces(grid);
                 let tables: Vec<String> = pieces.iter().map(table).collect();
                 text.push_str(&tables.join("\n"));
             }
-            Block::Notice(tone, notice) => {
+            ReportBlock::Notice(tone, notice) => {
                 text.push_str(&format!("> **{}**: {}\n", mood(*tone), words(notice)));
             }
-            Block::Command(command) => text.push_str(&fenced(command)),
-            Block::Chart(chart) => {
+            ReportBlock::Command(command) => text.push_str(&fenced(command)),
+            ReportBlock::Chart(chart) => {
                 let note = chart.note.as_deref().unwrap_or_default();
                 text.push_str(&format!(
                     "**{}** (drawn in the HTML report: {} against {}) {}\n",
@@ -41,7 +41,7 @@ fn write(text: &mut String, blocks: &[Block]) {
                     words(note)
                 ));
             }
-            Block::Ranking(ranking) => {
+            ReportBlock::Ranking(ranking) => {
                 text.push_str(&format!(
                     "**{}**: {}\n\n",
                     words(&ranking.title),
@@ -49,7 +49,7 @@ fn write(text: &mut String, blocks: &[Block]) {
                 ));
                 text.push_str(&table(&ranking.grid()));
             }
-            Block::Swatches(swatches) => {
+            ReportBlock::Swatches(swatches) => {
                 for swatch in swatches {
                     let Swatch {
                         color,
@@ -63,10 +63,10 @@ fn write(text: &mut String, blocks: &[Block]) {
                     ));
                 }
             }
-            Block::Cards(cards) => cards.iter().for_each(|blocks| write(text, blocks)),
-            Block::Bars(bars) => text.push_str(&table(&bars.grid())),
-            Block::Gallery(gallery) => pictures(text, gallery),
-            Block::Folded {
+            ReportBlock::Cards(cards) => cards.iter().for_each(|blocks| write(text, blocks)),
+            ReportBlock::Bars(bars) => text.push_str(&table(&bars.grid())),
+            ReportBlock::Gallery(gallery) => pictures(text, gallery),
+            ReportBlock::Folded {
                 summary, blocks, ..
             } => {
                 text.push_str(&format!("**{}**\n", words(summary)));

@@ -20,8 +20,8 @@ mod ranking;
 mod width;
 
 pub(super) use bars::{Bar, Bars, Segment};
-pub(super) use chart::{Axis, Chart, Mark, Panel, Series};
-pub(super) use gallery::{Gallery, Image, Shot, Source, Swatch};
+pub(super) use chart::{Chart, ChartAxis, Mark, Panel, Series};
+pub(super) use gallery::{Gallery, GalleryImage, PictureLocation, Shot, Swatch};
 pub(super) use grid::{Cell, Grid, Tone};
 pub(super) use html::html;
 pub(super) use markdown::markdown;
@@ -32,15 +32,15 @@ pub(super) use ranking::{Line, Ranking};
 /// Its sections are headings of level 2, in a row of links that stays visible; below them are headings of
 /// level 3, which each section lists at its beginning.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Document {
+pub(super) struct ReportDocument {
     pub title: String,
     /// Contents, in order.
-    pub blocks: Vec<Block>,
+    pub blocks: Vec<ReportBlock>,
 }
 
 /// A block of a report.
 #[derive(Clone, Debug)]
-pub(super) enum Block {
+pub(super) enum ReportBlock {
     /// A heading of a level from 2 to 5.
     Heading(u8, String),
     /// A paragraph.

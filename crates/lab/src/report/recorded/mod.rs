@@ -16,12 +16,12 @@ use cutaway::{Error, Result};
 
 /// The folders of a report.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Recorded {
+pub struct RecordedFolders {
     /// As they were named, each once for each device that measured in it.
     pub folders: Vec<Folder>,
 }
 
-impl Recorded {
+impl RecordedFolders {
     /// Reads folders of runs.
     ///
     /// # Errors

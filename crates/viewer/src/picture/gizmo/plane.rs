@@ -6,7 +6,7 @@ use glam::{DQuat, DVec3};
 
 use super::rail::Rail;
 use super::region::edges_of;
-use super::{Gizmo, Grip, Handle, Scale};
+use super::{Gizmo, Grip, Handle, RailScale};
 use crate::picture::world_view::WorldView;
 
 /// Length of the arrow and radius of the arcs, as a share of the diagonal of the model.
@@ -39,7 +39,7 @@ pub(super) fn add(
         Handle {
             grip: Grip::Along,
             rail: along,
-            scale: Scale {
+            scale: RailScale {
                 start: pivot.dot(normal),
                 unit: 1.0,
                 snap: [least, (most - least) / 100.0],
@@ -68,7 +68,7 @@ pub(super) fn add(
             Handle {
                 grip: Grip::Tilt(index),
                 rail: circle,
-                scale: Scale {
+                scale: RailScale {
                     start: 0.0,
                     unit: 1.0,
                     snap: [0.0, 5.0_f64.to_radians()],
@@ -103,7 +103,7 @@ pub(super) fn add_spin(
                 axis,
                 arm: arm * bounds.size().length() * REACH_SHARE,
             },
-            scale: Scale {
+            scale: RailScale {
                 start,
                 unit: 1_f64.to_degrees(),
                 snap: [0.0, 5.0],

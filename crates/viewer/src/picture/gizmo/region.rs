@@ -4,7 +4,7 @@ use cutaway::scene::{Block, Bounds, Wedge};
 use glam::{DQuat, DVec3};
 
 use super::rail::Rail;
-use super::{Gizmo, Grip, Handle, Scale};
+use super::{Gizmo, Grip, Handle, RailScale};
 use crate::picture::world_view::WorldView;
 
 /// Length of the line that shows a knob's direction, as a share of the model's diagonal.
@@ -71,7 +71,7 @@ pub(super) fn add_block(
                         along: DVec3::AXES[axis],
                         length: stub,
                     },
-                    scale: Scale {
+                    scale: RailScale {
                         start: at,
                         unit: 1.0,
                         snap: [bounds.min[axis], size[axis] / 100.0],
@@ -131,7 +131,7 @@ pub(super) fn add_wedge(
                     axis: along,
                     arm,
                 },
-                scale: Scale {
+                scale: RailScale {
                     start: own_deg,
                     unit: 1.0_f64.to_degrees(),
                     snap: [0.0, 5.0],

@@ -43,7 +43,7 @@ impl Sample {
 }
 
 /// The samples of the slots.
-pub(super) struct Samples {
+pub(super) struct SlotSamples {
     resolve: FullScreen,
     of_slots: BTreeMap<SlotSide, Stack>,
 }
@@ -55,7 +55,7 @@ struct Stack {
     all: wgpu::TextureView,
 }
 
-impl Samples {
+impl SlotSamples {
     pub(super) fn new(device: &wgpu::Device) -> Self {
         let shader = wgpu::include_wgsl!("../../../shaders/resolve.wgsl");
         Self {

@@ -6,13 +6,13 @@ use cutaway::{Error, Result};
 use eframe::egui::{Align2, Context, Ui, Vec2, ViewportCommand, Window};
 
 use crate::action::Action;
-use crate::storage::files::{self, Kind};
+use crate::storage::files::{self, FileKind};
 use crate::storage::recent::Recent;
 use crate::ui::Viewer;
 
 /// Progress of closing a window, or of leaving a scene for another.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(in crate::ui) enum Closing {
+pub(in crate::ui) enum CloseProgress {
     /// Not closing.
     #[default]
     Stays,
@@ -32,10 +32,10 @@ impl Viewer {
 
     /// Carries out an action; if it replaces a scene with unsaved changes, a dialog asks first.
     pub(in crate::ui) fn apply_or_ask(&mut self, action: Action) {
-        let is_scene = |path: &PathBuf| files::kind(path).is_ok_and(|kind| kind == Kind::Scene);
+        let is_scene = |path: &PathBuf| files::kind(path).is_ok_and(|kind| kind == FileKind::Scene);
         let leaves = matches!(&action, Action::Take(paths) if paths.iter().any(is_scene));
         if leaves && self.state.has_unsaved_changes() {
-            (self.closing, self.leaves_for) = (Closing::Asks, Some(action));
+            (self.closing, self.leaves_for) = (CloseProgress::Asks, Some(action));
         } else {
             self.apply(action);
         }
@@ -44,16 +44,16 @@ impl Viewer {
     /// Shows the dialog about unsaved changes.
     pub(in crate::ui) fn guard_changes(&mut self, ctx: &Context) {
         let is_closed = ctx.input(|input| input.viewport().close_requested());
-        let must_ask = is_closed && self.closing != Closing::Agreed;
+        let must_ask = is_closed && self.closing != CloseProgress::Agreed;
         if must_ask && self.state.has_unsaved_changes() {
             ctx.send_viewport_cmd(ViewportCommand::CancelClose);
-            (self.closing, self.leaves_for) = (Closing::Asks, None);
+            (self.closing, self.leaves_for) = (CloseProgress::Asks, None);
         }
         match self.closing {
-            Closing::Asks => self.ask_before_closing(ctx),
-            Closing::Saves if !self.state.has_unsaved_changes() => self.close(ctx),
+            CloseProgress::Asks => self.ask_before_closing(ctx),
+            CloseProgress::Saves if !self.state.has_unsaved_changes() => self.close(ctx),
             // The naming dialog was cancelled.
-            Closing::Saves if self.asks.is_none() => self.closing = Closing::Stays,
+            CloseProgress::Saves if self.asks.is_none() => self.closing = CloseProgress::Stays,
             _ => {}
         }
     }
@@ -73,7 +73,7 @@ impl Viewer {
                     self.close(ctx);
                 }
                 if ui.button("Cancel").clicked() {
-                    self.closing = Closing::Stays;
+                    self.closing = CloseProgress::Stays;
                 }
             });
         });
@@ -82,25 +82,25 @@ impl Viewer {
     fn save_and_close(&mut self, ctx: &Context) {
         let path = self.state.document().path().to_owned();
         if path.as_os_str().is_empty() {
-            self.closing = Closing::Saves;
+            self.closing = CloseProgress::Saves;
             self.ask_for_save();
             return;
         }
         self.state.apply(Action::Save(path));
         match self.state.has_unsaved_changes() {
             // The reason of the refusal is already in a notice.
-            true => self.closing = Closing::Stays,
+            true => self.closing = CloseProgress::Stays,
             false => self.close(ctx),
         }
     }
 
     fn close(&mut self, ctx: &Context) {
         if let Some(action) = self.leaves_for.take() {
-            self.closing = Closing::Stays;
+            self.closing = CloseProgress::Stays;
             self.apply(action);
             return;
         }
-        self.closing = Closing::Agreed;
+        self.closing = CloseProgress::Agreed;
         ctx.send_viewport_cmd(ViewportCommand::Close);
     }
 

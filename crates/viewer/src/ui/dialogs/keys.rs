@@ -6,7 +6,7 @@ use eframe::egui::{Context, Key, KeyboardShortcut, Modifiers};
 use crate::action::Action;
 use crate::editing::cuts::PlaneMove;
 use crate::picture::camera::CameraMove;
-use crate::picture::slot::Layout;
+use crate::picture::slot::SlotLayout;
 
 /// The effect of a key.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,7 +30,7 @@ pub(in crate::ui) enum Does {
 }
 
 /// A key and what it does.
-pub(in crate::ui) struct Binding {
+pub(in crate::ui) struct KeyBinding {
     /// The key, with its modifiers.
     pub(in crate::ui) key: KeyboardShortcut,
     /// The effect.
@@ -43,13 +43,13 @@ pub(in crate::ui) struct Binding {
 pub(in crate::ui) const FLICKER: Key = Key::B;
 
 /// All keys.
-pub(in crate::ui) fn bindings() -> Vec<Binding> {
-    let key = |key, does, help| Binding {
+pub(in crate::ui) fn bindings() -> Vec<KeyBinding> {
+    let key = |key, does, help| KeyBinding {
         key: KeyboardShortcut::new(Modifiers::NONE, key),
         does,
         help,
     };
-    let command = |key, does, help| Binding {
+    let command = |key, does, help| KeyBinding {
         key: KeyboardShortcut::new(Modifiers::COMMAND, key),
         does,
         help,
@@ -104,11 +104,19 @@ pub(in crate::ui) fn bindings() -> Vec<Binding> {
             act(Action::MoveCamera(CameraMove::Home)),
             "show all of the model",
         ),
-        key(Key::S, act(Action::Arrange(Layout::Single)), "slot A alone"),
-        key(Key::W, act(Action::Arrange(Layout::Wipe)), "wipe B over A"),
+        key(
+            Key::S,
+            act(Action::Arrange(SlotLayout::Single)),
+            "slot A alone",
+        ),
+        key(
+            Key::W,
+            act(Action::Arrange(SlotLayout::Wipe)),
+            "wipe B over A",
+        ),
         key(
             Key::D,
-            act(Action::Arrange(Layout::Difference)),
+            act(Action::Arrange(SlotLayout::Difference)),
             "difference of A and B",
         ),
         key(FLICKER, Does::Flicker, "hold: slot B in the place of A"),
@@ -116,12 +124,12 @@ pub(in crate::ui) fn bindings() -> Vec<Binding> {
         command(Key::Z, act(Action::Undo), "take the last step back"),
         command(Key::Y, act(Action::Redo), "do it again"),
         command(Key::S, Does::Save, "save the scene"),
-        Binding {
+        KeyBinding {
             key: KeyboardShortcut::new(Modifiers::COMMAND.plus(Modifiers::SHIFT), Key::Z),
             does: act(Action::Redo),
             help: "do it again",
         },
-        Binding {
+        KeyBinding {
             key: KeyboardShortcut::new(Modifiers::COMMAND.plus(Modifiers::SHIFT), Key::C),
             does: Does::CopyCommand,
             help: "copy the command that makes this picture",
@@ -137,7 +145,7 @@ pub(in crate::ui) fn pressed(ctx: &Context) -> Vec<Does> {
     let mut bound = bindings();
     // Keys with most modifiers first: a consumed key is gone for the others.
     bound.sort_by_key(|b| std::cmp::Reverse((b.key.modifiers.shift, b.key.modifiers.any())));
-    let is_pressed = |b: &Binding| ctx.input_mut(|input| input.consume_shortcut(&b.key));
+    let is_pressed = |b: &KeyBinding| ctx.input_mut(|input| input.consume_shortcut(&b.key));
     let pressed = bound.into_iter().filter(is_pressed);
     pressed.map(|b| b.does).collect()
 }

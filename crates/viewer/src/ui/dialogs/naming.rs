@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use eframe::egui::{self, Context, TextEdit, Window};
 
 use crate::action::Action;
-use crate::storage::files::{self, Kind};
+use crate::storage::files::{self, FileKind};
 use crate::ui::Viewer;
 
 /// Purpose of a file name.
@@ -62,7 +62,7 @@ impl Asks {
     /// The named file; for a scene always with the extension `.toml`.
     fn path(&self) -> PathBuf {
         let path = PathBuf::from(self.typed.trim());
-        let is_scene = files::kind(&path).is_ok_and(|kind| kind == Kind::Scene);
+        let is_scene = files::kind(&path).is_ok_and(|kind| kind == FileKind::Scene);
         match self.what_for {
             For::Save if !is_scene => path.with_added_extension("toml"),
             _ => path,

@@ -6,15 +6,15 @@ use eframe::egui::{Button, ComboBox, ScrollArea, Slider, Ui};
 
 use crate::action::Action;
 use crate::picture::screen::Screen;
-use crate::picture::slot::{Layout, Painter, SlotSide};
+use crate::picture::slot::{Painter, SlotLayout, SlotSide};
 use crate::state::State;
-use crate::ui::judged::Judged;
+use crate::ui::judged::JudgeState;
 
 /// Shows the strip.
 pub(in crate::ui) fn show(
     ui: &mut Ui,
     state: &State,
-    (screen, judged): (&Screen, &Judged),
+    (screen, judged): (&Screen, &JudgeState),
     windows: (&mut bool, &mut bool),
     actions: &mut Vec<Action>,
 ) {
@@ -41,7 +41,7 @@ pub(in crate::ui) fn show(
 /// Controls for the renderers and the layout.
 fn controls(ui: &mut Ui, state: &State, actions: &mut Vec<Action>) {
     ui.horizontal(|ui| {
-        for layout in Layout::ALL {
+        for layout in SlotLayout::ALL {
             let button = ui.selectable_label(state.layout() == layout, layout.name());
             if button.clicked() {
                 actions.push(Action::Arrange(layout));
@@ -68,7 +68,7 @@ fn controls(ui: &mut Ui, state: &State, actions: &mut Vec<Action>) {
         {
             actions.push(Action::ShowErrors(shows));
         }
-        if state.layout() == Layout::Wipe {
+        if state.layout() == SlotLayout::Wipe {
             let mut at = state.wipe();
             let slider = Slider::new(&mut at, 0.0..=1.0)
                 .show_value(false)

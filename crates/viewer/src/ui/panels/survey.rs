@@ -11,7 +11,7 @@ use egui_plot::{GridMark, MarkerShape, Plot, PlotPoint, Points};
 
 use crate::action::Action;
 use crate::judge::Subject;
-use crate::judge::survey::{Found, Point, SurveyQuestion, Surveyed};
+use crate::judge::survey::{Found, SurveyPoint, SurveyQuestion, Surveyed};
 use crate::picture::chart::{
     labels_around, lines, lines_of_wrong, place_of_time, place_of_wrong, time_label, wrong_label,
 };
@@ -25,7 +25,7 @@ const MARK_POINTS: f32 = 12.0;
 const LIST_POINTS: f32 = 120.0;
 
 /// A survey under way or finished.
-struct Measured {
+struct SurveyRun {
     /// The scene and the eye.
     document: Document,
     time_s: Option<f64>,
@@ -36,7 +36,7 @@ struct Measured {
     entries: Vec<(Method, Found)>,
 }
 
-impl Measured {
+impl SurveyRun {
     fn is_running(&self) -> bool {
         !self.is_cancelled && self.total != Some(self.entries.len())
     }
@@ -44,18 +44,18 @@ impl Measured {
 
 /// The window of the chart.
 #[derive(Default)]
-pub(in crate::ui) struct Chart {
+pub(in crate::ui) struct ChartWindow {
     /// True if a new survey is requested.
     pub(in crate::ui) is_asked: bool,
     is_open: bool,
     asked: u64,
-    measured: Option<Measured>,
+    measured: Option<SurveyRun>,
 }
 
-impl Chart {
+impl ChartWindow {
     /// Returns true while methods are pending.
     pub(in crate::ui) fn is_busy(&self) -> bool {
-        self.is_asked || self.measured.as_ref().is_some_and(Measured::is_running)
+        self.is_asked || self.measured.as_ref().is_some_and(SurveyRun::is_running)
     }
 
     /// Results so far.
@@ -85,7 +85,7 @@ impl Viewer {
         };
         self.chart.is_open = true;
         self.chart.asked += 1;
-        self.chart.measured = Some(Measured {
+        self.chart.measured = Some(SurveyRun {
             document: self.state.document().clone(),
             time_s: self.state.time_s(),
             size_px: self.size_px,
@@ -130,7 +130,7 @@ impl Viewer {
 }
 
 /// Shows the progress or the result. Returns true if the survey is to be cancelled.
-fn head(ui: &mut Ui, measured: &Measured, adapter: &str, is_old: bool) -> bool {
+fn head(ui: &mut Ui, measured: &SurveyRun, adapter: &str, is_old: bool) -> bool {
     let mut ends = false;
     let [width, height] = measured.size_px;
     let done = measured.entries.len();
@@ -163,19 +163,19 @@ fn head(ui: &mut Ui, measured: &Measured, adapter: &str, is_old: bool) -> bool {
     ends
 }
 
-fn point((method, found): &(Method, Found)) -> Option<(Method, &Point)> {
+fn point((method, found): &(Method, Found)) -> Option<(Method, &SurveyPoint)> {
     match found {
-        Found::Point(point) => Some((*method, point)),
+        Found::SurveyPoint(point) => Some((*method, point)),
         Found::Refused(_) => None,
     }
 }
 
 /// The chart and the list; which method was clicked.
-fn contents(ui: &mut Ui, measured: &Measured) -> Option<Method> {
+fn contents(ui: &mut Ui, measured: &SurveyRun) -> Option<Method> {
     let refused: Vec<(&Method, &String)> = (measured.entries.iter())
         .filter_map(|(method, found)| match found {
             Found::Refused(why) => Some((method, why)),
-            Found::Point(_) => None,
+            Found::SurveyPoint(_) => None,
         })
         .collect();
     let rows = ui.text_style_height(&TextStyle::Body) + ui.spacing().item_spacing.y;
@@ -184,7 +184,7 @@ fn contents(ui: &mut Ui, measured: &Measured) -> Option<Method> {
         count => (rows * (count + 1) as f32).min(LIST_POINTS),
     };
     let height = (ui.available_height() - below).max(160.0);
-    let points: Vec<(Method, &Point)> = measured.entries.iter().filter_map(point).collect();
+    let points: Vec<(Method, &SurveyPoint)> = measured.entries.iter().filter_map(point).collect();
     let chosen = plot(ui, &points, height);
     if !refused.is_empty() {
         ui.separator();
@@ -198,15 +198,15 @@ fn contents(ui: &mut Ui, measured: &Measured) -> Option<Method> {
     chosen
 }
 
-fn plot(ui: &mut Ui, points: &[(Method, &Point)], height: f32) -> Option<Method> {
+fn plot(ui: &mut Ui, points: &[(Method, &SurveyPoint)], height: f32) -> Option<Method> {
     let mark = |(value, step_size): (f64, f64)| GridMark { value, step_size };
     let marks = move |all: Vec<(f64, f64)>| all.into_iter().map(mark).collect::<Vec<_>>();
-    let color = |point: &Point| match (point.overflow.is_some(), point.wrong_px) {
+    let color = |point: &SurveyPoint| match (point.overflow.is_some(), point.wrong_px) {
         (true, _) => Color32::from_rgb(200, 60, 60),
         (false, 0) => Color32::from_rgb(60, 160, 80),
         (false, _) => Color32::from_rgb(70, 120, 200),
     };
-    let at = |point: &Point| [place_of_time(point.time_ms), place_of_wrong(point.wrong_px)];
+    let at = |point: &SurveyPoint| [place_of_time(point.time_ms), place_of_wrong(point.wrong_px)];
     let times = || points.iter().map(|(_, point)| at(point)[0]);
     let range = (times().reduce(f64::min), times().reduce(f64::max));
     let around = match range {
@@ -266,8 +266,8 @@ fn plot(ui: &mut Ui, points: &[(Method, &Point)], height: f32) -> Option<Method>
     chosen
 }
 
-fn sentence(method: Method, point: &Point) -> String {
-    let Point {
+fn sentence(method: Method, point: &SurveyPoint) -> String {
+    let SurveyPoint {
         time_ms,
         wrong_px,
         unmarked_px,

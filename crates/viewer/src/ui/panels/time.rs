@@ -7,7 +7,7 @@ use eframe::egui::{
 };
 
 use crate::action::Action;
-use crate::editing::timeline::{self, Track};
+use crate::editing::timeline::{self, TimelineTrack};
 use crate::state::State;
 
 /// Height of a row of keys, in points.
@@ -102,7 +102,7 @@ pub(in crate::ui) fn show(
 }
 
 /// The time of the chosen key, and a button that takes it away.
-fn chosen_key(ui: &mut Ui, tracks: &[Track], strip: &mut Strip, actions: &mut Vec<Action>) {
+fn chosen_key(ui: &mut Ui, tracks: &[TimelineTrack], strip: &mut Strip, actions: &mut Vec<Action>) {
     let [track, key] = strip.chosen.unwrap_or_default();
     let mut time_s = strip.chosen.map_or(0.0, |_| tracks[track].times_s[key]);
     ui.add_enabled_ui(strip.chosen.is_some(), |ui| {
@@ -123,7 +123,7 @@ fn chosen_key(ui: &mut Ui, tracks: &[Track], strip: &mut Strip, actions: &mut Ve
 /// The keys of a target, with its name.
 fn row(
     ui: &mut Ui,
-    (index, track): (usize, &Track),
+    (index, track): (usize, &TimelineTrack),
     ([from, to], shown_s): ([f32; 2], f64),
     strip: &mut Strip,
     actions: &mut Vec<Action>,

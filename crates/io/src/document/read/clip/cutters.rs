@@ -8,7 +8,7 @@ use cutaway::scene::{Bounds, Cutter, too_far};
 
 use crate::document::describe::{CutDesc, PlacementDesc};
 use crate::document::read::described::keys_of;
-use crate::document::read::opening::Opening;
+use crate::document::read::opening::LoadContext;
 use crate::document::read::parts;
 use crate::document::read::reader::{Entry, Table};
 
@@ -23,7 +23,7 @@ pub(in crate::document::read) struct CutterSource {
 /// Opens the cutters of a document, one for each cut that has one.
 pub(in crate::document::read) fn open(
     entries: &[Entry<'_>],
-    opening: &mut Opening<'_>,
+    opening: &mut LoadContext<'_>,
 ) -> Result<Vec<Option<CutterSource>>> {
     entries
         .iter()
@@ -34,7 +34,7 @@ pub(in crate::document::read) fn open(
         .collect()
 }
 
-fn open_one(entry: &Entry<'_>, opening: &mut Opening<'_>) -> Result<CutterSource> {
+fn open_one(entry: &Entry<'_>, opening: &mut LoadContext<'_>) -> Result<CutterSource> {
     let text = entry.text()?;
     let solids = if text.starts_with("shape:") {
         opening.shape(entry, text)?

@@ -39,12 +39,12 @@ pub(in crate::document::read) type Maps = BTreeMap<String, Arc<OffsetMap>>;
 
 /// The images of reliefs, read once: opened files do not change while a scene is played.
 #[derive(Debug, Default)]
-pub(crate) struct Images {
+pub(crate) struct ReliefImages {
     /// One image, or several in order, by the name of the relief.
     by_relief: BTreeMap<String, Vec<Image>>,
 }
 
-impl Images {
+impl ReliefImages {
     pub(crate) fn files(&self) -> impl Iterator<Item = &PathBuf> {
         self.by_relief.values().flatten().map(|image| &image.path)
     }
@@ -71,7 +71,7 @@ impl Resolved {
 /// Reads all reliefs of `[relief]` and computes those that have changed; the maps of the others are kept.
 pub(in crate::document::read) fn read(
     entry: &Entry<'_>,
-    images: &Images,
+    images: &ReliefImages,
     last: &mut Resolved,
 ) -> Result<Maps> {
     let table = entry.open_table()?;
@@ -109,8 +109,8 @@ pub(in crate::document::read) fn open(
     root: &Table<'_>,
     folder: &Path,
     assets: &mut Assets,
-) -> Result<Images> {
-    let mut opened = Images::default();
+) -> Result<ReliefImages> {
+    let mut opened = ReliefImages::default();
     let Some(reliefs) = root.get("relief") else {
         return Ok(opened);
     };

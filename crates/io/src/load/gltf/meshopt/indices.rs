@@ -15,12 +15,12 @@ const TABLE_BYTES: usize = 16;
 const TAIL_BYTES: usize = 4;
 
 /// Ring buffer of the last 16 items.
-struct Recent<T> {
+struct RingBuffer<T> {
     all: [T; 16],
     next: usize,
 }
 
-impl<T: Copy + Default> Recent<T> {
+impl<T: Copy + Default> RingBuffer<T> {
     fn new() -> Self {
         Self {
             all: [T::default(); 16],
@@ -40,17 +40,17 @@ impl<T: Copy + Default> Recent<T> {
 }
 
 /// State of the triangle decoder.
-struct Reader<'a> {
+struct TriangleDecoder<'a> {
     data: &'a [u8],
     /// Lowest index not used by any triangle so far.
     next: u32,
     /// The last explicitly coded index.
     last: u32,
-    edges: Recent<[u32; 2]>,
-    vertices: Recent<u32>,
+    edges: RingBuffer<[u32; 2]>,
+    vertices: RingBuffer<u32>,
 }
 
-impl Reader<'_> {
+impl TriangleDecoder<'_> {
     fn fresh(&mut self) -> u32 {
         let fresh = self.next;
         self.next = fresh.wrapping_add(1);
@@ -130,12 +130,12 @@ pub(super) fn triangles(stream: &[u8], count: usize) -> Result<Vec<u32>, String>
     }
     let (body, table) = parted(stream, TRIANGLES, TABLE_BYTES)?;
     let (codes, data) = body.split_at_checked(count / 3).ok_or_else(cut_off)?;
-    let mut reader = Reader {
+    let mut reader = TriangleDecoder {
         data,
         next: 0,
         last: 0,
-        edges: Recent::new(),
-        vertices: Recent::new(),
+        edges: RingBuffer::new(),
+        vertices: RingBuffer::new(),
     };
     let mut indices = Vec::with_capacity(count);
     for code in codes {

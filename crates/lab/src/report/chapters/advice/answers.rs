@@ -5,15 +5,15 @@ use cutaway::strategies::Strategy;
 use super::{best, cards, inputs, reasons};
 use crate::experiment::Record;
 use crate::report::chapters::figures::{counted, ranged, times};
-use crate::report::chapters::point::{Point, Points, Setup};
+use crate::report::chapters::point::{Points, RecordedPoint, Setup};
 use crate::report::chapters::{broken, figures, styles};
 use crate::report::derived::{
-    Kind, Situation, Spread, StrategyTotals, has_defect, has_other_truth, is_exact, papers,
+    CutSetKind, Situation, Spread, StrategyTotals, has_defect, has_other_truth, is_exact, papers,
     totals_of_strategies,
 };
-use crate::report::document::{Block, Cell, Grid, Tone};
+use crate::report::document::{Cell, Grid, ReportBlock, Tone};
 
-pub(in crate::report::chapters) fn chapter(points: &Points<'_>) -> Vec<Block> {
+pub(in crate::report::chapters) fn chapter(points: &Points<'_>) -> Vec<ReportBlock> {
     if points.all.is_empty() {
         return Vec::new();
     }
@@ -34,10 +34,10 @@ pub(in crate::report::chapters) fn chapter(points: &Points<'_>) -> Vec<Block> {
         let records: Vec<&Record> = on_it.iter().map(|p| p.record).collect();
         let totals = totals_of_strategies(&records);
         blocks.extend(whose(points, setup));
-        blocks.push(Block::Text(exact_ones(&totals)));
+        blocks.push(ReportBlock::Text(exact_ones(&totals)));
         blocks.push(folded(
             "All methods, their errors, costs and refusals",
-            exactness_notes(others).chain([Block::Grid(exactness(&totals))]),
+            exactness_notes(others).chain([ReportBlock::Grid(exactness(&totals))]),
         ));
     }
     blocks.push(heading(
@@ -45,20 +45,20 @@ pub(in crate::report::chapters) fn chapter(points: &Points<'_>) -> Vec<Block> {
     ));
     blocks.extend(points.setups().map(|setup| {
         let records: Vec<&Record> = (sound(points.on(setup)).iter()).map(|p| p.record).collect();
-        Block::Text(papers_path(&points.label(setup), &records))
+        ReportBlock::Text(papers_path(&points.label(setup), &records))
     }));
     // Over a single point they would repeat the answer above.
     let are_several = points.all.len() > 1;
     if are_several {
         blocks.push(heading("Which one for what moves?"));
-        blocks.push(Block::Text(
+        blocks.push(ReportBlock::Text(
         "The same ranking as for inputs, over all points of one kind of cut. When only the view moves, the clock of the frame is paid; when the cut moves, \
          frame and cut; when the mesh moves, all clocks. `exact at` counts the points that have an exact strategy."
             .to_owned(),
     ));
         for setup in points.setups() {
             blocks.extend(whose(points, setup));
-            blocks.push(Block::Grid(by_situation(&sound(points.on(setup)))));
+            blocks.push(ReportBlock::Grid(by_situation(&sound(points.on(setup)))));
         }
     }
     if others > 0 {
@@ -70,12 +70,12 @@ pub(in crate::report::chapters) fn chapter(points: &Points<'_>) -> Vec<Block> {
             let on_it = points.on(setup);
             let broken = on_it.iter().map(|p| p.record).filter(|r| has_defect(r));
             let broken: Vec<&Record> = broken.collect();
-            blocks.push(Block::Text(cards::sentence(&broken, Situation::View)));
+            blocks.push(ReportBlock::Text(cards::sentence(&broken, Situation::View)));
             let how = "A row for each defect and method: decided wrong pixels as a share of the cap of the whole mesh, median and worst over the points where \
                  something is broken; how many of them are not marked as unreliable; and how many pixels are marked, wrong or not.";
             blocks.push(folded(
                 "Each defect by each method",
-                [Block::Text(how.to_owned()), Block::Grid(grid)],
+                [ReportBlock::Text(how.to_owned()), ReportBlock::Grid(grid)],
             ));
         }
     }
@@ -84,15 +84,15 @@ pub(in crate::report::chapters) fn chapter(points: &Points<'_>) -> Vec<Block> {
         blocks.push(heading("Answers by question"));
         for setup in points.setups() {
             blocks.extend(whose(points, setup));
-            let table = Block::Grid(by_question(points, &points.on(setup)));
+            let table = ReportBlock::Grid(by_question(points, &points.on(setup)));
             blocks.push(folded("Each experiment in a line", [table]));
         }
     }
     blocks
 }
 
-fn folded(summary: &str, blocks: impl IntoIterator<Item = Block>) -> Block {
-    Block::Folded {
+fn folded(summary: &str, blocks: impl IntoIterator<Item = ReportBlock>) -> ReportBlock {
+    ReportBlock::Folded {
         summary: summary.to_owned(),
         open: false,
         blocks: blocks.into_iter().collect(),
@@ -100,15 +100,15 @@ fn folded(summary: &str, blocks: impl IntoIterator<Item = Block>) -> Block {
 }
 
 /// Notes on what the table of exactness counts, and what it leaves out.
-fn exactness_notes(others: usize) -> impl Iterator<Item = Block> {
-    let counts = Block::Text(
+fn exactness_notes(others: usize) -> impl Iterator<Item = ReportBlock> {
+    let counts = ReportBlock::Text(
         "A strategy is exact at a point if it drew the whole frame and has no wrong pixel where the reference is sure. \
          The ratio is the time of a frame over that of drawing the same scene with nothing cut: the median, with the range in its tooltip. \
          Strategies that only occur in sweeps over their own parameter are in the charts of their experiment."
             .to_owned(),
     );
     let left_out = (others > 0).then(|| {
-        Block::Text(format!(
+        ReportBlock::Text(format!(
             "Left out here, in what the paper's path costs, and in what moves: {} judged by the exact image of another scene, as broken meshes are \
              by that of the whole one. They have a table of their own below.",
             counted(others, "point")
@@ -144,17 +144,17 @@ fn exact_ones(totals: &[StrategyTotals]) -> String {
     }
 }
 
-fn heading(text: &str) -> Block {
-    Block::Heading(4, text.to_owned())
+fn heading(text: &str) -> ReportBlock {
+    ReportBlock::Heading(4, text.to_owned())
 }
 
 /// Names the setup of the figures that follow, if there are several.
-fn whose(points: &Points<'_>, setup: &Setup<'_>) -> Option<Block> {
-    (points.setups().count() > 1).then(|| Block::Heading(5, points.label(setup)))
+fn whose(points: &Points<'_>, setup: &Setup<'_>) -> Option<ReportBlock> {
+    (points.setups().count() > 1).then(|| ReportBlock::Heading(5, points.label(setup)))
 }
 
 /// Points that are judged by their own exact image.
-fn sound(mut points: Vec<Point<'_>>) -> Vec<Point<'_>> {
+fn sound(mut points: Vec<RecordedPoint<'_>>) -> Vec<RecordedPoint<'_>> {
     points.retain(|p| !has_other_truth(p.record));
     points
 }
@@ -253,13 +253,13 @@ fn exact_count(records: &[&Record]) -> usize {
     records.iter().filter(has_exact).count()
 }
 
-fn by_situation(points: &[Point<'_>]) -> Grid {
+fn by_situation(points: &[RecordedPoint<'_>]) -> Grid {
     let heading = ["cut by", "situation", "exact at"];
     let heading = heading.into_iter().chain(best::COLUMNS);
     let mut grid = Grid::new("the fastest exact strategy by situation", heading);
-    for kind in Kind::ALL {
+    for kind in CutSetKind::ALL {
         let of_kind: Vec<&Record> = (points.iter().map(|p| p.record))
-            .filter(|r| Kind::of(r) == kind)
+            .filter(|r| CutSetKind::of(r) == kind)
             .collect();
         let exact = exact_count(&of_kind);
         if exact == 0 {
@@ -278,8 +278,11 @@ fn by_situation(points: &[Point<'_>]) -> Grid {
 }
 
 /// Situation of an experiment: the one that all its runs share, else a moving view.
-pub(in crate::report::chapters) fn situation_of(points: &[Point<'_>]) -> Situation {
-    let mut all = points.iter().filter_map(Point::run).map(|run| run.moves);
+pub(in crate::report::chapters) fn situation_of(points: &[RecordedPoint<'_>]) -> Situation {
+    let mut all = points
+        .iter()
+        .filter_map(RecordedPoint::run)
+        .map(|run| run.moves);
     let first = all.next().unwrap_or_default();
     match all.all(|moves| moves == first) {
         true => first.into(),
@@ -287,7 +290,7 @@ pub(in crate::report::chapters) fn situation_of(points: &[Point<'_>]) -> Situati
     }
 }
 
-fn by_question(points: &Points<'_>, on_it: &[Point<'_>]) -> Grid {
+fn by_question(points: &Points<'_>, on_it: &[RecordedPoint<'_>]) -> Grid {
     let heading = ["question", "what moves", "points", "exact at"];
     let heading = heading.into_iter().chain(best::COLUMNS);
     let heading = heading.chain(inputs::PAPER_COLUMNS);

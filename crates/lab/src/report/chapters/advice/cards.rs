@@ -7,7 +7,7 @@ use crate::report::chapters::figures::{counted, percent, times};
 use crate::report::derived::{
     Candidate, Situation, Spread, candidates, harms, has_defect, has_other_truth, ranked, variants,
 };
-use crate::report::document::{Block, Cell, Line, Ranking, Tone};
+use crate::report::document::{Cell, Line, Ranking, ReportBlock, Tone};
 use crate::report::look::look;
 
 /// The answer for some points in a sentence or two: what to use, the next choice, and which cheaper methods are wrong.
@@ -119,7 +119,7 @@ pub(in crate::report::chapters) fn ranking(
     records: &[&Record],
     situation: Situation,
     range: [f64; 2],
-) -> Option<Block> {
+) -> Option<ReportBlock> {
     let is_broken = records.iter().all(|r| has_other_truth(r));
     let lines: Vec<Line> = match is_broken {
         true => {
@@ -151,7 +151,7 @@ pub(in crate::report::chapters) fn ranking(
         }
     };
     (lines.len() > 1).then(|| {
-        Block::Ranking(Ranking {
+        ReportBlock::Ranking(Ranking {
             title: title.to_owned(),
             names: "method",
             axis: "time over drawing uncut".to_owned(),

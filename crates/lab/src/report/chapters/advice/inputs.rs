@@ -3,11 +3,11 @@
 use super::{best, cards};
 use crate::experiment::{Record, StrategyMeasurement};
 use crate::report::chapters::figures::{counts, percent, ranged};
-use crate::report::chapters::point::{Point, Points, Setup};
+use crate::report::chapters::point::{Points, RecordedPoint, Setup};
 use crate::report::derived::{
     BETWEEN_RUNS, Situation, Spread, TOO_MUCH, has_defect, has_other_truth, papers,
 };
-use crate::report::document::{Block, Cell, Grid, Tone};
+use crate::report::document::{Cell, Grid, ReportBlock, Tone};
 
 /// Explanation of how the answers are derived.
 fn how_to_read() -> String {
@@ -29,7 +29,7 @@ In the charts a filled marker is an exact method, a hollow one has wrong pixels;
 }
 
 /// Points that represent one input.
-struct Input<'a> {
+struct InputRecords<'a> {
     name: &'a str,
     situation: Situation,
     runs: Vec<String>,
@@ -37,7 +37,10 @@ struct Input<'a> {
 }
 
 /// The table of a setup and its explanation; empty if no run represents an input.
-pub(in crate::report::chapters) fn blocks(points: &Points<'_>, setup: &Setup<'_>) -> Vec<Block> {
+pub(in crate::report::chapters) fn blocks(
+    points: &Points<'_>,
+    setup: &Setup<'_>,
+) -> Vec<ReportBlock> {
     let on_it = points.on(setup);
     let inputs = inputs(&on_it);
     if inputs.is_empty() {
@@ -54,27 +57,27 @@ pub(in crate::report::chapters) fn blocks(points: &Points<'_>, setup: &Setup<'_>
     let range = cards::range_of(all);
     let cards = inputs.iter().map(|input| card(input, range)).collect();
     vec![
-        Block::Grid(grid),
-        Block::Cards(cards),
-        Block::Folded {
+        ReportBlock::Grid(grid),
+        ReportBlock::Cards(cards),
+        ReportBlock::Folded {
             summary: "How these answers are derived".to_owned(),
             open: false,
-            blocks: vec![Block::Prose(how_to_read())],
+            blocks: vec![ReportBlock::Prose(how_to_read())],
         },
     ]
 }
 
 /// The answer for an input in a sentence and a chart.
-fn card(input: &Input<'_>, range: [f64; 2]) -> Vec<Block> {
+fn card(input: &InputRecords<'_>, range: [f64; 2]) -> Vec<ReportBlock> {
     let title = format!("{}, {}", input.name, input.situation.describe());
     let ranking = cards::ranking(&title, &input.records, input.situation, range);
     let answer = cards::sentence(&input.records, input.situation);
-    let head = [Block::Heading(5, title), Block::Text(answer)];
+    let head = [ReportBlock::Heading(5, title), ReportBlock::Text(answer)];
     head.into_iter().chain(ranking).collect()
 }
 
-fn inputs<'a>(points: &'a [Point<'a>]) -> Vec<Input<'a>> {
-    let mut inputs: Vec<Input<'a>> = Vec::new();
+fn inputs<'a>(points: &'a [RecordedPoint<'a>]) -> Vec<InputRecords<'a>> {
+    let mut inputs: Vec<InputRecords<'a>> = Vec::new();
     for point in points {
         let Some((run, name)) = point.run().and_then(|r| Some((r, r.input.as_deref()?))) else {
             continue;
@@ -83,7 +86,7 @@ fn inputs<'a>(points: &'a [Point<'a>]) -> Vec<Input<'a>> {
             continue;
         }
         let situation = Situation::from(run.moves);
-        let is_it = |i: &&mut Input<'_>| i.name == name && i.situation == situation;
+        let is_it = |i: &&mut InputRecords<'_>| i.name == name && i.situation == situation;
         let run_name = format!("{}: {}", point.experiment.synopsis.name, run.name);
         match inputs.iter_mut().find(is_it) {
             Some(input) => {
@@ -92,7 +95,7 @@ fn inputs<'a>(points: &'a [Point<'a>]) -> Vec<Input<'a>> {
                     input.runs.push(run_name);
                 }
             }
-            None => inputs.push(Input {
+            None => inputs.push(InputRecords {
                 name,
                 situation,
                 runs: vec![run_name],
@@ -103,7 +106,7 @@ fn inputs<'a>(points: &'a [Point<'a>]) -> Vec<Input<'a>> {
     inputs
 }
 
-fn row(input: &Input<'_>) -> Vec<Cell> {
+fn row(input: &InputRecords<'_>) -> Vec<Cell> {
     let records = &input.records;
     let mut cells = vec![
         Cell::from(input.name).titled(input.runs.join("; ")),

@@ -3,11 +3,11 @@
 //! Times of different tools cover different work, as each row says: no ratio is made of them.
 
 use crate::report::chapters::figures::timed;
-use crate::report::document::{Block, Cell, Grid, Tone};
+use crate::report::document::{Cell, Grid, ReportBlock, Tone};
 use crate::report::number::significant;
-use crate::report::recorded::{PeerCheck, PeerRecord, PeerRow, Recorded};
+use crate::report::recorded::{PeerCheck, PeerRecord, PeerRow, RecordedFolders};
 
-pub(in crate::report::chapters) fn chapter(recorded: &Recorded) -> Vec<Block> {
+pub(in crate::report::chapters) fn chapter(recorded: &RecordedFolders) -> Vec<ReportBlock> {
     let mut blocks = Vec::new();
     for folder in &recorded.folders {
         for record in &folder.peers {
@@ -20,8 +20,8 @@ pub(in crate::report::chapters) fn chapter(recorded: &Recorded) -> Vec<Block> {
                 1 => String::new(),
                 _ => format!(" · {}", folder.path.display()),
             };
-            blocks.push(Block::Heading(4, format!("{title}{place}")));
-            blocks.push(Block::Text(versions(record)));
+            blocks.push(ReportBlock::Heading(4, format!("{title}{place}")));
+            blocks.push(ReportBlock::Text(versions(record)));
             let missed = record.checks.iter().filter(|c| !c.holds);
             blocks.extend(missed.map(|c| {
                 let text = format!(
@@ -31,18 +31,18 @@ pub(in crate::report::chapters) fn chapter(recorded: &Recorded) -> Vec<Block> {
                     c.tool,
                     describe(c)
                 );
-                Block::Notice(Tone::Bad, text)
+                ReportBlock::Notice(Tone::Bad, text)
             }));
-            blocks.push(Block::Grid(table(record)));
+            blocks.push(ReportBlock::Grid(table(record)));
             if !record.command.is_empty() {
-                blocks.push(Block::Command(record.command.clone()));
+                blocks.push(ReportBlock::Command(record.command.clone()));
             }
         }
     }
     if !blocks.is_empty() {
         blocks.insert(
             0,
-            Block::Text(
+            ReportBlock::Text(
                 "The same cuts by other tools on the same machine. Each time covers what its row says, which is not the same work for all: \
                  areas can be compared, times only with that in mind. The difference is to the first of our rows on the same mesh and cut."
                     .to_owned(),
