@@ -42,6 +42,14 @@ macro_rules! in_shares {
             share_5_of_8 4, share_6_of_8 5, share_7_of_8 6, share_8_of_8 7
         );
     };
+    ($name:ident, 16) => {
+        in_shares!(
+            $name, 16: share_1_of_16 0, share_2_of_16 1, share_3_of_16 2, share_4_of_16 3,
+            share_5_of_16 4, share_6_of_16 5, share_7_of_16 6, share_8_of_16 7,
+            share_9_of_16 8, share_10_of_16 9, share_11_of_16 10, share_12_of_16 11,
+            share_13_of_16 12, share_14_of_16 13, share_15_of_16 14, share_16_of_16 15
+        );
+    };
     ($name:ident, $of:literal: $($share:ident $index:literal),*) => {
         mod $name {
             $(#[test]

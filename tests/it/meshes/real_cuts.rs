@@ -32,7 +32,7 @@ fn mask_of(session: &Session, rasteriser: Rasteriser) -> Vec<u32> {
 
 in_shares!(
     the_exact_strategy_is_exact_on_every_closed_mesh_cut_by_a_plane,
-    8
+    16
 );
 
 fn the_exact_strategy_is_exact_on_every_closed_mesh_cut_by_a_plane(share: Share) {

@@ -22,9 +22,8 @@ use web_sys::{DedicatedWorkerGlobalScope, Event, MessageEvent, Worker, WorkerOpt
 
 use super::context::JudgeContext;
 use super::message::{QuestionKind, QuestionMessage, Reply};
-use super::{
-    Answer, AnswerSink, ErrorQuestion, JudgeFinding, Subject, cost, errors, magnify, survey,
-};
+use super::{Answer, AnswerSink, ErrorQuestion, JudgeFinding, Subject};
+use super::{cost, errors, magnify, survey};
 use crate::picture::shown::Shown;
 use crate::state::State;
 use crate::web::files::PageFiles;
@@ -109,28 +108,18 @@ impl Judge {
     /// Sends a question about the visible picture; earlier ones are dropped.
     pub fn ask(&self, state: &State, question: ErrorQuestion) {
         let wants_errors = question.wants_errors;
-        self.send(
-            state,
-            QuestionMessage::new(
-                question.id,
-                &question.subject,
-                question.renderers,
-                QuestionKind::Slots { wants_errors },
-            ),
-        );
+        let kind = QuestionKind::Slots { wants_errors };
+        let (id, renderers) = (question.id, question.renderers);
+        let message = QuestionMessage::new(id, &question.subject, renderers, kind);
+        self.send(state, message);
     }
 
     /// Sends a question about a pixel; the previous one is dropped.
     pub fn magnify(&self, state: &State, question: magnify::MagnifyQuestion) {
-        self.send(
-            state,
-            QuestionMessage::new(
-                question.id,
-                &question.subject,
-                question.renderers,
-                QuestionKind::Pixel(question.at_px),
-            ),
-        );
+        let kind = QuestionKind::Pixel(question.at_px);
+        let (id, renderers) = (question.id, question.renderers);
+        let message = QuestionMessage::new(id, &question.subject, renderers, kind);
+        self.send(state, message);
     }
 
     fn send(&self, state: &State, question: QuestionMessage) {

@@ -177,7 +177,7 @@ fn with_files(line: &str) -> String {
     line.replace(" --clip run", "")
 }
 
-in_shares!(what_is_saved_draws_the_same_picture_to_the_bit, 4);
+in_shares!(what_is_saved_draws_the_same_picture_to_the_bit, 8);
 
 fn what_is_saved_draws_the_same_picture_to_the_bit(share: Share) {
     let folder = Scratch::new("saved");

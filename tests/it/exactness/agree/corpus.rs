@@ -127,7 +127,7 @@ fn knows_parity_alone(outcome: &Outcome) -> bool {
     matches!(outcome, Outcome::Refused(r) if r.unsupported == Unsupported::Nonzero)
 }
 
-in_shares!(every_strategy_agrees_with_exact_on_the_corpus, 4);
+in_shares!(every_strategy_agrees_with_exact_on_the_corpus, 8);
 
 fn every_strategy_agrees_with_exact_on_the_corpus(share: Share) {
     let paper = strategy("grid:128+vds:512");

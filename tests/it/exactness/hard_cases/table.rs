@@ -64,7 +64,7 @@ fn none(faults: &[String]) {
     );
 }
 
-in_shares!(every_case_with_planes_reaches_its_outcome, 4);
+in_shares!(every_case_with_planes_reaches_its_outcome, 8);
 
 fn every_case_with_planes_reaches_its_outcome(share: Share) {
     none(&run(share.part(cases().filter(|c| !c.form.has_reliefs()))));

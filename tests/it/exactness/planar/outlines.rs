@@ -5,6 +5,7 @@ use cutaway::scene::{ClipSurface, Mesh, Scene};
 use cutaway::strategies::Strategy;
 use glam::{DVec2, DVec3};
 
+use super::common::shares::{Share, in_shares};
 use super::common::{Question, class_of, meshes, scenes};
 use super::decided_differing;
 
@@ -19,8 +20,9 @@ fn asked(scene: &Scene, size: [u32; 2], what: &str) -> usize {
     judged.layers.count(Kind::Cap)
 }
 
-#[test]
-fn planes_in_faces_through_edges_vertices_and_diagonals() {
+in_shares!(planes_in_faces_through_edges_vertices_and_diagonals, 2);
+
+fn planes_in_faces_through_edges_vertices_and_diagonals(share: Share) {
     let through = [
         DVec3::Z,
         DVec3::X,
@@ -37,7 +39,7 @@ fn planes_in_faces_through_edges_vertices_and_diagonals() {
     ];
     let mut caps = 0;
     for shape in ["cube", "cube?divisions=4", "sponge?level=1"] {
-        for normal in through {
+        for normal in share.part(through) {
             // In faces, through edges, vertices or the centre, by the direction of the normal.
             for at in [-0.5, 0.0, 0.5] {
                 for sign in [-1.0, 1.0] {
@@ -53,7 +55,10 @@ fn planes_in_faces_through_edges_vertices_and_diagonals() {
             }
         }
     }
-    assert!(caps > 20_000, "{caps} cap pixels ask too little");
+    assert!(
+        caps > share.least(20_000),
+        "{caps} cap pixels ask too little"
+    );
 }
 
 /// A prism over closed curves: walls alone, capped by nothing but the planes far above and below that a cut never meets.

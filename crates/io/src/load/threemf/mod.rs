@@ -17,24 +17,23 @@ mod model;
 mod package;
 mod properties;
 mod slicer;
+mod solid;
 mod xml;
 
 use std::collections::BTreeMap;
-use std::ops::RangeInclusive;
 use std::path::Path;
-use std::sync::Arc;
 
 use cutaway::error::{Diagnostic, Error, Result};
-use cutaway::scene::{LengthUnit, Mesh};
-use glam::{DAffine3, DVec3, Vec3};
+use cutaway::scene::LengthUnit;
+use glam::{DAffine3, DVec3};
 
 use super::Placed;
-use super::draft::{Draft, Group};
 use super::grouped::grouped;
 
-use model::{Object, ObjectGeometry, ObjectReference, ThreeMfModel};
+use model::{ObjectGeometry, ObjectReference, ThreeMfModel};
 use package::Package;
-use slicer::{Use, Uses};
+use slicer::Uses;
+use solid::{ShownSolid, label, solid};
 use xml::shortened;
 
 /// Maximum nesting depth of objects.
@@ -92,15 +91,6 @@ pub(super) fn read(
         ));
     }
     Ok((reader.placed, unit))
-}
-
-/// A solid that is shown in at least one place.
-#[derive(Clone)]
-struct ShownSolid {
-    mesh: Arc<Mesh>,
-    color: Option<Vec3>,
-    materials: Vec<String>,
-    is_transparent: bool,
 }
 
 struct Reader<'a> {
@@ -282,19 +272,23 @@ impl Reader<'_> {
             return Ok(());
         };
         let label = label(key.1, object);
-        match object.kind.as_str() {
-            "model" => {}
-            "support" | "solidsupport" | "surface" | "other" => {
-                let what = format!("left out: its type is `{}`, not a solid", object.kind);
-                self.of_objects
-                    .push(Diagnostic::note("3mf-not-a-solid", what).about(label));
-                return Ok(());
-            }
+        let code = match object.kind.as_str() {
+            "model" => None,
+            "support" => Some("3mf-support"),
+            "solidsupport" => Some("3mf-solidsupport"),
+            "surface" => Some("3mf-surface"),
+            "other" => Some("3mf-other"),
             unknown => {
                 let what = format!("{label} is of the type {:?}", shortened(unknown));
                 let help = "types are model, support, solidsupport, surface and other";
                 return Err(Error::file(&model.path, what, help));
             }
+        };
+        if let Some(code) = code {
+            let what = format!("left out: its type is `{}`, not a solid", object.kind);
+            self.of_objects
+                .push(Diagnostic::note(code, what).about(label));
+            return Ok(());
         }
         let named = object.name.as_deref().or(object.part_number.as_deref());
         let name = match named.or(way.part_number) {
@@ -336,70 +330,6 @@ fn model_of(package: &mut Package<'_>, part: &str) -> Result<ThreeMfModel> {
     let notes = properties.read_images(&mut |image| package.texture(image));
     model.notes.extend(notes);
     Ok(model)
-}
-
-/// Builds the solid of an object, whose mesh is consumed; further placements reuse the result.
-fn solid(
-    model: &mut ThreeMfModel,
-    id: u32,
-    (label, uses): (&str, &[(RangeInclusive<usize>, Use)]),
-    notes: &mut Vec<Diagnostic>,
-) -> Result<Option<ShownSolid>> {
-    let Some(object) = model.objects.get_mut(&id) else {
-        return Ok(None);
-    };
-    let ObjectGeometry::Mesh(read) = std::mem::replace(
-        &mut object.shape,
-        ObjectGeometry::Mesh(Ok(Default::default())),
-    ) else {
-        return Ok(None);
-    };
-    let mut geometry = read?;
-    if geometry.has_beams {
-        notes.push(Diagnostic::note(
-            "3mf-beams",
-            "its beams are not drawn, its triangles are",
-        ));
-    }
-    for (range, of) in uses {
-        notes.push(of.note(&format!("triangles {} to {}", range.start(), range.end())));
-    }
-    geometry.keep(|triangle| !uses.iter().any(|(range, _)| range.contains(&triangle)));
-    if geometry.mesh.triangles.is_empty() {
-        notes.push(Diagnostic::note(
-            "no-triangles",
-            "left out: it has no triangles",
-        ));
-        return Ok(None);
-    }
-    let look = model.properties.look(&geometry, object.default);
-    notes.extend(look.notes);
-    geometry.mesh.vertex_paint = look.vertex_paint;
-    let draft = Draft {
-        mesh: geometry.mesh,
-        groups: vec![Group {
-            color: look.color,
-            is_transparent: look.is_transparent,
-            ..Group::default()
-        }],
-        ..Draft::default()
-    };
-    let path = model.path.join(label);
-    // One group gives one solid.
-    let solid = draft.into_solids(&path, notes)?.pop();
-    Ok(solid.map(|solid| ShownSolid {
-        mesh: Arc::new(solid.mesh),
-        color: solid.color,
-        materials: look.materials,
-        is_transparent: solid.is_transparent,
-    }))
-}
-
-fn label(id: u32, object: &Object) -> String {
-    match &object.name {
-        Some(name) => format!("object {id} ({})", shortened(name)),
-        None => format!("object {id}"),
-    }
 }
 
 /// Returns true if two names refer to the same part of a package.
