@@ -23,30 +23,30 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! # In order of need
+//! # Modules, in the order that a user needs them
 //!
-//! | module | what it is for |
+//! | module | purpose |
 //! |---|---|
-//! | [`scene`] | what is cut: [`Scene`] of [`Part`]s, [`Cut`]s by [`ClipSurface`]s and cutters, camera; [`scene::relief`] for heights |
-//! | [`generate`] | solids without files, and solids with defects |
-//! | [`Model`] at the root | a scene packed for the device; [`Model::updated`] for the same at another time |
-//! | [`strategies`] | how it is drawn: a [`Method`](strategies::Method) such as `raycast+mask@compute`, the table of all, and what each refuses |
-//! | [`session`] | draws: a [`Session`] for pictures, or into the encoder and the attachments of a host ([`Session::encode`]) |
-//! | [`gpu`] | the device: [`Gpu::open`], or that of a host by [`Gpu::from_device`] |
-//! | [`layers`] | what each pixel shows: kind, part, clip-surface, depth, normal |
-//! | [`slice`](mod@slice) | sections as polygons, and what cuts leave as closed meshes ([`slice::capped`]), without a device |
-//! | [`plan`] | the passes of a frame as plain data: what runs, why, on which clock, in how many bytes |
-//! | [`error`] | what went wrong, with what to do about it |
+//! | [`scene`] | the [`Scene`]: [`Part`]s, [`Cut`]s by [`ClipSurface`]s and cutters, and a camera; [`scene::relief`] for heights |
+//! | [`generate`] | solids that need no file, and solids with defects |
+//! | [`Model`] at the root | a scene packed for the device; [`Model::updated`] for the same scene at another time |
+//! | [`strategies`] | drawing methods: a [`Method`](strategies::Method) such as `raycast+mask@compute`, the table of all, limits |
+//! | [`session`] | drawing: a [`Session`] makes pictures, or draws into a host's encoder and attachments ([`Session::encode`]) |
+//! | [`gpu`] | the device: opened by [`Gpu::open`], or a host's by [`Gpu::from_device`] |
+//! | [`layers`] | the visible element of each pixel: kind, part, clip-surface, depth, normal |
+//! | [`slice`](mod@slice) | sections as polygons, and the kept parts as closed meshes ([`slice::capped`]), without a device |
+//! | [`plan`] | the passes of a frame as plain data: each pass with its reason, its clock and its bytes |
+//! | [`error`] | errors: the cause, and what to do about it |
 //!
 //! # Features
 //!
-//! None for the above. `boolean` cuts meshes by reliefs and by other meshes; `serde` makes JSON of limits, topology and plans.
+//! None is needed for the above. `boolean` cuts meshes by reliefs and other meshes; `serde` converts limits, topology and plans to JSON.
 //!
 //! # Sister crates
 //!
-//! `cutaway-io` loads meshes, images and scene files, and writes them; `cutaway-lab` adds the exact reference, comparisons, hard cases, experiments
-//! and reports; `cutaway-cli` is the command. What they alone need of this crate is public, and not in its documentation: it may change
-//! at any time.
+//! `cutaway-io` loads and writes meshes, images and scene files; `cutaway-lab` adds the exact reference, comparisons, hard cases,
+//! experiments and reports; `cutaway-cli` is the command. Items that only these crates need are public but undocumented, and may
+//! change at any time.
 //!
 //! # Map
 //!
@@ -56,10 +56,10 @@
 //!          scene <- slice <- shader <- plan <- passes <- effects <- strategies <- gpu <- session
 //! ```
 //!
-//! A module imports only from modules to its left, and all may import [`error`] and [`layers`]; only [`gpu`] names `wgpu`. A test holds this map against
-//! the source.
+//! A module imports only from modules to its left; all may import [`error`] and [`layers`]. Only [`gpu`] names `wgpu`. A test compares
+//! this map with the source.
 
-// Derived code names the crate as others do.
+// Derived code refers to this crate by name, as in other crates.
 extern crate self as cutaway;
 
 mod effects;

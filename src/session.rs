@@ -1,11 +1,11 @@
 //! A device with the programs of several methods: draws scenes and redraws only what changed.
 //!
-//! Each method keeps its own program, so that several can be measured in turn without a rebuild in between; large
-//! uploads are shared. A frame whose bounded buffers were too small is drawn again with the sizes it reported, up to
-//! [`MOST_TRIES`] times; if a buffer still overflows, that is the outcome of the frame.
+//! Each method keeps its own program, so that several can be measured in turn without rebuilding; they share large
+//! uploads. If bounded buffers were too small for a frame, it is drawn again with the sizes that it reported, up to
+//! [`MOST_TRIES`] times; if a buffer still overflows then, the outcome of the frame is an overflow.
 //!
-//! A picture that exceeds the device's limits is drawn in bands of rows, each by a separate program, which
-//! is visible only in the times.
+//! A picture that exceeds the device's limits is drawn in bands of rows, each by a separate program. This affects
+//! only the times.
 
 use std::collections::BTreeMap;
 
@@ -54,7 +54,7 @@ impl Outcome {
         }
     }
 
-    /// The reason, if it is not complete.
+    /// The reason why the frame is not complete; none if it is.
     pub fn reason(&self) -> Option<&str> {
         match self {
             Self::Complete => None,
@@ -64,33 +64,33 @@ impl Outcome {
     }
 }
 
-/// Result of a requested frame: its outcome, and its cost.
+/// Outcome and cost of a requested frame.
 #[must_use = "a strategy may have refused the scene"]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Drawn {
-    /// Result of the frame.
+    /// Outcome of the frame.
     pub outcome: Outcome,
     /// The clocks on which something changed.
     pub clocks: ClockSet,
-    /// The passes that ran in the last try, which are the whole cost of the frame; with their times if the session [measures
+    /// The passes that ran in the last try; their sum is the whole cost of the frame. With times if the session [measures
     /// them](Session::timed).
     pub times: RunTimes,
 }
 
 impl Drawn {
-    /// Names of a clock's passes that ran.
+    /// Names of the passes that ran on a clock.
     pub fn ran_on(&self, clock: Clock) -> Vec<&str> {
         let ran = self.times.passes.iter().filter(|p| p.clock == clock);
         ran.map(|p| p.name.as_str()).collect()
     }
 }
 
-/// Content that a slot draws.
+/// Kind of frames that a slot draws.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Drawing {
-    /// Uncut frames, drawn with a rasteriser.
+    /// Uncut frames, drawn by a rasteriser.
     Uncut(Rasteriser),
-    /// Frames drawn with a method.
+    /// Frames drawn by a method.
     By(Method),
 }
 
@@ -102,7 +102,7 @@ pub struct Session {
 }
 
 impl Session {
-    /// A session on a device. Measures the device's sub-pixel bits, as [`Gpu::report`] does, so that no frame has to wait for that.
+    /// Makes a session on a device. Measures the device's sub-pixel bits, as [`Gpu::report`] does, so that no frame waits for them.
     pub fn new(gpu: Gpu) -> Self {
         gpu.report();
         Self {
@@ -112,7 +112,7 @@ impl Session {
         }
     }
 
-    /// The same session, but measuring the time of every pass that it draws. Without reliable device timestamps it waits for each pass.
+    /// Makes the session measure the time of every pass. Without reliable device timestamps it must wait for each pass.
     #[must_use]
     pub fn timed(self) -> Self {
         Self {
@@ -141,8 +141,8 @@ impl Session {
         Ok(drawn)
     }
 
-    /// The ground shadow of a scene as a method cuts it, for [`Model::on_ground`]: from small frames seen from below and above, which are
-    /// read back. It depends on no camera, but on every cut and motion.
+    /// The ground shadow of a scene that a method cuts, for [`Model::on_ground`]. It is computed from small frames that the method draws
+    /// from below and above, and that are read back. It depends on every cut and motion, but not on the camera.
     ///
     /// # Errors
     ///
@@ -179,7 +179,7 @@ impl Session {
         )))
     }
 
-    /// Adds to a refusal caused by the device which strategies the device could draw.
+    /// Adds to a refusal that the device causes the strategies that it could draw instead.
     fn name_what_works(&self, refusal: &mut Refusal, model: &Model, view: &View) {
         if refusal.unsupported != Unsupported::Limit {
             return;
@@ -206,12 +206,12 @@ impl Session {
         method
     }
 
-    /// Releases the resources of the programs on the device; the next frame of each strategy is built from scratch.
+    /// Releases the device resources of all programs; the next frame of each strategy is built from scratch.
     pub fn forget(&mut self) {
         self.slots.clear();
     }
 
-    /// Runs the passes of some clocks of a method's last frame again, to time them.
+    /// Runs again those passes of a method's last frame that are on the given clocks, to time them.
     pub fn repeat(&self, method: impl Into<Method>, clocks: ClockSet) -> Result<RunTimes> {
         self.slot(method)?.repeat(&self.gpu, clocks)
     }
@@ -232,12 +232,12 @@ impl Session {
         Ok(picture)
     }
 
-    /// The plan of a method's last frame; that of the first band if there are several.
+    /// The plan of a method's last frame, or of its first band if there are several.
     pub fn plan(&self, method: impl Into<Method>) -> Result<&Plan> {
         Ok(self.first_band(method)?.program.plan())
     }
 
-    /// Precision of the triangles in a method's last frame: the adapter's if its rasteriser drew some, even if only caps.
+    /// Precision of the triangles in a method's last frame: the adapter's if its rasteriser drew any of them, even only caps.
     pub fn precision(&self, method: impl Into<Method>) -> Result<Precision> {
         let method = method.into();
         Ok(match self.plan(method)?.draws_triangles() {
@@ -258,7 +258,7 @@ impl Session {
         Ok(Clock::ALL.map(on))
     }
 
-    /// Device memory of a method's last frame on a clock, in bytes, as [`crate::gpu::Program::allocated_on`] counts them.
+    /// Bytes of device memory that a method's last frame allocated for one clock; see [`crate::gpu::Program::allocated_on`].
     pub fn allocated_on(
         &self,
         method: impl Into<Method>,
@@ -288,8 +288,8 @@ impl Session {
         first.ok_or_else(|| Error::Plan(format!("{method} has no band")))
     }
 
-    /// The words of a named buffer of a method's last frame, for tests. If there are several bands, those of the first, including the
-    /// rows below it that its effects read.
+    /// The words of a named buffer of a method's last frame, for tests. If there are several bands, the words of the first, with the rows
+    /// below it that its effects read.
     pub fn words(&self, method: impl Into<Method>, buffer: &str) -> Result<Vec<u32>> {
         self.first_band(method)?.program.words(&self.gpu, buffer)
     }

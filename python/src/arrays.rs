@@ -6,7 +6,7 @@ use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-/// The mesh of (n, 3) coordinates and (m, 3) numbers of vertices.
+/// Makes a mesh from (n, 3) coordinates and (m, 3) vertex indices.
 pub(crate) fn mesh(
     vertices: &PyReadonlyArray2<'_, f64>,
     faces: &PyReadonlyArray2<'_, u32>,
@@ -26,7 +26,7 @@ pub(crate) fn mesh(
     })
 }
 
-/// Rows of three as an array.
+/// Rows of three numbers as an array of shape (n, 3).
 pub(crate) fn rows<T: numpy::Element>(
     py: Python<'_>,
     flat: Vec<T>,
@@ -35,13 +35,13 @@ pub(crate) fn rows<T: numpy::Element>(
     flat.into_pyarray(py).reshape([count, 3])
 }
 
-/// Points of a plane as an array of two columns.
+/// Points of a plane as an array of shape (n, 2).
 pub(crate) fn points<'py>(py: Python<'py>, uv: &[[f64; 2]]) -> PyResult<Bound<'py, PyArray2<f64>>> {
     let flat: Vec<f64> = uv.iter().flatten().copied().collect();
     flat.into_pyarray(py).reshape([uv.len(), 2])
 }
 
-/// An array of one value a pixel.
+/// An array with one value per pixel.
 pub(crate) fn pixels<T: numpy::Element>(
     py: Python<'_>,
     [width, height]: [u32; 2],

@@ -1,15 +1,15 @@
-//! Camera values of a call, which replace contradicting values of the scene.
+//! Camera arguments of a call. They replace the values of the scene that contradict them.
 
 use cutaway_io::document::{Document, Node, Origin, Value};
 
 use crate::door::Result;
 
-/// Keys that say where the eye is, in each of the three ways.
+/// The three groups of keys that can define the position of the eye.
 const BY_VIEW: [&str; 1] = ["view"];
 const BY_PLACE: [&str; 3] = ["position", "focal_point", "view_up"];
 const BY_ANGLES: [&str; 2] = ["azimuth_deg", "elevation_deg"];
 
-/// Sets values of the camera; missing angles are found.
+/// Sets values of the camera; missing angles are computed.
 pub(crate) fn aim(document: &mut Document, values: Vec<(String, Value)>) -> Result<()> {
     let is_new = document.root().get("camera").is_none();
     let says = |keys: &[&str]| values.iter().any(|(key, _)| keys.contains(&key.as_str()));

@@ -78,7 +78,7 @@ fn open_edges(mesh: &Mesh) -> Option<(usize, [f64; 3])> {
     Some((open.len(), ((a + b) * 0.5).to_array()))
 }
 
-/// Divides a scene as it stands at a time.
+/// Divides a scene at a given time.
 pub(crate) fn capped<'py>(
     scene: &Scene,
     py: Python<'py>,
@@ -115,7 +115,7 @@ fn divided(scene: &Shared, relief_cells: u32, asked: CallSettings) -> Result<Vec
 }
 
 fn of_part(shown: &Shown, part: &CappedPart) -> DividedPart {
-    // Clip-surfaces are numbered through all cuts, a cutter after the others of its cut.
+    // Clip-surfaces are numbered across all cuts; within a cut, the cutter comes last.
     let before = |cut: usize| -> usize {
         let cuts = shown.cuts[..cut].iter();
         cuts.map(|c| c.surfaces.len() + usize::from(c.volume.is_some()))

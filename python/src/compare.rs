@@ -1,4 +1,4 @@
-//! Strategies judged on a scene: the numbers of `cutaway compare`, as its JSON has them.
+//! Compares strategies on a scene: the same numbers as in the JSON of `cutaway compare`.
 
 use std::sync::atomic::Ordering;
 
@@ -12,7 +12,7 @@ use crate::opened::{OpenedDocument, Purpose, view};
 use crate::scene::Scene;
 use crate::state::CallSettings;
 
-/// Judges strategies, and gives JSON. An interrupt of Python ends it after the present round.
+/// Compares strategies, and returns JSON. A Python interrupt ends the comparison after the current round.
 pub(crate) fn compare(
     scene: &Scene,
     py: Python<'_>,
@@ -31,7 +31,7 @@ pub(crate) fn compare(
     })
 }
 
-/// The renderers of some names, each once.
+/// The renderers with the given names, without duplicates.
 fn renderers(names: &[String]) -> Result<Vec<Renderer>> {
     let mut renderers: Vec<Renderer> = Vec::new();
     for name in names {
@@ -82,7 +82,7 @@ fn judged(
         Ok(judgement)
     })?;
     serde_json::to_string(&judgement.measurement).map_err(|e| {
-        let help = "please report this with the scene that it happened with";
+        let help = "please report this, with the scene that caused it";
         Error::input("comparison", format!("cannot be encoded: {e}"), help)
     })
 }

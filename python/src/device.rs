@@ -10,14 +10,14 @@ use crate::door::{Result, detached};
 
 static SESSION: Mutex<Option<Session>> = Mutex::new(None);
 
-/// Does something with the session of the process; one frame at a time.
+/// Runs a function with the session of the process; one call at a time.
 ///
 /// # Errors
 ///
-/// No adapter, with the package that has one; and those of what is done.
+/// No adapter, with the package that provides one; and the errors of the function.
 pub(crate) fn with_session<T>(work: impl FnOnce(&mut Session) -> Result<T>) -> Result<T> {
     let mut session = SESSION.lock().unwrap_or_else(|poisoned| {
-        // What a panic left half done is not drawn on.
+        // A panic may have left the session in an inconsistent state, so it is discarded.
         let mut session = PoisonError::into_inner(poisoned);
         *session = None;
         SESSION.clear_poison();
@@ -30,7 +30,7 @@ pub(crate) fn with_session<T>(work: impl FnOnce(&mut Session) -> Result<T>) -> R
     work(session)
 }
 
-/// The adapter: `name`, `backend`, `driver`, and `software`, true on the CPU.
+/// The adapter: `name`, `backend`, `driver`, and `software`, true if it runs on the CPU.
 #[pyfunction]
 pub(crate) fn adapter(py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
     let report = detached(py, || {

@@ -1,10 +1,10 @@
 //! The door between Python and the library: locks, errors, panics and forks.
 //!
-//! Bad input raises a `ValueError` with the library's message, its `help:` included. A missing file raises a
-//! `FileNotFoundError`. A missing adapter, and faults of the library itself, raise a `RuntimeError`.
+//! Invalid input raises a `ValueError` with the library's message, including its `help:`. A missing file raises a
+//! `FileNotFoundError`. A missing adapter and bugs of the library raise a `RuntimeError`.
 //!
-//! Long work runs on a separate thread, so that Ctrl-C is raised at once. The interrupted work itself runs to its end:
-//! nothing below can be stopped halfway. Later calls that need the same scene or the device wait for it, and may be interrupted as well.
+//! Long work runs on a separate thread, so that Ctrl-C is raised at once. The interrupted work still runs to its end,
+//! because the library cannot stop halfway. Later calls that need the same scene or the device wait for it; they can be interrupted too.
 
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -19,16 +19,16 @@ use cutaway::Error;
 use pyo3::exceptions::{PyFileNotFoundError, PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 
-/// Result of a call of the library.
+/// Result of a call to the library.
 pub(crate) type Result<T> = cutaway::Result<T>;
 
-/// The process that first came through the door; 0 before.
+/// Id of the process that first used the library; 0 before the first use.
 static OWNER: AtomicU32 = AtomicU32::new(0);
 
-/// Longest wait of a Python signal.
+/// Longest time between two checks for Python signals.
 const BETWEEN_LOOKS: Duration = Duration::from_millis(50);
 
-/// Stack size: that of a process's main thread.
+/// Stack size of a worker thread: that of a process's main thread.
 const STACK_BYTES: usize = 8 << 20;
 
 /// Runs long work without the interpreter lock; a Python interrupt is raised meanwhile.
@@ -51,7 +51,7 @@ pub(crate) fn stoppable<T: Send + 'static>(
     let thread = thread::Builder::new().stack_size(STACK_BYTES);
     let begun = thread.spawn(move || {
         let done = catch_unwind(AssertUnwindSafe(|| work(&flag)));
-        // After an interrupt its result is not used.
+        // After an interrupt no one receives the result.
         let _ = sender.send(done);
     });
     let lost = |what: String| {
@@ -65,7 +65,7 @@ pub(crate) fn stoppable<T: Send + 'static>(
         match waited.0 {
             Ok(done) => break done,
             Err(RecvTimeoutError::Disconnected) => {
-                return Err(lost("a thread was lost".to_owned()));
+                return Err(lost("a worker thread ended without a result".to_owned()));
             }
             Err(RecvTimeoutError::Timeout) => py
                 .check_signals()
@@ -75,21 +75,21 @@ pub(crate) fn stoppable<T: Send + 'static>(
     match done {
         Ok(result) => result.map_err(raised),
         Err(panic) => Err(PyRuntimeError::new_err(format!(
-            "cutaway is at fault: {}\n  help: please report this with the scene that it happened with",
+            "cutaway is at fault: {}\n  help: please report this, with the scene that caused it",
             words_of(&*panic)
         ))),
     }
 }
 
-/// Refuses a child that was forked: its threads are not there, and waiting for them would never end.
+/// Returns an error in a forked child process: it has no copy of the threads, so it would wait for them for ever.
 fn must_be_owner() -> PyResult<()> {
     let own = process::id();
     match OWNER.compare_exchange(0, own, Ordering::Relaxed, Ordering::Relaxed) {
         Ok(_) => Ok(()),
         Err(owner) if owner == own => Ok(()),
         Err(_) => Err(PyRuntimeError::new_err(
-            "this process was forked from one that has used cutaway, whose threads and device it does not have\n  \
-             help: start processes by multiprocessing.get_context(\"spawn\"), or use cutaway in them alone",
+            "this process was forked from one that had used cutaway, and has no access to its threads and device\n  \
+             help: start processes with multiprocessing.get_context(\"spawn\"), or use cutaway only in the forked ones",
         )),
     }
 }
@@ -107,5 +107,5 @@ pub(crate) fn raised(error: Error) -> PyErr {
 fn words_of(panic: &(dyn Any + Send)) -> &str {
     let text = panic.downcast_ref::<String>().map(String::as_str);
     text.or_else(|| panic.downcast_ref::<&str>().copied())
-        .unwrap_or("it does not say how")
+        .unwrap_or("no message")
 }

@@ -1,11 +1,11 @@
-//! `cutaway._native`: the part of the Python module that is in Rust.
+//! `cutaway._native`: the Rust part of the Python module.
 //!
-//! Python holds a [`Scene`](scene::Scene): a document, the files that were read for it, and what it was last drawn as. Every call takes plain values
-//! and arrays and gives plain values and arrays; names, doubts about them and results with methods are in the package next to it,
-//! which is Python.
+//! Python holds a [`Scene`](scene::Scene): a document, the files read for it, and its last drawn model. Every call takes and returns
+//! plain values and arrays. Argument names, warnings and result classes with methods are defined in the Python package next to this
+//! crate.
 //!
-//! No call takes the interpreter down. What is long runs without the interpreter's lock ([`door`]); a panic below becomes an error; and a
-//! process that was forked from one that has drawn is refused, because threads and devices do not survive that.
+//! No call can crash the interpreter. Long work runs without the interpreter's lock ([`door`]), and a panic becomes a Python error. Calls
+//! in a process forked from one that used the library return an error, because threads and devices do not survive a fork.
 //!
 //! Cost: arrays are copied once in, and once out.
 

@@ -16,7 +16,7 @@ const USUAL_STYLE: &str = "technical";
 pub(crate) enum Purpose {
     /// A picture: with the defaults of `cutaway render`.
     Picture,
-    /// To be measured, sliced or divided: without looks, and framed as strategies are compared.
+    /// Measuring, slicing or dividing: without a style, and with the framing that `compare` uses.
     Measurement,
 }
 
@@ -30,7 +30,7 @@ pub(crate) struct OpenedDocument {
 }
 
 impl OpenedDocument {
-    /// Opens a document at its own time. Data in common with the last one is reused.
+    /// Opens a document at the time that it sets. Data shared with the previously opened document is reused.
     pub(crate) fn of(
         mut document: Document,
         assets: &mut Assets,
@@ -78,7 +78,7 @@ pub(crate) fn view(opened: &OpenedDocument) -> Result<View> {
     match view.defect() {
         None => Ok(view),
         Some(what) => {
-            let help = "move it nearer to the model, and let it look at another point than its own";
+            let help = "move it nearer to the model, and give it a focal point that differs from its position";
             Err(Error::input("camera", what, help))
         }
     }
@@ -90,6 +90,6 @@ pub(crate) fn shortfall(outcome: &Outcome) -> Option<String> {
         Outcome::Complete => None,
         _ => outcome
             .reason()
-            .map(|reason| format!("not all of it was drawn: {reason}")),
+            .map(|reason| format!("the frame is incomplete: {reason}")),
     }
 }

@@ -1,4 +1,4 @@
-//! A picture and its layers, as `cutaway render` draws them: the layers at the requested resolution, the picture smoothed.
+//! A picture and its layers, as `cutaway render` draws them: layers at the requested resolution, and the picture supersampled.
 
 use cutaway::Session;
 use cutaway::error::Diagnostic;
@@ -34,11 +34,11 @@ struct RenderedFrame {
     doubts: Vec<String>,
     /// Names of the parts, by number.
     parts: Vec<String>,
-    /// Names of the cuts that clip-surfaces belong to, by number.
+    /// For each clip-surface, by number, the name of its cut.
     surfaces: Vec<String>,
 }
 
-/// Layers by channel, in units of the model.
+/// One array per channel of the layers; depths are in units of the model.
 #[derive(Default)]
 struct Channels {
     kind: Vec<u8>,
@@ -179,7 +179,7 @@ fn draw(session: &mut Session, opened: &OpenedDocument) -> Result<RenderedFrame>
     })
 }
 
-/// An array of RGBA of shape (height, width, 4) as PNG.
+/// Encodes an RGBA array of shape (height, width, 4) as PNG.
 #[pyfunction]
 pub(crate) fn png<'py>(
     py: Python<'py>,

@@ -14,10 +14,10 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 
 use crate::door::{detached, raised};
-use crate::state::{CallSettings, Shared, SceneState, entries, has_parts};
+use crate::state::{CallSettings, SceneState, Shared, entries, has_parts};
 use crate::{arrays, values};
 
-/// A scene: parts, cuts, a camera and a look, as a document has them.
+/// A scene: parts, cuts, a camera and a style, stored as a document.
 #[pyclass(frozen, module = "cutaway._native")]
 pub(crate) struct Scene(Arc<Shared>);
 
@@ -28,7 +28,7 @@ impl From<SceneState> for Scene {
 }
 
 impl Scene {
-    /// Shared state, to move to a thread.
+    /// A handle to the shared state that can move to another thread.
     pub(crate) fn shared(&self) -> Arc<Shared> {
         self.0.clone()
     }
@@ -58,7 +58,7 @@ impl Scene {
         SceneState::new(Document::new()).into()
     }
 
-    /// A scene file.
+    /// Reads a scene file.
     #[staticmethod]
     fn read(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
         detached(py, move || {
@@ -68,13 +68,13 @@ impl Scene {
         })
     }
 
-    /// Another scene that holds the same. What was read is shared.
+    /// Copies the scene; both copies share the files that were read.
     fn copied(&self, py: Python<'_>) -> PyResult<Self> {
         let scene = self.shared();
         detached(py, move || Ok(scene.state().copied().into()))
     }
 
-    /// Pickled form, from which another process makes the same scene: see [`Scene::unpickled`].
+    /// Pickled form, from which another process can restore the scene: see [`Scene::unpickled`].
     #[allow(clippy::type_complexity, reason = "the arguments of `unpickled`")]
     fn pickled(&self, py: Python<'_>) -> PyResult<(String, PathBuf, Vec<(String, Vec<u8>)>)> {
         let scene = self.shared();
@@ -86,7 +86,7 @@ impl Scene {
         })
     }
 
-    /// Builds a scene from its text, written as for a file in the root folder, its path, and arrays by name.
+    /// Restores a scene from its text, its path, and arrays by name. The text is written as for a file in the root folder.
     #[staticmethod]
     fn unpickled(
         py: Python<'_>,
@@ -126,11 +126,11 @@ impl Scene {
         self.add_draft(py, draft, entries(fields)?)
     }
 
-    /// Adds a cut of sections with reliefs, of which each may keep the other side, boxes, wedges and more keys of `[[cut]]`.
+    /// Adds a cut: sections (each with an optional relief and a flip flag), boxes, wedges and further keys of `[[cut]]`.
     #[pyo3(signature = (sections, boxes, wedges, cutter, cutout, breakaway, exclude, fields))]
     #[allow(
         clippy::too_many_arguments,
-        reason = "they are the words of one call of Python"
+        reason = "they are the arguments of one Python call"
     )]
     fn cut(
         &self,
@@ -195,7 +195,7 @@ impl Scene {
         values::object(py, &node.value)
     }
 
-    /// Takes a value away.
+    /// Removes a value.
     fn remove(&self, py: Python<'_>, path: &str) -> PyResult<()> {
         let (scene, path) = (self.shared(), path.to_owned());
         detached(py, move || {
@@ -203,7 +203,7 @@ impl Scene {
         })
     }
 
-    /// Names of the parts as they are drawn, and what the user should know of what was read.
+    /// Names of the parts, in order of part number, and notes for the user on the meshes that were read.
     fn parts(&self, py: Python<'_>) -> PyResult<(Vec<String>, Vec<String>)> {
         let scene = self.shared();
         detached(py, move || {
@@ -237,7 +237,7 @@ impl Scene {
         })
     }
 
-    /// The text of the scene as a file of this name, and the bytes of its accompanying files.
+    /// The text of the scene as a file at this path, and the bytes of its accompanying files.
     #[allow(clippy::type_complexity, reason = "a text and files by their names")]
     fn saved(&self, py: Python<'_>, path: PathBuf) -> PyResult<(String, Vec<(String, Vec<u8>)>)> {
         let scene = self.shared();
@@ -256,7 +256,7 @@ impl Scene {
         detached(py, move || Ok(scene.state().document.to_string()))
     }
 
-    /// Draws it: see `crate::render`.
+    /// Draws the scene: see `crate::render`.
     fn render<'py>(
         &self,
         py: Python<'py>,
@@ -266,7 +266,7 @@ impl Scene {
         crate::render::render(self, py, CallSettings::of(set, camera)?)
     }
 
-    /// Slices it: see `crate::section`.
+    /// Slices the scene: see `crate::section`.
     fn section<'py>(
         &self,
         py: Python<'py>,
@@ -277,7 +277,7 @@ impl Scene {
         crate::section::section(self, py, spec, CallSettings::of(set, &none)?)
     }
 
-    /// Divides it: see `crate::capped`.
+    /// Divides the scene: see `crate::capped`.
     fn capped<'py>(
         &self,
         py: Python<'py>,
@@ -293,7 +293,7 @@ impl Scene {
         crate::capped::capped(self, py, relief_cells, CallSettings::of(set, &none)?)
     }
 
-    /// Judges strategies: see `crate::compare`.
+    /// Compares strategies: see `crate::compare`.
     fn compare(
         &self,
         py: Python<'_>,

@@ -1,8 +1,8 @@
 //! Section of the parts of a scene by a plane, as polygons with holes.
 //!
-//! Points are coordinates along `u` and `v` from `origin`, the point of the plane nearest to that of the world. `u` is along the axis that
-//! follows the one that the normal is nearest to, as far as the plane allows, and `u` x `v` is the normal: in a section `z=..` they are x
-//! and y, in `x=..` y and z, in `y=..` z and x.
+//! Points are coordinates along `u` and `v` from `origin`, the point of the plane nearest to the world origin. `u` is the projection onto
+//! the plane of the world axis that cyclically follows the axis nearest to the normal; `u` x `v` is the normal. In a section `z=..` `u` and
+//! `v` are x and y, in `x=..` y and z, in `y=..` z and x.
 
 use cutaway::scene::SceneSpace;
 use cutaway::slice::{SectionDefect, SlicePlane, Slicer};
@@ -30,7 +30,7 @@ struct SceneSection {
     doubts: Vec<String>,
 }
 
-/// The frame of the plane.
+/// Coordinate frame of the plane.
 #[derive(Clone, Copy)]
 struct PlaneAxes {
     origin: DVec3,
@@ -56,14 +56,14 @@ impl PlaneAxes {
         }
     }
 
-    /// Coordinates of a point; adding zero leaves only one zero.
+    /// Coordinates of a point in the plane. Adding zero turns -0 into 0.
     fn uv(&self, point: DVec3) -> [f64; 2] {
         let from_origin = point - self.origin;
         [self.u, self.v].map(|axis| from_origin.dot(axis) + 0.0)
     }
 }
 
-/// Slices a scene as it stands at a time, whatever its own cuts are.
+/// Slices a scene at a given time; its own cuts are ignored.
 pub(crate) fn section<'py>(
     scene: &Scene,
     py: Python<'py>,
@@ -114,7 +114,7 @@ fn sliced(scene: &Shared, spec: &str, asked: CallSettings) -> Result<SceneSectio
     };
     let space = SceneSpace::new(&shown.bounds());
     for part in &shown.parts {
-        // Coordinates are taken from a point near the part, where they have most digits.
+        // Coordinates are computed relative to a point near the part, for the greatest precision.
         let near = plane.seen_from(part.bounds_in_world().centre());
         let found = Slicer::of_part_in(part, &space).section_by(&near, part.fill);
         let point = |number: &u32| {

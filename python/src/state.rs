@@ -1,7 +1,7 @@
 //! State of a Python scene: a document that always opens, the files it was read from, and its last drawn model.
 //!
-//! A change is made on a copy of the document, which takes the place of the other only if it still opens. So an error is raised by the call
-//! that is at fault, and leaves the scene as it was.
+//! A change is made to a copy of the document, and the copy replaces the document only if it still opens. So the call that makes an invalid
+//! change raises the error, and the scene stays unchanged.
 
 use std::collections::HashSet;
 use std::ffi::OsString;
@@ -16,10 +16,10 @@ use pyo3::types::PyDict;
 
 use crate::door::Result;
 use crate::opened::{OpenedDocument, Purpose};
-use crate::store::{NamedBytes, ArrayStore};
+use crate::store::{ArrayStore, NamedBytes};
 use crate::{camera, values};
 
-/// The state of a scene, which threads of its calls use in turn.
+/// The state of a scene, behind a lock for the threads of its calls.
 pub(crate) struct Shared(Mutex<SceneState>);
 
 impl From<SceneState> for Shared {
@@ -32,7 +32,7 @@ impl Shared {
     /// The state. Lock it without holding the interpreter lock, because its holder may wait for that.
     pub(crate) fn state(&self) -> MutexGuard<'_, SceneState> {
         self.0.lock().unwrap_or_else(|poisoned| {
-            // Documents are never half changed; what was drawn may be.
+            // A panic cannot leave a document half changed, but it can leave the drawn model so.
             let mut state = PoisonError::into_inner(poisoned);
             state.opened = None;
             self.0.clear_poison();
@@ -41,7 +41,7 @@ impl Shared {
     }
 }
 
-/// The document of a pickled scene, as a file in the root folder.
+/// Path given to the document of a pickled scene: a file in the root folder.
 const IN_ROOT: &str = "/scene.toml";
 
 /// State of a scene.
@@ -52,10 +52,10 @@ pub(crate) struct SceneState {
     opened: Option<OpenedDocument>,
 }
 
-/// Settings of a single call on top of the scene: paths and their values, and keys of the camera.
+/// Settings that a single call adds to the scene: values by path, and keys of the camera.
 #[derive(Clone, Default)]
 pub(crate) struct CallSettings {
-    /// Values by their paths, the style among them by its name or file.
+    /// Values by path, including the style by its name or file.
     values: Vec<(String, Value)>,
     camera: Vec<(String, Value)>,
 }
@@ -70,7 +70,7 @@ impl CallSettings {
     }
 }
 
-/// The entries of a table, in its order.
+/// The entries of a table, in table order.
 pub(crate) fn entries(table: &Bound<'_, PyDict>) -> PyResult<Vec<(String, Value)>> {
     let entry = |(key, held): (Bound<'_, PyAny>, Bound<'_, PyAny>)| {
         Ok((key.extract()?, values::value(&held)?))
@@ -99,21 +99,21 @@ impl SceneState {
         }
     }
 
-    /// The text of the document, written as for a file of the root folder, so that it names files by their whole paths; the path of the document,
-    /// empty if it was read from no file; and its arrays.
+    /// The text of the document, with absolute file paths because it is written as for a file in the root folder; the document's path,
+    /// empty if it was not read from a file; and its arrays.
     pub(crate) fn pickled(&self) -> Result<(String, PathBuf, Vec<NamedBytes>)> {
         let path = match self.document.path() {
             path if path == Path::new("") => PathBuf::new(),
             path => absolute(path).map_err(|e| {
-                let help = "go to a folder that is there before the scene is pickled";
-                Error::input("scene", format!("its folder is not known: {e}"), help)
+                let help = "change to an existing folder before pickling the scene";
+                Error::input("scene", format!("the current folder is unknown: {e}"), help)
             })?,
         };
         let text = self.document.moved_to(Path::new(IN_ROOT))?.to_string();
         Ok((text, path, self.store.all()))
     }
 
-    /// A scene that was [pickled](SceneState::pickled). What it names is read again.
+    /// Restores a [pickled](SceneState::pickled) scene. The files that it names are read again.
     pub(crate) fn unpickled(
         text: &str,
         path: &Path,
@@ -139,7 +139,11 @@ impl SceneState {
     }
 
     /// Opens the document with a call's settings.
-    pub(crate) fn open(&mut self, asked: CallSettings, purpose: Purpose) -> Result<&OpenedDocument> {
+    pub(crate) fn open(
+        &mut self,
+        asked: CallSettings,
+        purpose: Purpose,
+    ) -> Result<&OpenedDocument> {
         let mut document = self.document.clone();
         must_have_parts(&document)?;
         camera::aim(&mut document, asked.camera)?;
@@ -156,7 +160,7 @@ impl SceneState {
         Ok(self.opened.insert(opened))
     }
 
-    /// The document as a file of a given name, and its accompanying files: meshes that were arrays, by their names in that file.
+    /// The text of the document as a file at a given path, and its accompanying files: meshes added as arrays, under the names in the text.
     pub(crate) fn saved(&mut self, path: &Path) -> Result<(String, Vec<NamedBytes>)> {
         let mut document = self.document.clone();
         document.guess_up(&mut self.assets)?;
@@ -165,7 +169,7 @@ impl SceneState {
         let parts = document.root().get("part").map_or(&[] as &[_], Node::items);
         let mesh = |node: &Node| node.get("mesh").and_then(Node::text).map(PathBuf::from);
         let meshes: Vec<Option<PathBuf>> = parts.iter().map(mesh).collect();
-        // Names of files that the scene has of an earlier time stay theirs.
+        // File names that the scene already uses are not reused.
         let files = document.files(&*self.store);
         let names = files.iter().filter_map(|file| file.file_name());
         let mut taken: HashSet<OsString> = names.map(Into::into).collect();

@@ -1,5 +1,5 @@
-//! Arrays as files: meshes added from Python are kept as the bytes of a PLY file, and so read, welded, checked and saved as a file
-//! with the same numbers.
+//! Arrays as files: meshes added from Python are kept as the bytes of a PLY file, so they are read, welded, checked and saved like a
+//! mesh file with the same numbers.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -9,13 +9,13 @@ use std::sync::{Arc, PoisonError, RwLock};
 
 use cutaway_io::load::{Disk, Files};
 
-/// The virtual folder of arrays. No file system has one of this name by accident.
+/// The virtual folder of arrays; a real folder is unlikely to have this name.
 const FOLDER: &str = "<arrays>";
 
 /// A file's name and contents.
 pub(crate) type NamedBytes = (String, Arc<[u8]>);
 
-/// The files on disk, and those of arrays.
+/// The files on disk, and the virtual files of arrays.
 #[derive(Debug, Default)]
 pub(crate) struct ArrayStore(RwLock<BTreeMap<String, Arc<[u8]>>>);
 
@@ -37,13 +37,13 @@ impl ArrayStore {
         all.collect()
     }
 
-    /// Keeps arrays under the names that they had in another store.
+    /// Stores arrays under the names that they had in another store.
     pub(crate) fn hold(&self, arrays: Vec<(String, Vec<u8>)>) {
         let mut held = self.0.write().unwrap_or_else(PoisonError::into_inner);
         held.extend(arrays.into_iter().map(|(name, bytes)| (name, bytes.into())));
     }
 
-    /// The bytes of arrays with this name, if any.
+    /// The bytes of the arrays stored under this name, if any.
     pub(crate) fn held(&self, path: &Path) -> Option<Arc<[u8]>> {
         let name = path.file_name()?.to_str()?;
         let held = self.0.read().unwrap_or_else(PoisonError::into_inner);
@@ -51,7 +51,7 @@ impl ArrayStore {
     }
 }
 
-/// Returns true if a name is that of arrays. It may have become one from another folder.
+/// Returns true if a name denotes arrays, also if it is relative to another folder.
 pub(crate) fn is_virtual(path: &Path) -> bool {
     path.parent().is_some_and(|folder| folder.ends_with(FOLDER))
 }

@@ -1,4 +1,4 @@
-//! Values of a scene as Python has them, and back: numbers, texts, lists and tables.
+//! Converts scene values to Python objects and back: numbers, texts, lists and tables.
 
 use std::sync::Arc;
 
@@ -8,10 +8,10 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyDict, PyFloat, PyInt, PyList, PyString};
 
-/// Deepest nesting of lists and tables: no value of a scene comes near, and a cyclic value ends here.
+/// Deepest nesting of lists and tables. No scene value comes near this limit; it stops the conversion of cyclic objects.
 const DEEPEST: usize = 16;
 
-/// The value of a Python object: `bool`, `int`, `float`, `str`, paths, lists, tuples, arrays and `dict`.
+/// Converts a Python object to a value: `bool`, `int`, `float`, `str`, paths, lists, tuples, arrays and `dict`.
 pub(crate) fn value(object: &Bound<'_, PyAny>) -> PyResult<Value> {
     value_within(object, DEEPEST)
 }
@@ -50,11 +50,11 @@ fn value_within(object: &Bound<'_, PyAny>, room: usize) -> PyResult<Value> {
     if object.hasattr("__fspath__")? {
         return value_within(&object.call_method0("__fspath__")?, room);
     }
-    // Arrays and their numbers.
+    // Arrays, and numpy scalars.
     if object.hasattr("tolist")? {
         return value_within(&object.call_method0("tolist")?, room);
     }
-    // What has a length ends.
+    // Objects without a length may be endless iterators.
     let (Ok(_), Ok(items)) = (object.len(), object.try_iter()) else {
         return Err(refused(object, "it is no value of a scene"));
     };
@@ -62,7 +62,7 @@ fn value_within(object: &Bound<'_, PyAny>, room: usize) -> PyResult<Value> {
     Ok(Value::List(items.map(node).collect::<PyResult<_>>()?))
 }
 
-/// A text, which may not have halves of characters: no file could hold them.
+/// A text without unpaired surrogates, because no file could contain them.
 fn text_of(object: &Bound<'_, PyAny>) -> PyResult<String> {
     let text = object.extract::<String>();
     text.map_err(|_| refused(object, "it is no text in Unicode"))
@@ -77,8 +77,8 @@ fn refused(object: &Bound<'_, PyAny>, what: &str) -> PyErr {
     ))
 }
 
-/// Declarations of all values of a scene: `path`, `takes`, `unit`, `help`, `example`, `moves`, and `range`, the least and the greatest
-/// number, of those that have some.
+/// Declarations of all values of a scene: `path`, `takes`, `unit`, `help`, `example`, `moves`, and, for values with limits, `range`: the
+/// minimum and the maximum.
 #[pyfunction]
 pub(crate) fn values(py: Python<'_>) -> PyResult<Vec<Bound<'_, PyDict>>> {
     let one = |path: &Path| {

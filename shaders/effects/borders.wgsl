@@ -1,13 +1,13 @@
-// Finds the borders of a picture from its layers. One invocation owns a pixel at a time, with the borders to its right and below it.
+// Finds the borders of a picture from its layers. An invocation processes one pixel at a time: the borders to its right and below it.
 //
 // Depth: on a plane, 1 / depth is linear in the picture (for parallel rays depth itself is). Each of two samples is predicted from its own
 // side; a border is where both predictions and the samples themselves are off by more than a few pixel widths. So a plane at a grazing
 // angle has no borders. At the silhouette of a ball, the last sample may lie far behind the one before it: there is no border either if the
 // tangent plane of the farther sample accounts for the distance.
 //
-// A sample whose two opposite neighbours agree with each other but not with it is a sliver: it has no border, because strokes around it
-// would be a row of dots. Likewise, one sample whose normal differs from two agreeing neighbours is no fold. Between two samples that are
-// both unreliable there is no stroke.
+// If two opposite neighbours of a sample agree with each other but not with the sample, it is a sliver. It has no border, because its
+// strokes would be a row of dots. Likewise, a sample whose normal differs from those of two agreeing neighbours is no fold. Between two
+// samples that are both unreliable there is no stroke.
 
 #import cutaway::borders::{CONTOUR, CREASE, CUT, FACE, NO_BORDER, OUTLINE, PART, word_of_tile}
 #import cutaway::frame::{centre_of, frame, pixel_index, ray_through}
@@ -20,7 +20,7 @@
 @group(1) @binding(0) var<storage, read> layers: array<u32>;
 @group(1) @binding(1) var<storage, read_write> borders: array<u32>;
 
-// Bits that two samples of one surface share: kind, clip-surface, part.
+// Bits that are equal in all samples of one surface: kind, clip-surface, part.
 const LIKENESS: u32 = 0xffffff03u;
 
 fn word_at(at: vec2<i32>) -> u32 {
@@ -68,12 +68,12 @@ fn is_speck_along(at: vec2<i32>, step: vec2<i32>) -> bool {
     return dot(before, behind) >= style.crease_cos && max(dot(own, before), dot(own, behind)) < style.crease_cos;
 }
 
-// Whether a sample's normal differs from those of both neighbours, which agree: a fold finer than the picture.
+// True if a sample's normal differs from those of both neighbours, while these agree: a fold too fine for the picture.
 fn is_speck(at: vec2<i32>) -> bool {
     return is_speck_along(at, vec2<i32>(1, 0)) || is_speck_along(at, vec2<i32>(0, 1));
 }
 
-// A sample's value predicted by the plane through the two samples before it, or its neighbour's value if there are no two.
+// The value that the plane through the two preceding samples predicts for a sample; the neighbour's value if there is no second one.
 fn predicted(origin: vec2<i32>, step: vec2<i32>) -> f32 {
     let near = reach_at(origin);
     let behind = origin - step;
@@ -91,7 +91,7 @@ fn jumps(at: vec2<i32>, next: vec2<i32>, step: vec2<i32>) -> bool {
     return min(missed, abs(here - there)) > style.depth_px * pixel;
 }
 
-// Whether the tangent plane of the farther of two samples explains most of the distance between them, or is edge-on between them.
+// True if the tangent plane of the farther of two samples explains most of the distance between them, or is edge-on between them.
 fn is_one_surface(at: vec2<i32>, next: vec2<i32>) -> bool {
     let depths = vec2<f32>(depth_at(at), depth_at(next));
     let is_first = depths.x > depths.y;
@@ -100,7 +100,7 @@ fn is_one_surface(at: vec2<i32>, next: vec2<i32>) -> bool {
     let near_ray = ray_through(centre_of(vec2<u32>(select(at, next, is_first))));
     let normal = normal_at(far);
     let towards = vec2<f32>(dot(normal, far_ray.direction), dot(normal, near_ray.direction));
-    // A smoothed normal may face away where the surface ends.
+    // A smoothed normal may face away from the eye at the silhouette.
     if max(towards.x, towards.y) >= 0.0 {
         return true;
     }
@@ -109,7 +109,7 @@ fn is_one_surface(at: vec2<i32>, next: vec2<i32>) -> bool {
     return depth - met > 0.67 * abs(depths.x - depths.y);
 }
 
-// The difference between two neighbouring samples, as a border class.
+// The border class that the difference between two neighbouring samples implies.
 fn difference(at: vec2<i32>, step: vec2<i32>) -> u32 {
     let next = at + step;
     if !is_in_frame(next) {

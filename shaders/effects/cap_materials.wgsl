@@ -1,8 +1,8 @@
 // Applies materials to caps (Trapp and Doellner 2013, sections 4.1 and 4.2) and vertex paints to surfaces, by the open module
 // `vertex_paint`. One invocation owns a pixel at a time.
 //
-// The material colour is stored in the picture, which is painted later: sRGB, with alpha 1 where it replaces the colour of the part. Layers
-// are copied with the normals that the material bends, for lighting only.
+// The material colour is stored in the picture until later passes draw it: sRGB, with alpha 1 where it replaces the colour of the part.
+// Layers are copied, with normals that the material perturbs; only lighting reads the copy.
 
 #import cutaway::cap_plane::{CapPlane, footing_on, moved_along, nearest_axis, plane_of_view}
 #import cutaway::vertex_paint::vertex_paint_at
@@ -39,7 +39,7 @@ struct CapMaterialPlanes {
 }
 
 @group(1) @binding(0) var<storage, read> layers: array<u32>;
-// By part number in the scene.
+// Indexed by part number in the scene.
 @group(1) @binding(1) var<storage, read> cap_materials: array<CapMaterial>;
 @group(1) @binding(3) var<storage, read_write> lit_layers: array<u32>;
 @group(1) @binding(4) var<uniform> cap_material_planes: CapMaterialPlanes;
@@ -51,7 +51,7 @@ struct DrawnCap {
     normal: u32,
 }
 
-// The plane that carries the images of a cap: v points down, as image rows do.
+// The texture plane of a cap. v points down, in the direction of increasing image rows.
 fn plane_of(number: u32, normal: vec3<f32>) -> CapPlane {
     if number == NEAR_PLANE || number >= cap_material_planes.count {
         let view = plane_of_view();
@@ -61,7 +61,7 @@ fn plane_of(number: u32, normal: vec3<f32>) -> CapPlane {
     if plane.normal.w < 0.5 {
         return plane;
     }
-    // For a cutter: perpendicular to the axis nearest to its face normal, upright as seen.
+    // For a cutter: perpendicular to the scene axis nearest to the face normal, and upright as seen by the viewer.
     let axis = vec3<f32>(vec3<u32>(0u, 1u, 2u) == vec3<u32>(nearest_axis(normal)));
     let out = axis * sign(dot(axis, normal));
     let up = select(vec3<f32>(0.0, 1.0, 0.0), vec3<f32>(0.0, 0.0, 1.0), cap_material_planes.is_z_up != 0u);
@@ -85,7 +85,7 @@ fn stack_color(material: CapMaterial, p: vec3<f32>, right: vec3<f32>, down: vec3
     var at = fract(p.z) * f32(count) - 0.5;
     var place = p.xy;
     if material.solid == FILLED_STACK {
-        // The texture ends at the borders of the box.
+        // The texture does not repeat beyond the box.
         at = clamp(p.z * f32(count) - 0.5, 0.0, f32(count - 1));
         let half_texel = 0.5 / vec2<f32>(textures[material.first_image].size);
         place = clamp(place, half_texel, 1.0 - half_texel);
@@ -145,7 +145,7 @@ fn drawn_cap(at: vec2<u32>, word: u32, packed_normal: u32, depth: f32) -> DrawnC
     }
     if material.normal != NO_TEXTURE {
         let bent = sampled(material.normal, place, right, down).xyz * 2.0 - 1.0;
-        // Image rows go down, green is up.
+        // Image rows go down, but green means up in a normal map.
         let slope = (bent.x * plane.u_row.xyz - bent.y * plane.v_row.xyz) / max(bent.z, 0.05);
         normal = normalize(normal + slope);
     }

@@ -26,7 +26,7 @@ fn texel(at: vec2<i32>) -> f32 {
     return ground_darkness[u32(at.y) * ground.side + u32(at.x)];
 }
 
-// The fraction of light hidden from a point of the map, in texels.
+// The fraction of light that does not reach a point of the ground map; `at` is in texels.
 fn darkness_at(at: vec2<f32>) -> f32 {
     let corner = floor(at - 0.5);
     let part = at - 0.5 - corner;

@@ -1,4 +1,4 @@
-// Makes a picture from layers in a style. One invocation owns one pixel at a time. Features of a style fill open modules: `dress`,
+// Makes a picture in a given style from layers. One invocation owns one pixel at a time. Features of a style fill open modules: `dress`,
 // `shading`, `occlusion`, `cap_pattern`, `surface_pattern`, `strokes`, `backdrop`, and `overlap` for caps that several solids share.
 
 #import cutaway::backdrop::backdrop
@@ -19,7 +19,7 @@
 
 @group(1) @binding(0) var<storage, read> layers: array<u32>;
 
-// Linear light, and the covered fraction of the pixel.
+// The colour in linear light, and the fraction of the pixel that it covers.
 fn color_at(at: vec2<u32>, pixel: u32) -> vec4<f32> {
     let first = pixel * WORDS_PER_PIXEL;
     let word = layers[first];

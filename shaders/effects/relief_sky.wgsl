@@ -1,4 +1,4 @@
-// Occlusion of caps by their own relief, combined with the occlusion found in the picture. One invocation owns a pixel at a time.
+// Combines the occlusion of caps by their own relief with the occlusion found in the picture. One invocation owns a pixel at a time.
 //
 // The sky map has the same texels as the height map, and is sampled in the same way.
 
@@ -20,7 +20,7 @@ struct ReliefSky {
 @group(1) @binding(1) var<storage, read_write> visibility: array<f32>;
 @group(1) @binding(2) var<uniform> relief_sky: ReliefSky;
 
-// Fraction of light left by the relief at a point of a cap.
+// Fraction of the light at a point of a cap that the relief does not block.
 fn light_of(number: u32, point: vec4<f32>) -> f32 {
     for (var slot = 0u; slot < min(cut_table.surface_count, MAX_SURFACES); slot++) {
         if cut_table.surfaces[slot].surface != number || cut_table.surfaces[slot].first_texel == NO_RELIEF {

@@ -1,10 +1,10 @@
-// Places each border's stroke within the pixel. One invocation owns a pixel at a time, with the borders to its right and below it.
+// Computes the position of each border's stroke in the pixel. An invocation processes one pixel at a time: its right and lower borders.
 //
-// Borders lie between samples, so a slanting edge is a staircase of borders, which moves by whole pixels while the edge moves smoothly. The
-// edge is recovered from the staircase: between the middles of the steps at both ends of a run it is a straight line (Reshetov 2009,
-// "Morphological antialiasing", section 2.2, there for colours). At an end where the staircase continues, a run of collinear borders is
-// bent to the middle of that step; it is unchanged from half its length on, or from RAMP / 2 on if it is longer. A border that is itself a
-// step ends in its middle. At corners, where the staircase does not continue, a run is unchanged.
+// Borders lie between samples, so a slanting edge is a staircase of borders that moves by whole pixels while the edge moves smoothly. The
+// edge is reconstructed as the straight line between the middles of the steps at both ends of a run (Reshetov 2009, "Morphological
+// antialiasing", section 2.2, there for colours). At an end where the staircase continues, the stroke of a run of collinear
+// borders bends to the middle of the step there. The bend extends over half the run, or RAMP / 2 if that is less. The stroke of a border
+// that is itself a step ends at the border's middle. At corners, where the staircase does not continue, strokes do not bend.
 
 #import cutaway::borders::{below_of, right_of, word_of_tile}
 #import cutaway::frame::{frame, pixel_index}
@@ -20,7 +20,7 @@
 // The longest run that is bent over its whole length; `RAMP_PX` in `src/effects/borders.rs`.
 const RAMP: i32 = 16;
 
-// Whether a stroke is drawn between a sample and the next one in a direction, (1, 0) or (0, 1).
+// True if a stroke is drawn between a sample and the next one in a direction, (1, 0) or (0, 1).
 fn is_drawn(at: vec2<i32>, step: vec2<i32>) -> bool {
     if !is_in_frame(at) {
         return false;
@@ -30,13 +30,13 @@ fn is_drawn(at: vec2<i32>, step: vec2<i32>) -> bool {
     return class_of != 0u && style.stroke_halves[(class_of - 1u) / 4u][(class_of - 1u) % 4u] > 0.0;
 }
 
-// How the staircase continues at one end of a run.
+// Continuation of the staircase at one end of a run.
 struct End {
     // Number of borders of the run before the end.
     distance: i32,
     // Side to which the next run is offset: -1, 1, or 0 at corners and where no step is near.
     side: i32,
-    // Whether the border is itself a step between perpendicular runs.
+    // True if the border is itself a step between two perpendicular runs.
     is_step: bool,
 }
 
@@ -49,7 +49,7 @@ fn end_of(at: vec2<i32>, across: vec2<i32>, sign: i32) -> End {
             last += sign * along;
             continue;
         }
-        // At the corner between samples where the run ends, a border may cross to either side, or none.
+        // At the corner where the run ends, a perpendicular border may lie on either side, or on neither.
         let beside = last + select(vec2<i32>(0), -along, sign < 0);
         let before = is_drawn(beside, along);
         let behind = is_drawn(beside + across, along);
@@ -63,7 +63,7 @@ fn end_of(at: vec2<i32>, across: vec2<i32>, sign: i32) -> End {
     return End(RAMP, 0, false);
 }
 
-// The side on which a border crosses the run, at an end.
+// The side on which a perpendicular border meets the end of a run.
 fn turns_to(at: vec2<i32>, across: vec2<i32>, sign: i32) -> i32 {
     let beside = at + select(vec2<i32>(0), -across.yx, sign < 0);
     return select(-1, 1, is_drawn(beside + across, across.yx));

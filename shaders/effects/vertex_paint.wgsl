@@ -1,8 +1,8 @@
-// Draws the vertex paints of parts where the layers show their surfaces, whatever strategy and cuts produced the layers. The instance is
-// the row of a part; there are three vertices for each triangle.
+// Draws the vertex paints of parts where the layers show their surfaces, for layers from any strategy and any cuts. The instance index is
+// the row of a part; each triangle has three vertices.
 //
-// A fragment is kept where the layer is a surface of its part at its depth. Surfaces of one part that lie closer than a thousandth of their
-// distance may swap colours.
+// A fragment is kept if the layer is a surface of the same part at the same depth. Surfaces of one part that are closer to each other than
+// a thousandth of their distance from the eye may swap colours.
 
 #import cutaway::color::{linear_from_srgb, srgb_from_linear}
 #import cutaway::frame::{depth_from_buffer, pixel_index}
@@ -23,7 +23,7 @@ struct VertexPaintRow {
 @group(1) @binding(3) var<storage, read> vertices: array<vec4<u32>>;
 
 const VERTEX_PAINT_WORDS: u32 = 13u;
-// Greatest difference between the depths of a surface and of its vertex paint, relative to the depth.
+// Greatest relative difference between the depth of a surface and that of its vertex paint.
 const NEAR: f32 = 1e-3;
 
 struct TexturedVertex {

@@ -1,9 +1,9 @@
-// Rectangles that end slightly to the right of a column of samples, in row k by 0.75 / 2^k pixels: a rasteriser that snaps vertices to 2^-b
-// pixels covers the column in the rows up to b, because the end is rounded up there. One instance draws one row.
+// Draws rectangles that end slightly to the right of a column of samples, in row k by 0.75 / 2^k pixels. A rasteriser that snaps vertices
+// to 2^-b pixels covers the column in the rows up to b, because it rounds the end up there. One instance draws one row.
 
 // Side of the target in pixels.
 const SIZE_PX: f32 = 16.0;
-// The column of samples: the centre of pixel 8.
+// x of the column of samples: the centre of pixel 8.
 const COLUMN_PX: f32 = 8.5;
 
 @vertex

@@ -8,15 +8,15 @@ struct Composite {
     // Upper left corner of the frame in the target, in pixels.
     origin_px: vec2<u32>,
     size_px: vec2<u32>,
-    // A point d scene units ahead is at (x d + y) / (z d + w) in the host's depth buffer.
+    // A point at depth d in scene units has the value (x d + y) / (z d + w) in the host's depth buffer.
     depth: vec4<f32>,
     // The host's depth value at infinity.
     far: f32,
-    // 1 where the target takes linear light.
+    // 1 if the target stores linear light.
     is_linear: u32,
-    // 1 where pixels without a model are drawn too.
+    // 1 if pixels without a model are drawn too.
     has_background: u32,
-    // 1 where only caps are drawn.
+    // 1 if only caps are drawn.
     caps_only: u32,
 }
 
@@ -42,7 +42,7 @@ fn color_of(pixel: u32) -> vec4<f32> {
     return as_target_takes(unpack4x8unorm(picture[pixel]));
 }
 
-// An sRGB colour, in the encoding of the target.
+// Converts an sRGB colour to the encoding of the target.
 fn as_target_takes(c: vec4<f32>) -> vec4<f32> {
     if composite.is_linear == 0u {
         return c;

@@ -1,4 +1,4 @@
-// The frame: how scene space becomes pixels and what a depth-buffer value means. Bound as @group(0) @binding(0).
+// The frame: the mapping from scene space to pixels and depth-buffer values. Bound as @group(0) @binding(0).
 //
 // Depth is the distance from the eye along the viewing direction. The buffer is reversed: near is 1, farther is less; in
 // perspective z = near / depth. "Behind" is therefore `z <`, and is written `is_behind` everywhere.
@@ -21,7 +21,7 @@ struct Frame {
     far: f32,
     orthographic: u32,
     near_cap: u32,
-    // First row and number of rows of the whole picture if this is a band: for values that depend on the position in the picture.
+    // First row of this band in the whole picture, and number of rows of the picture, for values that depend on the position in it.
     band: vec2<u32>,
 }
 
@@ -58,7 +58,7 @@ fn depth_from_buffer(z: f32) -> f32 {
     return frame.near / z;
 }
 
-// The only depth comparison: a fragment at `z` lies strictly behind a crossing at `crossing`.
+// True if a fragment at `z` lies strictly behind a crossing at `crossing`. No other code compares depths.
 fn is_behind(z: f32, crossing: f32) -> bool {
     return z < crossing;
 }

@@ -1,4 +1,4 @@
-// A triangle that covers the picture, from the number of its corner.
+// Corners of a triangle that covers the picture, by vertex index.
 
 #define_import_path cutaway::full_screen
 

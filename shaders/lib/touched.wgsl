@@ -17,7 +17,7 @@ struct Blank {
     band: vec2<u32>,
     // Bits of the depth value at infinity.
     depth: u32,
-    // Which background is kept; never 0.
+    // Kind of background that is kept; never 0.
     kind: u32,
 }
 
@@ -41,7 +41,7 @@ fn tile_at(place: vec2<u32>) -> u32 {
 // Most tiles per workgroup: `src/passes/frame/touched.rs` gives each eight, and one more if the division leaves a remainder.
 const MOST_TURNS: u32 = 16u;
 
-// Number of tiles, out of `count`, that a workgroup processes if each of N workgroups takes every N-th.
+// Number of tiles, out of `count`, that a workgroup processes if each of N workgroups takes every N-th tile.
 fn turns_among(count: u32, group: u32, groups: u32) -> u32 {
     return min((count + groups - 1u - group) / groups, MOST_TURNS);
 }

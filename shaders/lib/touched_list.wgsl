@@ -15,9 +15,9 @@ struct Tile {
 struct Touched {
     // Length of the list.
     count: u32,
-    // Not 0 where triangles may be in any tile.
+    // Nonzero if triangles may be in any tile.
     anywhere: u32,
-    // The depth range of the cut triangles among these.
+    // The depth range of those of these triangles that are cut.
     reach: vec2<u32>,
     // The background that the list was made with.
     blank: Blank,

@@ -1,4 +1,4 @@
-// The touched tiles while they are found. Each is added to the list when first encountered; the order is arbitrary, and has no effect.
+// The touched tiles, while they are sought. Each is added to the list when first encountered; the order is arbitrary, and has no effect.
 
 #define_import_path cutaway::touching
 
@@ -44,7 +44,7 @@ fn box_of(first: vec2<i32>, last: vec2<i32>) -> Box {
     return Box(first_tile, min(vec2<u32>(last) / TILE_PX - first_tile + 1u, vec2<u32>(MOST_SIDE)));
 }
 
-// Touches the tiles that a pixel box of the picture covers, of at most 65 pixels a side.
+// Touches the tiles that a pixel box of the picture covers. The box has at most 65 pixels a side.
 fn touch_box(first: vec2<i32>, last: vec2<i32>) {
     let box = box_of(first, last);
     for (var y = 0u; y < box.size.y; y++) {

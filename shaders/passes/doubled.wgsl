@@ -1,4 +1,4 @@
-// Like the pass over solids that no cut reaches (`surface`), but for groups of coincident triangles: the one that faces the eye is visible.
+// Like `surface`, the pass over solids that no cut reaches, but for groups of coincident triangles: the one that faces the eye is visible.
 // The instance is the group number.
 
 #import cutaway::cuts::parts

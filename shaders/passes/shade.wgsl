@@ -1,4 +1,4 @@
-// Makes a picture from layers: the same pass for every strategy and for the exact reference. One invocation owns one pixel.
+// Makes a picture from layers, in the same way for every strategy and for the exact reference. One invocation owns one pixel.
 // The open module `overlap` determines how shared caps of several solids look.
 
 #import cutaway::background::background

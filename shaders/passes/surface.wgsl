@@ -1,4 +1,4 @@
-// Draws uncut solids: what `draw_only` measures and what remains when nothing is cut.
+// Draws uncut solids; `draw_only` measures this pass, and it is the only one if nothing is cut.
 
 #import cutaway::cuts::parts
 #import cutaway::exits::is_passed

@@ -2,7 +2,7 @@
 
 use crate::scene::style::Paper;
 
-/// The file that fills `cutaway::backdrop`.
+/// Path of the file that fills the open module `cutaway::backdrop`.
 pub(super) fn backdrop(paper: Paper) -> &'static str {
     match paper {
         Paper::Gradient => "lib/backdrop/gradient.wgsl",

@@ -1,11 +1,11 @@
-//! Borders: which neighbouring samples a stroke separates and the stroke's class, and where in the pixel the stroke lies. One pass over the
-//! layers and one over the borders; 4 bytes a pixel each.
+//! Borders: pairs of neighbouring samples that a stroke separates, each with the stroke's class and its position in the pixel. One pass
+//! over the layers and one over the borders; 4 bytes a pixel each.
 
 use super::pixels::Pixels;
 use crate::passes::{SceneBuffers, tiles_in};
 use crate::plan::{Binding, Clock, Plan, Resource, ResourceId};
 
-/// Pixels along a border within which other borders determine its stroke's position; `RAMP` in `shaders/effects/strokes.wgsl`.
+/// Distance in pixels, along a border, within which others affect the position of its stroke; `RAMP` in `shaders/effects/strokes.wgsl`.
 pub(super) const RAMP_PX: u32 = 16;
 
 /// The borders of a frame, and the positions of their strokes.
@@ -16,7 +16,7 @@ pub(super) struct StrokeBuffers {
 }
 
 impl StrokeBuffers {
-    /// Adds their buffers to the plan.
+    /// Adds the buffers to the plan.
     pub(super) fn new(plan: &mut Plan, scene: &SceneBuffers<'_>) -> Self {
         let [borders, strokes] =
             ["borders", "strokes"].map(|name| per_pixel_and_tile(plan, scene, name));
@@ -50,7 +50,7 @@ impl StrokeBuffers {
     }
 }
 
-/// A buffer with one word per pixel, followed by one per tile, which marks whether the tile contains a border.
+/// A buffer with one word per pixel, then one word per tile that is nonzero if the tile contains a border.
 fn per_pixel_and_tile(plan: &mut Plan, scene: &SceneBuffers<'_>, name: &'static str) -> ResourceId {
     let tiles = tiles_in(scene.input.view.size_px);
     let bytes = (scene.input.pixel_count() + u64::from(tiles)) * 4;

@@ -1,7 +1,7 @@
 //! Cap materials: images in the (u, v) of clip-surfaces, and solid textures (Trapp and Döllner 2013, sections 4.1 and 4.2, Fig. 11).
 //!
-//! One pass over the pixels before lighting; 12 bytes a pixel, and the images plus a third. Cannot: follow a part that bends, or orient
-//! images on cutter faces other than along the scene axes.
+//! One pass over the pixels before lighting; 12 bytes a pixel, and 4/3 of the size of the images. Cannot: follow a part that bends, or
+//! orient images on cutter faces other than along the scene axes.
 
 use super::pixels::{Pixels, per_pixel};
 use super::vertex_paint::vertex_paint;
@@ -68,7 +68,7 @@ pub(super) fn cap_materials(
     Some(lit)
 }
 
-/// The planes of all clip-surfaces; those without a relief get `default_per_unit` texture repeats per scene unit.
+/// The texture planes of all clip-surfaces; a clip-surface without a relief gets `default_per_unit` texture repeats per scene unit.
 fn planes_of(scene: &SceneBuffers<'_>, default_per_unit: f32) -> pack::CapMaterialPlanes {
     let mut planes: pack::CapMaterialPlanes = bytemuck::Zeroable::zeroed();
     planes.default_per_unit = default_per_unit;

@@ -1,5 +1,5 @@
-//! Effects as numbers: how much strokes, hatches and light contribute to each pixel, so that a picture can be checked. The shader modules
-//! are the same as for the picture; the plan of a picture contains no such passes.
+//! Effects as numbers: the contributions of strokes, hatches and light to each pixel, so that tests can check a picture. The shader modules
+//! are the same as for the picture, but the plan of a picture does not contain these passes.
 
 use super::ambient::occlusion::occlusion;
 use super::borders::StrokeBuffers;
@@ -15,7 +15,7 @@ pub(crate) const STROKE: &str = "stroke_channel";
 /// Four numbers per pixel: the fraction that hatch lines cover, two coordinates on the cap plane in scene units, and an unused number.
 pub(crate) const HATCH: &str = "hatch_channel";
 
-/// Measures what a style draws over layers.
+/// Adds passes that measure the effects of a style over layers.
 pub(super) fn channels(plan: &mut Plan, scene: &SceneBuffers<'_>, layers: ResourceId) {
     let style = scene.input.model.prepared.style;
     let numbers = style_numbers(plan, scene);

@@ -1,7 +1,7 @@
-//! Ghost: material that cuts removed, drawn over the picture as phantom lines or glass.
+//! Ghosts: material removed by cuts, drawn over the picture as phantom lines or glass.
 //!
-//! The solids that cuts reach are drawn once more uncut; where they lie in front of the visible surface, material was removed. Costs a pass
-//! over these solids, 28 bytes a pixel, and for lines a search for their borders. Dashes jump where a line's dominant axis changes.
+//! The solids that cuts reach are drawn again without cuts; where they lie in front of the visible surface, material was removed. Costs a
+//! pass over these solids, 28 bytes a pixel, and for lines a border search. Dashes jump where a line's dominant axis changes.
 //!
 //! Cannot: show removed material behind other removed material.
 
@@ -36,7 +36,7 @@ pub(super) fn ghost(
     let mut surfaces = Surfaces::named(plan, scene, ["ghost_words", "ghost_depth"]);
     let pass = DrawPass {
         name: "draw ghost".to_owned(),
-        reason: "what cuts removed is seen where the uncut solids are before what is kept"
+        reason: "removed material is visible where the uncut solids lie in front of the kept parts"
             .to_owned(),
         shader: Shader::from("effects/ghost/surface.wgsl"),
         bindings: vec![scene.frame.clone()],
@@ -62,7 +62,7 @@ pub(super) fn ghost(
             scene,
             (
                 "keep ghost borders",
-                "lines are drawn where something is gone",
+                "outlines are drawn where geometry was removed",
             ),
             "effects/ghost/keep.wgsl",
             vec![
@@ -82,10 +82,10 @@ pub(super) fn ghost(
     over_picture(plan, scene, about, shader, bindings);
 }
 
-/// Rows around a band that are read, in a picture of `rows` rows.
+/// Number of rows on each side of a band that ghosts read, in a picture of `rows` rows.
 pub(super) fn halo_rows(style: &Style, rows: u32) -> u32 {
     match style.ghost.has_lines() {
-        // The borders that determine a direction are found from samples up to two beyond, each judged by its neighbour.
+        // A border that determines a direction is found from samples up to two pixels beyond it; each of these reads its neighbours.
         true => half_px(style.ghost.width, rows).ceil() as u32 + 1 + SCATTER_PX + 4,
         false => 0,
     }

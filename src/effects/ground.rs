@@ -1,4 +1,4 @@
-//! Ground: the shadow of the kept parts on the background. One pass over the pixels, with one look-up per background pixel.
+//! Ground: the shadow that the kept parts cast on the ground. One pass over the pixels, with one look-up per background pixel.
 //!
 //! The map is computed beforehand ([`GroundShadow`](crate::passes::GroundShadow)); a model without a map has no shadow. Cannot: cast
 //! shadows on the model itself. Strokes in the shadow are slightly darker.
@@ -7,7 +7,7 @@ use super::pixels::over_picture;
 use crate::passes::SceneBuffers;
 use crate::plan::{Binding, BufferRole, Clock, Plan, Resource, ResourceId};
 
-/// Darkens the ground in the picture.
+/// Darkens the background where the ground is in shadow.
 pub(super) fn ground(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,

@@ -1,14 +1,14 @@
-//! Hatches: families of parallel lines on caps; packs the plane of each clip-surface and the lines of each part.
+//! Hatches: families of parallel lines on caps. Packs the plane of each clip-surface and the lines of each part.
 //!
 //! The horizontal of a plane is perpendicular to the up direction and to its normal, from left to right as seen from the removed side, so
-//! the hatch angle does not depend on how the plane is specified; a plane moved along its normal carries its lines along. Cutter faces use
+//! the hatch angle does not depend on how the plane is specified; when a plane moves along its normal, its lines follow. Cutter faces use
 //! the axis-aligned planes of the scene. Line spacing follows the mean thickness of parts, in steps of about the square root of two, and is
-//! fixed when the scene is first packed. A part that moves rigidly carries its lines ([`HatchAnchor::Part`]): the component of its rotation
-//! about the plane's normal turns them.
+//! fixed when the scene is first packed. The lines of a part that moves rigidly move with it ([`HatchAnchor::Part`]), and turn by the
+//! component of its rotation about the plane's normal.
 //!
-//! Costs a few multiplications per line family and cap pixel; contacts between parts are found once, when two parts are cut.
+//! Costs a few multiplications per line family and cap pixel. Contacts between parts are found only once, and only if two parts are cut.
 //!
-//! Cannot: follow a bending part or a moving cutter; distinguish more than eight classes by direction alone, after which spacing grows.
+//! Cannot: follow a bending part or a moving cutter; distinguish more than eight classes by direction alone: the rest get wider spacing.
 
 use glam::DVec3;
 
@@ -84,7 +84,7 @@ fn part_hatches(
 ) -> (Vec<pack::PartHatch>, Vec<pack::HatchLine>) {
     let input = scene.input;
     let (prepared, at_rest) = (&input.model.prepared, &input.model.at_rest);
-    // A single cut part touches no other cut part.
+    // If only one part is cut, it has no contacts.
     let classes = match input.active_cuts.lanes {
         0 | 1 => &[],
         _ => at_rest.classes(),
@@ -97,7 +97,7 @@ fn part_hatches(
     let parts = (input.active_cuts.order.iter()).map(|rank| {
         let part = &prepared.parts[*rank];
         let thickness = at_rest.thicknesses()[part.part] / unit;
-        // Parts with negligible volume, or a thickness that overflows, are not thin.
+        // A part with negligible volume, or whose thickness overflows, does not count as thin.
         let thickness = match thickness > 0.0 {
             true => thickness,
             false => f64::INFINITY,
@@ -134,7 +134,7 @@ fn part_hatches(
             line_count: lines.len() as u32 - first_line,
             alpha: match part.material.hatch {
                 CapHatch::None => 0.0,
-                // The material stays visible.
+                // No hatch may cover the cap material.
                 CapHatch::General if part.material.cap.is_some() => 0.0,
                 _ => hatch.alpha,
             },
@@ -147,7 +147,7 @@ fn part_hatches(
     (parts.collect(), lines)
 }
 
-/// The file that fills `cutaway::hatch_zoom`.
+/// Path of the file that fills the open module `cutaway::hatch_zoom`.
 pub(super) fn zoom_of(hatch: &Hatch) -> &'static str {
     match hatch.zoom {
         HatchZoom::Fixed => "lib/hatch_zoom/fixed.wgsl",
@@ -159,7 +159,7 @@ pub(super) fn zoom_of(hatch: &Hatch) -> &'static str {
 fn spacing_of(thickness: f64, hatch: &Hatch) -> f64 {
     let [share, least, most] = [hatch.per_thickness, hatch.least, hatch.most].map(f64::from);
     let wanted = (share * thickness).clamp(least, most);
-    // Even steps from the least to the greatest spacing, each about the square root of two.
+    // Equal steps from the least to the greatest spacing, each by a factor of about the square root of two.
     let range = (most / least).log2();
     let steps = (2.0 * range).round().max(1.0);
     let step = ((wanted / least).log2() / range.max(1e-9) * steps).round();

@@ -1,11 +1,11 @@
-//! The lines of a hatch: the general one or a pattern, rotated and spaced by the class of its part, so that touching parts look different.
+//! Lines of a hatch, general or patterned. The class of the part determines their rotation and spacing, so that touching parts differ.
 
 use glam::DVec2;
 
 use crate::plan::pack;
 use crate::scene::{HatchPattern, LineFamily, MOST_STROKES};
 
-/// Spacing factor between two of the usual steps, so that it differs from the hatch of a thicker part with the same direction.
+/// Spacing factor that lies between two thickness steps, so that the hatch differs from that of a thicker part with the same direction.
 const WIDER: f64 = 1.57;
 /// Direction of each class relative to the first, in degrees, and the factor on its spacing.
 const CLASSES: [(f64, f64); 8] = [
@@ -18,7 +18,7 @@ const CLASSES: [(f64, f64); 8] = [
     (25.0, 1.0),
     (65.0, 1.0),
 ];
-/// The same for patterns that look alike after a quarter turn.
+/// As [`CLASSES`], for patterns that a quarter turn leaves unchanged.
 const CROSSED: [(f64, f64); 8] = [
     (0.0, 1.0),
     (45.0, 1.0),
@@ -34,7 +34,7 @@ const PATTERN_DEG: f64 = 45.0;
 
 /// Placement of the lines of a part.
 pub(super) struct HatchPlacement {
-    /// Class of its part.
+    /// Class of the part.
     pub(super) class: usize,
     /// Direction of the general hatch in the first class.
     pub(super) angle_deg: f64,
@@ -42,7 +42,7 @@ pub(super) struct HatchPlacement {
     pub(super) spacing: f64,
 }
 
-/// The lines of a pattern, or of the general hatch.
+/// Makes the lines of a pattern, or of the general hatch.
 pub(super) fn lines_of(
     pattern: Option<&HatchPattern>,
     placed: &HatchPlacement,
@@ -142,7 +142,7 @@ mod tests {
                     across.collect()
                 })
                 .collect();
-            // Lines have no sense of direction, and families are unordered.
+            // Opposite directions are the same line, and families are unordered.
             let apart = |a: DVec2, b: DVec2| (a - b).length().min((a + b).length());
             for (i, a) in all.iter().enumerate() {
                 for b in &all[..i] {

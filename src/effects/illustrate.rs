@@ -1,4 +1,4 @@
-//! Illustration: the picture in the style of the scene, by one pass over the layers and one for each effect that reads neighbouring pixels.
+//! Illustration: draws the picture in the style of the scene, by a pass over the layers and one for each effect that reads other pixels.
 //!
 //! Cannot: shade what layers do not contain, such as surfaces behind glass.
 
@@ -18,7 +18,7 @@ use crate::plan::{Binding, Plan, ResourceId};
 use crate::scene::style::{Paper, Shading};
 use crate::shader::Shader;
 
-/// Makes the picture.
+/// Makes the picture of a frame from its layers.
 pub(super) fn illustrate(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,
@@ -78,7 +78,7 @@ pub(super) fn illustrate(
         }
         None => shader.with("lib/occlusion/none.wgsl"),
     };
-    // Gradient, light and no strokes need no style numbers.
+    // A gradient, lighting and the absence of strokes need no style numbers.
     let reads_style = strokes.is_some()
         || hatch.is_some()
         || visibility.is_some()
@@ -98,7 +98,7 @@ pub(super) fn illustrate(
     FrameOutput { layers, picture }
 }
 
-/// The file that fills `cutaway::shading`.
+/// Path of the file that fills the open module `cutaway::shading`.
 fn shading(shading: Shading) -> &'static str {
     match shading {
         Shading::Lit => "lib/shading/lit.wgsl",

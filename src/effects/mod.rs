@@ -1,9 +1,9 @@
-//! Effects: the end of every plan, from layers to a picture in the [`Style`](crate::scene::Style) of the scene. The same for every strategy
-//! and for the exact reference.
+//! Effects: the last passes of every plan. They turn layers into a picture in the [`Style`](crate::scene::Style) of the scene, in the same
+//! way for every strategy and for the exact reference.
 //!
-//! The plain style is one pass, or none after the compute rasteriser, which colours the pixels that it completes. Any other style is
-//! `illustrate`, preceded by passes for effects that read neighbouring pixels; a disabled effect adds no pass, no binding and no
-//! instruction, because each effect fills an open module.
+//! The plain style takes one pass, or none after the compute rasteriser, which colours pixels as it completes them. Any other style takes
+//! the pass `illustrate`, after passes for effects that read neighbouring pixels. Each effect fills an open module, so a disabled effect
+//! adds no pass, no binding and no instruction.
 
 mod ambient;
 mod backdrop;
@@ -39,7 +39,7 @@ pub(crate) struct FrameOutput {
     pub picture: ResourceId,
 }
 
-/// Rows around a band that the effects of a model read.
+/// Number of rows on each side of a band that the effects of a model read.
 pub(crate) fn halo_rows(model: &Model, view: &View) -> u32 {
     let style = &model.prepared.style;
     let strokes = halo::halo_rows(style, view.band[1]);
@@ -48,7 +48,7 @@ pub(crate) fn halo_rows(model: &Model, view: &View) -> u32 {
     of_style.max(u32::from(model.cap_materials.is_some()))
 }
 
-/// Makes the picture.
+/// Adds the passes that make the picture.
 pub(crate) fn finish(plan: &mut Plan, scene: &SceneBuffers<'_>, layered: Layered) -> FrameOutput {
     let Layered { layers, picture } = layered;
     match picture {
@@ -58,7 +58,7 @@ pub(crate) fn finish(plan: &mut Plan, scene: &SceneBuffers<'_>, layered: Layered
     }
 }
 
-/// The plan that measures what a style draws over external layers, given as words. Returns a refusal if the scene exceeds a limit.
+/// The plan that measures the effects of a style over external layers, given as words. Returns a refusal if the scene exceeds a limit.
 pub(crate) fn channels_of(model: &Model, view: &View, layers: &[u32]) -> Result<Plan, Refusal> {
     let capacities = Capacities::UNKNOWN;
     let input = Input::new(model, view, &capacities)?;
@@ -68,7 +68,7 @@ pub(crate) fn channels_of(model: &Model, view: &View, layers: &[u32]) -> Result<
     Ok(plan.without_unused())
 }
 
-/// The scene, and external layers.
+/// Adds the buffers of the scene, and the external layers, to a plan.
 fn over_layers<'a>(
     plan: &mut Plan,
     input: &'a Input<'a>,
@@ -80,7 +80,7 @@ fn over_layers<'a>(
         cap_materials.is_some_and(|cap_materials| cap_materials.vertex_paints.is_some());
     let scene = match style.ghost.is_drawn() || has_vertex_paints {
         true => SceneBuffers::upload(plan, input, Lanes::none())?,
-        // No pass reads vertices.
+        // No pass of this plan reads vertices.
         false => SceneBuffers::unposed(plan, input, Lanes::none()),
     };
     let layers = Contents::from_values(layers);
@@ -88,8 +88,8 @@ fn over_layers<'a>(
     Ok((scene, plan.add_resource(layers)))
 }
 
-/// The plan that makes a picture of external layers, given as words, such as those of the exact reference. Returns a refusal if the scene
-/// exceeds a limit.
+/// The plan that makes a picture from external layers, for example those of the exact reference, given as words. Returns a refusal if the
+/// scene exceeds a limit.
 pub(crate) fn finish_of(model: &Model, view: &View, layers: &[u32]) -> Result<Plan, Refusal> {
     let capacities = Capacities::UNKNOWN;
     let input = Input::new(model, view, &capacities)?;

@@ -11,9 +11,9 @@ pub(crate) const VISIBILITY: &str = "visibility";
 /// The pixels of a frame that effects process.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pixels<'a> {
-    /// Scene to draw.
+    /// The scene that is drawn.
     pub scene: &'a SceneBuffers<'a>,
-    /// The tiles that contain them; none if effects process the whole picture.
+    /// The tiles that contain the pixels; none if effects process the whole picture.
     pub tiles: Option<EffectTiles>,
 }
 
@@ -23,7 +23,7 @@ impl<'a> Pixels<'a> {
         Self { scene, tiles: None }
     }
 
-    /// Adds a pass over these pixels. Its shader has the open module `cutaway::share`.
+    /// Adds a pass over these pixels. Its shader must use the open module `cutaway::share`.
     pub(super) fn add_pass(
         self,
         plan: &mut Plan,
@@ -57,7 +57,7 @@ pub(super) fn per_pixel(
     plan.add_resource(Resource::storage(name, bytes, Clock::Frame))
 }
 
-/// The numbers of an effect, as a uniform.
+/// The parameters of an effect, as a uniform.
 pub(super) fn numbers<T: bytemuck::Pod>(
     plan: &mut Plan,
     name: &'static str,

@@ -1,4 +1,4 @@
-//! The plain style: lit shading, one pass over the layers. Measurements use it.
+//! The plain style, which measurements use: lit shading, in one pass over the layers.
 
 use super::FrameOutput;
 use super::pixels::over_picture;

@@ -1,4 +1,4 @@
-//! The numbers of a style as shaders read them, and how wide its strokes are in pixels.
+//! The numbers of a style in the shaders' layout, and the width of its strokes in pixels.
 
 use glam::Vec3;
 
@@ -12,18 +12,18 @@ use crate::scene::{View, linear_from_srgb, map_channels};
 /// The widest strokes are 32 pixels wide.
 const MOST_HALF_PX: f32 = 16.0;
 
-/// The numbers of the style, as a binding.
+/// Binding of the numbers of the style.
 pub(super) fn style_numbers(plan: &mut Plan, scene: &SceneBuffers<'_>) -> Binding {
     let style = &scene.input.model.prepared.style;
     let mut numbers = numbers(style, scene.input.view);
     if relief_sky::is_drawn(scene) {
-        // The computed occlusion values already contain the weight on caps.
+        // The occlusion values from the relief pass already include the weight on caps.
         numbers.occlusion_cap = 1.0;
     }
     pixels::numbers(plan, "style", numbers)
 }
 
-/// Greatest distance in pixels from a border at which its stroke is still visible.
+/// Greatest distance in pixels between a border and a pixel that its stroke still covers in part.
 pub(super) fn reach_px(style: &Style, rows: u32) -> i32 {
     (half_px(style.strokes.widest(), rows)).ceil() as i32 + 1
 }

@@ -1,8 +1,8 @@
 //! Vertex paints: vertex colours and images from model files, drawn on the surfaces that the layers show.
 //!
-//! One draw of the painted parts, with its own depth buffer; 12 bytes a pixel. Whatever the strategy and the cuts, the colours belong to
-//! the surface at the visible depth. Cannot: distinguish surfaces of one part that lie closer than a thousandth of their distance, nor
-//! paint caps.
+//! One draw of the painted parts, with its own depth buffer; 12 bytes a pixel. With any strategy and any cuts, each pixel gets the colour
+//! of the surface at its visible depth. Cannot: paint caps, or distinguish surfaces of one part that are closer to each other than a
+//! thousandth of their distance from the eye.
 
 use crate::passes::DrawPass;
 use crate::passes::{SceneBuffers, Surfaces, VertexPaints};
@@ -10,7 +10,7 @@ use crate::plan::{
     Binding, BufferRole, Clock, Contents, Draw, Plan, Resource, ResourceId, Vertices,
 };
 
-/// The colour texture: its first word is RGBA8 in sRGB, 0 where there is no paint.
+/// Draws the paints into a texture: the first word is the colour as RGBA8 in sRGB, or 0 where there is no paint.
 pub(super) fn vertex_paint(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,
@@ -56,7 +56,7 @@ pub(super) fn vertex_paint(
     let mut drawn = Surfaces::named(plan, scene, ["vertex_paint_colors", "vertex_paint_depth"]);
     let pass = DrawPass {
         name: "draw vertex paints".to_owned(),
-        reason: "files paint surfaces".to_owned(),
+        reason: "surfaces have vertex colours or images from model files".to_owned(),
         shader: "effects/vertex_paint.wgsl".into(),
         bindings,
         constants: Vec::new(),

@@ -1,8 +1,8 @@
 //! One form for all messages to users: errors, warnings and notes.
 //!
-//! A message states what it is about (file, line, part, option), what was found, and what to do. Its code is the name of its kind: messages with
-//! the same code differ only in their subject and numbers, so that many of them can be merged. The command, the window and Python print
-//! the same text, by [`Display`](fmt::Display), which leaves the severity out.
+//! A message states what it is about (file, line, part, option), what was found, and what to do. Its code is the name of its kind: messages
+//! with the same code differ only in their subject and numbers, so that many of them can be merged. The command, the window and Python
+//! print the same text, that of [`Display`](fmt::Display), which omits the severity.
 
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -12,7 +12,7 @@ use super::Error;
 /// Severity of a message.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Severity {
-    /// Information about an unusual input, or a completed action.
+    /// Information about unusual input or about a completed action.
     Note,
     /// A likely mistake, or an action without effect.
     Warning,
@@ -131,7 +131,7 @@ impl Diagnostic {
         self
     }
 
-    /// The same message about a part, node, option or key. An earlier subject is then inside this one: `wheel: primitive 2`.
+    /// The same message about a part, node, option or key. An earlier subject is appended to the new one: `wheel: primitive 2`.
     #[must_use]
     pub fn about(mut self, subject: impl AsRef<str>) -> Self {
         let outer = subject.as_ref().to_owned();

@@ -10,9 +10,9 @@ use std::path::{Path, PathBuf};
 
 pub use diagnostic::{Diagnostic, FilePosition, Severity};
 
-/// Advice where a plan exceeds the adapter's limits.
+/// Advice for a plan that exceeds the adapter's limits.
 const OVER_A_LIMIT: &str =
-    "lower --resolution, or choose an adapter that binds more with --adapter";
+    "lower --resolution, or use --adapter to choose an adapter with higher limits";
 
 /// Every error of the library, from reading a file to drawing a picture.
 #[derive(Debug, thiserror::Error)]
@@ -56,7 +56,7 @@ pub enum Error {
     /// A shader that fails to compose or validate: a fault of this crate, never of its input.
     #[error("shader {name}: {what}")]
     Shader {
-        /// Path of the shader in the tree.
+        /// Path of the shader in the source tree.
         name: String,
         /// The report, with file and line if known.
         what: String,
@@ -124,7 +124,7 @@ impl Error {
         self
     }
 
-    /// The same error for something that is used elsewhere: `place` is named first.
+    /// The same error with `place` named first: where the faulty item is used.
     #[doc(hidden)]
     pub fn within(self, place: &str) -> Self {
         match self {
@@ -177,7 +177,7 @@ pub fn nearest<'a>(word: &str, known: &[&'a str]) -> Option<&'a str> {
     (score > 0.75).then_some(best)
 }
 
-/// The closest of `known` to a misspelt `word`, as the text of a `help:` line.
+/// Text of a `help:` line for a misspelt `word`: the closest entry of `known`, if any is close, and all known entries.
 pub fn did_you_mean<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> String {
     let known: Vec<&str> = known.into_iter().collect();
     match nearest(word, &known) {

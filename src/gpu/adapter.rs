@@ -1,6 +1,6 @@
-//! Adapters: what is known about each before a device is opened on it.
+//! Adapters: the properties that are known before a device is opened on them.
 
-/// All adapters, by every graphics interface.
+/// All adapters, through every graphics interface.
 pub(super) async fn all() -> Vec<wgpu::Adapter> {
     let instance =
         wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
@@ -19,14 +19,14 @@ pub struct AdapterReport {
     pub driver: String,
     /// True if it runs on the CPU.
     pub software: bool,
-    /// Its rasteriser snaps vertices to 2^-bits of a pixel. None where this could not be measured, as in a browser, and in reports from
-    /// before it was measured.
+    /// Number of bits such that the rasteriser snaps vertices to 2^-bits of a pixel. None if it could not be measured, as in a browser,
+    /// and in reports older than this measurement.
     #[cfg_attr(feature = "serde", serde(default))]
     pub sub_pixel_bits: Option<u32>,
 }
 
 impl AdapterReport {
-    /// Description available before a device is open.
+    /// The part of the description that is available before a device is open.
     pub(super) fn of(info: &wgpu::AdapterInfo) -> Self {
         Self {
             name: info.name.clone(),

@@ -1,4 +1,4 @@
-//! Words in transfer from a submitted frame, whether the host or a session submits it.
+//! Words in transfer from the device after a frame, submitted by the host or by a session.
 
 use std::future::poll_fn;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -6,7 +6,7 @@ use std::task::{Poll, Waker};
 
 use crate::{Error, Result};
 
-/// A copy that is mapped once its commands have been submitted.
+/// A copy that is mapped for reading once its commands have been submitted.
 #[derive(Debug)]
 pub(super) struct Arrival {
     staging: wgpu::Buffer,
@@ -21,7 +21,7 @@ enum ArrivalState {
 }
 
 impl Arrival {
-    /// Awaits a copy encoded in the same encoder.
+    /// Starts to wait for a copy that was encoded in this encoder.
     pub(super) fn new(encoder: &wgpu::CommandEncoder, staging: wgpu::Buffer) -> Self {
         let state = Arc::new(Mutex::new(ArrivalState::UnderWay(None)));
         let shared = state.clone();
@@ -38,7 +38,7 @@ impl Arrival {
         Self { staging, state }
     }
 
-    /// Returns true if it may still arrive.
+    /// Returns true if the copy may still arrive.
     pub(super) fn is_under_way(&self) -> bool {
         matches!(*lock(&self.state), ArrivalState::UnderWay(_))
     }
@@ -55,7 +55,7 @@ impl Arrival {
         .await;
     }
 
-    /// The values, once they have arrived. A browser polls its devices by itself; elsewhere this blocks on the device.
+    /// Waits for the values. A browser polls its devices by itself; elsewhere this blocks until the device is done.
     ///
     /// # Errors
     ///
@@ -87,7 +87,7 @@ impl Arrival {
     }
 }
 
-/// A poisoned lock only means that another thread panicked while it held plain data.
+/// Locks. A poisoned lock only means that another thread panicked while it held plain data.
 fn lock(state: &Mutex<ArrivalState>) -> MutexGuard<'_, ArrivalState> {
     state.lock().unwrap_or_else(PoisonError::into_inner)
 }

@@ -1,12 +1,12 @@
-//! Clip test for a host's shaders: is a point of a part kept?
+//! Clip test for a host's shaders: tests whether the cuts keep a point of a part.
 //!
-//! The host draws its surfaces with its own materials and discards what the per-pixel list of crossings removes; the caps are composited
-//! with them. The test is WGSL text for the host's shaders ([`clip_wgsl`]) and a bind group with the same lists that the caps come from, so
-//! both are cut at the same depths. Costs a look at each crossing in front of a fragment.
+//! The host draws its surfaces with its own materials, and discards the fragments that the per-pixel list of crossings removes; the caps
+//! are composited with these surfaces. The test is WGSL text for the host's shaders ([`clip_wgsl`]) and a bind group with the lists from
+//! which the caps are made, so surfaces and caps are cut at the same depths. Reads each crossing in front of a fragment.
 //!
-//! Cannot: serve frames drawn in bands, which have several lists; decide the side of a face that lies in a clip-surface, as our own passes
-//! do; report that a pixel's list was too short ([`Session::poll`](crate::Session::poll) does); show caps behind surfaces that the host
-//! discards or draws as glass.
+//! Cannot: work with frames drawn in bands, which have several lists; decide the side of a face that lies in a clip-surface, unlike our own
+//! passes; report that a pixel's list was too short ([`Session::poll`](crate::Session::poll) does that); show caps behind surfaces that
+//! the host discards or draws as glass.
 
 use super::Gpu;
 use super::clip_layout::ClipLayout;
@@ -17,15 +17,15 @@ use crate::{Error, Result};
 /// Shader with the clip test.
 const KEPT: &str = "gpu/clip/kept.wgsl";
 
-/// The clip test reads the list of crossings, which serves all clip-surfaces.
+/// Composes the clip test with the list of crossings, which contains those of all clip-surfaces.
 fn kept() -> Shader {
     Shader::from(KEPT).with_all(&crate::passes::LISTED)
 }
 
-/// The shader variable that is no resource of the plan: the [table](ClipTable).
+/// Name of the only shader variable that is not a resource of the plan: the [table](ClipTable).
 const TABLE: &str = "cutaway_clip";
 
-/// Zeros that replace missing buffers in an uncut frame: no crossing, no cut.
+/// Size of a buffer of zeros that replaces missing buffers in an uncut frame: no crossing, no cut.
 const NOTHING_BYTES: u64 = size_of::<crate::plan::pack::CutTable>() as u64;
 
 /// WGSL for a host's shaders, with its bindings in the given group. It declares
@@ -54,7 +54,7 @@ pub fn clip_wgsl(group: u32) -> Result<String> {
 }
 
 impl Gpu {
-    /// The layout of the bind group for [`clip_wgsl`], for the host's pipelines: 2 uniform and 4 storage buffers, visible to any stage.
+    /// Layout of the bind group that [`clip_wgsl`] uses, for the host's pipelines: 2 uniform and 4 storage buffers, visible to all stages.
     pub fn clip_layout(&self) -> Result<wgpu::BindGroupLayout> {
         Ok(self.clip()?.layout.clone())
     }
@@ -88,12 +88,12 @@ impl Gpu {
     }
 }
 
-/// Data about the parts of a scene, needed in addition to the lists.
+/// Data about the parts of a scene that the clip test needs in addition to the lists.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct ClipTable {
-    /// Scale from the world to scene space.
+    /// Scale factor from world space to scene space.
     pub(crate) scene_from_world: f32,
-    /// For each part, by its index in the scene: bits of the cuts that reach it, and true if a cut removes the whole part.
+    /// For each part, by its index in the scene: one bit per cut that reaches it, and true if a cut removes the whole part.
     pub(crate) parts: Vec<(u32, bool)>,
 }
 
@@ -122,7 +122,7 @@ impl ClipBindGroup {
 }
 
 impl Program {
-    /// The bind group of its lists, with a table of the parts; a previous bind group is reused if it still fits.
+    /// The bind group of the program's lists and a table of the parts; a previous bind group is reused if it is still valid.
     pub(crate) fn clip(
         &self,
         gpu: &Gpu,

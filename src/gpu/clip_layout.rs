@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::shader::Composed;
 
-/// The bindings of the shader, and their bind group layout; computed once.
+/// The bindings of the clip shader, and their bind group layout; computed once.
 pub(super) struct ClipLayout {
     pub(super) composed: Arc<Composed>,
     pub(super) layout: wgpu::BindGroupLayout,

@@ -1,7 +1,7 @@
-//! A frame in a host's attachments: colours where the model is visible, tested against the host's depth, and the frame's depth.
+//! Draws a frame into a host's attachments: colour and depth where the model is visible and passes the host's depth test.
 //!
-//! One triangle over the frame reads picture or base colours, and layers, from the buffers that the passes wrote, without copies or
-//! read-back. In a band it draws the band's rows. Costs a pass over 4 bytes of picture and 12 of layers per pixel.
+//! One triangle over the frame reads layers, and picture or base colours, from the buffers that the passes wrote, without copies or
+//! read-back. For a band it draws only the band's rows. Costs a pass over 4 bytes of picture and 12 of layers per pixel.
 //!
 //! Cannot: show edges finer than pixels in a multisampled target; all samples of a pixel are alike.
 
@@ -15,16 +15,16 @@ use crate::plan::pack::Composite;
 use crate::shader::{self, Shader};
 use crate::{Error, Result};
 
-/// Attachments that a pipeline is made for.
+/// Properties of the attachments that a pipeline is made for.
 #[derive(Clone, Copy, PartialEq)]
 struct Attachments {
     colors: [Option<wgpu::TextureFormat>; MOST_COLORS],
-    /// Format, and whether nearer depths are greater.
+    /// Format, and true if greater values are nearer.
     depth: Option<(wgpu::TextureFormat, bool)>,
     sample_count: u32,
 }
 
-/// The compositing pipelines, by attachments.
+/// The compositing pipelines, by the properties of their attachments.
 #[derive(Default)]
 pub(super) struct Compositors {
     made: Vec<(Attachments, Arc<wgpu::RenderPipeline>)>,
@@ -97,13 +97,13 @@ impl Compositor {
         })
     }
 
-    /// Returns true if it can draw into these attachments.
+    /// Returns true if the compositor can draw into these attachments.
     pub(crate) fn fits(&self, target: &Destination<'_>) -> bool {
         self.attachments == attachments(target)
     }
 
-    /// Draws rows of a frame whose scene is `scale` times as large as the host's world. `held` are the rows in the buffers, `drawn` the
-    /// rows to draw: each a first row, counted from the target's corner, and a number of rows.
+    /// Draws rows of a frame whose scene is `scale` times as large as the host's world. `held` is the range of rows in the buffers, `drawn`
+    /// the range to draw; a range is its first row, counted from the target's corner, and a number of rows.
     pub(crate) fn encode(
         &mut self,
         gpu: &Gpu,
@@ -195,7 +195,7 @@ fn composite(
 ) -> Composite {
     let depth = target.depth.as_ref().map(|d| d.convention);
     let [a, b, c, d] = depth.map_or([0.0, 0.0, 0.0, 1.0], |d| d.coefficients);
-    // Only their ratio matters: they are scaled to stay within the range of f32.
+    // Only the ratios of the coefficients matter: they are scaled to stay within the range of f32.
     let coefficients = DVec4::new(a / scale, b, c / scale, d);
     let coefficients = coefficients / coefficients.abs().max_element();
     let format = target.colors[0].map(|a| a.format);
@@ -221,9 +221,9 @@ fn pipeline(gpu: &Gpu, attachments: Attachments) -> Result<wgpu::RenderPipeline>
         let features = format.guaranteed_format_features(gpu.device.features());
         if !(features.allowed_usages).contains(wgpu::TextureUsages::RENDER_ATTACHMENT) {
             return Err(Error::input(
-                "the target of the host",
+                "the host's target",
                 format!("the format {format:?} cannot be drawn into"),
-                "give colour attachments, for example of Rgba8UnormSrgb",
+                "give a colour attachment with a renderable format, for example Rgba8UnormSrgb",
             ));
         }
     }
@@ -249,7 +249,7 @@ fn pipeline(gpu: &Gpu, attachments: Attachments) -> Result<wgpu::RenderPipeline>
                     wgpu::DepthStencilState {
                         format,
                         depth_write_enabled: Some(true),
-                        // The sky is at the depth of a cleared buffer.
+                        // The depth of the sky equals that of a cleared depth buffer.
                         depth_compare: Some(match is_reversed {
                             true => wgpu::CompareFunction::GreaterEqual,
                             false => wgpu::CompareFunction::LessEqual,

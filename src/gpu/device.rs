@@ -1,4 +1,4 @@
-//! The device: its capabilities and its errors. It is opened by `open`, or belongs to a host.
+//! The device, its capabilities and its errors. It was opened by `open`, or belongs to a host.
 //!
 //! Everything runs on core WebGPU; native features are queried ([`Gpu::has_timestamps`]) and used if present.
 
@@ -25,16 +25,16 @@ const WIDE_ATOMICS: wgpu::Features =
 pub struct Gpu {
     pub(super) device: wgpu::Device,
     pub(super) queue: wgpu::Queue,
-    /// The adapter's report without sub-pixel bits.
+    /// The adapter's report without the measured sub-pixel bits.
     unmeasured: AdapterReport,
-    /// The report with sub-pixel bits.
+    /// The same report with the measured sub-pixel bits.
     measured: OnceLock<AdapterReport>,
     limits: Limits,
     timestamps: bool,
-    /// True if uniforms are better read from storage.
+    /// True if the driver inlines uniforms, so that they are better read from storage buffers.
     inlines_uniforms: bool,
     pub(super) complaint: Arc<Mutex<Option<String>>>,
-    /// Large contents shared by several programs, by identity.
+    /// Buffers with large contents that several programs share, looked up by the identity of the contents.
     shared: Mutex<Vec<(Contents, wgpu::BufferUsages, wgpu::Buffer)>>,
     /// The pipelines of all programs.
     pipelines: Mutex<Pipelines>,
@@ -44,7 +44,7 @@ pub struct Gpu {
     pub(super) clip: OnceLock<ClipLayout>,
 }
 
-/// Contents of at least this many bytes are worth sharing.
+/// Size in bytes from which contents are shared between programs.
 const SHARED_FROM_BYTES: u64 = 1 << 16;
 
 impl Gpu {
@@ -53,10 +53,10 @@ impl Gpu {
         wgpu::Limits::default()
     }
 
-    /// The features that are used where a device has them; none is required.
+    /// The features that are used if a device has them; none is required.
     ///
     /// `DEPTH32FLOAT_STENCIL8` is for strategies with a stencil, `FLOAT32_FILTERABLE` for heights through a sampler, `SHADER_INT64` with
-    /// `SHADER_INT64_ATOMIC_MIN_MAX` for a single sweep of the compute rasteriser instead of two, `TIMESTAMP_QUERY` for times.
+    /// `SHADER_INT64_ATOMIC_MIN_MAX` to let the compute rasteriser make one sweep instead of two, `TIMESTAMP_QUERY` for times.
     pub fn wanted_features() -> wgpu::Features {
         WIDE_ATOMICS
             | wgpu::Features::DEPTH32FLOAT_STENCIL8
@@ -64,8 +64,8 @@ impl Gpu {
             | wgpu::Features::TIMESTAMP_QUERY
     }
 
-    /// Device descriptor for an adapter that lets every supported strategy run: the required limits, bindings, buffers and textures
-    /// as large as the adapter allows, and the wanted features that it offers. A host adds its own needs.
+    /// Device descriptor with which every strategy that the adapter supports can run: the required limits, but bindings, buffers and
+    /// textures as large as the adapter allows, and the wanted features that it offers. A host adds its own needs.
     pub fn descriptor(adapter: &wgpu::Adapter) -> wgpu::DeviceDescriptor<'static> {
         let have = adapter.limits();
         let mut required = Self::required_limits();
@@ -86,12 +86,12 @@ impl Gpu {
         }
     }
 
-    /// Uses a host's device. The host keeps ownership: the device's error handlers stay as they are. The limits and features that the
-    /// device was created with determine what plans may use.
+    /// Uses a host's device. The host keeps ownership: the device's error handlers stay as they are. The limits and features with
+    /// which the device was created determine what plans may use.
     ///
     /// # Errors
     ///
-    /// A device with less than the [required limits](Self::required_limits): lists each missing limit and what was offered.
+    /// A device below the [required limits](Self::required_limits): the error lists each such limit with the value that the device offers.
     pub fn from_device(
         info: &wgpu::AdapterInfo,
         device: wgpu::Device,
@@ -154,17 +154,17 @@ impl Gpu {
         &self.unmeasured.name
     }
 
-    /// Description of the adapter. The first call measures its sub-pixel bits by one small draw and waits for it, except in a browser.
+    /// Description of the adapter. The first call measures its sub-pixel bits by a small draw and waits for that, except in a browser.
     pub fn report(&self) -> &AdapterReport {
         self.measured.get_or_init(|| AdapterReport {
-            // A device that refuses this small draw reports its reason at the next frame.
+            // If the device refuses this small draw, the next frame reports the reason.
             #[cfg(not(target_arch = "wasm32"))]
             sub_pixel_bits: super::sub_pixel::measure(self).ok(),
             ..self.unmeasured.clone()
         })
     }
 
-    /// Adapter properties for choosing a rasteriser. On a software adapter sub-pixel bits do not affect the choice, and are not measured.
+    /// Adapter properties for choosing a rasteriser. Sub-pixel bits of software adapters are not measured: they do not affect the choice.
     pub fn traits(&self) -> AdapterTraits<'_> {
         let software = self.unmeasured.software;
         AdapterTraits {
@@ -182,7 +182,7 @@ impl Gpu {
         &self.limits
     }
 
-    /// Restricts plans to less than the adapter offers, to imitate another adapter.
+    /// Restricts plans to given limits, below those of the adapter, to imitate another adapter.
     #[must_use]
     pub fn held_to(self, limits: Limits) -> Self {
         Self { limits, ..self }
@@ -198,7 +198,7 @@ impl Gpu {
         *self.preparing()
     }
 
-    /// The same, mutable.
+    /// The work done so far, for updates.
     pub(super) fn preparing(&self) -> MutexGuard<'_, Preparation> {
         lock(&self.preparation)
     }
@@ -213,7 +213,7 @@ impl Gpu {
         lock(&self.compositors)
     }
 
-    /// Runs some work on the device, and returns an error if the device refuses any of it.
+    /// Runs a function that uses the device, and returns an error if the device refuses any of its calls.
     pub(crate) fn scoped<T>(&self, work: impl FnOnce() -> Result<T>) -> Result<T> {
         let filters = [
             wgpu::ErrorFilter::OutOfMemory,
@@ -229,7 +229,7 @@ impl Gpu {
         }
     }
 
-    /// Device errors outside any scope since the last call, as one error.
+    /// The device errors that occurred outside any scope since the last call, as one error.
     pub(super) fn complaint(&self) -> Result<()> {
         match lock(&self.complaint).take() {
             None => Ok(()),
@@ -240,7 +240,7 @@ impl Gpu {
     fn refused(&self, what: &str) -> Error {
         Error::Adapter {
             what: format!("the adapter {} refused work: {what}", self.name()),
-            help: "ask for a smaller picture (--resolution), or choose another adapter (--adapter)"
+            help: "request a smaller picture (--resolution), or choose another adapter (--adapter)"
                 .to_owned(),
         }
     }
@@ -263,7 +263,7 @@ impl Gpu {
             })
     }
 
-    /// A buffer with contents; large constant contents are shared between programs.
+    /// A buffer with contents. Programs share the buffers of large constant contents.
     pub(super) fn buffer_with(
         &self,
         label: &str,
@@ -273,7 +273,7 @@ impl Gpu {
         let sharable = is_shared(contents);
         let mut shared = lock(&self.shared);
         if sharable {
-            // Contents that no plan holds any more are released.
+            // Buffers whose contents no plan refers to any more are released.
             shared.retain(|(c, _, _)| c.is_held_elsewhere());
             let known = shared
                 .iter()
@@ -305,12 +305,12 @@ impl Gpu {
     }
 }
 
-/// Returns true if contents are stored once for all programs, which therefore must not write to them.
+/// Returns true if all programs share one buffer of these contents, so that none may write to it.
 pub(super) fn is_shared(contents: &Contents) -> bool {
     contents.len() >= SHARED_FROM_BYTES && !contents.changes()
 }
 
-/// Error caught by a scope, if available immediately: a browser reports it later, and to its console.
+/// The error that a scope caught, if it is available at once. A browser reports it later, and to its console.
 fn at_once(caught: impl Future<Output = Option<wgpu::Error>>) -> Option<wgpu::Error> {
     let mut caught = std::pin::pin!(caught);
     let mut context = Context::from_waker(Waker::noop());
@@ -320,7 +320,7 @@ fn at_once(caught: impl Future<Output = Option<wgpu::Error>>) -> Option<wgpu::Er
     }
 }
 
-/// A poisoned lock only means that another thread panicked while it held plain data.
+/// Locks. A poisoned lock only means that another thread panicked while it held plain data.
 pub(super) fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }

@@ -1,4 +1,4 @@
-//! One pass on the device: its pipeline, its bind groups, its attachments, and how it is encoded.
+//! One pass on the device: its pipeline, bind groups and attachments, and its encoding.
 
 use std::ops::Range;
 
@@ -35,14 +35,14 @@ enum RealWork {
 
 /// The workgroups of a dispatch.
 enum Groups {
-    /// In x, y, z.
+    /// Number of workgroups in x, y and z.
     Listed([u32; 3]),
     /// A buffer of arguments, and the offset in it.
     Indirect(wgpu::Buffer, u64),
 }
 
 enum RealDraw {
-    /// Indices, base vertex, instance.
+    /// Index range, base vertex, instance.
     Listed(Range<u32>, i32, u32),
     /// A buffer of arguments, and the offset in it.
     Indirect(wgpu::Buffer, u64),
@@ -51,11 +51,11 @@ enum RealDraw {
 /// The depth attachment of a draw.
 struct Depth {
     view: wgpu::TextureView,
-    /// Corner and size.
+    /// Upper left corner, and size.
     viewport_px: [[f32; 2]; 2],
     clear: bool,
     far: f32,
-    /// Clear flag of the stencil, if the stencil is used.
+    /// True if the stencil is cleared first; none if the stencil is not used.
     clear_stencil: Option<bool>,
 }
 
@@ -234,7 +234,7 @@ impl ReadyPass {
                     }
                 }
             }
-            // The pipeline always has the same kind as the pass's work.
+            // The kinds of the pipeline and of the pass's work always match.
             _ => {}
         }
     }

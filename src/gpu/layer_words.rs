@@ -1,4 +1,4 @@
-//! Layers as the words that shaders write: `shaders/lib/layers.wgsl`.
+//! Converts layers from and to the words that shaders write (`shaders/lib/layers.wgsl`).
 
 use crate::layers::{Kind, Layer, Layers};
 use crate::plan::pack::{pack_normal, unpack_normal};
@@ -6,7 +6,7 @@ use crate::plan::pack::{pack_normal, unpack_normal};
 /// Bytes of one pixel.
 pub(super) const LAYER_BYTES: u64 = 12;
 
-/// The words of one pixel as [`Layer`]; `shaders/lib/layers.wgsl` has the inverse.
+/// Decodes the words of one pixel; `shaders/lib/layers.wgsl` encodes them.
 pub(super) fn layer_from_words(words: &[u32; 3]) -> Layer {
     let [word, normal, depth] = *words;
     let kind = match word & 3 {
@@ -37,7 +37,7 @@ pub(super) fn layer_from_words(words: &[u32; 3]) -> Layer {
     }
 }
 
-/// Pixels from their words, three for each: the inverse of [`words_from_layers`].
+/// Decodes pixels from three words each: the inverse of [`words_from_layers`].
 pub fn layers_from_words(words: &[u32]) -> Vec<Layer> {
     words
         .as_chunks::<3>()
@@ -47,7 +47,7 @@ pub fn layers_from_words(words: &[u32]) -> Vec<Layer> {
         .collect()
 }
 
-/// Layers in the shaders' format, three words a pixel: to be shaded by the same pass as a strategy's layers, or sent elsewhere. Depths are
+/// Encodes layers in the shaders' format, three words a pixel, to be shaded like a strategy's layers or sent elsewhere. Depths are
 /// rounded to single precision, and normals to two 16-bit numbers.
 pub fn words_from_layers(layers: &Layers) -> Vec<u32> {
     let words = layers.pixels.iter().map(|p| {

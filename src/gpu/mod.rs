@@ -1,4 +1,4 @@
-//! The only module that names `wgpu`: the device, programs made of plans, read-back and timing.
+//! The device, programs made from plans, read-back and timing. No other module names `wgpu`.
 
 mod adapter;
 mod arrival;

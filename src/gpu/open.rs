@@ -1,4 +1,4 @@
-//! Opens a device of our own: choice of adapter, and the list of adapters.
+//! Opens a device that no host provides: chooses an adapter, and lists all adapters.
 
 use std::sync::Arc;
 
@@ -7,12 +7,12 @@ use super::adapter;
 use super::device::lock;
 use crate::{Error, Result};
 
-/// Selection of the adapter.
+/// Options that select the adapter.
 #[derive(Clone, Debug, Default)]
 pub struct GpuOptions {
     /// Part of the adapter's name, case-insensitive; `None` takes the fastest.
     pub adapter: Option<String>,
-    /// Prefer a software adapter: it gives the same results everywhere, so tests request it.
+    /// True to prefer a software adapter, which gives the same results on every machine, for tests.
     pub prefer_software: bool,
 }
 
@@ -23,7 +23,7 @@ impl Gpu {
         pollster::block_on(Self::open_async(options))
     }
 
-    /// All adapters of this machine, each [in words](super::AdapterReport::in_words).
+    /// Descriptions of all adapters of this machine, each [in words](super::AdapterReport::in_words).
     #[cfg(not(target_arch = "wasm32"))]
     pub fn adapters() -> Vec<String> {
         let adapters = pollster::block_on(adapter::all());
@@ -45,7 +45,7 @@ impl Gpu {
             if adapters.is_empty() && !names.is_empty() {
                 return Err(Error::input(
                     format!("--adapter {wanted}"),
-                    "no adapter has that in its name",
+                    "no adapter name contains this",
                     format!("use part of one of: {}", names.join(", ")),
                 ));
             }
@@ -78,7 +78,7 @@ impl Gpu {
                 ),
             })?;
         let gpu = Self::from_device(&adapter.get_info(), device, queue)?;
-        // Errors outside any scope, such as a lost device, become an error here, where wgpu would panic.
+        // Records errors outside any scope, such as a lost device; by default wgpu panics on them.
         let listener = gpu.complaint.clone();
         let record = move |e: wgpu::Error| {
             lock(&listener).get_or_insert(e.to_string());

@@ -1,4 +1,4 @@
-//! Pixels of a frame in transfer: one, or all. A pointer pick reads the layers, so it returns the visible surface, with all cuts applied.
+//! Pixels of a frame in transfer to the CPU: one, or all. A pick reads the layers, so it returns the visible surface of the cut scene.
 //!
 //! Costs a copy of 12 bytes a pixel. Cannot: detect that a frame was never submitted.
 
@@ -8,29 +8,29 @@ use super::layer_words::{layer_from_words, layers_from_words};
 use crate::Result;
 use crate::layers::Layer;
 
-/// A requested pixel.
+/// A requested pixel, in transfer to the CPU.
 #[derive(Debug)]
 pub struct Pick(Arrival);
 
 impl Pick {
-    /// Awaits a copy encoded in the same encoder.
+    /// Starts to wait for a copy that was encoded in this encoder.
     pub(super) fn new(encoder: &wgpu::CommandEncoder, staging: wgpu::Buffer) -> Self {
         Self(Arrival::new(encoder, staging))
     }
 
-    /// Returns true if it may still arrive; [`Session::poll`](crate::Session::poll) detects the arrival.
+    /// Returns true if the pixel may still arrive; [`Session::poll`](crate::Session::poll) detects the arrival.
     pub fn is_under_way(&self) -> bool {
         self.0.is_under_way()
     }
 
-    /// Layer of the pixel, once it has arrived.
+    /// The layer of the pixel; none until it has arrived.
     pub fn layer(&self) -> Option<Layer> {
         let words: [u32; 3] = self.0.values()?.try_into().ok()?;
         Some(layer_from_words(&words))
     }
 }
 
-/// The layers of a program's frame or its picture, being read back.
+/// The layers or the picture of a program's frame, in transfer to the CPU.
 #[derive(Debug)]
 pub(crate) struct Arriving(Arrival);
 
@@ -46,7 +46,7 @@ impl Arriving {
         Self(Arrival::new(encoder, staging))
     }
 
-    /// The pixels, row by row, once they have arrived: asynchronous on a web page, blocking elsewhere.
+    /// Waits for the layers, row by row: asynchronous on a web page, blocking elsewhere.
     ///
     /// # Errors
     ///
@@ -56,7 +56,7 @@ impl Arriving {
         Ok(layers_from_words(&words))
     }
 
-    /// RGBA8 of the pixels, likewise.
+    /// As [`Arriving::layers`], for the picture as RGBA8.
     ///
     /// # Errors
     ///

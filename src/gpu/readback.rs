@@ -1,11 +1,11 @@
-//! Reading buffers back, after a frame and never during it.
+//! Reads buffers back, only after a frame and never during it.
 
 use super::Gpu;
 use super::arrival::Arrival;
 use crate::{Error, Result};
 
 impl Gpu {
-    /// A buffer to copy into and map.
+    /// Creates a buffer to copy into and then map for reading.
     pub(super) fn staging(&self, bytes: u64) -> wgpu::Buffer {
         self.device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("staging"),
@@ -61,12 +61,12 @@ impl Gpu {
         async move { arrival.awaited(&device, &name).await }
     }
 
-    /// Lets the device report completed work, without waiting.
+    /// Makes the device report completed work, without waiting.
     pub(crate) fn poll(&self) -> Result<()> {
         self.polled(wgpu::PollType::Poll)
     }
 
-    /// Waits until the device has finished everything submitted.
+    /// Waits until the device has finished all submitted work.
     pub(super) fn wait(&self) -> Result<()> {
         self.polled(wgpu::PollType::wait_indefinitely())
     }

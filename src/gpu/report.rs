@@ -1,16 +1,16 @@
-//! Needs of bounded buffers, being read back from a frame that a host submits.
+//! Capacities that bounded buffers needed, in transfer from a frame that a host submits.
 
 use super::arrival::Arrival;
 use crate::plan::Bounded;
 
-/// A copy of the needs, mapped once the host has submitted it.
+/// A copy of the needed capacities, mapped for reading once the host has submitted the frame.
 pub(crate) struct Report {
     arrival: Arrival,
     bounded: Vec<Bounded>,
 }
 
 impl Report {
-    /// Awaits a copy encoded in the same encoder.
+    /// Starts to wait for a copy that was encoded in this encoder.
     pub(super) fn new(
         encoder: &wgpu::CommandEncoder,
         staging: wgpu::Buffer,
@@ -22,12 +22,12 @@ impl Report {
         }
     }
 
-    /// Returns true if it may still arrive.
+    /// Returns true if the copy may still arrive.
     pub(crate) fn is_under_way(&self) -> bool {
         self.arrival.is_under_way()
     }
 
-    /// The bounded buffers, each with the capacity it needed; empty until the copy has arrived.
+    /// The bounded buffers, each with the capacity that it needed; empty until the copy has arrived.
     pub(crate) fn needs(&self) -> Vec<(&Bounded, u32)> {
         let Some(words) = self.arrival.values::<u32>() else {
             return Vec::new();

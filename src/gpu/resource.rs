@@ -12,7 +12,7 @@ pub(super) enum GpuResource {
 }
 
 impl GpuResource {
-    /// Bytes of memory, without padding by the driver.
+    /// Bytes of device memory, without the driver's padding.
     pub(super) fn bytes(&self) -> u64 {
         match self {
             Self::Buffer(buffer) => buffer.size(),
@@ -27,11 +27,11 @@ impl GpuResource {
     }
 }
 
-/// Bytes of a texel, without padding; for a combined format, the sum over its aspects.
+/// Bytes of a texel, without padding; for a depth-stencil format, the sum over its aspects.
 fn texel_bytes(format: wgpu::TextureFormat) -> u32 {
     let of = |aspect| format.block_copy_size(aspect).unwrap_or(0);
     match format {
-        // The combined format has no block size, and its depth cannot be copied out: 32 bits of depth and 8 of stencil.
+        // For this format wgpu gives no size of its depth, which cannot be copied: the sum of 32 bits of depth and 8 of stencil.
         wgpu::TextureFormat::Depth32FloatStencil8 => 4 + of(Some(wgpu::TextureAspect::StencilOnly)),
         _ => of(None),
     }
@@ -86,7 +86,7 @@ pub(super) fn make(gpu: &Gpu, resource: &Resource) -> GpuResource {
     }
 }
 
-/// A texture that passes draw into, or that is uploaded.
+/// Creates a texture that passes draw into, or a texture with uploaded contents.
 fn texture(gpu: &Gpu, resource: &Resource) -> wgpu::Texture {
     let Shape::Texture {
         size: [width, height],

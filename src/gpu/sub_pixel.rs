@@ -1,7 +1,7 @@
-//! Sub-pixel bits: an adapter's rasteriser snaps vertices to 2^-bits of a pixel.
+//! Measures sub-pixel bits: the number of bits such that an adapter's rasteriser snaps vertices to 2^-bits of a pixel.
 //!
-//! Vulkan and WebGPU promise 4 bits and have no query for more, so the number is measured: sixteen rectangles end ever closer to a column
-//! of samples, and the bits follow from which of them cover it (`shaders/gpu/sub_pixel.wgsl`). One draw into 16 x 16 pixels, once per
+//! Vulkan and WebGPU guarantee 4 bits and have no query for the actual number. So sixteen rectangles are drawn that end ever closer to
+//! a column of samples; those that cover it give the number (`shaders/gpu/sub_pixel.wgsl`). One draw into 16 x 16 pixels, once per
 //! device, when its report is first read.
 //!
 //! Cannot: distinguish more than [`MOST_BITS`] bits, nor run in a browser, where nothing may block.
@@ -12,21 +12,21 @@ use crate::{Error, Result};
 
 /// Sub-pixel bits that Vulkan and WebGPU guarantee.
 const LEAST_BITS: u32 = 4;
-/// Most distinguishable bits: more rows would end closer to the column than the precision of f32.
+/// Greatest number of bits that can be measured: a rectangle for more would end closer to the column than f32 can express.
 const MOST_BITS: u32 = 12;
-/// Side of the target in pixels: `shaders/gpu/sub_pixel.wgsl`.
+/// Side of the target in pixels; also in `shaders/gpu/sub_pixel.wgsl`.
 const SIZE_PX: u32 = 16;
-/// The column of samples.
+/// Pixel column of the samples.
 const COLUMN: usize = 8;
-/// Bytes per row in a texture copy are a multiple of this.
+/// The number of bytes per row in a texture copy is a multiple of this.
 const ROW_BYTES: u32 = wgpu::COPY_BYTES_PER_ROW_ALIGNMENT;
 const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::R8Unorm;
 
-/// Fractional bits of a pixel coordinate in the adapter's rasteriser.
+/// Measures the number of fractional bits of a pixel coordinate in the adapter's rasteriser.
 ///
 /// # Errors
 ///
-/// A device that refuses the draw or is lost, or that snaps to coarser steps than promised.
+/// A device that refuses the draw or is lost, or that snaps to coarser steps than Vulkan and WebGPU guarantee.
 pub(super) fn measure(gpu: &Gpu) -> Result<u32> {
     let composed = shader::compose(&Shader::from("gpu/sub_pixel.wgsl"))?;
     let staging = gpu.staging(u64::from(ROW_BYTES * SIZE_PX));

@@ -1,4 +1,4 @@
-//! A host's targets for a frame: its picture, or the attachments that its own lighting reads.
+//! A host's targets for a frame: its picture, or the G-buffer that its own lighting reads.
 
 use crate::scene::HostDepth;
 use crate::{Error, Result};
@@ -6,11 +6,11 @@ use crate::{Error, Result};
 /// A host's picture.
 #[derive(Clone, Copy, Debug)]
 pub struct Target<'a> {
-    /// The colour attachment; its content is kept where the frame shows nothing.
+    /// The colour attachment; where the frame shows nothing, its content is kept.
     pub color: &'a wgpu::TextureView,
-    /// Its format. sRGB and float formats receive linear light, other formats sRGB-encoded values.
+    /// Format of the colour attachment. sRGB and float formats receive linear light, other formats sRGB-encoded values.
     pub color_format: wgpu::TextureFormat,
-    /// The depth attachment that the frame is tested against and written to; without one the frame covers the existing content.
+    /// The depth attachment for depth test and depth writes; without one the frame covers the existing content.
     pub depth: Option<TargetDepth<'a>>,
     /// Samples per pixel of the attachments.
     pub sample_count: u32,
@@ -18,7 +18,7 @@ pub struct Target<'a> {
     pub origin_px: [u32; 2],
     /// True if the sky is drawn where no model is visible; not with `caps_only`.
     pub background: bool,
-    /// Draws caps alone: the host draws the surfaces itself, except what [`Session::clip_group`](crate::Session::clip_group) removes.
+    /// True to draw only caps: the host draws the surfaces itself, clipped by [`Session::clip_group`](crate::Session::clip_group).
     pub caps_only: bool,
 }
 
@@ -29,7 +29,7 @@ pub struct TargetDepth<'a> {
     pub view: &'a wgpu::TextureView,
     /// Its format.
     pub format: wgpu::TextureFormat,
-    /// Mapping of distances to depth values.
+    /// Mapping from distances to depth values.
     pub convention: HostDepth,
 }
 
@@ -42,27 +42,27 @@ pub struct Attachment<'a> {
     pub format: wgpu::TextureFormat,
 }
 
-/// The G-buffer of a host with its own lighting. All attachments are single-sampled; their content is kept where no model is visible.
+/// G-buffer of a host with its own lighting. All attachments are single-sampled; where no model is visible, their content is kept.
 #[derive(Clone, Copy, Debug)]
 pub struct GBuffer<'a> {
-    /// The colour of the part or of its caps, unlit. Encoded as [`Target::color_format`] says.
+    /// The unlit colour of the part or of its caps, encoded as described at [`Target::color_format`].
     pub base_color: Attachment<'a>,
-    /// The normal in the host's world: a unit vector towards the eye, in `Rgba16Float` or `Rgba32Float`.
+    /// The normal in the host's world space: a unit vector that faces the eye, in `Rgba16Float` or `Rgba32Float`.
     pub normal: Attachment<'a>,
     /// Visible element, in format `R32Uint`. The host clears it, because only pixels that show the model are written. From bit 0 on: 2 bits
-    /// for the kind (1 a surface, 2 a cap), 1 for a back face, 1 for a pixel that the method cannot be sure of, 1 for a cap shared by
-    /// several solids, 3 unused, 8 for the clip-surface of a cap (255 is the near plane), 16 for the part.
+    /// for the kind (1 a surface, 2 a cap), 1 for a back face, 1 for a pixel whose result may be wrong, 1 for a cap shared by several
+    /// solids, 3 unused, 8 for the clip-surface of a cap (255 is the near plane), 16 for the part.
     pub what: &'a wgpu::TextureView,
-    /// The depth attachment that the frame is tested against and written to.
+    /// The depth attachment for depth test and depth writes.
     pub depth: TargetDepth<'a>,
     /// Upper left corner of the frame in the attachments, in pixels.
     pub origin_px: [u32; 2],
 }
 
-/// Most colour attachments of any destination.
+/// Maximum number of colour attachments of a destination.
 pub(super) const MOST_COLORS: usize = 3;
 
-/// Either kind of target, as a pass uses it.
+/// Either kind of target, in the form that the compositing pass uses.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Destination<'a> {
     pub(super) colors: [Option<Attachment<'a>>; MOST_COLORS],
@@ -108,8 +108,8 @@ impl<'a> From<&GBuffer<'a>> for Destination<'a> {
 }
 
 impl Destination<'_> {
-    /// Refuses a frame that reaches beyond the attachments, and attachments that do not match their description: errors found by a pass are
-    /// reported only when the host finishes its encoder. Sizes are those of mip level 0.
+    /// Returns an error if the frame extends beyond the attachments or an attachment does not match its description; wgpu would report such
+    /// errors only when the host finishes its encoder. Sizes are those of mip level 0.
     pub(crate) fn must_hold(&self, size_px: [u32; 2]) -> Result<()> {
         let names = match self.colors[1] {
             None => ["the colour attachment", "", ""],
@@ -134,7 +134,7 @@ impl Destination<'_> {
                         "a frame of {width} x {height} px at ({x}, {y}) does not fit into {} x {} px",
                         have.width, have.height
                     ),
-                    "give attachments as large as the view",
+                    "give attachments that are at least as large as the view, plus the origin",
                 );
             }
             let (of, size) = *first.get_or_insert((name, have));
@@ -142,13 +142,13 @@ impl Destination<'_> {
                 let [[w, h], [v, g]] = [have, size].map(|s| [s.width, s.height]);
                 return fault(
                     format!("it has {w} x {h} px, and {of} has {v} x {g} px"),
-                    "give attachments of one size",
+                    "give attachments of equal size",
                 );
             }
             if texture.format().remove_srgb_suffix() != format.remove_srgb_suffix() {
                 return fault(
                     format!("its format is {:?}, not {format:?}", texture.format()),
-                    "name the format of the view",
+                    "set the format to that of the view",
                 );
             }
             if texture.sample_count() != self.sample_count {

@@ -1,8 +1,8 @@
-//! Time per pass and per clock: timestamps of the device, or wall time where timestamps are missing or unreliable.
+//! Time per pass and per clock: device timestamps, or wall time if timestamps are missing or unreliable.
 //!
-//! Software adapters are measured by wall time although they offer timestamps: on llvmpipe (Mesa 22.3.6) the begin of a compute pass is
-//! randomly stamped before or after the pass's work, so that one frame of 305 ms was reported as 112 ms every other time. There every pass
-//! is submitted and awaited separately, about 0.1 ms each; nothing would have run in parallel anyway.
+//! Software adapters are measured by wall time although they offer timestamps: on llvmpipe (Mesa 22.3.6) the begin timestamp of a compute
+//! pass is randomly taken before or after the pass's work, so that a frame of 305 ms was reported as 112 ms every other time. For wall time
+//! every pass is submitted and awaited separately, at about 0.1 ms each; on these adapters passes would not run in parallel anyway.
 
 use std::time::Duration;
 
@@ -15,14 +15,14 @@ use crate::plan::{Clock, CpuStep, CpuWork, Recorded};
 pub struct ClockSet(u8);
 
 impl ClockSet {
-    /// No clock.
+    /// The empty set.
     pub const NONE: Self = Self(0);
-    /// Every clock.
+    /// The set of all clocks.
     pub const ALL: Self = Self(7);
-    /// The clock of a frame.
+    /// The set with only the frame clock.
     pub const FRAME: Self = Self(4);
 
-    /// This set with one more clock.
+    /// This set, with a clock added.
     #[must_use]
     pub fn with(self, clock: Clock) -> Self {
         Self(self.0 | 1 << clock as u8)
@@ -51,14 +51,14 @@ impl FromIterator<Clock> for ClockSet {
 pub struct PassTime {
     /// Name of the pass.
     pub name: String,
-    /// Its clock.
+    /// Clock of the pass.
     pub clock: Clock,
     /// Milliseconds on the device, or on the CPU for CPU work; none if times were not requested.
     pub time_ms: Option<f64>,
 }
 
 impl PassTime {
-    /// Times of a plan's CPU steps: `ms` returns the time of a step from its work.
+    /// Times of a plan's CPU steps. `ms` runs the work of a step, and returns the time it took.
     pub(super) fn of_cpu(
         recorded: &Recorded,
         ms: impl Fn(&CpuStep, &CpuWork) -> Option<f64>,
@@ -75,13 +75,13 @@ impl PassTime {
     }
 }
 
-/// Times of one run of a program.
+/// Times of one run of a program's passes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct RunTimes {
-    /// Per pass that ran.
+    /// One entry per pass that ran.
     pub passes: Vec<PassTime>,
-    /// From the begin of a clock's first pass to the end of its last, or the sum of their wall times; `None` for clocks that did not run,
-    /// and if times were not requested.
+    /// Per clock, the time from the begin of its first pass to the end of its last, or the sum of the wall times of its passes. `None` for
+    /// clocks that did not run, or if times were not requested.
     pub clocks_ms: [Option<f64>; 3],
 }
 
@@ -97,7 +97,7 @@ impl RunTimes {
         Self { passes, clocks_ms }
     }
 
-    /// Adds CPU work that the passes waited for, in front of them.
+    /// Inserts the times of CPU work before those of the passes that waited for it.
     pub(super) fn add_before(&mut self, works: Vec<PassTime>) {
         for work in &works {
             if let Some(ms) = work.time_ms {
@@ -107,7 +107,7 @@ impl RunTimes {
         self.passes.splice(0..0, works);
     }
 
-    /// Adds the times of a run of the same passes on other rows; passes that only the other run has come last.
+    /// Adds the times of a run of the same passes on other rows. Passes that only the other run contains are appended.
     pub(crate) fn add(&mut self, other: Self) {
         for pass in other.passes {
             let known = self.passes.iter_mut().find(|p| p.name == pass.name);
@@ -142,7 +142,7 @@ pub(super) struct TimestampQueries {
 }
 
 impl TimestampQueries {
-    /// Creates one for a device with timestamps; none if there are too many passes.
+    /// Creates the queries on a device with timestamps; returns none if there are no passes, or too many.
     pub(super) fn new(device: &wgpu::Device, passes: usize) -> Option<Self> {
         let count = u32::try_from(passes * 2).ok();
         let count = count.filter(|c| *c > 0 && *c <= 4096)?;
@@ -177,7 +177,7 @@ impl TimestampQueries {
         );
     }
 
-    /// Times from the raw ticks of the passes that ran, by index of the pass; `ns_per_tick` is the length of a tick.
+    /// Converts raw ticks, by pass index, to the times of the passes that ran; `ns_per_tick` is the length of a tick.
     pub(super) fn times(ns_per_tick: f32, ticks: &[u64], ran: &[(usize, &str, Clock)]) -> RunTimes {
         let ms_per_tick = f64::from(ns_per_tick) * 1e-6;
         let mut spans: [Option<(u64, u64)>; 3] = [None; 3];
@@ -198,7 +198,7 @@ impl TimestampQueries {
         }
     }
 
-    /// Time taken by CPU work.
+    /// Runs CPU work, and returns the milliseconds it took.
     pub(super) fn ms_of(work: &dyn Fn()) -> f64 {
         let started = Self::now();
         work();
@@ -206,16 +206,13 @@ impl TimestampQueries {
     }
 
     /// The current time, for adapters without timestamps.
-    #[allow(
-        clippy::disallowed_methods,
-        reason = "this module is where time is read"
-    )]
+    #[allow(clippy::disallowed_methods, reason = "all time is read in this module")]
     pub(super) fn now() -> Instant {
         Instant::now()
     }
 }
 
-/// Runs something, and adds the time it took.
+/// Runs a function, and adds the time it took to `time`.
 pub(super) fn timed<T>(time: &mut Duration, work: impl FnOnce() -> T) -> T {
     let began = TimestampQueries::now();
     let done = work();

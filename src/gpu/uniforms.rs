@@ -1,13 +1,13 @@
-//! Uniforms, and the storage buffers that replace them on a driver that recompiles its shaders for each uniform value.
+//! Uniforms, and the storage buffers that replace them on drivers that recompile a shader for each uniform value.
 //!
 //! llvmpipe of Mesa before 25 inlines uniforms that control branches or loops into the shader on every bind, and keeps each compiled copy
-//! as long as the pipeline: 1 MB per frame of a cube. It does not inline values read from storage. A shader that would then have more
-//! storage buffers than the device allows is left unchanged.
+//! as long as the pipeline: 1 MB per frame of a cube. It does not inline values read from storage buffers. A shader is left
+//! unchanged if it would then exceed the device's limit on storage buffers.
 
-/// First Mesa release that keeps no copies.
+/// First major release of Mesa that keeps no such copies.
 const MENDED_IN_MESA: u32 = 25;
 
-/// Returns true if the driver keeps a copy of a shader on each bind.
+/// Returns true if the driver keeps a compiled copy of a shader on each bind.
 pub(super) fn are_inlined(info: &wgpu::AdapterInfo) -> bool {
     let release = info.driver_info.strip_prefix("Mesa ");
     let major = release.and_then(|release| release.split('.').next()?.parse().ok());
@@ -22,7 +22,7 @@ pub(super) fn usage(inlined: bool) -> wgpu::BufferUsages {
     }
 }
 
-/// Moves uniforms to storage, if the shader then has at most `most` storage buffers. Their layout is the same in both.
+/// Moves uniforms to storage buffers, unless the shader would then have more than `most`. Their memory layout does not change.
 pub(super) fn read_from_storage(module: &mut naga::Module, most: usize) {
     let is_buffer = |space| {
         matches!(

@@ -1,11 +1,11 @@
-//! The viewport of a draw: larger than its target, so that no triangle is clipped at the borders of a picture.
+//! The viewport of a draw. It is larger than the target, so that no triangle is clipped at the borders of the picture.
 //!
-//! Clipping a needle triangle at a border leaves an even thinner needle, whose depth can lie anywhere between those of its ends (regression
+//! Clipping a needle triangle at a border leaves an even thinner needle, whose depth can be any value between those of its ends (regression
 //! 0007). `shaders/lib/rasterise/viewport.wgsl` transforms clip space to the same viewport.
 //!
-//! Limits: a target of 8192 px has no margin left, and neither has the near plane.
+//! Limits: a target of 8192 px has no margin, and the near plane has none either.
 
-/// Every core WebGPU device has viewports of this size.
+/// Side of the largest viewport that every core WebGPU device supports.
 const VIEWPORT_PX: u32 = 8192;
 
 /// Corner and size of a target's viewport, in pixels from the target's upper left corner.

@@ -1,8 +1,8 @@
-//! Words in, words out: runs one small compute shader on given words, so that a test can compare a WGSL library function with its
-//! definition in f64.
+//! Runs a small compute shader on given words and returns the words that it writes, so that a test can compare a WGSL library function with
+//! its definition in f64.
 //!
-//! The shader is composed with the library, so it imports the same functions that draw frames. Its output is poisoned before the run: an
-//! unwritten word differs from every word written as zero.
+//! The shader is composed with the library, so it imports the same functions that draw frames. Before the run all output words are set to
+//! [`POISON`], so that an unwritten word is not mistaken for a zero.
 
 use super::Gpu;
 use super::programs::bind::bind_group;
@@ -17,13 +17,13 @@ pub const POISON: u32 = 0xffff_ffff;
 /// Name of the output variable, a `var<storage, read_write>` of the shader.
 const OUTPUT: &str = "words";
 
-/// Workgroup size assumed by the dispatch; a shader with larger groups gets more invocations than it needs.
+/// Workgroup size that the dispatch assumes; a shader with larger workgroups gets more invocations than it needs.
 const INVOCATIONS: usize = 64;
 
 /// Runs the entry point `main` of a compute shader and returns the words of its variable `words`.
 ///
 /// `inputs` are the other buffers that the shader uses, by variable name. There is at least one invocation of `@workgroup_size(64)` for
-/// each output word; invocations beyond the cases must return by themselves.
+/// each output word; the shader must return early in invocations beyond the last case.
 pub fn run_words(
     gpu: &Gpu,
     wgsl: &str,
@@ -33,7 +33,7 @@ pub fn run_words(
     run_words_with(gpu, wgsl, &[], inputs, &[], output_words)
 }
 
-/// As [`run_words`], with files that fill open modules, and with plan resources such as textures and samplers, by variable name.
+/// As [`run_words`], with files that fill open modules, and with further plan resources, such as textures, by variable name.
 pub fn run_words_with(
     gpu: &Gpu,
     wgsl: &str,
@@ -80,7 +80,7 @@ pub fn run_words_with(
             | BindingKind::DepthTexture
             | BindingKind::TextureArray
             | BindingKind::Sampler => {
-                return Err(Error::Plan(format!("`{}` is no buffer", w.name)));
+                return Err(Error::Plan(format!("`{}` is not a buffer", w.name)));
             }
         };
         let buffer = gpu.device.create_buffer(&wgpu::BufferDescriptor {
@@ -94,7 +94,9 @@ pub fn run_words_with(
         made.push(GpuResource::Buffer(buffer));
     }
     let Some(output) = wanted.iter().position(|w| w.name == OUTPUT) else {
-        return Err(Error::Plan(format!("the shader writes no `{OUTPUT}`")));
+        return Err(Error::Plan(format!(
+            "the shader has no variable `{OUTPUT}`"
+        )));
     };
     if let Some((name, _)) = inputs
         .iter()
@@ -123,6 +125,6 @@ pub fn run_words_with(
     gpu.complaint()?;
     match &made[output] {
         GpuResource::Buffer(buffer) => gpu.read(buffer),
-        _ => Err(Error::Plan(format!("`{OUTPUT}` is no buffer"))),
+        _ => Err(Error::Plan(format!("`{OUTPUT}` is not a buffer"))),
     }
 }

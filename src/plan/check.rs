@@ -33,7 +33,7 @@ pub struct Limits {
     pub texture_layers: u32,
     /// True if 64-bit atomics are supported.
     pub wide_atomics: bool,
-    /// True if textures of 32-bit depth with a stencil are supported.
+    /// True if the 32-bit depth-stencil format is supported.
     pub depth32_stencil8: bool,
     /// True if samplers filter textures of 32-bit floats.
     pub filters_f32: bool,
@@ -191,7 +191,7 @@ impl Plan {
                 && !limits.depth32_stencil8
             {
                 return Err(Error::Limit(format!(
-                    "{} needs a stencil beside 32 bits of depth; the device has no such texture (depth32float-stencil8)",
+                    "{} needs a 32-bit depth texture with a stencil, which the device does not have (depth32float-stencil8)",
                     r.name
                 )));
             }
@@ -291,7 +291,7 @@ impl Plan {
             let id = ResourceId(id);
             outputs.contains(&Some(id)) || self.channels.contains(&id)
         };
-        // A depth buffer is read by its own depth test.
+        // A pass reads its own depth buffer in the depth test.
         let tests_itself = |id: usize| {
             matches!(
                 self.resources[id].shape,
@@ -316,7 +316,7 @@ impl Plan {
         let composed = shader::compose(&pass.shader)?;
         if composed.is_native && !limits.wide_atomics {
             return Err(Error::Limit(format!(
-                "{} needs atomics of 64 bits, which this adapter does not offer",
+                "{} needs 64-bit atomics, which this adapter does not offer",
                 pass.name
             )));
         }

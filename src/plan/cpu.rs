@@ -1,8 +1,8 @@
 //! CPU work that makes an upload of a plan.
 //!
-//! A plan is recorded after this work is done, because its draws depend on it. The plan stores the work as data; how long it took
-//! this time, and a closure that repeats it for measurements, are kept outside the plan. Bands of one picture share cached results, so only
-//! the first of them does the work; where it is repeated to be timed, each band does it.
+//! A plan is recorded after this work is done, because its draws depend on it. The plan stores the work as data; how long it took this
+//! time, and a closure that repeats it for measurements, are kept outside the plan. Bands of one picture share cached results, so only the
+//! first band does the work; when work is repeated to be timed, every band repeats it.
 
 use std::fmt;
 use std::sync::Arc;
@@ -18,7 +18,7 @@ pub struct CpuStep {
     pub clock: Clock,
     /// Why the work is needed.
     pub reason: String,
-    /// The uploads that it makes; none if it prepares other CPU work, or found nothing to upload.
+    /// The uploads that the step makes; empty if it prepares other CPU work, or found nothing to upload.
     pub makes: Vec<ResourceId>,
 }
 

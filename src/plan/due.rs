@@ -5,12 +5,12 @@
 //!
 //! - a pass is due if it differs from before, if a value that it reads is new, or if a resource that it writes was
 //!   recreated, so that its results are lost;
-//! - the passes that made a value are due if a due pass reads it and it no longer exists, because another pass has overwritten
-//!   it since: so passes can share scratch memory, and each is still rebuilt independently.
+//! - the passes that made a value are due if a due pass reads this value and another pass has overwritten it since. So passes can share
+//!   scratch memory, and each is still rebuilt independently.
 //!
-//! Cost: time proportional to passes and to the square of those that write one resource. Assumed without checks: a pass that
-//! names bytes ([`Binding::within`](super::Binding::within)) accesses no others, and one with `Write` access leaves no old
-//! values that a later pass reads. Frame passes write nothing that slower passes made.
+//! Cost: proportional to the number of passes, and to the square of the number that write one resource. Assumed without checks: a pass that
+//! names bytes ([`Binding::within`](super::Binding::within)) accesses no other bytes, and a pass with `Write` access leaves no old values
+//! that a later pass reads. Frame passes write nothing that slower passes made.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
@@ -291,7 +291,7 @@ impl<'a> Flow<'a> {
             || reading.makers.iter().any(|m| due[*m])
     }
 
-    /// Returns true if another pass overwrites a value: a later pass did so last time, an earlier one does so this time.
+    /// Returns true if another pass overwrites a value: a later pass did so last time, or an earlier pass does so this time.
     fn is_gone(&self, reading: &Reading, due: &[bool]) -> bool {
         let Some(first) = reading.makers.iter().min() else {
             return false;

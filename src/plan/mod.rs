@@ -36,7 +36,7 @@ pub struct Bounded {
     pub slot: u32,
     /// Capacity, in units of `what`.
     pub capacity: u32,
-    /// Member of [`Capacities`] to change when the need differs; none if it cannot be changed.
+    /// Member of [`Capacities`] to change when the need differs; `None` if the capacity is fixed.
     pub resizes: Option<Capacity>,
     /// True if a need below the capacity also requires a new plan: the buffer must match the true need exactly.
     pub exact: bool,
@@ -54,7 +54,7 @@ impl Bounded {
 pub enum Capacity {
     /// [`Capacities::crossings`].
     Crossings,
-    /// One of [`Capacities::layers`], by rank of the part.
+    /// The element of [`Capacities::layers`] for the part with this rank.
     Layers(usize),
     /// [`Capacities::fragments`].
     Fragments,
@@ -69,7 +69,7 @@ pub enum Capacity {
 pub struct Capacities {
     /// Crossings per pixel; at most [`Self::MOST_CROSSINGS`].
     pub crossings: Option<u32>,
-    /// Layers of each part's sprite, by rank; parts beyond the list have [`Capacities::FIRST_LAYERS`].
+    /// Layers of each part's sprite, indexed by rank; parts beyond the list have [`Capacities::FIRST_LAYERS`].
     pub layers: Vec<u32>,
     /// Fragments in all lists of a frame.
     pub fragments: Option<u32>,
@@ -84,14 +84,14 @@ pub struct Capacities {
 impl Capacities {
     /// Initial number of layers of a sprite.
     pub const FIRST_LAYERS: u32 = 2;
-    /// Maximum crossings of a pixel for which memory is ever allocated: 32 words of a lane.
+    /// Maximum crossings of a pixel for which memory is ever allocated: they fill a lane of 32 words.
     pub const MOST_CROSSINGS: u32 = 1023;
     /// Crossings that a one-word lane can distinguish.
     pub const CROSSINGS_OF_A_WORD: u32 = 31;
     /// Bands of at most this many rows are not split further: if a limit is still exceeded, the cause is not the pixel count.
     pub const FEWEST_ROWS: u32 = 64;
 
-    /// Nothing known yet.
+    /// Capacities before any frame has reported its needs.
     pub const UNKNOWN: Self = Self {
         crossings: None,
         layers: Vec::new(),

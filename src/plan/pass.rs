@@ -78,7 +78,7 @@ impl Binding {
 }
 
 impl Binding {
-    /// The same binding, for a pass that stays within some bytes of the buffer.
+    /// The same binding, limited to a byte range of the buffer that the pass stays within.
     #[must_use]
     pub fn within(self, bytes: Range<u64>) -> Self {
         Self {

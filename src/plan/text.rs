@@ -106,7 +106,7 @@ fn describe(work: &Work) -> String {
                 None => String::new(),
                 Some(StencilStep::Flip { bits }) => format!(", stencil bits {bits:#04x} flip"),
                 Some(StencilStep::Wind | StencilStep::WindAll) => ", stencil winds".to_owned(),
-                Some(StencilStep::Take { bits }) => format!(", where stencil bits {bits:#04x} are"),
+                Some(StencilStep::Take { bits }) => format!(", where stencil & {bits:#04x} != 0"),
             };
             format!(
                 "draw {at_most}{triangles} triangle{of_triangles} in {} draw{of_draws}{stencil}",

@@ -43,9 +43,9 @@ pub enum StencilStep {
         /// The bits.
         bits: u8,
     },
-    /// Each fragment that passes the depth test adds 1 if it shows the inner side and subtracts 1 if it shows the outer, modulo 256.
+    /// Each fragment that passes the depth test adds 1 on the inner side of the mesh and subtracts 1 on the outer side, modulo 256.
     Wind,
-    /// The same for each fragment that is not discarded, hidden or not.
+    /// As [`Self::Wind`], for every fragment that is not discarded, whether or not it passes the depth test.
     WindAll,
     /// Only pixels with one of these bits set are drawn; all bits of every such pixel end at 0.
     Take {
@@ -74,7 +74,7 @@ pub struct DepthTarget {
     pub clear: bool,
     /// The test.
     pub compare: DepthCompare,
-    /// Stencil operation; none where the stencil is unchanged or the texture has none.
+    /// Stencil operation; `None` if the pass leaves the stencil unchanged or the texture has no stencil.
     pub stencil: Option<Stencil>,
 }
 
@@ -118,7 +118,7 @@ pub struct Draw {
     pub vertex_count: u32,
     /// Instance index in the shader; with arguments it is 0, because core WebGPU allows no other first instance there.
     pub instance: u32,
-    /// Location of the range on the device; none if the plan contains it.
+    /// Where the device buffer holds the range; `None` if the plan itself contains the range.
     pub arguments: Option<Arguments>,
 }
 

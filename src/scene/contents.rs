@@ -21,7 +21,7 @@ pub struct Scene {
     /// The box used to frame, scale and section the scene; `None` means its parts' bounds. An animation uses one box for all
     /// its times, so that pictures do not jump.
     pub stage: Option<Bounds>,
-    /// Outline of the kept geometry that a camera is fitted to; `None` means the current one. An animation uses one for all its times.
+    /// Outline of the kept geometry that a camera is fitted to; `None` means its present outline. An animation uses one for all its times.
     pub outline: Option<Arc<Outline>>,
     /// If set, caps where several solids overlap are hatched in this colour (sRGB, 0 to 1).
     pub interference: Option<glam::Vec3>,

@@ -29,7 +29,7 @@ pub fn doubts(scene: &Scene) -> Vec<Diagnostic> {
     let is_plain = |cut: &Cut| cut.enabled && cut.breakaway.is_none();
     if let ([first, ..], true) = (&spared[..], scene.cuts.iter().any(is_plain)) {
         doubts.push(Diagnostic::note("parts-not-cut", format!(
-            "{} of {} parts are interior or whole and not cut, {first} among them; --roles 'exterior=*' cuts them",
+            "{} of {} parts are not cut because they are interior or whole, for example {first}; --roles 'exterior=*' cuts them",
             spared.len(),
             scene.parts.len()
         )));
@@ -38,10 +38,11 @@ pub fn doubts(scene: &Scene) -> Vec<Diagnostic> {
     let closed = cuts.clone().filter(|c| !c.is_on());
     doubts.extend(closed.map(|cut| {
         let text = format!(
-            "{} opens nothing: the eye is inside the interior parts to show, or these have no volume",
+            "{} opens nothing: the eye is inside the interior parts, or these parts have no volume",
             cut.name
         );
-        Diagnostic::warning("breakaway-opens-nothing", text).help("move the camera away from it")
+        Diagnostic::warning("breakaway-opens-nothing", text)
+            .help("move the camera away from the interior parts")
     }));
     let cutters = cuts.filter_map(|c| c.volume.as_ref());
     doubts.extend(cutters.filter_map(|cutter| missing(cutter, scene)));
@@ -69,10 +70,10 @@ fn missing(cutter: &Cutter, scene: &Scene) -> Option<Diagnostic> {
     is_apart.then(|| {
         let (name, own, of_model) = (cutter.name(), described(&own), described(&bounds));
         let text = format!(
-            "the cutter {name} misses the model\n  bounds: {own}; of the model: {of_model}"
+            "the cutter {name} misses the model\n  bounds: {own}; the model's bounds: {of_model}"
         );
         Diagnostic::warning("cutter-misses-model", text)
-            .help("in a scene file `translate`, `scale` and `rotate_deg` place it")
+            .help("place it with `translate`, `scale` and `rotate_deg` in a scene file")
     })
 }
 
@@ -90,13 +91,13 @@ fn nonzero_depends(parts: &[Part]) -> Option<Diagnostic> {
         ),
     };
     let text = format!(
-        "{place} the faces do not agree which side is out: caps can be wrong there, and are marked"
+        "{place} the faces disagree on which side is outside; caps can be wrong there and are marked"
     );
     let note = Diagnostic::note("inconsistent-orientation", text);
-    Some(note.help("turn the faces, or use even-odd, which ignores orientation"))
+    Some(note.help("flip the faces, or use even-odd, which ignores orientation"))
 }
 
-/// Warning of an empty picture.
+/// Warning for an empty picture.
 pub fn empty_picture(scene: &Scene) -> Diagnostic {
     let text = format!(
         "the picture is empty: all of the model is cut away or outside the view\n  bounds: {}",

@@ -6,7 +6,7 @@
 //! a void wherever two overlap, nonzero unites them. The names come from 2D drawing; for solids see Rossignac, Fudos &
 //! Vasilakis, *Direct rendering of Boolean combinations of self-trimmed surfaces* (2013).
 //!
-//! Nonzero depends on the orientation of every triangle, even-odd on none. Where neighbours face opposite ways, the winding number
+//! Nonzero depends on the orientation of every triangle; even-odd ignores it. Where neighbours face opposite ways, the winding number
 //! jumps across the edge between them, and the mesh is as open there as if one of them were missing.
 
 use std::fmt;

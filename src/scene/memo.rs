@@ -16,7 +16,7 @@ impl<T> ById<T> {
     }
 }
 
-/// Returns true if both are the same allocation, or both are absent; equal but separate data is not compared.
+/// Returns true if both are the same allocation, or both are absent; contents are not compared.
 pub fn is_same<T>(a: Option<&Arc<T>>, b: Option<&Arc<T>>) -> bool {
     a.map(Arc::as_ptr) == b.map(Arc::as_ptr)
 }
@@ -44,12 +44,12 @@ impl<T> fmt::Debug for ById<T> {
 /// Cache of results. Without a stated capacity nothing is discarded.
 pub struct Memo<K, V> {
     capacity: usize,
-    /// The latest requested last.
+    /// Ordered by last request, the most recent last.
     entries: Mutex<Vec<(K, V)>>,
 }
 
 impl<K: PartialEq, V: Clone> Memo<K, V> {
-    /// A cache of the `capacity` results that were requested last.
+    /// A cache of the `capacity` most recently requested results.
     pub const fn with_capacity(capacity: usize) -> Self {
         Self {
             capacity,

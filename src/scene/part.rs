@@ -80,7 +80,7 @@ impl Part {
         }
     }
 
-    /// Volume of a mesh under this part's placement, never negative, from its volume in part space.
+    /// Volume of a mesh placed like this part, computed from its volume in part space; never negative.
     #[doc(hidden)]
     pub fn placed_volume(&self, of_mesh: f64) -> f64 {
         of_mesh.abs() * self.world_from_part.matrix3.determinant().abs()

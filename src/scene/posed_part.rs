@@ -17,10 +17,9 @@ impl Part {
         self.driver.as_ref().map_or(&[], |d| d.clips())
     }
 
-    /// The part placed and posed by a clip of [`Part::clips`] at a time; its deformers are kept. Before a clip starts
-    /// the first key applies, after its end the last. A clip that the file lacks, or that does not move the part, leaves
-    /// it in its rest pose. Changes to the mesh or to `world_from_part` that were not made by [`Part::place`] are lost,
-    /// unless the part does not come from a file.
+    /// The part placed and posed by a clip of [`Part::clips`] at a time; its deformers are kept. Before a clip starts the first key
+    /// applies, after its end the last. A clip that the file lacks, or that does not move the part, leaves it in its rest pose. If the part
+    /// comes from a file, changes to the mesh or to `world_from_part` that were not made by [`Part::place`] are lost.
     #[must_use]
     pub fn at_time(&self, clip: usize, time_s: f64) -> Self {
         let mut part = self.clone();

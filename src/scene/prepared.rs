@@ -75,7 +75,7 @@ impl Prepared {
         Self::in_planes(scene, |parts| SharedPlanes::of(parts, None))
     }
 
-    /// As [`Prepared::new`], reusing previously found shared planes.
+    /// Like [`Prepared::new`], but reuses previously found shared planes.
     pub(crate) fn in_planes(
         scene: &Scene,
         shared: impl FnOnce(&[PreparedPart]) -> Arc<SharedPlanes>,
@@ -86,7 +86,7 @@ impl Prepared {
         Self::with_parts(scene, &scene.bounds(), PreparedPart::place, place, shared)
     }
 
-    /// As [`Prepared::new`], but callbacks of the caller prepare parts (from the part's index, the part, scene space and the cuts that
+    /// Like [`Prepared::new`], but the caller's callbacks prepare parts (from the part's index, the part, scene space and the cuts that
     /// apply), cutters (from the cutter, scene space and the clip-surface's number) and shared planes (from all parts by rank).
     /// `world` is the result of [`Scene::bounds`], passed in because computing it may read every vertex.
     pub(crate) fn with_parts(

@@ -1,6 +1,6 @@
-//! Layers and pictures for callers that must not block, such as a web page: a frame is encoded as for a host, and its results are awaited.
+//! Layers and pictures for callers that must not block, such as a web page. Frames are encoded as for a host, and results are awaited.
 //!
-//! Costs as much as [`Session::draw`], [`Session::layers`] and [`Session::picture`] together, less the waits. Measures no times.
+//! Costs as much as [`Session::draw`], [`Session::layers`] and [`Session::picture`] together, without the waits. Measures no times.
 
 use super::bands::Band;
 use super::encode::Encoded;

@@ -1,6 +1,6 @@
-//! The frame of one strategy: one program, or several that each draw a band of rows.
+//! The frame of one strategy: drawn by one program, or by several, one per band of rows.
 //!
-//! A per-pixel list of crossings exceeds the storage binding limit before a picture exceeds the memory. Where a plan breaks a limit, the
+//! A per-pixel list of crossings exceeds the storage binding limit before a picture exceeds the memory. If a plan exceeds a limit, the
 //! picture is split into twice as many bands until it fits, down to [`Capacities::FEWEST_ROWS`] rows. Every band is a view with the same
 //! rays, so all pixels match those of an unsplit picture, except where the rounding of a rasteriser matters. Each band has its own
 //! structures: sprites and posed vertices are computed, and the mesh is read, once per band.
@@ -21,12 +21,12 @@ use crate::{Error, Result};
 pub(super) struct Band {
     pub(super) program: Program,
     pub(super) rows: Rows,
-    /// Compositor for a host's attachments, with the generation of the program that it was made for.
+    /// Compositor for a host's attachments, with the generation of the program for which it was made.
     pub(super) compositor: Option<(u64, Compositor)>,
 }
 
 impl Band {
-    /// Width and height of the drawn rows, in a picture of the given width.
+    /// Width and height of the area that the band draws, in a picture of the given width.
     pub(super) fn drawn_px(&self, width: u32) -> [u32; 2] {
         [width, self.rows.drawn().1]
     }
@@ -38,18 +38,18 @@ pub(super) struct Slot {
     /// Bands, from the top.
     pub(super) bands: Vec<Band>,
     pub(super) size_px: [u32; 2],
-    /// Rows around a band that its effects read.
+    /// Number of rows on each side of a band that its effects read.
     halo_rows: u32,
     pub(super) capacities: Option<Capacities>,
-    /// The model that the capacities were learned from.
+    /// The model from whose frames the capacities were learned.
     model: Option<Model>,
-    /// Why the last call left no frame to read, if so.
+    /// The reason why the last call left no frame to read, if so.
     pub(super) refused: Option<String>,
-    /// Frame last encoded for a host, if it is still valid.
+    /// The frame last encoded for a host, if still valid.
     pub(super) last: Option<Last>,
     /// The clocks of the passes of the frame that was last encoded.
     pub(super) clocks: ClockSet,
-    /// True if a bounded buffer has grown since.
+    /// True if a bounded buffer has grown since that frame.
     pub(super) must_redraw: bool,
     /// Bindings of an encoded frame for a host's shaders. The flag is true if that frame is the last one.
     pub(super) clip: Option<ClipBindGroup>,
@@ -57,16 +57,16 @@ pub(super) struct Slot {
     pub(super) reports: Vec<Report>,
 }
 
-/// Why the bands are not drawn.
+/// Reason why the bands are not drawn.
 enum Stop {
-    /// The strategy refuses.
+    /// The strategy refuses the scene.
     Refused(Refusal),
-    /// The plan breaks a limit of the device.
+    /// The plan exceeds a limit of the device.
     TooLarge(String),
 }
 
 impl Slot {
-    /// Draws a frame that `record` plans.
+    /// Draws the frame that `record` plans.
     pub(super) fn draw(
         &mut self,
         gpu: &Gpu,
@@ -92,18 +92,18 @@ impl Slot {
         }
     }
 
-    /// Prepares for a frame: capacities learned from another solid or size are discarded.
+    /// Prepares for a frame: discards capacities learned from another solid or picture size.
     pub(super) fn begin(&mut self, model: &Model, view: &View) {
         let kin = self.model.as_ref().is_some_and(|m| m.is_kin_of(model));
         if self.size_px != view.size_px || !kin {
-            // Capacities needed by one solid at one size do not apply to another.
+            // Capacities learned from one solid at one size do not apply to others.
             self.capacities = None;
         }
         let halo_rows = effects::halo_rows(model, view);
         if self.size_px != view.size_px || self.bands.is_empty() {
             (self.size_px, self.halo_rows) = (view.size_px, halo_rows);
             match &mut self.bands[..] {
-                // Resources that do not depend on the view are kept.
+                // The program is kept, with the resources that do not depend on the view.
                 [band] => band.rows = Rows::whole(view.size_px[1]),
                 _ => self.cut_into(1),
             }
@@ -144,12 +144,12 @@ impl Slot {
             .iter()
             .any(|b| b.rows.count <= Capacities::FEWEST_ROWS)
         {
-            // The next frame starts unsplit: this one does not show how many bands would suffice.
+            // The next frame starts unsplit, because this one does not reveal how many bands would suffice.
             self.cut_into(1);
             return false;
         }
         if let Some(capacities) = &mut self.capacities {
-            // Capacities for the whole picture would make every band too large.
+            // Buffers with the capacities of the whole picture would be too large for a band.
             capacities.fragments = None;
             capacities.triangles = None;
             capacities.sheets = None;
@@ -158,7 +158,7 @@ impl Slot {
         true
     }
 
-    /// Runs the last frame again on the given clocks, for its times.
+    /// Runs the passes of the last frame on the given clocks again, to time them.
     pub(super) fn repeat(&self, gpu: &Gpu, clocks: ClockSet) -> Result<RunTimes> {
         let mut times = RunTimes::default();
         for band in &self.bands {
@@ -185,7 +185,7 @@ impl Slot {
         }
     }
 
-    /// Draws all bands: returns the worst outcome, and the summed times.
+    /// Draws all bands; returns the worst outcome and the summed times.
     fn draw_bands(
         &mut self,
         gpu: &Gpu,

@@ -1,11 +1,11 @@
-//! Frames for a host: passes in the host's encoder, the picture in the host's attachments, without blocking.
+//! Frames for a host: encodes passes into the host's encoder and the picture into its attachments, without blocking.
 //!
-//! A static scene in a static view takes one triangle, because its passes have already run. The needs of bounded buffers are copied after
-//! the passes and mapped once the host has submitted them; [`Slot::classify`] reads the reports that have arrived, and the next frame has
-//! the capacity. Uploads go through the queue, before the next submission.
+//! A frame of a static scene in a static view draws one triangle, because its passes have already run. The needed capacities of bounded
+//! buffers are copied after the passes and mapped once the host has submitted them. [`Slot::classify`] reads the reports that have arrived,
+//! and the next frame gets these capacities. Uploads go through the queue, before the next submission.
 //!
-//! Cannot: encode two frames of one method into the same submission, or composite one twice with different targets, because both would be
-//! drawn with the uploads of the second; detect an encoder that was never submitted, after which the host calls
+//! Cannot: encode two frames of one method into the same submission, or composite a frame twice with different targets, because both would
+//! be drawn with the uploads of the second; detect that an encoder was never submitted, in which case the host must call
 //! [`Session::forget`](super::Session::forget).
 
 use super::bands::{Band, Slot};
@@ -18,16 +18,16 @@ use crate::scene::View;
 use crate::strategies::{Refusal, Unsupported};
 use crate::{Error, Result};
 
-/// Most pending reports; if a host never submits, older ones are dropped.
+/// Maximum number of pending reports; the oldest are dropped if a host never submits.
 const MOST_REPORTS: usize = 16;
 
-/// A frame in the encoder of a host.
+/// Result of encoding a frame for a host.
 #[must_use = "a method may have refused the scene"]
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Encoded {
-    /// The frame will be in the attachments once the encoder has been submitted; `passes` counts its own passes, 0 if nothing changed.
+    /// The frame will be in the attachments once the host has submitted the encoder.
     Drawn {
-        /// Passes without the compositing pass.
+        /// Number of encoded passes without the compositing pass; 0 if nothing changed.
         passes: usize,
     },
     /// The method cannot draw this scene, and nothing was encoded.
@@ -37,7 +37,7 @@ pub enum Encoded {
 /// A bounded buffer that was too small for a frame; the affected pixels are marked.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Overflow {
-    /// Buffer that overflowed, and the capacity needed.
+    /// Name of the buffer that overflowed, and the capacity that it needed.
     pub what: String,
     /// True if the buffer is large enough for the next frame.
     pub is_mended: bool,
@@ -50,7 +50,7 @@ pub(super) struct Last {
 }
 
 impl Slot {
-    /// Encodes a frame that `record` plans, into attachments if given.
+    /// Encodes the frame that `record` plans, with its picture in the attachments if some are given.
     pub(super) fn encode(
         &mut self,
         gpu: &Gpu,
@@ -110,7 +110,7 @@ impl Slot {
             return Err(Error::input(
                 format!("pixel ({x}, {y})"),
                 format!("the frame has {width} x {height}"),
-                "count from its upper left corner, from 0",
+                "give the pixel relative to its upper left corner, from 0",
             ));
         };
         let row = u64::from(y - band.rows.drawn().0);
@@ -118,16 +118,17 @@ impl Slot {
         band.program.pick(gpu, encoder, pixel)
     }
 
-    /// Bindings of the frame last encoded, for a host's shaders.
+    /// Bindings of the frame last encoded, for the clip test in a host's shaders.
     pub(super) fn clip_group(&mut self, gpu: &Gpu) -> Result<BindGroup> {
         if let Some(clip) = self.clip.as_ref().filter(|_| self.is_clip_of_last) {
             return Ok(clip.group().clone());
         }
-        let none = || Error::Plan("no frame was encoded to clip by".to_owned());
+        let none =
+            || Error::Plan("no frame has been encoded, so there are no cuts to clip by".to_owned());
         let last = self.last.as_ref().ok_or_else(none)?;
         let [band] = self.bands.as_slice() else {
             return Err(Error::Limit(format!(
-                "the frame is drawn in {} bands, each with its own list: clip in a smaller picture",
+                "the frame is drawn in {} bands, each with its own list: use the clip test with a smaller picture",
                 self.bands.len()
             )));
         };
@@ -137,9 +138,9 @@ impl Slot {
         let lists = band.program.plan().resource_named("crossing_heads");
         if lists.is_none() && active_cuts.lanes > 0 {
             return Err(Error::input(
-                "the method to clip by",
+                "the method for the clip test",
                 "it keeps no list of crossings",
-                "name one that does, for example raycast+mask@list",
+                "use a method that does, for example raycast+mask@list",
             ));
         }
         let table = ClipTable {
@@ -152,7 +153,7 @@ impl Slot {
         Ok(group)
     }
 
-    /// Loads the plans of all bands, split into as many as fit; returns the clocks of the passes that are to run.
+    /// Loads the plans of all bands, with as many bands as needed to fit the limits; returns the clocks of the passes to run.
     fn load_bands(
         &mut self,
         gpu: &Gpu,

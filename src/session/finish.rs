@@ -1,4 +1,4 @@
-//! Pictures and style measurements of external layers.
+//! Pictures of external layers, and measurements of a style's effects over them.
 
 use super::{Rows, Session};
 use crate::effects;
@@ -10,14 +10,14 @@ use crate::scene::View;
 use crate::strategies::Refusal;
 use crate::{Error, Result};
 
-/// Effects of a style over layers as numbers, per pixel, row by row.
+/// The effects of a style over layers as numbers per pixel, row by row.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct StyleChannels {
     /// Fraction of the pixel that strokes cover; empty if the style has none.
     pub stroke: Vec<f32>,
-    /// Fraction that hatch lines cover, before their alpha; empty if the style has none, or no cap is visible.
+    /// Fraction of the pixel that hatch lines cover, without their opacity; empty if the style has none, or no cap is visible.
     pub hatch: Vec<f32>,
-    /// Position of the pixel on the hatched plane of its cap, to the right and up, in scene units; 0 where no hatch is.
+    /// Position of the pixel on the hatched plane of its cap: distances to the right and up, in scene units; 0 where there is no hatch.
     pub cap_uv: Vec<[f32; 2]>,
     /// Fraction of light left after occlusion; empty if the style has none.
     pub visibility: Vec<f32>,
@@ -33,7 +33,7 @@ impl StyleChannels {
 }
 
 impl Session {
-    /// Makes a picture of external layers, by the same passes as a strategy's; in bands if they are too large for one.
+    /// Makes a picture from external layers, with the passes that make a strategy's picture; in bands if it exceeds the device's limits.
     pub fn shade(&mut self, model: &Model, view: &View, layers: &Layers) -> Result<Vec<u8>> {
         let width = layers.size_px[0] as usize;
         let pictures = self.in_bands(model, view, layers, |session, band, view, layers| {
@@ -49,7 +49,7 @@ impl Session {
     ///
     /// # Errors
     ///
-    /// A target that does not hold the frame, layers that are too large for the device.
+    /// A target that the frame does not fit into, or layers that are too large for the device.
     pub fn encode_layers(
         &self,
         encoder: &mut CommandEncoder,
@@ -74,7 +74,7 @@ impl Session {
         Ok(())
     }
 
-    /// Encodes the passes that make a picture of layers.
+    /// Encodes the passes that make a picture from layers.
     pub(super) fn finished(
         &self,
         encoder: &mut CommandEncoder,
@@ -89,7 +89,7 @@ impl Session {
         Ok(program)
     }
 
-    /// What the style of a scene draws over layers, per pixel, so that a picture can be checked.
+    /// Measures the effects of a scene's style over layers, per pixel, so that tests can check a picture.
     pub fn style_channels(
         &mut self,
         model: &Model,
@@ -122,7 +122,7 @@ impl Session {
         Ok(all)
     }
 
-    /// Applies a function to bands of layers, as few as fit the device.
+    /// Applies a function to bands of layers, with as few bands as the device's limits permit.
     pub(super) fn in_bands<T>(
         &self,
         model: &Model,

@@ -11,7 +11,7 @@ impl Session {
     /// Encodes a frame into a host's encoder and attachments. Nothing is read back, nothing blocks and nothing is submitted; a frame of a
     /// static scene takes one pass. The host submits before it encodes another frame of the method.
     ///
-    /// Overflows of bounded buffers are known some frames later: [`Session::poll`] reports them. Until then the affected pixels are marked.
+    /// Overflows of bounded buffers become known some frames later, through [`Session::poll`]. Until then the affected pixels are marked.
     pub fn encode(
         &mut self,
         encoder: &mut CommandEncoder,
@@ -39,7 +39,7 @@ impl Session {
 
     /// As [`Session::encode`], but without attachments: the host draws surfaces itself, except what [`Session::clip_group`] removes and
     /// [hidden](crate::scene::PreparedPart::is_hidden) parts, and composites the caps with [`Session::encode`] and [`Target::caps_only`].
-    /// Call [`Session::poll`] before this or after the submission, because it may request longer lists.
+    /// Call [`Session::poll`] before this method or after the submission, because a poll may enlarge the lists.
     pub fn encode_passes(
         &mut self,
         encoder: &mut CommandEncoder,
@@ -50,8 +50,8 @@ impl Session {
         self.encode_into(encoder, model, view, method.into(), None)
     }
 
-    /// Requests what a pixel of the method's last encoded frame shows, counted from the upper left corner. The host submits the encoder;
-    /// [`Session::poll`] detects when the answer has arrived.
+    /// Requests the layer of one pixel of the method's last encoded frame; (0, 0) is the upper left corner. The host submits the encoder;
+    /// [`Session::poll`] detects when the result has arrived.
     ///
     /// # Errors
     ///
@@ -65,7 +65,7 @@ impl Session {
         self.slot(method)?.pick(&self.gpu, encoder, at_px)
     }
 
-    /// The clocks of the passes that ran for the method's last frame; frames of a static scene run none and are not counted.
+    /// The clocks of the passes that ran for the method's last frame; a frame of a static scene that ran no pass is skipped.
     ///
     /// # Errors
     ///
@@ -120,8 +120,8 @@ impl Session {
         }
     }
 
-    /// Reads the device's reports on encoded frames, without waiting: returns overflows, by method. If an overflow is mended, encode the
-    /// frame again.
+    /// Reads the device's reports on encoded frames, without waiting, and returns overflows with their methods. If
+    /// [`is_mended`](Overflow::is_mended) is true, encode the frame again.
     pub fn poll(&mut self) -> Result<Vec<(Method, Overflow)>> {
         self.gpu.poll()?;
         let mut overflows = Vec::new();

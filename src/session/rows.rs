@@ -1,22 +1,22 @@
-//! Rows of a picture that is drawn in bands: a band's own rows, and the rows around them that its effects read.
+//! Rows of a picture that is drawn in bands: the rows of each band, and the rows around the band that its effects read.
 
 use crate::scene::View;
 
-/// Some rows of a picture.
+/// Rows of a band, and rows around the band.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Rows {
-    /// First of its own rows.
+    /// First row of the band.
     pub(super) first: u32,
-    /// Number of its own rows.
+    /// Number of rows of the band.
     pub(super) count: u32,
-    /// Number of rows drawn above these, for passes that read neighbours.
+    /// Number of rows that are also drawn above the band, for passes that read neighbouring rows.
     pub(super) above: u32,
-    /// Number of rows drawn below.
+    /// Number of rows that are also drawn below the band.
     below: u32,
 }
 
 impl Rows {
-    /// The rows of a picture in `bands` bands, from the top; up to `halo` more rows are drawn on each side, where the picture has them.
+    /// Divides a picture into `bands` bands, from the top; up to `halo` more rows are drawn on each side, as far as the picture extends.
     pub(super) fn bands(rows: u32, bands: u32, halo: u32) -> impl Iterator<Item = Self> {
         let begin = move |band: u32| {
             let row = u64::from(rows) * u64::from(band) / u64::from(bands);
@@ -58,7 +58,7 @@ impl Rows {
         }
     }
 
-    /// The band's own values among all drawn ones, with `in_a_row` values per row.
+    /// Selects the values of the band's own rows from those of all drawn rows, with `in_a_row` values per row.
     pub(super) fn own<T: Copy>(&self, drawn: &[T], in_a_row: usize) -> Vec<T> {
         let before = self.above as usize * in_a_row;
         drawn[before..before + self.count as usize * in_a_row].to_vec()

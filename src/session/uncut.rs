@@ -1,4 +1,4 @@
-//! Uncut frames, by either rasteriser: the baseline for the cost of a cut.
+//! Draws uncut frames by either rasteriser: the baseline for the cost of a cut.
 
 use super::{Drawing, Drawn, Session};
 use crate::gpu::{ClockSet, RunTimes};
@@ -8,7 +8,7 @@ use crate::strategies::{self, Rasteriser};
 use crate::{Error, Result};
 
 impl Session {
-    /// Draws an uncut frame by a rasteriser, as [`Session::draw`] draws a strategy's: in bands, if it is too large for one.
+    /// Draws an uncut frame by a rasteriser; like [`Session::draw`], in bands if the frame exceeds the device's limits.
     pub fn draw_uncut(
         &mut self,
         model: &Model,
@@ -27,7 +27,7 @@ impl Session {
         )
     }
 
-    /// Runs a rasteriser's last uncut frame again on the given clocks, for its times.
+    /// Runs the passes of a rasteriser's last uncut frame on the given clocks again, to time them.
     pub fn repeat_uncut(&self, rasteriser: Rasteriser, clocks: ClockSet) -> Result<RunTimes> {
         let slot = self.slots.get(&Drawing::Uncut(rasteriser));
         let slot = slot.ok_or_else(|| {

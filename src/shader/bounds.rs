@@ -1,12 +1,12 @@
-//! Maximum rounds of a loop, derived from its bound: checks that the bound cannot grow with the mesh or the picture.
+//! Checks that constants limit the bound of a loop, so that its number of rounds cannot grow with the mesh or the picture.
 //!
-//! Drivers end loops that run long: llvmpipe after 65,535 rounds of all loops of an invocation together, cards by a watchdog. So a bound that
-//! comes from data must be limited by a constant: `min(count, MOST)`. So must an override, which a plan sets: one once allowed 2^24 rounds.
-//! The analysis follows literals, constants, arithmetic on them, `min` and `clamp`, masks, shifts and remainders, local variables by all
-//! stores to them, arguments by all calls, and results of the shader's functions. Anything else, in particular a word of a buffer, has no
-//! known bound.
+//! Drivers end loops that run long: llvmpipe after 65,535 rounds of all loops of an invocation together, cards by a watchdog. So a bound
+//! from data must be limited by a constant: `min(count, MOST)`. So must an override, which a plan sets: one once allowed 2^24 rounds.
+//! The analysis follows literals, constants, arithmetic on them, `min` and `clamp`, masks, shifts and remainders, local variables through
+//! all stores to them, arguments through all calls, and results of the shader's functions. All other values, in particular words of
+//! buffers, count as unbounded.
 //!
-//! Limits: products of nested loops are not formed.
+//! Limits: the rounds of nested loops are not multiplied.
 
 use super::loops::{children, loaded, local};
 use naga::{
@@ -17,7 +17,7 @@ use naga::{
 /// Maximum nesting depth of expressions that is followed.
 const DEEPEST: u32 = 32;
 
-/// A function, and the module that contains the functions it calls.
+/// A function, with the module that contains it and the functions that it calls.
 #[derive(Clone, Copy)]
 pub(super) struct FunctionPlace<'a> {
     pub module: &'a Module,
@@ -25,7 +25,7 @@ pub(super) struct FunctionPlace<'a> {
 }
 
 impl FunctionPlace<'_> {
-    /// Returns true if constants bound an integer expression from above, for any buffer contents.
+    /// Returns true if an integer expression has a constant upper bound, whatever the buffers contain.
     pub(super) fn is_limited(self, expression: Handle<Expression>) -> bool {
         self.limited(expression, 0)
     }
@@ -41,7 +41,7 @@ impl FunctionPlace<'_> {
         self.begins(counter, inside, |place, e| place.limited(e, 0))
     }
 
-    /// Returns true if every value stored to a counter outside its loop meets `is_wanted`.
+    /// Returns true if every value stored to a counter outside its loop satisfies `is_wanted`.
     fn begins(
         self,
         counter: Handle<LocalVariable>,
@@ -128,7 +128,7 @@ impl FunctionPlace<'_> {
         values.into_iter().map(move |value| (within, value))
     }
 
-    /// Returns true if a member of a struct or a component of a vector is limited.
+    /// Returns true if a member of a struct or a component of a vector has a constant upper bound.
     fn member_is_limited(self, base: Handle<Expression>, index: u32, depth: u32) -> bool {
         match &self.function.expressions[base] {
             Expression::Compose { components, .. } => (components.get(index as usize))
@@ -139,7 +139,7 @@ impl FunctionPlace<'_> {
         }
     }
 
-    /// Returns true if every call of the function passes a limited argument.
+    /// Returns true if the argument has a constant upper bound in every call of the function.
     fn argument_is_limited(self, index: u32, depth: u32) -> bool {
         let mut named = self.module.functions.iter();
         let Some((own, _)) = named.find(|(_, f)| std::ptr::eq(*f, self.function)) else {
@@ -202,7 +202,7 @@ impl FunctionPlace<'_> {
         }
     }
 
-    /// Returns true if constants bound a signed expression from below.
+    /// Returns true if a signed expression has a constant lower bound.
     fn is_high(self, expression: Handle<Expression>, depth: u32) -> bool {
         if depth > DEEPEST {
             return false;

@@ -1,8 +1,8 @@
-//! Composition of a shader from the files of the tree.
+//! Composes a shader from the files of the tree.
 //!
-//! A module that several library files define is *open*: `cutaway::store`, what a fragment stores for the inside test,
-//! has one file per inside test. A [`Shader`] names the file that fills each open module that it needs; so two shaders
-//! may differ in a single file, and a pass over the mesh is written once for all inside tests and both rasterisers.
+//! A module that several library files define is *open*: `cutaway::store`, for example, stores the data of a fragment for
+//! the inside test, and has one file per inside test. A [`Shader`] names the file that fills each open module that it needs.
+//! So two shaders may differ in a single file, and a pass over the mesh is written once for all tests and both rasterisers.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
@@ -26,7 +26,7 @@ pub struct Shader {
 }
 
 impl Shader {
-    /// Fills one more open module.
+    /// Fills a further open module.
     #[must_use]
     pub fn with(mut self, file: &'static str) -> Self {
         self.with.push(file);
@@ -35,7 +35,7 @@ impl Shader {
         self
     }
 
-    /// Fills some more open modules.
+    /// Fills further open modules.
     #[must_use]
     pub fn with_all(self, files: &[&'static str]) -> Self {
         files.iter().fold(self, |shader, file| shader.with(file))
@@ -64,18 +64,18 @@ impl fmt::Display for Shader {
 /// A shader of the tree composed with everything it imports.
 #[derive(Debug)]
 pub struct Composed {
-    /// Validated with naga's default capabilities, those of core WebGPU. Only shaders with a file of [`NATIVE`] get 64-bit atomics
-    /// as well.
+    /// The module, validated with naga's default capabilities, those of core WebGPU; shaders with a file of [`NATIVE`] may also use
+    /// 64-bit atomics.
     pub module: naga::Module,
     /// naga's analysis of the module.
     pub info: ModuleInfo,
     /// Bindings of its entry points, by group and number.
     pub bindings: Vec<ShaderBinding>,
-    /// True if it needs 64-bit atomics.
+    /// True if the shader needs 64-bit atomics.
     pub is_native: bool,
 }
 
-/// Shaders composed so far: plans are checked, reflected and compiled from the same composed shader.
+/// The shaders composed so far, so that plans are checked, reflected and compiled from the same composed shader.
 static COMPOSED: Mutex<BTreeMap<Shader, Arc<Composed>>> = Mutex::new(BTreeMap::new());
 
 /// Composes a shader, or returns the cached result.
@@ -100,8 +100,8 @@ pub fn compose(shader: &Shader) -> Result<Arc<Composed>> {
     Ok(composed)
 }
 
-/// naga's analysis of a composed shader, or its report if the shader is invalid. Features outside core WebGPU are accepted here, because
-/// composing has already checked them.
+/// naga's analysis of a composed shader, or naga's error message if the shader is invalid. Accepts features beyond core WebGPU, because
+/// these were already checked when the shader was composed.
 pub fn validate(module: &naga::Module) -> Result<ModuleInfo, String> {
     let validated = validator(true).validate(module);
     validated.map_err(|e| chain(e.as_inner()))
@@ -111,7 +111,7 @@ fn validator(is_native: bool) -> Validator {
     Validator::new(ValidationFlags::all(), capabilities(is_native))
 }
 
-/// The message of an error with those of its sources.
+/// The message of an error, followed by those of its sources.
 fn chain(error: &dyn std::error::Error) -> String {
     let mut what = error.to_string();
     let mut from = error.source();
@@ -122,7 +122,7 @@ fn chain(error: &dyn std::error::Error) -> String {
     what
 }
 
-/// As [`compose`], for a text that is not in the tree: tests wrap library functions in small shaders this way.
+/// As [`compose`], for a text that is not in the tree, so that tests can wrap library functions in small shaders.
 pub fn compose_text(name: &str, text: &str) -> Result<naga::Module> {
     compose_text_with(name, text, &[])
 }
@@ -132,7 +132,7 @@ pub fn compose_text_with(name: &str, text: &str, with: &[&str]) -> Result<naga::
     compose_source(name, text, with).map(|(module, ..)| module)
 }
 
-/// The module of a text, naga's analysis of it, and whether it needs 64-bit atomics.
+/// Composes a text: returns its module, naga's analysis, and true if it needs 64-bit atomics.
 fn compose_source(
     name: &str,
     text: &str,
@@ -181,8 +181,8 @@ fn capabilities(native: bool) -> Capabilities {
     }
 }
 
-/// Ways to compose the tree's shaders: each file in each open module that needs one. For a shader with more than 128 ways, a subset
-/// in which every pair of compatible files occurs.
+/// All ways to fill the open modules of the tree's shaders. For a shader with more than 128 ways, a subset in which every pair of
+/// compatible files occurs.
 pub fn compositions() -> Vec<Shader> {
     let mut all = Vec::new();
     for (path, text) in SHADERS {
@@ -206,10 +206,10 @@ pub fn compositions() -> Vec<Shader> {
     all
 }
 
-/// Up to this number, all compositions of a shader are included.
+/// Number of compositions up to which all those of a shader are included.
 const FEW: usize = 128;
 
-/// A small subset of the compositions that contains all their pairs of files; greedily adds the composition with the most new pairs.
+/// A small subset of the compositions in which every pair of files occurs. Greedily adds the composition with the most new pairs.
 fn with_all_pairs(ways: &[Shader]) -> Vec<Shader> {
     let pairs = |shader: &Shader| -> Vec<[&'static str; 2]> {
         let with = &shader.with;
@@ -238,7 +238,7 @@ fn with_all_pairs(ways: &[Shader]) -> Vec<Shader> {
     chosen
 }
 
-/// The library files, by the module that they define.
+/// The library files, grouped by the module that they define.
 static MODULES: LazyLock<BTreeMap<&str, Vec<File<'static>>>> = LazyLock::new(|| {
     let mut modules = BTreeMap::<&str, Vec<File<'static>>>::new();
     for (path, text) in LIBRARY {
@@ -255,7 +255,7 @@ fn files_of(module: &str) -> &'static [File<'static>] {
     MODULES.get(module).map_or(&[], Vec::as_slice)
 }
 
-/// The files that a file needs, each after its own dependencies.
+/// The files that a file imports, directly or not; each comes after its own imports.
 fn gather<'a>(
     file: &File<'_>,
     with: &[&'a str],
@@ -293,7 +293,7 @@ fn gather<'a>(
     Ok(())
 }
 
-/// The files that could fill the first open module that is still unfilled.
+/// The files that can fill the first open module that is not yet filled.
 fn first_open(
     file: &File<'static>,
     with: &[&'static str],

@@ -1,22 +1,22 @@
-//! One WGSL file as its declarations: the name of each, and where its text mentions names.
+//! One WGSL file as a list of declarations: the name of each, and the positions of names in its text.
 //!
-//! A scanner that recognises comments, numbers and names, and positions where a name cannot refer to a declaration: after a dot, in an
-//! attribute such as `@builtin(position)`, between the angle brackets of `var<storage, read>`, before the colon of a member. This is
-//! enough to give every declaration a unique name in the joined text; naga parses the result. Takes microseconds per file.
+//! The scanner recognises comments, numbers, names, and the positions in which a name cannot refer to a declaration: after a dot, in an
+//! attribute such as `@builtin(position)`, between the angle brackets of `var<storage, read>`, before the colon of a member. That is
+//! enough to give every declaration a unique name in the joined text, which naga then parses. Takes microseconds per file.
 //!
-//! Cannot: read comments of the form `/* */`, which the tree does not contain (a lint checks this), or directives other than our two,
-//! `#define_import_path` and `#import MODULE::NAME` or `#import MODULE::{NAME, NAME}`, one to a line.
+//! Cannot: read comments of the form `/* */`, which a lint forbids in the tree; or directives other than `#define_import_path` and
+//! `#import MODULE::NAME` or `#import MODULE::{NAME, NAME}`, one per line.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
-/// A file of the tree, or a text that takes its place.
+/// A file of the tree, or a text that replaces one.
 #[derive(Debug)]
 pub(super) struct File<'a> {
     pub(super) path: &'a str,
-    /// Name under which other files import it; whole shaders have none.
+    /// Name under which other files import this one; whole shaders have none.
     pub(super) module: Option<&'a str>,
-    /// Imported names, each with the module that it comes from.
+    /// The imported names, each with the module from which it comes.
     pub(super) imports: BTreeMap<&'a str, &'a str>,
     pub(super) declarations: Vec<Declaration<'a>>,
 }
@@ -24,13 +24,13 @@ pub(super) struct File<'a> {
 /// A function, type, constant or variable of a file.
 #[derive(Debug)]
 pub(super) struct Declaration<'a> {
-    /// Empty if it has none: `const_assert`, or text that is not WGSL.
+    /// Name of the declaration; empty for `const_assert`, and for text that is not WGSL.
     pub(super) name: &'a str,
-    /// Text, with attributes.
+    /// Text of the declaration, with attributes.
     pub(super) text: &'a str,
-    /// Text ranges of the names that refer to declarations of this file, its own included, or to imported ones.
+    /// Text ranges of the names that refer to a declaration of this file, including this one, or to an imported one.
     pub(super) names: Vec<Range<usize>>,
-    /// Line of the file on which it begins, from 1.
+    /// Line of the file on which the declaration begins, from 1.
     pub(super) line: usize,
 }
 
@@ -68,12 +68,12 @@ impl<'a> File<'a> {
         file
     }
 
-    /// The modules from which it imports, each once.
+    /// The modules from which the file imports, without duplicates.
     pub(super) fn modules(&self) -> BTreeSet<&'a str> {
         self.imports.values().copied().collect()
     }
 
-    /// Index of the declaration with this name.
+    /// Index of the declaration with a given name.
     pub(super) fn declaration(&self, name: &str) -> Option<usize> {
         self.declarations.iter().position(|d| d.name == name)
     }
@@ -124,7 +124,7 @@ impl<'a> Scanner<'a> {
         self.at += rest.find('\n').unwrap_or(rest.len());
     }
 
-    /// The next declaration: up to its semicolon, or to the brace that closes its first one.
+    /// The next declaration. It ends with a semicolon, or with the brace that matches its first brace.
     fn declaration(&mut self) -> Option<Declaration<'a>> {
         let first = self.next()?;
         let mut declaration = Declaration {
@@ -134,7 +134,7 @@ impl<'a> Scanner<'a> {
             line: self.line,
         };
         let (mut keyword, mut before, mut braces) = ("", "", 0_usize);
-        // The token that closes the brackets in which words are not names.
+        // The token that ends the current brackets, inside which words are not names.
         let mut closing = None;
         let mut attribute = "";
         let mut token = Some(first.clone());
@@ -179,7 +179,7 @@ impl<'a> Scanner<'a> {
             before = word;
             token = self.next();
         }
-        // Unterminated text is passed on unchanged: naga reports what is wrong with it.
+        // Unterminated text is passed on unchanged: naga reports the error.
         Some(declaration)
     }
 

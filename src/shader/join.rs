@@ -1,34 +1,34 @@
-//! Joins a shader and the files that it imports into one WGSL text: from each file the declarations that the shader uses, from the
-//! shader all.
+//! Joins a shader and the files that it imports into one WGSL text, with all declarations of the shader and only the used ones of the
+//! other files.
 //!
-//! Library declarations get the name of their module as a suffix, so that two files may use one name for two things, and a
-//! file that has not imported a name does not see it. The shader's own names stay unchanged: its entry points and overrides are looked up
-//! by name. Takes tens of microseconds; naga then parses only what is needed.
+//! Library declarations get the name of their module as a suffix, so that two files may use the same name for different declarations, and
+//! a file cannot use a name that it has not imported. The shader's own names stay unchanged, because its entry points and overrides are
+//! looked up by name. Takes tens of microseconds; naga then parses only what is needed.
 
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
 use super::file::{Declaration, File};
 
-/// Separates a name from that of its module; no name in the tree contains it.
+/// Separator between a name and the name of its module; no name in the tree contains it.
 const OF_MODULE: &str = "__";
 
 /// A shader as one text.
 pub(super) struct Joined<'a> {
     pub(super) text: String,
-    /// For each declaration the line of the text on which it begins, from 1, its file, and its line there; in order.
+    /// For each declaration, in order: the line of the text on which it begins, from 1, its file, and its line in the file.
     begins: Vec<(usize, &'a str, usize)>,
     /// Name suffixes of the files, longest first.
     endings: Vec<String>,
 }
 
-/// Joins a shader, the last of the files, with the files it needs; `library` has everything that any of them imports.
+/// Joins a shader with the files that it imports; `library` contains every file that any of them imports.
 pub(super) fn join<'a>(shader: &File<'a>, library: &[&File<'a>]) -> Result<Joined<'a>, String> {
     let files: Vec<&File<'a>> = library.iter().copied().chain([shader]).collect();
     let modules: BTreeMap<&str, usize> = (files.iter().enumerate())
         .filter_map(|(i, file)| Some((file.module?, i)))
         .collect();
-    // The declaration that a file's name refers to.
+    // The declaration to which a name in a file refers.
     let declared = |at: usize, name: &str| -> Option<[usize; 2]> {
         if let Some(own) = files[at].declaration(name) {
             return Some([at, own]);
@@ -95,7 +95,7 @@ pub(super) fn join<'a>(shader: &File<'a>, library: &[&File<'a>]) -> Result<Joine
     Ok(joined)
 }
 
-/// Appends a declaration and a line break; names of declarations get their suffixes.
+/// Appends a declaration and a line break; adds the suffixes to names of declarations.
 fn write<'e>(declaration: &Declaration<'_>, ending: impl Fn(&str) -> &'e str, out: &mut String) {
     let mut from = 0;
     for place in &declaration.names {
@@ -108,7 +108,7 @@ fn write<'e>(declaration: &Declaration<'_>, ending: impl Fn(&str) -> &'e str, ou
 }
 
 impl Joined<'_> {
-    /// An error message about a line of the text, with the file and line that it comes from and the original names.
+    /// An error message about a line of the joined text, with the file and line from which it comes and with the original names.
     pub(super) fn complaint(&self, line: Option<u32>, what: &str) -> String {
         let mut what = what.to_owned();
         for ending in self.endings.iter().filter(|e| !e.is_empty()) {
@@ -125,7 +125,7 @@ impl Joined<'_> {
     }
 }
 
-/// The name as written by the author.
+/// The name as it was written in its file, without the suffix.
 pub(super) fn undecorated(name: &str) -> &str {
     name.split(OF_MODULE).next().unwrap_or(name)
 }
@@ -134,7 +134,7 @@ pub(super) fn undecorated(name: &str) -> &str {
 mod tests {
     use super::*;
 
-    /// Two modules that use one name for two things.
+    /// Two modules that use the same name for different declarations.
     const AREA: &str = "#define_import_path t::area
 // The area.
 fn size(a: vec2<f32>) -> f32 { return a.x * a.y; }
@@ -175,7 +175,7 @@ fn position() -> f32 { return 1.0; }";
         let text = joined(SHADER, &[("area", AREA), ("span", SPAN)]).unwrap();
         assert!(text.contains("fn size__t_area(a"), "{text}");
         assert!(text.contains("Span__t_span(size__t_area(a), a)"), "{text}");
-        // Members, attributes and address spaces are no declarations, whatever they are called.
+        // Names of members, attributes and address spaces do not refer to declarations.
         assert!(
             text.contains("{ size: f32") && text.contains("of_it.size +"),
             "{text}"

@@ -1,8 +1,8 @@
-//! Our own WGSL rules, checked on naga's representation of a composed shader.
+//! Checks our own WGSL rules on naga's representation of a composed shader.
 //!
-//! naga checks that a shader is valid; these check our own rules: every loop ends, no decision depends on two floats
-//! being equal, nothing declared is unused, and core WebGPU can run it. A finding names its rule and its place; the findings
-//! that are allowed, and why, are listed where the tree is tested.
+//! naga checks that a shader is valid. The rules here require that every loop ends, no decision depends on the equality of two
+//! floats, every declaration is used, and core WebGPU can run the shader. A finding names its rule and its place. The tests of
+//! the tree list the findings that are allowed, with reasons.
 
 use naga::valid::{FunctionInfo, ModuleInfo};
 use naga::{BinaryOperator, Expression, Function, Handle, Module, Scalar, ScalarKind, ShaderStage};
@@ -37,15 +37,15 @@ pub enum Rule {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Finding {
     pub rule: Rule,
-    /// The function, the variable or the stage, as its author named it.
+    /// Name of the function, variable or stage in the source.
     pub place: String,
     /// Description of the violation.
     pub what: String,
 }
 
-/// Maximum storage buffers per stage in core WebGPU. Plans are also checked against it.
+/// Maximum number of storage buffers per stage in core WebGPU. Plans are also checked against this limit.
 pub const STORAGE_BUFFERS_PER_STAGE: usize = 8;
-/// Maximum invocations per workgroup in core WebGPU.
+/// Maximum number of invocations per workgroup in core WebGPU.
 pub const INVOCATIONS_PER_WORKGROUP: u32 = 256;
 
 /// All rule violations in a composed shader.
@@ -112,7 +112,7 @@ fn in_function(
     }
 }
 
-/// Reports unused bindings that the shader's own file declares; library bindings are declared for all importers.
+/// Reports unused bindings that the shader's own file declares. Library bindings may be unused, because other importers need them.
 fn unused_bindings(module: &Module, info: &ModuleInfo, found: &mut Vec<Finding>) {
     for (handle, variable) in module.global_variables.iter() {
         let name = variable.name.as_deref().unwrap_or_default();

@@ -1,9 +1,9 @@
-//! Proof that a loop ends, from its form.
+//! Proves from the form of a loop that it ends.
 //!
-//! A loop is bounded if its body begins with a guard that leaves it unless `counter < bound` (or `>`, `<=`, `>=`), the
-//! counter is a local variable that the loop stores to exactly once, with a constant step in the direction of the bound,
-//! in code that every round runs, and the bound depends on nothing that the loop stores. Some loops that end do not meet this
-//! rule, but it is all that a reader should have to check: rewrite the loop rather than the rule.
+//! A loop is bounded if its body begins with a guard that leaves it unless `counter < bound` (or `>`, `<=`, `>=`); if the
+//! counter is a local variable to which the loop stores exactly once, in code that every round runs, and with a constant step
+//! in the direction of the bound; and if the bound does not depend on anything that the loop stores. Some loops that end do
+//! not satisfy this rule, but it is easy for a reader to check: rewrite the loop rather than the rule.
 
 use std::collections::BTreeSet;
 
@@ -12,18 +12,18 @@ use naga::{
     BinaryOperator, Block, Expression, Function, Handle, Literal, LocalVariable, Statement,
 };
 
-/// How a loop ends.
+/// Result of the analysis of a loop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum End {
     /// Not proven to end.
     Unproven,
-    /// After a number of rounds that depends on data.
+    /// Ends after a number of rounds that depends on data.
     ByData,
-    /// After a number of rounds limited by constants.
+    /// Ends after a number of rounds that constants limit.
     ByConstant,
 }
 
-/// The end of each loop of a function, in order.
+/// The results for all loops of a function, in order.
 pub(super) fn ends_of_loops(place: FunctionPlace<'_>) -> Vec<End> {
     let mut all = Vec::new();
     ends_in(place, &place.function.body, &mut all);
@@ -106,7 +106,7 @@ pub(super) fn local(
 ) -> Option<Handle<LocalVariable>> {
     match function.expressions[pointer] {
         Expression::LocalVariable(variable) => Some(variable),
-        // For a bound, a store to an element or a field changes the whole variable.
+        // A store to an element or a field counts as a store to the whole variable.
         Expression::Access { base, .. } | Expression::AccessIndex { base, .. } => {
             local(function, base)
         }
@@ -114,7 +114,7 @@ pub(super) fn local(
     }
 }
 
-/// Local variables that a block stores to, once per store; a call counts as a store to every variable passed to it by pointer.
+/// Appends the local variables to which a block stores, once per store. A call counts as a store to every variable passed by pointer.
 fn stores_in(function: &Function, block: &Block, stores: &mut Vec<Handle<LocalVariable>>) {
     for statement in block.iter() {
         match statement {
@@ -170,7 +170,7 @@ fn step_of(
     (step > 0 && loaded(function, left) == Some(counter)).then_some((counter, direction))
 }
 
-/// Conditions that must hold (or, with `false`, must not) for a round to continue: the conjuncts of the body's first break.
+/// Conditions for a round to continue, from the body's first break; each must be true or, if paired with `false`, must be false.
 fn guards(function: &Function, body: &Block) -> Vec<(Handle<Expression>, bool)> {
     let mut found = Vec::new();
     let mut before: Vec<&Statement> = Vec::new();
@@ -192,7 +192,7 @@ fn guards(function: &Function, body: &Block) -> Vec<(Handle<Expression>, bool)> 
                 before.push(statement);
             }
             Statement::Emit(_) => {}
-            // Only the evaluation of the condition may precede it.
+            // Only the evaluation of the condition may precede the break.
             _ => return found,
         }
     }
@@ -241,7 +241,7 @@ fn conjuncts(
     }
 }
 
-/// Bound that the counter is compared with, if the comparison ends the loop in the direction of the step.
+/// The bound with which a condition compares the counter, if stepping the counter eventually ends the loop.
 fn bound_of(
     function: &Function,
     condition: Handle<Expression>,
@@ -271,7 +271,7 @@ fn bound_of(
     ends.then_some(bound)
 }
 
-/// Expressions evaluated anew in every round; all others have the value that they had before the loop.
+/// Collects the expressions that every round evaluates again; all others keep the values that they had before the loop.
 fn evaluated_in(block: &Block, evaluated: &mut BTreeSet<usize>) {
     for statement in block.iter() {
         match statement {
@@ -315,7 +315,7 @@ fn may_move(
             arg, arg1, arg2, ..
         } => any(&[Some(arg), arg1, arg2]),
         Expression::ArrayLength(_) => false,
-        // Anything else that a round computes, including a call, may change.
+        // The result of any other computation in the loop, including a call, may change.
         _ => true,
     }
 }

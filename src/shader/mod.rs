@@ -1,7 +1,7 @@
 //! The WGSL tree as data: its files, the shaders composed from them, and their bindings.
 //!
 //! Files under `shaders/lib` are modules with a `#define_import_path`; all others are whole shaders. They are joined into one text,
-//! which naga parses, validates and reflects. Nothing here needs an adapter, so a test composes and checks everything.
+//! which naga parses, validates and reflects. None of this needs an adapter, so a test composes and checks all shaders.
 
 mod bounds;
 mod compose;

@@ -4,20 +4,20 @@ use super::join::undecorated;
 use naga::valid::ModuleInfo;
 use naga::{AddressSpace, Module, StorageAccess, TypeInner};
 
-/// Kind of resource that is bound.
+/// Kind of a bound resource.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BindingKind {
     /// `var<uniform>`.
     Uniform,
     /// `var<storage, read>`.
     StorageRead,
-    /// A texture of words, read without a sampler.
+    /// `var<storage, read_write>`.
     StorageReadWrite,
-    /// A texture of depths, read without a sampler.
+    /// A texture without layers that is not a depth texture.
     Texture,
-    /// A texture of depths to load from.
+    /// A depth texture without layers.
     DepthTexture,
-    /// A texture with layers, read with or without a sampler.
+    /// A texture with layers.
     TextureArray,
     Sampler,
 }
@@ -29,9 +29,9 @@ pub struct ShaderBinding {
     pub name: String,
     pub group: u32,
     pub binding: u32,
-    /// Kind of resource.
+    /// Kind of the resource.
     pub kind: BindingKind,
-    /// Whether the vertex, fragment and compute stage can see it.
+    /// True for each stage that uses the variable: vertex, fragment, compute.
     pub stages: [bool; 3],
 }
 

@@ -2,14 +2,14 @@
 
 include!(concat!(env!("OUT_DIR"), "/shaders.rs"));
 
-/// Files that core WebGPU cannot run, and the alternative that avoids each: shaders that contain them are validated
-/// with 64-bit atomics, and plans with such a shader require an adapter that has them.
+/// Files that core WebGPU cannot run, each with its alternative. Shaders that contain such a file are validated with 64-bit
+/// atomics, and plans with such a shader require an adapter that has these.
 pub const NATIVE: &[(&str, &str)] = &[(
     "lib/rasterise/nearest_wide.wgsl",
     "depth and triangle in one atomic maximum; lib/rasterise/nearest.wgsl takes two sweeps instead",
 )];
 
-/// Library files and whole shaders.
+/// The library files, and the whole shaders.
 pub const FILES: [&[(&str, &str)]; 2] = [LIBRARY, SHADERS];
 
 /// Text of a whole shader.

@@ -16,7 +16,7 @@ use super::outline::{ConstrainedMesh, Edge, FillRegion, LoopTriangulation, is_fi
 
 /// Rounds in which crossing edges are cut. A star of 60 edges that all pass near its middle takes 40.
 const ROUNDS: usize = 64;
-/// Maximum number of parts drawn in all rounds together: a few seconds.
+/// Maximum number of edge parts drawn in all rounds together; drawing that many takes a few seconds.
 const MOST_DRAWN: usize = 8_000_000;
 
 /// A filled region. Point numbers run through the given points, then through `added`.
@@ -44,7 +44,7 @@ pub(super) fn fill(points: &[DVec2], loops: &[Vec<u32>], holds: impl Fn(i32) -> 
     }
 }
 
-/// Draws an outline, cut until no edges cross and without loops that still do. None if nothing is left.
+/// Draws an outline, whose edges are cut until none cross; loops that still cross are left out. None if nothing is left.
 pub(super) fn preclassified(outline: &mut FillRegion) -> Option<ConstrainedMesh> {
     let (mut round, mut parts_drawn) = (0, 0);
     while !outline.parts.is_empty() {

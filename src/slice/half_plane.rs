@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-/// A point nearer than this counts as on the line, as a share of the size of what is trimmed: far above the rounding error of
+/// Distance, as a share of the size of the trimmed object, below which a point counts as on the line: far above the rounding error of
 /// coordinates, far below anything visible.
 const ON_LINE: f64 = 1e-13;
 
@@ -66,7 +66,7 @@ pub(super) fn in_common(half_planes: &[HalfPlane], reach: f64) -> Vec<DVec2> {
     }
 }
 
-/// The stretch of a segment that lies in all half-planes, as fractions of the way from `a` to `b`.
+/// The part of the segment from `a` to `b` that lies in all half-planes, as two fractions of its length.
 pub(super) fn stretch(half_planes: &[HalfPlane], [a, b]: [DVec2; 2]) -> Option<[f64; 2]> {
     let mut stretch = [0.0_f64, 1.0];
     for half in half_planes {

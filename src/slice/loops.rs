@@ -22,11 +22,11 @@ pub(super) struct CutSegment {
 pub(super) struct Curves {
     /// Distinct points, sorted by coordinates.
     pub(super) points: Vec<DVec2>,
-    /// Closed curves of three points or more, no two in a row the same.
+    /// Closed curves of at least three points; consecutive points differ.
     pub(super) loops: Vec<Vec<u32>>,
-    /// Curves that do not close, no two points in a row the same.
+    /// Curves that do not close; consecutive points differ.
     pub(super) open: Vec<Vec<u32>>,
-    /// Number of pieces that their curve passes backwards.
+    /// Number of pieces whose curve passes them backwards.
     pub(super) turned: usize,
 }
 
@@ -109,7 +109,7 @@ impl Joints<'_> {
         self.partners[b as usize] = a;
     }
 
-    /// From a half to the other end of its piece.
+    /// Vector from a half to the other end of its piece.
     fn way(&self, half: u32) -> DVec2 {
         let [here, there] = [half, half ^ 1].map(|h| self.points_of_halves[h as usize]);
         self.points[there as usize] - self.points[here as usize]
@@ -143,7 +143,7 @@ impl Joints<'_> {
         }
         let angle = |half: &u32| self.way(*half).to_angle();
         halves.sort_by(|a, b| angle(a).total_cmp(&angle(b)));
-        // Counter-clockwise from a leaving piece to an arriving one is solid: pairing works like brackets around the point, where the
+        // Solid lies counter-clockwise from a leaving piece to an arriving one: pairing works like brackets around the point, where the
         // first arrival matches the last departure.
         let (mut leaving, mut arriving) = (Vec::new(), Vec::new());
         for half in halves.iter().copied() {

@@ -11,16 +11,16 @@
 //!
 //! # How
 //!
-//! 1. A tree of boxes over the triangles ([`Slicer`]), built once, gives those near the plane.
-//! 2. Each crossed mesh edge gives one point, computed once, from the lesser end by coordinates: meshes that repeat vertices
-//!    agree to the last bit. Each crossed triangle joins two of them, solid on the left seen from the kept side.
-//! 3. Pieces are joined where they share a mesh edge; an edge of more than two triangles pairs them so that loops do not
-//!    cross there. Distance never joins anything; equality does, for what is left open.
+//! 1. A tree of boxes over the triangles ([`Slicer`]), built once, finds the triangles near the plane.
+//! 2. Each crossed mesh edge gives one point, computed once, from the lesser end by coordinates: meshes that repeat vertices agree to the
+//!    last bit. Each crossed triangle joins two points; seen from the kept side, the solid is on the left.
+//! 3. Pieces are joined where they share a mesh edge; an edge of more than two triangles pairs them so that loops do not cross there.
+//!    Pieces are never joined for being close, but open ends at equal points are joined.
 //! 4. A constrained Delaunay triangulation of the loops is flooded from outside, counting how often each edge is passed.
 //!    Loops that cross are cut where they do; only then edges move, by some 1e-14 of the section's size.
 //!
-//! [`halves`] divides a mesh by planes into two that are closed by such caps, and [`capped`] all parts of a scene. [`close_holes`]
-//! finds what closes an open mesh.
+//! [`halves`] divides a mesh by planes into two that are closed by such caps, and [`capped`] all parts of a scene. [`close_holes`] finds
+//! triangles that close an open mesh.
 //!
 //! Cost: one parallel sort of the triangles; then, per section, about n log n in the points of the elements that the plane meets.
 //!

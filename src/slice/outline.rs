@@ -20,8 +20,8 @@ use super::slicer::share;
 
 /// Lattice step for vertices once edges are cut, relative to the outline's size: a few ulps.
 const STEP: f64 = 1.0 / (1_u64 << 47) as f64;
-/// Once edges are cut, an edge this near to a vertex passes through it. Less than half a cell's diagonal: otherwise
-/// each of two diagonals would be drawn to the other's ends for ever.
+/// Once edges are cut, an edge this near to a vertex passes through it. Must be less than half the diagonal of a lattice cell: otherwise
+/// each of two crossing diagonals would be drawn to the other's ends for ever.
 const NEAR: f64 = 0.7 * STEP;
 /// Maximum points at which edges are cut: a star of 700 edges that all cross each other.
 const MOST_CUTS: usize = 250_000;

@@ -46,7 +46,7 @@ impl From<&PreparedSurface> for SlicePlane {
 }
 
 impl SlicePlane {
-    /// The plane of a clip-surface in world space, at the height of its relief; none if the relief is not flat.
+    /// The plane of a clip-surface in world space, at the height of its relief; `None` if the relief is not flat.
     #[doc(hidden)]
     pub fn of_flat(surface: &ClipSurface) -> Option<Self> {
         let plane = Self::from(surface);

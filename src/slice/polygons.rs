@@ -1,9 +1,9 @@
 //! The region of a section as polygons with holes, in the form that geometry libraries expect.
 //!
-//! A polygon is an edge-connected component of the region's triangles. Its rings are walked along its boundary with the
-//! region on the left: at each corner around the triangles there, so that a walk never leaves its component, even if components touch in a
-//! point. A walk that returns to a point before its end is divided there, so that no ring touches itself; rings may touch one another in
-//! single points, which the simple features of OGC allow.
+//! A polygon is an edge-connected component of the region's triangles. Its rings are walked along its boundary with the region on the left.
+//! At each corner the walk turns around the triangles there, so that it never leaves its component, even if components touch in a point. A
+//! walk that returns to a point before its end is divided there, so that no ring touches itself; rings may touch one another in single
+//! points, which the simple features of OGC allow.
 //!
 //! Cost: linear in the triangles.
 

@@ -5,11 +5,11 @@ use glam::{DVec2, DVec3};
 /// The section of a mesh by a plane. Points are coordinates along `Û` and `V̂` relative to the plane's `zero`, in input units.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Section {
-    /// All points, no two equal. Points at which loops cross come after those of the loops.
+    /// All points, no two equal. Points at which loops cross come after the points of the loops.
     pub points: Vec<DVec2>,
     /// Closed curves. Loops may nest, touch, cross and repeat; the fill rule of the section decides what they enclose.
     pub loops: Vec<Loop>,
-    /// Curves that end where the mesh is open, as far as they go. They bound nothing.
+    /// Curves that end where the mesh is open. They bound nothing.
     pub open: Vec<Vec<u32>>,
     /// The region that the loops enclose, counter-clockwise seen from the kept side, without overlap.
     pub triangles: Vec<[u32; 3]>,
@@ -23,7 +23,7 @@ pub struct Section {
 /// counter-clockwise, holes clockwise.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Loop {
-    /// Indices of points, at least three, no two in a row the same; the last connects to the first.
+    /// Indices of at least three points, of which consecutive ones differ; the last point connects to the first.
     pub points: Vec<u32>,
 }
 
@@ -53,7 +53,7 @@ pub enum SectionDefect {
         at: DVec3,
     },
     /// Neighbouring triangles with opposite orientation: the *nonzero* rule has to guess which of them are wrong.
-    #[error("{pieces} pieces of the outline face the other way than the rest of their loops")]
+    #[error("{pieces} pieces of the outline face the other way from the rest of their loops")]
     Turned {
         /// Number of pieces.
         pieces: usize,
@@ -68,8 +68,10 @@ pub enum SectionDefect {
         /// One of the points.
         at: DVec3,
     },
-    /// Loops that f64 cannot separate from others, or that cross too often.
-    #[error("{loops} loops cross others too often or too finely, one at {at}, and are not capped")]
+    /// Loops that f64 cannot separate from other loops, or that cross other loops too often.
+    #[error(
+        "{loops} loops cross other loops too often, or lie too close to them, one at {at}, and are not capped"
+    )]
     LeftOut {
         /// Number of loops.
         loops: usize,
@@ -82,8 +84,8 @@ impl SectionDefect {
     /// Advice on how to repair the defect.
     pub fn help(&self) -> &'static str {
         match self {
-            Self::Plane => "give the plane an origin and a normal that are finite",
-            Self::Unusable { .. } => "use a mesh of coordinates within 1e300, or scale it down",
+            Self::Plane => "give the plane a finite origin and a finite normal",
+            Self::Unusable { .. } => "use a mesh with coordinates within 1e300, or scale it down",
             Self::Open { .. } => {
                 "close the mesh there (`cutaway inspect` says where it is open), or move the section"
             }

@@ -71,7 +71,7 @@ impl Slicer {
         Self::of_part(part).in_scene(*space, tolerance)
     }
 
-    /// The same, with faces within a tolerance of the plane in scene space counted as lying in it.
+    /// The same slicer, but faces within a tolerance of a plane in scene space count as lying in the plane.
     pub(crate) fn in_scene(self, space: SceneSpace, tolerance: f64) -> Self {
         Self {
             scene: Some((space, tolerance)),
@@ -263,7 +263,7 @@ impl PlaneCrossing<'_> {
             .collect()
     }
 
-    /// From the edge in which a triangle descends, in its own order, to that in which it ascends: then the inner side is on the left.
+    /// From the edge where a triangle, in vertex order, descends through the plane, to the edge where it ascends: inside is on the left.
     fn piece(&self, triangle: [u32; 3]) -> Option<CutSegment> {
         let above = triangle.map(|i| self.is_above(i));
         if above[0] == above[1] && above[1] == above[2] {

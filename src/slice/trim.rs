@@ -24,7 +24,7 @@ pub struct Trim {
 }
 
 impl Trim {
-    /// The remaining part of a section by a plane; none if the whole section remains.
+    /// The remaining part of a section by a plane; `None` if the whole section remains.
     pub fn of(&self, section: &Section, plane: &SlicePlane) -> Option<Section> {
         let points = &section.points;
         let size = points
@@ -151,8 +151,8 @@ fn defects(
     kept.chain(lost).collect()
 }
 
-/// Closed curves of directed edges, of which as many end in each point as begin there. Touching curves separate so that each has
-/// the area on its left to itself.
+/// Joins directed edges, of which as many end in each point as begin there, into closed curves. Curves that touch are separated, so that no
+/// two have the same area on their left.
 fn chained(edges: &[[u32; 2]], points: &[DVec2]) -> Vec<Vec<u32>> {
     let mut leaving: BTreeMap<u32, Vec<usize>> = BTreeMap::new();
     for (edge, [from, _]) in edges.iter().enumerate() {

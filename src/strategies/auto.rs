@@ -1,16 +1,16 @@
 //! `auto`: the method used where none is named.
 //!
-//! Candidates are only methods that are exact on closed meshes, mark most possible errors on others, and refuse nothing but more
-//! clip-surfaces than a word has bits. That is `raycast+mask`; the choice is the mesh rasteriser. `stencil` and `planar` come near it in
-//! time for one plane, but do not mark errors, or rebuild moving parts.
+//! A candidate must be exact on closed meshes, mark most possible errors on other meshes, and refuse only scenes with more clip-surfaces
+//! than a word has bits. Only `raycast+mask` qualifies, so the choice is that of the mesh rasteriser. For one plane, `stencil` and `planar`
+//! take about as long, but `stencil` marks no errors and `planar` rebuilds moving parts.
 //!
 //! The rule:
 //!
 //! 1. A requested rasteriser is used.
 //! 2. A software adapter runs fixed functions on the CPU like any other code: there the compute rasteriser, which cuts, caps and finds the
 //!    nearest surface in one sweep, took as long or less in all measurements (docs/results.md).
-//! 3. Where it refuses a scene, for example one with more parts than its table holds, or would exceed the binding limits even with the
-//!    fewest rows per band, the hardware rasteriser draws: its vertex and index buffers may be larger than storage bindings.
+//! 3. The hardware rasteriser draws scenes that the compute rasteriser refuses, for example with more parts than its table holds, or that
+//!    exceed the binding limits even with the fewest rows per band: vertex and index buffers may be larger than storage bindings.
 //! 4. An adapter that snaps vertices to coarser steps than 1/256 px draws other silhouettes than the compute rasteriser, which always has 8
 //!    sub-pixel bits: the compute rasteriser is used there too.
 //! 5. On other adapters the hardware rasteriser draws: no measurement so far favours the compute rasteriser there.
@@ -23,7 +23,7 @@ use crate::passes::Model;
 use crate::plan::{Capacities, Limits};
 use crate::scene::{USUAL_SUB_PIXEL_BITS, View};
 
-/// The name that stands for the choice.
+/// Name that requests this choice instead of naming a method.
 pub const AUTO: &str = "auto";
 
 /// Result of the choice.
@@ -40,9 +40,9 @@ pub struct Choice {
 pub struct AdapterTraits<'a> {
     /// Limits for plans.
     pub limits: &'a Limits,
-    /// True if it runs on the CPU.
+    /// True if the adapter runs on the CPU.
     pub software: bool,
-    /// Sub-pixel bits: it snaps vertices to 2^-bits of a pixel; `None` if unknown, as in a browser.
+    /// Sub-pixel bits: the adapter snaps vertices to 2^-bits of a pixel; `None` if unknown, as in a browser.
     pub sub_pixel_bits: Option<u32>,
 }
 

@@ -20,7 +20,7 @@ pub struct Method {
     pub options: DrawOptions,
 }
 
-/// Options of how a strategy draws. `None` leaves each to the [default](Method::or).
+/// Options of how a strategy draws. An option that is `None` takes its [default](Method::or).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct DrawOptions {
     /// Rasteriser of the mesh; usually the GPU's own.

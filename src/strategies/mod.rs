@@ -38,7 +38,7 @@ use crate::scene::{HeightFilter, View};
 ///
 /// # Errors
 ///
-/// Features of the scene that the method cannot draw.
+/// Returns an error if the scene has features that the method cannot draw.
 pub fn plan(
     model: &Model,
     view: &View,
@@ -100,7 +100,7 @@ pub fn record(
 ///
 /// # Errors
 ///
-/// Cuts, and more parts than the compute rasteriser draws.
+/// Refuses scenes with cuts, or with more parts than the compute rasteriser can draw.
 pub(crate) fn record_uncut_by(
     model: &Model,
     view: &View,

@@ -25,7 +25,7 @@ impl CapSurface {
         Self::new(&surface::grid::ROW, cells)
     }
 
-    /// A tessellation just fine enough to stay within `tau_px` pixels of the relief; none unless `tau_px` is 0.01 to 100.
+    /// A tessellation just fine enough to stay within `tau_px` pixels of the relief; `None` unless `tau_px` is 0.01 to 100.
     pub fn adaptive(tau_px: f64) -> Option<Self> {
         Self::with(&surface::adaptive::ROW, tau_px)
     }
@@ -56,9 +56,9 @@ impl InsideTest {
 /// A cap surface with an inside test.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Strategy {
-    /// Cap surface: where caps are possible.
+    /// Cap surface, which determines where caps are possible.
     pub surface: CapSurface,
-    /// Inside test: where caps are; none if the cap surface decides that itself.
+    /// Inside test, which decides where caps are; `None` if the cap surface decides that.
     pub inside: Option<InsideTest>,
 }
 
@@ -71,7 +71,7 @@ impl Strategy {
     pub const PLANAR: Self = Self::alone(CapSurface::PLANAR);
     /// The classic method for one plane.
     pub const STENCIL: Self = Self::alone(CapSurface::STENCIL);
-    /// The paper's method, with its own parameters.
+    /// The paper's method, with the paper's parameters.
     pub const PAPER: Self = Self::new(CapSurface::grid(256), InsideTest::vds(1024));
 
     /// A cap surface with an inside test.
@@ -225,7 +225,7 @@ fn chosen<R: StrategyRow>(
     match (value, &row.facts().parameter) {
         (None, _) => Ok(SelectedRow::usual(*row)),
         (Some(value), None) => Err(wrong(
-            format!("{name} has no parameter, and `:{value}` follows it"),
+            format!("{name} takes no parameter, but `:{value}` follows"),
             format!("write {name}"),
         )),
         (Some(value), Some(parameter)) => {

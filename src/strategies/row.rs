@@ -36,7 +36,7 @@ impl StrategyParameter {
         f64::from(steps) / f64::from(self.steps_per_unit)
     }
 
-    /// A number in steps; none if out of range.
+    /// A number in steps; `None` if it is out of range.
     fn steps(&self, number: f64) -> Option<u32> {
         let steps = number * f64::from(self.steps_per_unit);
         let is_whole = self.steps_per_unit > 1 || steps.fract() == 0.0;
@@ -102,7 +102,7 @@ pub struct StrategyInfo {
     pub rebuilds: &'static str,
     /// Features that it supports.
     pub can: Abilities,
-    /// Methods for the hard-case pictures, each with whether it is used in large pictures too.
+    /// Methods for the hard-case pictures; each flag is true if the method is also used in large pictures.
     pub hard_cases: &'static [(&'static str, bool)],
 }
 
@@ -139,7 +139,7 @@ impl CapSurfaceRow {
 /// How caps are produced.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Caps {
-    /// Crossings of each pixel's ray go into the per-pixel list, whatever the inside test is.
+    /// Crossings of each pixel's ray go into the per-pixel list, for every inside test.
     Rays(ListCrossings),
     /// Clip-surfaces become triangles: sheets in the per-pixel list, or drawn by the paper's rule if the inside test answers for points.
     Triangles(Tessellate),
@@ -230,7 +230,7 @@ impl<R: StrategyRow> SelectedRow<R> {
         Self::new(row, usual)
     }
 
-    /// A row with its parameter as a number; none if out of range.
+    /// A row with its parameter as a number; `None` if that is out of range.
     pub(super) fn with(row: &'static R, number: f64) -> Option<Self> {
         let steps = row.facts().parameter?.steps(number)?;
         Some(Self::new(row, steps))
@@ -245,12 +245,12 @@ impl<R: StrategyRow> SelectedRow<R> {
         self.row.facts()
     }
 
-    /// Its parameter in steps; 0 if it has none.
+    /// The parameter in steps; 0 if the row has no parameter.
     pub fn steps(&self) -> u32 {
         self.steps
     }
 
-    /// Its parameter; none if it has none.
+    /// The parameter; `None` if the row has no parameter.
     pub fn parameter(&self) -> Option<f64> {
         let parameter = self.facts().parameter?;
         Some(parameter.number(self.steps))

@@ -1,6 +1,6 @@
 //! Output on standard error: notes, warnings and progress.
 //!
-//! Progress shows only on a terminal, only once the work has taken a second, and is always erased.
+//! Progress is shown only on a terminal, and only after the work has taken a second. It is always erased at the end.
 
 use std::fmt;
 use std::io::IsTerminal;
@@ -22,7 +22,7 @@ pub(super) struct ConsoleArgs {
     /// Show the steps, the adapter and the times
     #[arg(long, conflicts_with = "quiet", help_heading = "Output")]
     pub(super) verbose: bool,
-    /// Show only warnings and errors, no progress and no notes
+    /// Show only warnings and errors, without progress and notes
     #[arg(long, short, help_heading = "Output")]
     pub(super) quiet: bool,
 }
@@ -55,12 +55,12 @@ impl Console {
         Self { args, bar }
     }
 
-    /// Prints a message; notes are left out by `--quiet`.
+    /// Prints a message; with `--quiet`, notes are not printed.
     pub(super) fn print(&self, message: &Diagnostic) {
         self.print_labelled(message.severity, message);
     }
 
-    /// Prints a message about one of several runs, which is named first.
+    /// Prints a message about one of several runs, after the run's name.
     pub(super) fn print_for(&self, run: &str, message: &Diagnostic) {
         self.print_labelled(message.severity, format_args!("{run}: {message}"));
     }
@@ -71,7 +71,7 @@ impl Console {
         }
     }
 
-    /// Prints a line in place of the progress bar; nothing on a terminal.
+    /// Prints a line if there is no progress bar, that is, if standard error is not a terminal.
     pub(super) fn milestone(&self, text: impl AsRef<str>) {
         if !self.args.quiet && !std::io::stderr().is_terminal() {
             self.say(text.as_ref());
@@ -156,19 +156,19 @@ impl Console {
         }
     }
 
-    /// The same for a text that is costly to compute.
+    /// As `detail`, for a text that is costly to compute.
     pub(super) fn detail_by(&self, text: impl FnOnce() -> String) {
         if self.args.verbose {
             self.say(&text());
         }
     }
 
-    /// Prints a stated expectation that did not hold.
+    /// Prints which stated expectation failed.
     pub(super) fn failed(&self, text: impl AsRef<str>) {
         self.print_labelled(Severity::Failure, text.as_ref());
     }
 
-    /// Prints a fault of the program itself.
+    /// Prints an error of the program itself.
     pub(super) fn internal_error(&self, text: impl AsRef<str>) {
         self.print_labelled(Severity::InternalError, text.as_ref());
     }
@@ -178,7 +178,7 @@ impl Console {
     }
 }
 
-/// Number of notes to show. A single remaining note is shown too, since a line with the count would take as much room.
+/// Number of notes to show. If only one note would be left out, it is shown too: a line with the count would be as long.
 fn shown_of(notes: usize) -> usize {
     if notes <= MOST_NOTES + 1 {
         notes

@@ -2,7 +2,7 @@
 //!
 //! Where `XDG_RUNTIME_DIR` is not set, as over ssh and in containers, Mesa's device selection layer asks libwayland for a
 //! display, and libwayland prints `error: XDG_RUNTIME_DIR is invalid` on standard error, which reads as if the command had
-//! failed. A process cannot change its own environment without `unsafe`, so it replaces itself
+//! failed. A process cannot change its own environment without `unsafe`, so the process replaces itself
 //! once, with the variable set to the folder for temporary files. Cost: about a millisecond, on Linux only.
 
 /// Restarts the process with `XDG_RUNTIME_DIR` set if it is not; otherwise returns at once.
@@ -18,7 +18,7 @@ pub(super) fn calm_drivers() {
     let (Some(name), Ok(program)) = (args.next(), std::env::current_exe()) else {
         return;
     };
-    // `exec` returns only on failure; then the command goes on, with the driver's message.
+    // `exec` returns only on failure; then the command goes on, and the driver's message appears.
     let _ = std::process::Command::new(program)
         .arg0(name)
         .args(args)

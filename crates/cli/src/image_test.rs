@@ -1,7 +1,7 @@
 //! The image test: compares a picture with an accepted reference.
 //!
-//! Every channel of every pixel counts: a mean would hide the thin lines that matter most at caps. A reference
-//! that is missing or of another size fails; it is never written by the test.
+//! Every channel of every pixel counts: a mean would hide differences in the thin lines that matter most at caps. A reference
+//! that is missing or of another size is a failure; the test never writes a reference.
 
 use std::path::{Path, PathBuf};
 
@@ -14,11 +14,11 @@ use image::{Rgba, RgbaImage};
 pub(super) enum ImageTestResult {
     /// No channel of any pixel differs by more than the threshold.
     Same,
-    /// Some channels differ by more; the picture shows where.
+    /// Some channels differ by more than the threshold.
     Different {
         /// Description of the difference.
         what: String,
-        /// Grey where equal, red where not; none if the sizes differ.
+        /// Difference image: grey where equal, red where not; none if the sizes differ.
         difference: Option<RgbaImage>,
     },
 }
@@ -31,7 +31,7 @@ pub(super) fn open(path: &Path) -> Result<RgbaImage> {
     let reader = image::ImageReader::open(path)
         .and_then(image::ImageReader::with_guessed_format)
         .map_err(|e| {
-            let help = "check the path; to make a reference, render it, look at it and keep it";
+            let help = "check the path; to make a reference, render one, check it and keep it";
             Error::file(path, format!("cannot be read: {e}"), help)
         })?;
     let image = reader.decode().map_err(|e| {
@@ -44,7 +44,7 @@ pub(super) fn open(path: &Path) -> Result<RgbaImage> {
     Ok(image.to_rgba8())
 }
 
-/// Path of the difference image: next to the output.
+/// Path of the difference image, next to the output.
 pub(super) fn difference_path(output: &Path) -> PathBuf {
     output.with_extension("diff.png")
 }

@@ -1,5 +1,5 @@
-//! Ctrl-C, and SIGTERM as sent by batch systems and `timeout`: the first ends the work after the present step and keeps complete
-//! results; the second ends the process at once. Neither leaves a half-written file.
+//! Ctrl-C, and SIGTERM as sent by batch systems and `timeout`: the first signal ends the work after the present step and keeps complete
+//! results; a second signal ends the process at once. Neither leaves a half-written file.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -12,7 +12,7 @@ use super::writing::output::remove_pending;
 pub(super) struct Interrupt(Arc<AtomicBool>);
 
 impl Interrupt {
-    /// Starts listening, for a command that works in steps of this name.
+    /// Starts listening. `step` is the name of the command's steps, for the message to the user.
     pub(super) fn listen(command: &str, step: &'static str) -> Result<Self> {
         let wanted = Arc::new(AtomicBool::new(false));
         let flag = wanted.clone();

@@ -14,7 +14,7 @@ pub(super) fn steps(renderers: usize, rounds: usize) -> usize {
     error_steps(renderers) + timing_steps(rounds)
 }
 
-/// Judges strategies on a scene: error, then time.
+/// Measures the errors of strategies on a scene, then their times.
 pub(super) fn judge(
     session: &mut Session,
     shown: &SceneAtTime,
@@ -49,7 +49,7 @@ pub(super) fn command_line() -> String {
     quoted(std::env::args().skip(1))
 }
 
-/// A command line of these words, each quoted if a shell would change it.
+/// A command line of these words; words that a shell would change are quoted.
 pub(super) fn quoted(words: impl Iterator<Item = String>) -> String {
     let words = words.map(|word| {
         let plain = |c: char| c.is_ascii_alphanumeric() || "-_=+,.:/%@".contains(c);

@@ -1,5 +1,5 @@
-//! The command `cutaway`: one file per subcommand, and shared code. [`main`] is the installed command, [`main_with`]
-//! the same with a window; the window also uses [`write_file`] and [`is_one_file`], so that both treat files alike.
+//! The command `cutaway`: one file per subcommand, and shared code. [`main`] runs the installed command, [`main_with`]
+//! the same command with a window. The window also uses [`write_file`] and [`is_one_file`], so that both treat files alike.
 //!
 //! Imports: [`cutaway`], [`cutaway_io`], [`cutaway_lab`].
 //!
@@ -126,7 +126,7 @@ pub fn main() -> ExitCode {
     main_with(None)
 }
 
-/// Suppresses the printed message of a panic in the Boolean crate, which becomes an error.
+/// Suppresses the message that a panic in the Boolean crate prints; such a panic is reported as an error.
 fn silence_booleans() {
     let usual = std::panic::take_hook();
     std::panic::set_hook(Box::new(move |panic| {
@@ -136,7 +136,7 @@ fn silence_booleans() {
     }));
 }
 
-/// Runs the command given by this process's arguments; `view` opens the given window.
+/// Runs the command given by this process's arguments; the command `view` opens the given window.
 pub fn main_with(window: Option<Window>) -> ExitCode {
     environment::calm_drivers();
     silence_booleans();

@@ -1,4 +1,4 @@
-//! The command `cutaway`: everything it does is in the library [`cutaway_cli`].
+//! The command `cutaway`, implemented in the library [`cutaway_cli`].
 
 use std::process::ExitCode;
 

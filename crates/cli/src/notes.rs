@@ -19,12 +19,12 @@ pub(super) fn adapter_in_words(gpu: &Gpu) -> String {
     format!("adapter: {}, {}, {bits}", report.name, report.driver)
 }
 
-/// Number of pixels marked by the strategy: their ray crossings are inconsistent, or a buffer was too small.
+/// Number of pixels that the strategy marks because their ray crossings are inconsistent or a buffer was too small.
 pub(super) fn unreliable_px(layers: &Layers) -> usize {
     layers.pixels.iter().filter(|p| p.unreliable).count()
 }
 
-/// Strategies that mark no pixel of a closed mesh: a mark is then a fault of the program or of the driver.
+/// Strategies that mark no pixel of a closed mesh. If one does, it is a fault of the program or of the driver.
 const MARK_OPEN_MESHES_ALONE: [&str; 3] = ["raycast+mask", "raycast+abuffer", "raycast+stencil"];
 
 /// Returns true if the mesh cannot cause marked pixels: all parts are closed and filled even-odd.
@@ -38,8 +38,8 @@ fn is_own_fault(renderer: Renderer, scene: &Scene) -> bool {
         && Topology::from_parts(&scene.parts).closed
 }
 
-/// Warns of pixels that may be wrong because the mesh is open along their rays. For a closed mesh they are a fault of the program or of
-/// the driver, and the frame has failed.
+/// Warns of pixels that may be wrong because the mesh is open along their rays. With a closed mesh, such pixels are a fault of the program
+/// or of the driver, and the frame has failed.
 pub(super) fn warn_of_doubt(
     may_be_wrong: &[bool],
     renderer: Renderer,
@@ -68,16 +68,16 @@ pub(super) fn warn_of_doubt(
     };
     console.warn(format!(
         "{count} px may be wrong: the mesh is open along their rays, so that a cap may be missing there or shown where there is \
-         none\n  help: --close-holes closes planar and small holes (`cutaway inspect` says where holes are){other}"
+         none\n  help: --close-holes closes planar and small holes (`cutaway inspect` shows where holes are){other}"
     ));
     Verdict::Done
 }
 
-/// Warns of an empty picture, or one without caps: nearly always a mistake in the camera or in the kept side.
+/// Warns of a picture that is empty or has no caps: nearly always the camera or the kept side is wrong.
 pub(super) fn note_what_is_not_seen(layers: &Layers, scene: &Scene, console: &Console) {
     let mut enabled = scene.cuts.iter().filter(|c| c.enabled);
     if misses(scene).next().is_some() {
-        // Already reported.
+        // A cut that misses the model is already reported.
     } else if layers.count(Kind::Background) == layers.pixels.len() {
         console.print(&empty_picture(scene));
     } else if enabled.next().is_some() && layers.count(Kind::Cap) == 0 {

@@ -1,4 +1,4 @@
-//! Choice of the renderer of a command: named explicitly, or derived from scene and adapter.
+//! Choice of a command's renderer: named explicitly, or derived from scene and adapter.
 
 use cutaway::Result;
 use cutaway::gpu::Gpu;
@@ -27,11 +27,11 @@ pub(super) struct RendererChoice {
 }
 
 impl RendererRequest {
-    /// Parses a renderer's name, with these means unless the name sets others; `auto` and a missing name are resolved later.
+    /// Parses a renderer's name. `options` apply unless the name sets others; `auto` and a missing name are resolved later.
     ///
     /// # Errors
     ///
-    /// An unknown name, with a similar known one.
+    /// An unknown name; the error suggests a similar known name.
     pub(super) fn named(name: Option<&str>, options: DrawOptions) -> Result<Self> {
         Ok(match name {
             None | Some(AUTO) => Self::Auto(options),
@@ -39,8 +39,8 @@ impl RendererRequest {
         })
     }
 
-    /// Resolves an automatic choice for a scene in a view on a device, and reports it with `--verbose`. Without a device, the choice is
-    /// that for a device with fixed functions.
+    /// Resolves an automatic choice for a scene in a view on a device, and reports the choice with `--verbose`. Without a device, a device
+    /// with fixed functions is assumed.
     pub(super) fn classify(
         self,
         gpu: Option<&Gpu>,

@@ -4,14 +4,17 @@ use proc_macro2::TokenStream;
 use quote::quote;
 use syn::{DataEnum, Error, Fields, Ident, LitStr, Result, Variant, Visibility};
 
-/// Generates the list of words, and the implementation that makes the enum a value of a key.
+/// Generates the list of words, and the trait implementation that lets the enum be the value of a key.
 pub(crate) fn described(name: &Ident, vis: &Visibility, data: &DataEnum) -> Result<TokenStream> {
     let with_data = data
         .variants
         .iter()
         .find(|v| !matches!(v.fields, Fields::Unit));
     if let Some(variant) = with_data {
-        return Err(Error::new_spanned(variant, "a word has no data"));
+        return Err(Error::new_spanned(
+            variant,
+            "a variant of a described enum must not have data",
+        ));
     }
     let variants: Vec<&Ident> = data.variants.iter().map(|v| &v.ident).collect();
     let words = data.variants.iter().map(word_of);
@@ -56,7 +59,7 @@ fn word_of(variant: &Variant) -> Result<String> {
     for attribute in variant.attrs.iter().filter(|a| a.path().is_ident("value")) {
         attribute.parse_nested_meta(|meta| {
             if !meta.path.is_ident("name") {
-                return Err(meta.error("a word has a name alone"));
+                return Err(meta.error("the only attribute of a variant is `name`"));
             }
             given = Some(meta.value()?.parse::<LitStr>()?.value());
             Ok(())

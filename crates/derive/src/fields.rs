@@ -8,18 +8,18 @@ use syn::{
     Meta, RangeLimits, Result, UnOp, Visibility,
 };
 
-/// Position of a field's values relative to those of the struct.
+/// Location of a field's values in the table of the struct.
 #[derive(PartialEq)]
 enum ValuePlace {
-    /// The field is one value.
+    /// The field is a single value.
     Leaf,
-    /// A table below the field's key.
+    /// The field's values form a table below its key.
     Table,
-    /// Next to those of the struct.
+    /// The field's values stand next to those of the struct.
     Flat,
 }
 
-/// A field and the contents of its attribute.
+/// A field, and the contents of its attribute `value`.
 struct Declared<'a> {
     field: &'a Field,
     key: String,
@@ -33,7 +33,7 @@ struct Declared<'a> {
     fixed: bool,
 }
 
-/// Generates the list of declarations, and access to the values by their index in it.
+/// Generates the list of declarations, and access to each value by the index of its declaration.
 pub(crate) fn described(name: &Ident, vis: &Visibility, data: &DataStruct) -> Result<TokenStream> {
     let mut all = Vec::new();
     for field in &data.fields {
@@ -42,7 +42,10 @@ pub(crate) fn described(name: &Ident, vis: &Visibility, data: &DataStruct) -> Re
     let entries = all.iter().map(entry).collect::<Result<Vec<_>>>()?;
     let names: Vec<&Ident> = all.iter().filter_map(|d| d.field.ident.as_ref()).collect();
     if names.len() != all.len() {
-        return Err(Error::new_spanned(name, "a value is a field with a name"));
+        return Err(Error::new_spanned(
+            name,
+            "a described struct must have named fields",
+        ));
     }
     let of = |is_leaf: bool| {
         let of = all.iter().zip(&names).enumerate();
@@ -113,7 +116,7 @@ fn declared(field: &Field) -> Result<Option<Declared<'_>>> {
     for attribute in field.attrs.iter().filter(|a| a.path().is_ident("value")) {
         attribute.parse_nested_meta(|meta| {
             let Some(word) = meta.path.get_ident() else {
-                return Err(meta.error("no word of a declaration"));
+                return Err(meta.error("unknown word in #[value(..)]"));
             };
             match word.to_string().as_str() {
                 "range" => of.range = Some(meta.value()?.parse()?),
@@ -127,7 +130,7 @@ fn declared(field: &Field) -> Result<Option<Declared<'_>>> {
                 "table" => of.place = ValuePlace::Table,
                 "flat" => of.place = ValuePlace::Flat,
                 "hidden" => is_hidden = true,
-                _ => return Err(meta.error("no word of a declaration")),
+                _ => return Err(meta.error("unknown word in #[value(..)]")),
             }
             Ok(())
         })?;
@@ -149,24 +152,27 @@ fn entry(of: &Declared<'_>) -> Result<TokenStream> {
         });
     }
     let Some(example) = &of.example else {
-        return Err(Error::new_spanned(of.field, "a value has an example"));
+        return Err(Error::new_spanned(of.field, "a value needs an example"));
     };
     let example = toml(example)?;
     if help.is_empty() {
         return Err(Error::new_spanned(
             of.field,
-            "a doc comment is the help of a value",
+            "a value needs a doc comment, which is its help",
         ));
     }
     let mut takes = quote! { <#ty as ::cutaway::scene::describe::Leaf>::TYPE };
     if let (Some(range), true) = (&of.range, of.takes.is_some() || of.choice.is_some()) {
-        return Err(Error::new_spanned(range, "the type says the range"));
+        return Err(Error::new_spanned(
+            range,
+            "a value with `takes` or `choice` cannot have a range",
+        ));
     }
     if let Some(range) = &of.range {
         if let (RangeLimits::HalfOpen(_), Some(end)) = (&range.limits, &range.end) {
             return Err(Error::new_spanned(
                 end,
-                "write ..= before the greatest number",
+                "write ..= before the largest number",
             ));
         }
         let least = range.start.as_ref().map(|e| quote! { #e });
@@ -206,7 +212,7 @@ fn toml(expression: &Expr) -> Result<String> {
             format!("[{}]", all.join(", "))
         }
         other => {
-            let what = "an example is a number, a text, true, false or a list of them";
+            let what = "an example must be a number, a text, true, false or a list of them";
             return Err(Error::new_spanned(other, what));
         }
     })
@@ -234,7 +240,7 @@ fn help(attributes: &[Attribute]) -> String {
     let mut chars = text.chars();
     let (first, second) = (chars.next(), chars.clone().next());
     match (first, second) {
-        // Abbreviations are kept.
+        // An abbreviation at the beginning keeps its capitals.
         (Some(_), Some(second)) if second.is_uppercase() => text.to_owned(),
         (Some(first), _) => first.to_lowercase().chain(chars).collect(),
         (None, _) => String::new(),

@@ -15,8 +15,8 @@
 //! | `example = [0, 1]` | an example value in TOML notation |
 //! | `key = "loop"` | the key, if it differs from the field name |
 //! | `choice = ["a", "b"]` | the words allowed for a text |
-//! | `takes = ValueType::File` | the value type, if it differs from the field's |
-//! | `words = ["auto"]` | words allowed instead of a value of its type |
+//! | `takes = ValueType::File` | the value type, if it is not that of the field |
+//! | `words = ["auto"]` | words allowed instead of a value of the type |
 //! | `fixed` | the value cannot be animated |
 //! | `table` | the field's type is also described; its values are below its key |
 //! | `flat` | the field's type is also described; its values are next to those of the struct |
@@ -40,11 +40,14 @@ pub fn described(input: TokenStream) -> TokenStream {
     let made = match &input.data {
         _ if !input.generics.params.is_empty() => Err(syn::Error::new_spanned(
             &input.generics,
-            "a description has no parameters",
+            "a described type must not be generic",
         )),
         Data::Struct(data) => fields::described(&input.ident, &input.vis, data),
         Data::Enum(data) => choice::described(&input.ident, &input.vis, data),
-        Data::Union(_) => Err(syn::Error::new_spanned(&input, "a union has no values")),
+        Data::Union(_) => Err(syn::Error::new_spanned(
+            &input,
+            "a union cannot be described: use a struct or an enum",
+        )),
     };
     made.unwrap_or_else(|e| e.to_compile_error()).into()
 }

@@ -1,7 +1,7 @@
-//! Files for [`cutaway`]: input and output, without a GPU device.
+//! File input and output for [`cutaway`]. No GPU device is needed.
 //!
-//! [`load`] reads meshes, images and motions; [`document`] is the scene file: every value has a path, and every error a position; [`save`]
-//! writes meshes, images and sections.
+//! [`load`] reads meshes, images and motions. [`document`] is the scene file, in which every value has a path and every error a position.
+//! [`save`] writes meshes, images and sections.
 //!
 //! ```text
 //! imports  load <- document

@@ -1,4 +1,4 @@
-// Colour difference between two pictures, times GAIN. Pictures of different sizes are compared at equal relative positions.
+// The colour difference between two pictures, multiplied by GAIN. Pictures of different sizes are compared at equal relative positions.
 
 @group(0) @binding(0) var picture_a: texture_2d<f32>;
 @group(0) @binding(1) var picture_b: texture_2d<f32>;

@@ -1,4 +1,4 @@
-// Mean of a picture's samples in linear light, weighted by their alpha, as in `render --supersample`.
+// The mean of a picture's samples in linear light, weighted by alpha, as in `render --supersample`.
 
 @group(0) @binding(0) var samples: texture_2d_array<f32>;
 

@@ -25,11 +25,11 @@ pub enum Selection {
 /// A user action.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Action {
-    /// Opens files: a scene replaces this one, models become additional parts, an image becomes the selected cut's relief.
+    /// Opens files: a scene replaces the present one, models are added as parts, and an image becomes the selected cut's relief.
     Take(Vec<PathBuf>),
-    /// Saves the scene to a new file, or to its own file, which becomes the current one.
+    /// Saves the scene to a new file, which becomes the scene's own file, or to its present own file.
     Save(PathBuf),
-    /// The same, replacing any existing file except an input of the scene.
+    /// Saves the scene to a file; any existing file is replaced, except an input of the scene.
     SaveOver(PathBuf),
     /// Reloads all files.
     Reload,
@@ -46,21 +46,21 @@ pub enum Action {
     },
     /// Sets several values in one step, or removes them so that their defaults apply.
     Change(Vec<(String, Option<Value>)>),
-    /// Resets a change to the style, by its path, so that the style's own value applies again.
+    /// Resets the style value at a path, so that the named style's own value applies again.
     TakeBack(String),
     /// Shows or hides a part of the document.
     ShowPart(usize, bool),
     /// Adds a cut and selects it.
     Add(NewCut),
-    /// Adds a copy of a cut after the others.
+    /// Appends a copy of a cut to the list of cuts.
     Duplicate(usize),
     /// Removes a cut.
     Remove(usize),
     /// Moves the plane of the selected cut.
     MovePlane(PlaneMove),
-    /// Moves a face of a box or of a wedge of the selected cut.
+    /// Moves a face of the selected cut's box or wedge.
     MoveRegion(RegionMove),
-    /// Moves the selected cut's plane, or a new one, through a point; the normal points to the kept side.
+    /// Moves the selected cut's plane, or adds one, through a point with a normal that points to the kept side.
     CutThrough(DVec3, DVec3),
     /// Turns the selected cut's plane to face the eye.
     FaceEye,
@@ -76,17 +76,17 @@ pub enum Action {
     Swap,
     /// Sets the layout of the slots.
     Arrange(SlotLayout),
-    /// Sets the position of the line between the slots: 0 at the left end.
+    /// Sets the position of the line between the slots, as a fraction of the width from the left.
     Wipe(f32),
     /// Shows errors over the slots, or hides them.
     ShowErrors(bool),
     /// Adds a key for the selection at the displayed time.
     AddKey,
-    /// Adds keys for the selection at the beginning and two seconds later, if nothing moves yet.
+    /// In a scene without animation, adds keys for the selection at 0 s and at 2 s.
     Animate,
-    /// Moves a key of a row to another time in seconds.
+    /// Moves a key, given by row and index, to another time in seconds.
     MoveKey([usize; 2], f64),
-    /// Removes a key from a row.
+    /// Removes a key, given by row and index.
     RemoveKey([usize; 2]),
     /// Shows the open edges of meshes over the picture, or hides them.
     ShowOpenEdges(bool),

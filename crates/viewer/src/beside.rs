@@ -1,8 +1,8 @@
-//! Background work: on a thread that leaves a core free for the window; in a browser, which has no threads, immediately.
+//! Background work, on a thread that leaves a core free for the window. A browser has no threads, so there the work runs immediately.
 //!
 //! Cost: a thread and a thread pool per task, about 0.1 ms.
 //!
-//! Cannot: be cancelled.
+//! Cannot: cancel work that has begun.
 
 /// Runs work in the background.
 #[cfg(not(target_arch = "wasm32"))]

@@ -1,7 +1,7 @@
-//! Defects of the meshes of a scene: found once for each mesh, in the background.
+//! Finds the defects of a scene's meshes, once per mesh, in the background.
 //!
-//! One mesh at a time is inspected, on a thread that leaves a core free for the window; in a browser, immediately. Findings
-//! are kept as long as the mesh is in use. Cost: that of [`Topology::new`], a few seconds for a few million faces.
+//! Meshes are inspected one at a time, on a thread that leaves a core free for the window; in a browser, immediately. Findings
+//! are kept as long as the mesh is in use. Cost: one [`Topology::new`] per mesh, a few seconds for a few million faces.
 //!
 //! Cannot: follow an animated or deformed mesh; its open edges are shown in the rest pose.
 
@@ -74,7 +74,7 @@ impl Counts {
         self.open > 0
     }
 
-    /// Text of the most serious defect; `None` for a mesh without defects.
+    /// Short description of the most serious defect; `None` if there are no defects.
     pub fn badge(&self) -> Option<String> {
         let edges = |count: usize| match count {
             1 => "1 edge".to_owned(),
@@ -95,7 +95,7 @@ impl Counts {
         }
     }
 
-    /// Lines of all defects, each with its consequence.
+    /// One line per kind of defect: the count, and the consequence.
     pub fn details(&self) -> String {
         let lines = [
             (
@@ -127,10 +127,10 @@ impl Counts {
 /// Findings with a weak reference to their mesh.
 type CachedFindings = (Weak<Mesh>, MeshDefects);
 
-/// Known findings of meshes, and the mesh under inspection.
+/// Findings for the meshes inspected so far, and the mesh under inspection.
 #[derive(Debug, Default)]
 pub struct Inspector {
-    /// By the mesh's address, which stays unique while it is referenced here.
+    /// Findings by the mesh's address; the weak reference kept here keeps the address unique.
     known: BTreeMap<usize, CachedFindings>,
     under_way: Option<(Arc<Mesh>, Receiver<MeshDefects>)>,
     /// Revision for which all meshes are inspected.
@@ -138,7 +138,7 @@ pub struct Inspector {
 }
 
 impl Inspector {
-    /// Receives findings and starts on the next mesh of a scene; `wake` is called when there is something to receive.
+    /// Receives findings, and starts to inspect the scene's next mesh; `wake` is called when its findings can be received.
     /// Returns true if there are new findings.
     pub fn go_on(
         &mut self,
@@ -157,7 +157,7 @@ impl Inspector {
                 let mesh = part.mesh.clone();
                 self.under_way = Some((mesh.clone(), answers));
                 beside(move || {
-                    // If the window is closed, there is no receiver.
+                    // Sending fails only after the window was closed, and is then ignored.
                     let _ = tell.send(MeshDefects::of(&mesh));
                     wake();
                 });

@@ -1,4 +1,4 @@
-//! The window of `cutaway`: drags cuts, and compares strategies by wiping one over the other, with live error marks.
+//! The interactive window of `cutaway`: cuts are dragged, and strategies are compared by wiping one over the other, with live error marks.
 //!
 //! ```text
 //! pointer, keys, files -> ui -> Action -> State (document, history, scene) -> Screen (pictures by the session, on egui's device)
@@ -6,8 +6,8 @@
 //!                               Opening (files, on a thread with a copy of the state)
 //! ```
 //!
-//! [`State`] is independent of the window, [`gizmo`] and [`camera`] are geometry, [`ui`] paints and handles input. The document is a
-//! scene file's: undo, saving and the copied command use it.
+//! [`State`] is independent of the window, [`gizmo`] and [`camera`] compute geometry, [`ui`] paints and handles input. The document is a
+//! scene file's content; undo, saving and the copied command all use it.
 
 pub mod action;
 mod beside;

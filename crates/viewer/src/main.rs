@@ -1,4 +1,4 @@
-//! The command `cutaway` with a window: `cutaway view` starts it.
+//! The command `cutaway` with the subcommand `view`, which opens the window.
 
 use std::process::ExitCode;
 

@@ -1,7 +1,7 @@
-//! CPU cost of the window's frames, separately for those that drew a picture and those in which the scene did not change.
+//! CPU cost of the window's frames. Frames that drew a picture and frames that drew none are listed separately.
 //!
 //! Times are wall-clock times from the frame's start until it is handed to egui; the work of egui and of the device is not included.
-//! Costs three clock reads per frame.
+//! Cost: three clock reads per frame.
 
 use std::fmt;
 
@@ -10,15 +10,15 @@ use cutaway_lab::experiment::Samples;
 /// One frame, in milliseconds.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct FrameCost {
-    /// Actions on the scene, and its preparation.
+    /// Time to carry out actions and prepare the scene.
     pub scene_ms: f64,
-    /// Recording and submission of the pictures' passes; `None` if no picture was drawn.
+    /// Time to record and submit the pictures' passes; `None` if no picture was drawn.
     pub picture_ms: Option<f64>,
-    /// The whole frame, with the panels.
+    /// Time of the whole frame, including the panels.
     pub whole_ms: f64,
 }
 
-/// The frames of a session.
+/// Costs of all frames recorded so far.
 #[derive(Clone, Debug, Default)]
 pub struct Profile(Vec<FrameCost>);
 
@@ -28,7 +28,7 @@ impl Profile {
         self.0.push(frame);
     }
 
-    /// The frames so far.
+    /// The frames recorded so far.
     pub fn frames(&self) -> &[FrameCost] {
         &self.0
     }

@@ -1,9 +1,9 @@
-//! State of the window, changed by actions: a document with its history, its scene, two slots, a selection.
+//! State of the window: a document with its history, its scene, two slots and a selection. Actions change it.
 //!
-//! Nothing here depends on a window: a test applies actions and reads the document. A refused action changes nothing, and is reported
-//! ([`State::notices`]).
+//! The state does not depend on a window: tests apply actions and read the document. A refused action changes nothing, and is reported
+//! as a notice ([`State::notices`]).
 //!
-//! Cost of an action that changes the scene: rebuilding the document's tree, and [`Shown::open`].
+//! Cost of an action that changes the scene: one rebuild of the document's tree, and [`Shown::open`].
 
 mod ahead;
 mod edits;
@@ -37,7 +37,7 @@ pub use ahead::StateRevision;
 #[derive(Clone, Debug)]
 pub struct State {
     document: Document,
-    /// The document's pose at the displayed time, if keys move something.
+    /// The document's pose at the displayed time; `None` if no keys animate a value.
     posed: Option<Document>,
     /// The document as last read or saved.
     saved: Document,
@@ -61,7 +61,7 @@ pub struct State {
     shows_errors: bool,
     shows_open_edges: bool,
     notices: Vec<Diagnostic>,
-    /// Files opened or saved.
+    /// Files that were opened or saved since they were last taken.
     opened: Vec<PathBuf>,
 }
 
@@ -80,7 +80,7 @@ impl State {
     ///
     /// # Errors
     ///
-    /// As of [`State::open`].
+    /// The same errors as [`State::open`].
     pub fn open_from(
         store: Arc<dyn FileStorage>,
         document: Document,
@@ -89,7 +89,7 @@ impl State {
         Self::open_like(store, document, assets, None)
     }
 
-    /// The same; data in common with another scene is reused.
+    /// As [`State::open_from`], but data in common with another scene is reused.
     fn open_like(
         store: Arc<dyn FileStorage>,
         mut document: Document,
@@ -98,7 +98,7 @@ impl State {
     ) -> Result<Self> {
         document.guess_up(&mut assets)?;
         let shown = Shown::open(&document, &mut assets, None, alike)?;
-        // Changes of a scene file by command-line options count as changes.
+        // Changes that command-line options make to a scene file count as unsaved changes.
         let is_file = !document.path().as_os_str().is_empty();
         let read = is_file.then(|| Document::read_from(document.path(), &*store).ok());
         let mut state = Self {
@@ -134,7 +134,7 @@ impl State {
         &self.document
     }
 
-    /// Storage of its files.
+    /// Storage of the document's files.
     pub fn store(&self) -> &Arc<dyn FileStorage> {
         &self.store
     }
@@ -154,17 +154,17 @@ impl State {
         self.shown.as_ref()
     }
 
-    /// Changes whenever something else has to be drawn.
+    /// Revision number that changes whenever the picture has to be redrawn.
     pub fn revision(&self) -> u64 {
         self.scene_revision + self.slots_revision
     }
 
-    /// Changes whenever solids, cuts or the eye may have changed.
+    /// Revision number that changes whenever solids, cuts or the eye may have changed.
     pub fn scene_revision(&self) -> u64 {
         self.scene_revision
     }
 
-    /// Availability of an undo step and of a redo step.
+    /// Whether there is a step to undo, and whether there is a step to redo.
     pub fn can_undo_redo(&self) -> [bool; 2] {
         self.history.reaches()
     }
@@ -184,7 +184,7 @@ impl State {
         self.layout
     }
 
-    /// Position of the line between the slots: 0 at the left end.
+    /// Position of the line between the slots, as a fraction of the width from the left.
     pub fn wipe(&self) -> f32 {
         self.wipe
     }
@@ -199,12 +199,12 @@ impl State {
         self.shows_open_edges
     }
 
-    /// The displayed time; `None` for the scene without animation.
+    /// The displayed time in seconds; `None` for a scene without animation.
     pub fn time_s(&self) -> Option<f64> {
         self.time_s
     }
 
-    /// Takes the notices since the last call.
+    /// Takes the notices that were added since the last call.
     pub fn notices(&mut self) -> Vec<Diagnostic> {
         std::mem::take(&mut self.notices)
     }
@@ -224,13 +224,13 @@ impl State {
         cuts::cuts(&self.document)
     }
 
-    /// The box of the model; empty where there is none.
+    /// The model's bounding box; empty if there is no model.
     pub fn bounds(&self) -> Bounds {
         (self.shown.as_ref()).map_or(Bounds::EMPTY, |shown| shown.scene.bounds())
     }
 
-    /// The document of the visible picture: with the present eye, the displayed time, and the first slot's renderer. Keys no
-    /// longer move that eye.
+    /// The document of the visible picture, with the present eye, the displayed time, and the first slot's renderer. Keys that
+    /// move the eye are removed.
     ///
     /// # Errors
     ///
@@ -241,7 +241,7 @@ impl State {
         Ok(document)
     }
 
-    /// As [`State::as_seen`], with all keys.
+    /// As [`State::as_seen`], but the keys that move the eye are kept.
     ///
     /// # Errors
     ///
@@ -274,7 +274,7 @@ impl State {
     ///
     /// # Errors
     ///
-    /// As of [`command::words`].
+    /// The same errors as [`command::words`].
     pub fn command(&self, size_px: [u32; 2]) -> Result<String> {
         let document = self.as_seen()?;
         let picture = ExportSettings {
@@ -285,7 +285,7 @@ impl State {
         Ok(command::quoted(&words))
     }
 
-    /// Prepares the scene as for an exported picture, when nothing has moved for a while.
+    /// Prepares the scene as for an exported picture; called when nothing has moved for a while.
     pub fn classify(&mut self) {
         let preclassified = self.shown.as_mut().map_or(Ok(()), Shown::classify);
         if let Err(error) = preclassified {
@@ -295,7 +295,7 @@ impl State {
 
     /// Carries an action out; a refusal becomes a notice.
     pub fn apply(&mut self, action: Action) {
-        // Ending a gesture changes nothing by itself.
+        // Ending a gesture changes nothing, so it does not count as an action.
         self.acted += u64::from(action != Action::Release);
         if let Err(error) = self.carry_out(action) {
             self.tell(error);

@@ -1,12 +1,12 @@
-//! The desktop window, which is reopened after a loss of its device.
+//! The desktop window, which is reopened when its device is lost.
 //!
-//! egui keeps the device that it began with, so a lost one ends its window, and another window with another device goes on with the same
-//! [`Viewer`]: document, history, eye and slots are as they were. Two losses within ten seconds end the program: what has lost the
-//! device will lose the next one as well. Changes that no file has are then in a file that the error names.
+//! egui cannot change its device, so a window ends when its device is lost. Another window with another device continues with the same
+//! [`Viewer`]: document, history, eye and slots are unchanged. Two losses within ten seconds end the program, because the cause of
+//! the loss is expected to persist. Unsaved changes are then written to a file that the error names.
 //!
-//! Cannot: keep the widths of panels, and the place of the window where the system does not tell it (Wayland).
+//! Cannot: keep the widths of panels; or keep the window's position on systems that do not report it (Wayland).
 //!
-//! For tests: `$CUTAWAY_LOSE_DEVICE` is the name of a file; whenever it is there, it is removed and the device is destroyed.
+//! For tests: `$CUTAWAY_LOSE_DEVICE` names a file. Whenever that file exists, it is removed and the device is destroyed.
 
 use std::ffi::OsString;
 use std::path::PathBuf;
@@ -35,15 +35,15 @@ const TOO_SOON_S: f64 = 10.0;
 /// Variable with the name of the file whose existence destroys the device.
 const LOSE_DEVICE: &str = "CUTAWAY_LOSE_DEVICE";
 
-/// Remedy where no adapter is usable.
-const INSTALL: &str = "install a Vulkan driver, for which a software one will do: the package mesa-vulkan-drivers (Debian, Ubuntu, Fedora) or \
+/// Help for errors without a usable adapter.
+const INSTALL: &str = "install a Vulkan driver (a software driver is enough): the package mesa-vulkan-drivers (Debian, Ubuntu, Fedora) or \
                        vulkan-swrast (Arch)";
 
-/// Opens a window on a document, and stays until it is closed.
+/// Opens a window for a document, and returns when the window is closed.
 ///
 /// # Errors
 ///
-/// A document that cannot be opened, a display or an adapter that there is not, a device that is lost again and again.
+/// The document cannot be opened, there is no display or no adapter, or the device is lost repeatedly.
 pub fn open(opened: Opened) -> Result<()> {
     let mut window = WindowState {
         state: Some(State::open(opened.document, opened.assets)?),
@@ -70,7 +70,7 @@ pub fn open(opened: Opened) -> Result<()> {
                 return Err(window.given_up(what));
             }
             (Ok(()), Some(why)) => {
-                eprintln!("the graphics device was lost ({why}); the window is opened again");
+                eprintln!("the graphics device was lost ({why}); reopening the window");
                 window.reopened = Some(Stopwatch::start());
             }
             (Ok(()), None) => {
@@ -83,25 +83,25 @@ pub fn open(opened: Opened) -> Result<()> {
     }
 }
 
-/// Returns true if a device is lost too soon after the window was reopened; the first window never is.
+/// Returns true if a device was lost too soon after its window was reopened; never for the first window.
 fn is_too_soon(open_ms: Option<f64>) -> bool {
     open_ms.is_some_and(|open_ms| open_ms < TOO_SOON_S * 1000.0)
 }
 
-/// Error for a window that cannot be opened, with a remedy.
+/// The error, with help, for a window that cannot be opened.
 fn not_opened(error: &eframe::Error) -> Error {
     match error {
         eframe::Error::Winit(_) | eframe::Error::WinitEventLoop(_) => Error::input(
             "view",
             format!("there is no display to open a window on: {error}"),
-            "set $DISPLAY or $WAYLAND_DISPLAY to one; `cutaway render` needs none",
+            "set $DISPLAY or $WAYLAND_DISPLAY; `cutaway render` needs no display",
         ),
         eframe::Error::Wgpu(WgpuError::CustomNativeAdapterSelectionError(why)) => {
             let help = "name another adapter, or leave the option out";
             Error::input("--adapter", why, help)
         }
         eframe::Error::Wgpu(_) => Error::Adapter {
-            what: format!("there is no graphics adapter that draws into a window: {error}"),
+            what: format!("no graphics adapter can draw into a window: {error}"),
             help: INSTALL.to_owned(),
         },
         error => Error::Adapter {
@@ -120,15 +120,15 @@ struct WindowState {
     adapter: Option<String>,
     is_profiled: bool,
     placement: ViewportBuilder,
-    /// Reason for the loss of the last window's device, if it is lost.
+    /// Reason why the last window's device was lost; `None` if it was not.
     lost: Option<String>,
-    /// Opening time of the present window, unless it is the first.
+    /// Time since the present window was reopened; `None` for the first window.
     reopened: Option<Stopwatch>,
     loses_by: Option<OsString>,
 }
 
 impl WindowState {
-    /// Opens a window, and stays until it is closed or its device is lost.
+    /// Opens a window, and returns when it is closed or its device is lost.
     fn run(&mut self) -> eframe::Result {
         let mut options = eframe::NativeOptions {
             viewport: self.placement.clone(),
@@ -153,9 +153,9 @@ impl WindowState {
         let viewer = match (self.viewer.take(), self.state.take()) {
             (Some(viewer), _) => viewer.reopened_on(screen),
             (None, Some(state)) => self.first(screen, state),
-            (None, None) => return Err("there is nothing to be shown".to_owned()),
+            (None, None) => return Err("there is nothing to show".to_owned()),
         };
-        // Scripts wait for it.
+        // Scripts wait for this line.
         println!("ready: {}", viewer.screen().gpu().name());
         self.viewer = Some(viewer);
         let woken = made.egui_ctx.clone();
@@ -179,7 +179,7 @@ impl WindowState {
         viewer
     }
 
-    /// The error with which the program ends where no device stays. Unsaved changes are in a file after it.
+    /// The error with which the program ends if devices keep being lost. Unsaved changes are written to a file.
     fn given_up(&self, mut what: String) -> Error {
         match self.viewer.as_ref().map(|v| recovery::keep(v.state())) {
             Some(Ok(Some(path))) => {
@@ -189,7 +189,7 @@ impl WindowState {
             Some(Ok(None)) | None => {}
         }
         let help = format!(
-            "update the graphics driver, end other programs that use it, or use a smaller window; without a driver that stays, {INSTALL}"
+            "update the graphics driver, end other programs that use it, or use a smaller window; if the device is still lost, {INSTALL}"
         );
         Error::Adapter { what, help }
     }
@@ -215,7 +215,7 @@ fn on_adapter(options: &mut WgpuConfiguration, wanted: String) {
     setup.native_adapter_selector = Some(Arc::new(select));
 }
 
-/// Position and size of a window, for the next one.
+/// The position and size of a window, with which the next window is opened.
 fn placed_as(info: &ViewportInfo) -> ViewportBuilder {
     let mut next = ViewportBuilder::default()
         .with_inner_size(info.inner_rect.map_or([1280.0, 800.0].into(), |r| r.size()))
@@ -254,7 +254,7 @@ impl eframe::App for App<'_> {
     }
 }
 
-/// Keeps egui from painting on a lost device, where it would panic because no buffer can be mapped.
+/// Keeps egui from painting on a lost device; it would panic there, because no buffer can be mapped.
 struct PaintsNothing(DeviceLoss);
 
 impl Plugin for PaintsNothing {

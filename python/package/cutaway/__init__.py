@@ -7,10 +7,10 @@
 >>> polygons, area = scene.section("z=50%")
 >>> half = scene.capped()
 
-Lengths are in units of the model, angles in degrees (``_deg``), times in seconds. Arrays that go in are copied.
+Lengths are in units of the model, angles in degrees (``_deg``), times in seconds. Input arrays are copied.
 
-Errors: ``ValueError`` for what makes no sense, with a ``help:`` line; ``FileNotFoundError`` for a file that is not there;
-``RuntimeError`` where there is nothing to draw on. Doubts about a result are warnings of the class :class:`CutawayWarning`.
+Errors: ``ValueError`` for invalid input, with a ``help:`` line; ``FileNotFoundError`` for a missing file; ``RuntimeError`` if no
+graphics adapter is available. If a result may be wrong, a :class:`CutawayWarning` is issued.
 """
 
 from ._native import __version__, adapter, values

@@ -1,4 +1,4 @@
-"""The part of the module that is in Rust. Use :mod:`cutaway`, which says what its values mean."""
+"""The Rust part of the module. Use :mod:`cutaway` instead, which documents the values."""
 
 from os import PathLike
 from typing import Any, TypedDict
@@ -9,13 +9,13 @@ import numpy.typing as npt
 __version__: str
 
 def adapter() -> dict[str, Any]:
-    """What draws: ``name``, ``backend``, ``driver``, and whether it is ``software``.
+    """The graphics adapter: ``name``, ``backend``, ``driver``, and ``software``, true if it runs on the CPU.
 
-    Raises ``RuntimeError`` where there is nothing to draw on, with the package that has a driver.
+    Raises ``RuntimeError`` if there is no adapter, and names the package that provides a driver.
     """
 
 def values() -> list[dict[str, Any]]:
-    """Values of a scene by ``path``: ``takes``, ``unit``, ``help``, ``example``, ``moves``, and ``range``, the least and the greatest number."""
+    """Values of a scene by ``path``: ``takes``, ``unit``, ``help``, ``example``, ``moves``, and ``range``, the minimum and the maximum."""
 
 def png(rgba: npt.NDArray[np.uint8]) -> bytes: ...
 

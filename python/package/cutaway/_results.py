@@ -1,4 +1,4 @@
-"""What calls of a scene give: arrays with a few words about them."""
+"""Results of scene methods: arrays with names and measures."""
 
 from __future__ import annotations
 
@@ -14,18 +14,18 @@ from . import _native
 
 
 class CutawayWarning(UserWarning):
-    """A doubt about a result: an open mesh, a cut that misses, a buffer that was too small."""
+    """A result may be wrong: a mesh is open, a cut misses every part, or a buffer was too small."""
 
 
 def warn(doubts: Sequence[str]) -> None:
-    """Warns of doubts, for a public method: of the line that called it."""
+    """Issues warnings for a public method; each refers to the line that called the method."""
     for doubt in doubts:
         warnings.warn(doubt, CutawayWarning, stacklevel=3)
 
 
 @dataclass(frozen=True, repr=False)
 class Layers:
-    """What each pixel shows. Arrays have the shape (h, w), rows from the top, at pixel centres."""
+    """Visible surface or cap of each pixel. Arrays have the shape (h, w), rows from the top, at pixel centres."""
 
     kind: npt.NDArray[np.uint8]
     """0 background, 1 surface, 2 cap."""
@@ -36,17 +36,17 @@ class Layers:
     depth: npt.NDArray[np.float32]
     """Distance from the eye along the viewing direction, in units of the model; infinite for background."""
     normal: npt.NDArray[np.float32]
-    """(h, w, 3): unit normals in the axes of the model, towards the eye; zero for background."""
+    """(h, w, 3): unit normals along the axes of the model, facing the eye; zero for background."""
     unreliable: npt.NDArray[np.bool_]
-    """Marked by the strategy: crossings along the ray do not tell inside from outside, or a buffer was too small."""
+    """Pixels that the strategy marked: the crossings along the ray do not determine inside and outside, or a buffer was too small."""
     may_be_wrong: npt.NDArray[np.bool_]
-    """Those marked pixels in which a cap may be missing, or shown where there is none."""
+    """The subset of ``unreliable`` pixels in which a cap may be missing or wrongly shown."""
     overlap: npt.NDArray[np.bool_]
-    """Caps at which several solids overlap, where the strategy says so."""
+    """Caps at which several solids overlap, if the strategy detects overlaps."""
     parts: list[str]
     """Names of the parts."""
     surfaces: list[str]
-    """Names of the cuts that clip-surfaces belong to, by number."""
+    """For each clip-surface, by number, the name of its cut."""
 
     BACKGROUND = 0
     SURFACE = 1
@@ -60,15 +60,15 @@ class Layers:
 
 @dataclass(frozen=True, repr=False, eq=False)
 class Picture:
-    """A picture that a notebook shows, and numpy takes as an array of shape (h, w, 4), uint8, sRGB, alpha not premultiplied.
+    """A picture. Notebooks display it; numpy reads it as an array of shape (h, w, 4), uint8, sRGB, alpha not premultiplied.
 
-    ``rgba, layers = picture`` takes it apart.
+    ``rgba, layers = picture`` unpacks it.
     """
 
     rgba: npt.NDArray[np.uint8]
     layers: Layers | None = None
     strategy: str = ""
-    """What drew it."""
+    """Strategy that drew the picture."""
 
     def __iter__(self) -> Iterator[Any]:
         return iter((self.rgba, self.layers))
@@ -83,7 +83,7 @@ class Picture:
         if rgba.ndim != 3 or rgba.shape[2] != 4 or rgba.dtype != np.uint8:
             raise ValueError(
                 f"picture of shape {rgba.shape} and type {rgba.dtype}: it must be (h, w, 4) and uint8"
-                "\n  help: give the array of a picture"
+                "\n  help: give the array `rgba` of a picture"
             )
         return _native.png(np.ascontiguousarray(rgba))
 
@@ -101,42 +101,42 @@ class Picture:
 
 
 class Polygon(NamedTuple):
-    """A piece of a section: ``shapely.Polygon(*polygon)``. The first point of a ring is not repeated at its end."""
+    """One polygon of a section, for ``shapely.Polygon(*polygon)``. The first point of a ring is not repeated at its end."""
 
     outer: npt.NDArray[np.float64]
-    """(n, 2): the ring around it, counter-clockwise."""
+    """(n, 2): the outer ring, counter-clockwise."""
     holes: list[npt.NDArray[np.float64]]
-    """(m, 2) each: the rings around its holes, clockwise."""
+    """One array of shape (m, 2) per hole: its ring, clockwise."""
 
 
 @dataclass(frozen=True, repr=False, eq=False)
 class Section:
-    """What a plane cuts out of the parts. ``polygons, area = section`` takes it apart.
+    """Section of the parts by a plane. ``polygons, area = section`` unpacks it.
 
-    Points are coordinates along ``u`` and ``v`` from ``origin``, the point of the plane that is nearest to that of the world: in
-    ``z=..`` they are x and y, in ``x=..`` y and z, in ``y=..`` z and x.
+    Points are coordinates along ``u`` and ``v`` from ``origin``, the point of the plane nearest to the world origin. For a plane
+    ``z=..`` they are x and y, for ``x=..`` y and z, for ``y=..`` z and x.
     """
 
     polygons: list[Polygon]
     area: float
-    """Sum over the parts, in square units: where solids overlap it counts twice."""
+    """Sum of the areas of all parts, in square units; the overlap of two solids counts twice."""
     parts: list[str]
-    """The part of each polygon."""
+    """For each polygon, the name of its part."""
     perimeter: float
     """Length of all outlines."""
     origin: npt.NDArray[np.float64]
     u: npt.NDArray[np.float64]
     v: npt.NDArray[np.float64]
     normal: npt.NDArray[np.float64]
-    """Towards the side that such a cut would keep; ``u`` x ``v``."""
+    """``u`` x ``v``; points to the side that a cut by this plane would keep."""
     doubts: list[str] = field(default_factory=list)
-    """Outlines that do not close or cross themselves, because the mesh is open or does."""
+    """Warnings about outlines that do not close because the mesh is open, or that cross themselves because the mesh does."""
 
     def __iter__(self) -> Iterator[Any]:
         return iter((self.polygons, self.area))
 
     def to_world(self, uv: npt.ArrayLike) -> npt.NDArray[np.float64]:
-        """The places in space, (n, 3), of points of the plane, (n, 2)."""
+        """Converts points of the plane, shape (n, 2), to points in world space, shape (n, 3)."""
         uv = np.asarray(uv, dtype=np.float64)
         return self.origin + uv[..., :1] * self.u + uv[..., 1:] * self.v
 
@@ -146,15 +146,15 @@ class Section:
 
 @dataclass(frozen=True, repr=False, eq=False)
 class Solid:
-    """What is left of one part, or of all of them, as one mesh: ``trimesh.Trimesh(*solid.arrays)``."""
+    """One half of one part or of all parts, as one mesh, for ``trimesh.Trimesh(*solid.arrays)``."""
 
     name: str
     vertices: npt.NDArray[np.float64]
     """(n, 3), in world space."""
     faces: npt.NDArray[np.int64]
-    """(m, 3): numbers of vertices, counter-clockwise seen from outside. Faces of the mesh come before its caps."""
+    """(m, 3): vertex indices, counter-clockwise as seen from outside. The faces of the original mesh come before the caps."""
     caps: npt.NDArray[np.int32]
-    """(m,): of each face the number of the clip-surface whose cap it is a part of; -1 for faces of the mesh."""
+    """(m,): for each face of a cap, the number of its clip-surface; -1 for faces of the original mesh."""
     volume: float
     """In cubic units."""
     cap_area: float
@@ -170,7 +170,7 @@ class Solid:
 
 
 def together(solids: Sequence[Solid]) -> Solid:
-    """Solids as one mesh; each keeps its own vertices."""
+    """Joins solids into one mesh; no vertices are merged."""
     first = np.cumsum([0] + [len(s.vertices) for s in solids])
     stacked = lambda arrays, empty: np.concatenate(arrays) if arrays else empty  # noqa: E731
     return Solid(
@@ -184,18 +184,18 @@ def together(solids: Sequence[Solid]) -> Solid:
 
 
 class Half(Solid):
-    """What cuts leave of all parts as one mesh, and by part; and the same of what they remove."""
+    """One half of a cut scene, kept or removed, as one mesh and part by part."""
 
     parts: dict[str, Solid]
-    """What is left of each part, by its name."""
+    """This half of each part, by the name of the part."""
     removed: Half
-    """What is removed. It shares its vertices on the caps to the last bit, and its own ``removed`` is what is left."""
+    """The other half. Its cap vertices equal those of this half bit for bit, and its ``removed`` is this half."""
     relief_off: float
-    """Largest distance between caps and the reliefs that they follow, in units of the model."""
+    """Largest distance between a cap and its relief, in units of the model."""
 
     @classmethod
     def pair(cls, kept: Sequence[Solid], removed: Sequence[Solid], relief_off: float) -> Half:
-        """Both halves, of which each knows the other."""
+        """Makes both halves, each the ``removed`` of the other, and returns the kept one."""
         halves = []
         for solids in (kept, removed):
             half = cls(**vars(together(solids)))

@@ -16,25 +16,25 @@ from ._arrays import arrays_of, faces_of, refuse, vertices_of
 from ._results import Half, Layers, Picture, Polygon, Section, Solid, warn
 
 CAMERA = ("azimuth_deg", "elevation_deg", "position", "focal_point", "view_up", "view", "zoom", "pan", "fit", "up", "fov_y_deg")
-"""Keys of ``camera`` that calls take as they are."""
+"""Keys of ``camera`` that methods accept as keyword arguments of the same name."""
 
 
 class Scene:
-    """What is cut, how, and from where it is seen.
+    """Parts, the cuts that apply to them, a camera and a style.
 
-    A scene is a document, as a scene file has it: :meth:`get` and :meth:`set` take the paths that ``cutaway scene`` lists, :meth:`save` writes
-    the file. It always makes sense: a change that does not is refused, and leaves it as it was.
+    A scene holds the contents of a scene file: :meth:`get` and :meth:`set` take the paths that ``cutaway scene`` lists, and :meth:`save`
+    writes the file. A change that would make the scene invalid raises an error and leaves the scene unchanged.
 
-    Files are read once; a file that changed is read again by a new scene. Scenes may be used from several threads; what draws is one
-    device, and frames take turns on it. Ctrl-C is raised within a second; what was under way goes on to its end beside,
-    and the next call that needs the same scene or the device waits for it.
+    A scene reads each file once; to read a changed file, make a new scene. Scenes may be used from several threads, but all share one
+    device, which draws one frame at a time. Ctrl-C is raised within a second. The interrupted work still runs to its end in the
+    background, and the next call that needs the same scene or the device waits for it.
 
-    ``copy.copy`` and ``copy.deepcopy`` make an independent scene. A pickled scene holds its arrays, and names files by their whole paths:
-    they are read again where it is unpickled.
+    ``copy.copy`` and ``copy.deepcopy`` make an independent scene. A pickled scene contains its arrays, but refers to
+    files by absolute path: they are read again when the scene is unpickled.
     """
 
     def __init__(self, *models: Any) -> None:
-        """An empty scene, or one of models: whatever :meth:`add` takes."""
+        """Makes a scene of models, each as for :meth:`add`; without models an empty scene."""
         self._scene = _native.Scene()
         for model in models:
             self.add(model)
@@ -60,9 +60,9 @@ class Scene:
 
     @classmethod
     def open(cls, path: str | os.PathLike[str]) -> Scene:
-        """A scene file (``.toml``), a mesh file (``.stl``, ``.ply``, ``.obj``, ``.glb``, ``.gltf``, ``.3mf``) or ``shape:NAME``.
+        """Opens a scene file (``.toml``), a mesh file (``.stl``, ``.ply``, ``.obj``, ``.glb``, ``.gltf``, ``.3mf``) or ``shape:NAME``.
 
-        Raises ``FileNotFoundError`` for a file that is not there, and ``ValueError`` for one that is not what its name says.
+        Raises ``FileNotFoundError`` for a missing file, and ``ValueError`` for a file whose contents do not match its extension.
         """
         scene = cls()
         name = _path("path", path)
@@ -75,14 +75,14 @@ class Scene:
     def add(self, model: Any, vertices: Any = None, faces: Any = None, *, name: str | None = None, **fields: Any) -> None:
         """Adds parts.
 
-        ``add("tube", vertices, faces)``: a name and arrays, (n, 3) numbers and (m, 3) whole numbers from 0, counter-clockwise seen from
-        outside. Vertices of equal coordinates become one where the mesh is open, as those of files do.
+        ``add("tube", vertices, faces)``: a name, (n, 3) coordinates and (m, 3) vertex indices from 0, counter-clockwise seen from outside.
+        If the mesh is open, vertices with equal coordinates are merged, as for mesh files.
 
-        ``add(mesh)``: what has ``vertices`` and ``faces`` (trimesh) or ``points`` and ``faces`` (PyVista).
+        ``add(mesh)``: an object with ``vertices`` and ``faces`` (trimesh), or with ``points`` and ``faces`` (PyVista).
 
-        ``add("bracket.stl")``: a file of meshes, or a built-in shape, ``"shape:crank?throws=3"``.
+        ``add("bracket.stl")``: a mesh file, or a built-in shape such as ``"shape:crank?throws=3"``.
 
-        ``fields`` are keys of ``[[part]]``: ``role="interior"``, ``translate=[0, 0, 1]``, ``material={"color": "#8a94a6"}``.
+        ``fields``: keys of ``[[part]]``, for example ``role="interior"``, ``translate=[0, 0, 1]``, ``material={"color": "#8a94a6"}``.
         """
         if (vertices is None) != (faces is None):
             missing, there = ("faces", "vertices") if faces is None else ("vertices", "faces")
@@ -100,7 +100,7 @@ class Scene:
                 raise refuse(
                     f"model of type {type(model).__name__}",
                     "it has no vertices and faces",
-                    "give the name of a file, a mesh of trimesh or PyVista, or a name and two arrays",
+                    "give a file name, a trimesh or PyVista mesh, or a name and two arrays",
                 )
             self._add_arrays(self._free_name() if name is None else _text("name", name), *arrays, fields)
 
@@ -128,17 +128,17 @@ class Scene:
         name: str | None = None,
         **fields: Any,
     ) -> None:
-        """Adds a cut. Within one call what all of its words remove is removed; several cuts remove what any of them does.
+        """Adds a cut. It removes the points that lie on the removed side of all its surfaces; several cuts remove the union.
 
-        ``sections``: planes, of which the side of the normal stays: ``"z=10"``, ``"-z=50%"`` (of the bounds), ``"nx,ny,nz@px,py,pz"``.
+        ``sections``: planes; the side that the normal points to is kept: ``"z=10"``, ``"-z=50%"`` (of the bounds), ``"nx,ny,nz@px,py,pz"``.
 
         ``relief``: makes a section ragged: ``"fractal:amplitude=4%,seed=7"``, or ``sawtooth``, ``waves``, ``cracks``, ``steps`` or an image file;
-        of several sections a list. ``flip`` keeps the other side.
+        for several sections give a list. ``flip``: keep the other side.
 
         ``box``: ``"0,0,0:1,1,1"`` or ``"50%,50%,50%:"``. ``wedge``: ``"z:0:90"``. ``cutter``: a mesh file or ``shape:NAME``.
-        ``cutout`` and ``breakaway``: ``True``, or their words.
+        ``cutout`` and ``breakaway``: ``True``, or their options as a text.
 
-        ``applies_to``, ``exclude``: globs of the names of parts.
+        ``applies_to``, ``exclude``: glob patterns for part names.
         """
         words = [_text("section", s) for s in sections]
         reliefs = _each("relief", relief, words, None)
@@ -168,26 +168,26 @@ class Scene:
         self._scene.set(_text("path", path), value)
 
     def get(self, path: str) -> Any:
-        """The value at a path, as it was set: a bool, number, text, list or dict."""
+        """Returns the value at a path, as it was set: a bool, number, text, list or dict."""
         return self._scene.get(_text("path", path))
 
     def remove(self, path: str) -> None:
-        """Takes a value away, so that the usual one holds; also a part or a cut."""
+        """Removes a value, so that its default applies; or removes a part or a cut."""
         self._scene.remove(_text("path", path))
 
     @property
     def parts(self) -> list[str]:
-        """Names of the parts, in the order of their numbers in layers."""
+        """Names of the parts; the index of a name is the part number in :class:`Layers`."""
         return self._scene.parts()[0]
 
     @property
     def cuts(self) -> list[str]:
-        """Names of the cuts, by which paths go on: ``cut.NAME.surfaces.0.section``."""
+        """Names of the cuts, for use in paths: ``cut.NAME.surfaces.0.section``."""
         return self._scene.cuts()
 
     @property
     def notes(self) -> list[str]:
-        """What was welded, left out or left open in what was read."""
+        """Notes on the meshes that were read: vertices welded, faces left out, edges left open."""
         return self._scene.parts()[1]
 
     def render(
@@ -203,16 +203,16 @@ class Scene:
         set: dict[str, Any] | None = None,
         **camera: Any,
     ) -> Picture:
-        """Draws it: a picture, which unpacks into an array of shape (h, w, 4), uint8, and :class:`Layers`.
+        """Draws the scene. The picture unpacks into an array of shape (h, w, 4), uint8, and :class:`Layers`.
 
-        ``size``: width and height in pixels; that of the scene, or (1024, 768). ``strategy``: how caps are drawn, ``"auto"`` by itself;
-        ``"exact"`` on the CPU. ``style``: ``"technical"`` by itself, or another name or file. ``supersample``: 1 to 4; 2 by itself.
-        ``background``: ``"transparent"``, ``"paper"``, ``"gradient"`` or a colour. ``time``: seconds, of a scene that moves.
+        ``size``: width and height in pixels; by default that of the scene, or (1024, 768). ``strategy``: how caps are drawn; default
+        ``"auto"``, and ``"exact"`` runs on the CPU. ``style``: a name or file; default ``"technical"``. ``supersample``: 1 to 4; default 2.
+        ``background``: ``"transparent"``, ``"paper"``, ``"gradient"`` or a colour. ``time``: the time in seconds of a moving scene.
 
         ``camera``: ``azimuth_deg``, ``elevation_deg``, ``position``, ``focal_point``, ``view_up``, ``view`` (``"iso"``, ``"cut"``, ``"front"``, ...),
-        ``zoom``, ``pan``, ``fit``, ``up``, ``fov_y_deg``. ``set``: any values of the scene by their paths.
+        ``zoom``, ``pan``, ``fit``, ``up``, ``fov_y_deg``. ``set``: any values of the scene, by path.
 
-        All of them hold for this picture alone. What is drawn is what ``cutaway render`` draws. Warns where it may be wrong.
+        All arguments apply to this picture only. It equals that of ``cutaway render``. Warns if the picture may be wrong.
         """
         asked = _asked(size, time, set)
         for path, value in (("style", style), ("supersample", supersample), ("background", background), ("strategy.name", strategy)):
@@ -223,10 +223,10 @@ class Scene:
         return Picture(drawn["rgba"], Layers(**drawn["layers"]), drawn["strategy"])
 
     def section(self, plane: str, *, time: float | None = None) -> Section:
-        """What a plane cuts out of the parts as they stand, whatever the cuts of the scene are: polygons with holes, and their area.
+        """Section of the parts at a time by a plane, as polygons with holes, and its area. The cuts of the scene are ignored.
 
-        ``polygons, area = scene.section("z=50%")``; ``shapely.Polygon(*polygon)`` takes each. Computed in float64; needs no device.
-        Warns where an outline does not close.
+        ``polygons, area = scene.section("z=50%")``; make each a ``shapely.Polygon(*polygon)``. Computed in float64; needs no device.
+        Warns if an outline does not close.
         """
         found = self._scene.section(_text("plane", plane), _asked(None, time, None))
         warn(found["doubts"])
@@ -235,12 +235,12 @@ class Scene:
         return Section(polygons, found["area"], found["parts"], found["perimeter"], doubts=found["doubts"], **vectors)
 
     def capped(self, *, relief_cells: int = 256, watertight: bool = True, time: float | None = None) -> Half:
-        """What the cuts leave, and what they remove, as meshes with caps: ``trimesh.Trimesh(*scene.capped().arrays)``.
+        """The kept and the removed half of the scene as meshes with caps: ``trimesh.Trimesh(*scene.capped().arrays)``.
 
-        Each part is a solid of its own. Planes cut exactly; reliefs and cutters cut closed meshes, reliefs with so many cells along the
-        longer side of a part. Computed in float64; needs no device.
+        Each part is a separate solid. Planes cut exactly. Reliefs and cutters can cut only closed meshes; a relief is approximated by
+        ``relief_cells`` cells along the longer side of a part. Computed in float64; needs no device.
 
-        ``watertight``: raise ``ValueError`` where a half is open, with the part and a place; without it that is a warning.
+        ``watertight``: if a half is open, raise a ``ValueError`` that names the part and a position; if false, only warn.
         """
         try:
             relief_cells = min(max(operator.index(relief_cells), 0), 2**32 - 1)
@@ -258,14 +258,14 @@ class Scene:
                     count, at = opened
                     place = ", ".join(f"{c:.6g}" for c in at)
                     faults.append(
-                        f"part `{part['name']}`: what is {which} is open at {count} edges, one at ({place})"
-                        "\n  help: close the mesh there before it is added, or take it as it is by capped(watertight=False)"
+                        f"part `{part['name']}`: its {which} half is open at {count} edges, one at ({place})"
+                        "\n  help: close the mesh there before adding it, or accept open halves with capped(watertight=False)"
                     )
                 if len(flat["faces"]):
                     solids.append(Solid(name=part["name"], **flat))
             doubts += faults
         if doubts and watertight:
-            raise ValueError(doubts[-1] if len(doubts) == 1 else f"{doubts[-1]}\n  beside: {len(doubts) - 1} more of this kind")
+            raise ValueError(doubts[-1] if len(doubts) == 1 else f"{doubts[-1]}\n  and {len(doubts) - 1} more of this kind")
         warn(doubts)
         off = max((part["relief_off"] for part in divided), default=0.0)
         return Half.pair(halves["kept"], halves["removed"], off)
@@ -281,9 +281,9 @@ class Scene:
         set: dict[str, Any] | None = None,
         **camera: Any,
     ) -> dict[str, Any]:
-        """Strategies against the exact reference: their errors, times and bytes, as the JSON of ``cutaway compare`` has them.
+        """Compares strategies with the exact reference. Returns their errors, times and bytes, as in the JSON of ``cutaway compare``.
 
-        ``rounds``: how often time is taken, after one to warm up. ``Ctrl-C`` ends it after the present frame.
+        ``rounds``: number of timed rounds, after one warm-up round. ``Ctrl-C`` ends the comparison after the current frame.
         """
         names = _texts("strategies", strategies)
         try:
@@ -297,9 +297,9 @@ class Scene:
         return json.loads(self._scene.compare(names, count, asked, _camera(camera, orthographic), command))
 
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
-        """Writes a scene file, from which the command and the window draw the same. Arrays become ``.ply`` files beside it.
+        """Writes a scene file; the command and the window draw the same from it. Arrays become ``.ply`` files in the same folder.
 
-        Raises ``FileExistsError`` where a file would be replaced by another, but for ``overwrite``. A file is written as a whole or not at all.
+        Without ``overwrite``, raises ``FileExistsError`` if a file exists with other contents. No file is ever written partially.
         """
         name = _path("path", path)
         if not name.lower().endswith(".toml"):
@@ -307,12 +307,12 @@ class Scene:
         text, beside = self._scene.saved(name)
         folder = os.path.dirname(os.path.abspath(name))
         if not os.path.isdir(folder):
-            raise FileNotFoundError(f"{folder}: there is no such folder\n  help: make it, or save elsewhere")
+            raise FileNotFoundError(f"{folder}: there is no such folder\n  help: create it, or save elsewhere")
         files = [(os.path.join(folder, file), data) for file, data in beside]
         files.append((os.path.abspath(name), text.encode()))
         for file, data in files:
             if not overwrite and os.path.exists(file) and not _holds(file, data):
-                raise FileExistsError(f"{file}: it holds something else\n  help: save elsewhere, or with overwrite=True")
+                raise FileExistsError(f"{file}: it holds something else\n  help: save elsewhere, or pass overwrite=True")
         for file, data in files:
             _write(file, data)
 
@@ -348,7 +348,7 @@ def _text(what: str, value: Any) -> str:
         try:
             value.encode()
         except UnicodeEncodeError:
-            raise refuse(what, "it is no text in Unicode", "give a text") from None
+            raise refuse(what, "it is no valid Unicode text", "give a text") from None
         return value
     raise refuse(f"{what} of type {type(value).__name__}", "it is no text", "give a text")
 
@@ -357,7 +357,7 @@ def _path(what: str, value: Any) -> str:
     try:
         path = os.fspath(value)
     except TypeError:
-        raise refuse(f"{what} of type {type(value).__name__}", "it is no path", "give the name of a file") from None
+        raise refuse(f"{what} of type {type(value).__name__}", "it is no path", "give a file name") from None
     return _text(what, os.fsdecode(path) if isinstance(path, bytes) else path)
 
 
@@ -370,7 +370,7 @@ def _texts(what: str, values: Any) -> list[str]:
 
 
 def _each(what: str, values: Any, words: list[str], without: Any) -> list[Any]:
-    """One value for each section: of a list its own, of one value that of the only section."""
+    """Returns one value per section. A list must have one entry per section; a single value requires a single section."""
     if values is None or isinstance(values, (str, bool)):
         if values in (None, False):
             return [without] * len(words)
@@ -395,7 +395,7 @@ def _asked(size: Any, time: Any, values: dict[str, Any] | None) -> dict[str, Any
 def _camera(camera: dict[str, Any], orthographic: bool) -> dict[str, Any]:
     unknown = [key for key in camera if key not in CAMERA]
     if unknown:
-        raise TypeError(f"unexpected keyword argument {unknown[0]!r}; of a camera there are: {', '.join(CAMERA)}")
+        raise TypeError(f"unexpected keyword argument {unknown[0]!r}; the arguments of the camera are: {', '.join(CAMERA)}")
     aimed = {key: value for key, value in camera.items() if value is not None}
     if orthographic:
         aimed["projection"] = "orthographic"

@@ -1,4 +1,4 @@
-"""The window, which is a program of its own: ``cutaway-viewer``."""
+"""Opens the window, which is the separate program ``cutaway-viewer``."""
 
 from __future__ import annotations
 
@@ -16,18 +16,18 @@ PROGRAM = "cutaway-viewer"
 def show(what: Any, *, wait: bool = False) -> subprocess.Popen[bytes]:
     """Opens a scene, a mesh or a file in the window.
 
-    The window has a copy of the scene, in a file of its own: what is done in it does not come back. The file stays in the folder for
-    temporary files, so that the window can read it again.
+    The window works on a copy of the scene in a separate file; changes made in the window do not affect this scene. The file stays in the
+    folder for temporary files, so that the window can read it again.
 
-    ``wait``: come back when the window is closed.
+    ``wait``: return only when the window is closed.
 
-    Raises ``FileNotFoundError`` where the window is not installed.
+    Raises ``FileNotFoundError`` if ``cutaway-viewer`` is not installed.
     """
     program = shutil.which(PROGRAM)
     if program is None:
         raise FileNotFoundError(
             f"{PROGRAM}: there is no such program on the PATH"
-            "\n  help: install it from the folder of cutaway: cargo install --path crates/viewer"
+            "\n  help: install it from the cutaway repository: cargo install --path crates/viewer"
         )
     scene = _scene_of(what)
     folder = tempfile.mkdtemp(prefix="cutaway-")

@@ -1,5 +1,5 @@
-// The fraction of each pixel that a hatch covers, and the pixel's position on the plane of its cap in scene units.
-// 0 where there is none.
+// Writes the fraction of each pixel that a hatch covers, and the pixel's position on the plane of its cap in scene units.
+// 0 where there is no hatch.
 
 #import cutaway::cuts::place_of_part
 #import cutaway::frame::{frame, pixel_index}

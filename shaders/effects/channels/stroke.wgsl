@@ -1,4 +1,4 @@
-// The fraction of each pixel that strokes cover.
+// Writes the fraction of each pixel that strokes cover.
 
 #import cutaway::frame::{frame, pixel_index}
 #import cutaway::stroke_cover::stroke_cover

@@ -1,4 +1,4 @@
-// Keeps those borders of the uncut solids that have removed material on either side. One invocation owns a pixel.
+// Keeps only those borders of the uncut solids that have removed material on at least one side. One invocation owns a pixel.
 
 #import cutaway::borders::{below_of, right_of}
 #import cutaway::frame::{frame, pixel_index}

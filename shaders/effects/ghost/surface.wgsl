@@ -1,4 +1,4 @@
-// Draws solids uncut. The instance is the part number in the scene.
+// Draws solids without cuts. The instance index is the part number in the scene.
 
 #import cutaway::mesh::Vertex
 #import cutaway::surface::{Corner, corner_of, surface_words}

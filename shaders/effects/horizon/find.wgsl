@@ -1,8 +1,8 @@
-// The fraction of sky seen from each visible point, weighted by the cosine to its normal (ground-truth ambient occlusion, Jimenez, Wu,
-// Pesce and Jarabo 2016). One invocation owns a pixel at a time.
+// Computes the fraction of sky visible from the point of each pixel, weighted by the cosine of the angle to its normal (ground-truth
+// ambient occlusion, Jimenez, Wu, Pesce and Jarabo 2016). One invocation owns a pixel at a time.
 //
-// Planes through the line of sight slice the picture. In each, the highest sample to either side is a horizon; between the two the integral
-// over the slice has a closed form. Samples farther than the radius are ignored, and nearer ones get more weight. Slices are rotated and
+// Planes through the line of sight slice the picture. In each slice, the highest sample on either side is a horizon; between the horizons
+// the integral has a closed form. Samples beyond the radius are ignored, and nearer ones get more weight. Slices are rotated and
 // samples offset by a 4 x 4 pattern, which the next pass averages out.
 //
 // Cannot: account for geometry that is hidden or outside the picture; background hides nothing.
@@ -13,7 +13,7 @@
 #import cutaway::shown::{first_word_of, is_in_frame, pixel_width, shown_point}
 
 struct Horizon {
-    // In scene units.
+    // Greatest distance of a sample in scene units.
     radius: f32,
     // Greatest distance of a sample in pixels.
     reach_px: f32,
@@ -37,7 +37,7 @@ struct Centre {
     reach_px: f32,
 }
 
-// A number of an ordered 4 x 4 pattern, 0 to 1.
+// Value of an ordered 4 x 4 pattern at a pixel, 0 to 1.
 fn ordered(x: u32, y: u32) -> f32 {
     let pattern = array<u32, 16>(0u, 8u, 2u, 10u, 12u, 4u, 14u, 6u, 3u, 11u, 1u, 9u, 15u, 7u, 13u, 5u);
     return f32(pattern[(x & 3u) + 4u * (y & 3u)]) / 16.0;

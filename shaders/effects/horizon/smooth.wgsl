@@ -1,4 +1,4 @@
-// Averages the horizon result over 4 x 4 samples, the size of the search pattern, using only samples on about the same plane. One
+// Averages the horizon result over 4 x 4 samples, the size of the search pattern, using only samples in about the same plane. One
 // invocation owns a pixel at a time.
 
 #import cutaway::frame::{frame, pixel_index}
@@ -12,7 +12,7 @@
 
 // Greatest distance of another sample from the tangent plane, in pixel widths.
 const LEVEL_PX: f32 = 4.0;
-// The least cosine between normals.
+// Least cosine of the angle between the normals of two samples.
 const ALIKE: f32 = 0.7;
 
 fn smooth_out(xy: vec2<u32>) {

@@ -1,4 +1,4 @@
-// Clears the whole picture to background without strokes if the previous frame was of another picture. Otherwise there is nothing to do.
+// Clears the whole picture to background without strokes if the previous frame had a different background; otherwise does nothing.
 // Workgroups share the tiles.
 
 #import cutaway::backdrop::backdrop
@@ -9,7 +9,7 @@
 #import cutaway::picture::picture
 #import cutaway::touched::{pixel_in, tile_count, turns_among}
 
-// Whether everything outside the tiles already is this frame's background.
+// True if all pixels outside the tiles already have this frame's background.
 fn is_kept() -> bool {
     let before = effect_tiles.before;
     let now = effect_tiles.now;

@@ -1,14 +1,14 @@
-// Lists the tiles to draw. An invocation owns a tile. The order of the list is arbitrary, and has no effect.
+// Lists the tiles to process. An invocation owns a tile. The order of the list is arbitrary and does not affect the result.
 
 #import cutaway::borders::MOST_REACH_PX
 #import cutaway::effect_tile_marks::effect_tiles
 #import cutaway::touched::{TILE_PX, place_of, tile_at, tile_count, tiles_of_row}
 
-// Distance from shown tiles within which effects may draw, in tiles.
+// Distance in tiles from a tile that is not background within which effects may draw.
 override reach: i32 = 1;
 // Greatest stroke reach in tiles, plus one.
 const MOST_REACH: i32 = MOST_REACH_PX / i32(TILE_PX) + 1;
-// The pixel rows that the picture keeps, and the rows around them that effects read.
+// Range of processed pixel rows: those that the picture keeps, and those around them that effects read.
 override first_row: u32 = 0u;
 override end_row: u32 = 0xffffffffu;
 

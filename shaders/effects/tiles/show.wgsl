@@ -1,4 +1,4 @@
-// Finds the tiles of the picture that show something. A workgroup owns a tile, an invocation one of the tile's pixels.
+// Finds the tiles of the picture that are not background. A workgroup owns a tile, an invocation one of the tile's pixels.
 
 #import cutaway::backdrop::backdrop
 #import cutaway::effect_tile_marks::effect_tiles

@@ -1,5 +1,5 @@
-// Depth, blurred along rows. One invocation owns a pixel. The background has the greatest depth: if it were left out, the far rim of every
-// slanted face would be darkened.
+// Blurs depth along rows. One invocation owns a pixel. The background counts with the greatest depth: if it were left out, the far rim of
+// every slanted face would be darkened.
 
 #import cutaway::depth_blur::{MOST_BLUR_PX, depth_share, first_weight, next_weight, unsharp}
 #import cutaway::frame::{frame, pixel_index}

@@ -1,5 +1,5 @@
-// Depth, blurred along columns, and the light that follows from its difference to the depth itself: less where the surroundings are nearer
-// (Luft, Colditz and Deussen 2006; Trapp and Döllner 2013, 4.5). One invocation owns a pixel.
+// Blurs depth along columns, and computes light from the difference between blurred and original depth: less where the surroundings are
+// nearer (Luft, Colditz and Deussen 2006; Trapp and Döllner 2013, 4.5). One invocation owns a pixel.
 
 #import cutaway::depth_blur::{MOST_BLUR_PX, depth_share, first_weight, next_weight, unsharp}
 #import cutaway::frame::{frame, pixel_index}

@@ -1,14 +1,14 @@
-// Clip test for a host's shaders: is a point of a part kept? The host gets this text without the entry points. Names begin with `cutaway`
-// to differ from those of a host in the same module.
+// Clip test for a host's shaders: tests whether the cuts keep a point of a part. The host gets this text without the entry points. Names
+// begin with `cutaway`, so that they differ from the host's names in the same module.
 
 #import cutaway::crossings::crossings_before
 #import cutaway::cuts::is_removed
 #import cutaway::frame::{buffer_from_depth, frame}
 
 struct CutawayClip {
-    // Scale from the host's world to scene space.
+    // Scale factor from the host's world space to scene space.
     scene_from_world: f32,
-    // For each part of the scene, bits of the cuts that reach it, and 1 if a cut removes the whole part.
+    // For each part of the scene: one bit per cut that reaches it, and 1 if a cut removes the whole part.
     parts: array<vec2<u32>>,
 }
 
@@ -26,7 +26,7 @@ fn cutaway_is_kept(pixel: vec2<u32>, depth: f32, part: u32) -> bool {
     return clip.y == 0u && !is_removed(crossings_before(depth, pixel).sides, clip.x);
 }
 
-// Example use of the two functions, by a host whose vertices are in scene space. Hosts have entry points of their own.
+// Example of entry points of a host that uses the two functions and whose vertices are in scene space.
 
 struct CutawayCorner {
     @builtin(position) position: vec4<f32>,

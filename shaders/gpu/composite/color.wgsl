@@ -1,4 +1,4 @@
-// Draws a frame over a host's picture, without host depth.
+// Draws a frame over a host's picture, without a depth test.
 
 #import cutaway::composite::{color_of, is_left_out, pixel_at}
 #import cutaway::full_screen::corner_of_screen

@@ -1,4 +1,4 @@
-// Only the layers are kept as background; later passes make the whole picture from them.
+// Outside the touched tiles only the layers are kept as background; later passes make the whole picture from the layers.
 
 #define_import_path cutaway::blank
 

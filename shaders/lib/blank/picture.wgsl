@@ -1,4 +1,4 @@
-// The picture is kept as background too. Bound as @group(1) @binding(7).
+// Outside the touched tiles the picture is kept as background too. Bound as @group(1) @binding(7).
 
 #define_import_path cutaway::blank
 

@@ -1,5 +1,5 @@
-// Cap normals where some clip-surface is a cutter and the others are planes: that of the cutter's triangle, which is stored with the
-// crossing and already points to the removed side; or the plane's.
+// Cap normals if some clip-surface is a cutter and the others are planes. On a cutter: the normal of its triangle, which is stored with the
+// crossing and already points to the removed side. Otherwise: the normal of the plane.
 
 #define_import_path cutaway::cap_normal
 

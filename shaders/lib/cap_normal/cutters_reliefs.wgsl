@@ -1,5 +1,5 @@
-// Cap normals where some clip-surface is a cutter and some a relief: that of the cutter's triangle, which is stored with the crossing and
-// already points to the removed side; or that of the bilinear height field.
+// Cap normals if some clip-surface is a cutter and some has a relief. On a cutter: the normal of its triangle, which is stored with the
+// crossing and already points to the removed side. Otherwise: the normal of the bilinear height field.
 
 #define_import_path cutaway::cap_normal
 

@@ -1,4 +1,4 @@
-// Cap normals where all clip-surfaces are planes: the plane's, pointing to the removed side.
+// Cap normals if all clip-surfaces are planes: the normal of the plane, pointing to the removed side.
 
 #define_import_path cutaway::cap_normal
 

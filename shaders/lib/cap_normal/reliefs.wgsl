@@ -1,4 +1,4 @@
-// Cap normals where some clip-surface has a relief: that of the bilinear height field.
+// Cap normals if some clip-surface has a relief: the normal of the bilinear height field.
 
 #define_import_path cutaway::cap_normal
 

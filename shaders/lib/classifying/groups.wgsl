@@ -1,4 +1,4 @@
-// Rows of drawn parts after the first are groups of preclassified triangles: their samples are moved to their known side.
+// Rows of drawn parts after the first are groups of preclassified triangles: each sample is moved to the known side of its triangle.
 
 #define_import_path cutaway::classifying
 

@@ -1,4 +1,4 @@
-// Planes of caps: patterns on a cut are placed by coordinates in the plane of its clip-surface.
+// Planes of caps: a pattern on a cap uses coordinates in the plane of the clip-surface.
 
 #define_import_path cutaway::cap_plane
 
@@ -7,7 +7,7 @@
 struct CapPlane {
     u_row: vec4<f32>,
     v_row: vec4<f32>,
-    // The last component is 1 for the faces of a cutter, which have no single plane.
+    // Normal of the plane; the last component is 1 for a cutter, whose faces lie in several planes.
     normal: vec4<f32>,
 }
 
@@ -34,7 +34,7 @@ fn nearest_axis(direction: vec3<f32>) -> u32 {
     return select(2u, 1u, size.y >= size.z);
 }
 
-// The plane itself, or for a cutter the axis-aligned plane nearest to the face normal.
+// The plane itself or, for a cutter, the axis-aligned plane whose normal is nearest to the face normal.
 fn faced(plane: CapPlane, normal: vec3<f32>) -> CapPlane {
     if plane.normal.w < 0.5 {
         return plane;
@@ -46,7 +46,7 @@ fn faced(plane: CapPlane, normal: vec3<f32>) -> CapPlane {
     return CapPlane(u_row, v_row, vec4<f32>(normal, 0.0));
 }
 
-// How far a point on a plane with this normal moves when the pixel moves by `step` at its depth.
+// Displacement of the visible point on a plane with this normal when the pixel moves by `step` at the point's depth.
 fn moved_along(normal: vec3<f32>, direction: vec3<f32>, step: vec3<f32>) -> vec3<f32> {
     let towards = dot(direction, normal);
     // At grazing angles a footprint would be infinite.

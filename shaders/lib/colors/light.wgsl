@@ -12,7 +12,7 @@ fn up_of_view() -> vec3<f32> {
     return -normalize(frame.ray_step[1].xyz);
 }
 
-// Towards the key light.
+// Direction towards the key light.
 fn key_light(gaze: vec3<f32>) -> vec3<f32> {
     return normalize(-gaze + 0.55 * up_of_view() - 0.65 * right_of_view());
 }

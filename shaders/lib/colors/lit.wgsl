@@ -1,5 +1,5 @@
-// The plain style: part colours under the lights, with highlights; caps in their own colour and slightly flatter, so that the cut reads as
-// one sheet. Colours are mixed in linear light.
+// The plain style: part colours under the lights, with highlights; caps in their own colour with weaker shading, so that the cut looks
+// like one sheet. Colours are mixed in linear light.
 
 #define_import_path cutaway::lit
 

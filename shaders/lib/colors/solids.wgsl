@@ -1,5 +1,5 @@
-// Solid textures: colour as a function of the position in the solid, so that every cut is consistent (Peachey 1985, Perlin 1985). In linear
-// light; the unit of length is the material size. Detail finer than a pixel fades to its mean.
+// Solid textures: colour as a function of the position in the solid, so that all cuts match (Peachey 1985, Perlin 1985). Colours are in
+// linear light; the unit of length is the material size. Detail finer than a pixel fades to its mean.
 
 #define_import_path cutaway::solids
 

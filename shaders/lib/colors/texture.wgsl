@@ -1,7 +1,7 @@
-// Textures in storage: any number by one binding, with the same results on every device. Bound as @group(2) @binding(0) and (1).
+// Textures in storage: any number through one binding, with the same results on every device. Bound as @group(2) @binding(0) and (1).
 //
-// Up to four samples lie along the longer side of the pixel footprint, as many as the ratio of its sides; each is bilinear in the two mip
-// levels between which its share of that side is one texel long.
+// One to four samples lie along the longer side of the pixel footprint, in proportion to the ratio of its sides. Each sample is
+// interpolated between the two mip levels between which its share of that side is one texel long.
 
 #define_import_path cutaway::texture
 
@@ -27,7 +27,7 @@ fn texel_at(first: u32, size: vec2<u32>, at: vec2<i32>, is_color: bool) -> vec4<
     return vec4<f32>(select(texel.rgb, linear_from_srgb(texel.rgb), is_color), texel.a);
 }
 
-// Bilinear in one mip level, at a position in repeats.
+// Bilinear sample of one mip level; `place` is in texture repeats.
 fn bilinear(first: u32, size: vec2<u32>, place: vec2<f32>, is_color: bool) -> vec4<f32> {
     let at = fract(place) * vec2<f32>(size) - 0.5;
     let corner = floor(at);
@@ -67,7 +67,7 @@ fn at_level(texture: Texture, level: f32, place: vec2<f32>) -> vec4<f32> {
     return mix(fine, coarse, share);
 }
 
-// A texture at a position in repeats, over a pixel footprint with these sides; colours in linear light.
+// Samples a texture over a pixel footprint with sides `right` and `down`; `place` is in texture repeats. Colours are in linear light.
 fn sampled(number: u32, place: vec2<f32>, right: vec2<f32>, down: vec2<f32>) -> vec4<f32> {
     let texture = textures[number];
     let size = vec2<f32>(texture.size);

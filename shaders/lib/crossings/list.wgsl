@@ -1,8 +1,8 @@
 // Reads the per-pixel list of crossings. Bound as @group(0) @binding(5), (6) and (7).
 //
 // Crossing i of a pixel is at depth-buffer value crossing_z[i * pixels + pixel], nearest first, so a fragment's `behind` is the number of
-// crossings in front of it. The list is written once per frame and decides everything: which fragments are kept, where caps are possible,
-// and whether they are inside.
+// crossings in front of the fragment. The list is written once per frame. All decisions use it: which fragments are kept, which crossings
+// may be caps, and which caps are inside a solid.
 
 #define_import_path cutaway::crossings
 
@@ -12,18 +12,18 @@
 #import cutaway::passed::Before
 #import cutaway::surfaces::{keeps_words, surface_of}
 
-// Bits 0-9 the number of crossings, bit 31 set if the list overflowed or may be wrong; and the sides where the ray starts.
+// Bits 0-9: number of crossings; bit 31: the list overflowed or may be wrong. Second word: the sides where the ray starts.
 @group(0) @binding(5) var<storage, read> crossing_heads: array<vec2<u32>>;
 @group(0) @binding(6) var<storage, read> crossing_z: array<f32>;
 // Word of each crossing (`crossing_words`); not stored if there is only one clip-surface and it carries no normals.
 @group(0) @binding(7) var<storage, read> crossing_surface: array<u32>;
 
-// The number of crossings in a list and whether it may be wrong, and the sides where the ray starts.
+// The two words of the head of a pixel's list.
 fn head_of(at: vec2<u32>) -> vec2<u32> {
     return crossing_heads[pixel_index(at)];
 }
 
-// Whether a pixel's list overflowed, or may be wrong.
+// True if a pixel's list overflowed, or may be wrong.
 fn is_cut_short(at: vec2<u32>) -> bool {
     return (head_of(at).x & 0x80000000u) != 0u;
 }
@@ -33,7 +33,7 @@ fn listed(head: u32) -> u32 {
     return head & MOST_CROSSINGS;
 }
 
-// The number of crossings that may be caps: all in the list.
+// The number of crossings that may be caps: all crossings in the list.
 fn cappable(at: vec2<u32>) -> u32 {
     return listed(head_of(at).x);
 }
@@ -62,8 +62,8 @@ fn depth_at(index: u32, at: vec2<u32>) -> f32 {
 // Lists up to this length are searched linearly.
 const SHORT: u32 = 8u;
 
-// A long list is searched by bisection, 10 steps for 1023 crossings, unless the clip-surface of each crossing in front must be read anyway.
-// Both searches share one loop: every mesh sample runs this code, and even a loop that is not entered has a cost.
+// Counts the crossings in front of `z`. A long list is searched by bisection, 10 steps for 1023 crossings, unless the clip-surface of each
+// crossing in front must be read anyway. Both searches share a loop: every mesh sample runs this, and even an unentered loop has a cost.
 fn crossings_before(z: f32, at: vec2<u32>) -> Before {
     let head = head_of(at);
     let count = listed(head.x);
@@ -73,7 +73,7 @@ fn crossings_before(z: f32, at: vec2<u32>) -> Before {
     for (var i = 0u; i < looks; i++) {
         let ahead = found.behind + select(1u, 1u << (looks - 1u - i), halves);
         if ahead <= count && is_behind(z, z_at(ahead - 1u, at)) {
-            // With bisection, each skipped crossing flips the side of the only clip-surface.
+            // With bisection there is only one clip-surface, and each skipped crossing flips its side.
             let passed = select(1u << surface_at(ahead - 1u, at), (ahead - found.behind) & 1u, halves);
             found.sides ^= passed;
             found.behind = ahead;

@@ -1,4 +1,4 @@
-// No part is cut: no ray crosses anything.
+// No part is cut, so there are no crossings.
 
 #define_import_path cutaway::crossings
 

@@ -1,7 +1,7 @@
 // The crossings of a pixel if the only clip-surface is a plane: one or none, recomputed on each use. Nothing is stored or read.
 //
-// Pipelines may round it differently, within the precision of an f32. No result for a cut part depends on that: each of its samples is
-// judged once, by the pass that finds it, and with one plane all kept samples lie on one side of the plane.
+// Pipelines may round the crossing differently, within the precision of an f32. No result for a cut part depends on that: each sample is
+// classified once, by the pass that finds it, and with one plane all kept samples lie on the same side.
 
 #define_import_path cutaway::crossings
 
@@ -28,7 +28,7 @@ fn listed(head: u32) -> u32 {
     return head;
 }
 
-// The number of crossings that may be caps: those in the box of the cut solids.
+// The number of crossings that may be caps: only those in the box of the cut solids.
 fn cappable(at: vec2<u32>) -> u32 {
     return select(0u, 1u, is_in_box(plane_at(at), centre_of(at)));
 }

@@ -1,4 +1,4 @@
-// The nearest kept surfaces drawn by the hardware rasteriser. Bound as @group(1) @binding(0) and (1).
+// The nearest kept surfaces, as drawn by the hardware rasteriser. Bound as @group(1) @binding(0) and (1).
 
 #define_import_path cutaway::drawn
 

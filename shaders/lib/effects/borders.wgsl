@@ -1,4 +1,4 @@
-// Borders: which neighbouring samples of the picture a stroke separates, and its class. A pixel's word has the class of the border to its
+// Borders: neighbouring samples that a stroke separates, and the stroke's class. A pixel's word has the class of the border to its
 // right in bits 0-3 and of the one below it in bits 4-7; 0 is none. The words of all pixels are followed by one per tile, which is nonzero
 // if the tile contains a border: most tiles have none.
 
@@ -10,7 +10,7 @@
 const NO_BORDER: u32 = 0u;
 // One side is background.
 const OUTLINE: u32 = 1u;
-// One side is a cap, the other of a different kind or part.
+// One side is a cap; the other has another kind or part.
 const CUT: u32 = 2u;
 // Between surfaces of two parts.
 const PART: u32 = 3u;
@@ -26,8 +26,7 @@ fn word_of_tile(tile: vec2<u32>) -> u32 {
     return pixel_count() + tile_at(tile);
 }
 
-// The first and the last tile within a distance of a pixel.
-// How far strokes reach, at most, and the tiles within that distance along one axis.
+// Greatest reach of strokes in pixels, and greatest number of tiles within that distance along one axis.
 const MOST_REACH_PX: i32 = 96;
 const MOST_TILES_AROUND: u32 = 14u;
 

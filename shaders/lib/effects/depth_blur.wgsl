@@ -1,4 +1,4 @@
-// A Gaussian along rows or columns of the picture, of depth. Bound as @group(2) @binding(0).
+// Gaussian blur of depth along rows or columns of the picture. Bound as @group(2) @binding(0).
 
 #define_import_path cutaway::depth_blur
 
@@ -9,19 +9,19 @@
 const MOST_BLUR_PX: i32 = 4096;
 
 struct Unsharp {
-    // The length that counts as 1.
+    // Unit of length: a distance of this many scene units counts as 1.
     diagonal: f32,
     // Standard deviation in pixels, and number of samples to each side.
     sigma_px: f32,
     reach_px: i32,
-    // How much darker it is where the depth exceeds that of the surroundings by 1.
+    // Darkening where the depth exceeds that of the surroundings by 1.
     strength: f32,
 }
 
 @group(2) @binding(0) var<uniform> unsharp: Unsharp;
 
-// Sample weights by distance, each computed from the previous one by two products (Turkowski, GPU Gems 3, 40): the weight, its factor, and
-// the factor of that factor.
+// Incremental Gaussian weights (Turkowski, GPU Gems 3, 40), each computed from the previous by two products. Components: the weight at
+// distance 0, the factor to the next weight, and the factor to the next factor.
 fn first_weight() -> vec3<f32> {
     let step = exp(-0.5 / (unsharp.sigma_px * unsharp.sigma_px));
     return vec3<f32>(1.0, step, step * step);

@@ -1,4 +1,4 @@
-// The tiles that effects draw, as the effects read them. Bound as @group(2) @binding(6).
+// The list of tiles that effects draw, in the form that effects read. Bound as @group(2) @binding(6).
 
 #define_import_path cutaway::effect_tile_list
 

@@ -1,4 +1,4 @@
-// The tiles that effects draw, while they are found. Bound as @group(2) @binding(6).
+// The list of tiles that effects draw, while it is built. Bound as @group(2) @binding(6).
 
 #define_import_path cutaway::effect_tile_marks
 

@@ -1,5 +1,5 @@
-// The picture tiles that effects draw: those that show something, those within stroke reach of such a tile, and those of the previous
-// frame. All others already are background without strokes. Tiles have the size of touched tiles.
+// The picture tiles that effects draw: tiles that are not background, tiles within stroke reach of these, and the tiles of the previous
+// frame. All other tiles already are background without strokes. Tiles have the size of touched tiles.
 
 #define_import_path cutaway::effect_tiles
 
@@ -16,6 +16,6 @@ struct EffectTile {
     // The tile at this index of the list.
     listed: u32,
     is_shown: u32,
-    // Whether the previous frame drew the tile because it showed something.
+    // Nonzero if the previous frame drew the tile because it was not background.
     was_listed: u32,
 }

@@ -1,4 +1,4 @@
-// Layers of the uncut scene, for a picture that shows the removed material. Bound as @group(1) @binding(0) and (1).
+// Layers of the uncut scene, from which removed material is found. Bound as @group(1) @binding(0) and (1).
 
 #define_import_path cutaway::ghost
 
@@ -8,10 +8,10 @@
 @group(1) @binding(0) var<storage, read> layers: array<u32>;
 @group(1) @binding(1) var<storage, read> ghost_layers: array<u32>;
 
-// Least distance of removed material in front of the visible surface, in pixel widths: anything closer is the visible surface itself.
+// Least distance between removed material and the visible surface, in pixel widths: anything closer is that surface itself.
 const APART_PX: f32 = 3.0;
 
-// Whether material in front of the visible surface was removed.
+// True if material in front of the visible surface was removed.
 fn is_gone(at: vec2<i32>) -> bool {
     if !is_in_frame(at) {
         return false;

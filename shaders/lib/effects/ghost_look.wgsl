@@ -3,7 +3,7 @@
 #define_import_path cutaway::ghost_look
 
 struct Ghost {
-    // Linear light.
+    // Colour in linear light.
     color: vec4<f32>,
     // Half the width of a line in pixels.
     half_px: f32,
@@ -11,7 +11,7 @@ struct Ghost {
     alpha: f32,
     // Opacity of glass.
     glass: f32,
-    // Line widths per scene unit.
+    // Reciprocal of the line width in scene units.
     widths_per_unit: f32,
 }
 

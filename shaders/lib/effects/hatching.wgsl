@@ -1,7 +1,7 @@
 // Hatches: families of parallel lines on caps, anchored to the clip-surface in scene units. Bound as @group(2) @binding(2), (3), (5).
 //
-// Lines are a train of pulses; their fraction of a pixel is the integral of the pulses over the pixel, which is right at any line spacing:
-// below a pixel it is their mean, and never noise. Dashes are pulses along the lines.
+// Lines are a train of pulses. The covered fraction of a pixel is the integral of the pulses over the pixel, which is correct at any line
+// spacing: if the spacing is below a pixel, the result is the mean, without noise. Dashes are pulses along the lines.
 
 #define_import_path cutaway::hatching
 
@@ -30,7 +30,7 @@ struct PartHatch {
     end: vec4<f32>,
 }
 
-// Most dashes of a line, and most line families of a hatch.
+// Maximum number of dashes in the pattern of a line, and of line families in a hatch.
 const MOST_DASHES: u32 = 4u;
 const MOST_LINES: u32 = 64u;
 
@@ -45,9 +45,9 @@ struct HatchLine {
     dash_lengths: vec4<f32>,
 }
 
-// By clip-surface number.
+// Indexed by clip-surface number.
 @group(2) @binding(2) var<uniform> hatch_planes: HatchPlanes;
-// By part-table index.
+// Indexed by part-table index.
 @group(2) @binding(3) var<storage, read> part_hatches: array<PartHatch>;
 @group(2) @binding(5) var<storage, read> hatch_lines: array<HatchLine>;
 
@@ -59,12 +59,12 @@ fn plane_of(number: u32, normal: vec3<f32>) -> CapPlane {
     return faced(hatch_planes.planes[number], normal);
 }
 
-// A footing transformed back to before its part moved: lines turn with the part about the plane's normal and move with the part's centre.
+// Undoes the motion of the part in a footing, because lines turn with the part about the plane's normal and move with its centre.
 fn carried_back(plane: CapPlane, footing: Footing, hatch: PartHatch) -> Footing {
     if hatch.start.w < 0.5 {
         return footing;
     }
-    // The rotation component about the normal: half its angle has these cosine and sine.
+    // Cosine and sine of half the angle of the rotation component about the normal.
     let half = vec2<f32>(hatch.turned.w, dot(hatch.turned.xyz, cross(plane.u_row.xyz, plane.v_row.xyz)));
     let size = dot(half, half);
     let turn = select(vec2<f32>(1.0, 0.0), vec2<f32>(half.x * half.x - half.y * half.y, 2.0 * half.x * half.y) / size, size > 1e-6);
@@ -85,7 +85,7 @@ fn footing_of(at: vec2<u32>, number: u32, depth: f32, normal: vec3<f32>, hatch: 
 fn line_cover(hatch_line: HatchLine, footing: Footing, width_px: f32) -> f32 {
     let across = dot(hatch_line.across, footing.uv) + hatch_line.phase;
     let steps = vec2<f32>(dot(hatch_line.across, footing.right), dot(hatch_line.across, footing.down));
-    // 1, and so the initial number of lines, where a pixel covers as much of the scene as initially.
+    // 1, which gives the initial spacing, if a pixel covers as much of the scene as initially.
     let scale = length(steps) / max(length(hatch_line.across) * hatch_planes.unit_px, 1e-20);
     let cover = lines_cover(across, steps, width_px * length(steps), scale);
     if hatch_line.dash_count == 0u || cover <= 0.0 {
@@ -104,7 +104,7 @@ fn line_cover(hatch_line: HatchLine, footing: Footing, width_px: f32) -> f32 {
     return cover * min(dashed, 1.0);
 }
 
-// Whether a cap has a hatch: not if several solids share it, nor if its clip-surface is unknown.
+// True if a cap has a hatch; false if several solids share the cap, or if its clip-surface is unknown.
 fn has_hatch(word: u32, place: u32) -> bool {
     let number = clip_surface_of(word);
     let is_known = number == NEAR_PLANE || number < hatch_planes.count;
@@ -113,7 +113,7 @@ fn has_hatch(word: u32, place: u32) -> bool {
 
 // Fraction of a cap pixel that lines cover.
 fn hatch_cover(hatch: PartHatch, footing: Footing) -> f32 {
-    // Without lines the cap is filled.
+    // A hatch without lines fills the cap.
     var bare = select(1.0, 0.0, hatch.line_count == 0u);
     for (var i = 0u; i < min(hatch.line_count, MOST_LINES); i++) {
         bare *= 1.0 - line_cover(hatch_lines[hatch.first_line + i], footing, hatch.width_px);

@@ -4,7 +4,7 @@
 
 #import cutaway::color::{linear_from_srgb, srgb_from_linear}
 
-// A pixel's word after blending a colour, in linear light, with a coverage above 0.
+// Blends a colour in linear light over a pixel, with a coverage above 0; returns the new word.
 fn laid_over(word: u32, color: vec3<f32>, cover: f32) -> u32 {
     let below = unpack4x8unorm(word);
     let alpha = cover + below.a * (1.0 - cover);

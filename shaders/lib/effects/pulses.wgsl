@@ -1,4 +1,4 @@
-// Trains of pulses, integrated over pixels.
+// Integrals of pulse trains over pixels.
 
 #define_import_path cutaway::pulses
 
@@ -17,12 +17,12 @@ fn integrated(t: f32, width: f32) -> f32 {
     return whole * width + min(t - whole, width);
 }
 
-// The mean of pulses with a width of 0 to 1, centred on whole numbers, over a pixel whose sides advance by `steps` across them: their
-// coverage of the pixel. Across pulses a pixel is the convolution of two boxes, so two integrals give the exact result.
+// The fraction of a pixel that pulses cover. Pulses have a width of 0 to 1 and are centred on whole numbers; `steps` is the advance across
+// pulses along the pixel's two sides. In this direction a pixel is the convolution of two boxes, so two integrals give the exact result.
 fn pulse_cover(at: f32, width: f32, steps: vec2<f32>) -> f32 {
     let long = max(max(abs(steps.x), abs(steps.y)), 1e-5);
     let short = min(abs(steps.x), abs(steps.y));
-    // If it is many periods wide, the result is the mean, because integrals would lose precision.
+    // If the pixel is many periods wide, the mean is used, because integrals would lose precision.
     if long > 32.0 {
         return width;
     }

@@ -5,7 +5,7 @@
 #import cutaway::frame::{centre_of, frame, pixel_index, ray_through}
 #import cutaway::layers::{BACKGROUND, WORDS_PER_PIXEL, kind_of}
 
-// A point of scene space; `w` is 1 if there is one, 0 for the background.
+// The visible point in scene space; `w` is 1 for a point, 0 for background.
 fn shown_point(at: vec2<u32>, word: u32, depth: f32) -> vec4<f32> {
     if kind_of(word) == BACKGROUND {
         return vec4<f32>(0.0);

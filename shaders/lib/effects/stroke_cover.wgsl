@@ -1,4 +1,4 @@
-// Strokes along borders: with a width, in ink, with smooth edges. Bound as @group(2) @binding(1).
+// Coverage of pixels by strokes along borders, with antialiased edges. Bound as @group(2) @binding(1).
 //
 // A stroke is a segment on a border, between two samples, with its ends where `strokes.wgsl` placed them. The distance to a stroke is that
 // to its segment less half its width; the least over all borders nearby is one distance for all classes, so that lines of different widths
@@ -21,13 +21,13 @@ fn half_px_of(border: u32) -> f32 {
     return style.stroke_halves[(border - 1u) / 4u][(border - 1u) % 4u];
 }
 
-// The nearest stroke to a point: the distance to its edge, negative inside the stroke, and half its width.
+// The stroke nearest to a point: half its width, and the distance to its edge, negative inside the stroke.
 struct Nearest {
     edge: f32,
     half_px: f32,
 }
 
-// The nearer of a stroke and that on a border, for a point at offset `off` from the middle of the border, across it and along it.
+// The nearer of a stroke and a border's stroke. `off` is the offset of the point from the border's middle, across and along the border.
 fn nearer(nearest: Nearest, border: u32, ends: array<vec2<f32>, 2>, off: vec2<f32>) -> Nearest {
     if border == NO_BORDER {
         return nearest;
@@ -43,7 +43,7 @@ fn nearer(nearest: Nearest, border: u32, ends: array<vec2<f32>, 2>, off: vec2<f3
     return Nearest(edge, half_px);
 }
 
-// Whether a tile within a distance of a pixel has a border.
+// True if a tile within a distance of a pixel contains a border.
 fn has_border_near(at: vec2<u32>, reach_px: i32) -> bool {
     let tiles = tiles_around(at, reach_px, frame.size_px);
     var found = 0u;

@@ -1,4 +1,4 @@
-// Position of a stroke on its border, in 12 bits: for each of the two ends, its offset across the border, or that it is in the middle of
+// Position of a stroke on its border, in 12 bits: each of the two ends has an offset across the border, or lies in the middle of
 // the border. Bits 8-19 of a pixel's word are for the border to its right, bits 20-31 for that below it.
 
 #define_import_path cutaway::stroke_place
@@ -6,7 +6,7 @@
 struct Place {
     // Offsets of the first and the last end, in pixels, at most half a pixel.
     off: vec2<f32>,
-    // Whether an end is in the middle of the border.
+    // For each end, true if it lies in the middle of the border.
     is_shortened: vec2<bool>,
 }
 
@@ -30,7 +30,7 @@ fn end_at(bits: u32, sign: f32) -> vec2<f32> {
     return vec2<f32>(f32(steps) / STEPS, 0.5 * sign);
 }
 
-// The two ends of the stroke on the border to the right of a pixel, or below it: each as offsets across and along.
+// The two ends of the stroke on the border to the right of a pixel, or below it: each as its offsets across and along the border.
 fn ends_of(word: u32, is_right: bool) -> array<vec2<f32>, 2> {
     let bits = select(word >> 20u, word >> 8u, is_right);
     return array(end_at(bits & 63u, -1.0), end_at((bits >> 6u) & 63u, 1.0));

@@ -8,19 +8,19 @@ struct Style {
     paper: vec4<f32>,
     // Cool blue, warm yellow, and the fractions of the part's own colour in cool and in warm light.
     gooch: vec4<f32>,
-    // Half the stroke widths in pixels, by border class less one.
+    // Half the stroke width in pixels for each border class, indexed by class minus one.
     stroke_halves: array<vec4<f32>, 2>,
     // Cosine of the least fold angle that is a crease.
     crease_cos: f32,
     // The least depth jump that is a contour, in pixel widths.
     depth_px: f32,
-    // How strongly caps are lit.
+    // Strength of the lighting on caps.
     cap_light: f32,
-    // Fraction of that light that depends on the cap's orientation.
+    // Fraction of the light on caps that depends on the cap's orientation.
     cap_relief: f32,
     // Greatest distance in pixels to a border whose stroke is visible: half the greatest width, rounded up, plus one for the edge.
     stroke_reach_px: i32,
-    // Samples per pixel of the picture along each side: each covers that fraction of the pixel.
+    // Supersampling factor along each side of a pixel.
     fineness: f32,
     // Strength of occlusion on surfaces and on caps.
     occlusion_surface: f32,

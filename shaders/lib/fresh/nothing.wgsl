@@ -1,4 +1,4 @@
-// Only the queue is reset together with a screen.
+// When a screen is transformed, only the queue is reset.
 
 #define_import_path cutaway::fresh
 

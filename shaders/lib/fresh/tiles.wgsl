@@ -1,4 +1,4 @@
-// Reset together with a frame's screen: no tile is touched.
+// When a frame's screen is transformed, the touched tiles are reset too: no tile is touched.
 
 #define_import_path cutaway::fresh
 

@@ -1,5 +1,5 @@
-// Line spacing is the scene's times a power of two, chosen so that lines keep about their initial spacing in the picture; between two such
-// scales every second line thins out, so that an approaching camera moves no line. Dashes keep their length.
+// Line spacing is the scene's times a power of two, chosen so that lines keep about their initial spacing in the picture. Between two such
+// powers every second line fades, so that lines do not move when the camera approaches. Dashes keep their length.
 
 #define_import_path cutaway::hatch_zoom
 
@@ -14,7 +14,7 @@ fn spacing_at(scale: f32) -> f32 {
 // Fraction of a pixel covered by lines of a width at multiples of the spacing, if the sides of a pixel advance by `steps` across them.
 fn lines_cover(across: f32, steps: vec2<f32>, width: f32, scale: f32) -> f32 {
     let apart = 2.0 * spacing_at(scale);
-    // From 0, where every line is drawn, to 1, where every second is.
+    // From 0, where every line is drawn, to 1, where only every second one is.
     let between = 2.0 * scale / apart - 1.0;
     let footprint = steps / apart / style.fineness;
     let kept = pulse_cover(across / apart, min(width / apart, 0.5), footprint);

@@ -1,4 +1,4 @@
-// Heights between texels by the definition: bilinear from four texels in f32.
+// Heights between texels exactly as defined: bilinear interpolation of four texels in f32.
 
 #define_import_path cutaway::height_filter
 

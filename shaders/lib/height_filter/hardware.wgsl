@@ -1,8 +1,8 @@
-// Heights between texels by the GPU's sampler: one fetch. Bound as @group(0) @binding(10) and (11).
+// Heights between texels from the GPU's sampler: one fetch. Bound as @group(0) @binding(10) and (11).
 //
 // A sampler resolves the position within a cell with few bits, 8 on nearly all devices: along an axis the height is off by up to 1/512 of
 // its change in a cell, and it changes in steps. All maps are layers of one texture and have the same size, so the layer follows from the
-// map's offset among the heights; the address mode is the sampler's, the same for all.
+// map's offset among the heights. The sampler sets one address mode for all maps.
 
 #define_import_path cutaway::height_filter
 

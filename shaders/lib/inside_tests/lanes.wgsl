@@ -3,18 +3,18 @@
 
 #define_import_path cutaway::lanes
 
-// Most crossings in a list: its head counts them in ten bits.
+// Maximum number of crossings in a list, whose head counts them in ten bits.
 const MOST_CROSSINGS: u32 = 1023u;
-// Most words per pixel, and most parts that have a lane in them: `src/passes/frame/lanes.rs`.
+// Maximum number of lane words per pixel, and of parts that have a lane; also in `src/passes/frame/lanes.rs`.
 const MOST_LANE_WORDS: u32 = 1024u;
 const MOST_LANES: u32 = 16384u;
 
-// Instead of a shift: the part is filled by the nonzero rule, and its lane is words of counts.
+// Value that replaces a shift if the part is filled by the nonzero rule, so that its lane consists of words of counts.
 const WINDING: u32 = 32u;
 
 // Location and number of a part's bits: up to 32, or a multiple of 32.
 struct Lane {
-    // The first word, if there are several.
+    // The lane's word; its first word if there are several.
     word: u32,
     shift: u32,
     bits: u32,
@@ -30,7 +30,7 @@ struct Fragment {
     z: f32,
     // Number of crossings in front of the fragment.
     behind: u32,
-    // Whether the fragment shows the outside of its triangle.
+    // True if the fragment shows the front of its triangle.
     front: bool,
 }
 
@@ -40,8 +40,8 @@ fn thermometer(count: u32, word: u32) -> u32 {
     return select(0xffffffffu >> (32u - here), 0u, here == 0u);
 }
 
-// The layout of lanes, and whether the near plane meets a solid: then an odd total means that the ray starts inside, not that the mesh is
-// open. `overlaps` requests to mark caps that several parts share.
+// The layout of lanes, and a flag for a near plane that meets a solid: then an odd total means that the ray starts inside, not that the
+// mesh is open. `overlaps` requests that caps shared by several parts are marked.
 struct Lanes {
     bits: u32,
     count: u32,

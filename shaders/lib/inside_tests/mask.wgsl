@@ -14,8 +14,8 @@ fn clear(pixel: u32) {
     }
 }
 
-// A fragment with `behind` crossings in front is behind each of them: it toggles the lane's thermometer, and its top bit, which ends as the
-// parity of all fragments. In a lane of several words only those with bits to toggle are touched.
+// A fragment with `behind` crossings in front toggles the bits of these crossings in its lane (the thermometer), and the top bit, which
+// ends as the parity of all fragments. In a lane of several words only words with bits to toggle are accessed.
 fn add_fragment(pixel: u32, word: u32, shift: u32, lane_bits: u32, behind: u32) {
     let total = 1u << ((lane_bits - 1u) % 32u);
     var last = word;

@@ -15,7 +15,7 @@ fn word_at(word: u32, pixel: u32) -> u32 {
     return mask[word * pixel_count() + pixel];
 }
 
-// Whether all words of a pixel are zero.
+// True if all words of a pixel are zero.
 fn is_zero(pixel: u32) -> bool {
     let words = min(arrayLength(&mask) / pixel_count(), MOST_LANE_WORDS + 1u);
     var any = 0u;
@@ -25,7 +25,7 @@ fn is_zero(pixel: u32) -> bool {
     return any == 0u;
 }
 
-// Whether a bit of a part's lane is set.
+// True if a bit of a part's lane is set.
 fn is_odd_at(place: u32, pixel: u32, bit: u32) -> bool {
     let word = word_at(parts[place].lane_word + bit / 32u, pixel);
     return ((word >> (parts[place].lane_shift + bit % 32u)) & 1u) != 0u;
@@ -48,7 +48,7 @@ fn next_odd(lanes: Lanes, place: u32, pixel: u32, bit: u32) -> u32 {
         return lanes.count;
     }
     let of_word = 32u / lanes.bits;
-    // This bit in each lane of a word.
+    // The bit `bit` of every lane in a word.
     let pattern = select(0xffffffffu / ((1u << lanes.bits) - 1u), 1u, lanes.bits == 32u) << bit;
     let end = min((lanes.count + of_word - 1u) / of_word, MOST_LANE_WORDS);
     let first = place / of_word;
@@ -62,7 +62,7 @@ fn next_odd(lanes: Lanes, place: u32, pixel: u32, bit: u32) -> u32 {
     return lanes.count;
 }
 
-// Whether the mask marks a buffer overflow. Used only if all lanes are bits.
+// True if the mask marks a buffer overflow. Used only if all lanes are bits.
 fn is_doubted(lanes: Lanes, pixel: u32) -> bool {
     // Lanes are a power of two wide, or whole words: either way no lane straddles two shared words.
     let plane = (lanes.count * lanes.bits + 31u) / 32u;

@@ -1,4 +1,4 @@
-// The box of one part seen along a fixed axis: drawing and sampling of images of its volume (Trapp & Döllner 2013, section 5).
+// The box of one part as seen along a fixed axis, for drawing and sampling images of the part's volume (Trapp & Döllner 2013, section 5).
 //
 // Rows map a point of scene space to (s, t, depth), all in 0..1 over the part's box. Depth is linear, nearest first.
 
@@ -36,7 +36,7 @@ fn sprite_position(sprite: Sprite, point: vec3<f32>) -> vec4<f32> {
     return on_viewport(clip, vec2<u32>(sprite.resolution));
 }
 
-// Returns true if a point lies outside the image, and so outside the part.
+// True if a point lies outside the image, and so outside the part.
 fn is_beside(at: vec3<f32>) -> bool {
     return any(at.xy < vec2<f32>(0.0)) || any(at.xy >= vec2<f32>(1.0));
 }

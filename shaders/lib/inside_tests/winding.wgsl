@@ -1,4 +1,4 @@
-// Winding numbers in words: four signed bytes summed in one word, and a word that checks them.
+// Winding numbers in words: four signed bytes summed in one word, and a word that checks the sums.
 //
 // Bytes are summed by one addition of the whole word, so a byte that goes below 0 borrows from the next; when the bytes are separated from
 // the lowest up, modulo 2^32, each returns what it borrowed. Order does not matter, nor do intermediate values: the result is exact if each
@@ -22,7 +22,7 @@ fn count_at(word: u32, index: u32) -> i32 {
     return count;
 }
 
-// A fragment's contribution to the check word: its step in the lower half, 1 in the upper.
+// A fragment's contribution to the check word: its winding step in the lower half, 1 in the upper.
 fn with_number(step: u32) -> u32 {
     return step + 0x10000u;
 }
@@ -33,7 +33,7 @@ fn sum_and_number(word: u32) -> vec2<i32> {
     return vec2<i32>(sum, bitcast<i32>((word - bitcast<u32>(sum)) >> 16u));
 }
 
-// Whether some partial sum of these steps may exceed a byte: more than 127 of them have the same sign.
+// True if some partial sum of the steps may exceed a byte: more than 127 steps have the same sign.
 fn may_exceed(sum_and_number: vec2<i32>) -> bool {
     return abs(sum_and_number.x) + sum_and_number.y > 254;
 }

@@ -8,11 +8,11 @@
 #import cutaway::touched::{TILE_PX, tile_at}
 #import cutaway::touched_list::touched
 
-// By rounding a crossing may lie this far in front of the nearest triangle that it belongs to, or behind the farthest: a fraction of the
-// depth, or of the scene size. It is a generous bound, yet far less than the depth range of a tile.
+// Distance by which rounding may move a crossing in front of the nearest triangle of its part, or behind the farthest: a fraction of the
+// depth or of the scene size. This bound is generous, yet far less than the depth range of a tile.
 const BEYOND: f32 = 0.0009765625;
 
-// `from_near`: the result is needed from the near plane on, where the ray may begin inside a solid.
+// `from_near`: the interval begins at the near plane, because the ray may begin inside a solid.
 fn interval_at(pixel: vec2<u32>, from_near: bool) -> Interval {
     let found = max(touched.reach, touched.tiles[tile_at(pixel / TILE_PX)].reach);
     if found.x == 0u && found.y == 0u {

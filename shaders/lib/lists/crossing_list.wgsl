@@ -1,4 +1,4 @@
-// Builds a pixel's list of crossings in place: insertion into the pixel's own range of the buffers.
+// Builds a pixel's list of crossings by insertion into the pixel's own range of the buffers.
 //
 // Crossings of one clip-surface arrive nearest first, so an insertion is nearly always one read and one write; an array in registers would
 // take its whole capacity in every pixel. Bound as @group(1) @binding(0) to (3). `need` records the longest list needed and the longest
@@ -18,11 +18,11 @@
 struct List {
     pixel: u32,
     capacity: u32,
-    // All crossings found, stored or not.
+    // Number of crossings found, stored or not.
     found: u32,
     // Sides where the ray starts.
     sides: u32,
-    // Crossings may be missing or wrong.
+    // True if crossings may be missing or wrong.
     cut_short: bool,
 }
 
@@ -39,7 +39,7 @@ fn put(at: u32, z: f32, word: u32) {
     }
 }
 
-// Whether a crossing comes before one in the list.
+// True if a crossing comes before the listed one.
 fn comes_before(z: f32, enters_kept: bool, listed: f32) -> bool {
     return is_behind(listed, z) || !(enters_kept || is_behind(z, listed));
 }

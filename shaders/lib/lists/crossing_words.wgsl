@@ -1,5 +1,5 @@
-// The word stored with each crossing's depth. Bits 0-4 are the clip-surface, by its index in the table. A crossing with a triangle has no
-// other source for its normal: bit 5 is set, and bits 6-31 hold the normal, octahedral, 13 and 13 bits.
+// The word stored with each crossing's depth. Bits 0-4 are the clip-surface, by its index in the table. For a crossing with a triangle,
+// which has no other source for its normal, bit 5 is set, and bits 6-31 hold the normal, octahedral, 13 and 13 bits.
 //
 // Fractions range from 0 to 8190, so that 0 has its own code and axis-aligned normals are exact; the error elsewhere is less than 0.02
 // degrees.

@@ -1,6 +1,6 @@
-// Lists of fragments while they are counted and filled. Bound as @group(1) @binding(4).
+// Lists of fragments, while fragments are counted and stored. Bound as @group(1) @binding(4).
 //
-// A fragment beyond the capacity is dropped; this shows in its list's end, which then exceeds the capacity.
+// A fragment beyond the capacity is dropped. The end of its list then exceeds the capacity, which reveals the overflow.
 
 #define_import_path cutaway::fragment_lists
 

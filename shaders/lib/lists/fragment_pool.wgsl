@@ -7,7 +7,7 @@
 #define_import_path cutaway::fragment_pool
 
 struct FragmentPool {
-    // Number of lists, and of words before the first depth.
+    // Number of lists, which is also the number of words before the first depth.
     lists: u32,
     // Capacity in fragments.
     capacity: u32,

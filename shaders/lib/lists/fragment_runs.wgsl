@@ -1,4 +1,4 @@
-// Filled lists of fragments: runs of the pool, unordered. Bound as @group(1) @binding(5).
+// Filled lists of fragments: unordered runs of the pool. Bound as @group(1) @binding(5).
 
 #define_import_path cutaway::fragment_runs
 
@@ -6,14 +6,14 @@
 
 @group(1) @binding(5) var<storage, read> fragments: array<u32>;
 
-// Most fragments of a list that are read: the rest count as an overflow.
+// Maximum number of fragments of a list that are read: more count as an overflow.
 const MOST_FRAGMENTS: u32 = 4096u;
 
 struct Run {
-    // Fragments from `first` up to but not including `end` are stored.
+    // Range of stored fragments: from `first` up to but not including `end`.
     first: u32,
     end: u32,
-    // Whether the whole list fits.
+    // True if the whole list fits the capacity.
     fits: bool,
 }
 

@@ -1,4 +1,4 @@
-// Lists of sheet fragments while they are filled: each fragment is prepended to its pixel's list. Bound as @group(1) @binding(4).
+// Lists of sheet fragments, while fragments are added: each fragment is prepended to its pixel's list. Bound as @group(1) @binding(4).
 
 #define_import_path cutaway::sheet_lists
 

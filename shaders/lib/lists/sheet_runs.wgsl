@@ -9,7 +9,7 @@
 struct Fragment {
     z: f32,
     word: u32,
-    // The previous fragment of its list, or an end marker.
+    // The fragment added to the list before this one, or an end marker.
     before: u32,
 }
 
@@ -30,7 +30,7 @@ fn fragment_at(fragment: u32) -> Fragment {
 // Most fragments of a list that are read: a longer list is marked. Each fragment is searched for among all, in quadratic time.
 const MOST_SHEET_FRAGMENTS: u32 = 240u;
 
-// The number of all fragments, whether they were stored or not.
+// The number of all fragments, stored or not.
 fn fragment_count() -> u32 {
     return sheets[sheet_pool.lists];
 }

@@ -1,4 +1,4 @@
-// Less light where less of the sky is visible. Bound as @group(2) @binding(4).
+// Light is reduced where less of the sky is visible. Bound as @group(2) @binding(4).
 
 #define_import_path cutaway::occlusion
 

@@ -1,5 +1,5 @@
-// Caps shared by several solids are hatched in their own colour, over that of the visible part: stripes in picture space, so that they are
-// visible whatever the solid's size. Bound as @group(1) @binding(4).
+// Caps shared by several solids get stripes in a separate colour over the visible part's colour. Stripes are defined in picture space, so
+// that they are visible whatever the solid's size. Bound as @group(1) @binding(4).
 
 #define_import_path cutaway::overlap
 

@@ -1,7 +1,7 @@
 // Phantom lines: a long dash and two dots (ISO 128-2, 05.1: 24, 3, half, 3, half, 3 widths; dots are as long as a line is wide here).
 //
-// Dashes follow the scene axis along which a line extends farthest, so that they stay in place while the camera moves; where another axis
-// takes over they jump. Bound as @group(1) @binding(3).
+// Dashes follow the scene axis along which a line extends farthest, so that they stay in place while the camera moves; where a different
+// axis takes over they jump. Bound as @group(1) @binding(3).
 
 #define_import_path cutaway::phantom
 
@@ -19,12 +19,12 @@ const PERIOD: f32 = 34.0;
 // Radius in pixels in which borders determine a line's direction.
 const SCATTER_PX: i32 = 4;
 
-// Whether the word of a pixel has a border towards the next one, to the right or below.
+// True if the word of a pixel contains a border towards the next pixel, to the right or below.
 fn has_border(word: u32, step: vec2<i32>) -> bool {
     return select(below_of(word), right_of(word), step.x == 1) != NO_BORDER;
 }
 
-// Whether a tile within a distance of a pixel has a border of the uncut solids.
+// True if a tile within a distance of a pixel contains a border of the uncut solids.
 fn has_border_near(at: vec2<i32>, reach_px: i32) -> bool {
     let tiles = tiles_around(vec2<u32>(at), reach_px, frame.size_px);
     var found = 0u;
@@ -45,13 +45,13 @@ fn word_of(at: vec2<i32>) -> u32 {
     return ghost_borders[pixel_index(vec2<u32>(at))];
 }
 
-// A stretch of a line: the picture positions of its borders, and the scene positions of the points that they bound.
+// A stretch of a line, fitted to the picture positions of its borders and the scene positions of the points next to them.
 struct Stretch {
     middle_px: vec2<f32>,
-    // Unit vector along it.
+    // Unit vector along the stretch.
     along: vec2<f32>,
     middle: vec3<f32>,
-    // Change of the scene position along it, per pixel.
+    // Change of the scene position along the stretch, per pixel.
     slope: vec3<f32>,
 }
 
@@ -62,8 +62,8 @@ fn gone_point(at: vec2<i32>, step: vec2<i32>) -> vec3<f32> {
     return shown_point(gone, ghost_layers[first], bitcast<f32>(ghost_layers[first + 2u])).xyz;
 }
 
-// The stretch of a line around a border: the direction in which borders scatter most, and along it the regression of their points, because
-// the depth of single points jumps where a surface curves away.
+// The stretch of a line around a border: the direction in which borders scatter most, and the linear regression of their points along this
+// direction, because the depths of single points jump where a surface curves away.
 fn stretch_at(near: vec2<i32>) -> Stretch {
     var px = vec2<f32>(0.0);
     var px_squares = vec3<f32>(0.0);

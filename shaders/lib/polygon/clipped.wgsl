@@ -1,5 +1,5 @@
-// For screens where some triangles cross the near plane or the guard band. The first invocation of each workgroup clips its triangle again:
-// the same arithmetic in the same pipeline, so that all pieces of a triangle come from one polygon.
+// For screens with triangles that cross the near plane or the guard band. The first invocation of each workgroup clips its triangle again,
+// with the same arithmetic in the same pipeline, so that all pieces of a triangle come from the same polygon.
 
 #define_import_path cutaway::polygon
 

@@ -1,4 +1,4 @@
-// For screens without clipped triangles: each is covered unclipped.
+// For screens without clipped triangles: every triangle is covered as it is.
 
 #define_import_path cutaway::polygon
 

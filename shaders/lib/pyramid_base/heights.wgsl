@@ -5,7 +5,7 @@
 #import cutaway::pyramid::pyramid_table
 #import cutaway::relief::heights
 
-// Texel along an axis: the index after the last wraps or clamps.
+// Texel index along an axis; the index after the last one wraps or clamps.
 fn texel_at(i: u32, size: u32, repeats: bool) -> u32 {
     if i < size {
         return i;
@@ -13,7 +13,7 @@ fn texel_at(i: u32, size: u32, repeats: bool) -> u32 {
     return select(size - 1u, 0u, repeats);
 }
 
-// Least and greatest height of a level-1 node: from up to 3 x 3 texels.
+// Least and greatest height of a level-1 node, from up to 3 x 3 texels.
 fn range_at(which: u32, level: u32, node: vec2<u32>) -> vec2<f32> {
     let size = pyramid_table.pyramids[which].map_size;
     let repeats = pyramid_table.pyramids[which].repeats != 0u;

@@ -1,5 +1,5 @@
-// Codes of the triangles that claim pixels: the visible side in the highest bit, so that among coincident triangles a maximum finds one
-// that faces the eye; the rest is counted from the end, so that a maximum finds the first of equals. 0 is not the code of any triangle.
+// Codes of the triangles that claim pixels. The highest bit is the visible side, so that among coincident triangles the maximum faces the
+// eye. The other bits count triangles from the last, so that among equals the maximum is the first. No triangle has the code 0.
 
 #define_import_path cutaway::claims
 

@@ -1,8 +1,8 @@
 // A triangle clipped by the near plane and the guard band: a polygon of at most eight corners.
 //
-// The intersection of an edge with a border is computed from its inner end towards its outer one. That order is the same in both triangles
-// of an edge, whatever their winding and whatever vertex numbers they have at a crease, so both get the same new corner. Whether a vertex
-// is beyond a border was decided once, when it was transformed; the distance found here only locates the intersection.
+// The intersection of an edge with a border is computed from its inner end towards its outer one. Both triangles of an edge use
+// that order, whatever their winding and their vertex indices at a crease, so both get the same new corner. It was decided once, when a
+// vertex was transformed, whether it is beyond a border; the distance computed here only locates the intersection.
 
 #define_import_path cutaway::clipping
 
@@ -10,9 +10,9 @@
 
 struct Polygon {
     count: u32,
-    // Clip space.
+    // Corners in clip space.
     at: array<vec4<f32>, 9>,
-    // Corner of the triangle, or 3 for a new one.
+    // For each corner of the polygon, the corner of the triangle that it is, or 3 for a new one.
     source: array<u32, 9>,
 }
 
@@ -54,7 +54,7 @@ fn clip_at(border: u32, polygon: ptr<function, Polygon>, beyond: vec3<u32>) {
     (*polygon).count = min(count, 8u);
 }
 
-// `beyond` holds for each corner the borders that it is beyond.
+// Clips a triangle. `beyond` has, for each corner, bits of the borders beyond which it lies.
 fn clipped(a: vec4<f32>, b: vec4<f32>, c: vec4<f32>, beyond: vec3<u32>) -> Polygon {
     var polygon: Polygon;
     polygon.count = 3u;

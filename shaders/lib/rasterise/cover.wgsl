@@ -1,7 +1,7 @@
 // Covers the samples of one piece of a triangle (`pieces.wgsl`): every n-th of the tiles that the triangle meets in a row of tiles. An
 // invocation owns one line of samples.
 //
-// Work per invocation: at most 256 tiles are tested, and `piece_px` + 192 samples are covered.
+// Work per invocation: at most 256 tiles are tested, and at most `piece_px` + 192 samples are covered.
 
 #define_import_path cutaway::cover
 
@@ -18,7 +18,7 @@ struct Where {
     piece: Piece,
     // Row of the part in the table of drawn parts.
     row: u32,
-    // Line of samples within a tile.
+    // Line of samples in the tile.
     line: i32,
     // Lane bits of the mask.
     lane_bits: u32,

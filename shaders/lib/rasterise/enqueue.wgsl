@@ -1,4 +1,4 @@
-// Fills a screen's queue, in whichever pass processes its triangles first. Bound as @group(2) @binding(4).
+// Fills a screen's queue. Used by the pass that processes the screen's triangles first. Bound as @group(2) @binding(4).
 
 #define_import_path cutaway::enqueue
 
@@ -9,7 +9,7 @@
 
 @group(2) @binding(4) var<storage, read_write> queue: array<atomic<u32>>;
 
-// Whether a triangle is too large for one invocation: by its box, in steps.
+// True if a triangle is too large for one invocation, judged by its box in steps.
 fn is_large(low: vec2<i32>, high: vec2<i32>, small_px: i32) -> bool {
     return any(high - low > vec2<i32>(small_px * 256));
 }

@@ -10,7 +10,7 @@
 #import cutaway::screen::{Point, cross2}
 
 struct Flat {
-    // Depth at the first snapped vertex, and its increase with the weights of the others.
+    // Depth at the first snapped vertex, and its increase with the weights of the other two vertices.
     z: f32,
     rise: vec2<f32>,
     // Least and greatest depth of the vertices.
@@ -18,7 +18,7 @@ struct Flat {
     greatest: f32,
 }
 
-// Corners run clockwise on screen; `area` is twice that of the snapped triangle, in square steps.
+// Makes the plane. Corners run clockwise on screen; `area` is twice the area of the snapped triangle, in square steps.
 fn flat_through(a: Point, b: Point, c: Point, area: f32) -> Flat {
     let ab = b.at - a.at;
     let ac = c.at - a.at;
@@ -34,7 +34,7 @@ fn flat_through(a: Point, b: Point, c: Point, area: f32) -> Flat {
     return Flat(z.x, (z.yz - z.x) / area, least, greatest);
 }
 
-// How far snapping moved a vertex, in pixels: exact.
+// Exact displacement of a vertex by snapping, in pixels.
 fn moved(point: Point) -> vec2<f32> {
     return vec2<f32>(point.steps - 128) / 256.0 - point.at;
 }

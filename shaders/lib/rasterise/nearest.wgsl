@@ -1,7 +1,7 @@
-// Each pixel's nearest kept sample while two sweeps find it: two words per pixel, the code of its triangle and its depth-buffer value as
+// Each pixel's nearest kept sample, found by two sweeps: two words per pixel, the code of its triangle and its depth-buffer value as
 // bits, which sort like the values. Bound as @group(1) @binding(5).
 //
-// Read as one 64-bit word, depth is the high half: `nearest_wide` finds the same by one atomic.
+// If both words are read as one 64-bit word, depth is the high half: `nearest_wide` finds the same sample by one atomic.
 
 #define_import_path cutaway::nearest
 
@@ -15,7 +15,7 @@ fn nearest_bits(pixel: u32) -> u32 {
     return atomicLoad(&nearest[2u * pixel + 1u]);
 }
 
-// Whether the sample may still be the nearest.
+// Returns true if the sample may still be the nearest.
 fn raise(sample: Sample) -> bool {
     let bits = bitcast<u32>(sample.z);
     let pixel = pixel_index(sample.at);

@@ -1,4 +1,4 @@
-// Each pixel's nearest kept sample while one sweep finds it, with 64-bit atomics, which core WebGPU lacks. Bound as @group(1) @binding(5).
+// Each pixel's nearest kept sample, found by one sweep with 64-bit atomics, which core WebGPU lacks. Bound as @group(1) @binding(5).
 
 #define_import_path cutaway::nearest_wide
 

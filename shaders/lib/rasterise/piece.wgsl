@@ -31,7 +31,7 @@ fn owner_of(piece: u32, count: u32) -> u32 {
     return place;
 }
 
-// The piece of a workgroup in the dispatch. The last workgroups may be beyond all pieces: their row is beyond that of the last triangle.
+// The piece that a workgroup owns. The last workgroups may be beyond all pieces: then the row is beyond that of the last triangle.
 fn piece_of(group: vec3<u32>, groups: vec3<u32>) -> Piece {
     let piece = group.y * groups.x + group.x;
     let place = owner_of(piece, min(queue[0], sweep.triangle_count));
@@ -43,13 +43,13 @@ fn piece_of(group: vec3<u32>, groups: vec3<u32>) -> Piece {
     return Piece(entry & ~CLIPPED, (entry & CLIPPED) != 0u, row, i32(own % columns), i32(columns));
 }
 
-// Tiles of a piece: the first, and the number that follow, `columns` apart.
+// Tiles of a piece: the first, and the number of further tiles, `columns` apart.
 struct Tiles {
     first: i32,
     count: i32,
 }
 
-// Least and greatest x, in steps, of an edge between two heights: empty if the edge does not reach them.
+// Least and greatest x, in steps, of an edge between two values of y; empty if the edge does not reach them.
 fn extent_between(from_point: vec2<i32>, to_point: vec2<i32>, heights: vec2<i32>) -> vec2<f32> {
     let rises = to_point.y >= from_point.y;
     let p = select(to_point, from_point, rises);

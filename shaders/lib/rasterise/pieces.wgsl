@@ -1,9 +1,9 @@
 // Pieces: how a triangle with many samples is divided among workgroups.
 //
-// Tiles have 64 x 64 samples. A row of tiles that the triangle's box meets is one piece, or several that take its tiles in turn if the
-// triangle is wide: a line of samples in a piece is then no longer than `piece_px` and three tiles, whatever the triangle and the picture.
-// Thin triangles have few samples for their box, so the number follows from the triangle's own width: its largest horizontal extent, that
-// is, twice its area over its height.
+// Tiles have 64 x 64 samples. A row of tiles that the triangle's box meets is one piece. If the triangle is wide, it is several, which
+// take its tiles in turn, so that a line of samples in a piece is at most `piece_px` plus three tiles long, for any triangle and picture.
+// Thin triangles have few samples in a large box, so the number of pieces follows from the triangle's own width: its largest horizontal
+// extent, which is twice its area divided by its height.
 
 #define_import_path cutaway::pieces
 

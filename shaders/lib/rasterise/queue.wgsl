@@ -1,5 +1,5 @@
-// Layout of a screen's queue, in words: the number of queued triangles, the number to be visited again, then two words for each queued
-// triangle from the front, one for each that is visited again from the back, and behind both the first piece of each queued triangle.
+// Layout of a screen's queue, in words: the number of queued triangles; the number of triangles to visit again; a range with two words for
+// each queued triangle, from the front, and one for each to visit again, from the back; then the first piece of each queued triangle.
 //
 // A triangle is queued or visited again, never both, so two words per triangle and one more word per triangle behind them suffice.
 
@@ -12,7 +12,7 @@ const HEAD: u32 = 2u;
 // Bit of a queued triangle that crosses the near plane or the guard band.
 const CLIPPED: u32 = 0x80000000u;
 
-// The two words of a queued triangle: its number and CLIPPED; the first row of tiles of its pieces and how many pieces a row has.
+// The two words of a queued triangle: its number and CLIPPED; the first row of tiles of its pieces, and the number of pieces per row.
 fn queued_at(place: u32) -> u32 {
     return HEAD + 2u * place;
 }

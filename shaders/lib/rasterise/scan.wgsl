@@ -20,13 +20,13 @@ struct Run {
     length: u32,
 }
 
-// Instead of a word index: the length is known beforehand.
+// Value that replaces a word index if the length is known beforehand.
 const NOWHERE: u32 = 0xffffffffu;
 
 var<workgroup> run_length: u32;
 
-// The run of `most` words from `first` on, or of as many of them as word `count_at` of the buffer gives. It is uniform over a workgroup,
-// which may therefore return early if it has none of them.
+// The run of words from `first` on: `most` words, or fewer if word `count_at` of the buffer is less. The run is uniform over a workgroup,
+// so a workgroup without any of the words may return early.
 fn run_of(first: u32, most: u32, count_at: u32, invocation: u32) -> Run {
     if invocation == 0u {
         run_length = most;
@@ -49,7 +49,7 @@ fn sum_of_own(block: u32, run: Run, invocation: u32) -> u32 {
     return sum;
 }
 
-// Replaces each word of a block by `start` and the sum of the words before it in the block; returns the sum of the block.
+// Replaces each word of a block by `start` plus the sum of the words before it in the block; returns the sum of the block.
 fn scan_block(block: u32, run: Run, start: u32, invocation: u32) -> u32 {
     let sums = sums_before(sum_of_own(block, run, invocation), invocation, ROUNDS);
     let first = block * BLOCK_WORDS + 8u * invocation;

@@ -2,8 +2,8 @@
 // and y down; the sample of a pixel is at its centre, 128 steps into it.
 //
 // A point beyond a border cannot be snapped, and its triangles are clipped there: the near plane, and a guard band around the
-// picture that keeps every difference of two coordinates below 2^23 steps. A triangle that has all of its points beyond one border, or
-// beyond one side of the picture, holds no sample.
+// picture that keeps every difference of two coordinates below 2^23 steps. A triangle whose points all lie beyond the same border or
+// the same side of the picture contains no sample.
 
 #define_import_path cutaway::screen
 
@@ -12,7 +12,7 @@
 // Half the width of the guard band, in pixels from the upper left corner.
 const GUARD_PX: f32 = 16000.0;
 const BORDERS: u32 = 5u;
-// Bits of the borders; those of the sides of the picture follow.
+// Mask of the border bits; the bits of the picture sides follow.
 const BEYOND_BORDERS: u32 = 31u;
 
 // Greatest distance of a point inside the guard band from the middle of the picture, in half picture sizes.
@@ -32,7 +32,7 @@ fn distance_from(border: u32, clip: vec4<f32>) -> f32 {
     }
 }
 
-// Bit b is set where the point is beyond border b.
+// Bit b is set if the point is beyond border b.
 fn borders_beyond(clip: vec4<f32>) -> u32 {
     var beyond = 0u;
     for (var border = 0u; border < BORDERS; border++) {
@@ -52,7 +52,7 @@ fn sides_beyond(clip: vec4<f32>) -> u32 {
 
 // A point of the picture.
 struct Point {
-    // In pixels from the centre of the upper left pixel, so that samples are at integers.
+    // Position in pixels from the centre of the upper left pixel, so that samples are at integers.
     at: vec2<f32>,
     // Value of the depth buffer.
     z: f32,
@@ -67,13 +67,13 @@ fn on_screen(clip: vec4<f32>) -> vec3<f32> {
     return vec3<f32>(at_px - 0.5, clip.z / clip.w);
 }
 
-// Snapping has a single rounding and is otherwise exact, so all passes that snap a vertex get the same result.
+// Snaps a point. The only inexact operation is one rounding, so all passes that snap a vertex get the same result.
 fn snapped(at: vec3<f32>) -> Point {
     return Point(at.xy, at.z, vec2<i32>(round(at.xy * 256.0)) + 128);
 }
 
-// A vertex in stored format, as bits: on screen, or in clip space, with the borders and sides it is beyond. In clip space three numbers are
-// stored: one of z and w is constant, w in parallel views, z in others.
+// A vertex in the stored format, as bits: a screen position, or a clip-space position with the borders and sides beyond which it is. In
+// clip space three numbers are stored, because w is constant in parallel views and z in others.
 fn kept(clip: vec4<f32>) -> vec4<i32> {
     let beyond = borders_beyond(clip);
     let sides = sides_beyond(clip);
@@ -84,17 +84,17 @@ fn kept(clip: vec4<f32>) -> vec4<i32> {
     return vec4<i32>(bitcast<vec3<i32>>(vec3<f32>(clip.xy, third)), i32(beyond | sides));
 }
 
-// The borders that a stored vertex is beyond.
+// Bits of the borders beyond which a stored vertex lies.
 fn borders_of(vertex: vec4<i32>) -> u32 {
     return u32(vertex.w) & BEYOND_BORDERS;
 }
 
-// Whether all vertices of a triangle are beyond one border, or one side of the picture: then it holds no sample.
+// True if all vertices of a triangle are beyond the same border or the same side of the picture: then it contains no sample.
 fn is_beside(vertices: array<vec4<i32>, 3>) -> bool {
     return (vertices[0].w & vertices[1].w & vertices[2].w) != 0;
 }
 
-// Whether some border clips a triangle.
+// True if some border clips a triangle.
 fn is_clipped(vertices: array<vec4<i32>, 3>) -> bool {
     return (borders_of(vertices[0]) | borders_of(vertices[1]) | borders_of(vertices[2])) != 0u;
 }
@@ -129,8 +129,8 @@ fn last_pixel(high: vec2<i32>) -> vec2<i32> {
     return min((high - 128) >> vec2<u32>(8u), vec2<i32>(frame.size_px) - 1);
 }
 
-// A sample on an edge belongs to the triangle if the edge is a top or a left one: then 0, else -1, to be added to the edge function before
-// its sign is tested. Triangles are oriented so that edge functions are positive inside.
+// Term to add to an edge function before its sign is tested: 0 for a top or left edge, whose samples belong to the triangle, -1 for other
+// edges. Triangles are oriented so that edge functions are positive inside.
 fn edge_bias(edge: vec2<i32>) -> i32 {
     return select(-1, 0, edge.y < 0 || (edge.y == 0 && edge.x > 0));
 }

@@ -1,7 +1,7 @@
 // One sweep of the compute rasteriser over the triangles of all parts. Bound as @group(2) @binding(0), (1) and (2).
 //
-// Sweeps over one screen that treat a sample alike share pipelines: only a value in `sweep` differs. So they compute the same depth for the
-// same sample, bit for bit, which two pipelines would not guarantee.
+// Sweeps over a screen that process samples in the same way share a pipeline; only a value in `sweep` differs. So they compute the same
+// depth for the same sample, bit for bit, which two pipelines would not guarantee.
 
 #define_import_path cutaway::sweep
 
@@ -19,16 +19,16 @@ struct Sweep {
 }
 
 struct DrawnPart {
-    // Number of its first triangle among all that are drawn.
+    // Number of the part's first triangle among all drawn triangles.
     first_triangle: u32,
     first_index: u32,
     base_vertex: u32,
     // Bits of the cuts that apply.
     cuts: u32,
-    // Location of its bits in the inside mask, unless its place is NO_LANE.
+    // Location of the part's bits in the inside mask, unless `place` is NO_LANE.
     lane_word: u32,
     lane_shift: u32,
-    // Index in the part table, or NO_LANE if it needs no inside test.
+    // Index of the part in the part table, or NO_LANE if it needs no inside test.
     place: u32,
     // Index of the part in the scene.
     part: u32,
@@ -48,7 +48,7 @@ struct Sample {
     at: vec2<u32>,
     z: f32,
     triangle: u32,
-    // Row of the part in the table of drawn parts, and its content: looked up once for all samples of a triangle.
+    // Row index of the part in the table of drawn parts, and the row itself: looked up once for all samples of a triangle.
     row: u32,
     part: DrawnPart,
     front: bool,

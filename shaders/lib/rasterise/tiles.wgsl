@@ -10,7 +10,7 @@
 #import cutaway::wide::{FARTHEST, wide_cross, wide_float, wide_floor}
 
 struct TileEdge {
-    // Of the edge, in steps.
+    // Direction of the edge, in steps.
     direction: vec2<i32>,
     // floor(e0 / 256), and the remainder of e0.
     floor: i32,
@@ -35,7 +35,7 @@ fn growth(edge: TileEdge, step: vec2<i32>) -> i32 {
     return edge.direction.x * step.y - edge.direction.y * step.x;
 }
 
-// Whether some sample of the tile, up to `span` samples from its first, is inside.
+// True if some sample of the tile, up to `span` samples from the first one, is inside.
 fn reaches(edge: TileEdge, span: vec2<i32>) -> bool {
     return edge.biased + max(edge.direction.x * span.y, 0) + max(-edge.direction.y * span.x, 0) >= 0;
 }

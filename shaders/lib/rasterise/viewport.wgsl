@@ -1,7 +1,7 @@
 // The viewport of every draw: a power of two larger than the picture, as large as fits into 8192 pixels, about the same middle.
 //
 // A rasteriser may clip triangles at the borders of the viewport. Clipping a needle there leaves an even thinner needle, whose depth can
-// lie anywhere between those of its ends, so nothing is clipped at the borders of a picture or of a band. `src/gpu/viewport.rs` sets the
+// be any value between those of its ends, so nothing is clipped at the borders of a picture or of a band. `src/gpu/viewport.rs` sets the
 // same viewport.
 
 #define_import_path cutaway::viewport

@@ -31,7 +31,7 @@ fn wide_minus(a: vec2<u32>, b: vec2<u32>) -> vec2<u32> {
     return vec2<u32>(a.x - b.x, a.y - b.y - select(0u, 1u, a.x < b.x));
 }
 
-// x of a times y of b, less y of a times x of b.
+// a.x * b.y - a.y * b.x.
 fn wide_cross(a: vec2<i32>, b: vec2<i32>) -> vec2<u32> {
     return wide_minus(wide_product(a.x, b.y), wide_product(a.y, b.x));
 }

@@ -1,4 +1,4 @@
-// All crossings of a ray with a relief, cell by cell: time in proportion to the cells between entering and leaving the height slab.
+// Finds all crossings of a ray with a relief, cell by cell. Takes time in proportion to the number of cells in the height slab.
 
 #define_import_path cutaway::relief_crossing
 
@@ -31,7 +31,7 @@ fn cross_relief(list: ptr<function, List>, surface: u32, at_px: vec2<f32>, inter
             return;
         }
     }
-    // Cells beyond the limit are not walked: mark the list.
+    // Cells beyond the limit are not visited: mark the list.
     (*list).cut_short = true;
     atomicMax(&need[1], cell_limit + 1u);
 }

@@ -1,4 +1,4 @@
-// All crossings of a ray with a relief, over nodes of its pyramid: nodes wholly above or below the ray are skipped in one step.
+// Finds all crossings of a ray with a relief by its pyramid: nodes that lie wholly above or below the ray are skipped in one step.
 //
 // The list equals that of the cell walk, bit for bit. Three properties ensure this. A node is skipped only if every cell in it would be on
 // the ray's current side, with a margin for the rounding of such a cell; so only a cell ever sets a sign, and where the side is known
@@ -19,21 +19,21 @@
 #import cutaway::relief::corners_of
 #import cutaway::relief_ray::{Carried, Way, add_found, begin_of, begin_way, depth_at_border, heading_of, no_step, walk_cell, way_through}
 
-// Level at which a ray begins; it rises from there where there is nothing to hit.
+// Level at which a ray begins; it rises while nodes are skipped.
 const FIRST_LEVEL: u32 = 3u;
 // Most cells along a ray in a smallest block, including those that a mirrored map adds at its border.
 const CELLS_OF_BLOCK: u32 = 9u;
 // Greatest error, in cells, of the cell that f32 finds for a depth within 2^22 texels.
 const MISS: u32 = 3u;
 
-// Whether the border that a cell is entered by is met before a depth, or at it where ties belong to this axis.
+// True if the ray meets a cell's entry border before a depth, or at the depth if ties belong to this axis.
 fn is_met(border: i32, texel: vec2<f32>, depth: f32, ties: bool) -> bool {
     let at = depth_at_border(border, texel);
     return at < depth || (ties && at <= depth);
 }
 
-// The cell along one axis that the ray is in at a depth, if it was in cell `now` before and does not pass `last`: the last cell entered
-// before that depth.
+// The last cell along one axis that the ray enters before a depth, given that it was in cell `now` earlier and does not go beyond cell
+// `last`.
 fn cell_at(depth: f32, ties: bool, now: i32, last: i32, up: bool, texel: vec2<f32>) -> i32 {
     let step = select(-1, 1, up);
     // Cell i is entered by border i when walking up, by i + 1 when walking down.
@@ -119,7 +119,7 @@ fn cross_relief(list: ptr<function, List>, surface: u32, at_px: vec2<f32>, inter
             if exit >= way.last {
                 return;
             }
-            // Ties leave by x first, as in the walk. The last cell before border i is i - 1 when walking up, i when walking down.
+            // In a tie x comes first, as in the walk. The last cell before border i is i - 1 when walking up, i when walking down.
             if border_x <= border_y {
                 cell = vec2<i32>(border.x - 1 + ahead.x, cell_at(border_x, false, cell.y, border.y - ahead.y, up.y, y));
                 level += select(0u, 1u, closes.x);
@@ -131,7 +131,7 @@ fn cross_relief(list: ptr<function, List>, surface: u32, at_px: vec2<f32>, inter
         if cells == 0u {
             break;
         }
-        // Walks the cells of that block.
+        // Walks the cells of the block that was found.
         var corners = corners_of(way.map, cell);
         var met = no_step();
         for (var i = 0u; i < CELLS_OF_BLOCK && cells > 0u && met.found.count == 0u && !met.is_last; i++) {

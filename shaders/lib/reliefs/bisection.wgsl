@@ -37,7 +37,7 @@ fn middle_of(triangle: Triangle) -> vec2<i32> {
     return (triangle.a + triangle.b) / 2;
 }
 
-// The half at a, or the second at b.
+// The first half, which contains a, or the second, which contains b.
 fn half_of(triangle: Triangle, second: bool) -> Triangle {
     let middle = middle_of(triangle);
     if second {
@@ -46,7 +46,7 @@ fn half_of(triangle: Triangle, second: bool) -> Triangle {
     return Triangle(middle, triangle.apex, triangle.a);
 }
 
-// The parent of a triangle that is a first or second half.
+// The triangle of which the given one is the first or the second half.
 fn whole_of(triangle: Triangle, second: bool) -> Triangle {
     if second {
         return Triangle(triangle.b, 2 * triangle.apex - triangle.a, triangle.a);

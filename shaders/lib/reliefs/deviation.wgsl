@@ -10,7 +10,7 @@
 
 // A plane over the map.
 struct Chord {
-    // A texel, counted from the corner of the domain, and the height there.
+    // A texel relative to the corner of the domain, and the height there.
     at: vec2<i32>,
     height: f32,
     slope: vec2<f32>,

@@ -17,24 +17,24 @@ struct Domain {
     // Texel of the map at vertex (0, 0).
     first_texel: vec2<i32>,
     patches: vec2<u32>,
-    // Texels along a patch and steps along a texel, as powers of two.
+    // Texels along the side of a patch, and steps per texel, both as exponents of two.
     patch_bits: u32,
     step_bits: u32,
-    // Offsets of the errors of its vertices and of its cells.
+    // Offsets of the errors of the domain's vertices, and of its cells.
     first_vertex: u32,
     first_cell: u32,
     // Least twist assumed for every cell.
     least_twist: f32,
     // 1 if the texel axes have the opposite handedness to U and V.
     mirrored: u32,
-    // Size of the map: the measuring passes use no other data of the clip-surface, so that it may move without new measurements.
+    // Size of the map. The measuring passes use no other data of the clip-surface, so moving it needs no new measurement.
     map_size: vec2<u32>,
     map_first: u32,
     wrap: u32,
     padding: vec2<u32>,
 }
 
-// Greatest number of texels in half the side of a patch, as a power of two.
+// Greatest number of texels in half the side of a patch, as an exponent of two.
 const MOST_HALF_BITS: u32 = 5u;
 
 struct Domains {
@@ -43,7 +43,7 @@ struct Domains {
 
 @group(1) @binding(8) var<uniform> domains: Domains;
 
-// Texels along the sides.
+// Number of texels along each side of the domain.
 fn domain_texels(surface: u32) -> vec2<u32> {
     return domains.surfaces[surface].patches << vec2<u32>(domains.surfaces[surface].patch_bits);
 }
@@ -56,12 +56,12 @@ fn domain_map(surface: u32) -> Map {
     return Map(domains.surfaces[surface].map_first, domains.surfaces[surface].map_size, domains.surfaces[surface].wrap);
 }
 
-// A cell of the map, counted from the corner.
+// A cell of the map, by its position relative to the corner of the domain.
 fn domain_cell(surface: u32, cell: vec2<i32>) -> Cell {
     return cell_of(domain_map(surface), domains.surfaces[surface].first_texel + cell);
 }
 
-// Height of the map at a texel, counted from the corner.
+// Height of the map at a texel, by its position relative to the corner of the domain.
 fn texel_height(surface: u32, texel: vec2<i32>) -> f32 {
     let map = domain_map(surface);
     let at = domains.surfaces[surface].first_texel + texel;

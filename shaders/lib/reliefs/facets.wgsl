@@ -10,7 +10,7 @@ struct CapVertex {
     surface: u32,
 }
 
-// An instance is a clip-surface for a part: 32 times the part's index in the table, plus the clip-surface.
+// An instance is a pair of part and clip-surface: 32 times the part's table index plus the clip-surface's index.
 fn surface_of(instance: u32) -> u32 {
     return instance % 32u;
 }

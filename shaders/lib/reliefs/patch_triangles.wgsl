@@ -33,7 +33,7 @@ const SHARED: u32 = 5u;
 const MOST_OWN_HALVINGS: u32 = 10u;
 // Most triangles in a walk: all from `MOST_OWN_HALVINGS` halvings, and at most 32 on the way there.
 const MOST_VISITS: u32 = (2u << MOST_OWN_HALVINGS) + 32u;
-// Result of a walk that was cut short: more than 64 complete walks find together.
+// Result of a walk that was cut short; greater than the sum of 64 complete walks.
 const TOO_MANY: u32 = 1u << 20u;
 
 var<workgroup> place: u32;
@@ -66,7 +66,7 @@ fn walk(share: Share, at: u32, writes: bool) -> u32 {
     let size = 1i << (domains.surfaces[surface].patch_bits + domains.surfaces[surface].step_bits);
     var triangle = root_of(share.patch_at, (share.number >> shared_halvings) == 1u, size);
     var depth = 0u;
-    // Borders of the view and of the box that the triangle crosses.
+    // The borders of the view and of the box that the triangle may cross.
     var borders = ALL_BORDERS;
     // Turns taken since this invocation's triangle, the last in the lowest bit.
     var turns = 0u;
@@ -111,7 +111,7 @@ fn walk(share: Share, at: u32, writes: bool) -> u32 {
     return TOO_MANY;
 }
 
-// Writes the triangles of a workgroup; false, for all of its invocations alike, where a walk was cut short.
+// Writes the triangles of a workgroup. If a walk was cut short, returns false in all invocations of the workgroup.
 fn write_shares(share: Share, local: u32) -> bool {
     let own = walk(share, 0u, false);
     let found = sums_before(own, local, SHARED + 1u);

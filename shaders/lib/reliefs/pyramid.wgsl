@@ -1,4 +1,4 @@
-// Pyramids over offset maps: the least and the greatest height of blocks of cells, read while a ray is followed.
+// Pyramids over offset maps: the least and the greatest height of each block of cells, read along a ray.
 //
 // Cell (i, j) of a map spans the texel centres i, i + 1 and j, j + 1, for i from 0 to one less than the width: the last cell spans the last
 // texel and the one after it, which is the first texel if the map repeats, else the last again. Node k of level l covers along each axis
@@ -29,9 +29,9 @@ struct Pyramid {
     // The highest level, stored from LOWEST on; 0 if the clip-surface is a plane.
     levels: u32,
     map_size: vec2<u32>,
-    // 1 where the map repeats.
+    // 1 if the map repeats.
     repeats: u32,
-    // 1 in the first row of those that share a pyramid.
+    // 1 in the first of the rows that share a pyramid.
     is_own: u32,
     padding: vec2<u32>,
     // First node of level 4 i + j + 1 in [i][j].
@@ -39,7 +39,7 @@ struct Pyramid {
 }
 
 struct PyramidTable {
-    // By clip-surface.
+    // Indexed by clip-surface.
     pyramids: array<Pyramid, 32>,
 }
 
@@ -49,11 +49,11 @@ struct PyramidTable {
 
 // A node along one axis.
 struct Along {
-    // Its number.
+    // Number of the node.
     node: u32,
-    // The border at which the ray leaves it.
+    // The border at which the ray leaves the node.
     border: i32,
-    // Whether this is also a border of its parent.
+    // True if this is also a border of the parent node.
     closes: bool,
 }
 

@@ -16,7 +16,7 @@ struct Quad {
 
 @group(1) @binding(7) var<storage, read> quads: array<Quad>;
 
-// A point of the plane, counted in cells from the corner.
+// A point of the plane, given in cells from the corner.
 fn plane_point(surface: u32, at: vec2<f32>) -> vec3<f32> {
     return quads[surface].corner.xyz + at.x * quads[surface].step_u.xyz + at.y * quads[surface].step_v.xyz;
 }

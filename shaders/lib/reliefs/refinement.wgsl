@@ -21,7 +21,7 @@ struct Refinement {
     borders: array<vec4<f32>, 11>,
     // Least depth of the clip-surface over vertex (0, 0), change per step in x and in y, depth of the near plane: whole units.
     depth: vec4<i32>,
-    // Greatest map error that is invisible at a depth of one unit.
+    // Greatest error of the map that is invisible at a depth of one unit.
     error_per_depth: f32,
     // Capacity in triangles.
     capacity: u32,
@@ -89,7 +89,7 @@ fn is_halved(surface: u32, triangle: Triangle, depth: u32) -> bool {
     return error_of(surface, triangle, depth) > refinements.surfaces[surface].error_per_depth * f32(max(seen_at, row.w));
 }
 
-// All borders, and the result for a triangle beyond one.
+// Mask of all borders, and the result for a triangle beyond one of them.
 const ALL_BORDERS: u32 = 0x7ffu;
 const OUTSIDE: u32 = 0x80000000u;
 

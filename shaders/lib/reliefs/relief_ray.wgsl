@@ -19,15 +19,15 @@
 struct Way {
     surface: u32,
     start: f32,
-    // Depth at which the way ends; the way is empty if this is not above 0.
+    // Depth at which the way ends; the way is empty if this depth is 0 or less.
     end: f32,
-    // Requested interval. It affects nothing else: the result at a depth equals that for the whole way, bit for bit.
+    // Requested interval. It does not affect results: those at a depth equal the results for the whole way, bit for bit.
     first: f32,
     last: f32,
-    // The way begins and ends on a border of the slab, where the side is known without the map.
+    // True if the way begins and ends on a border of the slab, where the side is known without the map.
     from_slab: bool,
     to_slab: bool,
-    // The ray rises over the plane; otherwise it falls or keeps its height.
+    // True if the ray rises over the plane, false if it falls or stays level.
     rises: bool,
     texel_x: vec2<f32>,
     texel_y: vec2<f32>,
@@ -50,7 +50,7 @@ struct Heading {
     up: vec2<bool>,
     // Step to the next cell along each axis.
     step: vec2<i32>,
-    // The border ahead of cell i is i + 1 when walking up, i when walking down.
+    // Offset of the border ahead: that of cell i is border i + 1 when walking up, i when walking down.
     ahead: vec2<i32>,
 }
 

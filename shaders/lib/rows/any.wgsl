@@ -4,7 +4,7 @@
 
 #import cutaway::sweep::{drawn_parts, sweep}
 
-// Row of the part that a triangle belongs to.
+// Row of the part to which a triangle belongs.
 fn row_of_triangle(triangle: u32) -> u32 {
     var row = 0u;
     for (var i = 0u; i < min(sweep.search_steps, 10u); i++) {

@@ -1,4 +1,4 @@
-// Processing of a covered sample without a list of crossings and without surfaces: it is left to the open module `store`.
+// Processing of a covered sample without a list of crossings and without surfaces: only the open module `store` uses the sample.
 
 #define_import_path cutaway::sample
 
@@ -7,7 +7,7 @@
 #import cutaway::store::store
 #import cutaway::sweep::{NO_LANE, Sample}
 
-// Whether a later sweep must visit the triangle.
+// Returns true if a later sweep must visit the triangle.
 fn take(sample: Sample) -> bool {
     let part = sample.part;
     if part.place != NO_LANE {

@@ -10,7 +10,7 @@
 #import cutaway::classifying::classify
 #import cutaway::sweep::Sample
 
-// No later sweep must visit the triangle.
+// Returns false: no later sweep needs to visit the triangle.
 fn take(found: Sample) -> bool {
     let sample = classify(found);
     if count_and_store(sample) {

@@ -11,7 +11,7 @@
 #import cutaway::classifying::classify
 #import cutaway::sweep::{Sample, sweep}
 
-// Whether a later sweep must visit the triangle: not if each of its samples is removed or already hidden.
+// Returns true if a later sweep must visit the triangle, because the sample is neither removed nor already hidden.
 fn take(found: Sample) -> bool {
     let sample = classify(found);
     if sweep.again == 0u {

@@ -1,4 +1,4 @@
-// Side of a sheet on which a point lies, where no sheet has a facing and so the side is not used.
+// Replaces the test of a point's side of a sheet if no sheet has a facing: the side is then not used.
 
 #define_import_path cutaway::sheet_side
 

@@ -6,9 +6,9 @@
 #import cutaway::pose::{Standing, pose, standing_by}
 #import cutaway::position::position_of_vertex
 
-// For each position and one more, the word where its joint influences begin; then the influences: matrix number, weight as bits.
+// For each position and one past the last, the word at which its joint influences begin; then the influences: matrix, weight as bits.
 @group(1) @binding(5) var<storage, read> pulls: array<u32>;
-// Three rows a matrix.
+// Three rows per matrix.
 @group(1) @binding(6) var<storage, read> joints: array<vec4<f32>>;
 
 // Most joints that influence one position.

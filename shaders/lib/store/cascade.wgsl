@@ -1,4 +1,4 @@
-// A fragment's contribution to the inside test `kbuffer`: one more in the count, and its depth among the nearest.
+// A fragment's contribution to the inside test `kbuffer`: it is counted, and its depth is inserted among the nearest.
 //
 // A slot keeps the greater of its value and the offered one, and offers the other to the next. So the first slot ends with the nearest of
 // all, the second with the next, and so on, in any fragment order, equal depths included. Bound as @group(1) @binding(4).

@@ -1,5 +1,5 @@
-// A fragment's contribution where sections answer the inside test and one of them is not closed: the top bit of its lane, which ends as the
-// parity of all fragments and shows where the mesh is open.
+// A fragment's contribution if the inside test uses sections and one of them is not closed: it flips the top bit of its lane. That bit ends
+// as the parity of all fragments, and shows where the mesh is open.
 
 #define_import_path cutaway::store
 

@@ -1,4 +1,4 @@
-// Strokes along borders, over what covers a share of the pixel, or nothing.
+// Draws strokes along borders over the colour of a pixel, which may be covered only in part or not at all.
 
 #define_import_path cutaway::strokes
 

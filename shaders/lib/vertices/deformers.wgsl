@@ -17,11 +17,11 @@ struct Deformer {
     along: vec4<f32>,
     across: vec4<f32>,
     kind: u32,
-    // Turn per unit, amplitude of a wave, or distance.
+    // Turn per unit, amplitude of a wave, or distance, depending on the deformer.
     amount: f32,
-    // Of a wave, radians per unit.
+    // Radians per unit of a wave.
     turn_per_unit: f32,
-    // Of a wave, radians.
+    // Phase of a wave in radians.
     phase: f32,
 }
 

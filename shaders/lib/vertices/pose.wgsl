@@ -1,4 +1,4 @@
-// The pose of a part: what all of its vertices share. Bound as @group(0) @binding(0).
+// The pose of a part, shared by all its vertices. Bound as @group(0) @binding(0).
 //
 // Rest space is part space moved to the middle of the part and scaled by a power of two, for f32 precision. A vertex is transformed in the
 // order morph targets, skin, deformers, placement.
@@ -21,12 +21,12 @@ struct Pose {
     padding: u32,
 }
 
-// A vertex between transforms. Lengths of normals mean nothing.
+// A vertex between transforms. The lengths of its normals have no meaning.
 struct Standing {
     point: vec3<f32>,
     // For shading.
     normal: vec3<f32>,
-    // Out of the mesh at the vertex's position: the same for all vertices there, so that inflating opens no cracks.
+    // Direction out of the mesh, the same for all vertices at one position, so that inflating opens no cracks.
     outward: vec3<f32>,
 }
 

@@ -1,4 +1,4 @@
-// The position index of each vertex: vertices split for shading share one position, and everything that moves it.
+// The position index of each vertex. Vertices split for shading share one position, so they move together.
 
 #define_import_path cutaway::position
 

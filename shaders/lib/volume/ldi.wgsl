@@ -1,4 +1,4 @@
-// Whether a point is inside a part, by its layered depth image: an odd number of the texel's depths lies behind it.
+// Tests whether a point is inside a part by its layered depth image: true if an odd number of the texel's depths lies behind the point.
 
 #define_import_path cutaway::volume
 

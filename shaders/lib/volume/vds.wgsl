@@ -1,4 +1,4 @@
-// Whether a point is inside a part, by its volumetric depth sprite: an odd number of layers lies behind it. Texels are loaded,
+// Tests whether a point is inside a part by its volumetric depth sprite: an odd number of layers lies behind it. Texels are loaded,
 // not filtered, and hold 1 where a layer is empty. Bound as @group(1) @binding(2).
 
 #define_import_path cutaway::volume

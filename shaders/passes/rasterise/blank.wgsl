@@ -1,5 +1,5 @@
-// Resets everything that the previous frame touched to background, with no nearest sample; the whole picture if there was no previous
-// frame, or one of another picture. Workgroups share the tiles, an invocation owns a pixel of each.
+// Resets the tiles that the previous frame touched to background, with no nearest sample; resets the whole picture if there was no previous
+// frame or it had a different background. Workgroups share the tiles, an invocation owns a pixel of each.
 
 #import cutaway::begun::make_ready
 #import cutaway::blank::{blank_picture, kind_of_blank}
@@ -11,7 +11,7 @@
 @group(1) @binding(3) var<storage, read_write> layers: array<u32>;
 @group(1) @binding(5) var<storage, read_write> nearest: array<vec2<u32>>;
 
-// Whether everything outside the listed tiles already is background.
+// True if all pixels outside the listed tiles already are background.
 fn is_kept() -> bool {
     let now = blank_of_frame(kind_of_blank());
     let before = touched.blank;

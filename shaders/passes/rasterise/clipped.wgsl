@@ -9,7 +9,7 @@
 #import cutaway::rows::row_of_triangle
 #import cutaway::sweep::{corners_of, number_of, sweep}
 
-// Most samples of a line in one piece, up to three tiles more.
+// Maximum number of samples in a line of one piece, plus up to three tiles.
 override piece_px: f32 = 512.0;
 
 @group(2) @binding(3) var<storage, read> screen: array<vec4<i32>>;

@@ -1,5 +1,5 @@
 // Finds the touched tiles of queued triangles. A workgroup owns one piece of one of them (`pieces.wgsl`): four tiles of 64 x 64 samples at
-// a time; an invocation owns a sixteenth of one, which is one touched tile. Clipped triangles may be anywhere (`tiles.wgsl`).
+// a time; an invocation owns a sixteenth of one, which is one touched tile. Clipped triangles count for all tiles (`tiles.wgsl`).
 
 #import cutaway::piece::{MOST_TILES, piece_of, tiles_of}
 #import cutaway::rows::row_of_triangle

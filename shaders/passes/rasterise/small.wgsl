@@ -18,7 +18,7 @@ override lane_bits: u32 = 32u;
 // Longest side of the box of a small triangle, in pixels.
 override small_px: i32 = 64;
 const MOST_SMALL_PX: i32 = 65;
-// Most samples of a line in one piece of a queued triangle, up to three tiles more.
+// Maximum number of samples in a line of one piece of a queued triangle, plus up to three tiles.
 override piece_px: f32 = 512.0;
 // True if no earlier pass has filled the queue.
 override fills_queue: bool = true;

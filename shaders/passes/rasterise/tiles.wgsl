@@ -1,8 +1,8 @@
 // Finds which picture tiles the parts touch, and the depth range of the cut parts in each, from the box of each triangle's corners. One
 // invocation owns one small triangle; the others are queued, and their tiles found piece by piece (`large_tiles.wgsl`).
 //
-// Depths of samples are clamped to those of the corners (`flat.wgsl`), so none is outside the range found here. A triangle to be clipped
-// may be anywhere.
+// Depths of samples are clamped to those of the corners (`flat.wgsl`), so none is outside the range found here. A triangle that needs
+// clipping is assumed to touch every tile, at any depth.
 
 #import cutaway::enqueue::{enqueue, enqueue_clipped, is_large}
 #import cutaway::rows::row_of_triangle

@@ -1,4 +1,4 @@
-// Inserts the crossings with sheets into the per-pixel lists of crossings. One invocation owns one pixel at a time.
+// Inserts the crossings of rays with sheets into the per-pixel lists of crossings. One invocation owns one pixel at a time.
 //
 // Only crossings inside the ray's interval in the box of the cut solids count, and their sides alternate in list order: at a fold of a
 // sheet seen edge-on two of them may have been swapped by rounding, which then does no harm. The side on which the ray begins is decided at
@@ -21,13 +21,13 @@ override capacity: u32 = 1u;
 // Bits of the clip-surfaces whose sheets have a facing, and of those whose sheets bound a solid.
 override by_facing: u32 = 0u;
 override by_parity: u32 = 0u;
-// Of the latter: those whose outside is the removed side, and those whose box no ray of the picture begins inside.
+// Among the latter: those whose outside is the removed side, and those whose box contains no ray origin of the picture.
 override keeps_inside: u32 = 0u;
 override closed: u32 = 0u;
-// The height of a point nearer to a sheet than this, in scene units, decides nothing; ten times as near, it proves no hole.
+// Uncertainty of heights over a sheet, in scene units: a smaller height does not decide the side; one below ten times this proves no hole.
 override beside: f32 = 0.0;
 
-// Word of the need buffer.
+// Word of the need buffer for sheet fragments.
 const NEED_OF_SHEETS: u32 = 3u;
 
 // A crossing to be added: its depth-buffer value, its word, and the number of its fragment, which breaks ties in depth.
@@ -37,21 +37,21 @@ struct Crossing {
     fragment: u32,
 }
 
-// Whether a fragment comes before a crossing. Lists are unordered, even by fragment number.
+// True if a fragment comes before a crossing. Lists are unordered, even by fragment number.
 fn precedes(z: f32, fragment: u32, crossing: Crossing) -> bool {
     return is_behind(crossing.z, z) || (!is_behind(z, crossing.z) && fragment < crossing.fragment);
 }
 
-// A sheet's fragments in a list.
+// Summary of one sheet's fragments in a list.
 struct Share {
     // The number of all fragments, of those beyond the begin of the interval, and of those within it.
     all: u32,
     ahead: u32,
     within: u32,
-    // Of those within: the surplus of fronts over backs, and the nearest fragment.
+    // Among the fragments within: number of fronts minus number of backs, and the nearest fragment.
     fronts: i32,
     nearest: Crossing,
-    // Some fragments of the list overflowed, or there are too many.
+    // True if some fragments of the list overflowed, or the list is too long.
     is_short: bool,
 }
 

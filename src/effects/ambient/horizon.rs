@@ -2,21 +2,21 @@
 //!
 //! Two passes, 8 bytes a pixel. A search costs slices x steps x 2 layer samples and slices x 2 arc cosines.
 //!
-//! Cannot: see geometry that is hidden or outside the picture, so a model is lighter at the picture's border.
+//! Cannot: see geometry that is hidden or outside the picture, so the model is too light near the picture's border.
 
 use crate::effects::pixels::{Pixels, numbers, per_pixel};
 use crate::plan::{Binding, Plan, ResourceId, pack};
 use crate::scene::View;
 use crate::scene::style::Occlusion;
 
-/// The farthest sample, in thousandths of the picture's height: close to the eye the radius could otherwise span the whole height.
+/// Greatest distance of a sample, in thousandths of the picture's height; near the eye, the radius alone could span the whole height.
 const REACH: f64 = 160.0;
-/// The farthest sample in pixels: bands of large pictures must fit devices with only the binding limits of core WebGPU.
+/// Greatest distance of a sample in pixels: bands of large pictures must fit the binding limits of core WebGPU.
 const MOST_REACH_PX: f64 = 512.0;
-/// Radius of the averaging over the sampling pattern.
+/// Radius in pixels of the filter that averages over the sampling pattern.
 pub(in crate::effects) const SMOOTH_PX: u32 = 2;
 
-/// Finds the fraction of sky that each pixel sees.
+/// Computes the fraction of the sky that is visible from the point of each pixel.
 pub(in crate::effects) fn horizon(
     plan: &mut Plan,
     pixels: Pixels<'_>,
@@ -69,7 +69,7 @@ fn reach_px(view: &View) -> f64 {
     (REACH / 1000.0 * f64::from(view.band[1])).min(MOST_REACH_PX)
 }
 
-/// Rows around a band that are read.
+/// Number of rows on each side of a band that these passes read.
 pub(in crate::effects) fn halo_rows(view: &View) -> u32 {
     reach_px(view).ceil() as u32 + SMOOTH_PX + 1
 }

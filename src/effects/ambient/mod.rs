@@ -1,4 +1,4 @@
-//! Ambient occlusion: how much of the sky a point sees, by three methods.
+//! Ambient occlusion: the fraction of the sky that is visible from a point, by three methods.
 
 pub(super) mod horizon;
 pub(super) mod occlusion;

@@ -1,4 +1,4 @@
-//! Occlusion: the visible fraction of the sky, one number per pixel, by the methods that the style selects.
+//! Occlusion: one number per pixel, the visible fraction of the sky, computed by the methods that the style selects.
 
 use super::{horizon, relief_sky, unsharp};
 use crate::effects::pixels::{Pixels, VISIBILITY};
@@ -28,7 +28,7 @@ pub(in crate::effects) fn occlusion(
     }
 }
 
-/// Rows around a band that are read.
+/// Number of rows on each side of a band that these passes read.
 pub(in crate::effects) fn halo_rows(style: &Occlusion, view: &View) -> u32 {
     match style.kind {
         _ if !style.is_drawn() => 0,

@@ -1,5 +1,5 @@
-//! Occlusion of caps by their own relief, from maps computed from its heights (Trapp and Döllner 2013, section 4.2): unlike a search in the
-//! picture it does not depend on the camera, and includes hidden surfaces.
+//! Occlusion of caps by their own relief, from maps computed from its heights (Trapp and Döllner 2013, section 4.2). Unlike a search in
+//! the picture, the maps do not depend on the camera, and hidden surfaces occlude too.
 //!
 //! One pass over the pixels; the maps are computed once per relief, on the cut clock. Cannot: account for other caps or for the mesh.
 
@@ -8,7 +8,7 @@ use crate::passes::SceneBuffers;
 use crate::plan::{Binding, BufferRole, Clock, Plan, Resource, ResourceId, pack};
 use crate::shader::Shader;
 
-/// Returns true if this pass is needed: a style requests it, and a relief cuts something.
+/// Returns true if this pass is needed: the style requests it, and some part is cut by a relief.
 pub(in crate::effects) fn is_drawn(scene: &SceneBuffers<'_>) -> bool {
     let model = scene.input.model;
     model.prepared.style.occlusion.relief > 0.0
@@ -16,7 +16,7 @@ pub(in crate::effects) fn is_drawn(scene: &SceneBuffers<'_>) -> bool {
         && model.relief_sky.has_reliefs()
 }
 
-/// Fraction of the light that reaches each pixel, combined with the occlusion found around the pixel, if any.
+/// Fraction of the light that reaches each pixel; includes the occlusion found around the pixel, if the style has any.
 pub(in crate::effects) fn relief_sky(
     plan: &mut Plan,
     pixels: Pixels<'_>,

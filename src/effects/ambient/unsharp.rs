@@ -1,6 +1,6 @@
 //! Occlusion as an unsharp mask of depth (Luft, Colditz and Deussen 2006; Trapp and Döllner 2013, 4.5).
 //!
-//! Two passes, 8 bytes a pixel; a Gaussian to three standard deviations, rows first.
+//! Two passes, 8 bytes a pixel; a separable Gaussian out to three standard deviations, rows first.
 //!
 //! Cannot: darken narrow gaps between surfaces of equal depth.
 
@@ -10,7 +10,7 @@ use crate::plan::{Binding, Plan, ResourceId, pack};
 use crate::scene::View;
 use crate::scene::style::Occlusion;
 
-/// Finds the fraction of light at each pixel.
+/// Computes the fraction of light that reaches each pixel.
 pub(in crate::effects) fn unsharp(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,
@@ -58,13 +58,13 @@ pub(in crate::effects) fn unsharp(
     visibility
 }
 
-/// The standard deviation in pixels; the style gives it as a length relative to the whole picture.
+/// Standard deviation in pixels; the style gives it relative to the size of the whole picture.
 fn sigma_px(style: &Occlusion, view: &View) -> f64 {
     let size = [view.size_px[0], view.band[1]].map(f64::from);
     f64::from(style.blur_percent) / 100.0 * size[0].hypot(size[1])
 }
 
-/// Rows around a band that are read.
+/// Number of rows on each side of a band that these passes read.
 pub(in crate::effects) fn reach_px(style: &Occlusion, view: &View) -> i32 {
     (3.0 * sigma_px(style, view)).ceil() as i32
 }

@@ -43,7 +43,7 @@ pub(super) fn flip(edit: &mut Edit, share: f64, patch: u32, seed: u64) -> String
         *face = face.turned();
         count += 1;
     }
-    format!("{} are turned over", of_faces(count, is_chosen.len()))
+    format!("{} are flipped", of_faces(count, is_chosen.len()))
 }
 
 /// Duplicates a share of the faces.
@@ -53,7 +53,7 @@ pub(super) fn duplicate(edit: &mut Edit, share: f64, patch: u32, seed: u64) -> S
     let twice: Vec<ShadedFace> = twice.map(|(face, _)| *face).collect();
     let all = edit.faces.len();
     edit.faces.extend_from_slice(&twice);
-    format!("{} are there twice", of_faces(twice.len(), all))
+    format!("{} are duplicated", of_faces(twice.len(), all))
 }
 
 /// Splits one edge of each chosen face at its midpoint, for that face only. No edge is split from both sides or more than once.
@@ -78,5 +78,5 @@ pub(super) fn split_one_side(edit: &mut Edit, share: f64, seed: u64) -> String {
         edit.faces.push(new);
     }
     let split = of_faces(split.len(), all);
-    format!("{split} are split where the face beside them is not")
+    format!("{split} are split along an edge, but the face across that edge is not")
 }

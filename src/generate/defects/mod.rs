@@ -1,10 +1,10 @@
 //! Defects put into a mesh on purpose, in measured amounts, to imitate the meshes that users really have.
 //!
-//! A [`Defect`] is data: a kind, an amount, a seed. The same defect makes the same mesh on every machine. With the same seed, a
-//! larger amount damages everything that a smaller one does, and more, so a sweep over amounts changes only one thing. For every
-//! kind, the amount 0 leaves the mesh unchanged.
+//! A [`Defect`] is data: a kind, an amount, a seed. The same defect makes the same mesh on every machine. With the same seed, a larger
+//! amount damages everything that a smaller one damages, and more, so a sweep over amounts changes only one thing. For every kind, the
+//! amount 0 leaves the mesh unchanged.
 //!
-//! | kind | effect on the mesh | `amount` | further key |
+//! | kind | effect on the mesh | `amount` | further key, its default |
 //! |---|---|---|---|
 //! | `holes` | faces are missing | share of the faces | `patch`: adjacent faces removed together, 1 |
 //! | `flipped` | faces are flipped | share of the faces | `patch` |
@@ -40,7 +40,7 @@ use crate::scene::{Amount, Bounds, Mesh, Part};
 use crate::{Error, Result};
 use edit::Edit;
 
-/// One way to spoil a mesh.
+/// A deliberate defect of a mesh.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Defect {
     /// Kind of the defect.
@@ -113,7 +113,7 @@ impl Defect {
                 return Err(Error::input(
                     format!("defect `{self}`"),
                     format!(
-                        "it makes {} faces of {}",
+                        "it makes {} faces out of {}",
                         thousands(faces),
                         thousands(edit.faces.len())
                     ),

@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 
 use super::edit::ShadedFace;
 
-/// A well-mixed word from a seed and a number (the finaliser of SplitMix64).
+/// A hash of a seed and a number (the finaliser of SplitMix64).
 pub(super) fn mixed(seed: u64, number: u64) -> u64 {
     let mut h = seed
         .wrapping_add(1)
@@ -35,7 +35,7 @@ pub(super) fn share_of(count: usize, share: f64) -> usize {
 
 /// Edge adjacency of faces.
 pub(super) struct Neighbours {
-    /// Pairs of an edge, as its two vertices, and a face that has it; sorted.
+    /// Sorted pairs of an edge, given by its two vertices, and a face that has this edge.
     edges: Vec<([u32; 2], u32)>,
 }
 

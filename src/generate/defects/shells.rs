@@ -1,4 +1,4 @@
-//! Defects of whole pieces: charts pulled apart, copies stuck into the surface, all faces separated.
+//! Defects of whole regions or of the whole mesh: charts pulled apart, copies stuck into the surface, all faces separated.
 
 use std::collections::BTreeMap;
 
@@ -14,7 +14,7 @@ use crate::scene::meshes::weld::thousands;
 /// half the distance.
 pub(super) fn pull_apart(edit: &mut Edit, width: f64, count: u32, seed: u64) -> String {
     let chart = charts(&edit.faces, count, seed);
-    // Vertices by chart, each once.
+    // Vertices of each chart, without duplicates.
     let mut users: Vec<[u32; 2]> = (edit.faces.iter().zip(&chart))
         .flat_map(|(face, chart)| face.corners.map(|v| [v, *chart]))
         .collect();
@@ -43,7 +43,7 @@ pub(super) fn pull_apart(edit: &mut Edit, width: f64, count: u32, seed: u64) -> 
         *face = face.with_corners(face.corners.map(there));
     }
     let rims = thousands(moved.len());
-    format!("the surface is in {charts} charts with {rims} vertices on their rims")
+    format!("the surface is split into {charts} charts with {rims} vertices on their borders")
 }
 
 /// Sticks small copies of the mesh into its surface: their centres lie half their size below faces, but no copy leaves the mesh's
@@ -90,5 +90,5 @@ pub(super) fn unweld(edit: &mut Edit, distance: f64, seed: u64) -> String {
         edit.faces[number] = face.with_corners(corners);
     }
     let corners = thousands(3 * edit.faces.len());
-    format!("{corners} corners have vertices of their own")
+    format!("each of the {corners} corners has its own vertex")
 }

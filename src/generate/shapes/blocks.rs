@@ -1,6 +1,6 @@
 //! Solids made of boxes: `cube`, `sponge`, `comb`.
 //!
-//! All three are unions of cells of a lattice; the surface is made of the cell faces between full and empty, with one
+//! All three are unions of cells of a lattice; the surface consists of the faces between full and empty cells, with one
 //! vertex per lattice point. Two full cells that touch only along an edge would give that edge four faces; the
 //! cells of these shapes never do.
 
@@ -49,7 +49,7 @@ pub(super) const SPONGE: ShapeInfo = ShapeInfo {
         ShapeParameter::length("size", "length of an edge of the whole", 1.0),
         ShapeParameter::count("level", "times every cube is drilled", 2, [0, 5]),
     ],
-    // 2.20^n + 4.8^n unit squares: those of each of the 20 cubes, minus the ones glued together.
+    // 2 * 20^n + 4 * 8^n unit squares: those of all small cubes, without the ones where two cubes join.
     triangles: |v| 4.0 * 20_f64.powf(v.real("level")) + 8.0 * 8_f64.powf(v.real("level")),
     build: |v| {
         let (size, level) = (v.real("size"), v.count("level") as u32);

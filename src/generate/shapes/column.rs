@@ -41,7 +41,7 @@ const BASE: [[f64; 2]; 4] = [[0.0, 1.35], [0.18, 1.35], [0.18, 1.18], [0.34, 1.1
 const CAPITAL: [[f64; 2]; 3] = [[0.0, 0.92], [0.3, 1.3], [0.34, 1.3]];
 const SLAB: f64 = 0.28;
 
-/// The outline of a fluted shaft of a radius.
+/// The outline of a fluted shaft of the given radius.
 fn fluted(radius: f64, flutes: usize, detail: usize) -> Vec<DVec2> {
     let width = TAU * radius / flutes as f64;
     let points = (0..flutes * detail).map(|i| {

@@ -1,7 +1,7 @@
 //! Planar faces: a region between closed polygons, filled with triangles of even size.
 //!
-//! Constrained Delaunay triangulation of the polygons and of a hexagonal lattice of points inside. No vertex is added on a
-//! polygon, so walls that share it stay matched. Cost: n log n in the vertices.
+//! Constrained Delaunay triangulation of the polygons and of a hexagonal lattice of points inside. No vertex is added on a polygon, so
+//! walls that share the polygon still match. Cost: n log n in the vertices.
 
 use std::collections::HashMap;
 

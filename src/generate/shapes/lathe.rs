@@ -1,6 +1,6 @@
-//! Profiles of revolution: journals, bores, fillets, and how finely they are divided.
+//! Profiles of solids of revolution (journals, bores, fillets), and how finely they are divided.
 //!
-//! A profile is a list of (station along the axis, radius), in the order of the axis; steps across the axis are allowed.
+//! A profile is a list of (station along the axis, radius), in order along the axis; steps perpendicular to the axis are allowed.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 

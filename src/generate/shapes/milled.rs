@@ -1,6 +1,6 @@
 //! Solids described station by station along an axis, as if turned on a lathe and milled.
 //!
-//! A solid is a list of *rings* (closed polygons, each in a plane across the axis), *walls* between rings with equally many
+//! A solid is a list of *rings* (closed polygons, each in a plane perpendicular to the axis), *walls* between rings with equally many
 //! corners, and planar *faces* between rings at the same station. Where neighbouring sections differ, one outline contains
 //! the other, so a face is a region with holes; no outline crosses another, and the surface is closed by construction if
 //! each ring has a wall on one side and a wall or a face on the other.
@@ -11,7 +11,7 @@ use super::Mesh;
 use super::fill::fill;
 use crate::Result;
 
-/// A closed polygon across the axis, counter-clockwise seen from the axis' positive end.
+/// A closed polygon perpendicular to the axis, counter-clockwise seen from the axis' positive end.
 #[derive(Clone, Debug)]
 pub(super) struct Ring {
     /// Position along the axis.

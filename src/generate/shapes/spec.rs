@@ -131,7 +131,7 @@ impl ShapeInfo {
         Ok(values)
     }
 
-    /// The values of a query, with defaults for those it does not give.
+    /// The values of a query, with defaults for parameters that the query omits.
     pub(super) fn values(&self, query: &str) -> Result<Values> {
         let mut given: Vec<Option<f64>> = vec![None; self.parameters.len()];
         for pair in query.split('&').filter(|p| !p.is_empty()) {
@@ -190,7 +190,7 @@ impl Values {
         self.real(name) as usize
     }
 
-    /// Refuses values that are in range one by one but make no sense together.
+    /// Refuses values that are in range individually but contradict each other.
     pub(super) fn require(&self, holds: bool, names: &str, help: impl Into<String>) -> Result<()> {
         if holds {
             return Ok(());

@@ -65,7 +65,7 @@ pub(super) const KNOT: ShapeInfo = ShapeInfo {
         v.require(
             gcd(v.count("p"), v.count("q")) == 1,
             "p q",
-            "let them have no common divisor",
+            "choose p and q without a common divisor",
         )?;
         v.require(minor < major, "minor major", "let minor < major")?;
         v.require(
@@ -180,7 +180,7 @@ pub(super) const CONDUIT: ShapeInfo = ShapeInfo {
 /// Subdivisions of the balls of a conduit.
 const BALL_SUBDIVISIONS: usize = 4;
 
-/// A grid that is periodic in both directions. A section turns so that row times column direction points outward.
+/// A grid that is periodic in both directions. Sections are oriented so that the cross product of row and column directions points outward.
 fn closed_grid(rows: usize, columns: usize, at: impl Fn(usize, usize) -> DVec3) -> Mesh {
     let mut mesh = Mesh::default();
     let index = |i: usize, j: usize| ((i % rows) * columns + j % columns) as u32;
@@ -209,7 +209,7 @@ fn gcd(a: usize, b: usize) -> usize {
     if b == 0 { a } else { gcd(b, a % b) }
 }
 
-/// Radius of the thickest tube around a closed curve that does not intersect itself: the smallest radius of a circle through
+/// Radius of the thickest tube around a closed curve such that the tube does not intersect itself: the smallest radius of a circle through
 /// one point and tangent at another (Gonzalez & Maddocks 1999), which accounts for both curvature and near passes. It is
 /// sampled, so the result is about one per cent too small.
 fn thickness(curve: impl Fn(f64) -> DVec3) -> f64 {

@@ -1,5 +1,5 @@
-//! Bind groups by name: the composed shader is reflected, and each of its variables receives the resource that the pass gives under that
-//! name.
+//! Bind groups by name: each variable of the composed shader, found by reflection, is bound to the resource that the pass lists under the
+//! variable's name.
 
 use std::collections::BTreeMap;
 
@@ -49,7 +49,7 @@ pub(in crate::gpu) fn bind_groups(
     Ok(made)
 }
 
-/// A bind group of resources; the number is the layer to bind where the shader declares a texture without layers.
+/// A bind group of resources, each with the texture layer to bind if the shader declares the texture without layers.
 pub(in crate::gpu) fn bind_group(
     gpu: &Gpu,
     label: &str,
@@ -130,7 +130,7 @@ fn array_view(texture: &wgpu::Texture) -> wgpu::TextureView {
     })
 }
 
-/// One layer as a shader reads it: of a depth-stencil texture, the aspect that the shader declares.
+/// View of one layer; for a depth-stencil texture, a view of the aspect that the shader declares.
 fn aspect_view(texture: &wgpu::Texture, kind: BindingKind, layer: u32) -> wgpu::TextureView {
     let aspect = match (texture.format(), kind) {
         (wgpu::TextureFormat::Depth32FloatStencil8, BindingKind::DepthTexture) => {

@@ -1,7 +1,7 @@
 //! Pipelines, keyed by everything they depend on: shader, constants and, for draws, the state of the attachments.
 //!
-//! They are kept for all programs of a device, so a method whose shaders have been used before starts without a stall. Constants are
-//! substituted into the shader first, because the WGSL that wgpu passes to a browser uses other names for them.
+//! All programs of a device share them, so a method whose shaders have been used before starts without a stall. Constants are substituted
+//! into the shader first, because the WGSL that wgpu passes to a browser has other names for them.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -24,7 +24,7 @@ pub(in crate::gpu) enum Pipeline {
     Render(wgpu::RenderPipeline),
 }
 
-/// Pipelines kept although no program currently uses them.
+/// Maximum number of pipelines that are kept although no program currently uses them.
 const MOST_IDLE: usize = 256;
 
 /// Pipelines, keyed by everything they depend on.
@@ -37,13 +37,13 @@ pub(in crate::gpu) struct Pipelines {
 #[derive(PartialEq, Eq, PartialOrd, Ord)]
 struct PipelineKey {
     shader: Shader,
-    /// Names, and values as bits.
+    /// Name and value of each constant, the value as bits.
     constants: Vec<(&'static str, u64)>,
-    /// None for compute pipelines.
+    /// State of the attachments; none for compute pipelines.
     draw: Option<DrawState>,
 }
 
-/// State that render pipelines depend on.
+/// Attachment state that a render pipeline depends on.
 #[derive(PartialEq, Eq, PartialOrd, Ord)]
 struct DrawState {
     color: Option<Format>,
@@ -80,7 +80,7 @@ impl PipelineKey {
 }
 
 impl Pipelines {
-    /// The pipeline of a pass, created on first use, and its bindings.
+    /// The pipeline of a pass and its bindings; created on first use.
     pub(in crate::gpu) fn get(
         &mut self,
         gpu: &Gpu,
@@ -224,7 +224,7 @@ fn format_of(plan: &Plan, id: ResourceId) -> Format {
     }
 }
 
-/// A face omitted here does not change the stencil.
+/// Converts a stencil step; a face that it does not mention leaves the stencil unchanged.
 fn stencil_state(step: StencilStep) -> wgpu::StencilState {
     use wgpu::StencilOperation::{DecrementWrap, IncrementWrap, Invert, Keep, Zero};
     let face = |compare, fail, hidden, shown| wgpu::StencilFaceState {

@@ -23,7 +23,7 @@ use crate::{Error, Result};
 pub(crate) struct EncodedPasses {
     /// Number of passes.
     pub(crate) passes: usize,
-    /// Needs of bounded buffers, known after the frame.
+    /// Capacities needed by the bounded buffers; known after the frame.
     pub(crate) report: Option<Report>,
 }
 
@@ -35,12 +35,12 @@ pub struct Program {
     steps: Vec<ReadyPass>,
     stopwatch: Option<TimestampQueries>,
     generation: u64,
-    /// Work that has not run since its inputs changed, including after a failed run.
+    /// Work that has not run successfully since its inputs changed.
     due: Due,
 }
 
 impl Program {
-    /// Loads a plan; returns what must run before the next frame is correct.
+    /// Loads a plan; returns the work that must run to make the next frame correct.
     pub fn load(&mut self, gpu: &Gpu, recorded: impl Into<Recorded>) -> Result<&Due> {
         let Recorded { plan, on_cpu } = recorded.into();
         let mut rebind = self.steps.is_empty() || !same_structure(&plan, self.plan());
@@ -89,7 +89,7 @@ impl Program {
         self.resources
             .retain(|name, _| plan.resource_named(name).is_some());
         if rebind {
-            // Nothing counts as loaded until the whole plan is built: a failure on the way must not look like an unchanged plan.
+            // No plan counts as loaded until this one is built completely, or a failure halfway would later look like an unchanged plan.
             self.recorded = Recorded::default();
             self.steps.clear();
             self.generation += 1;
@@ -110,8 +110,8 @@ impl Program {
         &self.recorded.plan
     }
 
-    /// Bytes of the buffers and textures created for resources on a clock: either those of the scene, or all others. Contents shared by
-    /// several programs count for each of them.
+    /// Bytes of the buffers and textures that were created for resources on a clock, either only those of the scene or only the others.
+    /// Contents that several programs share count for each program.
     pub fn allocated_on(&self, clock: Clock, is_scene: bool) -> u64 {
         let wanted = |r: &&Resource| r.clock == clock && r.is_scene == is_scene;
         let resources = self.recorded.plan.resources.iter().filter(wanted);
@@ -121,7 +121,7 @@ impl Program {
             .sum()
     }
 
-    /// Runs the due passes and the named passes `besides`: all at once, or pass by pass for their times, which blocks on each.
+    /// Runs the due passes and the passes in `besides`: all at once, or pass by pass for their times, which blocks on each.
     pub fn run_due(&mut self, gpu: &Gpu, besides: &Due, is_timed: bool) -> Result<RunTimes> {
         let due = &self.due.passes;
         let runs = |pass: &Pass| due.contains(&pass.name) || besides.passes.contains(&pass.name);
@@ -152,7 +152,7 @@ impl Program {
         }
     }
 
-    /// Submits all passes together and waits for none.
+    /// Submits all passes together, without waiting.
     fn run_at_once(&self, gpu: &Gpu, runs: impl Fn(&Pass) -> bool) -> Result<RunTimes> {
         let mut encoder = new_encoder(gpu);
         let mut passes = Vec::with_capacity(self.steps.len());
@@ -190,7 +190,7 @@ impl Program {
         Ok(TimestampQueries::times(ns_per_tick, &ticks, &ran))
     }
 
-    /// One submission per pass, each waited for: the cost of per-pass times on a device without timestamps.
+    /// Submits passes one by one and waits for each, which is how passes are timed on a device without timestamps.
     fn run_by_the_wall(&self, gpu: &Gpu, runs: impl Fn(&Pass) -> bool) -> Result<RunTimes> {
         gpu.wait()?;
         let mut passes = Vec::with_capacity(self.steps.len());
@@ -224,8 +224,8 @@ impl Program {
             .map(|(index, (pass, step))| (index, pass, step))
     }
 
-    /// Encodes the due work, for an encoder that the caller submits; returns the number of passes. The needs of bounded buffers, if any,
-    /// are copied after them.
+    /// Encodes the due work, for an encoder that the caller submits; returns the number of passes. The needed capacities of bounded
+    /// buffers, if any, are copied after the passes.
     pub(crate) fn encode_due(
         &mut self,
         gpu: &Gpu,
@@ -282,7 +282,7 @@ impl Program {
         Ok(Arriving::new(gpu, encoder, self.picture_buffer()?))
     }
 
-    /// Pipeline and bindings that composite the picture into a host's attachments.
+    /// A compositor that draws the picture into a host's attachments.
     pub(crate) fn compositor(&self, gpu: &Gpu, target: &Destination<'_>) -> Result<Compositor> {
         let table = |name: &str| {
             let fault = || Error::Plan(format!("the plan has no {name}"));
@@ -304,12 +304,12 @@ impl Program {
         }
     }
 
-    /// Counts how often its resources were created or bound: whatever refers to them must be rebuilt when it changes.
+    /// Number of times that resources were created or bound: if it changes, all objects that refer to them must be rebuilt.
     pub(crate) fn generation(&self) -> u64 {
         self.generation
     }
 
-    /// Needs reported by the bounded buffers: the largest need of each, in order of [`Plan::bounded`].
+    /// The largest capacity that each bounded buffer needed, in order of [`Plan::bounded`].
     pub fn needs(&self, gpu: &Gpu) -> Result<Vec<u32>> {
         let Some(id) = self.recorded.plan.need else {
             return Ok(Vec::new());
@@ -323,7 +323,7 @@ impl Program {
             .collect())
     }
 
-    /// Resets the words in which the frame's bounded buffers report to zero; those of a solid are reset by its own pass.
+    /// Zeroes the words in which the frame's bounded buffers report needed capacities; a pass of the solid resets those of the solid.
     pub fn clear_needs_of_frame(&self, gpu: &Gpu) -> Result<()> {
         let Some(id) = self.recorded.plan.need else {
             return Ok(());
@@ -350,7 +350,7 @@ impl Program {
         gpu.read::<u8>(self.picture_buffer()?)
     }
 
-    /// The words of a buffer, by name: for tests.
+    /// The words of the buffer with a given name, for tests.
     pub fn words(&self, gpu: &Gpu, name: &str) -> Result<Vec<u32>> {
         let id = self
             .plan()

@@ -7,7 +7,7 @@ use super::{CapPlane, Layout};
 /// Stands for a texture number where there is no texture.
 pub const NO_TEXTURE: u32 = u32::MAX;
 
-/// `solid` of a stack of images that fills the box of its part.
+/// Value of `solid` for a stack of images that fills the box of its part.
 pub const FILLED_STACK: u32 = 5;
 
 /// Words per triangle of a vertex paint: three vertices, three colours, six coordinates, an image.
@@ -47,9 +47,9 @@ shared! {
     CapMaterial {
         /// Maps a point of scene space to the solid's first coordinate: across the grain.
         x_row: [f32; 4],
-        /// Maps it to the second coordinate: also across the grain.
+        /// Maps the point to the second coordinate: also across the grain.
         y_row: [f32; 4],
-        /// Maps it to the third coordinate: along the grain.
+        /// Maps the point to the third coordinate: along the grain.
         z_row: [f32; 4],
         /// Number of the colour texture.
         diffuse: u32,
@@ -63,7 +63,7 @@ shared! {
         first_image: u32,
         /// Number of images.
         image_count: u32,
-        /// Image repeats per scene unit; 0 uses those of the relief.
+        /// Image repeats per scene unit; if 0, those of the relief are used.
         per_unit: f32,
         /// 1 if the part has a material.
         is_there: u32,
@@ -75,7 +75,7 @@ shared! {
     CapMaterialPlanes {
         /// By clip-surface number: planes that give coordinates in scene units.
         planes: [CapPlane; MOST_CAP_PLANES],
-        /// Relief repeats per scene unit in both directions, or their replacement without a relief.
+        /// Repeats per scene unit in both directions: those of the relief, or the default where there is no relief.
         per_unit: [[f32; 4]; MOST_CAP_PLANES],
         /// Number of planes.
         count: u32,

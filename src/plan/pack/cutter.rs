@@ -1,4 +1,4 @@
-//! Triangles of cutters: the data beyond the vertex that each begins with.
+//! Triangles of cutters: the data of each triangle except its first vertex.
 
 use bytemuck::{Pod, Zeroable};
 

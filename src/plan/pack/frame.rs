@@ -14,7 +14,7 @@ shared! {
         clip_from_scene: [f32; 16],
         /// Ray origin at pixel (0, 0), change per pixel right, change per pixel down.
         ray_origin: [[f32; 4]; 3],
-        /// Ray direction, likewise.
+        /// Ray direction at pixel (0, 0), change per pixel right, change per pixel down.
         ray_direction: [[f32; 4]; 3],
         /// Steps of one pixel right and one pixel down, in scene space.
         ray_step: [[f32; 4]; 2],
@@ -42,7 +42,7 @@ shared! {
 /// Minimum margin of the box around the cut solids, so that no solid lies in a face of the box.
 const BOX_MARGIN: f64 = 1e-4;
 
-/// Maximum margin, for the usual number of sub-pixel bits, however small the picture is.
+/// Maximum margin on adapters with the usual number of sub-pixel bits, for pictures of any size.
 const MOST_BOX_MARGIN: f64 = 9e-4;
 
 /// Margin in pixels at the farthest point of the box: fixed-function hardware may cover samples next to a solid, because vertices move by

@@ -10,9 +10,9 @@ shared! {
     CapPlane {
         /// Gives the first coordinate of a point in the plane, in scene units.
         u_row: [f32; 4],
-        /// Gives the second coordinate.
+        /// Gives the second coordinate of a point in the plane.
         v_row: [f32; 4],
-        /// Its normal; the last component is 1 if there is no single plane, but the faces of a cutter.
+        /// Normal of the plane; the last component is 1 for a cutter, whose faces lie in several planes.
         normal: [f32; 4],
     }
 }

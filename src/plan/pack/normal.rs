@@ -20,7 +20,7 @@ pub fn pack_normal(n: Vec3) -> u32 {
     snorm(x) | (snorm(y) << 16)
 }
 
-/// The unit vector of [`pack_normal`].
+/// Inverse of [`pack_normal`]: the unit vector that a word encodes.
 pub fn unpack_normal(word: u32) -> Vec3 {
     let part =
         |shift: u32| (f32::from(((word >> shift) & 0xffff) as u16 as i16) / 32_767.0).max(-1.0);

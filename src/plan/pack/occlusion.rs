@@ -51,9 +51,9 @@ shared! {
     Ground {
         /// Maps a scene point to a column of the map.
         x_row: [f32; 4],
-        /// Maps it to a row of the map.
+        /// Maps a scene point to a row of the map.
         y_row: [f32; 4],
-        /// Maps it to its height above the ground.
+        /// Maps a scene point to its height above the ground.
         up: [f32; 4],
         /// Number of columns and of rows of the map.
         side: u32,

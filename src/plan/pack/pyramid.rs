@@ -20,7 +20,7 @@ shared! {
         map_size: [u32; 2],
         /// 1 if the map repeats.
         repeats: u32,
-        /// 1 in the first row of those that share this pyramid.
+        /// 1 in the first of the rows that share this pyramid.
         is_own: u32,
         /// Unused.
         padding: [u32; 2],

@@ -69,7 +69,7 @@ shared! {
     Refinement {
         /// For each border, its value at vertex (0, 0) and the change per step along rows and along columns.
         borders: [[f32; 4]; BORDERS_OF_DOMAIN],
-        /// Least depth over vertex (0, 0), its change per step along rows and along columns, and that of the near plane, in whole units.
+        /// Least depth over vertex (0, 0), depth change per step along rows and along columns, depth of the near plane; all in whole units.
         depth: [i32; 4],
         /// Largest map error that is invisible at a depth of one unit.
         error_per_depth: f32,

@@ -17,7 +17,7 @@ shared! {
         /// Texels along a side.
         resolution: u32,
         layers: u32,
-        /// Index of the word in the need buffer, or of the image among those of all parts.
+        /// Index of the word in the need buffer, or of the image among the images of all parts.
         slot: u32,
         /// Unused.
         padding: u32,

@@ -1,7 +1,7 @@
-//! Pairs the triangles at an edge that bound the same wedge of solid.
+//! At an edge, pairs the triangles that bound the same wedge of solid.
 //!
 //! Going around the edge, a triangle either enters or leaves the solid, by its orientation. Each entry pairs with the next exit, like
-//! brackets. Among triangles at the same angle, as where solids touch, exits come before entries, and pairs follow the triangles' indices.
+//! brackets. Among triangles at the same angle, as where solids touch, exits come before entries, and triangle indices decide the pairs.
 //!
 //! Cost: a sort of the triangles at the edge. Angles within a ten-thousandth of a radian count as equal.
 
@@ -15,7 +15,7 @@ use crate::scene::meshes::topology::EdgeUse;
 /// Angles that differ by less than this, in radians, count as equal, because files round to f32.
 const SAME_ANGLE: f64 = 1e-4;
 
-/// The pairs of triangles around an edge that equally many triangles use in each direction.
+/// Pairs the triangles around an edge; equally many of them must use the edge in each direction.
 pub(super) fn walls(mesh: &Mesh, edge: [u32; 2], uses: &[EdgeUse]) -> Vec<[u32; 2]> {
     let order = around(mesh, edge, uses);
     let mut pairs = Vec::with_capacity(uses.len() / 2);
@@ -40,8 +40,8 @@ pub(super) fn walls(mesh: &Mesh, edge: [u32; 2], uses: &[EdgeUse]) -> Vec<[u32; 
     pairs
 }
 
-/// The uses sorted by angle around the edge, counter-clockwise seen from the vertex with the larger index. A downward use has its outer
-/// side before it and enters the solid; an upward use leaves it.
+/// The edge's uses, sorted by angle around the edge, counter-clockwise seen from the vertex with the larger index. In this order a downward
+/// use enters the solid, because its outer side comes first; an upward use leaves it.
 fn around(mesh: &Mesh, edge: [u32; 2], uses: &[EdgeUse]) -> Vec<EdgeUse> {
     let [from, to] = edge.map(|i| mesh.positions[i as usize]);
     let along = (to - from).normalize_or_zero();
@@ -71,7 +71,7 @@ fn around(mesh: &Mesh, edge: [u32; 2], uses: &[EdgeUse]) -> Vec<EdgeUse> {
             some.sort_by_key(|of| of.triangle);
             some
         };
-        // Seen from its other end, the edge has to give the reverse order.
+        // Exits are reversed, so that the order seen from the edge's other end is the exact reverse.
         order.extend(of(false).into_iter().rev());
         order.extend(of(true));
     }

@@ -1,13 +1,13 @@
 //! Finds the closed shells that contain a shell.
 //!
-//! A vertex of the inner shell is inside the outer one if the signed crossings (exits minus entries) of a ray from it along x do not sum
-//! to 0; if the outer shell's orientation is inconsistent, if their number is odd. Every sign is exact ([`robust`]); a ray through
-//! an edge passes on the side of larger z, or else of larger y, so that each crossing is counted exactly once. A vertex on the outer
-//! shell is undecided. Only some vertices are tested, and one that is outside is conclusive: shells that touch or cross each other
-//! do not contain each other.
+//! A ray along x starts at a vertex of the inner shell. The vertex is inside the outer shell if the ray's signed crossings (exits minus
+//! entries) do not sum to 0 or, if the outer shell's orientation is inconsistent, if their number is odd. Every sign is exact ([`robust`]);
+//! a ray through an edge passes on the side of larger z, or else of larger y, so each crossing counts exactly once. A vertex on the outer
+//! shell is undecided. Only some vertices are tested; one vertex outside rules out containment, since shells that touch or cross do not
+//! contain each other.
 //!
-//! Cost: building a bounding-box tree over the triangles of closed shells once; a ray tests the boxes that it meets, and the triangles
-//! in the leaves.
+//! Cost: one bounding-box tree over the triangles of closed shells; each ray tests the boxes that it hits, and the triangles in their
+//! leaves.
 
 use glam::DVec3;
 use robust::{Coord, Coord3D, orient2d, orient3d};
@@ -16,7 +16,7 @@ use super::super::{Bounds, Mesh};
 use super::shells::Shells;
 use crate::scene::meshes::tree::{BRANCHES, Tree, order};
 
-/// Number of vertices of a shell that are tested, spread over its triangles.
+/// Number of vertices tested per shell; they are spread over its triangles.
 const ASKED: usize = 8;
 
 /// Closed shells, prepared for containment tests.
@@ -25,7 +25,7 @@ pub(super) struct Insides<'a> {
     shells: &'a Shells,
     /// [`ASKED`] triangles of each shell.
     asked: Vec<[u32; ASKED]>,
-    /// Triangles of closed shells in the order of the tree.
+    /// Triangles of closed shells, in tree order.
     triangles: Vec<u32>,
     tree: Tree,
 }
@@ -37,7 +37,7 @@ enum ShellPosition {
     On,
 }
 
-/// Hit of a ray on a shell.
+/// Intersection of a ray with a shell.
 struct ShellHit {
     shell: u32,
     /// Direction of the crossing; 0 where the point is on the shell.
@@ -104,7 +104,7 @@ impl<'a> Insides<'a> {
             .min_by(|a, b| all[*a as usize].by_size(&all[*b as usize]).then(a.cmp(b)))
     }
 
-    /// The closed shells, except `but`, that a point is in or on.
+    /// All closed shells except `but` that a point is inside or on.
     fn places(&self, point: DVec3, but: u32) -> Vec<(u32, ShellPosition)> {
         let beside = |b: &Bounds| {
             let (y, z) = (point.y, point.z);
@@ -154,7 +154,7 @@ fn asked(shells: &Shells) -> Vec<[u32; ASKED]> {
     let mut passed = vec![0_usize; counts.len()];
     for (triangle, shell) in (0..).zip(&shells.of_triangles) {
         let shell = *shell as usize;
-        // Index of the first slot of each triangle; in a small shell several slots fall to the same triangle.
+        // Index of the first slot of each triangle; in a small shell, several slots share a triangle.
         let place = |triangles: usize| (triangles * ASKED).div_ceil(counts[shell]);
         asked[shell][place(passed[shell])..place(passed[shell] + 1)].fill(triangle);
         passed[shell] += 1;
@@ -166,7 +166,7 @@ fn holds(outer: &Bounds, inner: &Bounds) -> bool {
     outer.min.cmple(inner.min).all() && outer.max.cmpge(inner.max).all()
 }
 
-/// The direction in which the ray from a point along x crosses a triangle, if it does: 1 towards its outer side.
+/// Direction in which the ray along x from a point crosses a triangle: 1 towards the triangle's outer side, -1 towards its inner side.
 fn crossing(point: DVec3, corners: [DVec3; 3]) -> Option<i32> {
     let across = |p: DVec3| Coord { x: p.y, y: p.z };
     let mut turns = 0;
@@ -176,7 +176,7 @@ fn crossing(point: DVec3, corners: [DVec3; 3]) -> Option<i32> {
         if !(is_up || is_down) {
             continue;
         }
-        // Evaluated from the side's lower end, so that both triangles at the side compute the same sign.
+        // Evaluated from the side's lower end, so that the two triangles that share this side compute the same sign.
         let (low, high) = if is_up { (from, to) } else { (to, from) };
         if orient2d(across(low), across(high), across(point)) > 0.0 {
             turns += if is_up { 1 } else { -1 };
@@ -205,7 +205,7 @@ fn is_on(point: DVec3, corners: [DVec3; 3]) -> bool {
     signs.iter().all(|s| *s >= 0.0) || signs.iter().all(|s| *s <= 0.0)
 }
 
-/// Positive behind a triangle, negative in front of it, 0 in its plane.
+/// Positive if a point is behind a triangle, negative if it is in front, 0 if it is in the triangle's plane.
 fn behind(point: DVec3, corners: [DVec3; 3]) -> f64 {
     let [a, b, c, p] = [corners[0], corners[1], corners[2], point].map(|p| Coord3D {
         x: p.x,

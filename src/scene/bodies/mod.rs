@@ -11,14 +11,14 @@
 //! | whose parent is a cavity | a body, whichever way it faces |
 //! | that is open | a body: it contains nothing |
 //!
-//! So a mesh that is inside out as a whole has the same bodies as its correctly oriented version. Where orientation is undefined, because
-//! a shell's triangles contradict each other or it is flat, parity decides: every child of a body is its cavity.
+//! So a mesh that is inside out as a whole has the same bodies as its correctly oriented version. Where orientation is undefined, because a
+//! shell is flat or its triangles are inconsistently oriented, parity decides: every child of a body is its cavity.
 //!
-//! Bodies are numbered by their first triangles.
+//! Bodies are numbered in the order of their first triangles.
 //!
 //! Cost: one parallel sort of three numbers per triangle; if some shells do not face out, also a box tree over the triangles of closed
 //! shells and up to eight rays per shell ([`inside`]). Cannot: join the sheets of a solid whose edges are open, or distinguish a surface
-//! that has every face twice, once each way, from two coincident solids.
+//! that has every face twice, in opposite orientations, from two coincident solids.
 
 mod around_edge;
 mod inside;
@@ -46,7 +46,7 @@ impl Bodies {
     pub fn of(mesh: &Mesh) -> Self {
         let shells = Shells::of(mesh);
         let heads = heads(mesh, &shells);
-        // Bodies are ordered by their first triangle, in whichever of their shells it is.
+        // Bodies are ordered by their first triangle, which may be in any of their shells.
         let mut numbers: Vec<Option<u32>> = vec![None; heads.len()];
         let mut is_closed = Vec::new();
         let of_triangles = (shells.of_triangles.iter())
@@ -84,7 +84,7 @@ impl Bodies {
         &self.of_triangles
     }
 
-    /// The triangles of each body, in their order.
+    /// The triangles of each body, in mesh order.
     pub fn triangles(&self) -> Vec<Vec<u32>> {
         let mut triangles = vec![Vec::new(); self.count()];
         for (triangle, body) in (0..).zip(&self.of_triangles) {
@@ -100,7 +100,7 @@ fn heads(mesh: &Mesh, shells: &Shells) -> Vec<u32> {
     let mut heads: Vec<u32> = (0..all.len() as u32).collect();
     let faces_out = |s: &shells::Shell| s.facing == Some(ShellOrientation::Out);
     if all.iter().all(|s| !s.is_closed || faces_out(s)) {
-        // However the shells nest, there is no cavity.
+        // All closed shells face out, so no shell is a cavity.
         return heads;
     }
     let insides = Insides::of(mesh, shells);
@@ -198,7 +198,7 @@ mod tests {
         }
     }
 
-    /// The body of each of several joined meshes, each of which must lie in a single body.
+    /// Joins meshes and returns the body of each; each mesh must lie in a single body.
     fn bodies_of(meshes: &[Mesh]) -> Vec<u32> {
         let bodies = Bodies::of(&joined(meshes));
         let mut first = 0;
@@ -241,7 +241,7 @@ mod tests {
             (vec![(2.0, IN), (1.0, OUT)], vec![0, 0]),
             (vec![(3.0, IN), (2.0, OUT), (1.0, IN)], vec![0, 0, 1]),
             (vec![(2.0, IN), (1.0, IN)], vec![0, 1]),
-            // A cavity cannot have a cavity: parity.
+            // A cavity cannot contain a cavity, so the innermost shell is a body.
             (vec![(3.0, OUT), (2.0, IN), (1.0, IN)], vec![0, 0, 1]),
             (vec![(1.0, IN)], vec![0]),
         ] {
@@ -326,7 +326,7 @@ mod tests {
         }
         let bodies = Bodies::of(&welded(&joined(&cubes)));
         assert_eq!(bodies.count(), 8);
-        // Split along the other diagonal: triangles at the same angle that differ.
+        // Its faces are split along the other diagonal, so coincident faces consist of different triangles.
         let mut other = cuboid([1.0, 0.0, 0.0], [2.0, 1.0, 1.0], OUT);
         let at = |t: &[u32; 3]| t.iter().all(|i| other.positions[*i as usize].x == 1.0);
         let ends: Vec<usize> = (0..12).filter(|t| at(&other.triangles[*t])).collect();

@@ -11,7 +11,7 @@ use super::super::motion::BoundMesh;
 use super::super::{Mesh, Motion, Part};
 use super::Bodies;
 
-/// Identity of the data that a part's triangles come from: its mesh, its motion, and its binding from its file.
+/// Identity of a part's geometry data: its mesh, its motion, and the binding from its file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct GeometryId {
     mesh: ById<Mesh>,
@@ -40,7 +40,7 @@ pub struct Pieces {
 struct BodyPiece {
     mesh: Arc<Mesh>,
     motion: Option<Arc<Motion>>,
-    /// The mesh as its file bound it, and in the file's rest pose.
+    /// The body's mesh in the file's bind pose, and in the file's rest pose.
     bound: Option<(Arc<BoundMesh>, Arc<Mesh>)>,
 }
 
@@ -56,7 +56,7 @@ impl Pieces {
         Self { pieces }
     }
 
-    /// The parts that a part splits into, all with its name; the part itself if it has one body.
+    /// The part's bodies as separate parts with the same name; a part with one body is returned unchanged.
     pub fn parts(&self, part: &Part) -> Vec<Part> {
         if self.pieces.is_empty() {
             return vec![part.clone()];
@@ -98,7 +98,7 @@ impl BodyPiece {
             };
             (Arc::new(own_bound), rest)
         });
-        // If both places shared one mesh before, they share one again.
+        // If the part used its file's rest mesh before, the body's mesh and rest mesh are shared too.
         let mesh = match &bound {
             Some((_, rest)) if **rest == *mesh => Arc::clone(rest),
             _ => mesh,
@@ -122,7 +122,7 @@ pub(in crate::scene) fn bound_of(part: &Part) -> Option<&Arc<BoundMesh>> {
 
 impl Part {
     /// The bodies of the part as separate parts named `NAME/1`, `NAME/2` and so on; the part itself if it has one body ([`Bodies`]). A part
-    /// whose mesh is no longer that of its file loses the file's animations.
+    /// whose mesh no longer comes from its file loses the file's animations.
     #[must_use]
     pub fn split(&self) -> Vec<Self> {
         let mut parts = Pieces::of(self, &Bodies::of(&self.mesh)).parts(self);
@@ -135,7 +135,7 @@ impl Part {
     }
 }
 
-/// Name of the body with a number, from 1, of a part or another named item.
+/// Name of the body `number`, counted from 1, of a part or another named item.
 pub fn body_name(of: &str, number: usize) -> String {
     format!("{of}/{number}")
 }

@@ -1,12 +1,11 @@
 //! Shells: edge-connected components of the surface.
 //!
-//! An edge with two triangles joins them, whatever their orientation. Where more meet, the order of the triangles decides first: files
-//! write one solid after the other, so a run of consecutive triangles that is closed in itself is separate from all others ([`runs`]).
-//! Of the others, a shell that uses the edge equally often in both directions is complete by itself: two cubes that share an edge
-//! are two shells. The rest are paired around the edge so that each wedge of
-//! solid has its two walls ([`around_edge`](super::around_edge)), or all are joined if that fails. Thus a sheet attached to
-//! a solid by one edge is separated from it, and so are cubes with a common face that is present twice. A mesh of negative volume is
-//! treated with reversed orientation, so that cubes are separated there too.
+//! An edge with two triangles joins them, whatever their orientation. Where more than two meet, the order of the triangles decides first:
+//! files write one solid after the other, so a closed run of consecutive triangles is separate from all other triangles ([`runs`]). Among
+//! the remaining triangles, a shell that uses the edge equally often in both directions is complete by itself: two cubes that share an edge
+//! are two shells. The rest are paired around the edge so that each wedge of solid has its two walls ([`around_edge`](super::around_edge)),
+//! or all are joined if that fails. This separates a sheet from a solid that it is attached to by one edge, and two cubes whose common face
+//! is present twice. A mesh with negative volume is treated as if its orientation were reversed, so that its cubes are separated too.
 
 use std::cmp::Ordering;
 
@@ -14,7 +13,7 @@ use super::super::{Bounds, Mesh};
 use super::around_edge::walls;
 use crate::scene::meshes::topology::{EdgeUse, EdgeUses, Sets};
 
-/// A shell whose mean thickness, as a share of its size, is smaller than this is flat: rounding decides which way it faces.
+/// A shell is flat if its mean thickness, as a share of its size, is below this: rounding would decide which way it faces.
 const FLAT: f64 = 1e-9;
 
 /// Orientation of a closed shell.
@@ -31,7 +30,7 @@ pub(super) struct Shell {
     pub(super) is_closed: bool,
     /// True if the shell uses every edge equally often in both directions.
     pub(super) is_consistent: bool,
-    /// Set for a closed shell if its orientation is consistent and it is not flat.
+    /// Orientation of a closed shell; `None` if the shell is open, inconsistently oriented or flat.
     pub(super) facing: Option<ShellOrientation>,
     pub(super) bounds: Bounds,
     volume: f64,
@@ -47,7 +46,7 @@ impl Shell {
     }
 }
 
-/// The shells of a mesh, numbered by their first triangles.
+/// The shells of a mesh, numbered in the order of their first triangles.
 pub(super) struct Shells {
     pub(super) of_triangles: Vec<u32>,
     pub(super) shells: Vec<Shell>,
@@ -123,7 +122,7 @@ fn joined(mesh: &Mesh, uses: &EdgeUses) -> Vec<u32> {
             }
         }
     }
-    // Uses the patches joined over two-triangle edges, so that the result does not depend on the order in which edges are visited.
+    // Uses the patches that two-triangle edges alone join, so that the result does not depend on the order in which edges are visited.
     let patches: Vec<u32> = match shared.is_empty() {
         true => Vec::new(),
         false => (0..count as u32).map(|t| sets.find(t)).collect(),
@@ -152,8 +151,8 @@ fn joined(mesh: &Mesh, uses: &EdgeUses) -> Vec<u32> {
         .collect()
 }
 
-/// Per triangle, the number of its closed run: consecutive triangles up to the point where every edge is used equally often in both
-/// directions. The remaining triangles at the end also form a run.
+/// Per triangle, the number of its run. A run of consecutive triangles ends as soon as they use every edge equally often in both
+/// directions; the triangles left at the end also form a run.
 fn runs(count: usize, uses: &EdgeUses) -> Vec<u32> {
     let mut edges_of: Vec<Vec<(u32, i32)>> = vec![Vec::with_capacity(3); count];
     let mut edges = 0;
@@ -179,7 +178,7 @@ fn runs(count: usize, uses: &EdgeUses) -> Vec<u32> {
         .collect()
 }
 
-/// Pairs of triangles to join at an edge with more than two.
+/// Pairs of triangles to join at an edge that has more than two triangles.
 fn pairs_at(mesh: &Mesh, edge: [u32; 2], mut run: Vec<EdgeUse>, patches: &[u32]) -> Vec<[u32; 2]> {
     let patch = |u: &EdgeUse| patches[u.triangle as usize];
     run.sort_by_key(|u| (patch(u), u.triangle));

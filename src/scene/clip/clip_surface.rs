@@ -64,8 +64,8 @@ impl ClipSurface {
         }
     }
 
-    /// Returns the reason if the parameters are invalid: all numbers must be finite, the lengths of `U` and `V`
-    /// between 1e-150 and 1e150 so that their squares neither overflow nor underflow, and the angle between them right to 1e-6.
+    /// Returns the reason if the parameters are invalid: all numbers must be finite, the lengths of `U` and `V` between 1e-150 and 1e150 so
+    /// that their squares neither overflow nor underflow, and the cosine of the angle between them at most 1e-6.
     pub fn defect(&self) -> Option<String> {
         let vectors = [
             ("origin", self.origin),
@@ -102,7 +102,7 @@ impl ClipSurface {
         let farthest = self.origin.abs().max_element();
         if farthest > range::LARGEST {
             return Some(format!(
-                "its origin is {farthest:.0e} away, more than {:.0e}",
+                "its origin has a coordinate of {farthest:.0e}, more than {:.0e}",
                 range::LARGEST
             ));
         }
@@ -150,7 +150,7 @@ impl ClipSurface {
         (point - self.origin).dot(self.frame().normal) + height * self.scale.z
     }
 
-    /// The same surface and relief moved along `-N`: points within `distance` on the removed side are kept.
+    /// The same surface and relief, moved along `-N` by `distance`: removed points within that distance of the old surface are now kept.
     #[must_use]
     pub fn keeping(&self, distance: f64) -> Self {
         Self {
@@ -202,7 +202,7 @@ mod tests {
 
     const WRAPS: [Wrap; 3] = [Wrap::Repeat, Wrap::Mirror, Wrap::Clamp];
 
-    /// Points and directions without a pattern: the fractions of multiples of irrational numbers.
+    /// Quasi-random points and directions: fractional parts of multiples of irrational numbers.
     fn scattered(count: u32) -> impl Iterator<Item = DVec3> {
         let step = DVec3::new(0.754_877_666, 0.569_840_291, 0.322_185_355);
         (1..=count).map(move |i| (step * f64::from(i)).fract() * 8.0 - 4.0)

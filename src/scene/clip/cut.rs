@@ -15,13 +15,13 @@ pub struct Cut {
     pub volume: Option<Cutter>,
     /// Parameters of an automatically placed cutter: see [`Scene::open_breakaways`](crate::scene::Scene::open_breakaways).
     pub breakaway: Option<Breakaway>,
-    /// The number of its opening, from 0: a breakaway with several openings becomes several cuts. Set when breakaways are opened.
+    /// Index of the breakaway's opening: a breakaway with several openings becomes one cut per opening. Set when breakaways are opened.
     pub opening: usize,
-    /// Names of the [whole](crate::scene::Role::Whole) parts that its opening shows, so does not hide. Set when breakaways are opened.
+    /// Names of the [whole](crate::scene::Role::Whole) parts that its opening shows and thus keeps. Set when breakaways are opened.
     pub shows: Vec<String>,
     /// Globs of the parts that are cut, with `*` and `?` as wildcards.
     pub applies_to: Vec<String>,
-    /// Globs of the parts that are spared.
+    /// Globs of parts that are not cut, even if `applies_to` matches them.
     pub except: Vec<String>,
     /// Parts from which more or less is removed.
     pub offsets: Vec<Offset>,
@@ -29,7 +29,7 @@ pub struct Cut {
     pub enabled: bool,
 }
 
-/// Offset of a cut for some parts: removes less from them.
+/// Offset of a cut for some parts: removes less of them, or more.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Offset {
     /// Glob of the parts.
@@ -93,7 +93,7 @@ impl Cut {
     }
 }
 
-/// `*` stands for any run of characters, `?` for one, everything else for itself.
+/// Returns true if a glob matches a name: `*` matches any run of characters, `?` any single character.
 pub fn glob_matches(glob: &str, name: &str) -> bool {
     let (glob, name): (Vec<char>, Vec<char>) = (glob.chars().collect(), name.chars().collect());
     // Positions to backtrack to if the characters after the last `*` do not match.

@@ -3,9 +3,8 @@
 //! Parity decides: a point is inside if a ray from it crosses the mesh an odd number of times. Solids from one file are counted
 //! together, so where two of them overlap nothing is removed; the orientation of faces does not matter.
 //!
-//! A cutter must be closed: each edge has an even number of faces. The parity of an open mesh would remove streaks up to infinity,
-//! which a frame could not distinguish from intended cuts. An open part is drawn with doubtful pixels marked; an open cutter is
-//! refused on loading.
+//! A cutter must be closed: each edge has an even number of faces. With an open mesh, parity would remove infinitely long streaks, which a
+//! frame could not distinguish from intended cuts. An open part is drawn with doubtful pixels marked; an open cutter is refused on loading.
 
 use std::sync::Arc;
 
@@ -81,7 +80,7 @@ impl Cutter {
         Self::new(name, all)
     }
 
-    /// The same cutter with a further placement in the world.
+    /// The same cutter, with another placement applied after its own.
     #[must_use]
     pub fn placed(mut self, placement: DAffine3) -> Self {
         self.world_from_cutter = placement * self.world_from_cutter;
@@ -111,7 +110,7 @@ impl Cutter {
         &self.name
     }
 
-    /// Its boundary, closed.
+    /// Its boundary, a closed mesh.
     pub fn mesh(&self) -> &Arc<Mesh> {
         &self.mesh
     }

@@ -2,7 +2,7 @@
 //!
 //! `f` is bilinear between texel centres, `(i + 0.5) / width`, from four texels; addresses outside 0..width follow the
 //! wrap mode. CPU and GPU both interpolate heights only this way: a hardware sampler keeps only about eight bits of the
-//! weight, which would tear a cap from the mesh it closes. Callers can select it to measure its error ([`HeightFilter`]).
+//! weight, which would tear a cap from the mesh it closes. To measure its error, callers can select the sampler ([`HeightFilter`]).
 //!
 //! [`HeightFilter`]: crate::scene::HeightFilter
 
@@ -23,7 +23,7 @@ pub enum Wrap {
     Repeat,
     /// The map repeats, every other copy mirrored.
     Mirror,
-    /// The border texels continue for ever.
+    /// The border texels extend indefinitely.
     Clamp,
 }
 
@@ -42,7 +42,7 @@ impl Wrap {
         u32::try_from(i).unwrap_or(0)
     }
 
-    /// Number in shaders.
+    /// The mode's code in shaders.
     pub fn code(self) -> u32 {
         match self {
             Self::Repeat => 0,
@@ -61,7 +61,7 @@ pub struct OffsetMap {
 }
 
 impl OffsetMap {
-    /// A map from heights; the reason if they do not make a valid map.
+    /// Creates a map from heights; returns the reason if they do not form a valid map.
     pub fn new(size: [u32; 2], texels: Vec<f32>) -> Result<Self, String> {
         if size[0] == 0 || size[1] == 0 {
             return Err(format!("the map is {} x {} texels", size[0], size[1]));
@@ -86,7 +86,7 @@ impl OffsetMap {
         Ok(Self::of_finite(size, texels))
     }
 
-    /// A map from `width * height` heights that are finite and none of them subnormal.
+    /// Creates a map from `width * height` heights, all of them finite and none subnormal.
     pub(in crate::scene) fn of_finite(size: [u32; 2], texels: Vec<f32>) -> Self {
         let none = [f32::INFINITY, f32::NEG_INFINITY];
         let range = (texels.iter()).fold(none, |[lo, hi], h| [lo.min(*h), hi.max(*h)]);
@@ -107,7 +107,7 @@ impl OffsetMap {
         &self.texels
     }
 
-    /// Least and greatest height: the slab that holds the relief.
+    /// Least and greatest height; the relief lies in the slab between them.
     pub fn range(&self) -> [f32; 2] {
         self.range
     }
@@ -158,7 +158,7 @@ mod tests {
 
     #[test]
     fn texels_are_met_at_their_centres() {
-        // Powers of two: the centres are exact in f64, so the heights have to be.
+        // Powers of two: the centres are exact in f64, so the heights must be exact too.
         for (w, h) in [(1, 1), (1, 8), (4, 2), (8, 8)] {
             let map = map(w, h);
             for wrap in WRAPS {

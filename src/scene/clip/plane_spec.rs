@@ -7,8 +7,8 @@
 //! nx,ny,nz,d    nx x + ny y + nz z = d
 //! ```
 //!
-//! The side that the normal points to is kept. Normals may have any length; along an axis they give the surface's frame
-//! without rounding.
+//! The side that the normal points to is kept. Normals may have any length; a normal along an axis gives the surface's frame without
+//! rounding.
 
 use std::fmt;
 
@@ -48,7 +48,7 @@ impl PlaneSpec {
             .map_err(|what| Error::input(format!("section `{text}`"), what, EXAMPLES))
     }
 
-    /// The plane through a point with a normal of any length, which points to the kept side.
+    /// The plane through a point; the normal points to the kept side and may have any length.
     pub fn through(point: DVec3, normal: DVec3) -> Result<Self> {
         let text = format!("{}@{}", listed(normal), listed(point));
         if normal == DVec3::ZERO {
@@ -64,8 +64,8 @@ impl PlaneSpec {
         Ok(Self { text, plane })
     }
 
-    /// The plane in world space, upright for an up axis. Unless the spec gives an origin, it is the point of the plane nearest
-    /// to the centre of the bounds.
+    /// The plane in world space, upright with respect to an up axis. If the spec gives no origin, the plane's point nearest to the centre
+    /// of the bounds is used.
     pub fn surface(&self, bounds: &Bounds, up: Up) -> Result<ClipSurface> {
         let percent = |a: &Amount| matches!(a, Amount::Percent(_));
         let relative = match &self.plane {
@@ -100,7 +100,7 @@ impl PlaneSpec {
         // Written so that NaN fails, too.
         if !origin.to_array().iter().all(|c| c.abs() <= LARGEST) {
             return fault(
-                "the plane is too far away to be computed with",
+                "the plane is too far away to compute with",
                 "use a longer normal or a smaller distance",
             );
         }
@@ -110,7 +110,7 @@ impl PlaneSpec {
 
 /// Number of decimals of a moved plane's percentages.
 const PERCENT_DECIMALS: i32 = 3;
-/// A moved plane's lengths are rounded to this share of the model.
+/// The lengths that describe a moved plane are rounded to this share of the model's size.
 const FINEST_SHARE: f64 = 1e-6;
 
 impl PlaneSpec {
@@ -201,7 +201,7 @@ impl PlaneSpec {
     }
 }
 
-/// As `--section` takes it.
+/// Writes the plane in the form that `--section` accepts.
 impl fmt::Display for PlaneSpec {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.text)
@@ -296,7 +296,7 @@ fn parse_plane(text: &str) -> Result<PlaneNotation, String> {
     };
     if numbers.len() != 4 {
         return Err(format!(
-            "it has {} numbers and neither `=` nor `@`, where 4 make a plane",
+            "a plane without `=` and `@` has 4 numbers, not {}",
             numbers.len()
         ));
     }
@@ -316,7 +316,7 @@ fn list(text: &str) -> Result<Vec<Amount>, String> {
 
 fn direction(numbers: &[Amount]) -> Result<DVec3, String> {
     let [Amount::Units(x), Amount::Units(y), Amount::Units(z)] = *numbers else {
-        return Err("a normal is 3 numbers without %".into());
+        return Err("a normal is 3 numbers, not percentages".into());
     };
     let normal = DVec3::new(x, y, z);
     if normal == DVec3::ZERO {
@@ -325,12 +325,12 @@ fn direction(numbers: &[Amount]) -> Result<DVec3, String> {
     Ok(normal)
 }
 
-/// The unit vector of any finite vector except zero: the largest component is scaled to 1 first, so nothing overflows.
+/// Normalises any finite vector except zero. The largest component is scaled to 1 first, so nothing overflows.
 fn unit(v: DVec3) -> DVec3 {
     (v / v.abs().max_element()).normalize()
 }
 
-/// The point of a plane nearest to `p`. For a plane across an axis, that coordinate is exactly the plane's.
+/// The point of a plane nearest to `p`. If the normal is an axis, the coordinate along it is exactly the plane's.
 fn foot(p: DVec3, normal: DVec3, offset: f64) -> DVec3 {
     for axis in 0..3 {
         if normal == DVec3::AXES[axis] * normal[axis] {

@@ -1,16 +1,15 @@
 //! Boxes and wedges: removed regions given by a few numbers, as unions of intersections of half spaces.
 //!
-//! A region is converted to faces: planes that keep the outside. A wedge of up to 180 degrees is the intersection of two half spaces,
-//! which at 180 degrees coincide except for their reliefs; a wider one is their union: two alternatives, with no wall between them. Angles
-//! count counter-clockwise about the axis, seen from its tip, and multiples of 90 degrees about a world axis give planes without
-//! rounding. An empty region still has its faces, so that clip-surfaces keep their numbers while it opens; a cut with such a region
-//! should be switched off.
+//! A region is converted to faces: planes that keep the outside. A wedge of up to 180 degrees is the intersection of two half spaces, which
+//! at 180 degrees coincide except for their reliefs; a wider one is their union: two alternatives, with no wall between them. Angles are
+//! counter-clockwise about the axis, seen from its tip; about a world axis, multiples of 90 degrees give planes without rounding. An empty
+//! region still has its faces, so that clip-surfaces keep their numbers while it opens; a cut with such a region should be switched off.
 
 use glam::DVec3;
 
 use crate::scene::{ClipSurface, Up};
 
-/// Intersection of two removed regions, each given as a union of intersections of removed sides, in the same form.
+/// Intersection of two removed regions. Regions are unions of intersections of removed sides, and so is the result.
 pub fn in_common(a: &[Vec<ClipSurface>], b: &[Vec<ClipSurface>]) -> Vec<Vec<ClipSurface>> {
     let pairs = a
         .iter()
@@ -47,7 +46,7 @@ impl Block {
         (0..3).any(|i| matches!((self.min[i], self.max[i]), (Some(a), Some(b)) if a >= b))
     }
 
-    /// Its faces, upright for an up axis. The origin of each plane is its point nearest to `middle`.
+    /// The box's faces, upright with respect to an up axis. The origin of each plane is its point nearest to `middle`.
     pub fn faces(&self, middle: DVec3, up: Up) -> Vec<RegionFace> {
         let faces = (0..6).filter_map(|i| {
             let (axis, upper) = (i / 2, i % 2 == 1);
@@ -64,10 +63,10 @@ impl Block {
     }
 }
 
-/// A slice of a pie.
+/// A wedge around an axis, like a slice of a pie.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wedge {
-    /// A point of the axis.
+    /// A point on the axis.
     pub origin: DVec3,
     /// Direction of the axis, of length 1.
     pub along: DVec3,
@@ -79,7 +78,7 @@ pub struct Wedge {
     pub to_deg: f64,
     /// Lower end along the axis: the coordinate `P . along` of its lower face.
     pub min: Option<f64>,
-    /// Upper end along the axis: the same coordinate of its upper face.
+    /// Upper end along the axis: the coordinate `P . along` of its upper face.
     pub max: Option<f64>,
 }
 
@@ -92,7 +91,7 @@ impl Wedge {
 
     /// Its faces as one list, or as two lists (a union of two regions) for more than half a turn. A full turn has only the end faces
     /// along the axis. For half a turn, `from` and `to` have the same plane, which is listed once unless the two are `ragged` and
-    /// their reliefs may differ. The planes are upright for an up axis.
+    /// their reliefs may differ. The planes are upright with respect to an up axis.
     pub fn alternatives(&self, ragged: bool, up: Up) -> Vec<Vec<RegionFace>> {
         let turn_deg = self.to_deg - self.from_deg;
         let across = self.along.cross(self.zero);
@@ -141,7 +140,7 @@ pub fn next_axis(along: DVec3) -> DVec3 {
     (next - along * next.dot(along)).normalize()
 }
 
-/// The cosine and sine of an angle; those of right angles are exact.
+/// The cosine and sine of an angle, exact for multiples of 90 degrees.
 fn cosine_and_sine(degrees: f64) -> [f64; 2] {
     let quarter = (degrees / 90.0).round();
     let (sine, cosine) = (degrees - quarter * 90.0).to_radians().sin_cos();

@@ -4,12 +4,12 @@
 //! points right, and `V`, along which the rows of an image follow each other, points down. In a level plane, right is
 //! the world's x axis.
 //!
-//! Notation: `N` normal, `P` up axis, `h = N.P`. Upright means `U = N x P`; this has no limit as `N` approaches `P`, so it is blended
-//! into the projection of the x axis between `|h|` = [`UPRIGHT`] and [`LEVEL`]. No tangent direction field on the sphere is
-//! continuous everywhere (Poincaré 1885, Hopf 1927). This one is, except at one normal per hemisphere, and neither lies in a plane
-//! spanned by two axes: turning a normal through an axis, or from one axis to another, does not make the relief jump. The common
-//! construction of Duff et al. 2017, *Building an orthonormal basis, revisited* (JCGT 6.1), jumps where `N.z` changes sign, even
-//! between the two signed zeros.
+//! Notation: `N` normal, `P` up axis, `h = N.P`. Upright means `U = N x P`. As `N` approaches `P`, this has no limit, so `U` is blended
+//! into the projection of the x axis while `|h|` grows from [`UPRIGHT`] to [`LEVEL`]. No tangent direction field on the sphere is
+//! continuous everywhere (Poincaré 1885, Hopf 1927). This field is continuous except at one normal per hemisphere, neither of which lies in
+//! a plane spanned by two axes: turning a normal through an axis, or from one axis to another, does not make the relief jump. The common
+//! construction of Duff et al. 2017, *Building an orthonormal basis, revisited* (JCGT 6.1), jumps where `N.z` changes sign, even between
+//! the two signed zeros.
 
 use glam::DVec3;
 
@@ -30,7 +30,7 @@ pub(in crate::scene) fn directions(n: DVec3, up: Up) -> [DVec3; 2] {
     let share = share * share * (3.0 - 2.0 * share);
     let u = if share > 0.0 {
         let level = DVec3::X - n * n.x;
-        // Where the two are opposite, the third term keeps the sum away from 0, also between any two axes.
+        // Where the two directions are opposite, the third term keeps the sum away from 0, even for a normal between two axes.
         let aside = n.cross(upright);
         upright * (1.0 - share) + level * share + aside * (share * (1.0 - share))
     } else {

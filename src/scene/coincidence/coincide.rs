@@ -1,10 +1,10 @@
 //! Faces of parts that coincide with faces of a cutter, even if they are triangulated differently.
 //!
-//! As in a plane, depth cannot decide on which side of the cutter such a face lies, so a solid is treated as open, without its boundary:
-//! where a ray enters the solid through the face, the face is behind the crossing with the cutter; where it leaves, in front of it.
+//! As with planes, depth cannot decide on which side of the cutter such a face lies, so a solid is an open set, without its boundary: where
+//! a ray enters the solid through the face, the face is behind the crossing with the cutter; where it leaves, in front of it.
 //!
 //! Cost: each of the part's triangles in the cutter's box is tested against the cutter's triangles whose planes are equally far from the
-//! origin: few, but many for a finely tessellated ball around the origin.
+//! origin. These are few, except for a finely tessellated ball around the origin.
 
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
@@ -12,7 +12,7 @@ use robust::{Coord3D, orient3d};
 
 use crate::scene::{Bounds, PreparedVolume};
 
-/// Two planes are compared if their distances from the origin differ by at most this, in scene units: more than rounding.
+/// Two planes are compared if their distances from the origin differ by at most this, in scene units; rounding errors are smaller.
 const NEAR: f64 = 1e-5;
 
 /// Returns true if three points lie exactly in the plane of a triangle.

@@ -1,8 +1,8 @@
-//! Finds solids that touch, and assigns classes such that no two touching solids share one.
+//! Finds solids that touch, and assigns classes such that no two touching solids share a class.
 //!
-//! Surfaces are sampled more finely than a grid's cells; parts that occupy the same or adjacent cells are neighbours. So parts closer
-//! than a cell get different classes, whether they touch or not. Costs one or more samples per triangle, as many as it covers
-//! fractions of cells, and their sort. Bounding boxes would not do: those of nested rings all overlap.
+//! Surfaces are sampled more finely than a grid's cells; parts that occupy the same or adjacent cells are neighbours. So parts closer than
+//! a cell get different classes, whether they touch or not. Cost: one or more samples per triangle, in proportion to the cells that it
+//! covers, and a sort of the samples. Bounding boxes would not do, since those of nested rings all overlap.
 //!
 //! Cannot: detect contacts of parts that touch only in another pose.
 
@@ -115,8 +115,8 @@ fn cells_of(mesh: &Mesh, placed: &DAffine3, origin: DVec3, cell: f64) -> Vec<u64
     keys
 }
 
-/// Greedy graph colouring with few classes, so that no two neighbours share one. Next is the item with the most classes among its
-/// neighbours, among those the one with the most neighbours, then the first (Brélaz 1979, DSATUR).
+/// Greedy graph colouring with few classes, so that no two neighbours share a class. Next comes the item with the most classes among its
+/// neighbours; ties go to the most neighbours, then the first (Brélaz 1979, DSATUR).
 pub(crate) fn classes(neighbours: &[Vec<usize>]) -> Vec<u16> {
     let mut classes: Vec<Option<u16>> = vec![None; neighbours.len()];
     let mut about: Vec<Vec<u16>> = vec![Vec::new(); neighbours.len()];

@@ -1,15 +1,15 @@
 //! Faces of a part that lie in a flat clip-surface: decided here, once, for the reference, all strategies, sections and export.
 //!
-//! In CAD files, the coordinates of a rotated or moved planar face differ by steps of `f32`, and users type coordinates as they are
-//! printed. So a face lies in a plane if all its vertices are within [`STEPS`] such steps of it, measured at the mesh's largest
-//! coordinate in its file. It then lies in the plane as a whole: its triangles count as on the solid's side, and its vertices as on the
-//! plane, for all triangles that share them. Coordinates are not moved.
+//! In CAD files, the vertices of a rotated or moved planar face are a few `f32` steps off its plane, and users type coordinates as they are
+//! printed. So a face lies in a plane if all its vertices are within [`STEPS`] such steps of it, measured at the mesh's largest coordinate
+//! in its file. The whole face then counts as in the plane: its triangles as on the solid's side, and its vertices as on the plane, for all
+//! triangles that share these vertices. Coordinates are not moved.
 //!
-//! The face's orientation determines which side the solid is on, reversed if the mesh as a whole is inside out. Slivers, whose orientation
-//! is rounding error, belong to the face that they touch.
+//! The face's orientation determines which side the solid is on; the side is reversed if the whole mesh is inside out. Slivers, whose
+//! orientation is rounding error, belong to the face that they touch.
 //!
-//! Two faces with solid between them that is thinner than the tolerance do not count as faces in the plane, unless their vertices are
-//! exactly on it: their coordinates then decide which of them is nearer.
+//! If the solid between two faces is thinner than the tolerance, only triangles with all vertices exactly on the plane count as in the
+//! plane; for the others, coordinates decide which face is nearer.
 //!
 //! Cost: a few hash lookups for each triangle within the tolerance.
 //!
@@ -22,11 +22,11 @@ use glam::{DAffine3, DVec3};
 
 use crate::scene::{Bounds, FlatSurface, SceneSpace, Side, longest_edge};
 
-/// Number of `f32` steps that a vertex of a face may be off a plane: a rotated face that straddles its plane by 4 steps along each axis
-/// is 7 off it.
+/// Number of `f32` steps that a vertex of a face may be off a plane: a rotated face whose coordinates are off by 4 steps along each axis is
+/// 7 steps off its plane.
 const STEPS: f64 = 8.0;
 
-/// Rounding error of a vertex and the plane in `f32` in scene space, in scene units.
+/// Combined `f32` rounding error of a vertex and the plane in scene space, in scene units.
 const SCENE_ROUNDING: f64 = f32::EPSILON as f64;
 
 /// Triangles whose altitude is no more than this multiple of the tolerance are slivers.
@@ -35,7 +35,7 @@ const SLIVER: f64 = 4.0;
 /// Two faces closer than this share of the tolerance touch; farther apart, there is solid between them.
 const TOUCHING: f64 = 0.25;
 
-/// Maximum distance in scene units at which vertices of a face count as in a plane. `in_part` bounds the mesh as read, before placement.
+/// Maximum distance from a plane, in scene units, at which a face's vertices count as on it. `in_part` bounds the mesh before placement.
 pub(crate) fn plane_tolerance(in_part: &Bounds, placed: &DAffine3, space: &SceneSpace) -> f64 {
     let largest = in_part.min.abs().max(in_part.max.abs()).max_element() as f32;
     let step = f64::from(largest.next_up()) - f64::from(largest);
@@ -55,9 +55,9 @@ pub(crate) struct Candidates<'a, P> {
     pub(crate) triangles: &'a [[u32; 3]],
     /// Position of a vertex; for parts of a scene, from [`PreparedPart::positions`](crate::scene::PreparedPart::positions).
     pub(crate) position: P,
-    /// The triangles to test, including at least those with all three vertices within the tolerance.
+    /// The triangles to test; they must include every triangle whose three vertices are all within the tolerance.
     pub(crate) near: Vec<u32>,
-    /// Maximum distance of vertices from the plane; at 0 only those exactly on the plane count.
+    /// Maximum distance of vertices from the plane; if it is 0, only vertices exactly on the plane count.
     pub(crate) tolerance: f64,
     /// Returns true if the mesh encloses a negative volume; called only if a face is found.
     pub(crate) is_inside_out: &'a dyn Fn() -> bool,
@@ -66,9 +66,9 @@ pub(crate) struct Candidates<'a, P> {
 /// The faces of a part that lie in a plane.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct FacesInPlane {
-    /// Triangles in order, each with the side of the plane that the solid behind it lies on.
+    /// Triangles in index order, each with the side of the plane on which its solid lies.
     faces: Vec<(u32, Side)>,
-    /// Coordinates of their vertices, as bits.
+    /// Bit patterns of the coordinates of the faces' vertices.
     places: HashSet<[u64; 3]>,
 }
 
@@ -95,7 +95,7 @@ impl FacesInPlane {
     }
 }
 
-/// The bits of the coordinates; -0 and 0 give the same.
+/// The bit patterns of the coordinates; -0 and 0 give the same bits.
 fn place_of(position: DVec3) -> [u64; 3] {
     (position + DVec3::ZERO).to_array().map(f64::to_bits)
 }
@@ -200,7 +200,7 @@ impl FlatSurface {
     }
 }
 
-/// Per triangle: true if it belongs to a face with solid behind it that ends within the tolerance.
+/// Per triangle: true if the solid behind its face is thinner than the tolerance.
 fn thin(near: &[Near], tolerance: f64) -> Vec<bool> {
     let apart = TOUCHING * tolerance;
     let of = |up: bool| near.iter().filter(move |n| n.faces_up == Some(up));

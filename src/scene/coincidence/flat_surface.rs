@@ -12,7 +12,7 @@ const RELATIVE_ROUNDING: f64 = 1e-15;
 pub enum Side {
     /// The side that is kept.
     Kept,
-    /// The side that the clip-surface removes where all other clip-surfaces of its cut do too.
+    /// The side that is removed, wherever all other clip-surfaces of the cut remove too.
     Removed,
 }
 
@@ -39,7 +39,7 @@ pub struct FlatSurface {
 }
 
 impl FlatSurface {
-    /// Kept height of a point; only its sign is exact, so it is zero only on the surface.
+    /// Signed height of a point, positive on the kept side; only the sign is exact, so the height is zero only on the surface.
     pub fn height(&self, point: DVec3) -> f64 {
         let terms = (point - self.origin) * self.normal;
         let sum = terms.element_sum() + self.lift;
@@ -51,12 +51,12 @@ impl FlatSurface {
         }
     }
 
-    /// Kept height of a point, with the rounding error of f64.
+    /// Signed height of a point, computed in f64 with rounding errors.
     pub(crate) fn rough_height(&self, point: DVec3) -> f64 {
         (point - self.origin).dot(self.normal) + self.lift
     }
 
-    /// Kept height of a point, rounded once. Takes about 100 ns.
+    /// Signed height of a point, computed exactly and rounded once. Takes about 100 ns.
     pub fn exact_height(&self, point: DVec3) -> f64 {
         let (p, o, n) = (point, self.origin, self.normal);
         sum_of_products([

@@ -1,4 +1,4 @@
-//! Faces that lie in a clip-surface or in each other: decided once, by signs, for the reference and all strategies.
+//! Faces that lie in a clip-surface or coincide with other faces: decided once, by signs, for the reference and all strategies.
 
 pub(super) mod coincide;
 pub(super) mod contacts;

@@ -1,4 +1,4 @@
-//! On which side of a flat clip-surface the triangles close to it lie: decided once per triangle, by signs, never by depth.
+//! Decides on which side of a flat clip-surface nearby triangles lie: once per triangle, by signs, never by depth.
 //!
 //! Cuts along a face of a part are the most common ones in CAD, and there the depths of a fragment and of the clip-surface are equal
 //! except for rounding. So depths are not compared. A triangle within [`CLOSE`] of the surface is *preclassified* if its vertices
@@ -7,15 +7,15 @@
 //! - All vertices are on one side, or on the surface: the triangle lies on that side. The same holds for triangles that share a vertex
 //!   with such a close triangle, like the walls around a face.
 //! - It belongs to a face in the surface ([`FacesInPlane`](super::faces_in_plane)): it lies on its solid's side. A cut thus leaves nothing
-//!   without thickness: a solid is treated as open, without its boundary (by design, a face where a ray enters is infinitesimally farther,
-//!   one where it leaves infinitesimally nearer, whichever way the ray runs). Vertices of such a face are on the surface.
+//!   of zero thickness: a solid is an open set, without its boundary (by design, a face where a ray enters is infinitesimally farther, and
+//!   one where the ray leaves is infinitesimally nearer, in both directions of the ray). Vertices of such a face are on the surface.
 //!
 //! Signs are exact for the real numbers that the f64 values represent.
 //!
 //! Cost: one product per vertex and surface; if three vertices are close, a pass over all triangles; if any is preclassified, another.
 //!
-//! Cannot: classify triangles that the surface crosses, reliefs that are not flat, or parts in a pose that bends them, whose vertices
-//! the device computes. Single faces that are oriented the wrong way end up on the wrong side.
+//! Cannot: classify triangles that the surface crosses, reliefs that are not flat, or parts that their pose bends, since the device
+//! computes their vertices. Single faces that are oriented the wrong way end up on the wrong side.
 
 use std::collections::BTreeMap;
 
@@ -25,8 +25,8 @@ use rayon::prelude::*;
 use super::faces_in_plane::Candidates;
 use crate::scene::{Bounds, FlatSurface, Prepared, PreparedPart, PreparedSurface, Side};
 
-/// Distance from a surface within which triangles are preclassified, in scene units: about the depth error along a surface caused by
-/// snapping vertices to 1/256 px in a 60 px picture, and more than any rounding.
+/// Distance from a surface within which triangles are preclassified, in scene units: about the depth error that snapping vertices to 1/256
+/// px causes along a surface in a 60 px picture, and more than any rounding error.
 const CLOSE: f64 = 1.0 / 16384.0;
 
 /// Maximum sine of the angle between the surface and a preclassified triangle that does not lie in it.
@@ -178,7 +178,7 @@ impl PreparedSurface {
         [ends[0].min(ends[1]), ends[0].max(ends[1])]
     }
 
-    /// The flat surface that this one is, unless it is a relief or a cutter.
+    /// This clip-surface as a flat surface; `None` for a cutter, and for a relief that is not flat.
     pub fn flat(&self) -> Option<FlatSurface> {
         let lift = self.flat_height().filter(|_| self.volume.is_none())?;
         Some(FlatSurface {

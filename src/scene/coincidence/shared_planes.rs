@@ -1,12 +1,12 @@
-//! Planes that contain faces of several parts with the same orientation: found here, once, for the reference and all strategies.
+//! Planes that contain equally oriented faces of several parts: found here, once, for the reference and all strategies.
 //!
 //! A pin flush with its plate has a face coplanar with the plate's, and the depths of both are equal except for rounding, which differs
 //! per triangle. So such faces have no depths of their own: samples of both have the plane's depth, and among parts at the same depth
-//! the first in rank is drawn. The largest triangle defines a plane; others belong to it if all of their vertices are within the
+//! the one that ranks first is drawn. The largest triangle defines a plane; others belong to it if all of their vertices are within the
 //! tolerance of both parts ([`plane_tolerance`](super::faces_in_plane::plane_tolerance)) and they face the same way.
 //!
-//! Cost: if no boxes of parts overlap, only the test of box pairs; else, for the triangles in the overlaps, a sort by area and for each
-//! at most 16 cells of [`MOST_IN_CELL`] planes. Results are reused between frames as long as the searched parts keep their vertices.
+//! Cost: a test of box pairs. If boxes overlap, the triangles in the overlaps are also sorted by area, and each searches at most 16 cells
+//! with up to [`MOST_IN_CELL`] planes each. Results are reused between frames as long as the searched parts keep their vertices.
 //!
 //! Cannot: include posed parts, parts that the device places, slivers, or triangles so small that rounding tilts them; more than
 //! [`MOST_MEMBERS`] plane members (those with the largest triangles are kept); scenes with more than [`MOST_PARTS`] parts.
@@ -18,10 +18,10 @@ use glam::{DVec2, DVec3, Vec3};
 
 use crate::scene::{Bounds, PreparedPart, View, longest_edge};
 
-/// Maximum number of plane members (a part in a plane) that are preclassified; together with the sides of cuts they fit a frame's groups.
+/// Maximum number of preclassified plane members (pairs of part and plane); with the sides of cuts they fit into a frame's groups.
 const MOST_MEMBERS: usize = 256;
 
-/// Maximum number of parts tested for overlap in pairs: each takes one of a frame's groups, leaving half of them for preclassified faces.
+/// Maximum number of parts tested for overlap in pairs: each takes one of a frame's groups, and half remain for preclassified faces.
 const MOST_PARTS: usize = 512;
 
 /// Maximum number of planes per cell of normals and offsets; those with the largest triangles are kept. It limits the search on
@@ -37,7 +37,7 @@ const BESIDE: f64 = 0.25;
 /// Triangles whose altitude is no more than this multiple of the tolerance are slivers.
 const SLIVER: f64 = 4.0;
 
-/// A plane is seen edge-on if the eye is nearer to it than this, in scene units, or the sine of a parallel view's angle to it is smaller.
+/// A plane is seen edge-on if the eye is nearer to it than this, in scene units, or if the sine of its angle to a parallel view is.
 const EDGE_ON: f64 = 1e-4;
 
 /// A plane with faces of several parts that overlap in it.
@@ -51,8 +51,8 @@ pub struct SharedPlane {
 }
 
 impl SharedPlane {
-    /// The depth-buffer value of the plane in a view, as its change per pixel to the right and downwards, and its value in the upper
-    /// left corner. `None` if the plane is seen edge-on.
+    /// The depth-buffer value of the plane in a view, as its change per pixel to the right, its change per pixel downwards, and its value
+    /// in the upper left corner. `None` if the plane is seen edge-on.
     pub fn in_view(&self, view: &View) -> Option<[f64; 3]> {
         let buffer = |at: DVec2| {
             let (origin, direction) = view.ray(at);
@@ -85,10 +85,10 @@ type FoundIn = Option<(Arc<Vec<Vec3>>, Arc<Vec<[u32; 3]>>)>;
 /// The planes that parts of a scene share.
 #[derive(Clone, Debug, Default)]
 pub struct SharedPlanes {
-    /// Per part by rank, the mesh data in which the planes were found.
+    /// Per part, in rank order: the mesh data in which the planes were found.
     meshes: Vec<FoundIn>,
     planes: Vec<SharedPlane>,
-    /// Per part by rank, its triangles in shared planes, in order, each with the number of its plane.
+    /// Per part, in rank order: its triangles in shared planes, in index order, each with the number of its plane.
     faces: Vec<Arc<[(u32, u16)]>>,
 }
 
@@ -173,28 +173,28 @@ struct CandidateFace {
 }
 
 impl CandidateFace {
-    /// Returns true if this one lies in the plane of another.
+    /// Returns true if this face lies in the plane of the face `plane`.
     fn lies_in(&self, plane: &Self) -> bool {
         let tolerance = self.tolerance.max(plane.tolerance);
         let height = |p: &DVec3| (p.dot(plane.normal) - plane.offset).abs();
         self.normal.dot(plane.normal) > 0.5 && self.points.iter().all(|p| height(p) <= tolerance)
     }
 
-    /// Its coordinates in cells: those of its normal and its distance.
+    /// The components of its normal and its distance from the origin, in cells.
     fn place(&self) -> [f64; 4] {
         let [x, y, z] = (self.normal * CELLS[0]).to_array();
         [x, y, z, self.offset * CELLS[1]]
     }
 }
 
-/// Returns true if the intersection of two boxes, including touching faces, has an area.
+/// Returns true if two boxes overlap, or touch in more than an edge or a corner.
 fn meet(a: &Bounds, b: &Bounds, tolerance: f64) -> bool {
     let common = (a.max.min(b.max) - a.min.max(b.min)).to_array();
     common.iter().all(|c| *c >= -tolerance)
         && common.iter().filter(|c| **c > tolerance).count() >= 2
 }
 
-/// Calls `pair` with the indices of each two boxes that meet; the list is sorted by minimum x.
+/// Calls `pair` with the indices of every two boxes that meet; the search sorts the boxes by minimum x.
 fn meeting(boxes: &[(Bounds, f64)], mut pair: impl FnMut(usize, usize)) {
     let mut order: Vec<usize> = (0..boxes.len()).collect();
     order.sort_by(|a, b| boxes[*a].0.min.x.total_cmp(&boxes[*b].0.min.x));
@@ -218,7 +218,7 @@ fn is_looked_at(part: &PreparedPart) -> bool {
     !part.is_posed && !part.is_on_device && !part.triangles.is_empty()
 }
 
-/// The parts, by rank, whose boxes meet those of others, each with a box around the overlaps.
+/// The ranks of parts whose boxes meet other parts' boxes, each with a box around its overlaps.
 fn near_others(parts: &[PreparedPart]) -> Vec<(usize, Bounds)> {
     let here: Vec<usize> = (0..parts.len())
         .filter(|r| is_looked_at(&parts[*r]))
@@ -272,7 +272,7 @@ fn faces_within<'a>(
         })
 }
 
-/// Faces grouped by plane, with the index of the face that defines it; `all` is sorted by area.
+/// Groups faces by plane, each group with the index of the face that defines the plane; `all` must be sorted by area.
 fn planes_of(all: &[CandidateFace]) -> Vec<(usize, Vec<usize>)> {
     let mut planes: Vec<(usize, Vec<usize>)> = Vec::new();
     let mut cells: HashMap<[i32; 4], Vec<usize>> = HashMap::new();
@@ -281,7 +281,7 @@ fn planes_of(all: &[CandidateFace]) -> Vec<(usize, Vec<usize>)> {
         let ends = place.map(|c| [c - BESIDE, c + BESIDE].map(|c| c.floor() as i32));
         let near = (0..16_usize).filter_map(|corner| {
             let is_second = |axis: usize| (corner >> axis) & 1 == 1;
-            // If both ends of an axis are in the same cell, it is searched once.
+            // If both ends of an axis are in the same cell, that cell is searched once.
             let is_new = (0..4).all(|i| !is_second(i) || ends[i][0] != ends[i][1]);
             is_new.then(|| [0, 1, 2, 3].map(|i| ends[i][usize::from(is_second(i))]))
         });
@@ -306,7 +306,7 @@ fn planes_of(all: &[CandidateFace]) -> Vec<(usize, Vec<usize>)> {
     planes
 }
 
-/// The parts whose faces in one plane overlap those of others, by descending rank index, each with its level: one above those it hides.
+/// The parts whose faces in one plane overlap those of others, by descending rank, each with its level: 1 above the parts it hides.
 fn overlapping<'a>(faces: impl Iterator<Item = &'a CandidateFace>) -> Vec<(u16, u16)> {
     let mut boxes: HashMap<usize, (Bounds, f64)> = HashMap::new();
     for face in faces {

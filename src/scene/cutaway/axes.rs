@@ -1,22 +1,22 @@
 //! The main axes of a solid, and the choice of a cutout's axis among them (Diepstraten, Weiskopf and Ertl 2003, rule R3).
 //!
-//! They are the eigenvectors of the covariance of the convex hull's surface, integrated in closed form over its triangles as in
-//! Gottschalk's oriented boxes. Vertices would not do: those of the mesh are dense where it is finely divided, and those of the hull are
-//! distributed arbitrarily. (The paper sums from 0 to n over n triangles.) Disc-like solids have two equivalent axes of greatest spread;
-//! the cutout then goes around the third.
+//! The axes are the eigenvectors of the covariance of the convex hull's surface, integrated in closed form over its triangles as in
+//! Gottschalk's oriented boxes. Vertices would not do: mesh vertices are dense where the mesh is finely divided, and hull vertices are
+//! distributed arbitrarily. (The paper's sum over n triangles wrongly runs from 0 to n.) Disc-like solids have two equivalent axes of
+//! greatest spread; the cutout then goes around the third.
 //!
-//! Cost: one pass over the hull's faces. Cannot: find axes of a cube, a ball or any equally even solid; this is reported.
+//! Cost: one pass over the hull's faces. Cannot: find axes of a cube, a ball or any solid with equal spreads; this is reported.
 
 use glam::{DMat3, DVec3};
 
 use crate::scene::geometry::hull::ConvexHull;
 use crate::scene::{Part, Role, View, next_axis};
 
-/// Two axes are alike if their spreads differ by less than this share of the greatest.
+/// Two axes are alike if their spreads differ by less than this share of the greatest spread.
 const ALIKE: f64 = 0.02;
 /// Two axes are interchangeable if their spreads differ by less than this share and the third spread is far from both.
 const DISC: f64 = 0.10;
-/// Sweeps of Jacobi's method: it converges quadratically, and three rows take about five.
+/// Maximum number of sweeps of Jacobi's method, which converges quadratically; a 3 x 3 matrix takes about five.
 const SWEEPS: usize = 16;
 
 /// The axes of a convex hull.
@@ -26,7 +26,7 @@ pub struct MainAxes {
     pub centre: DVec3,
     /// Orthonormal axes, the greatest spread first; the largest component of each is positive.
     pub axes: [DVec3; 3],
-    /// Variances along them, in square units.
+    /// Variances along the axes, in square units.
     pub spreads: [f64; 3],
 }
 
@@ -45,7 +45,7 @@ pub enum AxisRule {
 }
 
 impl MainAxes {
-    /// The axes of the hull of some points; `None` where they lie in one plane.
+    /// The axes of the hull of some points; `None` if the points are coplanar.
     pub fn of(points: &[DVec3]) -> Option<Self> {
         ConvexHull::nearly(points).map(|hull| Self::of_hull(&hull))
     }
@@ -100,7 +100,7 @@ impl MainAxes {
             AxisRule::Auto if self.is_disc() => e3,
             AxisRule::Auto => e1,
         };
-        // The axis nearest to perpendicular, unless the one perpendicular to both is equally good.
+        // The main axis nearest to perpendicular to `along`, unless the second nearest has about the same spread.
         let mut across: Vec<(f64, f64, DVec3)> = (self.axes.iter().zip(self.spreads))
             .map(|(axis, spread)| (axis.dot(along).abs(), spread, *axis))
             .collect();
@@ -114,7 +114,7 @@ impl MainAxes {
     }
 }
 
-/// Eigenvalues of a symmetric matrix in descending order with their vectors, by Jacobi's rotations.
+/// Eigenvalues of a symmetric matrix in descending order, and their eigenvectors, by Jacobi rotations.
 fn eigen(mut matrix: DMat3) -> ([f64; 3], [DVec3; 3]) {
     let mut vectors = DMat3::IDENTITY;
     for _ in 0..SWEEPS {
@@ -147,7 +147,7 @@ fn eigen(mut matrix: DMat3) -> ([f64; 3], [DVec3; 3]) {
 /// Coordinate frame that places the wedge of a cutout.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CutoutFrame {
-    /// A point of the axis.
+    /// A point on the axis.
     pub origin: DVec3,
     /// Direction of the axis, of length 1.
     pub along: DVec3,
@@ -155,7 +155,7 @@ pub struct CutoutFrame {
     pub zero: DVec3,
     /// Direction of the eye, in degrees about the axis.
     pub eye_deg: f64,
-    /// No axis stands out.
+    /// True if no axis stands out.
     pub is_even: bool,
 }
 

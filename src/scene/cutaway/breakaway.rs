@@ -1,8 +1,8 @@
 //! Breakaways: openings through which the eye sees interior parts (Diepstraten, Weiskopf and Ertl 2003, rules R6 and R7).
 //!
-//! The convex hull of the interior parts, extended by a ball, is swept towards the eye along a cone of all directions from it to the
-//! eye. The hull of both ends is a closed convex mesh: a cutter like any other, so its walls have caps. The paper clips exterior parts
-//! in front of the foremost surface of the extended hull in the picture, and can show walls only in part.
+//! The convex hull of the interior parts, extended by a ball, is swept along a cone of all directions from the hull to the eye. The convex
+//! hull of the sweep's two ends is a closed mesh: a cutter like any other, so its walls have caps. The paper instead clips exterior parts
+//! in the picture, in front of the extended hull's foremost surface, and can show walls only in part.
 //!
 //! All points between an interior part and the eye are inside: for a point p of the extended hull and a direction u of the cone, p + t u
 //! is in the hull of both ends for all t up to the sweep's length. Cost: the hull of the interior parts' vertices, and a hull of some ten
@@ -19,18 +19,18 @@ use crate::scene::{Amount, Bounds, Cutter, Mesh, View};
 
 /// Sides of the cone.
 const SIDES: u32 = 24;
-/// The extended hull's corners lie farther out than the ball by this factor, for rounding.
+/// The extended hull's corners lie farther out than the ball by this factor, to allow for rounding.
 const SLACK: f64 = 1.001;
-/// Points that protrude by less than this share of the distance are left out of the hull; the distance grows by the same amount.
+/// Points that protrude by less than this share of the clearance are left out of the hull; the clearance grows by the same amount.
 const LEFT_OUT: f64 = 0.05;
 /// The widest half angle of a cone.
 const WIDEST_DEG: f64 = 80.0;
-/// Length of the opening as a share of the distance to the eye, if it then ends outside the model.
+/// Length of the opening as a share of the distance to the eye, provided that the opening then ends outside the model.
 const NEAR_THE_EYE: f64 = 0.75;
-/// Maximum number of steps towards the point of two hulls' difference nearest to the origin.
+/// Maximum number of steps in the search for the point nearest to the origin in the difference of two hulls.
 const MOST_STEPS: usize = 256;
 
-/// An opening placed automatically by the parts that it shows.
+/// An automatically placed opening, determined by the parts that it shows.
 #[derive(Clone, Copy, Debug, PartialEq, Described)]
 pub struct Breakaway {
     /// Clearance between the opening and the interior parts.
@@ -183,7 +183,7 @@ impl Breakaway {
     }
 }
 
-/// The significant corners, and the hull of a ball around each of them; `None` if it has no volume. The ball's radius is enlarged by
+/// The significant corners, and the hull of a ball around each of them; `None` if that hull has no volume. The ball's radius is enlarged by
 /// the protrusion of the corners that were left out.
 fn extended(points: &[DVec3], distance: f64) -> Option<(Vec<DVec3>, ConvexHull)> {
     let size = Bounds::from_points(points.iter().copied()).size().length();
@@ -202,7 +202,7 @@ fn extended(points: &[DVec3], distance: f64) -> Option<(Vec<DVec3>, ConvexHull)>
 
 static BALL: LazyLock<Vec<DVec3>> = LazyLock::new(ball);
 
-/// Points whose hull contains the unit ball: face centres and corners of an icosahedron, moved out until no face of their hull cuts it.
+/// Points whose hull contains the unit ball: face centres and corners of an icosahedron, moved out until none of the hull's faces cuts it.
 fn ball() -> Vec<DVec3> {
     let golden = (1.0 + 5.0_f64.sqrt()) / 2.0;
     let signs = [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)];
@@ -236,9 +236,9 @@ fn ball() -> Vec<DVec3> {
     points.into_iter().map(|p| p * (SLACK / nearest)).collect()
 }
 
-/// Returns true if two hulls intersect. Searches the point of their difference nearest to the origin (Frank and Wolfe 1956); if this
-/// finds a separating plane, they do not. If it finds none within the step limit, as between long solids close together, the planes of
-/// their faces are tried; hulls that only a plane along two edges separates are then taken to intersect.
+/// Returns true if two hulls intersect. Searches for the point of their difference nearest to the origin (Frank and Wolfe 1956); a
+/// separating plane found on the way proves that they do not. If the step limit is reached, as with long solids close together, the planes
+/// of their faces are tried; hulls that only a plane parallel to two edges separates then count as intersecting.
 fn meet(a: &ConvexHull, b: &ConvexHull) -> bool {
     let Some((first, second)) = a.corners.first().zip(b.corners.first()) else {
         return false;

@@ -56,13 +56,13 @@ impl Scene {
         Ok(())
     }
 
-    /// A breakaway as one cut per opening; a closed cut if it has none.
+    /// A breakaway as one cut per opening; if there is no opening, a single cut that removes nothing.
     fn openings(&self, cut: &Cut, breakaway: &Breakaway, view: &View) -> Result<Vec<Cut>> {
         let bounds = self.bounds();
         let interiors = self.parts.iter().filter(|p| p.role == Role::Interior);
         let solids: Vec<Vec<DVec3>> = interiors.map(|p| p.points_in_world().collect()).collect();
         if solids.is_empty() {
-            let help = "say which parts are, by role = \"interior\", [roles] or --roles; --split makes parts of the bodies of a mesh";
+            let help = "mark the interior parts with role = \"interior\", [roles] or --roles; --split turns a mesh's bodies into parts";
             let what = "there is nothing to show: no part is interior";
             return Err(Error::input(
                 format!("breakaway `{}`", cut.name),

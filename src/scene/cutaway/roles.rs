@@ -1,9 +1,9 @@
-//! Classifies parts as visible from outside or only once others are removed: Diepstraten, Weiskopf and Ertl (2003, rule R1) leave this
-//! classification to the scene's author.
+//! Classifies parts as visible from outside, or visible only once other parts are removed: Diepstraten, Weiskopf and Ertl (2003, rule R1)
+//! leave this classification to the scene's author.
 //!
-//! All parts are viewed from 26 sides, uncut. A part whose visible share is less than [`LEAST_SEEN`] of that expected from its area lies
-//! inside; parts visible once these outer parts are removed are one level deeper. Cost: rasterising all triangles in 26 pictures of 256 x
-//! 256, on all cores. Cannot: classify parts much smaller than a pixel, or recognise interior parts that show through an opening.
+//! All parts are viewed from 26 sides, uncut. A part is inside if its visible share is less than [`LEAST_SEEN`] of that expected from its
+//! area; parts visible once all outer parts are removed are one level deeper. Cost: rasterising all triangles in 26 pictures of 256 x 256,
+//! on all cores. Cannot: classify parts much smaller than a pixel, or recognise interior parts that show through an opening.
 
 use glam::DVec3;
 use rayon::prelude::*;
@@ -12,9 +12,9 @@ use crate::scene::{Bounds, Part};
 
 /// Pixels along each side of a picture.
 const SIDE_PX: usize = 256;
-/// A part counts as seen from this ratio of its share of all pixels to its share of the total area.
+/// A part counts as seen if its share of all pixels, divided by its share of the total area, is at least this.
 const LEAST_SEEN: f64 = 0.15;
-/// A part with a smaller expected pixel count in all pictures together is not classified.
+/// A part is not classified if its expected pixel count, summed over all pictures, is below this.
 const FEWEST_PX: f64 = 40.0;
 /// Maximum number of levels; deeper nesting does not matter in practice.
 const MOST_LEVELS: u32 = 16;
@@ -158,7 +158,7 @@ fn counts_from(
     counts
 }
 
-/// Calls `at` for the pixels whose centres a triangle covers, with its depth there.
+/// Calls `at` for the pixels whose centres a triangle covers, with the triangle's depth there.
 fn draw([a, b, c]: [DVec3; 3], mut at: impl FnMut(usize, f64)) {
     let twice = (b - a).truncate().perp_dot((c - a).truncate());
     if twice == 0.0 {

@@ -1,9 +1,9 @@
-//! Parts that are never cut, but hidden if they lie wholly in the removed region: bolts, pins, shafts. A spared pin would float in the
-//! air in front of the cut.
+//! Parts that are never cut, but hidden if they lie wholly in the removed region: bolts, pins, shafts. If such a pin stayed visible, it
+//! would float in the air in front of the cut.
 //!
-//! A part is hidden if each of its triangles has all its corners in one of the cuts; edges may still leave a non-convex cutter between
-//! corners. A breakaway does not hide the parts that it shows. Cost: for each such part, classifying corners up to the first triangle
-//! that is kept.
+//! A part is hidden if each of its triangles has all corners in the removed region of one cut; edges may still leave a non-convex cutter
+//! between corners. A breakaway does not hide the parts that it shows. Cost: for each such part, classifying corners up to the first
+//! triangle that is kept.
 
 use glam::{DVec2, DVec3};
 use robust::{Coord, orient2d};
@@ -45,7 +45,7 @@ struct Removed {
     cutter: Option<CutterSide>,
 }
 
-/// The inside of a cutter, or its outside.
+/// The side of a cutter that is removed: its inside or its outside.
 struct CutterSide {
     bounds: Bounds,
     triangles: Vec<[DVec3; 3]>,
@@ -92,7 +92,7 @@ impl CutterSide {
         (is_near && self.holds(point)) != self.keeps_inside
     }
 
-    /// Returns true if a ray along z crosses it an odd number of times.
+    /// Returns true if a ray along z from the point crosses the cutter an odd number of times.
     fn holds(&self, point: DVec3) -> bool {
         let crosses = |[a, b, c]: &&[DVec3; 3]| {
             let side = |p: DVec3, q: DVec3| side_of(p.truncate(), q.truncate(), point.truncate());

@@ -20,7 +20,7 @@ pub enum Given {
     Numbers(Vec<f64>),
     /// A number or a percentage.
     Amount(Amount),
-    /// Several of them.
+    /// Several numbers or percentages.
     Amounts(Vec<Amount>),
     /// A colour, sRGB in 0..=1.
     Color(Vec3),
@@ -35,7 +35,7 @@ pub trait Leaf: Sized {
     /// The type of the value.
     const TYPE: ValueType;
 
-    /// True if the value has forms that no [`ValueType`] describes, so that its reader takes it from the table directly.
+    /// True if the value has forms that no [`ValueType`] describes, so that its reader parses it directly from the table.
     const IS_READ_BY_HAND: bool = false;
 
     /// Converts a given value of that type; `None` for other types.
@@ -44,7 +44,7 @@ pub trait Leaf: Sized {
     /// The value, if there is one.
     fn get(&self) -> Option<Given>;
 
-    /// Sets a value of the type; returns false and changes nothing for other types.
+    /// Sets the value; if `given` has another type, changes nothing and returns false.
     fn set(&mut self, given: Given) -> bool {
         match Self::of(given) {
             Some(value) => {
@@ -195,7 +195,7 @@ impl<T: Leaf> Leaf for OrWord<T> {
     }
 }
 
-/// The f64 with the same decimal notation: 0.1, not 0.10000000149.
+/// The f64 with the same decimal notation as an f32: 0.1, not 0.10000000149.
 fn written(value: f32) -> f64 {
     value.to_string().parse().unwrap_or(f64::from(value))
 }

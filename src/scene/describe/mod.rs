@@ -12,8 +12,8 @@
 //! # Ok::<(), &str>(())
 //! ```
 //!
-//! `#[derive(Described)]` generates a struct's list of [`Field`]s, with access to the values by their index in it. Scene-file readers,
-//! the list of paths, help, ranges and the panels of a window are all made from that list, so the documented range is the one that
+//! `#[derive(Described)]` generates a struct's list of [`Field`]s, with access to the values by their index in that list. Scene-file
+//! readers, the list of paths, help texts, range checks and the window's panels all use the list, so the documented range is the one that
 //! is checked.
 //!
 //! Cost: a `match` for each access. Cannot: check ranges or constraints between several values, which file readers do; be derived in
@@ -41,10 +41,10 @@ pub struct Field {
     pub example: &'static str,
     /// True if it can be animated.
     pub moves: bool,
-    /// True if it has forms that no [`ValueType`] describes.
+    /// True if the value has forms that no [`ValueType`] describes.
     #[doc(hidden)]
     pub is_read_by_hand: bool,
-    /// Declarations of the values in it, if it is a table.
+    /// Declarations of the table's values, if the field is a table.
     pub below: &'static [Self],
 }
 
@@ -76,13 +76,13 @@ impl Field {
         }
     }
 
-    /// The same, with a unit.
+    /// The same field, with a unit.
     #[must_use]
     pub const fn unit(self, unit: &'static str) -> Self {
         Self { unit, ..self }
     }
 
-    /// The same, read by hand if `T` is.
+    /// The same field, read by hand if `T` is.
     #[doc(hidden)]
     #[must_use]
     pub const fn read_as<T: Leaf>(self) -> Self {
@@ -92,7 +92,7 @@ impl Field {
         }
     }
 
-    /// The same, but not animatable.
+    /// The same field, but not animatable.
     #[must_use]
     pub const fn fixed(self) -> Self {
         Self {
@@ -110,7 +110,7 @@ pub trait Described {
     /// Sets a value of the field's type; returns false and changes nothing for other types. The caller checks ranges.
     fn set(&mut self, field: usize, given: Given) -> bool;
 
-    /// The value; `None` if it is not set, or a table.
+    /// The value; `None` if it is not set or is a table.
     fn get(&self, field: usize) -> Option<Given>;
 
     /// The values in a field that is a table.
@@ -119,7 +119,7 @@ pub trait Described {
         None
     }
 
-    /// The same, mutable.
+    /// The values in a field that is a table, mutable.
     fn below_mut(&mut self, field: usize) -> Option<&mut dyn Described> {
         let _ = field;
         None
@@ -138,7 +138,7 @@ pub const fn words<T, const N: usize>(named: &[(&'static str, T); N]) -> [&'stat
     words
 }
 
-/// The words of two lists, `ALL` in number.
+/// The words of two lists, concatenated; `ALL` is their total number.
 #[doc(hidden)]
 pub const fn joined<const ALL: usize>(
     first: &[&'static str],

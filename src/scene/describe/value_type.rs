@@ -7,19 +7,19 @@ use crate::scene::units::range::SMALLEST;
 /// Type of a value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ValueType {
-    /// A number between two others.
+    /// A number between two limits.
     Number(f64, f64),
-    /// A whole number between two others.
+    /// A whole number between two limits.
     Whole(f64, f64),
-    /// A list of this count of numbers between two others.
+    /// A list of this many numbers between two limits.
     Numbers(usize, f64, f64),
-    /// A list of this count of whole numbers between two others.
+    /// A list of this many whole numbers between two limits.
     Wholes(usize, f64, f64),
-    /// A number, or text with a percentage such as `"5%"`, between two others.
+    /// A number, or text with a percentage such as `"5%"`, between two limits.
     Amount(f64, f64),
     /// A list of three amounts.
     Amounts,
-    /// One value of another type for all of this count of directions, or one for each.
+    /// One value of another type for all of this many directions, or one value for each direction.
     OneOrMore(&'static Self, usize),
     /// True or false.
     Flag,
@@ -44,7 +44,7 @@ pub enum ValueType {
 }
 
 impl ValueType {
-    /// The same type with numbers from `least` to `most`. For a type without a range, a constant fails to compile.
+    /// The same type with numbers from `least` to `most`. In a constant, a type without a range does not compile.
     ///
     /// # Panics
     ///
@@ -74,7 +74,7 @@ impl ValueType {
         }
     }
 
-    /// Returns true if it consists of numbers or is a flag, and so can be animated.
+    /// Returns true if the type is numeric or a flag, and can therefore be animated.
     pub const fn is_numeric(self) -> bool {
         match self {
             Self::Or(one, _) | Self::OneOrMore(one, _) => one.is_numeric(),
@@ -100,7 +100,7 @@ impl ValueType {
         }
     }
 
-    /// Noun with its article, and with the exact range: "a number from 0 to 1".
+    /// The type as a noun with its article and exact range: "a number from 0 to 1".
     pub fn noun(&self) -> String {
         match self {
             Self::Numbers(..) | Self::Wholes(..) | Self::Amounts => format!("a list of {self}"),
@@ -120,7 +120,7 @@ impl ValueType {
     }
 }
 
-/// `number from 0 to 1`.
+/// For example `number from 0 to 1`.
 impl fmt::Display for ValueType {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -151,12 +151,12 @@ impl fmt::Display for ValueType {
     }
 }
 
-/// Returns true if this minimum means any number above 0.
+/// Returns true if this minimum stands for "any number above 0".
 fn is_open(least: f64) -> bool {
     least > 0.0 && least <= SMALLEST
 }
 
-/// Both ends of a range, in words after the noun.
+/// The ends of a range, printed as words that follow the noun.
 struct Range(f64, f64);
 
 impl fmt::Display for Range {

@@ -58,7 +58,7 @@ impl Bounds {
         }
     }
 
-    /// Radius of the box's circumscribed ball.
+    /// Radius of the ball that circumscribes the box.
     pub fn radius(&self) -> f64 {
         self.size().length() * 0.5
     }

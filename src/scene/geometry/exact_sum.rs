@@ -1,8 +1,8 @@
 //! Exact sums of products of f64 values, for signs that must be right.
 //!
-//! Every product is an integer of 106 bits times a power of two; they are added as integers of as many bits as their
-//! exponents span, at most 4,200, and rounded once at the end. No input overflows or underflows on the way. Cost: some
-//! 100 ns for six products of like size.
+//! Every product is an integer of 106 bits times a power of two; the products are added as one integer with as many bits as their exponents
+//! span, at most 4,200, and the sum is rounded once. No intermediate result overflows or underflows. Cost: some 100 ns for six products of
+//! similar size.
 
 /// Bits per digit; digits are summed before carries are propagated.
 const DIGIT_BITS: u32 = 32;
@@ -69,7 +69,7 @@ fn carry(digits: &mut [i64]) {
     }
 }
 
-/// The number with digits in 0..2^32, of which the first has the weight `2^exponent`.
+/// The number with these digits in 0..2^32; the first digit has the weight `2^exponent`.
 fn rounded(digits: &[i64], exponent: i32) -> f64 {
     let Some(top) = digits.iter().rposition(|d| *d != 0) else {
         return 0.0;

@@ -1,4 +1,4 @@
-//! Places the eye so that points are centred in its picture and as large as the picture's borders allow.
+//! Places the eye so that a set of points is centred in the picture and fills it up to its margins.
 //!
 //! Points are given along the picture's axes: to the right, up, and into it. In perspective each border is a plane through the
 //! eye. With the eye at `(x, y, z)` and a half width of `t` at depth 1, a point is on the inner side of the right border if
@@ -8,16 +8,16 @@
 
 use glam::{DVec2, DVec3};
 
-/// Share of the picture's shorter side that is left on each side.
+/// Margin on each side, as a share of the picture's shorter side.
 const MARGIN: f64 = 0.06;
 
-/// Minimum distance of the eye from the points, as a share of their extent: a wide view of a tip would otherwise start inside it.
+/// Minimum distance of the eye from the points, as a share of their extent: otherwise a wide view of a tip could start inside the tip.
 const NEAREST: f64 = 0.05;
 
 /// Steps of a bisection, after which the interval is as short as f64 can resolve.
 const CENTRING_HALVINGS: u32 = 50;
 
-/// Shares of the half width and of the half height that are filled.
+/// Filled shares of the picture's half width and half height.
 fn filled(size_px: [u32; 2]) -> DVec2 {
     let size = DVec2::from_array(size_px.map(f64::from));
     1.0 - 2.0 * MARGIN * size.min_element() / size
@@ -48,7 +48,7 @@ pub(in crate::scene) fn fit_perspective(
     };
     let z = nearest.min(farthest_back(0)).min(farthest_back(1));
     let middle = |axis: usize| {
-        // The position with equal margins lies between those where the outermost point of either side would be on the axis.
+        // The position with equal margins lies between the two that put the outermost point of either side on the axis.
         let (mut low, mut high) = (least[axis], most[axis]);
         for _ in 0..CENTRING_HALVINGS {
             let at = (low + high) / 2.0;
@@ -62,7 +62,7 @@ pub(in crate::scene) fn fit_perspective(
     DVec3::new(middle(0), middle(1), z)
 }
 
-/// Seen from an eye, the points' reach on the positive side of the picture minus that on the negative side.
+/// How far the points reach on the positive side of the eye's picture, minus how far they reach on the negative side.
 fn lean(points: &[DVec3], axis: usize, at: f64, z: f64) -> f64 {
     let slopes = points.iter().map(|p| (p[axis] - at) / (p.z - z));
     let [least, most] = slopes.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], s| {
@@ -71,7 +71,7 @@ fn lean(points: &[DVec3], axis: usize, at: f64, z: f64) -> f64 {
     least + most
 }
 
-/// The greatest offsets of points along an axis, relative to both borders.
+/// The points' greatest offsets along an axis, relative to each of the two borders.
 fn sides(points: &[DVec3], axis: usize, border: f64) -> [f64; 2] {
     let none = [f64::NEG_INFINITY; 2];
     points.iter().fold(none, |[low, high], p| {

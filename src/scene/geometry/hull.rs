@@ -1,25 +1,25 @@
 //! The convex hull of points, which alone determines their extent in any direction.
 //!
 //! Quickhull (Barber, Dobkin & Huhdanpaa 1996, *The Quickhull algorithm for convex hulls*, ACM TOMS 22.4). Every undecided point is
-//! kept with one facet that it lies in front of; the farthest of them joins the hull and replaces all facets visible from it.
+//! stored with one facet that it lies in front of; a facet's farthest point joins the hull and replaces all facets visible from it.
 //! Visibility is decided by exact signs (Shewchuk 1997), and a facet coplanar with the point is not visible: so the visible region
 //! is always a disk, however many points are coplanar, and its border is one ring with no edge collinear with the point.
 //!
 //! If only extents are needed, points that protrude by less than [`ASIDE`] are left out: of a ball's million corners some ten
-//! thousand matter. Cost: proportional to the points times the logarithm of the corners. Coplanar points have no hull.
+//! thousand matter. Cost: proportional to the number of points times the logarithm of the number of corners. Coplanar points have no hull.
 
 use std::collections::BTreeMap;
 
 use glam::DVec3;
 use robust::{Coord3D, orient3d};
 
-/// Points that protrude by less than this share of the total thickness are left out: a tenth of a pixel in a picture of a thousand.
+/// Points that protrude by less than this share of the total thickness are left out: 0.1 px in a picture of 1000 px.
 const ASIDE: f64 = 1e-4;
 
 /// A convex hull as a closed mesh.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct ConvexHull {
-    /// In no particular order.
+    /// The corners, in no particular order.
     pub(crate) corners: Vec<DVec3>,
     /// Counter-clockwise from outside; planar faces may consist of several triangles.
     pub(crate) triangles: Vec<[u32; 3]>,
@@ -67,7 +67,7 @@ struct HullFacet {
     neighbours: [usize; 3],
     /// Unit normal.
     normal: DVec3,
-    /// Undecided points in front of it.
+    /// Undecided points in front of the facet.
     before: Vec<usize>,
     is_gone: bool,
 }
@@ -134,7 +134,7 @@ impl<'a> Hull<'a> {
             return None;
         }
         let [a, b] = if side > 0.0 { [b, a] } else { [a, b] };
-        // The last corner now lies behind the first three.
+        // The last corner now lies behind the plane of the first three.
         let corners = [[a, b, c], [b, a, d], [c, b, d], [a, c, d]];
         for corners in corners {
             hull.push(corners, [0; 3]);
@@ -177,7 +177,7 @@ impl<'a> Hull<'a> {
         normal.dot(self.points[point] - self.points[corners[0]])
     }
 
-    /// Assigns each point to a facet, from `first` on, that it lies in front of; points without one are decided.
+    /// Assigns each point to a facet that it lies in front of, among those from `first` on; points without such a facet are decided.
     fn share_out(&mut self, points: impl Iterator<Item = usize>, first: usize) {
         for point in points {
             let mut all = first..self.facets.len();
@@ -203,7 +203,7 @@ impl<'a> Hull<'a> {
     fn add(&mut self, point: usize, seen_first: usize) {
         let mut seen = vec![seen_first];
         self.facets[seen_first].is_gone = true;
-        // Edges of the ring by their first corner: the second corner, and the facet beyond.
+        // Edges of the ring, keyed by their first corner: the second corner, and the facet beyond the edge.
         let mut ring: BTreeMap<usize, (usize, usize)> = BTreeMap::new();
         let mut looked_at = 0;
         while let Some(facet) = seen.get(looked_at).copied() {
@@ -255,7 +255,7 @@ impl<'a> Hull<'a> {
 mod tests {
     use super::*;
 
-    /// Points without a pattern in a cube.
+    /// Quasi-random points in a cube.
     fn scattered(count: u32) -> Vec<DVec3> {
         let step = DVec3::new(0.754_877_666, 0.569_840_291, 0.322_185_355);
         (1..=count)
@@ -317,7 +317,7 @@ mod tests {
             .map(|p| DVec3::from_array(p.map(f64::from)) / 8.0 - 0.5)
             .collect();
         holds_all(&grid, 8);
-        // A drum, the corners of whose ends are all coplanar, with every point duplicated.
+        // A drum: all corners of each end are coplanar, and every point is duplicated.
         let drum: Vec<DVec3> = (0..720)
             .flat_map(|i| {
                 let (sin, cos) = f64::from(i).to_radians().sin_cos();

@@ -13,7 +13,7 @@ pub enum SolidTexture {
     Marble,
     /// Grains of three colours.
     Granite,
-    /// Stack of images along the third axis of the part's own box, which they fill; at least one, all of the same size.
+    /// Stack of images along the third axis of the part's own box, filling the box: at least one image, all of the same size.
     Stack(Vec<Arc<Texture>>),
 }
 

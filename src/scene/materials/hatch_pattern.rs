@@ -1,13 +1,13 @@
 //! Hatch patterns for materials: families of parallel lines, as used in technical drawings.
 //!
-//! A pattern has no size of its own: it is scaled so that the mean spacing of the lines in one direction is that of the part's hatch.
+//! A pattern has no size of its own: it is scaled so that the mean spacing of its lines in one direction equals the part's hatch spacing.
 
 use std::sync::Arc;
 
 /// Maximum number of strokes and dots in a dash period.
 pub const MOST_STROKES: usize = 4;
 
-/// Hatch of a part's caps, in styles with hatches.
+/// Hatch of a part's caps, used by styles that hatch.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum CapHatch {
     /// Plain parallel lines.
@@ -26,7 +26,7 @@ pub enum CapHatch {
 pub struct HatchPattern {
     /// Name of the pattern.
     pub name: String,
-    /// At least one; their angles are relative to the direction of the hatch's first class minus 45 degrees.
+    /// At least one family; angles are relative to the hatch direction of the first class minus 45 degrees.
     pub families: Vec<LineFamily>,
 }
 
@@ -35,11 +35,11 @@ pub struct HatchPattern {
 pub struct LineFamily {
     /// Direction of the lines, in degrees from the horizontal.
     pub angle_deg: f64,
-    /// A point where one of the lines, and its dashes, start.
+    /// A point at which one of the lines and its dashes start.
     pub origin: [f64; 2],
     /// Offset of each line from the previous one along the line direction.
     pub shift: f64,
-    /// Distance from line to line; not 0.
+    /// Distance between adjacent lines; not 0.
     pub spacing: f64,
     /// Dashes of a line from the origin, of which at most [`MOST_STROKES`] are drawn; empty for continuous lines.
     pub dashes: Vec<Dash>,
@@ -60,7 +60,7 @@ impl LineFamily {
         self.dashes.iter().map(|d| d.length).sum()
     }
 
-    /// Returns true if the lines of both are parallel.
+    /// Returns true if the lines of both families are parallel.
     fn is_parallel_to(&self, other: &Self) -> bool {
         let apart = (self.angle_deg - other.angle_deg).rem_euclid(180.0);
         apart.min(180.0 - apart) < 0.5
@@ -68,7 +68,7 @@ impl LineFamily {
 }
 
 impl HatchPattern {
-    /// Mean distance between lines over all families with the same direction, for the direction where it is smallest.
+    /// Mean distance between the lines of all families with the same direction; the smallest such mean over all directions.
     pub fn unit(&self) -> f64 {
         let distance = |of: &LineFamily| {
             let alike = self.families.iter().filter(|f| f.is_parallel_to(of));

@@ -14,9 +14,9 @@ pub struct Material {
     pub color: Vec3,
     /// Colour of the cap; `None` derives a warm, lighter tone from `color`.
     pub cap_color: Option<Vec3>,
-    /// Hatch of the cap, in styles with hatches.
+    /// Hatch of the cap, used by styles that hatch.
     pub hatch: CapHatch,
-    /// True if `color` replaces the vertex paint of the mesh, if there is one ([`Mesh::vertex_paint`](crate::scene::Mesh::vertex_paint)).
+    /// True if `color` replaces the mesh's vertex paint, if any ([`Mesh::vertex_paint`](crate::scene::Mesh::vertex_paint)).
     pub is_painted_over: bool,
     /// Material of the cap; replaces the single colour and [`CapHatch::General`].
     pub cap: Option<Arc<CapMaterial>>,

@@ -1,7 +1,7 @@
 //! Textures: images of colours or data with all their mip levels, as shaders read them.
 //!
-//! Mip levels are computed once, each texel as the mean of those it covers: colours in linear light, data unconverted. They take a
-//! third more memory. Cannot: store more than 8 bits per channel.
+//! Mip levels are computed once, each texel as the mean of the texels that it covers: colours in linear light, data unconverted. They take
+//! a third more memory. Cannot: store more than 8 bits per channel.
 
 use std::sync::Arc;
 
@@ -31,7 +31,7 @@ pub struct Texture {
 pub const MOST_TEXELS_ALONG: u32 = 8192;
 
 impl Texture {
-    /// The index of a texture among known ones; it is appended if none is the same object.
+    /// Index of a texture in `known`; the texture is appended if `known` does not contain the same object.
     #[doc(hidden)]
     pub fn number_among(known: &mut Vec<Arc<Self>>, texture: &Arc<Self>) -> usize {
         let number = known.iter().position(|k| Arc::ptr_eq(k, texture));
@@ -50,7 +50,7 @@ impl Texture {
         let [width, height] = size;
         if !(1..=MOST_TEXELS_ALONG).contains(&width) || !(1..=MOST_TEXELS_ALONG).contains(&height) {
             return Err(format!(
-                "{width} x {height} texels are not from 1 to {MOST_TEXELS_ALONG} along each side"
+                "{width} x {height} texels: each side must have from 1 to {MOST_TEXELS_ALONG}"
             ));
         }
         if texels.len() as u64 != u64::from(width) * u64::from(height) {

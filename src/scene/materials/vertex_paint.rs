@@ -1,4 +1,4 @@
-//! Vertex paint: surface colours from files in addition to the part's colour: vertex colours, and images mapped by texture coordinates.
+//! Vertex paint: a file's own surface colours (vertex colours, and images mapped by texture coordinates), beside the part's colour.
 
 use std::sync::Arc;
 
@@ -11,11 +11,11 @@ use crate::scene::Texture;
 pub struct VertexPaint {
     /// Images that triangles refer to.
     pub images: Vec<Arc<Texture>>,
-    /// For each triangle of the mesh.
+    /// One entry for each triangle of the mesh.
     pub triangles: Vec<TexturedTriangle>,
 }
 
-/// The colours of a triangle: those of its corners, times the image.
+/// The colours of a triangle: its corner colours multiplied by the image.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct TexturedTriangle {
     /// Colours of the corners, sRGB.
@@ -27,7 +27,7 @@ pub struct TexturedTriangle {
 }
 
 impl TexturedTriangle {
-    /// Returns true if its corner colours matter: it has no image, or its image is tinted.
+    /// Returns true if the corner colours matter: the triangle has no image, or its image is tinted.
     #[doc(hidden)]
     pub fn has_colors(&self) -> bool {
         self.image.is_none() || self.colors != [[255; 4]; 3]

@@ -17,7 +17,7 @@ const LEAST_BASE: f64 = 0.02;
 /// The other axis is chosen if its base is at least this many times as large as that of the default axis.
 const CLEARLY: f64 = 2.5;
 
-/// Up axis found from the parts' base; the default `habit` if none stands out.
+/// Up axis found from the parts' base; the default `habit` if no axis stands out.
 pub fn standing_up(parts: &[Part], habit: Up) -> Up {
     let bounds = parts.iter().map(Part::bounds_in_world);
     let bounds = bounds.fold(Bounds::EMPTY, Bounds::union);

@@ -1,7 +1,7 @@
 //! Faces with the same three positions as another face, in any order: sheets without thickness, and solids that touch.
 //!
-//! Positions are compared, not indices, so vertices that were not welded count too. Of coincident faces the one that faces the eye is
-//! shown; rasterisers compute the same depth for both, so they need to know these faces.
+//! Positions are compared, not indices, so vertices that were not welded count too. Of two coincident faces, the one that faces the eye is
+//! shown; rasterisers compute the same depth for both, so they need the list of these faces.
 //!
 //! Cost: one hash per position and a parallel sort of one hash per triangle; faces are compared only if their hashes are equal.
 

@@ -1,4 +1,4 @@
-//! Parts with triangles added between their existing vertices, both in the rest mesh and in the mesh as bound by the file, with their rig.
+//! Parts with triangles added between existing vertices, in the rest mesh and in the file's bind-pose mesh; the rig is kept.
 //!
 //! The added triangles are flat-shaded and take their corner colours from existing triangles, without images.
 
@@ -14,7 +14,7 @@ use crate::scene::{Mesh, Motion, Part, TexturedTriangle};
 pub(crate) struct FilledPart {
     mesh: Arc<Mesh>,
     motion: Option<Arc<Motion>>,
-    /// The mesh as bound by its file, without and with the added triangles, and in the file's rest pose.
+    /// The bind-pose mesh without the added triangles, the same with them, and the rest-pose mesh with them.
     bound: Option<(Arc<BoundMesh>, Arc<BoundMesh>, Arc<Mesh>)>,
 }
 
@@ -43,7 +43,7 @@ impl FilledPart {
         });
         Self {
             motion: part.motion.as_ref().map(|m| Arc::new(of_motion(m))),
-            // If both places shared one mesh before, they share one again.
+            // If the part used its file's rest mesh before, both are the same mesh again.
             mesh: match &bound {
                 Some((_, _, rest)) if **rest == *mesh => Arc::clone(rest),
                 _ => mesh,

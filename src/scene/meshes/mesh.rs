@@ -1,4 +1,4 @@
-//! Triangle meshes as the rest of the crate sees them: f64 positions shared by index.
+//! Triangle meshes as used throughout the crate: f64 positions shared by index.
 //!
 //! Topology is in `triangles`; each position is stored once, so an edge is a pair of indices. Shading normals are
 //! kept per triangle corner and never influence topology. A mesh may be open, non-manifold or inconsistently oriented;
@@ -21,7 +21,7 @@ pub struct Mesh {
     pub vertex_paint: Option<VertexPaint>,
 }
 
-/// Reason for which a mesh is refused.
+/// Reason why a mesh is refused.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum MeshDefect {

@@ -49,11 +49,11 @@ struct Chunk {
 /// A triangle corner in its position's bucket.
 #[derive(Clone, Copy)]
 struct TriangleCorner {
-    /// Neighbours along the two edges that meet here.
+    /// Other ends of the two edges that meet at this corner.
     ends: [u32; 2],
     /// Unit normal of the triangle; zero if it has no area.
     face: DVec3,
-    /// Normal times angle, or the file's normal.
+    /// Face normal times corner angle, or the file's normal.
     pull: DVec3,
     /// Index of the first corner of the same group.
     group: u32,
@@ -97,7 +97,7 @@ impl ShadingMesh {
     }
 }
 
-/// Corners (numbered three times the triangle plus the corner in it) by position, in order.
+/// Corners by position, in order; a corner's number is three times its triangle's index plus its index in the triangle.
 struct Buckets {
     start: Vec<u32>,
     corners: Vec<u32>,
@@ -178,7 +178,7 @@ fn angle(a: DVec3, b: DVec3) -> f64 {
     a.cross(b).length().atan2(a.dot(b))
 }
 
-/// Gives corners that meet in a smooth edge the same group: the least index among them.
+/// Puts corners that share a smooth edge into one group, identified by the least index among them.
 fn group(around: &mut [TriangleCorner], ends: &mut Vec<(u32, u32)>, least_cos: f64) {
     ends.clear();
     for (i, corner) in around.iter().enumerate() {
@@ -187,7 +187,7 @@ fn group(around: &mut [TriangleCorner], ends: &mut Vec<(u32, u32)>, least_cos: f
     ends.sort_unstable();
     for pair in ends.windows(2) {
         let (i, j) = (pair[0].1 as usize, pair[1].1 as usize);
-        // A face without area is never smooth with another.
+        // An edge of a face without area is never smooth.
         if pair[0].0 == pair[1].0 && around[i].face.dot(around[j].face) > least_cos {
             let (a, b) = (root(around, i), root(around, j));
             around[a.max(b)].group = a.min(b) as u32;
@@ -306,7 +306,7 @@ mod tests {
 
     #[test]
     fn weights_are_angles_so_triangulation_does_not_show() {
-        // One side of a cube's corner is cut into two triangles, the others meet it with one each.
+        // At a cube's corner, one face has two triangles and the other two faces have one each.
         let positions = [
             [0.0; 3],
             [1.0, 0.0, 0.0],

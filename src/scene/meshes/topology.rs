@@ -28,7 +28,7 @@ pub struct Topology {
     pub vertices: usize,
     /// Triangles.
     pub faces: usize,
-    /// Every edge has an even number of uses, hence every ray crosses the surface an even number of times and the solid
+    /// True if every edge has an even number of uses; then every ray crosses the surface an even number of times and the solid
     /// is well defined by parity. A closed mesh may still have non-manifold or inconsistent edges.
     pub closed: bool,
     /// Faces with the same three positions as another face, in either orientation; both of a pair count. A mesh with such faces may
@@ -38,9 +38,9 @@ pub struct Topology {
     pub boundary_edges: usize,
     /// Edges with more than two uses.
     pub non_manifold_edges: usize,
-    /// Edges whose two uses run in the same direction: the triangles disagree about the outside.
+    /// Edges whose two uses run in the same direction: the triangles disagree on which side is outside.
     pub inconsistent_edges: usize,
-    /// Connected components: they share no vertex.
+    /// Number of connected components; no vertex belongs to two of them.
     pub components: usize,
     /// Vertices minus edges plus faces.
     pub euler: i64,
@@ -134,7 +134,7 @@ impl Topology {
         Self::new(&all)
     }
 
-    /// The totals of several meshes, as if no ray crossed two of them: `largest` is the maximum of all. For parts that overlap
+    /// The totals of several meshes, as if no ray crossed two of them: `largest` is the largest of any mesh. For parts that overlap
     /// along rays, use [`Topology::from_parts`].
     pub fn total(of: &[Self]) -> Self {
         let mut sum = Self {
@@ -186,7 +186,7 @@ impl Topology {
 }
 
 impl Mesh {
-    /// Edges with an odd number of uses, by their vertices: where the solid is open. Indices must be in range ([`Mesh::defect`]).
+    /// Edges with an odd number of uses, as pairs of vertices: there the solid is open. Indices must be in range ([`Mesh::defect`]).
     pub fn open_edges(&self) -> Vec<[u32; 2]> {
         Edges::of(&self.triangles).open().collect()
     }

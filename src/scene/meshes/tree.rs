@@ -15,7 +15,7 @@ pub(crate) const BRANCHES: usize = 8;
 /// A tree of boxes over groups of triangles in order.
 #[derive(Debug, Default)]
 pub(crate) struct Tree {
-    /// Levels from the boxes of triangles up to one with at most [`BRANCHES`] boxes.
+    /// Levels of boxes, from those around triangles up to a level of at most [`BRANCHES`] boxes.
     levels: Vec<Vec<Bounds>>,
 }
 
@@ -36,7 +36,7 @@ impl Tree {
         Self { levels }
     }
 
-    /// Indices of the groups whose boxes are not missed, in order.
+    /// Indices, in order, of the groups whose boxes `misses` does not rule out.
     pub(crate) fn groups(&self, misses: impl Fn(&Bounds) -> bool) -> Vec<usize> {
         let Some(top) = self.levels.last() else {
             return Vec::new();

@@ -17,8 +17,8 @@ use rayon::prelude::*;
 use super::topology::{EdgeCount, Edges, Sets};
 use crate::scene::Bounds;
 
-/// Distance up to which vertices are joined, as a share of the diagonal: a fifth of the last f32 bit of a coordinate as large
-/// as the diagonal, so no vertices that f32 can distinguish there are joined.
+/// Distance up to which vertices are joined, as a share of the diagonal. It is a fifth of an f32 step at a coordinate as large as the
+/// diagonal, so vertices that f32 distinguishes there stay separate.
 const NEAR_SHARE: f64 = 1e-8;
 
 /// Map from old vertices to welded ones.
@@ -121,7 +121,7 @@ fn numbered(first: &[u32]) -> Vec<u32> {
     number
 }
 
-/// The position of each new vertex: that of its first old one.
+/// The position of each new vertex: that of the first old vertex merged into it.
 fn places(positions: &[DVec3], new_from_old: &[u32]) -> Vec<DVec3> {
     let mut at = Vec::new();
     for (p, &i) in positions.iter().zip(new_from_old) {
@@ -191,7 +191,7 @@ fn join_near(
     })
 }
 
-/// A number with commas between thousands.
+/// A number with commas as thousands separators.
 pub fn thousands(n: usize) -> String {
     let digits = n.to_string();
     let mut text = String::with_capacity(digits.len() + digits.len() / 3);

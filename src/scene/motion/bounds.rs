@@ -1,11 +1,11 @@
 //! Bounds of a posed part, computed without posing it.
 //!
-//! A skin moves every position to a weighted mean of its transforms by the joints, so the mesh stays within the transformed
-//! boxes of the positions that each joint influences. Morph targets widen these boxes by those of their displacements, times
-//! their weights. The boxes are measured once per mesh and motion; a pose then costs joints times targets. Bounds are never
-//! too small; they are too large if a joint rotates its box, or has a small influence on distant positions.
+//! A skin moves every position to a weighted mean of its transforms by the joints, so the mesh stays within the transformed boxes of the
+//! positions that each joint influences. Morph targets widen these boxes by the boxes of their displacements, times the targets' weights.
+//! The boxes are measured once per mesh and motion; a pose then costs joints times targets. Bounds are never too small; they are too large
+//! if a joint rotates its box, or has a small influence on distant positions.
 //!
-//! There is no such shortcut for deformers: with one, all positions are posed.
+//! There is no such shortcut for deformers: if a pose has one, all positions are posed.
 
 use glam::{DAffine3, DVec3};
 
@@ -20,7 +20,7 @@ const ROUNDING: f64 = 1e-13;
 struct Pulled {
     joint: Option<u16>,
     rest: Bounds,
-    /// Per target, the bounds of its displacements of them at weight 1.
+    /// Per target, the bounds of these positions' displacements at weight 1.
     moves: Vec<Bounds>,
 }
 
@@ -28,9 +28,9 @@ struct Pulled {
 #[derive(Clone, Debug)]
 pub(in crate::scene) struct Reach {
     pulled: Vec<Pulled>,
-    /// Smallest and largest sum of a position's weights.
+    /// Smallest and largest weight sum of any position.
     weight_sum: [f64; 2],
-    /// True if a weight is negative or NaN, so that positions leave the boxes.
+    /// True if a weight is negative or NaN, so that positions can leave the boxes.
     is_wild: bool,
 }
 
@@ -90,7 +90,7 @@ impl Reach {
         &mut self.pulled[*slot]
     }
 
-    /// Bounds in a pose without its deformers; `None` if the boxes do not bound it.
+    /// Bounds of the mesh in a pose, without the pose's deformers; `None` if the boxes do not bound the mesh.
     pub(in crate::scene) fn posed(&self, pose: &Pose) -> Option<Bounds> {
         if self.is_wild {
             return None;

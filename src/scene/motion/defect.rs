@@ -41,7 +41,7 @@ pub enum MotionDefect {
     Weights {
         /// Index of the position.
         position: usize,
-        /// Their sum.
+        /// Sum of its weights.
         sum: f64,
     },
 }

@@ -1,7 +1,7 @@
 //! Deformers: closed-form motions of space that bend any mesh.
 //!
 //! All act in part space; all except [`Deformer::Inflate`] act about an [`Axis`]. A deformer moves points and keeps the
-//! connectivity: a closed mesh stays closed. It may come to intersect itself; its interior then follows from parity, as for
+//! connectivity: a closed mesh stays closed. The mesh may then intersect itself; its interior follows from parity, as for
 //! any self-intersecting mesh.
 //!
 //! # Notation
@@ -11,8 +11,8 @@
 //! mark results. Normals are multiplied by the Jacobian's cofactors, which keeps them outward where the map preserves
 //! handedness; their length has no meaning between deformers.
 //!
-//! Deformers are applied in order, each to the point and normal produced by the previous one. Before the first come the morph
-//! targets, which do not change the normal, and the skin, which multiplies it by the cofactors of its linear part.
+//! Deformers are applied in order, each to the point and normal produced by the previous one. Morph targets and the skin are applied before
+//! the first deformer; targets keep the normal, and the skin multiplies it by the cofactors of its linear part.
 
 use std::f64::consts::{PI, TAU};
 
@@ -23,7 +23,7 @@ use crate::scene::Bounds;
 /// A line about which a deformer acts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Axis {
-    /// A point on the axis, where the turn is 0 and a wave is at its phase.
+    /// A point on the axis, where a turn is 0 and a wave's angle is minus its phase.
     pub centre: DVec3,
     /// Unit vector along it.
     pub along: DVec3,
@@ -84,8 +84,8 @@ pub enum Deformer {
         /// Radians by which the wave has travelled.
         phase: f64,
     },
-    /// Moves every position by `by n / |n|` along its own normal, which starts as [`Motion::outward`](super::Motion::outward)
-    /// and stays unchanged. Where there is no normal (or `n = 0`) nothing moves.
+    /// Moves every position by `by n / |n|` along its own normal. The normal starts as [`Motion::outward`](super::Motion::outward) and does
+    /// not change. Where there is no normal (or `n = 0`) nothing moves.
     Inflate {
         /// Distance; negative shrinks.
         by: f64,

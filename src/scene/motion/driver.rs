@@ -1,4 +1,4 @@
-//! Drivers: they connect a part to its file's rig, and pose it for a time in a clip.
+//! Drivers connect a part to its file's rig and pose the part for a time in a clip.
 //!
 //! In its rest pose a part is a plain mesh: a skin or morph targets that bend it in this pose are applied on loading. At a time
 //! in a clip it is the bound mesh and a [`Pose`], so that the mesh stays the same over time and only a few matrices change.
@@ -37,7 +37,7 @@ impl BoundMesh {
         }
     }
 
-    /// Reach of the bound mesh and motion; `None` if the arguments are other objects.
+    /// Bounds data of the bound mesh; `None` if the arguments are not the bound mesh and motion themselves.
     fn reach_of(&self, mesh: &Arc<Mesh>, motion: Option<&Arc<Motion>>) -> Option<&Reach> {
         let same_mesh = Arc::ptr_eq(&self.mesh, mesh);
         let same_motion = is_same(self.motion.as_ref(), motion);
@@ -143,7 +143,7 @@ impl Driver {
         joints
     }
 
-    /// The same in part space.
+    /// Transforms of the bound mesh by the joints of the skin, in part space.
     fn joints(&self, moment: Option<Moment>) -> Vec<DAffine3> {
         let part_from_file = self.file_from_part.inverse();
         let joints = self.file_joints(moment).into_iter();
@@ -186,7 +186,7 @@ impl Driver {
         self.file_from_part.is_finite() && (is_bound || positions.iter().all(|p| p.is_finite()))
     }
 
-    /// Reach of the file's mesh and motion; `None` if the arguments are other objects.
+    /// Bounds data of the file's mesh; `None` if the arguments are not the file's mesh and motion themselves.
     pub(in crate::scene) fn reach_of(
         &self,
         mesh: &Arc<Mesh>,
@@ -200,7 +200,7 @@ impl Driver {
         self.rig.clips()
     }
 
-    /// Moves the file's world.
+    /// Places the file's world, after any earlier placement.
     pub(in crate::scene) fn place(&mut self, placed: DAffine3) {
         self.placed = placed * self.placed;
     }

@@ -1,4 +1,4 @@
-//! Outward directions at positions, along which inflating moves them.
+//! The outward direction of each position, along which inflating moves the position.
 //!
 //! The direction at a position is the mean of the adjacent triangles' normals, weighted by their angles there, so that it
 //! does not depend on how flat faces are triangulated (Thürmer and Wüthrich 1998). It is computed from the rest mesh.

@@ -79,7 +79,7 @@ fn blend(motion: &Motion, pose: &Pose, index: usize) -> DAffine3 {
     blend
 }
 
-/// Matrix that transforms normals where `m` transforms points: they stay perpendicular to the transformed surface.
+/// Matrix that transforms normals if `m` transforms points: normals stay perpendicular to the transformed surface.
 fn cofactors(m: DMat3) -> DMat3 {
     let [a, b, c] = [m.x_axis, m.y_axis, m.z_axis];
     DMat3::from_cols(b.cross(c), c.cross(a), a.cross(b))

@@ -1,7 +1,7 @@
 //! Rigs: the nodes of a file, the skins attached to them, and the clips that move them.
 //!
-//! A rig computes a node's transform at a moment; all parts of a file share it. Evaluating one node visits its ancestors, a
-//! skin all nodes of the file. Nodes that a clip does not move keep their transforms from the file.
+//! A rig computes a node's transform at a moment; all parts of a file share it. Evaluating a node visits its ancestors; evaluating a skin
+//! visits all nodes of the file. Nodes that a clip does not move keep their transforms from the file.
 
 use std::collections::BTreeMap;
 
@@ -12,7 +12,7 @@ use super::track::Track;
 /// One animation of a file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Clip {
-    /// Name in the file, made unique; `clip_N` without one.
+    /// Name in the file, made unique; `clip_N` if it has none.
     pub name: String,
     /// Time of its last key.
     pub duration_s: f64,
@@ -46,7 +46,7 @@ pub struct RigNode {
     pub parent: Option<usize>,
     /// Transform in the rest pose.
     pub rest: DAffine3,
-    /// The same, decomposed; `None` for a matrix that cannot be decomposed.
+    /// The rest transform, decomposed; `None` for a matrix that cannot be decomposed.
     pub stand: Option<NodeTransform>,
 }
 

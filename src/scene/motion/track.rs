@@ -37,7 +37,7 @@ pub trait Interpolated: Clone {
     /// Returns true if all its numbers are finite.
     fn is_finite(&self) -> bool;
 
-    /// Returns the reason if it cannot be a key; finiteness is checked separately.
+    /// Returns the reason if the value cannot be that of a key; finiteness is checked separately.
     fn fault(&self) -> Option<&'static str> {
         None
     }
@@ -215,7 +215,7 @@ mod tests {
                 assert!(is.dot(wanted).abs() > 1.0 - 1e-15, "{is} at {share}");
             }
         }
-        // So small an angle that its cosine is 1.
+        // An angle so small that its cosine rounds to 1.
         let small = DQuat::between(&turn(0.0), &turn(1e-7), 0.25);
         assert!((small.z / turn(1e-7).z - 0.25).abs() < 1e-9);
         assert_eq!(DQuat::between(&turn(5.0), &turn(5.0), 0.5), turn(5.0));

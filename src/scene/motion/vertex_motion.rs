@@ -1,4 +1,4 @@
-//! Plain data: the data that can move a mesh's vertices, and a pose at one time.
+//! Plain data: the motion data of a mesh's vertices, and a pose at one time.
 
 use glam::{DAffine3, DVec3};
 
@@ -16,7 +16,7 @@ pub struct JointWeight {
 /// Constant data of a mesh's motion, per position of [`Part::mesh`](crate::scene::Part::mesh).
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Motion {
-    /// Morph targets: how far each moves every position at weight 1, in part space.
+    /// Morph targets: each target's displacement of every position at weight 1, in part space.
     pub targets: Vec<Vec<DVec3>>,
     /// Index of each position's first joint influence, and one more entry for the end; empty without a skin.
     pub first_pull: Vec<u32>,

@@ -1,8 +1,8 @@
 //! Prepared cuts of a scene: each cut once, and once more for each offset that parts have from it.
 //!
-//! A part with an offset from a cut gets its own copy of the cut, moved in world space before rounding; parts with equal offsets
-//! share a copy. Copies come after all cuts of the scene, so that these keep their numbers. Later stages do not deal with offsets,
-//! and unused offsets cost nothing there.
+//! A part with an offset from a cut gets its own copy of the cut, moved in world space before rounding; parts with equal offsets share a
+//! copy. Copies come after all cuts of the scene, so that the scene's cuts keep their numbers. Later stages do not deal with offsets, and
+//! unused offsets cost nothing there.
 
 use std::sync::Arc;
 

@@ -36,7 +36,7 @@ pub struct PreparedPart {
     pub is_removed: bool,
     /// Bounds of `positions`, or a box that contains the vertices that the device computes.
     pub bounds: Bounds,
-    /// Maximum distance in scene units at which vertices of a face count as in a plane; 0 for posed parts.
+    /// Maximum distance from a plane, in scene units, at which a face's vertices count as on it; 0 for posed parts.
     pub(crate) plane_tolerance: f64,
     /// Volume of the placed mesh in its rest pose, in world units; used to rank overlapping solids.
     pub volume_at_rest: f64,
@@ -80,7 +80,7 @@ impl PreparedPart {
         placed
     }
 
-    /// Its triangles, as they are split for shading.
+    /// Its triangles, as input to the split for shading.
     pub(crate) fn faces(&self) -> Faces<'_> {
         Faces {
             positions: &self.positions,

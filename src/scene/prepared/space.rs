@@ -64,7 +64,7 @@ impl SceneSpace {
     }
 }
 
-/// Coordinates up to this are rounded like those of vertices; the model's reach up to 1.
+/// Coordinates up to this are rounded like those of vertices; the model's coordinates reach up to 1.
 pub(super) const NEAR_MODEL: f64 = 4.0;
 
 /// The origin of a clip-surface, rounded like vertices if it is near the model.

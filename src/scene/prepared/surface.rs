@@ -37,6 +37,6 @@ pub struct PreparedCut {
     pub of: usize,
     /// Offset from the scene's cut, in world units; positive keeps more ([`Cut::offsets`](crate::scene::Cut::offsets)).
     pub keeps: f64,
-    /// Indices into [`Prepared::surfaces`](crate::scene::Prepared::surfaces); their removed sides' intersection is the removed region.
+    /// Indices into [`Prepared::surfaces`](crate::scene::Prepared::surfaces); the intersection of their removed sides is removed.
     pub surfaces: Vec<usize>,
 }

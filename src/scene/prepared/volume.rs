@@ -30,7 +30,7 @@ pub struct PreparedVolume {
 }
 
 impl PreparedVolume {
-    /// Moves a cutter to scene space; reuses the still valid data of the previous placement.
+    /// Moves a cutter to scene space; reuses data of the previous placement that is still valid.
     pub(crate) fn place(cutter: &Cutter, space: &SceneSpace, before: Option<&Self>) -> Self {
         let placement = cutter.world_from_cutter;
         let known = before.filter(|b| {

@@ -18,7 +18,7 @@ pub enum BlendOp {
     Max,
     /// `1 - (1 - a) (1 - b)`: high where either map is high, and never above 1 for maps of 0..=1.
     Screen,
-    /// Twice the product where the first is below one half, otherwise a screen of the remainder: the second deepens and raises the first.
+    /// `2 a b` where `a` is below one half, elsewhere `1 - 2 (1 - a) (1 - b)`: the second map deepens and raises the first.
     Overlay,
     /// Absolute difference.
     Difference,

@@ -147,7 +147,7 @@ mod tests {
         });
         let most = most.fold(0.0, f64::max);
         assert!(most < 1e-3, "{most}");
-        // If heights are linear within cells, normals have their slope, except for the rounding of texels.
+        // If heights are linear within cells, normals match the slope of the heights, except for the rounding of texels.
         let ramp = profile(64, |t| t);
         let normals = ramp.normals(&scale);
         let truth = DVec3::new(-scale.height / scale.repeat.x, 0.0, 1.0).normalize();
@@ -173,7 +173,7 @@ mod tests {
         for (i, visible) in sky.iter().enumerate() {
             let x = 2.0 * (i as f64 + 0.5) / 256.0;
             let depth = if x < 1.0 { x } else { 2.0 - x };
-            // Down the own slope, and to the ridge beyond the valley.
+            // Down the point's own slope, and up to the ridge beyond the valley.
             let own = DVec2::new(1.0, -1.0).normalize();
             let ridge = DVec2::new(2.0 - depth, depth).normalize();
             let truth = (1.0 + own.dot(ridge)) / 2.0;

@@ -1,10 +1,10 @@
 //! Three-dimensional offset maps: layers of the same size, and interpolation between them.
 //!
-//! Layer `i` lies at the coordinate `i`, as texels lie at their centres; beyond the first and the last, layers continue as the
-//! wrap mode defines, so that under `repeat` the first follows the last. The map at a coordinate is the linear
-//! interpolation of its two neighbours, in f64 and rounded to f32 once per texel: bilinear interpolation of that map is the
-//! trilinear one of the layers, but for this rounding, and the device and the exact reference evaluate the same
-//! map. At a whole coordinate it is the layer itself. Cost: one pass over the texels whenever the coordinate changes.
+//! Layer `i` lies at the coordinate `i`, as texels lie at their centres; beyond the first and the last, layers continue as the wrap mode
+//! defines, so that under `repeat` the first follows the last. The map at a coordinate is the linear interpolation of its two neighbours,
+//! in f64 and rounded to f32 once per texel: bilinear interpolation of that map equals trilinear interpolation of the layers, except for
+//! this rounding, and the device and the exact reference use the same map. At a whole coordinate it is the layer itself. Cost: one pass
+//! over the texels whenever the coordinate changes.
 
 use std::sync::Arc;
 
@@ -12,7 +12,7 @@ use rayon::prelude::*;
 
 use crate::scene::{OffsetMap, Wrap};
 
-/// The map at a coordinate across layers; an error text if there is none.
+/// The map at a coordinate across layers; an error text if the layers define none.
 pub fn between_layers(
     layers: &[Arc<OffsetMap>],
     at: f64,
@@ -25,7 +25,7 @@ pub fn between_layers(
     if let Some(odd) = layers.iter().position(|l| l.size() != first.size()) {
         let [[w, h], [other_w, other_h]] = [first.size(), layers[odd].size()];
         return Err(format!(
-            "its layers differ in size: {w} x {h} of the first, {other_w} x {other_h} of number {odd}, counted from 0"
+            "its layers differ in size: layer 0 has {w} x {h} texels, layer {odd} has {other_w} x {other_h}"
         ));
     }
     let below = at.floor();

@@ -37,16 +37,16 @@ pub enum Relief {
     Blend {
         /// Their names, at least two.
         of: Vec<String>,
-        /// Operation that combines them.
+        /// Operation that combines the reliefs.
         op: BlendOp,
     },
-    /// Heights in a row along `U`, all the same along `V`.
+    /// Heights at equal steps along `U`; each is constant along `V`.
     Profile(Vec<f64>),
     /// A position between named reliefs of the same size ([`between_layers`]).
     Layers {
         /// Names of the layers, in order.
         of: Vec<String>,
-        /// The coordinate across them: layer `i` is at `i`.
+        /// The coordinate across the layers: layer `i` is at `i`.
         at: f64,
         /// Address mode beyond the first and the last.
         wrap: Wrap,
@@ -100,7 +100,7 @@ fn resolve_within(
     let culprit = format!("relief `{name}`");
     if within.iter().any(|n| n == name) {
         let what = format!("it is made of itself: {} -> {name}", within.join(" -> "));
-        let help = "make it only of reliefs that do not use this one";
+        let help = "use only reliefs that do not use this one";
         return Err(Error::input(culprit, what, help));
     }
     let Some(relief) = reliefs.get(name) else {

@@ -6,7 +6,7 @@
 
 use glam::DVec2;
 
-/// A well-mixed word from a lattice point and a seed (the finaliser of MurmurHash3 after each input).
+/// Hash of a lattice point and a seed (the finaliser of MurmurHash3, applied after each input).
 pub(super) fn hash(x: i64, y: i64, seed: u64) -> u64 {
     let mut h = seed ^ 0x9E37_79B9_7F4A_7C15;
     for word in [x, y] {

@@ -40,8 +40,8 @@ impl Default for Placement {
     }
 }
 
-/// Default period in percent of the diagonal: one clamped map over the whole model, about ten teeth of a sawtooth, whose map
-/// is 2 x 2, or little more than one repeat of other maps.
+/// Default period in percent of the diagonal. It gives one clamped map over the whole model, about ten teeth of a sawtooth (a 2 x 2 map),
+/// or little more than one repeat of any other map.
 fn usual_period(map: &OffsetMap, wrap: Wrap) -> f64 {
     match (wrap, map.size()) {
         (Wrap::Clamp, _) => 100.0,
@@ -108,7 +108,7 @@ pub fn place_map(
     if diagonal > 0.0 && shortest < diagonal / range::MOST_RADII {
         let (most, shortest) = (range::MOST_RADII, shortest);
         return Err(format!(
-            "the period {shortest:.2e} is less than a {most:.0e}th of the bounds' diagonal"
+            "the period {shortest:.2e} is less than 1/{most:.0e} of the bounds' diagonal"
         ));
     }
     let [lo, hi] = map.range().map(f64::from);

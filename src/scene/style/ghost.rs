@@ -5,7 +5,7 @@ use glam::Vec3;
 use super::lengths::{MIL, WIDEST};
 use crate::scene::describe::Described;
 
-/// Drawing of the uncut solids where a cut has removed parts of them.
+/// How solids are drawn where a cut has removed parts of them.
 #[derive(Clone, Copy, Debug, PartialEq, Described)]
 pub struct Ghost {
     /// Drawing of removed geometry.

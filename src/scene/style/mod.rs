@@ -192,7 +192,7 @@ pub enum Shading {
     Toon,
     /// A matte material.
     Clay,
-    /// Tone as lines on surfaces ([`Engraving`]); caps without light.
+    /// Tone shown by lines on surfaces ([`Engraving`]); caps are unlit.
     Engraved,
 }
 
@@ -216,7 +216,7 @@ pub struct Gooch {
 
 impl Default for Gooch {
     fn default() -> Self {
-        // Gives metal less green than the paper's values 0.4, 0.4, 0.2, 0.6.
+        // These values make metal look less green than the paper's 0.4, 0.4, 0.2 and 0.6.
         Self {
             blue: 0.40,
             yellow: 0.30,

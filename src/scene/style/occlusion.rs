@@ -46,8 +46,8 @@ pub enum OcclusionKind {
     None,
     /// Cosine-weighted share of the sky above the surrounding horizons: ground truth for the visible geometry (Jimenez et al. 2016).
     Horizon,
-    /// Difference of depth and blurred depth (Luft, Colditz and Deussen 2006), as in Trapp and Döllner 2013 (4.5): emphasises depth steps
-    /// and leaves narrow gaps unchanged.
+    /// Difference between depth and blurred depth (Luft, Colditz and Deussen 2006), as in Trapp and Döllner 2013 (4.5): emphasises depth
+    /// steps and leaves narrow gaps unchanged.
     Unsharp,
 }
 

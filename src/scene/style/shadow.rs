@@ -2,9 +2,9 @@
 
 use crate::scene::describe::Described;
 
-/// The shadow on level ground below all kept geometry, of light from straight above. A style's lights shine from the camera; this one
-/// shows ground contact. It is drawn only on request: by `render` and `animate`, and for a [`Model`](crate::Model) that was
-/// given one by [`Model::on_ground`](crate::Model::on_ground), which an update of the model removes.
+/// The shadow that light from straight above casts on level ground below all kept geometry. A style's lights shine from the camera; this
+/// one shows ground contact. It is drawn only on request: by `render` and `animate`, and for a [`Model`](crate::Model) that was given a
+/// shadow by [`Model::on_ground`](crate::Model::on_ground); an update of the model removes the shadow.
 #[derive(Clone, Copy, Debug, PartialEq, Described)]
 pub struct Shadow {
     /// Darkness of the ground shadow; 0 for none.

@@ -93,7 +93,7 @@ impl Tint {
         Hue::FIELDS[2],
     ];
 
-    /// The tinted colour of a part; `given`, a colour set for the part itself here, takes precedence over the tint.
+    /// The tinted colour of a part; `given`, a colour set explicitly for the part, takes precedence over the tint.
     pub(super) fn of(self, color: Vec3, given: Option<Vec3>) -> Vec3 {
         if let Some(given) = given {
             return given;

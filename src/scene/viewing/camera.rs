@@ -79,9 +79,9 @@ pub struct Camera {
     pub zoom: f64,
     /// Shift of the picture to the right and up, in picture heights. The eye does not move, so occlusion does not change.
     pub pan: DVec2,
-    /// Draw a cap where the near plane cuts a solid. Without it, a ray that starts inside a solid shows what it *enters* next, a
-    /// surface or a cap: neither the near plane's section nor the wall where it leaves. Strategies recognise that wall as back-facing,
-    /// `exact` by counting; they agree if faces point outward and no mesh overlaps itself.
+    /// Draw a cap where the near plane cuts a solid. Without it, a ray that starts inside a solid shows the surface or cap that it *enters*
+    /// next, not the near plane's section or the wall where it leaves. Strategies recognise that wall as back-facing, `exact` by counting;
+    /// they agree if faces point outward and no mesh overlaps itself.
     pub near_cap: bool,
 }
 
@@ -110,8 +110,8 @@ const NEAR_SHARE: f64 = 1e-3;
 const FILL: f64 = 0.92;
 
 impl Camera {
-    /// The view of a scene. `scene_from_world` takes world points to scene space; `bounds` are those of the scene there, which an
-    /// orbit is fitted to.
+    /// The view of a scene. `scene_from_world` maps world points to scene space. `bounds` is the scene's box in scene space; an orbit is
+    /// fitted to it.
     pub fn view(
         &self,
         scene_from_world: impl Fn(DVec3) -> DVec3,
@@ -128,7 +128,7 @@ impl Camera {
         self.fit == Fit::Kept && !matches!(self.viewpoint, Viewpoint::Explicit { .. })
     }
 
-    /// As [`Camera::view`], where an orbit is fitted to the points of an outline in world space, if there are some.
+    /// Like [`Camera::view`], but if the outline, in world space, is not empty, an orbit is fitted to the outline.
     pub(crate) fn view_fitted(
         &self,
         scene_from_world: impl Fn(DVec3) -> DVec3,
@@ -241,7 +241,7 @@ impl Camera {
     }
 }
 
-/// Directions that have names, as azimuth and elevation in degrees.
+/// Named viewing directions, as azimuth and elevation in degrees.
 pub const STANDARD_VIEWS: [(&str, [f64; 2]); 7] = [
     ("front", [0.0, 0.0]),
     ("back", [180.0, 0.0]),
@@ -249,6 +249,6 @@ pub const STANDARD_VIEWS: [(&str, [f64; 2]); 7] = [
     ("right", [90.0, 0.0]),
     ("top", [0.0, 90.0]),
     ("bottom", [0.0, -90.0]),
-    // All three axes are seen alike: the elevation is atan(1 / sqrt 2).
+    // All three axes are foreshortened equally: the elevation is atan(1 / sqrt 2).
     ("iso", [45.0, 35.264_389_682_754_654]),
 ];

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use crate::scene::{Bounds, Camera, ClipSurface, Cut, Up, Viewpoint};
 
-/// A cut face counts as seen if the cosine between its normal and the view is greater than this.
+/// A cut face counts as seen if the cosine of the angle between its normal and the view is greater than this.
 const LEAST_COSINE: f64 = 0.1;
 
 impl Viewpoint {
@@ -21,7 +21,7 @@ impl Viewpoint {
 }
 
 impl Camera {
-    /// This orbit, a mirrored one or one from behind, whichever sees most of the cuts' faces; with equal counts this one. An explicit
+    /// This orbit, a mirrored one or one from behind, whichever sees most of the cuts' faces; in a tie, this one. An explicit
     /// viewpoint is unchanged.
     #[must_use]
     pub fn facing<'a>(self, cuts: impl IntoIterator<Item = &'a Cut, IntoIter: Clone>) -> Self {
@@ -64,7 +64,7 @@ impl Camera {
                     elevation_deg,
                 };
                 let camera = Self { viewpoint, ..*self };
-                // Where an orbit looks does not depend on what it looks at.
+                // An orbit's viewing direction does not depend on the geometry, so any bounds will do.
                 let anything = Bounds::from_points([DVec3::ZERO, DVec3::ONE]);
                 let forward = camera.view(|p| p, 1.0, anything, [1, 1]).forward;
                 let enabled = cuts.clone().filter(|c| c.enabled);

@@ -62,7 +62,7 @@ impl HostDepth {
 }
 
 impl Prepared {
-    /// The view of a host's camera, in a picture of some pixels.
+    /// The view of a host's camera, for a picture of the given size.
     ///
     /// # Errors
     ///
@@ -83,14 +83,14 @@ impl Prepared {
         let lengths = [right, up, forward].map(|a| (a.length() - 1.0).abs());
         if !lengths.iter().all(|l| *l <= TOLERANCE) {
             return Err(fault(
-                "its axes are not of length 1".to_owned(),
-                "give a turn and a shift, without a scale",
+                "its axes do not have length 1".to_owned(),
+                "give a rotation and a translation, without a scale",
             ));
         }
         if (right.cross(up).dot(forward) + 1.0).abs() > TOLERANCE {
             return Err(fault(
                 "its picture is mirrored, or its axes are not at right angles".to_owned(),
-                "give a turn and a shift, and a projection that mirrors nothing",
+                "give a rotation and a translation, and a projection that does not mirror",
             ));
         }
         let [width, height] = size_px.map(f64::from);
@@ -99,7 +99,7 @@ impl Prepared {
         let is_square = (aspect - 1.0).abs() <= TOLERANCE;
         if !is_square {
             return Err(fault(
-                format!("its pixels are not square: {aspect} as wide as they are high"),
+                format!("its pixels are not square: they are {aspect} times as wide as high"),
                 "give a projection with the aspect ratio of the picture",
             ));
         }
@@ -148,7 +148,7 @@ impl Prepared {
     }
 }
 
-/// 1 where the camera looks along `z`, -1 where it looks against it.
+/// 1 if the camera looks along `z`, -1 if it looks in the opposite direction.
 fn forward_sign(clip_from_view: &DMat4) -> f64 {
     match clip_from_view.z_axis.w > 0.0 {
         true => 1.0,

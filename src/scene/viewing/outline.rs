@@ -1,11 +1,11 @@
-//! Outline of the kept geometry that a camera is fitted to: the corners of its convex hull, over one time or many.
+//! Outline of the kept geometry that a camera is fitted to: the corners of its convex hull, at one time or over several times.
 //!
-//! The extent of an object in a picture, from any viewpoint, depends on its convex hull alone. The hull of the kept part of a part has
-//! its corners at vertices that are kept, where edges cross clip-surfaces, where two planes of different cuts meet in a triangle, and
-//! where three meet inside the solid. Planes are met exactly. Along a relief edges are followed in steps and the crossing is found by
-//! bisection; what rises between them is looked up at points of a grid, and where three meet inside a solid they count as planes.
-//! A cutter is ignored, and one that keeps its inside is replaced by its box: the outline is then too
-//! large, as it also is, by less than the height of a relief, where a section is hollow.
+//! The extent of an object in a picture, from any viewpoint, depends on its convex hull alone. The hull of a part's kept geometry has its
+//! corners at kept vertices, at crossings of edges with clip-surfaces, at points of triangles where planes of two cuts meet, and at points
+//! inside the solid where planes of three cuts meet. Crossings with planes are exact. Crossings with a relief are found by following the
+//! edge in steps, then by bisection; the relief's heights between edges are sampled on a grid, and where three cuts meet inside a solid,
+//! reliefs count as planes. A cutter that removes its inside is ignored, and one that keeps its inside is replaced by its box; the outline
+//! is then too large. Where a section is hollow, it is also too large, by less than a relief's height.
 //!
 //! Cost: one pass over the vertices and triangles of each part that is cut, one over the vertices of the rest, and the hull.
 
@@ -42,7 +42,7 @@ impl Outline {
     /// Adds the kept geometry of some parts of a scene.
     #[doc(hidden)]
     pub fn add_parts<'a>(&mut self, scene: &Scene, parts: impl Iterator<Item = &'a Part>) {
-        // A ghost shows hidden parts.
+        // If removed geometry is drawn, hidden parts are visible too.
         let world = scene.bounds();
         let is_seen =
             |part: &&Part| scene.style.ghost.is_drawn() || !is_removed_whole(scene, &world, part);
@@ -63,7 +63,7 @@ impl Outline {
         self.points.is_empty()
     }
 
-    /// The corners, in no order.
+    /// The corners, in no particular order.
     pub fn points(&self) -> &[DVec3] {
         &self.points
     }

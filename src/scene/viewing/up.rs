@@ -17,7 +17,7 @@ pub enum Up {
 }
 
 impl Up {
-    /// The other one.
+    /// The other up axis.
     #[must_use]
     pub fn other(self) -> Self {
         match self {

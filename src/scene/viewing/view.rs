@@ -13,7 +13,7 @@ use crate::scene::Bounds;
 pub struct View {
     /// Width and height in pixels.
     pub size_px: [u32; 2],
-    /// Point of the picture at which the viewing direction points: the middle, unless the picture is shifted by a fraction of a pixel.
+    /// Point of the picture that lies in the viewing direction: the middle, unless the picture is shifted by a fraction of a pixel.
     pub centre_px: DVec2,
     /// The eye.
     pub eye: DVec3,
@@ -25,7 +25,7 @@ pub struct View {
     pub forward: DVec3,
     /// Perspective: the picture's half height at depth 1. Orthographic: the picture's half height.
     pub half_height: f64,
-    /// Parallel rays.
+    /// True if rays are parallel.
     pub orthographic: bool,
     /// Depth of the near plane.
     pub near: f64,
@@ -33,13 +33,13 @@ pub struct View {
     pub far: f64,
     /// True if the near plane makes caps.
     pub near_cap: bool,
-    /// First row of this band and height of the whole picture, by [`View::rows`]; 0 and its own height for a whole picture.
+    /// Index of this band's first row, and height of the whole picture ([`View::rows`]); 0 and its own height for a whole picture.
     pub band: [u32; 2],
     /// Number of rows at the top and at the bottom that are drawn only as neighbours for effects: the picture does not keep them.
     pub halo_rows: [u32; 2],
-    /// Number of views per side that are combined to one picture, by [`View::sampled_at`]; effect filters shrink accordingly.
+    /// Number of views along each side of a pixel that form one picture ([`View::sampled_at`]); effect filters shrink accordingly.
     pub fineness: u32,
-    /// Precision of triangle placement in the evaluated picture. Plans are recorded with that of their
+    /// Precision of triangle placement in the evaluated picture. Plans use the precision in their
     /// [`DrawOptions`](crate::strategies::DrawOptions) instead.
     pub precision: Precision,
 }
@@ -49,8 +49,8 @@ pub struct View {
 pub struct Precision {
     /// Sub-pixel bits: vertices are snapped to 2^-bits of a pixel.
     pub sub_pixel_bits: u32,
-    /// True if depths are interpolated by their slopes in the picture, in f32, as fixed functions may; the compute rasteriser finds the
-    /// depth of each sample by the triangle's plane.
+    /// True if depths are interpolated from screen-space slopes in f32, as fixed-function hardware may do; the compute rasteriser computes
+    /// each sample's depth from the triangle's plane.
     pub slopes_in_f32: bool,
 }
 
@@ -66,7 +66,7 @@ impl Precision {
         self.sub_pixel_bits < USUAL_SUB_PIXEL_BITS
     }
 
-    /// Ratio of the snapping distance of vertices to that by the usual sub-pixel bits: 16 for 4 bits.
+    /// Ratio of the vertex snapping distance to the distance at the usual sub-pixel bits: 16 for 4 bits.
     pub fn coarseness(&self) -> f64 {
         f64::from(1_u32 << USUAL_SUB_PIXEL_BITS.saturating_sub(self.sub_pixel_bits))
     }
@@ -74,7 +74,7 @@ impl Precision {
 
 /// Sub-pixel bits of llvmpipe and of the compute rasteriser. Vulkan guarantees 4.
 pub const USUAL_SUB_PIXEL_BITS: u32 = 8;
-/// Up to this picture size, in pixels along a side, f32 coordinates are as exact as vertices are snapped.
+/// Up to this picture size, in pixels along a side, f32 coordinates are as precise as the snapping of vertices.
 const FINE_SIZE_PX: u32 = 2048;
 
 impl View {
@@ -85,7 +85,7 @@ impl View {
             .iter()
             .find(|a| (a.length() - 1.0).abs() > 1e-6 || !a.is_finite())
         {
-            return Some(format!("it has the direction {axis}"));
+            return Some(format!("it has the direction {axis}, not of length 1"));
         }
         let far = self.eye.abs().max_element();
         if !(0.0..=FARTHEST_EYE).contains(&far) {
@@ -96,7 +96,7 @@ impl View {
         let extents = 1.0 / FARTHEST_EYE..=FARTHEST_EYE;
         (!extents.contains(&self.half_height)).then(|| {
             format!(
-                "the picture is {:.0e} high in radii of the model",
+                "half the picture's height is {:.0e} radii of the model",
                 self.half_height
             )
         })
@@ -130,8 +130,8 @@ impl View {
         2.0 * self.half_height / f64::from(self.size_px[1])
     }
 
-    /// The view whose pixel centres lie elsewhere in the pixels of this one: `at` is (0.5, 0.5) for the same view. All the
-    /// views of a grid of such points make one picture that is finer, without a larger frame.
+    /// This view with its sample points at `at` within each pixel; (0.5, 0.5) gives the same view. The views for a grid of such points
+    /// together form one finer picture, without a larger frame.
     #[must_use]
     pub fn sampled_at(&self, at: DVec2) -> Self {
         Self {
@@ -140,7 +140,7 @@ impl View {
         }
     }
 
-    /// The views of a grid of `count` points along each side of a pixel, each with its place in the grid: together they make one picture.
+    /// The views of a grid of `count` points along each side of a pixel, each with its grid position: together they form one picture.
     pub fn samples(&self, count: u32) -> impl Iterator<Item = ([u32; 2], Self)> + use<> {
         let view = *self;
         let places = (0..count).flat_map(move |j| (0..count).map(move |i| [i, j]));
@@ -182,14 +182,14 @@ impl View {
         (point - self.eye).dot(self.forward)
     }
 
-    /// The depth of a box's farthest point, or that of the near plane if the whole box is before that.
+    /// The depth of a box's farthest point, or the near plane's depth if the whole box is in front of that plane.
     pub(crate) fn farthest_in(&self, bounds: &Bounds) -> f64 {
         let depths = bounds.corners().map(|c| self.depth_of(c));
         depths.into_iter().fold(self.near, f64::max)
     }
 
     /// Distance in pixels within which an outline leaves a sample undecided. Snapping moves an edge by up to half a step along each axis;
-    /// what f32 moves it by is less than that again up to 2048 px, and grows with the picture.
+    /// f32 rounding moves the edge by less than that again up to 2048 px, and by more in larger pictures.
     pub fn doubt_px(&self) -> f64 {
         let size_px = self.size_px[0].max(self.band[1]);
         f64::from(size_px.max(FINE_SIZE_PX))
@@ -201,7 +201,7 @@ impl View {
         self.plane_per_px() * if self.orthographic { 1.0 } else { depth }
     }
 
-    /// A depth by so much before the near plane, and never behind the eye.
+    /// A depth in front of the near plane by `slack`, but never behind the eye.
     #[doc(hidden)]
     pub fn before_near(&self, slack: f64) -> f64 {
         let most = if self.orthographic {

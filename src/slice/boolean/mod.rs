@@ -40,7 +40,7 @@ pub(super) struct Divided {
     pub(super) off: f64,
 }
 
-/// Name of a block's faces: no clip-surface.
+/// Face name for a block, whose faces belong to no clip-surface.
 const BLOCK: u32 = u32::MAX;
 
 /// Source of a mesh's cap faces: the mesh, its region and the clip-surface; `None` if its faces keep the name of their source.
@@ -91,7 +91,7 @@ pub(super) fn divided(
 }
 
 impl RemovedRegion<'_> {
-    /// The region's part of a block; none if no part of the block lies in it.
+    /// The part of a block that lies in the region; `None` if no part does.
     fn solid(
         &self,
         index: usize,
@@ -211,7 +211,7 @@ fn turned(mesh: &Mesh) -> Mesh {
     }
 }
 
-/// Bounds that contain others with a margin on all sides.
+/// Bounds enlarged by a margin on all sides.
 fn around(bounds: &Bounds) -> Bounds {
     let room = bounds.radius() / 16.0;
     Bounds {

@@ -16,7 +16,7 @@ use crate::scene::{Bounds, ClipSurface, Mesh};
 #[derive(Clone, Debug)]
 pub(super) struct Sheet {
     pub(super) mesh: Mesh,
-    /// Largest distance to the relief found along `N`, in world units.
+    /// Largest measured distance to the relief along `N`, in world units.
     pub(super) off: f64,
 }
 

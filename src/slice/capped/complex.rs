@@ -299,7 +299,7 @@ impl<'a> Complex<'a> {
                 [on(a, b), on(b, c), on(c, a)],
                 &mut parts,
             );
-            // A vertex that lies on its own sides gives parts without area between two vertices: they bound nothing.
+            // Parts with a repeated vertex have no area and bound nothing; they arise where a vertex lies on a side of its own triangle.
             let mut parts = (parts.iter().filter(|t| has_three(t))).map(|corners| ComplexFace {
                 corners: *corners,
                 ..face

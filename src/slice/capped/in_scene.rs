@@ -45,7 +45,7 @@ impl InScene {
 }
 
 impl Complex<'_> {
-    /// Marks the faces decided to lie in planes as such, and their vertices as lying on the planes.
+    /// Marks the faces that were decided to lie in planes, and marks their vertices as lying on those planes.
     pub(super) fn take_in(&mut self, decided: &InScene) {
         for MarkedPlane { plane, mark } in self.planes.clone() {
             let faces = decided.faces_in(self.mesh, &plane, self.is_inside_out);

@@ -98,7 +98,7 @@ pub fn capped_with(scene: &Scene, relief_cells: u32) -> Result<Vec<CappedPart>> 
     scene.parts.par_iter().enumerate().map(capped).collect()
 }
 
-/// The planes of a cut for a part; none if the cut has a surface that is not a plane.
+/// The planes of a cut for a part; `None` if the cut has a surface that is not a plane.
 #[doc(hidden)]
 pub fn planes_of(cut: &Cut, part: &Part) -> Option<Vec<SlicePlane>> {
     let keeps = cut.offset_for(part);

@@ -1,9 +1,9 @@
 //! Collapses edges that division left too short to be distinguished from points.
 //!
 //! A plane that misses a vertex by a rounding error crosses the vertex's edges extremely close to it, and leaves triangles without area.
-//! Programs that read the halves merge such vertices, each in its own way, and find the mesh open. So an end that division made is moved to
-//! the other end, which stays where it is, except that an axis-aligned plane moves it onto itself, by less than such an edge. Original mesh
-//! vertices are never merged with each other.
+//! Programs that read the halves merge such vertices, each in its own way, and find the mesh open. So of a short edge, the end that
+//! division made is moved to the other end. That end stays where it is, unless an axis-aligned plane moves it onto the plane, by less than
+//! the edge's length. Original mesh vertices are never merged with each other.
 //!
 //! Cost: a pass over all faces, and a sort of the short edges.
 
@@ -14,7 +14,7 @@ use crate::scene::meshes::weld::has_three;
 /// Edges shorter than this share of the mesh's diagonal count as points: half of what f32 can resolve at that size.
 const SHORT: f64 = 1.0 / 33_554_432.0;
 
-/// Passes over short edges: some remain if both ends of one were merge targets of others.
+/// Number of passes over short edges: an edge remains after a pass if other edges were merged into both its ends.
 const PASSES: usize = 4;
 
 impl Complex<'_> {

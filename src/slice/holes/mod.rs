@@ -30,8 +30,8 @@ use crate::scene::{Bounds, Mesh};
 pub use parts::close_holes_of;
 use planar::Plane;
 
-/// Tolerance of a planar hole: distance of vertices from a plane, as a share of the diagonal of the hole's box: the f32 rounding error of
-/// a small hole far from the origin.
+/// Tolerance of a planar hole: distance of its vertices from a plane, as a share of the diagonal of its box. It covers the f32 rounding
+/// error of a small hole far from the origin.
 const PLANAR: f64 = 1e-4;
 
 /// Maximum edges of a small hole, whatever its perimeter.

@@ -8,7 +8,7 @@ use super::super::cover::cover;
 use super::{HoleDefect, PLANAR, box_of, points_of};
 use crate::scene::Mesh;
 
-/// Holes are filled together if their planes agree to this, in the normal and in the offset as a share of the mesh's diagonal.
+/// Coplanar holes are filled together: normals differ by at most this, and offsets by at most this share of the mesh's diagonal.
 const SAME_PLANE: f64 = 1e-3;
 
 /// The plane of a hole.

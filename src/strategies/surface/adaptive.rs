@@ -10,10 +10,10 @@
 //! workgroup per patch, or several if an invocation would visit more than 2,000 triangles; time in proportion to the resulting triangles;
 //! 12 bytes per triangle of capacity, and 4 per patch. The device draws the triangles itself: nothing is read back.
 //!
-//! Cannot: halve a texel more often than 16 bits can count, if a map has very many; an error of TAU requires more only where a single texel
-//! is hundreds of pixels high. Keep its measurements when a relief or the box of the cut solids moves across its texels: all is measured
-//! again. Mark the pixels of triangles beyond the capacity: the frame is drawn again with enough. Refuses reliefs with more texels than a
-//! storage binding holds: `raycast` draws those.
+//! Cannot: halve texels further than 16-bit coordinates allow on maps with very many texels; an error of TAU needs more only where a single
+//! texel is hundreds of pixels high. All errors are measured again when a relief or the box of the cut solids moves across the relief's
+//! texels. Pixels of triangles beyond the capacity are not marked: the frame is drawn again with enough. Reliefs with more texels than a
+//! storage binding holds are refused: `raycast` draws those.
 
 mod domain;
 mod measure;
@@ -31,7 +31,7 @@ use crate::strategies::row::{Abilities, CapSurfaceRow, Caps, StrategyInfo, Strat
 /// Steps of the parameter TAU per pixel.
 const STEPS_PER_PX: u32 = 1000;
 
-/// The row of the table.
+/// The cap surface's row in the strategy table.
 pub(crate) static ROW: CapSurfaceRow = CapSurfaceRow {
     facts: StrategyInfo {
         name: "adaptive",
@@ -118,7 +118,7 @@ fn tessellation(
     })
 }
 
-/// The number of patches of all clip-surfaces before the given one, by its index in the table.
+/// Total number of patches of all clip-surfaces before the one at the given table index.
 fn first_patch(rows: &[Domain], index: usize) -> u32 {
     rows[..index]
         .iter()
@@ -164,7 +164,7 @@ fn square_indices(plan: &mut Plan) -> ResourceId {
 struct Reliefs<'a> {
     /// The domains of all clip-surfaces.
     rows: &'a [Domain],
-    /// The reliefs, by index in the table.
+    /// Table indices of the reliefs.
     surfaces: &'a [u32],
     /// Capacity of each relief, in triangles.
     capacity: u32,
@@ -217,7 +217,7 @@ impl Reliefs<'_> {
             let constants = vec![("surface", f64::from(*surface)), ("slot", f64::from(slot))];
             let refine = Pass::new(
                 format!("triangles {slot}"),
-                "a relief as finely as the view asks for, where it is seen",
+                "triangulates a relief as finely as the view needs, where the relief is visible",
                 "strategies/surface/adaptive/refine.wgsl",
                 bindings,
                 Work::Compute {
@@ -241,7 +241,7 @@ impl Reliefs<'_> {
         let need = need(plan, scene.input, Clock::Frame);
         let end = Pass::new(
             "triangles end",
-            "how many of them are drawn, and how many there should be room for",
+            "how many triangles are drawn, and how many there should be room for",
             "strategies/surface/adaptive/end.wgsl",
             vec![
                 Binding::update("arguments", arguments),

@@ -15,7 +15,7 @@ use crate::passes::{Crossings, Input, Refusal, SceneBuffers, SheetDraw, Sheets, 
 use crate::plan::{Binding, BufferRole, Clock, Draw, Plan, Resource, Vertices};
 use crate::shader::Shader;
 
-/// Bits of the clip-surfaces that are cutters, by their index in the table.
+/// Bit set of the clip-surfaces that are cutters; bits are table indices.
 pub(super) fn bits(input: &Input<'_>) -> u32 {
     let numbers = input.active_cuts.surfaces.iter().enumerate();
     numbers

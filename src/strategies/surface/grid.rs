@@ -17,7 +17,7 @@ use crate::plan::pack::Quad;
 use crate::plan::{Binding, BufferRole, Clock, Contents, Plan, Resource};
 use crate::scene::PreparedSurface;
 
-/// The row of the table.
+/// The cap surface's row in the strategy table.
 pub(crate) static ROW: CapSurfaceRow = CapSurfaceRow {
     facts: StrategyInfo {
         name: "grid",

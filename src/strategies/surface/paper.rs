@@ -74,7 +74,7 @@ pub(crate) fn record(
     Ok(finish(plan, &scene, layered))
 }
 
-/// The near-plane caps of the parts that a volume image covers, by rank.
+/// The near-plane caps of the parts that a volume image covers; `ranks` are the ranks of these parts.
 fn near_caps(scene: &SceneBuffers<'_>, ranks: &[usize], volume: &Volume) -> Option<DrawPass> {
     let input = scene.input;
     let view = input.view;
@@ -94,7 +94,7 @@ fn near_caps(scene: &SceneBuffers<'_>, ranks: &[usize], volume: &Volume) -> Opti
     Some(DrawPass {
         name: format!("near cap {first}"),
         reason: format!(
-            "{}: the near plane meets it, and its image says where it is inside",
+            "{} met by the near plane: the volume image shows where the near plane is inside",
             counted(places.len(), "part")
         ),
         shader: Shader::from("strategies/surface/paper/near.wgsl")

@@ -5,16 +5,16 @@
 //! mask lane, and the same resolve as that of `mask` shades. So it supports any number of planes, parts, priorities and filters, and the
 //! mesh is drawn once without any atomics.
 //!
-//! The sections use the same f32 vertices that are drawn, so both describe one solid. But here kept fragments and the inside test are
-//! decided by different numbers: where the rasteriser rounds them apart, at a rim or in a coplanar face seen edge-on, a pixel may show
-//! neither, which `mask` rules out.
+//! The sections use the same f32 vertices that are drawn, so both describe one solid. But different numbers decide which fragments are kept
+//! and what is inside: where the rasteriser rounds them apart, at a rim or in a coplanar face seen edge-on, a pixel may show neither
+//! surface nor cap. With `mask` this cannot happen.
 //!
 //! Per cut: slicing and triangulating what the planes meet, on all cores, with memory in proportion. Per frame: the mesh once, the sections
 //! once, one resolve; 2 to 32 bits per pixel and cut part. A camera move causes no slicing.
 //!
-//! Cannot: cut by reliefs; cap at the near plane; animate a large mesh as fast as others do, because it is posed on the CPU and its slicer
-//! is rebuilt in each step. It refuses where the near plane, which continues beyond the picture, meets the box of a cut part, even if none
-//! of that is visible.
+//! Cannot: cut by reliefs; cap at the near plane; animate a large mesh as fast as other strategies do, because the mesh is posed on the CPU
+//! and its slicer is rebuilt in each step. Scenes in which the near plane, which continues beyond the picture, meets the box of a cut part
+//! are refused, even if none of that is visible.
 //!
 //! Open meshes are capped as far as their sections close, because a closed outline defines what it encloses. Where a section does not
 //! close, only the part's box limits how far it would have reached: pixels whose ray enters the part's half-space through the plane within
@@ -33,7 +33,7 @@ use crate::shader::Shader;
 use crate::strategies::row::{Abilities, CapSurface, CapSurfaceRow, Caps, StrategyInfo};
 use crate::strategies::surface;
 
-/// The row of the table.
+/// The cap surface's row in the strategy table.
 pub(crate) static ROW: CapSurfaceRow = CapSurfaceRow {
     facts: StrategyInfo {
         name: "planar",
@@ -114,7 +114,7 @@ fn draw(
     let passes = [
         (
             "sections",
-            format!("{found}: where one is, the crossing of its plane is inside its part"),
+            format!("{found}: under a section, the crossing of its plane is inside the part"),
             Shader::from("strategies/surface/planar/section.wgsl").with_all(&LISTED),
             &sections.draws,
         ),

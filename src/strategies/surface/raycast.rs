@@ -28,7 +28,7 @@ use crate::scene::Fill;
 use crate::shader::Shader;
 use crate::strategies::row::{Abilities, CapSurfaceRow, Caps, StrategyInfo};
 
-/// The row of the table.
+/// The cap surface's row in the strategy table.
 pub(crate) static ROW: CapSurfaceRow = CapSurfaceRow {
     facts: StrategyInfo {
         name: "raycast",
@@ -44,7 +44,7 @@ pub(crate) static ROW: CapSurfaceRow = CapSurfaceRow {
     caps: Caps::Rays(cutter::list),
 };
 
-/// Capacity for one relief or cutter, in crossings, until a frame reports its need: with its parity bit a lane of 8.
+/// Initial capacity for one relief or cutter, in crossings; together with the parity bit it makes a lane of 8 bits.
 const FIRST_PER_RELIEF: u32 = 7;
 
 /// Bytes of the lists of a whole picture, over all of its bands.
@@ -72,7 +72,7 @@ pub(crate) fn capacity(input: &Input<'_>) -> u32 {
     most.clamp(1, most_that_fit(input))
 }
 
-/// The longest lists that fit in bands of a picture, with their lanes: by core WebGPU limits, because the plan of a frame must not depend
+/// The longest lists that fit in bands of a picture together with their lanes, by core WebGPU limits: the plan of a frame must not depend
 /// on the adapter.
 fn most_that_fit(input: &Input<'_>) -> u32 {
     let parts = &input.model.prepared.parts;
@@ -165,7 +165,7 @@ pub(super) fn record(
     } else {
         let how = match sheets {
             0 => "only planes, so no walk",
-            _ => "the planes among the clip-surfaces, for the others are drawn as sheets",
+            _ => "only planes; the other clip-surfaces are drawn as sheets",
         };
         let shader = Shader::from("strategies/surface/raycast/planes.wgsl");
         (shader, how.to_owned())

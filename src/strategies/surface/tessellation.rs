@@ -81,7 +81,7 @@ pub(crate) struct Facets {
     /// Index buffer.
     pub indices: ResourceId,
     pub range: Range<u32>,
-    /// Indirect arguments by which the device limits the index range; none if the whole range is drawn.
+    /// Indirect arguments by which the device limits the index range; `None` if the whole range is drawn.
     pub arguments: Option<Arguments>,
 }
 
@@ -117,7 +117,7 @@ impl Tessellation {
                 arguments: facets.arguments,
             };
             if facets.arguments.is_some() {
-                // Such a draw has no instance number of its own: a constant passes it to the shader.
+                // A draw with arguments can only use instance 0: a constant passes the instance number to the shader.
                 draw.instance = 0;
                 batches.push(Batch {
                     constants: vec![("first_instance", f64::from(*instance))],
@@ -167,7 +167,7 @@ pub(crate) fn list(
         return cutter::list(plan, scene, capacity, store);
     }
     let by_facing = reliefs.iter().fold(0, |bits, s| bits | 1 << s);
-    // First, because it may have work to do on slower clocks.
+    // The tessellation comes first, because it may record passes on slower clocks.
     let tessellation = tessellate(plan, scene)?;
     let by_triangles = by_facing | cutter::bits(input);
     let crossings = raycast::record(plan, scene, capacity, store, by_triangles);

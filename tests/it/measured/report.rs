@@ -326,17 +326,17 @@ fn folders_that_cannot_be_reported_are_refused_by_name() {
         (
             &format!("run/{NAME}/experiment.json"),
             |_| Some("{".to_owned()),
-            "no whole record",
+            "incomplete or invalid",
         ),
         (
             &record,
             |t| Some(t[..t.len() / 2].to_owned()),
-            "no whole record",
+            "incomplete or invalid",
         ),
         (
             &record,
             |t| Some(t.replacen("\"format\":2", "\"format\":99", 1)),
-            "form 99",
+            "format 99",
         ),
         (
             &record,

@@ -118,7 +118,7 @@ fn broken_meshes_are_told_apart() {
     assert_eq!(
         broken,
         [
-            "| crank | winding | 1 | 1 | 1.00 % (up to 1.00 %) | 2 (up to 2) | 0 % (up to 0 %) | ×90.0 | least wrong, by compare alone |",
+            "| crank | winding | 1 | 1 | 1.00 % (up to 1.00 %) | 2 (up to 2) | 0 % (up to 0 %) | ×90.0 | least wrong, only in compare |",
             "| crank | raycast+mask | 1 | 1 | 2.00 % (up to 2.00 %) | 0 (up to 0) | 3.00 % (up to 3.00 %) | ×4.00 | use |",
             "| crank | planar | 1 | 1 | 0.50 % (up to 0.50 %) | 0 (up to 0) | 95 % (up to 95 %) | ×2.00 | too much is lost |",
         ]
@@ -129,7 +129,7 @@ fn broken_meshes_are_told_apart() {
     let row = rows(&input, "what was scanned")[0].to_owned();
     assert!(
         row.contains(
-            "| raycast+mask: 2.00 % wrong, 0 % unmarked, 3.00 % marked | ×4.00 | winding: 1.00 % wrong; draws no picture, ask by \
+            "| raycast+mask: 2.00 % wrong, 0 % unmarked, 3.00 % marked | ×4.00 | winding: 1.00 % wrong; draws no picture; run \
              `cutaway compare --strategies winding` |"
         ),
         "{row}"

@@ -134,7 +134,7 @@ fn cutaways_and_styles_have_their_cost_over_the_plain_picture() {
     assert!(
         PAGES
             .markdown
-            .contains("Over `cutaway = none` in the same picture: `cutout` ×")
+            .contains("Relative to `cutaway = none` in the same picture: `cutout` ×")
     );
 }
 

@@ -254,7 +254,7 @@ fn hostile_stl() {
     let whole = stl();
     must_be_refused(
         &folder.write("cut.stl", &whole[..whole.len() - 1]),
-        "states 4 triangles, the file holds 3",
+        "states 4 triangles, but the file has 3",
     );
     must_be_refused(&folder.write("header.stl", &whole[..50]), "header of 84");
     let mut huge = whole.clone();

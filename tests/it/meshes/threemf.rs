@@ -159,8 +159,8 @@ fn colours_are_of_materials_groups_and_corners() {
     assert_eq!(plain("pid=\"12\" pindex=\"0\"").0, Vec3::Z);
     assert_eq!(plain("pid=\"14\" pindex=\"0\"").0, Vec3::Z);
     for (pid, words) in [
-        ("13", "a texture that is not there"),
-        ("99", "that is not there"),
+        ("13", "a texture that is missing"),
+        ("99", "that is missing"),
     ] {
         let (_, loaded) = plain(&format!("pid=\"{pid}\" pindex=\"0\""));
         assert!(has_note(&loaded, words), "{:?}", loaded.notes);
@@ -236,7 +236,7 @@ fn images_are_shown_where_all_corners_have_a_place_in_one() {
         .iter()
         .filter(|n| n.to_string().contains("broken.png"));
     assert_eq!(of_broken.count(), 1, "{:?}", loaded.notes);
-    let not_there = "2 triangles have a texture that is not there or cannot be read";
+    let not_there = "2 triangles have a texture that is missing or cannot be read";
     assert!(has_note(&loaded, not_there), "{:?}", loaded.notes);
 
     // Of a colour and an image the image is shown, where it could be read.
@@ -314,7 +314,7 @@ fn units_and_what_is_passed_over_are_said() {
         &text.replace("<resources>", "<resources><u:thing><u:a/></u:thing>"),
     );
     assert!(
-        has_note(&unknown, "passed over <u:thing>"),
+        has_note(&unknown, "ignored <u:thing>"),
         "{:?}",
         unknown.notes
     );

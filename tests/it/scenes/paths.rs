@@ -239,7 +239,7 @@ fn every_choice_of_a_file_and_every_number_reaches_its_reader() {
             let lacks = [
                 "it has no",
                 "there is no such key",
-                "does not say where",
+                "no source of heights",
                 "no layers",
             ];
             let is_lack = is_kind && lacks.iter().any(|l| message.contains(l));

@@ -1,4 +1,4 @@
-//! `compare`: strategies against exact and against each other.
+//! `compare`: measures strategies against the exact reference and against one another.
 
 use std::path::{Path, PathBuf};
 
@@ -34,9 +34,9 @@ Examples:
   cutaway compare walk.glb --time 0.5 --section x=50%                         # the mesh as it stands then
   cutaway compare scene.toml --strategies raycast+mask --max-decided-wrong 0   # exit 1 if it is not exact
 
-Columns: `decided wrong` counts wrong pixels where the exact reference is sure; an exact strategy has none. `x draw only`
-is the frame time over that of the same scene drawn with nothing cut, by hardware, in the same rounds; `x uncut` is over that of the same
-rasteriser, and `cut alone` is what is left if that is taken away, in ms and in ns for each pixel that shows something.";
+Columns: `decided wrong` counts wrong pixels where the exact reference is sure; an exact strategy has none. `x draw only` is the
+frame time divided by the time of the same scene drawn uncut by hardware, in the same rounds. `x uncut` divides by the uncut time
+of the same rasteriser, and `cut alone` is the difference from that time, in ms and in ns per pixel that shows something.";
 
 /// Options of `compare`.
 #[derive(Args)]
@@ -252,7 +252,7 @@ fn add_pictures(
     Ok(())
 }
 
-/// The class colours from left to right, in the order of [`legend_text`]. There are no labels, because this crate does not
+/// The class colours from left to right, in the order of [`legend_text`], without labels, because this crate does not
 /// draw text.
 fn legend_picture() -> RgbaImage {
     const SWATCH: u32 = 48;

@@ -1,6 +1,6 @@
 //! `completions` and `man`: shell scripts and manual pages, generated from the definitions of the arguments.
 //!
-//! Takes milliseconds. The scripts complete options, commands and enumerated values, but no names of parts or methods in a file.
+//! Takes milliseconds. The scripts complete options, commands and enumerated values, but not the names of parts or methods in a file.
 
 use std::fs;
 use std::path::PathBuf;

@@ -1,7 +1,7 @@
-//! `demo`: the main task on built-in data. No download, nothing to prepare.
+//! `demo`: cuts and measures a built-in model, without downloads or preparation.
 //!
-//! It writes an experiment into the folder, measures and reports it, as `measure` and `report` do with other experiments. Only the pictures
-//! are drawn again with more samples: a record's pictures have one sample per pixel.
+//! The command writes an experiment into the folder, then measures and reports it as `measure` and `report` do. A record's pictures have
+//! one sample per pixel, so pictures are drawn again with more samples.
 
 use std::path::{Path, PathBuf};
 
@@ -26,8 +26,8 @@ Examples:
   cutaway demo
   cutaway demo --out /tmp/cutaway --resolution 1920,1080
 
-Open report.html in the folder: it says which method to use for this cut, shows what each draws and, by one switch, where that is wrong,
-and lays any two under a slider.";
+Open report.html in the folder: it says which method to use for this cut, shows each method's picture and, with one switch, where the
+picture is wrong, and compares any two pictures with a slider.";
 
 /// The experiment: a corner cut out of the crank along two ragged reliefs.
 const EXPERIMENT: &str = include_str!("demo.toml");
@@ -145,7 +145,7 @@ fn smooth(record: &Record, args: &DemoArgs) -> Result<()> {
     Ok(())
 }
 
-/// The table, and the locations of all results.
+/// Prints the table and the locations of all results.
 fn say(folder: &Path, record: &Record) -> Result<()> {
     let text = format!(
         "\n{}\npictures, heat maps and the report are in {}\n  open {}\nanother view of the same scene:\n  cutaway render {} --camera-azimuth-angle=60 -o crank.png\n",

@@ -2,9 +2,9 @@
 //!
 //! The self-test has a budget of [`SELF_TEST_S`] seconds. It draws small pictures of the [hard cases](cutaway_lab::hard_cases), then
 //! of random scenes, with each exact strategy on each rasteriser, and prints how many it completed. A wrong result is a fault of the
-//! adapter's driver or of this program; report either one with the complete output.
+//! adapter's driver or of this program; please report it with the complete output.
 //!
-//! Cannot: prove correctness. A table without a fault means that none was found in N pictures of 64 px.
+//! Limit: the self-test cannot prove correctness. A table without faults means that none was found in N pictures of 64 px.
 
 use clap::Args;
 use cutaway::gpu::Gpu;
@@ -27,15 +27,15 @@ Examples:
   cutaway doctor
   cutaway doctor --adapter llvmpipe --json doctor.json
 
-It is the first thing that a report of a fault needs. Exit code 1: something that is claimed of a strategy does not hold on this adapter.";
+Include the output in every bug report. Exit code 1: a claim about a strategy does not hold on this adapter.";
 
-/// Time budget of the self-test in seconds; the picture in progress is completed.
+/// Time budget of the self-test in seconds; when it is used up, the picture in progress is still completed.
 const SELF_TEST_S: f64 = 20.0;
 /// Part of the budget for hard cases, in seconds.
 const CASES_S: f64 = 12.0;
 /// Side lengths of the hard cases' pictures.
 const SIDE_PX: u32 = 64;
-/// Maximum number of faults per strategy in random scenes: more add no information.
+/// Maximum number of faults per strategy in random scenes: further faults add no information.
 const MOST_FAULTS: usize = 5;
 /// Seed of the random scenes, fixed so that two reports are comparable.
 const SEED: u64 = 34;
@@ -72,7 +72,7 @@ struct Examined {
     cases: usize,
     /// Number of random scenes drawn.
     scenes: usize,
-    /// Deviations from the claims; at most one for each case.
+    /// Deviations from the claims; at most one per hard case.
     faults: Vec<String>,
 }
 
@@ -86,7 +86,7 @@ pub(crate) fn run(args: &DoctorArgs) -> Result<Verdict> {
     let can = [
         ("timestamps", gpu.has_timestamps()),
         ("64-bit atomics", gpu.limits().wide_atomics),
-        ("32-bit depth with a stencil", gpu.limits().depth32_stencil8),
+        ("32-bit depth-stencil format", gpu.limits().depth32_stencil8),
         ("f32 heights through a sampler", gpu.limits().filters_f32),
     ];
     let is_text = json != Some(Output::Stdout);

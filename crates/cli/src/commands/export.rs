@@ -1,9 +1,9 @@
 //! `export`: the kept and removed halves of a cut model as mesh files with caps. Needs no adapter.
 //!
-//! Parts are cut in f64, in world space, in their poses; only the file format rounds coordinates. The file of the removed half
-//! has the same name with `.removed` before the extension; the material library of an OBJ file has `.mtl` after the stem, and an
-//! image of an OBJ or PLY file `.0.png`.
-//! All files are written next to their destinations before the first is renamed ([`Results`]), and none if one destination is a folder.
+//! Parts are cut in f64, in world space, in their poses; only the file format rounds coordinates. The removed half's file has
+//! the same name with `.removed` before the extension; an OBJ file's material library ends in `.mtl` instead of `.obj`, and an
+//! image of an OBJ or PLY file ends in `.0.png`.
+//! All files are written next to their destinations before the first is renamed ([`Results`]); if a destination is a folder, no file is.
 
 mod summary;
 
@@ -45,11 +45,11 @@ Examples:
   cutaway export bracket.stl --section x=50% --relief fractal:amplitude=5% -o ragged.stl
   cutaway export walk.glb --clip run --time 0.5 --section y=30% -o step.ply
 
-What is written is closed where the model is, and all faces of it agree which side is out where those of the model do. Each part is a
-solid of its own. Caps are a group of their own: a group in OBJ, a primitive in GLB, triangles of a material in 3MF, a property in PLY;
-STL has no groups. OBJ, PLY and 3MF hold every bit of a coordinate, STL and GLB the 24 of f32. Planes cut exactly, and open meshes too; reliefs
-and cutters cut closed meshes, by Boolean operations. Exit code 1 where a cap is missing, because the mesh is open there; 130 where Ctrl-C or
-SIGTERM has ended it, without a file.";
+The output is closed if the model is, and consistently oriented if the model is. Each part is a separate solid. Caps are a group in
+OBJ, a primitive in GLB, triangles with their own material in 3MF, and a property in PLY; STL has no groups. OBJ, PLY and 3MF store every
+bit of a coordinate, STL and GLB the 24 bits of f32. Planes cut exactly, even open meshes; reliefs and cutters cut only closed meshes,
+by Boolean operations. Exit code 1 if a cap is missing because the mesh is open there; 130, without a file, if Ctrl-C or SIGTERM ended
+the command.";
 
 /// Options of `export`.
 #[derive(Args)]
@@ -109,7 +109,7 @@ pub(crate) struct ExportArgs {
 /// Runs `export`.
 pub(crate) fn run(args: &ExportArgs) -> Result<Verdict> {
     let outputs = ExportOutputs::checked(args)?;
-    // Before any file begins, which Ctrl-C would otherwise leave half written.
+    // Listen before any file is begun: otherwise Ctrl-C would leave it half written.
     let interrupt = Interrupt::listen("export", "step")?;
     let console = Console::new(args.console, 3);
     console.step("opening");
@@ -156,7 +156,7 @@ pub(crate) fn run(args: &ExportArgs) -> Result<Verdict> {
         (Some(unit), _) | (None, Some(unit)) => unit,
         (None, None) => {
             if outputs.kept.format == MeshFormat::ThreeMf {
-                console.note("nothing says how long a unit of the model is: it is written as a millimetre, unless --unit sets another one");
+                console.note("nothing says how long a unit of the model is: it is taken as a millimetre; --unit sets another length unit");
             }
             LengthUnit::Mm
         }
@@ -190,12 +190,12 @@ pub(crate) fn run(args: &ExportArgs) -> Result<Verdict> {
 struct MeshFile {
     path: PathBuf,
     format: MeshFormat,
-    /// The half in the file, in a word.
+    /// Which half is in the file, as a word for messages.
     what: &'static str,
 }
 
 impl MeshFile {
-    /// Paths of the file and of its possible companions, for solids with `images` images.
+    /// Paths of the file and of the files that may be written with it, for solids with `images` images.
     fn all(&self, images: usize) -> impl Iterator<Item = PathBuf> {
         let stem = self.path.file_stem().unwrap_or_default();
         let beside = self.format.beside(&stem.to_string_lossy(), images);

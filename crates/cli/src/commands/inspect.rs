@@ -34,9 +34,9 @@ Examples:
   cutaway inspect scan.ply --close-holes                              # which holes can be closed, and what is then left open
   cutaway inspect engine.glb --json - | jq '.parts[] | select(.closed | not) | .name'
 
-Components share no vertex. A body could be taken away without tearing the surface, and has its cavities: --split makes each a part.
-A part that is not closed has no inside everywhere: caps can be wrong along rays through its holes. Coincident
-faces lie on the same three positions as another face, turned either way; in total also those of different parts. Depth
+Components share no vertex. A body is a connected solid together with its cavities: --split makes each body a part.
+In a part that is not closed, the inside is not defined everywhere: caps can be wrong along rays through holes. Coincident
+faces have the same three positions as another face, in either orientation; the total also counts faces of different parts. Depth
 complexity is how often axis-parallel rays cross the surface.";
 
 /// Options of `inspect`.
@@ -53,7 +53,7 @@ pub(crate) struct InspectArgs {
     when: TimeArgs,
     #[command(flatten)]
     split: SplitArgs,
-    /// Show the role of each part in cutouts and breakaways, and where it is set; unset roles are found from the parts that are visible
+    /// Show the role of each part in cutouts and breakaways, and where it is set; unset roles are detected by which parts are visible
     /// from outside
     #[arg(long)]
     roles: bool,
@@ -226,7 +226,7 @@ fn to_text(facts: &[MeshSummary<'_>], total: &MeshSummary<'_>) -> String {
     text
 }
 
-/// Hint for parts with several bodies: the option that splits them.
+/// Hint at the option that splits parts with several bodies.
 fn bodies_hint(facts: &[MeshSummary<'_>]) -> Option<String> {
     let several = facts.iter().filter(|f| f.bodies > 1).collect::<Vec<_>>();
     let who = match several.as_slice() {

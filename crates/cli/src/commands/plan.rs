@@ -1,4 +1,4 @@
-//! `plan`: the passes of a frame and why each is there. Needs no adapter.
+//! `plan`: lists a frame's passes and the reason for each. Needs no adapter.
 
 use clap::Args;
 use cutaway::gpu::{Gpu, GpuOptions};
@@ -24,8 +24,8 @@ Examples:
   cutaway plan shape:crank --section z=50% --relief waves --strategy grid:256+vds:1024
   cutaway plan scene.toml --json - | jq '.passes[].name'
 
-A plan is the minimum for its scene: without --section there is no pass for caps. It is the plan of the first frame;
-buffers whose need only a frame can tell grow after it.";
+A plan contains only what its scene needs: without --section there is no pass for caps. The plan shows the first frame; a buffer
+whose required size is known only after a frame may grow later.";
 
 /// Options of `plan`.
 #[derive(Args)]
@@ -85,7 +85,7 @@ pub(crate) fn run(args: &PlanArgs) -> Result<Verdict> {
     subject.save_beside(paths_of(&[("--json", json.as_ref())]), &args.scene.edits)?;
     let SceneAtTime { model, .. } = SceneAtTime::new(&subject.scene);
     let view = subject.view(&model.prepared);
-    // A plan needs no device, but the automatic choice of the renderer may depend on one.
+    // A plan needs no device, but the automatic choice of the renderer may depend on the device.
     let gpu = match renderer_request {
         RendererRequest::Auto(_) => Gpu::open(&GpuOptions::default()).ok(),
         RendererRequest::Named(_) => None,

@@ -1,7 +1,7 @@
-//! `man --markdown`: the book's reference, from the definitions that arguments and scene files are parsed with.
+//! `man --markdown`: the book's reference, generated from the definitions by which arguments and scene files are parsed.
 //!
-//! One page for the commands, from the definitions of `clap`, and one for scene files, from [`paths`]. Written here because existing
-//! generators (`clap-markdown` 0.1) lose the headings of options.
+//! One page describes the commands, from the definitions of `clap`, and one describes scene files, from [`paths`]. This generator exists
+//! because existing ones (`clap-markdown` 0.1) lose the headings of options.
 //!
 //! Takes milliseconds.
 
@@ -170,7 +170,7 @@ fn cell(text: &str) -> String {
     escaped(text).replace('|', "\\|")
 }
 
-/// Sections of the scene-file page: the first word of their paths, and a description. The first section holds all other paths.
+/// Sections of the scene-file page, each with the first word of its paths and a description. The first section has all other paths.
 const SECTIONS: &[(&str, &str)] = &[
     ("", "Values at the top of the file."),
     (

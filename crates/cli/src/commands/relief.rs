@@ -1,4 +1,4 @@
-//! `relief`: a relief as images: its heights, its normals, and its ambient occlusion (the visible share of the sky).
+//! `relief`: writes a relief's heights, normals and ambient occlusion (the visible share of the sky) as images.
 
 use std::io::Cursor;
 use std::path::{Path, PathBuf};
@@ -25,9 +25,9 @@ Examples:
   cutaway relief fractal:amplitude=5%,seed=7 --maps maps/        # maps/offset.png, normal.png and occlusion.png
   cutaway relief rock.png:amplitude=3%,period=50% --maps maps/
 
-offset.png has 16 bits of grey from the lowest to the highest place. normal.png has x, y and z of unit normals along U, V and the normal of the
-plane, -1 to 1 as 0 to 255. occlusion.png is white where all of the sky is seen. They hang on how high the relief is over how long: on
-`amplitude` and `period`, of which percentages are of a cube's diagonal.";
+offset.png is 16-bit grey, from the lowest to the highest point. normal.png stores unit normals, with x, y and z along U, V and the plane's
+normal, and -1 to 1 as 0 to 255. occlusion.png is white where the whole sky is visible. Normals and occlusion depend on the ratio of
+`amplitude` to `period`; percentages of either refer to a cube's diagonal.";
 
 /// File names of the height, normal and occlusion images.
 const MAPS: [&str; 3] = ["offset.png", "normal.png", "occlusion.png"];
@@ -69,7 +69,7 @@ pub(crate) fn run(args: &ReliefCommandArgs) -> Result<Verdict> {
         inputs.keep_from(MAPS.map(|name| ("--maps", folder.join(name))))?;
     }
     let scale = MapScale::of(&surface);
-    // Enlarged, because a small map's slopes lie between its texels.
+    // A small map is enlarged: its slopes lie between its texels.
     let texels = map.size();
     let map = &map.at_least(FEWEST_TEXELS);
     console.step("normals");

@@ -109,7 +109,7 @@ pub(crate) fn run(args: &RenderArgs) -> Result<Verdict> {
     let facts = PlainFrame::of(&mut session, &shown, &view, renderer, &outputs)?;
     let mut verdict = Verdict::Done;
     if let Some(layers) = &facts.layers {
-        // Pixels dropped by a full buffer are reported below, and need not be a fault of the mesh.
+        // Pixels dropped by a full buffer are reported below; they do not mean that the mesh is defective.
         if facts.outcome == Outcome::Complete {
             verdict = warn_of_doubt(&facts.may_be_wrong, renderer, &subject.scene, &console);
         }
@@ -121,7 +121,7 @@ pub(crate) fn run(args: &RenderArgs) -> Result<Verdict> {
     console.step("picture");
     let has_shadow = shown.model.prepared.style.shadow.is_drawn();
     let drawn = match renderer {
-        // The checked frame is the picture.
+        // Without supersampling, the picture is the frame that was checked.
         Renderer::Method(method) if subject.supersample() == 1 && !has_shadow => {
             picture::plain(&session.picture(method)?, view.size_px)
         }
@@ -225,7 +225,7 @@ struct PlainFrame {
     outcome: Outcome,
     /// `None` unless the requested data needs a second, exact evaluation.
     layers: Option<Layers>,
-    /// Per pixel: true if its layers may be wrong.
+    /// For each pixel, true if its layers may be wrong.
     may_be_wrong: Vec<bool>,
     times: Value,
     bytes: PerClock<u64>,
@@ -317,11 +317,11 @@ fn parse_threshold(text: &str) -> Result<f64, String> {
     })
 }
 
-/// Text of the time taken to prepare a device.
+/// The times taken to prepare a device, as text.
 fn in_words(took: &Preparation) -> String {
     let ms = |time: Duration| format!("{:.0} ms", time.as_secs_f64() * 1e3);
     format!(
-        "made ready: shaders composed in {}, {} pipelines compiled in {}, {:.1} MiB of buffers uploaded in {}",
+        "device prepared: shaders composed in {}, {} pipelines compiled in {}, {:.1} MiB of buffers uploaded in {}",
         ms(took.composing),
         took.pipelines,
         ms(took.compiling),

@@ -28,7 +28,7 @@ strategy) and report.json (all records). With --method it writes method-NAME.htm
 /// Options of `report`.
 #[derive(Args)]
 pub(crate) struct ReportArgs {
-    /// Folders of runs, as `cutaway measure --out DIR` writes them, or folders with outside baselines only
+    /// Folders of runs, as `cutaway measure --out DIR` writes them, or folders that contain only outside baselines
     #[arg(required = true, value_name = "DIR")]
     pub(crate) folders: Vec<PathBuf>,
     /// Folder for the report [default: the first folder]
@@ -53,7 +53,7 @@ const MOST_NAMED: usize = 10;
 /// The files of a report.
 const NAMES: [&str; 4] = ["report.html", "report.md", "report.csv", "report.json"];
 
-/// The files in the subfolders of a run's folder: records and their pictures. An earlier report may lie beside `run.json`.
+/// The files in the subfolders of a run's folder: records and their pictures. An earlier report may be in the folder itself.
 fn files_below(folder: &Path) -> Vec<PathBuf> {
     let of = |folder: &Path| {
         let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();

@@ -15,8 +15,8 @@ Examples:
   cutaway render scene.toml --set camera.azimuth_deg=20 --set part.crank.material.color=#f80 -o other.png
   cutaway render bracket.stl --section x=50% --save bracket.toml -o cut.png     # the options as a file
 
-A * stands for the name of an entry, or its number from 0. Values of a `[[key]]`'s target move where `moves` says so; percentages are
-of the bounds or of their diagonal.";
+A * stands for the name of an entry, or its number from 0. A value marked `moves` can be the target of a `[[key]]`; percentages
+refer to the bounds or to their diagonal.";
 
 /// Options of `scene`.
 #[derive(Args)]
@@ -82,7 +82,7 @@ pub(crate) fn long_help() -> String {
     format!("{}\n{EXAMPLES}", listed(paths::all().iter()))
 }
 
-/// Two lines per path: what it takes, and its meaning.
+/// Two lines per path: the values that it takes, and its meaning.
 fn listed<'a>(paths: impl Iterator<Item = &'a Path>) -> String {
     let mut text = String::new();
     for p in paths {

@@ -1,7 +1,7 @@
 //! `section`: plane sections of a model, as a drawing (SVG, DXF), as data, or as a table of areas. Needs no adapter.
 //!
 //! Every part is sliced by every plane of the cuts that apply to it: in f64, in world space, in its pose, without rounding to the
-//! precision of a GPU. A section is the cap: the part of the plane left by the rest of its cut and by the other cuts ([`planes`]).
+//! precision of a GPU. A section is the plane's cap: what the plane's cut and the other cuts leave of the slice ([`planes`]).
 
 use std::cmp::Reverse;
 use std::path::PathBuf;
@@ -45,10 +45,9 @@ Examples:
   cutaway section engine.glb --section x=50% --exclude 'bolt*' --json - | jq '.sections[0].area'
   cutaway section walk.glb --clip run --time 0.5 --section y=30% -o step.json
 
-A section is the cap: what the other planes of its cut and the other cuts leave of a plane. A drawing shows it as it is seen from
-the side that is removed, as `cutaway render` does. Areas and lengths are in
-units of the model. Exit code 1 where an outline does not close, because the mesh is open there: the area is then that of what
-closes.";
+A section is the plane's cap, trimmed by the other planes of its cut and by the other cuts. A drawing shows the section as seen from
+the removed side, as `cutaway render` does. Areas and lengths are in units of the model. Exit code 1 if an outline does not close
+because the mesh is open there: the area then counts only outlines that close.";
 
 /// Options of `section`.
 #[derive(Args)]
@@ -181,7 +180,7 @@ fn has_extension(output: &Output, wanted: &str) -> bool {
 
 fn sliced(scene: &Scene, planes: &[CutPlane], is_whole: bool) -> SectionReport {
     let mut parts: Vec<(usize, &Part)> = scene.parts.iter().enumerate().collect();
-    // The part that is shown where solids share a point is drawn last, over the others: of equals the first.
+    // Where solids share a point, the part that is shown is drawn last, over the others; of equal parts, the first is shown.
     parts.sort_by_cached_key(|(index, p)| {
         Reverse(who_wins(p, p.placed_volume(p.mesh.volume()), *index))
     });
@@ -291,7 +290,7 @@ fn to_text(report: &SectionReport) -> String {
     table.to_text()
 }
 
-/// Warns of outlines that do not close, and of other doubts.
+/// Warns of outlines that do not close, and of other results that may be wrong.
 fn verdict(report: &SectionReport, console: &Console) -> Verdict {
     let mut verdict = Verdict::Done;
     for plane in &report.sections {

@@ -1,8 +1,8 @@
 //! `view`: a window for dragging cuts and comparing strategies.
 //!
-//! The window is a separate program, `cutaway-viewer`, so that this one builds without a GUI toolkit. It is this command with a [`Window`]:
-//! it takes the same arguments, builds the same document and refuses the same errors. Without a window the command looks for that
-//! program in its own folder and passes its arguments on.
+//! The window is a separate program, `cutaway-viewer`, so that this crate builds without a GUI toolkit. `cutaway-viewer` runs this command
+//! with a [`Window`]: the arguments, the document and the errors are the same. Without a window, the command looks for
+//! `cutaway-viewer` in its own folder and passes its arguments on.
 
 use std::env;
 use std::path::PathBuf;
@@ -66,7 +66,7 @@ pub struct Opened {
 /// Opens a window and stays until it is closed.
 pub type Window = fn(Opened) -> Result<()>;
 
-/// Runs `view`, in a window if there is one.
+/// Runs `view`: opens the window, or starts the program that has one.
 pub(crate) fn run(args: &ViewArgs, window: Option<Window>) -> ExitCode {
     if let Err(refused) = must_be_files(&args.scene.inputs) {
         return exit_code(Err(refused));
@@ -77,11 +77,11 @@ pub(crate) fn run(args: &ViewArgs, window: Option<Window>) -> ExitCode {
     }
 }
 
-/// Refuses a model from standard input: a window reloads files, and saves scenes that name them.
+/// Rejects a model from standard input: a window reloads its files, and saves scenes that refer to them.
 fn must_be_files(inputs: &[String]) -> Result<()> {
     if inputs.iter().any(|input| input == stdin::WORD) {
-        let what = "a window reads its files again, and standard input is read once";
-        let help = "save the model to a file first, and give that";
+        let what = "a window may read its files again, but standard input can be read only once";
+        let help = "save the model to a file first, and give the file's name";
         return Err(Error::input(stdin::WORD, what, help));
     }
     Ok(())

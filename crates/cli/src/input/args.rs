@@ -38,11 +38,11 @@ pub(crate) struct SceneArgs {
     pub(crate) defects: DefectArgs,
     #[command(flatten)]
     holes: HoleArgs,
-    /// Fill rule for each mesh's interior: even-odd, points that a ray reaches after an odd number of crossings, or nonzero, points with a
-    /// nonzero winding number, which unites overlapping shells [default: the scene's rule, or even-odd]
+    /// Fill rule for each mesh's interior: even-odd (points that a ray reaches after an odd number of crossings) or nonzero (points with
+    /// a nonzero winding number, which unites overlapping shells) [default: the scene's rule, or even-odd]
     #[arg(long, value_name = "RULE", value_parser = parse_fill)]
     fill: Option<Fill>,
-    /// Hatch caps where several solids overlap; without a colour in #ff00aa [default: the scene's setting, or off]
+    /// Hatch caps where several solids overlap; if no colour is given, #ff00aa is used [default: the scene's setting, or off]
     #[arg(
         long,
         value_name = "COLOUR",
@@ -61,7 +61,7 @@ pub(crate) struct SceneArgs {
 }
 
 impl SceneArgs {
-    /// The document of these options; numbered meshes play at the output's frame rate, if it has one.
+    /// The document of these options. Numbered meshes play at the output's frame rate, if the output has one.
     pub(crate) fn document(&self, played_fps: Option<f64>) -> Result<Document> {
         let mut document = document(&self.inputs, self.stdin, played_fps)?;
         self.split.amend(&mut document)?;
@@ -79,7 +79,7 @@ impl SceneArgs {
         Ok(document)
     }
 
-    /// Opens the document of these options as amended by other options, and warns of doubts.
+    /// Opens the document of these options as amended by other options, and notes probable mistakes.
     pub(crate) fn open(
         &self,
         document: Document,
@@ -152,7 +152,7 @@ impl AdapterArgs {
     }
 }
 
-/// Options for the means of drawing frames.
+/// Options that select how frames are drawn.
 #[derive(Args)]
 pub(crate) struct DrawOptionArgs {
     /// Rasteriser of the mesh: hardware, or compute (mask, abuffer and kbuffer, and raycast with ldi) [default: the scene's, or

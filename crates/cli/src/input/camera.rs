@@ -42,7 +42,7 @@ pub(crate) struct CameraArgs {
         help_heading = "Camera"
     )]
     view_up: Option<Value>,
-    /// View direction: cut looks straight at the first section, iso along all three axes alike
+    /// View direction: cut looks straight at the first section, iso at equal angles to all three axes
     #[arg(
         long,
         value_name = "NAME",
@@ -51,7 +51,7 @@ pub(crate) struct CameraArgs {
         help_heading = "Camera"
     )]
     view: Option<Value>,
-    /// Azimuth around the up axis, in degrees [default: the scene's, or 35, mirrored if only so the cut is visible]
+    /// Azimuth around the up axis, in degrees [default: the scene's, or 35, mirrored if the cut would otherwise be hidden]
     #[arg(
         long = "camera-azimuth-angle",
         value_name = "DEG",
@@ -60,7 +60,7 @@ pub(crate) struct CameraArgs {
         help_heading = "Camera"
     )]
     azimuth_deg: Option<Value>,
-    /// Elevation above the horizon, in degrees [default: the scene's, or 25, from below if only so the cut is visible]
+    /// Elevation above the horizon, in degrees [default: the scene's, or 25, from below if the cut would otherwise be hidden]
     #[arg(
         long = "camera-elevation-angle",
         value_name = "DEG",
@@ -99,7 +99,7 @@ pub(crate) struct CameraArgs {
         help_heading = "Camera"
     )]
     pan: Option<Value>,
-    /// Up axis of the model [default: the scene's, or +Y; +Z in pictures of .3mf models only; for .stl and .ply a reported guess]
+    /// Up axis of the model [default: the scene's, or +Y; in pictures, +Z if all models are .3mf; .stl, .ply: guessed and reported]
     #[arg(
         long,
         value_name = "AXIS",

@@ -1,4 +1,4 @@
-//! Options that set one value of the scene: parsed and checked by the value's declaration.
+//! Options that each set one value of the scene. The value's declaration defines how the option is parsed and checked.
 
 use clap::builder::{PossibleValuesParser, TypedValueParser as _, ValueParser};
 use cutaway::Error;

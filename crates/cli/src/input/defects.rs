@@ -1,4 +1,4 @@
-//! `--defect`: meshes broken on purpose, after all other processing and before any cut.
+//! `--defect`: breaks meshes on purpose, after all other processing and before any cut.
 
 use clap::Args;
 use cutaway::Result;
@@ -7,7 +7,7 @@ use cutaway_io::document::{Document, defect};
 /// Defects to put into the meshes.
 #[derive(Args, Clone)]
 pub(crate) struct DefectArgs {
-    /// Break the meshes of all parts, to test robustness: holes, flipped, duplicated or t-junctions (amount: share of the faces,
+    /// Break the meshes of all parts to test robustness: holes, flipped, duplicated or t-junctions (amount: share of the faces,
     /// default 5%), gaps or soup (a length, or percent of the diagonal of the mesh's box, default 1%), overlap (size of the copies that
     /// intersect it, default 20%), open (removed share of the box, default 20%). Further keys: seed, patch, charts, copies, axis. May be
     /// repeated

@@ -1,4 +1,4 @@
-//! `--set`, `--save`, `--force`: changes to the command line's document, and saving it.
+//! `--set`, `--save`, `--force`: change the document of the command line, and save it.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -18,11 +18,11 @@ pub(crate) struct EditArgs {
     /// the paths. Repeatable
     #[arg(long, value_name = "PATH=VALUE", value_parser = parse_setting, help_heading = HEADING)]
     set: Vec<String>,
-    /// Writes the scene that results from this command line, which draws the same picture. Other requests, such as
+    /// Writes the scene that results from this command line, which then draws the same picture. Other requests, such as
     /// the strategies of `compare` or a turntable, are not saved. An existing file with other content is kept, except with --force
     #[arg(long, value_name = "FILE.toml", help_heading = HEADING)]
     save: Option<String>,
-    /// Lets --save replace an existing file, even the input scene
+    /// Allow --save to replace an existing file, even the input scene
     #[arg(long, requires = "save", help_heading = HEADING)]
     force: bool,
 }
@@ -51,7 +51,7 @@ impl EditArgs {
         };
         stdin::must_not_be_kept(&format!("--save {save}"))?;
         let Output::File(path) = Output::checked("--save", save, &["toml"])? else {
-            let help = "give the name of a .toml file: what it names is found from there";
+            let help = "give the name of a .toml file: paths in it are relative to its folder";
             let what = "a scene is saved to a file";
             return Err(Error::input("--save -", what, help));
         };
@@ -60,7 +60,7 @@ impl EditArgs {
             let is_read = same_file::is_same_file(&place, document.path()).unwrap_or(false);
             let what = match is_read {
                 true => "it is the input scene, and would be overwritten",
-                false => "there is such a file, and it holds something else",
+                false => "the file already exists, and it holds something else",
             };
             let help = "save to another file, or add --force to replace it";
             return Err(Error::input(format!("--save {save}"), what, help));
@@ -79,7 +79,7 @@ fn holds(path: &Path, document: &Document) -> bool {
     fs::read_to_string(path).is_ok_and(|text| text == document.to_string())
 }
 
-/// Splits a setting into path and value. Names may contain `=`, as those of cuts do: the text is split at the first `=` after a valid path.
+/// Splits a setting into path and value. Names may contain `=`, as cut names do, so the text is split at the first `=` after a valid path.
 fn parted<'a>(text: &'a str, document: &Document) -> (&'a str, &'a str) {
     let divided = || {
         let places = text.match_indices('=').map(|(at, _)| at);
@@ -89,7 +89,7 @@ fn parted<'a>(text: &'a str, document: &Document) -> (&'a str, &'a str) {
     known.or_else(|| divided().next()).unwrap_or((text, ""))
 }
 
-/// Refuses a text that is not a setting.
+/// Rejects a text that is not a setting.
 fn parse_setting(text: &str) -> Result<String, String> {
     match text.split_once('=') {
         Some((path, _)) if !path.trim().is_empty() => Ok(text.to_owned()),

@@ -1,4 +1,4 @@
-//! Options of pictures: renderer, resolution and background.
+//! Options for pictures: renderer, resolution and background.
 
 use super::args::say;
 use super::declared::declared;
@@ -17,14 +17,14 @@ const USUAL_STYLE: &str = "technical";
 pub(crate) struct Defaults {
     /// Style of the picture.
     pub(crate) style: Style,
-    /// Extent that cameras are fitted to.
+    /// Extent to which cameras are fitted.
     pub(crate) fit: Fit,
     /// True if the up axis is guessed for meshes that do not state it.
     pub(crate) guesses_up: bool,
 }
 
 impl Defaults {
-    /// Defaults for pictures to look at; `Default` gives those for measurements.
+    /// Defaults for pictures that people look at; `Default` gives the defaults for measurements.
     pub(crate) fn of_pictures() -> Result<Self> {
         Ok(Self {
             style: named_style(USUAL_STYLE)?,
@@ -76,7 +76,7 @@ pub(crate) struct LookArgs {
         help_heading = "Output"
     )]
     ghost: Option<Value>,
-    /// Add a ground below the model, darkened by its shadow, with a strength from 0 to 1
+    /// Add a ground below the model that shows the model's shadow, with a strength from 0 to 1
     #[arg(
         long,
         value_name = "STRENGTH",
@@ -87,7 +87,7 @@ pub(crate) struct LookArgs {
         help_heading = "Output"
     )]
     shadow: Option<Value>,
-    /// Make the background transparent, as --background none
+    /// Make the background transparent; the same as --background none
     #[arg(long, help_heading = "Output", conflicts_with = "background")]
     pub(crate) no_background: bool,
 }
@@ -156,7 +156,7 @@ fn change_style(document: &mut Document) -> Result<()> {
     Ok(())
 }
 
-/// Removes changes to hues that a single colour replaces.
+/// Removes changes to a hue, because a single colour replaces it.
 fn forget_hue(document: &mut Document, path: &str) -> Result<()> {
     let table = path.trim_end_matches("color");
     ["lightness", "chroma", "warmth"]

@@ -1,4 +1,4 @@
-//! `--roles`: which parts are interior and which are never cut, and where that is set.
+//! `--roles`: sets which parts are interior and which are never cut; `inspect` also shows where each role was set.
 
 use cutaway::Result;
 use cutaway::scene::{Part, Role};
@@ -9,7 +9,7 @@ use serde_json::{Value as Json, json};
 /// One value of `--roles`.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum RoleWord {
-    /// Roles from visibility: parts not seen from outside are interior.
+    /// Roles by visibility: parts that are not visible from outside are interior.
     Auto,
     /// A key of `roles`, and a glob for its parts.
     Glob(&'static str, String),
@@ -30,7 +30,7 @@ pub(crate) fn parse(text: &str) -> Result<RoleWord, String> {
     }
 }
 
-/// Writes the roles into a document. If none sets interior parts, they are found if it `is_needed`.
+/// Writes the roles into a document. If no role sets interior parts and `is_needed` is true, interior parts are detected.
 pub(crate) fn amend(document: &mut Document, words: &[RoleWord], is_needed: bool) -> Result<()> {
     let root = document.root();
     let parts = root.get("part").map_or(&[] as &[_], Node::items);
@@ -42,7 +42,7 @@ pub(crate) fn amend(document: &mut Document, words: &[RoleWord], is_needed: bool
     if let (Some(Value::Text(text)), false) =
         (root.get("roles").map(|n| &n.value), words.is_empty())
     {
-        // Any other value is refused by the reader.
+        // Any other value is rejected when the document is read.
         if let Some(auto) = [("auto", true), ("none", false)]
             .iter()
             .find(|(word, _)| **text == **word)

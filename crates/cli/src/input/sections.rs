@@ -1,4 +1,4 @@
-//! `--section`, `--relief`, `--flip`, `--box`, `--wedge`, `--cut`, `--cutter`, `--exclude`: the cuts of the command line.
+//! `--section`, `--relief`, `--flip`, `--box`, `--wedge`, `--cut`, `--cutter`, `--exclude`: the command line's cuts.
 //!
 //! The order of the options counts: a relief or a flip belongs to the section before it, or to the first section if none
 //! precedes it, so with a single section any order works.
@@ -35,11 +35,11 @@ struct SectionOptions {
     /// Removes a box `MIN:MAX`, such as `0,0,0:1,1,1` or `50%,50%,50%:` (unbounded at an omitted corner). Repeatable
     #[arg(long = "box", value_name = "MIN:MAX", allow_hyphen_values = true, help_heading = HEADING)]
     boxes: Vec<String>,
-    /// Removes a wedge `AXIS:FROM:TO[@X,Y,Z]`, in degrees counter-clockwise about the axis, from the next axis (x for z,
-    /// y for x, z for y), such as `z:0:90` or `-y:-30:200@0,50%,0`. Repeatable
+    /// Removes a wedge `AXIS:FROM:TO[@X,Y,Z]`, in degrees counter-clockwise about the axis, counted from the next axis
+    /// (x for z, y for x, z for y), such as `z:0:90` or `-y:-30:200@0,50%,0`. Repeatable
     #[arg(long = "wedge", value_name = "SPEC", allow_hyphen_values = true, help_heading = HEADING)]
     wedges: Vec<String>,
-    /// Removes a wedge of N degrees (default 110) about the main axis, open to the camera; or `axis=z,angle_deg=90,turn_deg=20`
+    /// Removes a wedge of N degrees (default 110) about the main axis, facing the camera; or `axis=z,angle_deg=90,turn_deg=20`
     #[arg(
         long,
         value_name = "DEG|SPEC",
@@ -60,7 +60,7 @@ struct SectionOptions {
         help_heading = HEADING
     )]
     breakaway: Option<String>,
-    /// Sets parts that are never cut: `auto`, those not visible from outside; or `interior=GLOB`, `whole=GLOB` (hidden if entirely
+    /// Sets parts that are never cut: `auto`, parts not visible from outside; or `interior=GLOB`, `whole=GLOB` (hidden if entirely
     /// removed), `exterior=GLOB`. Repeatable
     #[arg(long, value_name = "ROLES", value_parser = roles::parse, help_heading = HEADING)]
     roles: Vec<RoleWord>,
@@ -70,7 +70,7 @@ struct SectionOptions {
     /// Removes the interior of a closed mesh, or of a `shape:NAME?param=value`, at its position. Repeatable
     #[arg(long, value_name = "MESH", help_heading = HEADING)]
     cutter: Vec<String>,
-    /// Parts not cut by the command line's sections and cutters; with the wildcards `*` and `?`. Repeatable
+    /// Exempts parts from the command line's sections and cutters, by name with the wildcards `*` and `?`. Repeatable
     #[arg(long, value_name = "PART-GLOB", help_heading = HEADING)]
     exclude: Vec<String>,
 }
@@ -112,8 +112,8 @@ impl Stray {
     fn relief_of_region(relief: &str) -> Self {
         Self {
             option: format!("--relief {relief}"),
-            what: "it applies to sections, and there is none",
-            help: "faces of boxes and wedges take theirs from a scene file, or by --set relief.ragged.kind=fractal --set \
+            what: "it applies to a section, and there is none",
+            help: "a box or wedge face gets a relief in a scene file, or by --set relief.ragged.kind=fractal --set \
                    cut.0.wedge.relief=ragged --set cut.0.wedge.amplitude=4%",
         }
     }
@@ -159,7 +159,7 @@ impl FromArgMatches for SectionArgs {
                 ..SectionOption::default()
             })
             .collect();
-        // The last section before a position on the command line, else the first one.
+        // The last section before a position on the command line; if there is none, the first section after it.
         let owner = |place: usize| {
             places_of_sections
                 .iter()
@@ -251,8 +251,8 @@ impl SectionArgs {
         cuts
     }
 
-    /// Refuses the command line's boxes and wedges that remove nothing; in a file they may be one moment of an animated
-    /// region, or be disabled.
+    /// Rejects boxes and wedges of the command line that remove nothing. A scene file may contain such a region: it may be animated,
+    /// or disabled.
     pub(crate) fn must_be_of_use(&self, document: &Document, scene: &Scene) -> Result<()> {
         let cuts = document.root().get("cut").map_or(&[] as &[_], Node::items);
         let own = cuts.iter().rev().take(self.drafts().len());

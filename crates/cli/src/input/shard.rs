@@ -1,6 +1,6 @@
 //! `--shard`: the share of the work for this process, given in numbers or by the scheduler that started it.
 //!
-//! Shards do not communicate or wait: all compute the same division from the same files, and write into one folder.
+//! Shards neither communicate nor wait: each computes the same division from the same files, and all write into one folder.
 
 use std::fmt;
 use std::str::FromStr;
@@ -14,7 +14,7 @@ pub(crate) struct Shard {
     pub(crate) count: u32,
 }
 
-/// Maximum number of shares: more are probably a typing error.
+/// Maximum number of shares; a larger number is probably a typing error.
 const MOST: u32 = 1_000_000;
 
 /// A scheduler's variables: number of the task, number of the first task, step between numbers, and the task count or the last number.
@@ -75,7 +75,7 @@ const SCHEDULERS: [Scheduler; 6] = [
         last: None,
         usual_first: 1,
     },
-    // Kubernetes and HyperQueue set the number of the task, but not the count.
+    // Kubernetes and HyperQueue set the number of the task, but not the number of tasks.
     Scheduler {
         name: "HyperQueue",
         task: "HQ_TASK_ID",
@@ -97,7 +97,7 @@ impl Shard {
         at(self.index)..at(self.index + 1)
     }
 
-    /// This share of items with given costs: by decreasing cost, each item goes to the least loaded shard (Graham 1969). In item order.
+    /// This shard's items, in order. By decreasing cost, each item is assigned to the shard with the least total cost (Graham 1969).
     pub(crate) fn of_costs(self, costs: &[f64]) -> Vec<usize> {
         let mut order: Vec<usize> = (0..costs.len()).collect();
         order.sort_by(|a, b| costs[*b].total_cmp(&costs[*a]));
@@ -119,7 +119,7 @@ impl Shard {
         own
     }
 
-    /// The task's share by the scheduler's variables. `count` is the number of tasks, if given on the command line.
+    /// The task's share, from the scheduler's variables. `count` is the number of tasks, if the command line gives it.
     fn auto(count: Option<u32>, variable: &dyn Fn(&str) -> Option<String>) -> Result<Self, String> {
         let number = |name: &str| {
             let text = variable(name)?;

@@ -1,8 +1,8 @@
 //! `-` as an input: a model from standard input, whose format is recognised from its content.
 //!
-//! It is read once and completely before anything else is opened. From then on it is a file in memory, `-/stdin.stl`, which only this
-//! process has. A process has one standard input, and so keeps one copy of its bytes: documents opened later
-//! read the same copy.
+//! Standard input is read completely, before anything else is opened. From then on the model is a file in memory, `-/stdin.stl`, visible
+//! only to this process. A process has one standard input, so it keeps one copy of the bytes, which documents opened later
+//! read again.
 
 use std::borrow::Cow;
 use std::io::{self, ErrorKind, IsTerminal, Read};
@@ -34,7 +34,7 @@ impl StdinArgs {
             (0, None) => return Ok(inputs.to_vec()),
             (0, Some(format)) => {
                 let what = "no model comes from standard input";
-                let help = "give `-` as the model; the format of a file is in its name";
+                let help = "give `-` as the model; a file's format is known from its name";
                 return Err(Error::input(format!("--input-format {format}"), what, help));
             }
             (1, _) => {}
@@ -45,7 +45,7 @@ impl StdinArgs {
         }
         let piped = Piped::read(self.input_format)?;
         let place = piped.place.to_string_lossy().into_owned();
-        // A second command in the same process keeps the first one's bytes.
+        // If a second command runs in the same process, it uses the bytes that the first command read.
         PIPED.get_or_init(|| Arc::new(piped));
         let named = |input: &String| match input.as_str() {
             WORD => place.clone(),
@@ -68,20 +68,19 @@ pub(crate) fn bytes() -> Option<&'static [u8]> {
     PIPED.get().map(|piped| piped.bytes.as_slice())
 }
 
-/// Returns true if an input is the file read from standard input.
+/// Returns true if an input is the file in memory that holds standard input.
 pub(crate) fn is_it(input: &str) -> bool {
     PIPED
         .get()
         .is_some_and(|piped| piped.place == Path::new(input))
 }
 
-/// Refuses to save a reference to standard input, which cannot be read again.
+/// Rejects a document that would refer to standard input, which cannot be read a second time.
 pub(crate) fn must_not_be_kept(culprit: &str) -> Result<()> {
     match PIPED.get() {
         Some(_) => {
-            let what =
-                "the model comes from standard input, where nothing is left to be read again";
-            let help = "save the model to a file first, and give that";
+            let what = "the model comes from standard input, which cannot be read a second time";
+            let help = "save the model to a file first, and give the file's name";
             Err(Error::input(culprit, what, help))
         }
         None => Ok(()),

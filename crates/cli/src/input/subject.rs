@@ -38,8 +38,8 @@ pub(crate) struct SceneInput {
 }
 
 impl SceneInput {
-    /// Opens a document amended by options, at a given time or at the document's own, with defaults for what it
-    /// omits.
+    /// Opens a document amended by options, at a given time or at the document's own time. `defaults` apply to settings that the
+    /// document omits.
     pub(crate) fn open(
         mut document: Document,
         at_s: Option<f64>,
@@ -87,8 +87,8 @@ impl SceneInput {
         Ok(subject)
     }
 
-    /// The scene as drawn in pictures. Hatches are laid out at time 0, so that a picture equals an animation's frame at its time, with
-    /// any division into shares.
+    /// The scene as drawn in pictures. Hatches are laid out at time 0, so that a picture equals the animation's frame at the same time,
+    /// however the frames are divided into shares.
     pub(crate) fn shown(&self) -> Result<SceneAtTime> {
         match self.timeline.moves() && self.scene.style.hatch.is_drawn() {
             true => Ok(SceneAtTime::new(&self.timeline.at(0.0)?).updated(&self.scene)),
@@ -96,19 +96,19 @@ impl SceneInput {
         }
     }
 
-    /// Refuses command-line cuts that remove nothing.
+    /// Rejects cuts of the command line that remove nothing.
     pub(crate) fn must_be_cut_by(&self, sections: &SectionArgs) -> Result<()> {
         sections.must_be_of_use(&self.document, &self.scene)
     }
 
-    /// Notes probable mistakes, and refuses a camera whose rays would not be finite.
+    /// Notes probable mistakes, and rejects a camera whose rays would not be finite.
     pub(crate) fn doubt(&self, console: &Console) -> Result<()> {
         doubts(&self.scene).iter().for_each(|d| console.print(d));
         check_view(&self.scene, self.size_px())
     }
 
-    /// Refuses outputs that would replace inputs, or each other; then saves the document, if requested. Each output is an option and
-    /// its file.
+    /// Rejects outputs that would replace an input or one another; then saves the document, if requested. Each output is given by its
+    /// option and its file.
     pub(crate) fn save_beside<'a>(
         &self,
         outputs: impl IntoIterator<Item = (&'a str, PathBuf)>,
@@ -152,12 +152,12 @@ impl SceneInput {
         asked.unwrap_or(USUAL_SUPERSAMPLE)
     }
 
-    /// The means by which frames are drawn.
+    /// The options by which frames are drawn.
     pub(crate) fn options(&self) -> Result<DrawOptions> {
         draw_options(self.timeline.settings())
     }
 
-    /// Requested renderer, with these means unless its name sets others.
+    /// Requested renderer, with the document's drawing options unless the renderer's name sets others.
     pub(crate) fn renderer_request(&self) -> Result<RendererRequest> {
         let name = self.timeline.settings().strategy.name.as_deref();
         RendererRequest::named(name, self.options()?)
@@ -169,7 +169,7 @@ impl SceneInput {
     }
 }
 
-/// Note on a probable up axis: `is_set` if the guess is applied to the document; a scene file keeps its own axis.
+/// Note on a probable up axis. `is_set` is true if the guess is applied to the document; a scene file keeps its own axis.
 fn said_of(likely: &GuessedUp, is_set: bool) -> Option<String> {
     let why = match likely.reason {
         UpReason::Specification if is_set => return None,
@@ -184,11 +184,11 @@ fn said_of(likely: &GuessedUp, is_set: bool) -> Option<String> {
         ));
     }
     (likely.up != Up::default()).then(|| format!(
-        "up is {other}, as the scene file does not set it; its meshes look like {own} ({why}): `up = \"{own}\"` under [camera], or --up {own}"
+        "up is {other}: the scene file does not set it; its meshes look like {own} ({why}): set `up = \"{own}\"` under [camera], or --up {own}"
     ))
 }
 
-/// The document of the positional arguments: one scene file, or models.
+/// The document given by the positional arguments: one scene file, or models.
 pub(crate) fn document(
     inputs: &[String],
     stdin: StdinArgs,
@@ -222,7 +222,7 @@ pub(crate) fn document(
     Ok(document)
 }
 
-/// Refuses a missing file; often the prefix of a built-in shape was forgotten.
+/// Rejects a missing file; often the prefix of a built-in shape was forgotten.
 pub(crate) fn check_model(input: &str) -> Result<()> {
     let path = Path::new(input);
     if input.starts_with("shape:") || stdin::is_it(input) || Pattern::is_in(input) || path.exists()
@@ -231,9 +231,9 @@ pub(crate) fn check_model(input: &str) -> Result<()> {
     }
     let help = match shape(input) {
         Ok(_) => format!("write shape:{input} for the built-in shape"),
-        // As in `--cutout 90`.
+        // For example after `--cutout 90`.
         Err(_) if input.parse::<f64>().is_ok() => format!(
-            "check the path; the value of an option that can stand alone is written with `=`: --cutout={input}"
+            "check the path; if this is the value of an option that can stand alone, write it with `=`: --cutout={input}"
         ),
         Err(_) => "check the path; built-in shapes are written shape:NAME".to_owned(),
     };
@@ -246,7 +246,7 @@ fn is_scene(input: &str) -> bool {
     !input.starts_with("shape:") && extension.is_some_and(|e| e.eq_ignore_ascii_case("toml"))
 }
 
-/// Refuses a camera whose rays would not be finite.
+/// Rejects a camera whose rays would not be finite.
 fn check_view(scene: &Scene, size_px: [u32; 2]) -> Result<()> {
     let bounds = scene.bounds();
     let space = SceneSpace::new(&bounds);
@@ -254,7 +254,7 @@ fn check_view(scene: &Scene, size_px: [u32; 2]) -> Result<()> {
     let view = (scene.camera).view(|p| space.point(p), space.scale, in_scene, size_px);
     match view.defect() {
         Some(what) => {
-            let help = "move it nearer to the model, and let it look at another point than its own";
+            let help = "move it nearer to the model, and let it look at a point other than its own position";
             Err(Error::input("camera", what, help))
         }
         None => Ok(()),

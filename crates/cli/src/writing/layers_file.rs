@@ -5,12 +5,12 @@
 //! `normal.X`, `.Y`, `.Z` is a unit vector in the model's axes, and `unreliable` is 1 if the pixel may be wrong
 //! ([`may_be_wrong`](cutaway_lab::compare::may_be_wrong)). No channel is quantised.
 //!
-//! A style with strokes, hatches or occlusion adds channels: `stroke` and `hatch` are the share of the pixel that strokes and hatch lines
-//! cover, `cap.U` and `cap.V` the pixel's position on the plane of its hatch, to the right and up, and `occlusion` the remaining share of
-//! the light.
+//! A style with strokes, hatches or occlusion adds channels. `stroke` and `hatch` are the share of the pixel that strokes and hatch lines
+//! cover. `cap.U` and `cap.V` are the pixel's position on the plane of its hatch, to the right and up. `occlusion` is the share of the
+//! light that remains.
 //!
-//! Attributes explain the values: `parts` are the part names by number, `clip_surfaces` the names of the cuts that they belong
-//! to, `units` lists the units of the channels, and `camera.*` describes the viewpoint, in model space.
+//! Attributes explain the values: `parts` lists the part names by number, `clip_surfaces` lists, for each clip-surface, the name of
+//! its cut, `units` lists the units of the channels, and `camera.*` describes the viewpoint, in model space.
 
 use std::io::Cursor;
 
@@ -32,7 +32,7 @@ pub(crate) struct LayersSource<'a> {
     pub(crate) prepared: &'a Prepared,
     /// Camera of the frame.
     pub(crate) view: &'a View,
-    /// Per pixel, in order: true if its layers may be wrong.
+    /// For each pixel in order, true if its layers may be wrong.
     pub(crate) may_be_wrong: &'a [bool],
     /// Additional channels drawn by the style.
     pub(crate) drawn: &'a StyleChannels,

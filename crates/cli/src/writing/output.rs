@@ -67,12 +67,12 @@ impl Output {
     }
 }
 
-/// Checks a folder for several files, which is created if missing.
+/// Checks a folder into which several files are to be written; the folder is created later if it is missing.
 pub(crate) fn checked_folder(option: &str, path: &Path) -> Result<()> {
     let culprit = format!("{option} {}", path.display());
     let place = place_of(path);
     if place.exists() && !place.is_dir() {
-        let help = "give the name of a folder, which is made if need be";
+        let help = "give the name of a folder; it is created if it is missing";
         return Err(Error::input(culprit, "it is a file, not a folder", help));
     }
     check_folder(&culprit, &place)
@@ -85,7 +85,7 @@ pub(crate) fn write_stdout(bytes: &[u8]) -> Result<()> {
         Err(e) if e.kind() != ErrorKind::BrokenPipe => Err(Error::input(
             "standard output",
             format!("cannot be written: {e}"),
-            "check where it leads",
+            "check where it is redirected",
         )),
         _ => Ok(()),
     }
@@ -107,7 +107,7 @@ pub(crate) fn begun_with(path: &Path, bytes: &[u8]) -> Result<Pending> {
     Ok(pending)
 }
 
-/// Unfinished files, for removal when Ctrl-C ends the process without running destructors.
+/// Unfinished files, to be removed when Ctrl-C ends the process without running destructors.
 static PENDING: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
 
 fn pending_files() -> MutexGuard<'static, BTreeSet<PathBuf>> {
@@ -122,8 +122,8 @@ pub(crate) fn remove_pending() {
     }
 }
 
-/// A file that is written step by step next to its destination and renamed at the end. Dropped before that, it leaves neither the file
-/// nor the folders created for it.
+/// A file that is written step by step next to its destination and renamed at the end. If it is dropped before that, the file and the
+/// folders created for it are removed.
 pub(crate) struct Pending {
     /// Destination, as given by the user.
     path: PathBuf,
@@ -137,7 +137,7 @@ pub(crate) struct Pending {
 impl Pending {
     /// Begins a file, creating its folder. Write through the handle and close it before [`Pending::place`].
     pub(crate) fn begin(path: &Path) -> Result<(Self, fs::File)> {
-        // A link is followed: its target is replaced, not the link.
+        // A symbolic link is followed: the file that it points to is replaced, not the link.
         let place = place_of(path);
         let path = path.to_owned();
         let fault = |e: std::io::Error| cannot_write(&path, &e);
@@ -169,7 +169,7 @@ impl Pending {
         Ok((pending, file))
     }
 
-    /// Temporary path until the file is complete.
+    /// Temporary path of the file until it is complete.
     pub(crate) fn beside(&self) -> &Path {
         &self.beside
     }
@@ -195,7 +195,7 @@ impl Pending {
         self.place_synced()
     }
 
-    /// The same, for a file already flushed to disk.
+    /// As [`Pending::place`], for a file that is already flushed to disk.
     pub(crate) fn place_synced(mut self) -> Result<()> {
         if self.is_placed {
             return Ok(());
@@ -210,7 +210,7 @@ impl Drop for Pending {
     fn drop(&mut self) {
         pending_files().remove(&self.beside);
         if !self.is_placed {
-            // The original error is being reported; a failed removal does not change it.
+            // An earlier error is being reported; if the removal fails too, that error stays the more useful one.
             let _ = fs::remove_file(&self.beside);
             // A folder that is no longer empty stays.
             let _ = self.made.iter().try_for_each(fs::remove_dir);
@@ -221,11 +221,11 @@ impl Drop for Pending {
 /// Number of leading characters of the file name kept in its temporary name; each takes at most four bytes.
 const MOST_OF_NAME: usize = 50;
 
-/// Creates a file next to a path, under a name unique across processes: process ids repeat on several machines, and in containers.
+/// Creates a file next to a path, under a name unique across processes; process ids alone repeat across machines and containers.
 fn unnamed(path: &Path, folder: &Path) -> std::io::Result<(fs::File, PathBuf)> {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let mut builder = tempfile::Builder::new();
-    // Default permissions, by the process's umask.
+    // Give the file the default permissions of the process's umask.
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
     // File systems allow names of at most 255 bytes.
@@ -250,8 +250,8 @@ fn folder_of(path: &Path) -> &Path {
     }
 }
 
-/// Checks that files can be created in a folder, or that the folder can be created. In an existing folder it creates an unnamed
-/// file, so that a process that ends here leaves none behind.
+/// Checks that files can be created in a folder, or that the folder can be created. The test file in an existing folder has no
+/// name, so that nothing is left behind even if the process ends here.
 pub(crate) fn check_folder(culprit: &str, folder: &Path) -> Result<()> {
     let there = folder
         .ancestors()

@@ -1,7 +1,7 @@
 //! Checks that no result replaces an input or another result, before anything is drawn or written.
 //!
 //! Two names denote one file if they lead to it through `..`, symbolic links or hard links, even if a folder on the
-//! way does not exist yet: each is compared by its future path ([`place_of`]).
+//! path does not exist yet: names are compared by the paths that they will resolve to ([`place_of`]).
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -31,7 +31,7 @@ impl InputFiles {
         all.iter().cloned().collect()
     }
 
-    /// Refuses outputs that would replace an input, or each other. Each output is an option and its file.
+    /// Rejects outputs that would replace an input or one another. Each output is given by its option and its file.
     pub(crate) fn keep_from<'a>(
         &self,
         outputs: impl IntoIterator<Item = (&'a str, PathBuf)>,
@@ -61,7 +61,7 @@ impl InputFiles {
                 return Err(Error::input(culprit(), what, help));
             }
             if let Some(first) = places.insert(place, option) {
-                let what = format!("it is the file of {first}");
+                let what = format!("it is also the file of {first}");
                 return Err(Error::input(culprit(), what, "give each its own name"));
             }
         }
@@ -69,7 +69,7 @@ impl InputFiles {
     }
 }
 
-/// Checks that results have different destinations: at most one is standard output, and none replaces another.
+/// Checks that results have different destinations: at most one goes to standard output, and no file replaces another.
 pub(crate) fn no_place_twice(outputs: &[(&str, Option<&Output>)]) -> Result<()> {
     InputFiles::default().keep_from(paths_of(outputs))?;
     let taken: Vec<&str> = outputs
@@ -97,7 +97,7 @@ pub(crate) fn paths_of<'a>(
     })
 }
 
-/// Returns true if two names lead to one existing file, through symbolic or hard links. Lengths are compared first, the cheapest test.
+/// Returns true if two names lead to one existing file, through symbolic or hard links. Compares file lengths first, which is cheap.
 pub fn is_one_file(a: &Path, b: &Path) -> bool {
     let length = |path: &Path| fs::metadata(path).ok().map(|m| m.len());
     let lengths = (length(a), length(b));

@@ -1,4 +1,4 @@
-//! The results of a command, all or none: if the disk is full or standard output fails, the command reports the error and leaves no file.
+//! A command's results, written all or not at all: if the disk is full or standard output fails, the error is reported and no file is left.
 //!
 //! Files are written next to their destinations as they are added. At the end standard output is written, and then each file is
 //! renamed.
@@ -37,7 +37,7 @@ impl Results {
 }
 
 impl Drop for Results {
-    /// Files are dropped in reverse order, because the first may have created the folder of the others, which is removed when empty.
+    /// Drops files in reverse order: the first file may have created a folder for all, which is removed once it is empty.
     fn drop(&mut self) {
         while self.files.pop().is_some() {}
     }

@@ -1,4 +1,4 @@
-//! Adds parts and cuts to a document, with unique names, and with file paths relative to its folder.
+//! Adds parts and cuts to a document. Each gets a unique name, and its file paths are made relative to the document's folder.
 
 use std::path::Path;
 
@@ -13,7 +13,7 @@ impl Document {
     ///
     /// # Errors
     ///
-    /// Invalid words in the draft, or a document whose `part` is not a list.
+    /// Fails if words in the draft are invalid, or if the document's `part` is not a list.
     pub fn add_part(&mut self, draft: PartDraft) -> Result<()> {
         if let Some(fault) = draft.fault {
             return Err(fault);
@@ -23,11 +23,11 @@ impl Document {
         self.push("part", Node { value, origin })
     }
 
-    /// Sets the style, by name or file, below the document's own style changes.
+    /// Sets the base style, by name or file. The document's own style changes still apply to it.
     ///
     /// # Errors
     ///
-    /// A document whose text cannot be edited.
+    /// Fails if the document's text cannot be edited.
     pub fn set_style(&mut self, name_or_file: &str, option: &str) -> Result<()> {
         let from_here = read::is_style_file(name_or_file)
             .then(|| files::renamed(name_or_file, Path::new(""), self.folder()))
@@ -43,7 +43,7 @@ impl Document {
     ///
     /// # Errors
     ///
-    /// Invalid words in the draft, or a document whose `cut` is not a list.
+    /// Fails if words in the draft are invalid, or if the document's `cut` is not a list.
     pub fn add_cut(&mut self, mut draft: CutDraft) -> Result<()> {
         let of_surfaces = draft.surfaces.iter_mut().find_map(|s| s.fault.take());
         if let Some(fault) = of_surfaces.or(draft.fault) {
@@ -96,7 +96,7 @@ impl Document {
         self.push("cut", Node::new(Value::Table(table)))
     }
 
-    /// Adds a relief, or finds an equal one; returns its name.
+    /// Adds a relief, unless an equal one exists, and returns the name of the new or existing relief.
     fn add_relief(&mut self, name: &str, relief: Node) -> Result<String> {
         let relief = match relief.value {
             Value::Table(table) => Node {
@@ -105,7 +105,7 @@ impl Document {
             },
             _ => relief,
         };
-        // A relief of the file stays separate: keys may move it, and an edit to that relief is meant for the cuts of the file.
+        // A relief from the file is not reused. Animation keys may move it, and edits to it should affect only cuts from the file.
         let is_it =
             |(_, node): &&(_, Node)| *node == relief && matches!(node.origin, Origin::Option(_));
         if let Some(Value::Table(held)) = self.root().get("relief").map(|n| &n.value)

@@ -1,7 +1,7 @@
 //! Dotted paths: `cut.front.surfaces.0.origin`.
 //!
-//! A path consists of table keys, and for lists of entry names or indices from 0. Names with dots are
-//! supported: every possible way to split the path is tried.
+//! A path consists of table keys and, for lists, entry names or indices from 0. Names may contain dots: every possible way to split the
+//! path is tried.
 
 use std::borrow::Cow;
 
@@ -9,7 +9,7 @@ use cutaway::error::did_you_mean;
 
 use super::node::{Node, Place, Value};
 
-/// Error message for a path, and the help for it.
+/// Error message about a path, and its help text.
 pub(crate) type Lost = (String, String);
 
 /// Result of following a path.
@@ -18,9 +18,9 @@ pub(crate) struct PathStep<'a> {
     /// The value that the path leads to.
     pub(crate) node: &'a Node,
     pub(crate) place: Place,
-    /// The resolved path in the form used by errors: entries by name if they have one.
+    /// The resolved path as shown in errors: named entries appear by name, others by index.
     pub(crate) path: String,
-    /// Unresolved rest of the path.
+    /// Remainder of the path that could not be resolved.
     pub(crate) rest: String,
 }
 
@@ -34,7 +34,7 @@ pub(crate) fn walk<'a>(root: &'a Node, path: &str) -> PathStep<'a> {
     })
 }
 
-/// Continues from a step as far as its path resolves.
+/// Continues from a step as far as the rest of its path resolves.
 fn go_on(from: PathStep<'_>) -> PathStep<'_> {
     let mut farthest = from.clone();
     for (index, (names, child)) in children(from.node).into_iter().enumerate() {
@@ -70,7 +70,7 @@ fn go_on(from: PathStep<'_>) -> PathStep<'_> {
     farthest
 }
 
-/// Returns the direct children of a value with all their names, the preferred one first.
+/// Returns the direct children of a value. Each has all its names, with the preferred name first.
 pub(crate) fn children(node: &Node) -> Vec<(Vec<Cow<'_, str>>, &Node)> {
     match &node.value {
         Value::Table(table) => (table.iter())
@@ -93,7 +93,7 @@ pub(crate) fn children(node: &Node) -> Vec<(Vec<Cow<'_, str>>, &Node)> {
 pub(crate) fn farther(node: &Node) -> String {
     let below = children(node);
     let names: Vec<&str> = below.iter().map(|(names, _)| &*names[0]).collect();
-    format!("go on to one of: {}", names.join(", "))
+    format!("continue with one of: {}", names.join(", "))
 }
 
 /// Error for a path that does not resolve.

@@ -1,4 +1,4 @@
-//! Documents built by programs and command-line options: the nodes of a scene file, in one expression.
+//! Documents built by programs and from command-line options: one expression builds the nodes of a scene file.
 //!
 //! ```
 //! use cutaway_io::document::{Document, cut, part, section};
@@ -11,9 +11,8 @@
 //! assert_eq!(scene.cuts[0].surfaces.len(), 1);
 //! # Ok::<(), cutaway::Error>(())
 //! ```
-//! Errors in a draft's words are reported when it is added. Each value records its source words, and errors about it
-//! quote those.
-//! name those.
+//! An invalid word in a draft is reported when the draft is added. Each value records the words that it comes from, and errors about the
+//! value quote these words.
 
 use std::sync::Arc;
 
@@ -53,7 +52,7 @@ pub struct CutDraft {
     pub(super) surfaces: Vec<SurfaceDraft>,
     pub(super) boxes: Vec<Node>,
     pub(super) wedges: Vec<Node>,
-    /// Default names, from the contents of the cut.
+    /// Names of the cut's surfaces and regions, from which its default name is built.
     pub(super) names: Vec<String>,
     pub(super) table: TableEntries,
     pub(super) fault: Option<Error>,
@@ -75,7 +74,7 @@ pub fn part(model: &str) -> PartDraft {
     draft
 }
 
-/// A plane that keeps the side its normal points to. `z=10`, `-z=50%` (of the bounds), `nx,ny,nz@px,py,pz`, `nx,ny,nz,d`.
+/// A plane whose normal points to the kept side: `z=10`, `-z=50%` (of the bounds), `nx,ny,nz@px,py,pz` or `nx,ny,nz,d`.
 pub fn section(spec: &str) -> SurfaceDraft {
     let origin = Origin::Option(format!("section `{spec}`").into());
     SurfaceDraft::of(spec.to_owned(), origin, [("section", spec.into())])
@@ -88,7 +87,7 @@ pub fn plane(normal: DVec3, origin: DVec3) -> SurfaceDraft {
     SurfaceDraft::of("plane".to_owned(), Origin::Program, entries)
 }
 
-/// A cut that removes the intersection of the sides that its surfaces remove.
+/// A cut with these surfaces. It removes the intersection of their removed sides.
 pub fn cut(surfaces: impl IntoIterator<Item = SurfaceDraft>) -> CutDraft {
     let mut draft = CutDraft::default();
     for surface in surfaces {
@@ -132,7 +131,7 @@ impl PartDraft {
         self
     }
 
-    /// Adds a mesh defect: `holes:amount=5%,seed=1`.
+    /// Adds a mesh defect, given as `holes:amount=5%,seed=1`.
     #[must_use]
     pub fn defect(mut self, words: &str) -> Self {
         match defect(words) {
@@ -151,11 +150,11 @@ impl PartDraft {
     }
 }
 
-/// Parses words of a defect, `holes:amount=5%,seed=1`, into an entry of a part's `defects` list.
+/// Parses a defect such as `holes:amount=5%,seed=1` into an entry of a part's `defects` list.
 ///
 /// # Errors
 ///
-/// Words that are not a defect.
+/// Fails if the words do not describe a defect.
 pub fn defect(words: &str) -> Result<Node> {
     let origin = Origin::Option(format!("defect `{words}`").into());
     let node = table_of(spec::defect(words)?, &origin);
@@ -167,7 +166,7 @@ pub fn defect(words: &str) -> Result<Node> {
 ///
 /// # Errors
 ///
-/// Words that are not a defect.
+/// Fails if the words do not describe a defect.
 pub fn parse_defect(words: &str) -> Result<Defect> {
     read::defect(&defect(words)?)
 }
@@ -187,7 +186,7 @@ impl SurfaceDraft {
         draft
     }
 
-    /// Adds a relief: `fractal:amplitude=5%,period=40%,seed=7`, or an image file.
+    /// Adds a relief, given as `fractal:amplitude=5%,period=40%,seed=7` or as an image file.
     #[must_use]
     pub fn relief(mut self, words: &str) -> Self {
         let origin = Origin::Option(format!("relief `{words}`").into());
@@ -220,12 +219,12 @@ impl SurfaceDraft {
     ///
     /// # Errors
     ///
-    /// Words that are invalid, or that give no surface for such bounds.
+    /// Fails if the words are invalid, or give no surface for these bounds.
     pub fn on(self, bounds: &Bounds) -> Result<ClipSurface> {
         self.on_from(bounds, &mut Assets::default())
     }
 
-    /// Builds the clip-surface like [`SurfaceDraft::on`], with the host's images.
+    /// Builds the clip-surface like [`SurfaceDraft::on`], but takes images from `assets`.
     ///
     /// # Errors
     ///
@@ -256,7 +255,7 @@ impl CutDraft {
         self
     }
 
-    /// Limits the removed region to a box, `MIN:MAX`: `0,0,0:1,1,1` or `50%,50%,50%:`, unbounded where a corner is left out.
+    /// Limits the removed region to a box `MIN:MAX`, such as `0,0,0:1,1,1`. In `50%,50%,50%:` the box has no upper bound.
     #[must_use]
     pub fn block(mut self, words: &str) -> Self {
         let name = format!("box {words}");
@@ -269,7 +268,7 @@ impl CutDraft {
         self
     }
 
-    /// Limits the removed region to a wedge, `AXIS:FROM:TO[@X,Y,Z]`: `z:0:90` or `-y:-30:200@0,50%,0`.
+    /// Limits the removed region to a wedge `AXIS:FROM:TO[@X,Y,Z]`, such as `z:0:90` or `-y:-30:200@0,50%,0`.
     #[must_use]
     pub fn wedge(mut self, words: &str) -> Self {
         let name = format!("wedge {words}");
@@ -282,7 +281,7 @@ impl CutDraft {
         self
     }
 
-    /// Limits the removed region to a closed mesh, from a file or as `shape:NAME?param=value`.
+    /// Limits the removed region to a closed mesh, which is a file or `shape:NAME?param=value`.
     #[must_use]
     pub fn volume(mut self, model: &str) -> Self {
         let origin = Origin::Option(model.into());
@@ -291,13 +290,13 @@ impl CutDraft {
         self
     }
 
-    /// Removes a wedge with automatic placement, `ANGLE` or `key=value,...` with the keys of `cutout`; no words mean the defaults.
+    /// Removes a wedge that is placed automatically: `ANGLE`, `key=value,...` with the keys of `cutout`, or empty for the defaults.
     #[must_use]
     pub fn cutout(self, words: &str) -> Self {
         self.opening("cutout", words, &["angle_deg", "axis", "turn_deg"])
     }
 
-    /// Removes material that hides the interiors, `DISTANCE` or `key=value,...` with the keys of `breakaway`; no words mean the defaults.
+    /// Removes material in front of the interiors: `DISTANCE`, `key=value,...` with the keys of `breakaway`, or empty for the defaults.
     #[must_use]
     pub fn breakaway(self, words: &str) -> Self {
         let keys = ["distance", "bevel_deg", "clusters", "view"];
@@ -352,7 +351,7 @@ impl CutDraft {
         self
     }
 
-    /// Merges a key and its value: lists are joined, and any other value may exist only once.
+    /// Merges a key and its value into the cut. Lists are joined. Any other value must be the same in both cuts.
     fn take(&mut self, key: &str, node: Node) {
         let held = self.table.iter_mut().find(|(name, _)| **name == *key);
         match (held.map(|(_, held)| &mut held.value), node.value) {
@@ -363,7 +362,7 @@ impl CutDraft {
             }
             (Some(held), value) if *held == value => {}
             (Some(_), _) => {
-                let what = "both cuts have it, and they differ";
+                let what = "the two cuts have different values for it";
                 let fault = Error::input(format!("`{key}`"), what, "make each a separate cut");
                 self.fault.get_or_insert(fault);
             }

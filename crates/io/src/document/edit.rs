@@ -1,4 +1,4 @@
-//! Setting, adding and removing values. Tree and text are changed together, so that neither has to be generated from the other.
+//! Setting, adding and removing values. The tree and the text are changed together, so that neither has to be generated from the other.
 
 use std::path::Path;
 
@@ -13,12 +13,12 @@ impl Document {
     ///
     /// # Errors
     ///
-    /// A path through a value that is not a table: a missing list entry, or a number. A value that would replace a table.
+    /// Fails if the path goes through a number or a missing list entry, or if the value would replace a table.
     pub fn set(&mut self, path: &str, value: impl Into<Value>) -> Result<()> {
         self.set_node(path, Node::new(value))
     }
 
-    /// Returns the document with other values, each set at its path, in order.
+    /// Returns a copy of the document in which each value is set at its path, in order.
     ///
     /// # Errors
     ///
@@ -34,7 +34,7 @@ impl Document {
         Ok(changed)
     }
 
-    /// [`Document::set`] with the source position of the value, for errors about it.
+    /// Like [`Document::set`], but the value has a source position, which errors about the value report.
     ///
     /// # Errors
     ///
@@ -57,7 +57,7 @@ impl Document {
     ///
     /// # Errors
     ///
-    /// Text that cannot be edited.
+    /// Fails if the text cannot be edited.
     pub fn set_in_each(&mut self, list: &str, key: &str, node: &Node) -> Result<()> {
         for (place, held) in self.in_each(list, key) {
             match held {
@@ -72,7 +72,7 @@ impl Document {
     ///
     /// # Errors
     ///
-    /// Text that cannot be edited.
+    /// Fails if the text cannot be edited.
     pub fn push_in_each(&mut self, list: &str, key: &str, node: &Node) -> Result<()> {
         for (place, held) in self.in_each(list, key) {
             match held {
@@ -91,7 +91,7 @@ impl Document {
     ///
     /// # Errors
     ///
-    /// Text that cannot be edited.
+    /// Fails if the text cannot be edited.
     pub fn remove(&mut self, path: &str) -> Result<()> {
         let step = walk(&self.root, path);
         let (place, is_there) = (step.place, step.rest.is_empty());
@@ -112,7 +112,7 @@ impl Document {
         Ok(())
     }
 
-    /// The entries of a list of tables, each with its value at a key, if it has one.
+    /// The entries of a list of tables. Each comes with its value at a key, if it has one.
     fn in_each(&self, list: &str, key: &str) -> Vec<(Place, Option<Place>)> {
         let step = walk(&self.root, list);
         let Value::List(entries) = &step.node.value else {
@@ -162,7 +162,7 @@ impl Document {
         let text = edited(&mut self.edited, &self.text, &self.path)?;
         text::set(text, (&self.root, place), &[], &node.value);
         match self.root.at_mut(place) {
-            // A value set by a program keeps the source position of the value that it replaces.
+            // A value set by a program takes over the source position of the value that it replaces.
             Some(held) if node.origin == Origin::Program => held.value = node.value,
             Some(held) => *held = node,
             None => {}
@@ -174,7 +174,7 @@ impl Document {
     ///
     /// # Errors
     ///
-    /// A path to a value that is not a list, or through a value that is not a table.
+    /// Fails if the value at the path is not a list, or if the path goes through a value that is not a table.
     pub fn push(&mut self, path: &str, node: Node) -> Result<()> {
         let step = self.to_be_set(path)?;
         if !step.rest.is_empty() {
@@ -189,7 +189,7 @@ impl Document {
         self.push_at(&step.place, node)
     }
 
-    /// Returns true if a value can be set at a path: it exists, or a table can hold it.
+    /// Returns true if a value can be set at a path, because it exists already or because a table can hold it.
     #[doc(hidden)]
     pub fn takes(&self, path: &str) -> bool {
         self.to_be_set(path).is_ok()
@@ -209,17 +209,17 @@ impl Document {
         a.starts_with(&b) || b.starts_with(&a)
     }
 
-    /// The end of a path where a value can be set.
+    /// Resolves a path to where a value can be set.
     fn to_be_set(&self, path: &str) -> Result<PathStep<'_>> {
         if path.split('.').any(str::is_empty) {
-            let help = "write keys with points between them, as in `camera.azimuth_deg`";
+            let help = "separate keys by points, as in `camera.azimuth_deg`";
             return Err(lost(path, ("it names no value".into(), help.into())));
         }
         let step = walk(&self.root, path);
         if !step.rest.is_empty() && !matches!(step.node.value, Value::Table(_)) {
             return Err(lost(path, astray(&step)));
         }
-        // Missing levels are created as tables: in a list the intended entry would be unknown.
+        // Missing levels are created as tables. They are not created as lists, because the intended entry would be unknown.
         let new: Vec<&str> = step.rest.split('.').collect();
         let is_list = step.path.is_empty() && LISTS.contains(&new[0]);
         let is_entry = |at: &usize| {
@@ -229,8 +229,11 @@ impl Document {
         if let Some(at) = (1..new.len()).find(is_entry) {
             let list = path.strip_suffix(&new[at..].join(".")).unwrap_or(path);
             let list = list.trim_end_matches('.');
-            let what = format!("there is no `{}`: `{list}` is not there", new[at]);
-            return Err(lost(path, (what, format!("set all of it: `{list}=[..]`"))));
+            let what = format!("there is no `{}`, because `{list}` does not exist", new[at]);
+            return Err(lost(
+                path,
+                (what, format!("set the whole list: `{list}=[..]`")),
+            ));
         }
         Ok(step)
     }
@@ -246,7 +249,7 @@ fn is_number(key: &str) -> bool {
     !key.is_empty() && key.bytes().all(|b| b.is_ascii_digit())
 }
 
-/// The text that is edited together with the tree.
+/// The text, which is edited together with the tree.
 fn edited<'a>(
     edited: &'a mut Option<DocumentMut>,
     text: &str,
@@ -256,7 +259,8 @@ fn edited<'a>(
         Some(text) => Ok(text),
         None => {
             let parsed = text.parse().map_err(|e| {
-                let help = "report it: one TOML parser accepts the text and another does not";
+                let help =
+                    "please report this: one TOML parser accepts the text, but another does not";
                 Error::file(path, format!("{e}"), help)
             })?;
             Ok(edited.insert(parsed))

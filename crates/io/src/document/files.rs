@@ -1,4 +1,4 @@
-//! The files that a document names, and the conversion of their paths for another folder.
+//! The files that a document names, and the conversion of their paths when the document moves to another folder.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -12,9 +12,8 @@ use crate::load::frames::Pattern;
 use crate::load::{Files, companions, place_of};
 
 impl Document {
-    /// The files named by the document's keys, and those that these files name; for a frame pattern, the existing frames. A file
-    /// that is not in the store yet is listed without its companions: a host that fetches files repeats the call after each, until nothing
-    /// new is listed.
+    /// The files that the document names, and the files that those name in turn. A frame pattern gives its existing frames. A file that is
+    /// not in the store yet is listed without its companions, so a host that fetches files repeats the call until it lists no new file.
     pub fn files(&self, store: &dyn Files) -> Vec<PathBuf> {
         let mut files = Vec::new();
         for Named { name, first, .. } in names(&self.root) {
@@ -32,11 +31,11 @@ impl Document {
         files
     }
 
-    /// Returns the same document under another file name, with the paths in it converted to lead to the same files.
+    /// Returns the document under another file name. Paths in it are converted so that they still lead to the same files.
     ///
     /// # Errors
     ///
-    /// Text that cannot be edited.
+    /// Fails if the text cannot be edited.
     pub fn moved_to(&self, path: &Path) -> Result<Self> {
         let mut moved = self.clone();
         path.clone_into(&mut moved.path);
@@ -78,7 +77,7 @@ fn names(root: &Node) -> Vec<Named<'_>> {
     names
 }
 
-/// Collects the files at a key path, in which `*` matches any key; `beside` is the table that contains the node.
+/// Collects the files at a key path, in which `*` matches any key. The argument `beside` is the table that contains the node.
 fn named_below<'a>(
     node: &'a Node,
     keys: &[&str],
@@ -140,12 +139,12 @@ fn style(at: usize, node: &Node) -> Option<Named<'_>> {
     })
 }
 
-/// Converts a path relative to one folder to a path relative to another; `None` if it does not change.
+/// Converts a path relative to one folder to a path relative to another. Returns `None` if the path does not change.
 pub(super) fn renamed(name: &str, from: &Path, to: &Path) -> Option<String> {
     if Path::new(name).is_absolute() || from == to {
         return None;
     }
-    // `%` is written twice in a pattern, except in its placeholder; the folder above the placeholder is an ordinary path.
+    // In a pattern, `%` is doubled except in the placeholder. The folder above the placeholder is handled as an ordinary path.
     let first = if Pattern::is_in(name) {
         name.find('%')
     } else {
@@ -172,7 +171,7 @@ fn from_folder(path: &Path, to: &Path) -> String {
     text.replace(std::path::MAIN_SEPARATOR, "/")
 }
 
-/// Resolves the folder of a path. The file itself may be a link, which is kept because companions are relative to the link.
+/// Resolves the folder of a path. If the file itself is a link, the link is kept, because companions are relative to the link.
 fn place(path: &Path) -> PathBuf {
     let name = path.file_name().unwrap_or_default();
     folder(path.parent().unwrap_or_else(|| Path::new(""))).join(name)
@@ -232,7 +231,7 @@ image = \"maps/rock.png\"
             .replace("../c.stl", "c.stl")
             .replace("maps/", "document/maps/");
         assert_eq!(moved.to_string(), expected);
-        // A pattern keeps its placeholder, and a `%` in its folder is not taken for one.
+        // A pattern keeps its placeholder, and a `%` in its folder is not mistaken for a placeholder.
         for (name, from, to, expected) in [
             ("w_%d.stl", "src/d%d", "src", "d%%d/w_%d.stl"),
             ("a%%b/w_%d.stl", "src", "src/d%d", "../a%%b/w_%d.stl"),

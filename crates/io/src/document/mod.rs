@@ -1,4 +1,4 @@
-//! The scene as a document: the tree of a scene file, in which values are found and set by dotted paths.
+//! The scene as a document: a tree read from a scene file, whose values are found and set by dotted paths.
 //!
 //! ```
 //! use cutaway_io::document::{Document, Value};
@@ -11,13 +11,13 @@
 //! # Ok::<(), cutaway::Error>(())
 //! ```
 //!
-//! A path consists of table keys and of entry names, or indices from 0: `cut.front.surfaces.0.amplitude`. The `target` of
-//! `[[key]]` has the same form. A document holds any TOML; the readers of [`Document::timeline`] interpret it.
+//! A path such as `cut.front.surfaces.0.amplitude` consists of table keys and of entry names or indices from 0. The `target` of `[[key]]`
+//! has the same form. A document holds any TOML; the readers of [`Document::timeline`] interpret it.
 //!
-//! Cost: the tree; and after the first change also the text with its comments. Both are changed together, and nothing
-//! is parsed again.
+//! Memory cost: the tree and, after the first change, also the text with its comments. Both are changed together, and nothing is parsed
+//! again.
 //!
-//! Not supported: adding a key with a dot in its name.
+//! A key with a dot in its name cannot be added.
 
 mod add;
 mod address;
@@ -66,9 +66,9 @@ pub struct Document {
     root: Node,
     /// Text as it was read.
     text: Arc<str>,
-    /// Text after changes, if there are any.
+    /// Text with all changes, if there are any.
     edited: Option<DocumentMut>,
-    /// True if the document is only a part of its file.
+    /// True if the document is only one part of a file.
     is_within: bool,
 }
 
@@ -94,7 +94,7 @@ impl Document {
     ///
     /// # Errors
     ///
-    /// A file that cannot be read or is not TOML, with the line.
+    /// Fails if the file cannot be read or is not TOML. A TOML error gives the line.
     pub fn read(path: &Path) -> Result<Self> {
         Self::read_from(path, &Disk)
     }
@@ -108,18 +108,18 @@ impl Document {
     pub fn read_from(path: &Path, store: &dyn Files) -> Result<Self> {
         let bytes = input_file::read(path, store)?;
         let text = std::str::from_utf8(&bytes).map_err(|e| {
-            let what = format!("byte {} is not text in UTF-8", e.valid_up_to());
+            let what = format!("byte {} is not valid UTF-8", e.valid_up_to());
             Error::file(path, what, "save the scene file as TOML text in UTF-8")
         })?;
         // Editors on Windows put a byte order mark before the text.
         Self::parse(path, text.trim_start_matches('\u{feff}'))
     }
 
-    /// Parses a text. Paths in it are relative to the folder of `path`, which is also named in errors.
+    /// Parses a text. Paths in the text are relative to the folder of `path`, and errors name `path`.
     ///
     /// # Errors
     ///
-    /// A text that is not TOML, with the line.
+    /// Fails if the text is not TOML, and gives the line.
     pub fn parse(path: impl Into<PathBuf>, text: &str) -> Result<Self> {
         let path = path.into();
         let root = parse(&path, text)?;
@@ -136,7 +136,7 @@ impl Document {
     ///
     /// # Errors
     ///
-    /// A tree whose root is not a table.
+    /// Fails if the root of the tree is not a table.
     pub fn of_node(path: impl Into<PathBuf>, root: Node) -> Result<Self> {
         let mut document = Self {
             path: path.into(),
@@ -155,7 +155,7 @@ impl Document {
         Ok(document)
     }
 
-    /// Path of the file that the document was read from; empty if there is none.
+    /// Path of the file that the document was read from, or an empty path if there is no file.
     pub fn path(&self) -> &Path {
         &self.path
     }
@@ -165,7 +165,7 @@ impl Document {
         self.path.parent().unwrap_or_else(|| Path::new(""))
     }
 
-    /// Returns the name of the document: that of its file, or else that of its models.
+    /// Returns the name of the document, which is the name of its file or, without a file, of its models.
     pub fn name(&self) -> String {
         if let Some(stem) = self.path.file_stem().filter(|_| !self.is_within) {
             return stem.to_string_lossy().into_owned();
@@ -182,23 +182,23 @@ impl Document {
         &self.root
     }
 
-    /// A required value at the top level, with its position; `example` is used in the error.
+    /// A required value at the top level, with its position. If it is missing, the error shows `example`.
     #[doc(hidden)]
     pub fn need(&self, key: &str, example: &str) -> Result<reader::Entry<'_>> {
         read::top(&self.path, &self.root)?.need(key, example)
     }
 
-    /// The scene at a time in seconds: [`Document::timeline`] and [`Timeline::at`] combined. For many times build the timeline once.
+    /// The scene at a time in seconds. For many times, build the [`Document::timeline`] once and call [`Timeline::at`].
     ///
     /// # Errors
     ///
-    /// The errors of these two.
+    /// The errors of [`Document::timeline`] and [`Timeline::at`].
     pub fn resolve(&self, time_s: f64, assets: &mut Assets) -> Result<Scene> {
         self.timeline(assets)?.at(time_s)
     }
 
-    /// Refuses unknown keys, shapes and files, and invalid values, except those of parts and cuts, which have to be opened for
-    /// that.
+    /// Refuses unknown keys, shapes and files, and invalid values. The values of parts and cuts are not checked, because that requires
+    /// opening their files.
     ///
     /// # Errors
     ///
@@ -212,7 +212,7 @@ impl Document {
     ///
     /// # Errors
     ///
-    /// A file that cannot be opened or an invalid value, with its line or option.
+    /// Fails if a file cannot be opened or a value is invalid, and gives the line or the option.
     pub fn timeline(&self, assets: &mut Assets) -> Result<Timeline> {
         Timeline::of(self, assets)
     }
@@ -221,7 +221,7 @@ impl Document {
     ///
     /// # Errors
     ///
-    /// A path that does not resolve, with the nearest names.
+    /// Fails if the path does not resolve, and suggests the nearest names.
     pub fn get(&self, path: &str) -> Result<&Node> {
         let step = walk(&self.root, path);
         match step.rest.as_str() {
@@ -382,7 +382,7 @@ surfaces = [
                 "cut.front.surfaces.1.section",
                 "there is no `1` in `cut.front.surfaces`",
             ),
-            ("cut.front", "go on to one of: name, surfaces"),
+            ("cut.front", "continue with one of: name, surfaces"),
             ("camera", "it is a table"),
             ("", "names no value"),
             ("camera..near", "names no value"),

@@ -1,7 +1,7 @@
 //! The tree of a scene: values with their source positions.
 //!
-//! A tree is created by [`parse`](super::parse) or by a program, and edited at places: a place is the path to a value as child indices.
-//! A place is valid as long as nothing is added or removed before it.
+//! A tree is created by [`parse`](super::parse) or by a program. Edits refer to a value by its place, which is the list of child indices
+//! that leads to the value. A place is valid as long as nothing is added or removed before it.
 
 use std::fmt;
 use std::path::Path;
@@ -30,19 +30,19 @@ pub enum Origin {
     Text {
         /// Line, from 1.
         line: usize,
-        /// Character within the line, from 1.
+        /// Number of the character within the line, from 1.
         column: usize,
     },
-    /// In another file than the document's: in an experiment that changes the document.
+    /// In a file other than the document's, such as an experiment that changes the document.
     Elsewhere {
         /// The file.
         file: Arc<Path>,
         /// Line, from 1.
         line: usize,
-        /// Character within the line, from 1.
+        /// Number of the character within the line, from 1.
         column: usize,
     },
-    /// In a command-line option, as written there: `--section z=50%`.
+    /// In a command-line option; holds the option as the user wrote it, such as `--section z=50%`.
     Option(Arc<str>),
 }
 
@@ -55,11 +55,11 @@ pub enum Value {
     Number(Number),
     /// Text, without its quotes.
     Text(Arc<str>),
-    /// A date, which is not valid for any scene key.
+    /// A date. No scene key accepts one.
     Date(Arc<str>),
     /// A list.
     List(Vec<Node>),
-    /// Values by key, in the order of the file.
+    /// A table, with its keys in the order of the file.
     Table(Vec<(Arc<str>, Node)>),
 }
 
@@ -68,12 +68,12 @@ pub enum Value {
 pub struct Number {
     /// Numeric value; NaN if the text is out of range.
     pub value: f64,
-    /// The same as an integer, if it is written without a decimal point.
+    /// The value as an integer, if it is written without a decimal point.
     pub whole: Option<i64>,
 }
 
 impl Value {
-    /// Parses a text: as a TOML number, flag, list or table, or else as the text itself.
+    /// Parses a text as a TOML number, flag, list or table. Anything else stays a text.
     pub fn read(text: &str) -> Self {
         let alone = |root: Node| match root.value {
             Self::Table(entries) => <[_; 1]>::try_from(entries).ok(),
@@ -117,7 +117,7 @@ impl From<String> for Value {
     }
 }
 
-/// Converts a value of this type to its form in documents: colours as `#rrggbb`.
+/// Converts a described value to its form in documents, where colours are written as `#rrggbb`.
 impl From<Given> for Value {
     fn from(given: Given) -> Self {
         match given {
@@ -164,20 +164,20 @@ impl<const N: usize> From<[(&str, Self); N]> for Value {
     }
 }
 
-/// Position of a value: the child index at each level, from the root.
+/// Position of a value in the tree, as the child index at each level from the root.
 pub(crate) type Place = Vec<usize>;
 
-/// Integers up to this are exact in f64.
+/// All integers up to this are exact in f64.
 const MOST_WHOLE: f64 = (1_u64 << 53) as f64;
 
 impl Number {
-    /// The number as an integer, if it is one: 5 and 5.0 alike.
+    /// The number as an integer, if it has no fraction. Both 5 and 5.0 give 5.
     pub(crate) fn as_whole(&self) -> Option<i64> {
         let is_whole = self.value.fract() == 0.0 && self.value.abs() <= MOST_WHOLE;
         self.whole.or(is_whole.then_some(self.value as i64))
     }
 
-    /// A number in the form of `like`: an integer if `like` is one and the value allows it.
+    /// A number written like `like`. It is an integer if `like` is an integer and the value has no fraction.
     pub(crate) fn like(value: f64, like: &Self) -> Self {
         let is_whole = value.fract().abs() <= 0.0 && value.abs() < MOST_WHOLE;
         let whole = (like.whole.is_some() && is_whole).then_some(value as i64);
@@ -223,7 +223,7 @@ impl PartialEq for Value {
     }
 }
 
-/// Numbers are equal if they are written alike.
+/// Numbers are equal if they have the same value and are both integers or both not.
 impl PartialEq for Number {
     fn eq(&self, other: &Self) -> bool {
         self.value.total_cmp(&other.value).is_eq() && self.whole == other.whole
@@ -240,7 +240,7 @@ impl fmt::Display for Number {
 }
 
 impl Node {
-    /// A value without a source position.
+    /// Creates a node from a value, without a source position.
     pub fn new(value: impl Into<Value>) -> Self {
         Self {
             value: value.into(),
@@ -248,13 +248,13 @@ impl Node {
         }
     }
 
-    /// The same node and its descendants, with another source position.
+    /// The same node, in which all values have another source position.
     #[must_use]
     pub fn said(self, origin: &Origin) -> Self {
         self.with_origins(&|_| origin.clone())
     }
 
-    /// The same node, with positions in the document's own file replaced by positions in `file`.
+    /// The same node, in which positions in the document's own file become positions in `file`.
     #[must_use]
     #[doc(hidden)]
     pub fn of_file(self, file: &Arc<Path>) -> Self {
@@ -314,7 +314,7 @@ impl Node {
         }
     }
 
-    /// The value of a key, if this is a table with that key.
+    /// The value of a key, if the value is a table with that key.
     pub fn get(&self, key: &str) -> Option<&Self> {
         match &self.value {
             Value::Table(entries) => entries
@@ -341,7 +341,7 @@ impl Node {
         spec.split('?').next().map(str::to_owned)
     }
 
-    /// The text, if this is one.
+    /// The text, if the value is a text.
     pub fn text(&self) -> Option<&str> {
         match &self.value {
             Value::Text(text) => Some(text),

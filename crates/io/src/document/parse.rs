@@ -11,7 +11,7 @@ use toml_edit::{Item, TableLike, Value as Toml};
 
 use super::node::{Node, Number, Origin, Value};
 
-/// Parses a text to a tree; `path` is for errors.
+/// Parses a text to a tree. Errors name `path`.
 pub(crate) fn parse(path: &Path, text: &str) -> Result<Node> {
     let lines = LineIndex::of(text);
     let root = toml_edit::Document::parse(text).map_err(|e| {
@@ -29,7 +29,7 @@ pub(crate) fn parse(path: &Path, text: &str) -> Result<Node> {
 struct LineIndex<'a> {
     text: &'a str,
     begins: Vec<usize>,
-    /// Byte and character number of the last lookup in its line: the next lookup usually follows it.
+    /// Byte and character number of the last lookup within its line. The next lookup usually lies a little further on.
     last: Cell<(usize, usize)>,
 }
 
@@ -41,7 +41,7 @@ impl<'a> LineIndex<'a> {
         Self { text, begins, last }
     }
 
-    /// Line of a byte and character of that line, both from 1.
+    /// Returns the line of a byte, and the number of the character in that line, both from 1.
     fn place(&self, at: usize) -> (usize, usize) {
         let line = self.begins.partition_point(|begin| *begin <= at);
         let begin = self.begins[line - 1];
@@ -74,7 +74,7 @@ impl<'a> LineIndex<'a> {
 
     fn item(&self, item: &Item) -> Value {
         match item {
-            // Only occurs in items removed from a document, and none are removed here.
+            // This only occurs in items that were removed from a document, and the parser removes none.
             Item::None => Value::List(Vec::new()),
             Item::Value(value) => self.value(value),
             Item::Table(table) => self.table(table),

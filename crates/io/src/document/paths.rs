@@ -1,6 +1,6 @@
 //! Schema of a scene: every path, with its value type. `cutaway help scene` prints the list, and readers refuse any other path.
 //!
-//! A `*` stands for an entry's name or index: `part.*.translate` is `part.crank.translate` or `part.0.translate`.
+//! A `*` stands for an entry's name or index, so `part.*.translate` matches `part.crank.translate` and `part.0.translate`.
 
 use std::sync::{LazyLock, OnceLock};
 
@@ -21,15 +21,15 @@ use super::node::Value;
 pub struct Path {
     /// Dotted path.
     pub path: String,
-    /// Type of its value.
+    /// Type of the value.
     pub takes: ValueType,
-    /// Unit of its numbers; empty if they have none.
+    /// Unit of the numbers, or an empty string if they have none.
     pub unit: &'static str,
     /// Description in one line.
     pub help: &'static str,
     /// Example value, as TOML.
     pub example: &'static str,
-    /// True if a `[[key]]` can animate it.
+    /// True if a `[[key]]` can animate the value.
     pub moves: bool,
 }
 
@@ -120,7 +120,7 @@ const TABLES: &[(&str, &[Field])] = &[
 
 const BASE: Field = Field::leaf(
     "base",
-    "name or file of the style that the other keys change; alone: style = \"technical\"",
+    "name or file of the base style, which the other keys change; without changes write style = \"technical\"",
     ValueType::Text,
     "\"technical\"",
 );
@@ -134,20 +134,20 @@ const KIND_OF_DEFECT: Field = Field::leaf(
 
 const OFFSET: Field = Field::leaf(
     "*",
-    "distance by which more of a part is kept, by name or glob",
+    "distance by which the cut is moved back for a part, so that more of the part is kept; the key is the part's name or a glob",
     Amount::TYPE,
     "\"5%\"",
 )
 .unit("units");
 
-/// Keys directly below a path, computed once: for `part.*` these are `name`, `mesh` and so on.
+/// Keys directly below a path, computed once. Below `part.*`, for example, they are `name`, `mesh` and so on.
 pub(crate) struct Keys {
     above: &'static str,
     found: OnceLock<Vec<&'static str>>,
 }
 
 impl Keys {
-    /// Keys below a path; an empty path gives the top-level keys.
+    /// Keys below a path. An empty path gives the top-level keys.
     pub(crate) const fn below(above: &'static str) -> Self {
         Self {
             above,

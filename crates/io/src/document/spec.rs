@@ -8,7 +8,7 @@
 //! holes:amount=5%,patch=12                { kind = "holes", amount = "5%", patch = 12 }
 //! ```
 //!
-//! Only the syntax of the words is checked here; their values are checked by the same readers that read files.
+//! Only the syntax of the words is checked here. Their values are checked later, by the readers of scene files.
 
 use cutaway::error::{Error, Result, did_you_mean};
 use cutaway::generate::defects::{Defect, DefectKind};
@@ -23,25 +23,25 @@ const DEFECT: &str = "write for example `holes:amount=5%,seed=1` or `soup:amount
 const BOX: &str = "write for example `0,0,0:1,1,1`, or `50%,50%,50%:` for a box that is open above";
 const WEDGE: &str = "write for example `z:0:90`, or `-y:-30:200@0,50%,0`";
 
-/// Relief keys that define its placement, and therefore belong to a surface.
+/// Relief keys that place the relief on a surface, and are therefore stored with the surface.
 const PLACEMENT: [&str; 3] = ["amplitude", "period", "wrap"];
 
 /// A table under construction.
 pub(super) type Entries = Vec<(String, Value)>;
 
 pub(super) struct ReliefWords {
-    /// Suggested relief name.
+    /// Suggested name of the relief.
     pub(super) name: String,
     /// The table `[relief.NAME]`.
     pub(super) relief: Entries,
-    /// Keys of the surface that has the relief.
+    /// Keys to add to the surface that has the relief.
     pub(super) placement: Entries,
 }
 
 /// Reads `NAME[:key=value,...]` or `IMAGE[:key=value,...]`.
 pub(super) fn relief(text: &str) -> Result<ReliefWords> {
     let fault = |what: String, help: String| Error::input(format!("relief `{text}`"), what, help);
-    // A path may contain a colon; only text that looks like keys is read as keys.
+    // A path may contain a colon, so only text that looks like keys is read as keys.
     let (name, words) = match text.rsplit_once(':') {
         Some((name, tail)) if tail.contains('=') => (name.trim(), tail),
         _ => (text.trim(), ""),
@@ -121,7 +121,7 @@ pub(super) fn block(text: &str) -> Result<Entries> {
     Ok(table)
 }
 
-/// Reads `AXIS:FROM:TO`, with `@X,Y,Z` for a point on the axis.
+/// Reads `AXIS:FROM:TO`, optionally followed by `@X,Y,Z`, a point on the axis.
 pub(super) fn wedge(text: &str) -> Result<Entries> {
     let fault = |what: String| Error::input(format!("wedge `{text}`"), what, WEDGE);
     let (turn, origin) = match text.split_once('@') {
@@ -130,7 +130,7 @@ pub(super) fn wedge(text: &str) -> Result<Entries> {
     };
     let words: Vec<&str> = turn.split(':').map(str::trim).collect();
     let [axis, from, to] = words[..] else {
-        return Err(fault("it must be an axis and two angles".into()));
+        return Err(fault("it must consist of an axis and two angles".into()));
     };
     if !["x", "y", "z"].contains(&axis.strip_prefix('-').unwrap_or(axis)) {
         return Err(fault(format!("`{axis}` is not an axis")));
@@ -144,7 +144,7 @@ pub(super) fn wedge(text: &str) -> Result<Entries> {
     Ok(table)
 }
 
-/// Reads `key=value,...` of an opening with automatic placement; a number alone is the value of the first of `keys`.
+/// Reads `key=value,...` of an opening with automatic placement. A number alone is the value of the first key in `keys`.
 pub(super) fn opening(text: &str, what: &str, keys: &[&str]) -> Result<Entries> {
     let fault = |fault: String, help: String| Error::input(format!("{what} `{text}`"), fault, help);
     let words = match text {
@@ -156,7 +156,7 @@ pub(super) fn opening(text: &str, what: &str, keys: &[&str]) -> Result<Entries> 
     for (key, value) in settings(&words).map_err(|what| fault(what, usual()))? {
         if !keys.contains(&key) {
             let help = did_you_mean(key, keys.iter().copied());
-            return Err(fault(format!("`{key}` is no key of it"), help));
+            return Err(fault(format!("it has no key `{key}`"), help));
         }
         table.push((key.to_owned(), number_or_text(value)));
     }
@@ -171,7 +171,7 @@ fn point(text: &str) -> Result<Value, String> {
     }
 }
 
-/// `key=value,key=value`.
+/// Splits `key=value,key=value` into its keys and values.
 fn settings(words: &str) -> Result<Vec<(&str, &str)>, String> {
     let settings = words.split(',').filter(|s| !s.trim().is_empty());
     settings
@@ -182,7 +182,7 @@ fn settings(words: &str) -> Result<Vec<(&str, &str)>, String> {
         .collect()
 }
 
-/// A number, or else text.
+/// Converts a word to a number or, if it is not one, to a text.
 pub(super) fn number_or_text(text: &str) -> Value {
     let text = text.trim();
     match (text.parse::<i64>(), text.parse::<f64>()) {
@@ -192,7 +192,7 @@ pub(super) fn number_or_text(text: &str) -> Value {
     }
 }
 
-/// A number, several numbers separated by `x`, or else text.
+/// Converts a word to a number, to a list if it has numbers separated by `x`, or otherwise to a text.
 fn several(text: &str) -> Value {
     let parts: Vec<Value> = text.split('x').map(number_or_text).collect();
     let is_number = |value: &Value| matches!(value, Value::Number(_));

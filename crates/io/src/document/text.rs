@@ -1,4 +1,4 @@
-//! Inserts values as TOML text, leaving the rest of the text unchanged.
+//! Writes values into TOML text. The rest of the text is left unchanged.
 
 use std::fmt;
 
@@ -8,7 +8,7 @@ use toml_edit::{
 
 use super::node::{Node, Value};
 
-/// Sets a value at a place in the tree of a text, or below it under `new` keys.
+/// Sets the value at a place in a text's tree or, if there are `new` keys, below that place under these keys.
 pub(super) fn set(
     text: &mut DocumentMut,
     (root, place): (&Node, &[usize]),
@@ -29,7 +29,7 @@ pub(super) fn set(
         };
         item = parent.entry(key).or_insert_with(|| {
             let mut between = Table::new();
-            // No header until the table holds more than tables.
+            // The table gets no header as long as it holds only tables.
             between.set_implicit(true);
             Item::Table(between)
         });
@@ -55,7 +55,7 @@ pub(super) fn push(text: &mut DocumentMut, (root, place): (&Node, &[usize]), val
     }
 }
 
-/// Appends a value to a list, on its own line if the others have theirs: a comment after the last value stays with it.
+/// Appends a value to a list. It gets its own line if each existing value has one. A comment after the last value stays with that value.
 fn append(array: &mut Array, mut value: Toml) {
     let text = |raw: Option<&RawString>| raw.and_then(RawString::as_str).unwrap_or("").to_owned();
     let before = array
@@ -66,7 +66,7 @@ fn append(array: &mut Array, mut value: Toml) {
         array.push(value);
         return;
     };
-    // A comment follows the comma if there is one, otherwise the value.
+    // The comment of the last value follows its comma or, without a comma, the value itself.
     let last = array.len() - 1;
     let mut behind = text(Some(array.trailing()));
     if let Some(last) = array.get_mut(last) {
@@ -123,7 +123,7 @@ fn find<'a>(text: &'a mut DocumentMut, root: &Node, place: &[usize]) -> Option<&
     Some(item)
 }
 
-/// Replaces a value; surrounding text on its line is kept, and a table keeps its header.
+/// Replaces a value. Other text on the same line is kept, and a table keeps its header.
 fn replace(item: &mut Item, value: &Value) {
     let mut new = toml(value);
     if let Some(old) = item.as_value() {
@@ -133,7 +133,7 @@ fn replace(item: &mut Item, value: &Value) {
         && let Item::ArrayOfTables(mut tables) = blocks(list)
         && let Some(first) = old.get(0)
     {
-        // Text above the first table belongs to the file.
+        // Text above the first table belongs to the file, not to the table.
         for table in tables.iter_mut() {
             table.set_position(first.position());
         }
@@ -166,7 +166,7 @@ fn block(entries: &[(std::sync::Arc<str>, Node)]) -> Table {
     table
 }
 
-/// A list of tables, each with a header if all are tables.
+/// Formats a list. If all entries are tables, each gets a header.
 fn blocks(list: &[Node]) -> Item {
     let tables = list.iter().map(|node| match &node.value {
         Value::Table(entries) => Some(block(entries)),
@@ -178,7 +178,7 @@ fn blocks(list: &[Node]) -> Item {
     }
 }
 
-/// Formats the value as TOML, in one line.
+/// Formats the value as TOML in a single line.
 impl fmt::Display for Value {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let mut value = toml(self);
@@ -187,7 +187,7 @@ impl fmt::Display for Value {
     }
 }
 
-/// Removes line breaks in lists.
+/// Removes the line breaks between the entries of lists.
 fn in_one_line(value: &mut Toml) {
     match value {
         Toml::Array(array) => {
@@ -222,7 +222,7 @@ fn toml(value: &Value) -> Toml {
     }
 }
 
-/// A list; several tables are written one per line.
+/// Formats a list. If it holds several tables, each is written on its own line.
 fn array(list: &[Node]) -> Array {
     let mut array: Array = list.iter().map(|n| toml(&n.value)).collect();
     let is_table = |node: &Node| matches!(node.value, Value::Table(_));

@@ -1,8 +1,8 @@
-//! Up axis of meshes that do not define it, guessed from their base, and the viewpoint of a camera without angles.
+//! Up axis of meshes whose format does not define one, guessed from their base, and the viewpoint of a camera without angles.
 //!
-//! STL and PLY have no up axis. It is guessed only if all meshes drawn are of these formats and no axis is given. For 3MF it is +Z by the
-//! specification, which applies only if all meshes drawn are 3MF. A scene file without an up axis means +Y, whatever its meshes are: a
-//! future, better guess must not turn its picture. The guess is also computed for such a file, but only reported to the user.
+//! STL and PLY have no up axis. The axis is guessed only if all drawn meshes have these formats and no axis is given. 3MF specifies +Z,
+//! which applies only if all drawn meshes are 3MF. A scene file without an up axis always means +Y, so that a better guess in future does
+//! not turn its picture. For a scene file the guess is also computed, but only reported to the user.
 
 use std::path::PathBuf;
 
@@ -12,7 +12,7 @@ use cutaway::scene::{Part, Up, standing_up};
 use super::{Document, Node};
 use crate::load::{Assets, has_z_up, up_by_habit};
 
-/// An axis that was guessed.
+/// An up axis that was guessed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct GuessedUp {
     /// The axis.
@@ -21,23 +21,23 @@ pub struct GuessedUp {
     pub reason: UpReason,
 }
 
-/// Reason for an axis to be up.
+/// Reason why an axis was chosen as up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum UpReason {
-    /// The specification of the format.
+    /// The format specifies the axis.
     Specification,
-    /// A flat base to stand on.
+    /// The meshes have a flat base to stand on.
     Base,
-    /// The convention of the format, used if there is no flat base.
+    /// There is no flat base, so the convention of the format is used.
     Habit,
 }
 
 impl Document {
-    /// Sets the guessed up axis in a document of meshes only that gives no axis, unless it is a file. Returns the guess, if any.
+    /// Sets and returns the guessed up axis. Does nothing if the document is a file, gives an axis or has parts that are not meshes.
     ///
     /// # Errors
     ///
-    /// A mesh that cannot be read.
+    /// Fails if a mesh cannot be read.
     pub fn guess_up(&mut self, assets: &mut Assets) -> Result<Option<GuessedUp>> {
         if !self.path().as_os_str().is_empty() {
             return Ok(None);
@@ -53,11 +53,11 @@ impl Document {
         Ok(guessed)
     }
 
-    /// The likely up axis of a document of meshes only that gives no axis.
+    /// Guesses the up axis, unless the document gives an axis or has parts that are not meshes.
     ///
     /// # Errors
     ///
-    /// A mesh that cannot be read.
+    /// Fails if a mesh cannot be read.
     pub fn likely_up(&self, assets: &mut Assets) -> Result<Option<GuessedUp>> {
         let camera = self.root().get("camera");
         // A camera with its own up direction needs no guess.
@@ -65,7 +65,7 @@ impl Document {
             return Ok(None);
         }
         let entries = self.root().get("part").map_or(&[] as &[_], Node::items);
-        // A rotated entry stands on another base than its file does.
+        // A rotated entry stands on a different base than the mesh in its file.
         let is_turned = |entry: &Node| {
             let mut turns = ["rotate_deg", "matrix"].iter();
             turns.any(|key| entry.get(key).is_some())
@@ -104,11 +104,11 @@ impl Document {
         Ok(Some(GuessedUp { up, reason }))
     }
 
-    /// Makes angles that the camera does not give automatic, as in a document without a camera.
+    /// Makes all camera angles that the document does not give automatic, as in a document without a camera.
     ///
     /// # Errors
     ///
-    /// Text that cannot be edited.
+    /// Fails if the text cannot be edited.
     pub fn find_angles(&mut self) -> Result<()> {
         let Some(camera) = self.root().get("camera").cloned() else {
             return Ok(());

@@ -1,8 +1,8 @@
 //! Shared cache of the files that documents name: meshes, built-in shapes, height maps, textures.
 //!
-//! The first request reads a file, from disk or from a host's [`Files`], and keeps its content in memory. Later requests return
-//! the same [`Arc`]s. A program that already has a mesh inserts it under the name that documents use for it. Files that
-//! change are not noticed: create new assets then.
+//! The first request reads a file, from disk or from a host's [`Files`], and keeps its content in memory. Later requests return the same
+//! [`Arc`]s. A program that already has a mesh inserts it under the name that documents use for it. Changes to files are not noticed. To
+//! read changed files, create new assets.
 
 use std::any::{Any, TypeId};
 use std::collections::BTreeMap;
@@ -18,7 +18,7 @@ use super::images::image::read_offset_map_from;
 use super::images::texture::read_texture_from;
 use super::{Disk, Files, Loaded, load_mesh_file_from};
 
-/// Meshes, shapes, height maps and textures by name. A clone shares them.
+/// Meshes, shapes, height maps and textures by name. Clones share them.
 #[derive(Clone, Debug)]
 pub struct Assets {
     store: Arc<dyn Files>,
@@ -37,7 +37,7 @@ impl Default for Assets {
 }
 
 impl Assets {
-    /// Assets whose files are read from this store instead of the disk.
+    /// Creates assets whose files are read from this store instead of the disk.
     pub fn from_files(store: Arc<dyn Files>) -> Self {
         Self {
             store,
@@ -54,13 +54,13 @@ impl Assets {
         &*self.store
     }
 
-    /// Inserts parts in place of a mesh file. `path` is the path that a document resolves to: its folder joined with the name it uses.
+    /// Inserts parts in place of a mesh file. `path` is the document's folder joined with the name that the document uses for the mesh.
     pub fn insert_mesh(&mut self, path: impl Into<PathBuf>, mesh: impl Into<Loaded>) {
         self.meshes.insert(path.into(), mesh.into());
         self.kept.clear();
     }
 
-    /// Inserts parts in place of the built-in shape with exactly this specification, its numbers included.
+    /// Inserts parts in place of a built-in shape. Documents must use exactly this specification, including its numbers.
     pub fn insert_shape(&mut self, spec: impl Into<String>, parts: Vec<Part>) {
         self.shapes.insert(spec.into(), parts);
         self.kept.clear();
@@ -102,7 +102,7 @@ impl Assets {
         Ok(&self.meshes[path])
     }
 
-    /// Returns the length unit of the mesh files read so far: `None` unless all state the same unit.
+    /// Returns the length unit of the mesh files read so far, or `None` unless all of them state the same unit.
     pub fn unit(&self) -> Option<LengthUnit> {
         let mut units = self.meshes.values().map(|loaded| loaded.unit);
         let first = units.next()??;
@@ -124,7 +124,7 @@ impl Assets {
         Ok(())
     }
 
-    /// Returns the parts of a built-in shape: `crank?throws=3`, with or without the prefix `shape:`.
+    /// Returns the parts of a built-in shape such as `crank?throws=3`. The prefix `shape:` is optional.
     ///
     /// # Errors
     ///
@@ -163,8 +163,8 @@ impl Assets {
         Ok(self.textures[&key].clone())
     }
 
-    /// Returns the value of this type that a document reader has cached for the next document. Inserting any asset that it
-    /// may depend on discards it.
+    /// Returns the value of this type that a document reader has cached for the next document. Inserting any asset that the value may
+    /// depend on discards it.
     pub(crate) fn kept<T: Any + Send + Sync>(&self) -> Option<Arc<T>> {
         self.kept.get(&TypeId::of::<T>())?.clone().downcast().ok()
     }
@@ -176,7 +176,7 @@ impl Assets {
         made
     }
 
-    /// All files read so far, including the companion files that they name.
+    /// All files read so far, including companion files.
     pub fn files(&self) -> impl Iterator<Item = &Path> {
         let of_meshes = self.meshes.values().flat_map(|loaded| &loaded.files);
         let of_textures = self.textures.keys().map(|(path, _)| path);

@@ -1,4 +1,4 @@
-//! Companion files named by a mesh file: glTF buffers, OBJ material libraries. Nothing is checked here; the mesh loader does that.
+//! Companion files that a mesh file names, such as glTF buffers and OBJ material libraries. The mesh loader checks them, not this module.
 //!
 //! The whole file is read, because an OBJ may name a library on any line.
 
@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use super::{Files, format_and_stem, gltf, input_file, mtl};
 
-/// Returns the files that a mesh file names, without the mesh file itself; empty if the mesh file cannot be read.
+/// Returns the files that a mesh file names, without the mesh file itself. If the mesh file cannot be read, the list is empty.
 pub fn companions(path: &Path, store: &dyn Files) -> Vec<PathBuf> {
     let folder = path.parent().unwrap_or_else(|| Path::new(""));
     let format = format_and_stem(path).map(|(format, _)| format);

@@ -1,20 +1,20 @@
 //! Detection of a mesh format from the file content, for data without a file name.
 //!
-//! Binary formats are recognized by their first bytes, except binary STL, whose header is arbitrary: it is recognized by its
-//! length, which must match its triangle count. Text formats are recognized by their first words.
+//! Binary formats are recognized by their first bytes, except binary STL, whose header is arbitrary. A binary STL is recognized if its
+//! length matches its triangle count. Text formats are recognized by their first words.
 
 use super::lines::lines;
 use super::{stl, without_mark};
 
-/// Bytes at the start of a text that are inspected.
+/// Number of bytes that are inspected at the start of a text.
 const HEAD_BYTES: usize = 64 << 10;
 
-/// First words of OBJ lines.
+/// First words of lines by which an OBJ is recognized.
 const OBJ: [&str; 13] = [
     "v", "vn", "vt", "vp", "f", "l", "p", "o", "g", "s", "mtllib", "usemtl", "cstype",
 ];
 
-/// Returns the format of bytes that are not gzipped, as a file extension; `None` if the format is not recognized.
+/// Returns the format of bytes that are not gzipped, as a file extension. Returns `None` if the format is not recognized.
 pub fn mesh_format(bytes: &[u8]) -> Option<&'static str> {
     if bytes.starts_with(b"glTF") {
         return Some("glb");

@@ -1,9 +1,9 @@
 //! Conversion of a file's triangles to solids: validity checks, welding, and grouping.
 //!
-//! A *group* is a unit that a file separates: an object, a material, a glTF primitive. A group is not always a solid: an
-//! exporter that writes one group per material tears closed solids open. Therefore, groups that share an open edge are
-//! joined, and closed groups stay apart. A closed group that is inside out is a cavity: it is joined with the smallest group that
-//! encloses it, so that both form one solid by parity.
+//! A *group* is a unit that a file separates, such as an object, a material or a glTF primitive. A group is not always a solid, because an
+//! exporter that writes one group per material tears closed solids open. Therefore groups that share an open edge are joined, and closed
+//! groups stay apart. A closed group that is inside out is a cavity. It is joined with the smallest group that encloses it, so that both
+//! form one solid by parity.
 
 use std::path::Path;
 
@@ -16,9 +16,9 @@ use glam::Vec3;
 
 use super::welded;
 
-pub(super) const UNITS: &str = "scale it, or export it in another length unit";
+pub(super) const UNITS: &str = "scale the model, or export it in another length unit";
 
-/// Vertex indices leave one of 32 bits for the direction of an edge.
+/// Maximum number of vertices. Of the 32 bits of an index, one is used for the direction of an edge.
 const MOST_VERTICES: usize = 1 << 31;
 
 /// Triangles as the file stores them.
@@ -27,7 +27,7 @@ pub(super) struct Draft {
     pub(super) mesh: Mesh,
     /// Motion data of the mesh's positions.
     pub(super) motion: Motion,
-    /// Index into `groups` per triangle; empty if there is one group at most.
+    /// Index into `groups` for each triangle. Empty if there is at most one group.
     pub(super) group_of_triangle: Vec<u32>,
     pub(super) groups: Vec<Group>,
 }
@@ -57,7 +57,7 @@ pub(super) struct DraftSolid {
 }
 
 impl Draft {
-    /// Checks, welds and splits the triangles. Each change adds a note to `notes`.
+    /// Checks, welds and splits the triangles, and adds a note to `notes` for each change.
     pub(super) fn into_solids(
         mut self,
         path: &Path,
@@ -114,7 +114,7 @@ impl Draft {
         }
     }
 
-    /// Drops vertices that no triangle uses, keeps the order of the others, and returns the number kept.
+    /// Drops vertices that no triangle uses. The other vertices keep their order, and their number is returned.
     fn drop_unused(&mut self) -> usize {
         let mesh = &mut self.mesh;
         let mut used = vec![false; mesh.positions.len()];
@@ -160,7 +160,7 @@ impl Draft {
         if self.groups.iter().zip(&size).any(has_triangles) {
             notes.push(Diagnostic::note(
                 "transparency-left-out",
-                "drawn opaque where the file lets light through",
+                "drawn opaque, although its material transmits light",
             ));
         }
         let count = triangles_of.iter().filter(|t| !t.is_empty()).count();
@@ -190,7 +190,7 @@ impl Draft {
                 let (mesh, vertices) = self.mesh.picked(triangles);
                 (mesh, self.motion.of_positions(&vertices))
             };
-            // A single vertex colour becomes the part colour, except white: exporters often write white to every vertex by default.
+            // If all vertices have one colour, the part gets it. White is ignored, because many exporters write it by default.
             let one = mesh.vertex_paint.as_ref().and_then(VertexPaint::one_color);
             if one.is_some() {
                 mesh.vertex_paint = None;
@@ -218,7 +218,7 @@ impl Draft {
         solids
     }
 
-    /// Returns, for each group, the lowest group index in its solid.
+    /// Returns, for each group, the lowest index of a group in the same solid.
     fn solid_of_group(&self) -> Vec<u32> {
         let groups = self.groups.len();
         let mut triangles_of: Vec<Vec<[u32; 3]>> = vec![Vec::new(); groups];
@@ -303,7 +303,7 @@ mod tests {
 
     const TETRAHEDRON: [[u32; 3]; 4] = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]];
 
-    /// Tetrahedra of the given sizes around the same centre, a negative size inside out; `group` picks each triangle's.
+    /// Concentric tetrahedra of the given sizes; a negative size turns one inside out. `group` gives the group of each triangle.
     fn draft(sizes: &[f64], group: impl Fn(usize, usize) -> u32) -> Draft {
         let mut draft = Draft::default();
         for (k, size) in sizes.iter().enumerate() {

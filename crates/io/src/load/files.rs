@@ -1,10 +1,9 @@
-//! Sources of file bytes: the disk, or the memory of a host without a disk, such as a web page.
+//! Sources of file contents: the disk, or memory, for a host without a disk such as a web page.
 //!
-//! Loaders and scene documents read whole files, by path, through [`Files`]. Otherwise they only check whether a file
-//! exists; no folder is listed. A host that has to fetch files first gets their names from
-//! [`Document::files`](crate::Document::files).
+//! Loaders and scene documents read whole files by path, through [`Files`]. Apart from that they only check whether a file exists. They
+//! never list a folder. A host that has to fetch files first gets their names from [`Document::files`](crate::Document::files).
 //!
-//! Cost: one file in memory per reading thread; bytes already in memory are borrowed, not copied.
+//! Memory cost: one file for each reading thread. Bytes that are already in memory are borrowed, not copied.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -15,36 +14,36 @@ use std::path::{Path, PathBuf};
 
 use super::place::walked;
 
-/// Largest size of a file in bytes, and of the content of a packed one: some 100 million triangles of binary STL fit, and the data
-/// built from them still fits into the memory of a workstation.
+/// Largest size in bytes of a file, and of the content of a packed file. It is enough for some 100 million triangles of binary STL, and the
+/// data built from them still fits into a workstation's memory.
 pub const MOST_BYTES: u64 = 8 << 30;
 
 /// Files by path.
 pub trait Files: fmt::Debug + Send + Sync {
-    /// The bytes of a file.
+    /// Returns the bytes of a file.
     ///
     /// # Errors
     ///
-    /// The text that follows `FILE: cannot be read:`. The kind selects the help: [`ErrorKind::NotFound`] if there is no such file,
-    /// [`ErrorKind::PermissionDenied`] if the file may not be read.
+    /// The error's text is shown after `FILE: cannot be read:`, and its kind selects the help text. [`ErrorKind::NotFound`] means that
+    /// there is no such file, [`ErrorKind::PermissionDenied`] that it may not be read.
     fn read(&self, path: &Path) -> io::Result<Cow<'_, [u8]>>;
 
     /// Returns true if a file of this name exists.
     fn is_file(&self, path: &Path) -> bool;
 
-    /// Returns true if links take `path` out of the folder of the file `from`, although its name places it in or below that folder. A store
-    /// without links keeps the default.
+    /// Returns true if links lead `path` out of the folder of the file `from`, although the name of `path` is in or below that folder. A
+    /// store without links keeps the default.
     fn leads_out(&self, _path: &Path, _from: &Path) -> bool {
         false
     }
 }
 
-/// The files of the machine: regular ones only, up to 8 GiB each.
+/// The files on disk. Only regular files of up to 8 GiB are read.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Disk;
 
 impl Disk {
-    /// The length of a regular file. Other kinds are refused by kind, because reading a device or a pipe would never end.
+    /// The length of a regular file. Other kinds of file are refused, because reading a device or a pipe might never end.
     pub(super) fn length(path: &Path) -> io::Result<u64> {
         let metadata = fs::metadata(path)?;
         if !metadata.is_file() {
@@ -68,7 +67,7 @@ impl Files for Disk {
     fn read(&self, path: &Path) -> io::Result<Cow<'_, [u8]>> {
         let length = Self::length(path)?;
         let mut bytes = Vec::with_capacity(usize::try_from(length).unwrap_or(0));
-        // A file that grows during the read is read only up to the limit.
+        // If a file grows while it is read, only the bytes up to the limit are read.
         fs::File::open(path)?
             .take(MOST_BYTES)
             .read_to_end(&mut bytes)?;
@@ -79,7 +78,7 @@ impl Files for Disk {
         path.is_file()
     }
 
-    /// Follows links. If `from` is itself a link, both its own folder and the folder of its target are accepted.
+    /// Follows links. If `from` itself is a link, both the link's folder and the folder of its target are accepted.
     fn leads_out(&self, path: &Path, from: &Path) -> bool {
         let folder = match from.parent() {
             Some(folder) if !folder.as_os_str().is_empty() => folder,
@@ -119,7 +118,7 @@ fn kind(metadata: &fs::Metadata) -> &'static str {
     }
 }
 
-/// Files in memory. Names are compared with `.` and `..` resolved; there is no current folder.
+/// Files in memory. Names are compared after `.` and `..` are resolved. There is no current folder.
 ///
 /// ```
 /// use cutaway_io::document::Document;
@@ -167,7 +166,7 @@ impl Files for Memory {
     }
 }
 
-/// The names of the files.
+/// Prints only the names of the files, not their bytes.
 impl fmt::Debug for Memory {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_set().entries(self.0.keys()).finish()

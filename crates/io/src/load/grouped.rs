@@ -1,9 +1,9 @@
-//! Merging of equal notes about many nodes or objects.
+//! Merges equal notes about many nodes or objects.
 
 use cutaway::error::Diagnostic;
 
-/// Merges messages of the same code: each group is its first message, with the number of the others. `noun` is the singular name of the
-/// subjects, such as "node".
+/// Merges messages that have the same code into the first of them, which then states the number of the others. `noun` is what the messages
+/// are about, in the singular, such as "node".
 pub(super) fn grouped(messages: Vec<Diagnostic>, noun: &str) -> Vec<Diagnostic> {
     let mut groups: Vec<(Diagnostic, usize)> = Vec::new();
     for message in messages {

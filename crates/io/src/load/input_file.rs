@@ -1,6 +1,6 @@
-//! Reading of files: errors name the unreadable file, and unpacking is limited to a size that fits into memory.
+//! Reads files. Errors name the file, and unpacking is limited to a size that fits into memory.
 //!
-//! A model may come from an untrusted source, and a few kilobytes of gzip can unpack to any size, so the limit is checked during unpacking.
+//! A model may come from an untrusted source, and a few kilobytes of gzip may unpack to any size. So the limit is checked while unpacking.
 
 use std::borrow::Cow;
 use std::io::{self, ErrorKind, Read};
@@ -11,11 +11,11 @@ use flate2::read::MultiGzDecoder;
 
 use super::files::{Disk, Files, MOST_BYTES};
 
-/// Largest accepted ratio of unpacked to packed bytes. Among real meshes the best ratio was 23, and a flat grid reaches perhaps 100;
-/// only files made for that purpose reach the gzip maximum of 1032.
+/// Largest accepted ratio of unpacked to packed bytes. The highest ratio among real meshes was 23, and a flat grid reaches perhaps 100.
+/// Only files made for that purpose reach the gzip maximum of 1032.
 const MOST_RATIO: u64 = 250;
 
-/// Unpacked size in bytes up to which the ratio is not checked: small files are harmless, and test files often repeat a single value.
+/// Unpacked size in bytes up to which the ratio is not checked. Small files are harmless, and test files often repeat a single value.
 const RATIO_COUNTS_FROM: u64 = 64 << 20;
 
 /// Refuses a path on disk that is not a regular file, and a file that is too long.
@@ -29,7 +29,7 @@ pub fn read<'a>(path: &Path, store: &'a dyn Files) -> Result<Cow<'a, [u8]>> {
     store.read(path).map_err(|e| unreadable(path, &e))
 }
 
-/// Returns the bytes of a file, unpacked if they are gzipped, whatever the file name.
+/// Returns the bytes of a file. Gzipped bytes are unpacked, whatever the file name.
 pub(crate) fn read_unpacked<'a>(path: &Path, store: &'a dyn Files) -> Result<Cow<'a, [u8]>> {
     let bytes = read(path, store)?;
     if bytes.starts_with(&[0x1f, 0x8b]) {
@@ -39,7 +39,7 @@ pub(crate) fn read_unpacked<'a>(path: &Path, store: &'a dyn Files) -> Result<Cow
     }
 }
 
-/// Unpacks bytes from another source if they are gzipped; `path` is the name used in errors.
+/// Unpacks bytes from another source if they are gzipped. Errors name `path`.
 pub fn unpack(path: &Path, bytes: Vec<u8>) -> Result<Vec<u8>> {
     match bytes.starts_with(&[0x1f, 0x8b]) {
         true => unpacked(path, &bytes),
@@ -47,7 +47,7 @@ pub fn unpack(path: &Path, bytes: Vec<u8>) -> Result<Vec<u8>> {
     }
 }
 
-/// Returns the largest size in bytes that `packed` packed bytes may unpack to.
+/// Returns the largest size, in bytes, to which `packed` bytes may unpack.
 pub(super) fn most_unpacked(packed: u64) -> u64 {
     packed
         .saturating_mul(MOST_RATIO)
@@ -87,7 +87,7 @@ fn unreadable(path: &Path, e: &io::Error) -> Error {
         }
         ErrorKind::FileTooLarge => "split it into several files",
         ErrorKind::Unsupported => "without a file system, give the files as bytes",
-        _ => "check that it is a file that can be read",
+        _ => "check that the path is a readable file",
     };
     let error = Error::file(path, format!("cannot be read: {e}"), help);
     match e.kind() {

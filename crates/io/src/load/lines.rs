@@ -1,4 +1,4 @@
-//! Splitting of text into lines that end with LF, CR LF or CR alone, and removal of a byte order mark.
+//! Splits text into lines that end with LF, CR LF or CR alone, and removes a byte order mark.
 
 use std::iter::Map;
 use std::str::SplitTerminator;
@@ -12,7 +12,7 @@ pub(super) fn lines(text: &str) -> Lines<'_> {
     text.split_terminator(end).map(bare)
 }
 
-/// Text without the byte order mark that editors on Windows put before it.
+/// Returns a text without the byte order mark that Windows editors put at its start.
 pub(super) fn without_mark(bytes: &[u8]) -> &[u8] {
     bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes)
 }

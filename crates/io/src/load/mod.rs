@@ -1,12 +1,11 @@
-//! File loading. Meshes: OBJ, STL, PLY, glTF, GLB and 3MF, the first three also gzipped; [`frames`] of meshes; images as height maps.
+//! Loads files: meshes in OBJ, STL, PLY (all three also gzipped), glTF, GLB and 3MF, [`frames`] of meshes, and images as height maps.
 //!
-//! A reader only transcribes: it turns bytes into a `Draft`, in which positions are shared as in the file, and refuses invalid
-//! meshes with file, line and reason. All decisions about the mesh are made in `draft`: what is
-//! refused, what is welded, what is left out, and which groups of triangles form one solid. Anything that the loader changed or
-//! could not use is reported in [`Loaded::notes`].
+//! A reader of a format only converts bytes into a `Draft`, in which positions are shared as in the file. Its errors give file, line and
+//! reason. All decisions about the mesh are made in `draft`: what is refused, welded or left out, and which groups of triangles form one
+//! solid. Anything that the loader changed or could not use is reported in [`Loaded::notes`].
 //!
-//! Files are read from disk, or from a host through [`Files`]. On disk only regular files are read, up to the limits in
-//! `files` and `input_file`, and a glTF file may only name files in its own folder and below.
+//! Files are read from disk, or from a host through [`Files`]. On disk, only regular files are read, up to the limits in `files` and
+//! `input_file`. A glTF file may only name files in its own folder and below.
 
 mod assets;
 mod companions;
@@ -60,9 +59,9 @@ pub struct Loaded {
     pub parts: Vec<Part>,
     /// Notes on geometry that was welded, left out, missing or left open.
     pub notes: Vec<Diagnostic>,
-    /// The mesh file and the files that were read because it names them: material libraries, buffers.
+    /// The mesh file, and the files that were read because it names them, such as material libraries and buffers.
     pub files: Vec<PathBuf>,
-    /// Length unit of the parts, if the format states one: metres in glTF, the unit of the file in 3MF.
+    /// Length unit of the parts, if the format states one. In glTF it is the metre, in 3MF the unit given in the file.
     pub unit: Option<LengthUnit>,
 }
 
@@ -79,10 +78,10 @@ impl From<Vec<Part>> for Loaded {
 #[doc(hidden)]
 pub const MESH_FORMATS: [&str; 6] = ["obj", "stl", "ply", "glb", "gltf", "3mf"];
 
-/// Formats that are also read gzipped.
+/// Formats that are also read if they are gzipped.
 const GZIPPED: [&str; 3] = ["obj", "stl", "ply"];
 
-/// Loads a mesh file from disk; its extension names the format.
+/// Loads a mesh file from disk. Its extension determines the format.
 ///
 /// ```no_run
 /// let loaded = cutaway_io::load::load_mesh_file("bracket.stl".as_ref())?;
@@ -99,7 +98,7 @@ pub fn load_mesh_file(path: &Path) -> Result<Loaded> {
 ///
 /// # Errors
 ///
-/// The errors of [`load_mesh_file`]: a file that is missing or is not a mesh.
+/// Fails like [`load_mesh_file`] if a file is missing or is not a mesh.
 pub fn load_mesh_file_from(path: &Path, store: &dyn Files) -> Result<Loaded> {
     let (format, stem) = format_and_stem(path)?;
     let bytes = input_file::read_unpacked(path, store)?;
@@ -137,7 +136,7 @@ pub fn load_mesh_file_from(path: &Path, store: &dyn Files) -> Result<Loaded> {
     })
 }
 
-/// Reports open edges, which make inside and outside ambiguous: their count, and the position of one if only one part is open.
+/// Reports open edges, which make inside and outside ambiguous. Gives their count and, if only one part is open, the position of one.
 pub(crate) fn doubt(parts: &[Part]) -> Option<Diagnostic> {
     const OPEN_EDGES: &str = "open-edges";
     const DOUBT: &str = "for rays through a hole, inside and outside are ambiguous, and such pixels are marked as unreliable";
@@ -182,7 +181,7 @@ fn check_range(path: &Path, parts: &[Part]) -> Result<()> {
     }
 }
 
-/// Conventional up axis of a mesh file whose format does not define it: +Z in STL, from CAD and printing, +Y in PLY, mostly scans.
+/// Conventional up axis of a mesh file. It is +Z in STL, which comes from CAD and printing, and +Y in PLY, which mostly comes from scans.
 /// In 3MF it is +Z by definition, in glTF +Y, and in OBJ +Y by the convention of its usual readers.
 pub(crate) fn up_by_habit(path: &Path) -> Option<Up> {
     match format_and_stem(path).ok()?.0.as_str() {
@@ -211,11 +210,11 @@ fn format_and_stem(path: &Path) -> Result<(String, String)> {
     let gzipped = unpacked.len() < lower.len();
     if !MESH_FORMATS.contains(&format) || (gzipped && !GZIPPED.contains(&format)) {
         let what = if gzipped && MESH_FORMATS.contains(&format) {
-            "only .obj, .stl and .ply are read gzipped".to_owned()
+            "only .obj, .stl and .ply may be gzipped".to_owned()
         } else if format.is_empty() {
             "the name has no extension to identify the format".to_owned()
         } else {
-            format!("`.{format}` is not a mesh format that is read")
+            format!("`.{format}` is not a supported mesh format")
         };
         return Err(Error::file(path, what, did_you_mean(format, MESH_FORMATS)));
     }

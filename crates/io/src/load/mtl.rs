@@ -1,5 +1,5 @@
-//! Wavefront material libraries: the libraries named by an OBJ, and each material's colour, image and transparency (`Kd`, `map_Kd`,
-//! `d`, `Tr`); everything else in them is ignored, including image options.
+//! Reads the Wavefront material libraries that an OBJ names: each material's colour, image and transparency (`Kd`, `map_Kd`, `d`, `Tr`).
+//! Everything else in a library is ignored, including image options.
 
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
@@ -35,7 +35,7 @@ pub(super) fn libraries(folder: &Path, bytes: &[u8], store: &dyn Files) -> Vec<P
     [libraries, images].concat()
 }
 
-/// The files of an `mtllib` line, which holds either one name with spaces or several names without.
+/// The files of an `mtllib` line. The line holds either one name that contains spaces, or several names without spaces.
 fn named(folder: &Path, line: &str, store: &dyn Files) -> Vec<PathBuf> {
     let names: Vec<&str> = if store.is_file(&folder.join(line)) {
         vec![line]
@@ -89,7 +89,7 @@ pub(super) fn read_all(
     paints
 }
 
-/// Reads an image in the library's folder or below; a fault becomes a note.
+/// Reads an image in the library's folder or below. A fault becomes a note.
 fn image(
     path: &Path,
     name: &str,
@@ -132,7 +132,7 @@ fn images_in(text: &str) -> impl Iterator<Item = String> {
     looks_of(text).into_iter().filter_map(|look| look.image)
 }
 
-/// Parses all materials. A material whose colour does not parse has none.
+/// Parses all materials. If a material's colour cannot be parsed, the material has no colour.
 fn looks_of(text: &str) -> Vec<MtlMaterial> {
     let mut all: Vec<MtlMaterial> = Vec::new();
     for line in lines(text).map(str::trim) {

@@ -1,13 +1,12 @@
-//! Wavefront OBJ: `v`, `vn`, `f`, `o`, `g`, `usemtl`, `mtllib`; other lines are ignored.
+//! Reads Wavefront OBJ: `v`, `vn`, `f`, `o`, `g`, `usemtl`, `mtllib`. Other lines are ignored.
 //!
-//! This reader exists because topology needs data that available OBJ crates drop: positions stay shared by their index in the file
-//! across objects, groups and materials, and every error has its line. Polygons become fans from their first corner:
-//! a concave one may overlap itself, but its outline and thus the parity of every ray are unchanged. A face only needs positions:
-//! colours and texture coordinates are used if valid ([`obj_vertex_paint`](super::obj_vertex_paint)), and an invalid normal index
-//! is dropped with a note. So is a line whose first word is unknown.
+//! This reader exists because available OBJ crates drop data that topology needs. Here positions stay shared across objects, groups and
+//! materials, by their index in the file, and every error gives its line. Polygons become fans from their first corner. The fan of a
+//! concave polygon may overlap itself, but its outline and thus the parity of every ray are unchanged. A face only needs positions. Colours
+//! and texture coordinates are used if valid ([`obj_vertex_paint`](super::obj_vertex_paint)). An invalid normal index is dropped with a
+//! note, as is a line whose first word is unknown.
 //!
-//! Cost: one pass over the text. A file truncated between two lines is not detected unless a face refers to a
-//! vertex that is missing.
+//! Cost: one pass over the text. If a file is truncated between two lines, that is only detected if a face refers to a missing vertex.
 
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
@@ -20,7 +19,7 @@ use super::obj_vertex_paint::ObjVertexPaint;
 use super::painted::Paint;
 use super::{Draft, Files, Group, mtl, without_mark};
 
-/// First words of lines without effect on the surface: parameter coordinates, smoothing, points, lines, display.
+/// First words of lines that do not affect the surface, such as parameter coordinates, smoothing, points, lines and display settings.
 const PASSED_OVER: [&str; 13] = [
     "",
     "vp",
@@ -37,7 +36,7 @@ const PASSED_OVER: [&str; 13] = [
     "shadow_obj",
 ];
 
-/// Key that separates groups.
+/// Triangles belong to the same group if they have the same label.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
 struct Label {
     object: String,
@@ -45,10 +44,10 @@ struct Label {
     material: String,
 }
 
-/// The largest index named before it was defined, and the line of the face that did.
+/// The largest index that a face used before it was defined, and the line of that face.
 type ForwardReference = Option<(usize, usize)>;
 
-/// An omitted element: the line and text of its first occurrence, and the total count.
+/// A kind of element that is left out, with the line and text of its first occurrence, and its total count.
 #[derive(Debug, Default)]
 struct LeftOut {
     first: Option<(usize, String)>,
@@ -75,7 +74,7 @@ struct ObjReader<'a> {
     draft: Draft,
     normals: Vec<Vec3>,
     corner_normals: Vec<[Vec3; 3]>,
-    /// Index into `normals` per corner, resolved at the end because a face may precede its normals.
+    /// For each corner, its index into `normals`. Resolved at the end, because a face may precede its normals.
     normal_of_corner: Vec<Option<[u32; 3]>>,
     vertex_paint: ObjVertexPaint,
     label: Label,
@@ -168,7 +167,7 @@ impl ObjReader<'_> {
         for (k, n) in numbers.iter_mut().enumerate() {
             let word = words
                 .next()
-                .ok_or_else(|| self.error(line, format!("{what} has {k} of 3 numbers")))?;
+                .ok_or_else(|| self.error(line, format!("{what} has only {k} of 3 numbers")))?;
             *n = word
                 .parse()
                 .map_err(|_| self.error(line, format!("`{word}` is not a number")))?;
@@ -224,7 +223,7 @@ impl ObjReader<'_> {
         })
     }
 
-    /// The index of a normal; `None` if the index cannot be valid.
+    /// Parses the index of a normal. Returns `None` if the index cannot be valid.
     fn normal(&mut self, line: usize, word: &str) -> Option<u32> {
         let known = self.normals.len();
         let from_zero = word.parse().ok().and_then(|index| from_zero(index, known));
@@ -246,7 +245,8 @@ impl ObjReader<'_> {
             .parse()
             .map_err(|_| self.error(line, format!("`{word}` is not the index of a vertex")))?;
         let Some(from_zero) = from_zero(index, known) else {
-            let what = format!("a face refers to vertex {index}, {known} are defined so far");
+            let what =
+                format!("a face refers to vertex {index}, but only {known} are defined so far");
             return Err(self.error(line, what));
         };
         self.note_ahead(0, from_zero, known, line);
@@ -254,7 +254,7 @@ impl ObjReader<'_> {
             .map_err(|_| self.error(line, format!("a face refers to vertex {index}")))
     }
 
-    /// Records an index to a vertex or normal that may be defined later.
+    /// Records the index of a vertex or normal that may be defined later.
     fn note_ahead(&mut self, kind: usize, index: usize, known: usize, line: usize) {
         if index >= known && self.ahead[kind].is_none_or(|a| a.0 < index) {
             self.ahead[kind] = Some((index, line));
@@ -313,7 +313,7 @@ impl ObjReader<'_> {
             notes.push(
                 Diagnostic::note(
                     "obj-unknown-keyword",
-                    format!("passed over the line: {word:?} is not an OBJ keyword{more}"),
+                    format!("ignored the line: {word:?} is not an OBJ keyword{more}"),
                 )
                 .at_line(self.path, *line),
             );
@@ -368,7 +368,7 @@ impl ObjReader<'_> {
     }
 }
 
-/// Converts an index that counts from 1, or backwards from -1, to one that counts from 0.
+/// Converts an index that counts from 1, or backwards from -1, to an index that counts from 0.
 fn from_zero(index: i64, known: usize) -> Option<usize> {
     let from_zero = if index > 0 {
         index - 1

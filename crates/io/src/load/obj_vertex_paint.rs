@@ -1,4 +1,4 @@
-//! OBJ colours: `vt`, the texture indices of faces, and vertex colours after the coordinates of `v`, as scanners write them.
+//! OBJ colours: `vt`, the texture indices of faces, and vertex colours, which scanners write after the coordinates of `v`.
 
 use cutaway::scene::VertexPaint;
 use glam::{Vec2, Vec3};
@@ -11,23 +11,23 @@ const NONE: u32 = u32::MAX;
 /// Paint data read so far.
 #[derive(Debug, Default)]
 pub(super) struct ObjVertexPaint {
-    /// Texture coordinates; (0, 0) is the upper left.
+    /// Texture coordinates, where (0, 0) is the upper left corner of the image.
     pub(super) places: Vec<Vec2>,
-    /// Index into `places` for each corner, resolved at the end because a face may precede its texture coordinates.
+    /// For each corner, its index into `places`. Resolved at the end, because a face may precede its texture coordinates.
     place_of_corner: Vec<[u32; 3]>,
-    /// Colour per vertex; empty until a vertex has a colour.
+    /// Colour of each vertex. Empty until a vertex has a colour.
     colors: Vec<Option<Vec3>>,
-    /// Largest channel value of all colours: some programs write 0 to 255.
+    /// Largest channel value of all colours. It shows whether a program writes 0 to 255 instead of 0 to 1.
     greatest: f32,
 }
 
 impl ObjVertexPaint {
-    /// Adds a `vt`. An unparsable coordinate becomes 0, because it affects only the paint.
+    /// Adds a `vt`. A coordinate that cannot be parsed becomes 0, because it affects only the paint.
     pub(super) fn place(&mut self, rest: &str) {
         let mut numbers = rest.split_ascii_whitespace().map(|word| word.parse().ok());
         let mut next = || numbers.next().flatten().filter(|n: &f32| n.is_finite());
         let (u, v) = (next().unwrap_or(0.0), next().unwrap_or(0.0));
-        // V points up in the file, and down in rows of texels.
+        // V points up in the file, but down in rows of texels.
         self.places.push(Vec2::new(u, 1.0 - v));
     }
 
@@ -75,7 +75,7 @@ impl ObjVertexPaint {
     }
 }
 
-/// All three values, if none is missing.
+/// Returns all three values, if none is missing.
 fn all<T>([a, b, c]: [Option<T>; 3]) -> Option<[T; 3]> {
     Some([a?, b?, c?])
 }

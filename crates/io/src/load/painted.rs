@@ -1,4 +1,4 @@
-//! Vertex paint from the corner and material attributes of a file; shared by OBJ and glTF.
+//! Builds vertex paint from the corner and material attributes of OBJ, glTF and 3MF files.
 
 use std::sync::Arc;
 
@@ -8,10 +8,10 @@ use cutaway::scene::{
 };
 use glam::{Vec2, Vec3};
 
-/// The colour of a group of triangles, and the image that it multiplies.
+/// The colour of a group of triangles, and the image by which it is multiplied.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Paint {
-    /// sRGB; `None` means white if there is an image or vertex colours, and the default colour otherwise.
+    /// Colour in sRGB. `None` means white if there is an image or vertex colours, and the default colour otherwise.
     pub(super) color: Option<Vec3>,
     pub(super) image: Option<Arc<Texture>>,
     /// True if the group transmits light.
@@ -23,13 +23,13 @@ pub(super) struct Paint {
 pub(super) struct PaintedTriangle {
     /// Index of the group's [`Paint`].
     pub(super) group: u32,
-    /// Texture coordinates; (0, 0) is the upper left.
+    /// Texture coordinates, where (0, 0) is the upper left corner of the image.
     pub(super) uv: Option<[Vec2; 3]>,
-    /// Corner colours in sRGB.
+    /// Colours of the corners, in sRGB.
     pub(super) colors: Option<[Vec3; 3]>,
 }
 
-/// Builds the vertex paint of a mesh; `None` if all groups have the same plain colour.
+/// Builds the vertex paint of a mesh. Returns `None` if all groups have the same plain colour.
 pub(super) fn vertex_paint(paints: &[Paint], triangles: &[PaintedTriangle]) -> Option<VertexPaint> {
     let has_images = paints.iter().any(|paint| paint.image.is_some());
     let has_colors = triangles.iter().any(|t| t.colors.is_some());

@@ -1,8 +1,7 @@
-//! Hatch patterns: the PAT files of drawing programs.
+//! Reads hatch patterns from the PAT files of drawing programs.
 //!
-//! `*NAME, description` begins a pattern; each line after it is a family of lines: angle, x and y of a point, offset along and across to
-//! the next line, then dash lengths: positive for dashes, 0 for dots and negative for gaps.
-//! A `;` begins a comment.
+//! A pattern begins with `*NAME, description`. Each line after that is a family of lines: angle, x and y of a point, and the offsets along
+//! and across to the next line. Dash lengths may follow, positive for dashes, 0 for dots and negative for gaps. A `;` begins a comment.
 
 use std::path::Path;
 
@@ -11,14 +10,14 @@ use cutaway::scene::{Dash, HatchPattern, LineFamily, MOST_STROKES};
 
 use super::without_mark;
 
-/// Maximum number of line families in a pattern: each pixel evaluates all of them.
+/// Maximum number of line families in a pattern. Each pixel evaluates all of them.
 const MOST_FAMILIES: usize = 64;
 
 /// Returns the patterns of a file with their names, in file order. An invalid pattern does not affect the others.
 ///
 /// # Errors
 ///
-/// A file without patterns, or with lines before its first pattern.
+/// Fails if the file has no pattern, or has lines before its first pattern.
 pub fn read_patterns(path: &Path, bytes: &[u8]) -> Result<Vec<(String, Result<HatchPattern>)>> {
     let text = String::from_utf8_lossy(without_mark(bytes));
     let mut patterns: Vec<(String, Result<HatchPattern>)> = Vec::new();
@@ -56,8 +55,8 @@ pub fn read_patterns(path: &Path, bytes: &[u8]) -> Result<Vec<(String, Result<Ha
         }
     }
     if patterns.is_empty() {
-        let help = "a pattern begins with `*NAME, what it is`";
-        return Err(Error::file(path, "it holds no pattern", help));
+        let help = "begin each pattern with `*NAME, description`";
+        return Err(Error::file(path, "it contains no pattern", help));
     }
     for (name, pattern) in &mut patterns {
         if pattern.as_ref().is_ok_and(|p| p.families.is_empty()) {
@@ -81,7 +80,10 @@ fn family(line: &str) -> Result<LineFamily, String> {
         .collect();
     let numbers = numbers?;
     let [angle_deg, x, y, shift, spacing, dashes @ ..] = numbers.as_slice() else {
-        return Err(format!("it has {} numbers, not 5 or more", numbers.len()));
+        return Err(format!(
+            "it has {} numbers, but needs at least 5",
+            numbers.len()
+        ));
     };
     if spacing.abs() < 1e-9 {
         return Err("the distance from line to line is 0".into());

@@ -1,11 +1,11 @@
-//! Canonical file paths: absolute, without links and `..`, whether or not the file exists yet.
+//! Canonical file paths, which are absolute and contain no links and no `..`. The file need not exist yet.
 
 use std::fs;
 use std::path::{Component, Path, PathBuf};
 
-/// The canonical path of a file once its missing folders are created: if the folder `new` does not exist yet, `new/../a.stl` is `a.stl`.
+/// The canonical path that a file will have once its missing folders exist. If the folder `new` is missing, `new/../a.stl` is `a.stl`.
 ///
-/// Two paths with the same canonical path are the same file; hard links are not detected. A link with a missing target is kept as it is.
+/// Two paths with the same canonical path lead to the same file. Hard links are not detected. A link without a target is kept unchanged.
 ///
 /// ```
 /// use cutaway_io::load::place_of;
@@ -16,11 +16,11 @@ pub fn place_of(path: &Path) -> PathBuf {
         return place;
     }
     let absolute = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
-    // An existing path is resolved through its links; a missing one has none.
+    // If the path exists, its links are resolved. A missing path has no links.
     walked(&absolute, |place| fs::canonicalize(&place).unwrap_or(place))
 }
 
-/// Removes `.` and resolves `..` in a path; `follow` may replace each intermediate folder.
+/// Removes `.` and resolves `..` in a path. `follow` may replace each intermediate folder, for example to resolve links.
 pub(super) fn walked(path: &Path, follow: impl Fn(PathBuf) -> PathBuf) -> PathBuf {
     let mut place = PathBuf::new();
     for step in path.components() {

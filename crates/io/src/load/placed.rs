@@ -14,7 +14,7 @@ pub(super) struct Placed {
     pub(super) color: Option<Vec3>,
     pub(super) materials: Vec<String>,
     pub(super) is_transparent: bool,
-    /// Role that the file states.
+    /// Role of the solid, if the file states one.
     pub(super) role: Option<Role>,
     pub(super) mesh: Arc<Mesh>,
     pub(super) world_from_part: DAffine3,
@@ -36,11 +36,11 @@ impl Placed {
     }
 }
 
-/// A single solid is named after the file; several keep their names from the file, made unique.
+/// Converts solids to parts. A single solid is named after the file. Several solids keep their names, made unique.
 pub(super) fn parts_of(placed: Vec<Placed>, stem: &str) -> Vec<Part> {
     let alone = placed.len() == 1;
     let mut taken = HashSet::new();
-    // Number of requests per name: thousands of parts may share one.
+    // Number of parts with each name so far. Thousands of parts may share a name.
     let mut counts: HashMap<String, usize> = HashMap::new();
     let mut name_of = |given: Option<String>| {
         let wanted = match given.filter(|n| !alone && !n.trim().is_empty()) {

@@ -1,9 +1,8 @@
-//! STL, binary and ASCII. Corners are stored one by one; welding is left to the caller.
+//! Reads STL, binary and ASCII. Each triangle has its own three corners; the caller welds them.
 //!
-//! A file is binary if its length matches its triangle count (84 + 50 n), whatever its first word: some exporters begin binary
-//! files with `solid`. Otherwise it is ASCII if it begins with `solid` and continues as text, else a damaged binary file.
-//! Facet normals and attribute bytes are ignored: the corners define the facet. ASCII is read word by word, regardless of line breaks;
-//! only names end with their lines.
+//! A file is binary if its length matches its triangle count (84 + 50 n), whatever its first word, because some exporters begin binary
+//! files with `solid`. Otherwise a file that begins with `solid` and continues as text is ASCII, and any other file is damaged. Facet
+//! normals and attribute bytes are ignored. ASCII is read word by word, regardless of line breaks. Only names end with their lines.
 
 use std::path::Path;
 
@@ -19,9 +18,9 @@ const HEADER_BYTES: usize = 84;
 const FACET_BYTES: usize = 50;
 const CUT_OFF: &str = "the file is cut off or damaged: export or download it again";
 
-/// Returns true if `bytes` has the length of a binary file with its stated facet count.
+/// Returns true if `bytes` has exactly the length that a binary file with the stated facet count has.
 pub(super) fn is_binary(bytes: &[u8]) -> bool {
-    // Text read as a facet count is so large that the product overflows on 32-bit targets.
+    // If the bytes are text, the count is so large that the product overflows on 32-bit targets.
     stated_facets(bytes).is_some_and(|n| {
         let length = n.checked_mul(FACET_BYTES);
         length.and_then(|l| l.checked_add(HEADER_BYTES)) == Some(bytes.len())
@@ -36,7 +35,7 @@ pub(super) fn read(path: &Path, bytes: &[u8], notes: &mut Vec<Diagnostic>) -> Re
     }
     let Some(stated) = stated else {
         let what = format!(
-            "a binary STL has a header of {HEADER_BYTES} bytes, the file has {}",
+            "a binary STL has a header of {HEADER_BYTES} bytes, but the file has only {}",
             bytes.len()
         );
         return Err(Error::file(path, what, CUT_OFF));
@@ -44,7 +43,7 @@ pub(super) fn read(path: &Path, bytes: &[u8], notes: &mut Vec<Diagnostic>) -> Re
     let found = (bytes.len() - HEADER_BYTES) / FACET_BYTES;
     if found < stated {
         let what = format!(
-            "the header states {} triangles, the file holds {}",
+            "the header states {} triangles, but the file has {}",
             thousands(stated),
             thousands(found)
         );
@@ -54,7 +53,7 @@ pub(super) fn read(path: &Path, bytes: &[u8], notes: &mut Vec<Diagnostic>) -> Re
     if extra > 0 {
         notes.push(Diagnostic::note(
             "trailing-bytes",
-            format!("passed over {extra} bytes after the last triangle"),
+            format!("ignored {extra} bytes after the last triangle"),
         ));
     }
     Ok(binary(
@@ -135,7 +134,7 @@ struct AsciiReader<'a> {
     path: &'a Path,
     draft: Draft,
     corners: Vec<DVec3>,
-    /// Count and values of the coordinates read so far of an incomplete vertex.
+    /// If a vertex is incomplete, the number and the values of the coordinates that have been read.
     vertex: Option<(usize, [f64; 3])>,
     is_in_solid: bool,
 }
@@ -157,7 +156,7 @@ fn ascii(path: &Path, text: &str) -> Result<Draft> {
     }
     if reader.is_in_solid || !reader.corners.is_empty() {
         let found = thousands(reader.draft.mesh.triangles.len());
-        let what = format!("the file ends after {found} triangles, `endsolid` is missing");
+        let what = format!("the file ends after {found} triangles without `endsolid`");
         return Err(reader.error(last_line, what));
     }
     Ok(reader.draft)
@@ -176,13 +175,13 @@ impl AsciiReader<'_> {
             match Keyword::named(word) {
                 Some(keyword) => {
                     if let Some((count, _)) = self.vertex {
-                        let what = format!("a vertex has {count} of 3 numbers");
+                        let what = format!("a vertex has only {count} of 3 numbers");
                         return Err(self.error(number, what));
                     }
                     rest = self.statement(number, keyword, rest)?;
                 }
                 None if self.vertex.is_some() => self.coordinate(number, word)?,
-                // The numbers of normals and words such as `loop` may appear anywhere.
+                // The numbers of normals, and words such as `loop`, may appear anywhere.
                 None if is_first && !is_passed_over(word) => {
                     let what = format!("`{word}` is not an ASCII STL keyword");
                     return Err(self.error(number, what));
@@ -258,13 +257,13 @@ fn first_word(text: &str) -> Option<(&str, &str)> {
     (end > 0).then(|| text.split_at(end))
 }
 
-/// A word that may begin a line without being a statement.
+/// Returns true for a word that may begin a line without being a statement.
 fn is_passed_over(word: &str) -> bool {
     let is_number = || word.parse::<f64>().is_ok();
     word.eq_ignore_ascii_case("normal") || word.eq_ignore_ascii_case("loop") || is_number()
 }
 
-/// Splits a text at its first facet: a name extends to the end of its line, or to a facet on the same line.
+/// Splits a text at its first facet. A name extends to the end of its line, or to a facet on the same line.
 fn before_facet(text: &str) -> (&str, &str) {
     let mut rest = text;
     while let Some((word, behind)) = first_word(rest) {
@@ -320,7 +319,7 @@ mod tests {
         let said = parse(&binary_file(b"", 4_000_000_000, 2)).unwrap_err();
         assert!(
             said.to_string()
-                .contains("4,000,000,000 triangles, the file holds 2")
+                .contains("4,000,000,000 triangles, but the file has 2")
         );
         assert!(parse(&binary_file(b"", 2, 2)[..70]).is_err());
         let lines: Vec<&str> = ASCII.lines().collect();

@@ -1,16 +1,16 @@
-//! Motion of welded vertices: each follows the first vertex of its group.
+//! Motion of welded vertices. Each follows the first of the vertices that were welded together.
 //!
-//! Files that split vertices for normals or textures give the copies the same motion, up to rounding. Where the motions differ, the
-//! seam would tear open; it stays closed, and a note reports that its vertices do not follow the file.
+//! If a file splits vertices for normals or textures, the copies have the same motion, up to rounding. Where the motions differ, the file
+//! would tear the seam open. The seam stays closed, and a note reports that its vertices do not follow the file.
 
 use cutaway::error::Diagnostic;
 use cutaway::scene::weld::thousands;
 use cutaway::scene::{Mesh, Motion};
 
-/// Weights that differ by less are considered equal.
+/// Weights that differ by less than this are considered equal.
 const SAME_WEIGHT: f64 = 1e-4;
 
-/// Displacements that differ by less are considered equal, as a share of the mesh's diagonal.
+/// Displacements that differ by less than this fraction of the mesh's diagonal are considered equal.
 const SAME_DISPLACEMENT: f64 = 1e-6;
 
 /// Computes the motion of a welded mesh. `mesh` and `motion` are those before welding.
@@ -46,7 +46,7 @@ pub(super) fn motion(
         notes.push(Diagnostic::note(
             "welded-motion",
             format!(
-                "{} vertices move otherwise than those they were welded to; they now follow them",
+                "{} vertices move differently from the vertices they were welded to; now they move with them",
                 thousands(astray)
             ),
         ));

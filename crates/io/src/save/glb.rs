@@ -1,9 +1,9 @@
-//! Binary glTF 2.0: a node for each solid, whose mesh has a primitive for faces and one for caps, which share vertices; faces with
-//! their own colours or images have separate vertices, and a primitive for each image.
+//! Writes binary glTF 2.0. Each solid is a node whose mesh has a primitive for faces and one for caps. Both share vertices. If faces have
+//! vertex colours or images, their vertices are separate, and each image has its own primitive.
 //!
-//! Without normals viewers shade each triangle flat, as the specification requires. Units and axes are the model's; the format defines
-//! metres and +Y up. If a solid is farther from the origin than [`FAR_FROM_ORIGIN`] times its size, its mesh is relative to its node,
-//! whose translation readers keep in f64 or in f32, so that its shape does not depend on its position.
+//! No normals are written, so viewers shade each triangle flat, as the specification requires. Units and axes are the model's, although the
+//! format defines metres and +Y up. If a solid is farther from the origin than [`FAR_FROM_ORIGIN`] times its size, its mesh is relative to
+//! its node. Then f32 rounding affects only the node's translation, not the shape.
 
 use std::collections::BTreeMap;
 
@@ -19,7 +19,7 @@ const ELEMENT_ARRAY_BUFFER: u32 = 34963;
 const FLOAT: u32 = 5126;
 const UNSIGNED_INT: u32 = 5125;
 
-/// Contents of a file under construction.
+/// Contents of a file while it is built.
 #[derive(Default)]
 struct GlbBuilder {
     bytes: Vec<u8>,
@@ -81,7 +81,7 @@ pub(super) fn encoded(solids: &[Solid<'_>]) -> Result<Vec<u8>, Unwritable> {
 /// Distance from the origin, in multiples of the mesh's size, at which f32 coordinates lose four of their 24 bits.
 const FAR_FROM_ORIGIN: f64 = 16.0;
 
-/// The origin of a mesh's node: the world origin, or the middle of the mesh if that is far away.
+/// The origin of a mesh's node. It is the world origin, or the middle of the mesh if the mesh is far from the world origin.
 pub(super) fn origin(mesh: &Mesh) -> DVec3 {
     let bounds = mesh.bounds();
     let farthest = bounds.min.abs().max(bounds.max.abs()).max_element();
@@ -96,7 +96,7 @@ struct MaterialGroup {
     name: String,
     /// Indices of triangles in the solid.
     triangles: Vec<usize>,
-    /// Linear RGB.
+    /// Colour in linear RGB.
     color: [f32; 3],
     /// Index of the group's image among all images.
     image: Option<usize>,
@@ -142,7 +142,7 @@ fn groups(solid: &Solid<'_>, index: usize, images: &Images) -> Vec<MaterialGroup
     groups
 }
 
-/// A corner of a painted triangle: its vertex, its colour, and the bits of its texture coordinate.
+/// A corner of a painted triangle, as its vertex, its colour, and the bits of its texture coordinate.
 type TexturedCorner = (u32, [u8; 4], [u32; 2]);
 
 impl GlbBuilder {
@@ -192,7 +192,7 @@ impl GlbBuilder {
             .push(json!({ "name": solid.name, "primitives": primitives }));
     }
 
-    /// The attributes of painted triangles, and their corners: one vertex per distinct combination at a position.
+    /// Returns the attributes and the corners of painted triangles. Each distinct combination at a position becomes one vertex.
     fn textured(
         &mut self,
         group: &MaterialGroup,

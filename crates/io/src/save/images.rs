@@ -1,6 +1,6 @@
-//! The images shown by the faces of some solids, each once, as PNGs.
+//! The images that the faces of solids show, as PNGs. Each image is written once.
 //!
-//! Cost: a pass over the painted triangles, and the PNG encoding of each image at full size.
+//! Cost: one pass over the painted triangles, and PNG encoding of each image at full size.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -15,7 +15,7 @@ use super::solid::{Solid, Unwritable};
 /// Numbered images, in the order of their first use by a face.
 pub(super) struct Images {
     all: Vec<Arc<Texture>>,
-    /// Number of each image of each solid's vertex paint; `None` if no face shows it.
+    /// For each solid, the number of each image of its vertex paint, or `None` if no face shows the image.
     numbers: Vec<Vec<Option<usize>>>,
 }
 
@@ -43,12 +43,12 @@ impl Images {
         self.all.len()
     }
 
-    /// The number of the image on a face of a solid, if it has one.
+    /// The number of the image on a face of a solid, if the face has one.
     pub(super) fn number(&self, solid: usize, face: &TexturedTriangle) -> Option<usize> {
         self.numbers[solid][face.image? as usize]
     }
 
-    /// The faces of solid number `index`, grouped by image number; those without an image come first.
+    /// The faces of solid number `index`, grouped by image number. Faces without an image come first.
     pub(super) fn faces(
         &self,
         index: usize,
@@ -67,7 +67,7 @@ impl Images {
         self.all.iter().map(|image| png(image)).collect()
     }
 
-    /// Returns each image as a file for the folder of the mesh file, whose name without extension is `stem`.
+    /// Returns the name and bytes of each image file. `stem` is the name of the mesh file without its extension.
     pub(super) fn files(&self, stem: &str) -> Result<Vec<(String, Vec<u8>)>, Unwritable> {
         let pngs = self.pngs()?.into_iter().enumerate();
         Ok(pngs.map(|(i, png)| (file_name(stem, i), png)).collect())
@@ -79,7 +79,7 @@ pub(super) fn bits(place: Vec2) -> [u32; 2] {
     place.to_array().map(f32::to_bits)
 }
 
-/// Converts a texture coordinate to the convention of most formats, with V up; rows of texels go down.
+/// Flips V, because it points up in most formats, whereas rows of texels go down.
 pub(super) fn upwards(place: Vec2) -> [f64; 2] {
     [f64::from(place.x), 1.0 - f64::from(place.y)]
 }
@@ -89,7 +89,7 @@ pub(super) fn file_name(stem: &str, number: usize) -> String {
     format!("{}.{number}.png", word_of(stem))
 }
 
-/// Turns text into one word: without blanks, comment characters or line continuations, and not mistakable for an option.
+/// Turns text into one word, without blanks, comment characters or line continuations, that cannot be mistaken for an option.
 pub(super) fn word_of(text: &str) -> String {
     let is_plain = |c: char| !(c.is_whitespace() || c.is_control() || c == '#' || c == '\\');
     let word = text.chars().map(|c| if is_plain(c) { c } else { '_' });

@@ -1,10 +1,9 @@
-//! Mesh files: STL and PLY (binary), OBJ with MTL, GLB and 3MF; and files of [sections](section): SVG, DXF and JSON.
+//! Writes mesh files (binary STL and PLY, OBJ with MTL, GLB and 3MF), and files of [sections](section) (SVG, DXF and JSON).
 //!
-//! The output is closed if the mesh is. Every vertex is rounded once, wherever it occurs, and triangles in which two corners then
-//! coincide are left out: both may merge vertices, but do not change which edges are closed. OBJ, PLY and 3MF hold the
-//! mesh's f64 values; STL and GLB hold f32, which moves a vertex by up to 6e-8 of its largest coordinate ([`rounding`]). In GLB a solid
-//! that is far from the origin for its size is relative to the origin of its own node. Axes are not rotated: a mesh keeps its model's axes,
-//! +Z or +Y up.
+//! The output is closed if the mesh is closed. Every vertex is rounded once, and triangles in which two corners then coincide are left out.
+//! This may merge vertices, but does not open edges. OBJ, PLY and 3MF hold the mesh's f64 values. STL and GLB hold f32, which moves a
+//! vertex by up to 6e-8 of its largest coordinate ([`rounding`]). In GLB, a solid that is far from the origin relative to its size has
+//! coordinates relative to its node. Axes are not rotated, so the mesh keeps its model's up axis, +Z or +Y.
 //!
 //! | format | parts | names | colours | caps |
 //! |---|---|---|---|---|
@@ -14,10 +13,10 @@
 //! | GLB | nodes | yes | materials, vertices, images | a primitive with its own material |
 //! | 3MF | objects | yes | base materials, corner colours, images | triangles with their own base material |
 //!
-//! If vertices have colours, GLB, PLY and OBJ have one vertex per distinct corner colour at a position: readers merge them by
-//! position. Images are PNGs: embedded in GLB and 3MF, separate files for PLY and OBJ. [`leaves_out`] names data that a format cannot hold.
+//! GLB, PLY and OBJ write one vertex for each distinct corner colour at a position, and readers can merge them. Images are PNGs, embedded
+//! in GLB and 3MF, and separate files for PLY and OBJ. [`leaves_out`] names data that a format cannot hold.
 //!
-//! Cost: one pass over the triangles, and the files in memory.
+//! Cost: one pass over the triangles. The files are held in memory.
 
 mod glb;
 mod images;
@@ -67,7 +66,7 @@ impl MeshFormat {
         found.map(|(_, format)| *format)
     }
 
-    /// Names of the files that may accompany a mesh file, whose name without extension is `stem`, for solids with `images` images.
+    /// Names of the files that may accompany a mesh file. `stem` is its name without extension, `images` the number of images.
     pub fn beside(self, stem: &str, images: usize) -> Vec<String> {
         let library = (self == Self::Obj).then(|| obj::library_name(stem));
         let images = match self {
@@ -83,7 +82,7 @@ impl MeshFormat {
 ///
 /// # Errors
 ///
-/// See [`Unwritable`].
+/// Each variant of [`Unwritable`] is a possible error.
 pub fn encoded(
     format: MeshFormat,
     solids: &[Solid<'_>],
@@ -104,8 +103,7 @@ pub fn encoded(
     }
 }
 
-/// The largest distance by which writing a format moves a vertex along an axis, in model units; `None` for formats that
-/// hold f64.
+/// The largest distance, in model units, by which writing a format moves a vertex along an axis. Returns `None` for formats that hold f64.
 pub fn rounding(format: MeshFormat, solids: &[Solid<'_>]) -> Option<f64> {
     let origin = |solid: &Solid<'_>| match format {
         MeshFormat::Stl => Some(DVec3::ZERO),
@@ -123,7 +121,7 @@ pub fn rounding(format: MeshFormat, solids: &[Solid<'_>]) -> Option<f64> {
     most
 }
 
-/// Names the colours and images of solids that a format cannot hold; `None` if it holds all.
+/// Names the colours and images of solids that a format cannot hold. Returns `None` if it can hold all.
 pub fn leaves_out(format: MeshFormat, solids: &[Solid<'_>]) -> Option<&'static str> {
     let mut vertex_paints = solids.iter().filter_map(|s| s.vertex_paint.as_ref());
     let are_both = |face: &TexturedTriangle| face.image.is_some() && face.has_colors();
@@ -132,14 +130,14 @@ pub fn leaves_out(format: MeshFormat, solids: &[Solid<'_>]) -> Option<&'static s
         MeshFormat::Stl => {
             (vertex_paints.next().is_some()).then_some("colours of vertices and images")
         }
-        // If there are both, the images are written.
+        // If a triangle has both a vertex colour and an image, only the image is written.
         MeshFormat::ThreeMf => (vertex_paints
             .any(|vertex_paint| vertex_paint.triangles.iter().any(are_both)))
         .then_some("colours of vertices under the images"),
     }
 }
 
-/// The bytes of a PLY file with only a mesh, without name and colours; [`load`](crate::load) reads it back bit-exactly.
+/// Encodes a mesh as PLY, without name and colours. [`load`](crate::load) reads it back bit-exactly.
 pub fn plain_ply(mesh: &Mesh) -> Vec<u8> {
     ply::plain(mesh)
 }

@@ -1,7 +1,7 @@
-//! Wavefront OBJ: an object for each solid, with a group for its faces and one for its caps, and their materials in a library; a
-//! material for each image, whose file is in the same folder.
+//! Writes Wavefront OBJ. Each solid is an object with a group for its faces and one for its caps, whose materials are in a library. Each
+//! image has a material, and its file is in the same folder.
 //!
-//! Numbers have the fewest digits that read back exactly. Names are single words ([`word_of`]), unique among parts and among materials.
+//! Numbers have as few digits as still read back exactly. Names are single words ([`word_of`]), unique among parts and materials.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
@@ -85,7 +85,7 @@ fn text(solids: &[Solid<'_>], images: &Images, names: &Names, stem: &str) -> Str
     text
 }
 
-/// Texture coordinates, each written once, before the first face that uses it.
+/// Texture coordinates. Each is written once, before the first face that uses it.
 #[derive(Default)]
 struct Places(BTreeMap<[u32; 2], usize>);
 
@@ -125,9 +125,9 @@ fn cap_of(name: &str) -> String {
     format!("{name}_cap")
 }
 
-/// Names without blanks, all different from each other and from the names of caps.
+/// Names without blanks. All differ from each other and from the names of caps.
 struct Names {
-    /// Names of solids, also used for their face materials.
+    /// Names of the solids, which are also the names of their face materials.
     solids: Vec<String>,
     /// Names of the materials that have images.
     images: Vec<String>,

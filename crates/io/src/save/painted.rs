@@ -1,7 +1,7 @@
-//! Surface colours other than the part colour, for the faces of a half.
+//! Surface colours of the faces of a half, if they differ from the part colour.
 //!
-//! Where a face was divided, corner attributes are interpolated between the corners of the original triangle: colours in linear light, as
-//! in rendering.
+//! Where a face was divided, corner attributes are interpolated between the corners of the original triangle. Colours are interpolated in
+//! linear light, as in rendering.
 
 use std::collections::BTreeMap;
 
@@ -13,7 +13,7 @@ use glam::{DVec3, Vec3};
 
 use super::solid::Solid;
 
-/// The vertex paint of the faces of a half; `None` if the part has none or is painted over.
+/// The vertex paint of the faces of a half. Returns `None` if the part has no vertex paint or is painted over.
 pub(super) fn vertex_paint_of(part: &Part, half: &Half) -> Option<VertexPaint> {
     let vertex_paint = part.mesh.vertex_paint.as_ref();
     let vertex_paint = vertex_paint.filter(|_| !part.material.is_painted_over)?;
@@ -37,7 +37,7 @@ pub(super) fn vertex_paint_of(part: &Part, half: &Half) -> Option<VertexPaint> {
     })
 }
 
-/// Weight of each corner of a triangle at a point inside it.
+/// Barycentric weight of each corner of a triangle at a point inside the triangle.
 fn shares(corners: [DVec3; 3], at: DVec3) -> [f32; 3] {
     if let Some(corner) = corners.iter().position(|c| *c == at) {
         return [0, 1, 2].map(|i| f32::from(u8::from(i == corner)));
@@ -76,12 +76,12 @@ fn mixed(colors: [[u8; 4]; 3], shares: [f32; 3]) -> [u8; 4] {
 /// A vertex with its colour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct ColoredVertex {
-    /// Index of its position.
+    /// Index of the vertex position.
     pub(super) at: u32,
     pub(super) color: [u8; 4],
 }
 
-/// The mesh of a solid with one colour per vertex: if corners at one position differ in colour, each colour gets its own vertex.
+/// The mesh of a solid with one colour per vertex. If corners at one position differ in colour, each colour gets a separate vertex.
 pub(super) fn by_vertex(solid: &Solid<'_>) -> (Vec<ColoredVertex>, Vec<[u32; 3]>) {
     let [own, cap] = [solid.color, solid.cap_color].map(|color| {
         let [r, g, b] = super::solid::bytes_of(color);

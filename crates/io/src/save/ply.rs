@@ -1,6 +1,6 @@
-//! Binary PLY, little-endian: vertices as `double`, faces with their colour, the number of their part, and a flag for caps; and
-//! if faces show images, `texcoord` and `texnumber` for each face and a comment `TextureFile` for each image, as in MeshLab; faces without
-//! an image have -1 as their number. [`plain`] writes only positions and triangles, for meshes without an appearance.
+//! Writes binary PLY, little-endian. Vertices are `double`. Faces have a colour, the number of their part, and a flag for caps. If faces
+//! show images, each face has `texcoord` and `texnumber`, and each image a comment `TextureFile`, as in MeshLab. A face without an image
+//! has the `texnumber` -1. [`plain`] writes only positions and triangles.
 
 use cutaway::scene::Mesh;
 use glam::{DVec3, Vec2};

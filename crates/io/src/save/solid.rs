@@ -9,22 +9,22 @@ use super::painted;
 /// A solid to be written.
 #[derive(Clone, Debug)]
 pub struct Solid<'a> {
-    /// Its name.
+    /// Name of the solid.
     pub name: &'a str,
-    /// Colour of its faces, sRGB in 0..=1.
+    /// Colour of the faces, in sRGB from 0 to 1.
     pub color: Vec3,
-    /// Additional colours and images of its faces, if it has any.
+    /// Additional colours and images of the faces, if there are any.
     pub vertex_paint: Option<VertexPaint>,
-    /// Colour of its caps.
+    /// Colour of the caps.
     pub cap_color: Vec3,
-    /// Faces, then caps.
+    /// Mesh of the solid, in which the faces come before the caps.
     pub mesh: &'a Mesh,
     /// Number of triangles that are faces.
     pub faces: usize,
 }
 
 impl<'a> Solid<'a> {
-    /// One half of a part, in the part's colours.
+    /// Returns one half of a part as a solid with the part's colours.
     pub fn of(part: &'a Part, half: &'a Half) -> Self {
         Self {
             name: &part.name,
@@ -36,12 +36,12 @@ impl<'a> Solid<'a> {
         }
     }
 
-    /// The colours and images of a face; `None` for a cap, or if the solid has none.
+    /// The colours and images of a face. Returns `None` for a cap, or if the solid has no vertex paint.
     pub(super) fn face(&self, triangle: usize) -> Option<&TexturedTriangle> {
         self.vertex_paint.as_ref()?.triangles.get(triangle)
     }
 
-    /// Returns true if corners have colours of their own, which multiply the images.
+    /// Returns true if corners have colours, by which images are multiplied.
     pub(super) fn has_colors(&self) -> bool {
         let mut faces = self
             .vertex_paint
@@ -54,9 +54,9 @@ impl<'a> Solid<'a> {
 /// A mesh file with its companion files.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct EncodedMesh {
-    /// Its bytes.
+    /// Bytes of the mesh file.
     pub file: Vec<u8>,
-    /// Names and bytes of the companion files for the same folder, a subset of those that [`MeshFormat::beside`](super::MeshFormat::beside) names.
+    /// Names and bytes of companion files in the same folder. [`MeshFormat::beside`](super::MeshFormat::beside) lists all possible names.
     pub beside: Vec<(String, Vec<u8>)>,
 }
 
@@ -70,24 +70,24 @@ impl EncodedMesh {
 /// Reason why solids cannot be written in a format.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Unwritable {
-    /// No triangle remains: there are none, or all have corners that coincide in f32.
+    /// No triangle remains, because there was none or because all have corners that coincide in f32.
     #[error("no triangle is left at the format's precision")]
     Collapsed,
-    /// Coordinates beyond the f32 range of 3.4e38.
+    /// Some coordinates are beyond the f32 range of 3.4e38.
     #[error("some coordinates are too large for the format's 32 bits")]
     Infinite,
     /// Sizes or counts exceed 32 bits.
     #[error("the format holds at most 4 GiB")]
     TooLarge,
     /// An image could not be encoded.
-    #[error("an image of it cannot be written: {0}")]
+    #[error("an image cannot be encoded: {0}")]
     Image(String),
     /// The 3MF archive could not be created.
-    #[error("its archive cannot be created: {0}")]
+    #[error("the 3MF archive cannot be created: {0}")]
     Archive(String),
 }
 
-/// The corners of a triangle in f32; `None` if two of them coincide.
+/// The corners of a triangle in f32, or `None` if two of them coincide.
 pub(super) fn rounded(positions: &[Vec3], triangle: &[u32; 3]) -> Option<[Vec3; 3]> {
     let [a, b, c] = triangle.map(|i| positions[i as usize]);
     (a != b && b != c && c != a).then_some([a, b, c])

@@ -1,6 +1,6 @@
-//! Binary STL: fifty bytes per triangle, with its normal and corners in f32.
+//! Writes binary STL. Each triangle takes fifty bytes and has its normal and corners in f32.
 //!
-//! A normal is computed from the rounded corners, and is 0 for a triangle without area.
+//! Normals are computed from the rounded corners. A triangle without area has the normal 0.
 
 use glam::Vec3;
 

@@ -1,7 +1,7 @@
-//! 3MF, core specification 1.3 and materials extension 1.2: an object for each solid, base materials for faces and for caps, a colour
-//! group for corner colours, and images with a group of texture coordinates each.
+//! Writes 3MF, core specification 1.3 and materials extension 1.2. Each solid is an object. Faces and caps have base materials, corner
+//! colours are in a colour group, and each image has a group of texture coordinates.
 //!
-//! A triangle has one property: where corner colours lie under an image, the image is written.
+//! A triangle has only one property. If it has both corner colours and an image, the image is written.
 
 use std::collections::BTreeSet;
 use std::fmt::Write;
@@ -19,7 +19,7 @@ const CONTENT_TYPES: &str = r#"<?xml version="1.0" encoding="UTF-8"?>
 /// Path of the model in the package.
 const MODEL: &str = "3D/3dmodel.model";
 
-/// A relationships part of the package that names targets of one kind.
+/// Writes a relationships part of the package, which names targets of one kind.
 fn relationships(targets: impl Iterator<Item = String>, kind: &str) -> String {
     let mut text = r#"<?xml version="1.0" encoding="UTF-8"?>
 <Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships">"#
@@ -37,10 +37,10 @@ fn relationships(targets: impl Iterator<Item = String>, kind: &str) -> String {
 /// Resource number of the base materials.
 const MATERIALS: usize = 1;
 
-/// Resource number of the corner colours; two numbers for each image follow, then the objects.
+/// Resource number of the corner colours. Two numbers for each image follow, then those of the objects.
 const COLORS: usize = 2;
 
-/// All corner colours without an image, each once.
+/// All corner colours of faces without an image. Each colour is stored once.
 struct Colors(Vec<[u8; 4]>);
 
 impl Colors {
@@ -71,7 +71,7 @@ impl Colors {
     }
 }
 
-/// The images, and all corner texture coordinates in each image, each once.
+/// The images, and for each image all texture coordinates of corners, without duplicates.
 struct Textures {
     images: Images,
     places: Vec<Vec<[u32; 2]>>,
@@ -106,7 +106,7 @@ impl Textures {
         COLORS + 2 * self.images.count() + 1
     }
 
-    /// The texture coordinates of a face of a solid: the number of its group, and one index for each corner.
+    /// The texture coordinates of a face of a solid, as the number of their group and one index for each corner.
     fn property(&self, solid: usize, face: &TexturedTriangle) -> Option<(usize, [usize; 3])> {
         let image = self.images.number(solid, face)?;
         let places = &self.places[image];

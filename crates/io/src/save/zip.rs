@@ -1,4 +1,4 @@
-//! ZIP archives of a few compressed files: what an Open Packaging container needs. The same input gives the same bytes.
+//! Writes ZIP archives of a few compressed files, as needed for an Open Packaging container. The same input gives the same bytes.
 
 use std::io::{Cursor, Write};
 

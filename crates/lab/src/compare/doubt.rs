@@ -1,12 +1,12 @@
 //! Search for the marked pixels of a frame that may be wrong.
 //!
-//! A strategy marks pixels where the crossings of ray and mesh do not tell inside from outside. Only caps depend on that:
+//! A strategy marks pixels where the crossings of ray and mesh do not tell inside from outside. Only caps depend on inside and outside:
 //! whether a surface is kept is decided by the clip-surfaces alone. So a marked pixel **may be wrong** if its ray passes from
-//! the removed to the kept side within the bounds of a cut part, no farther away than what the pixel shows, or if it
-//! starts within these bounds at a near plane that makes caps. Other marked pixels show the same whatever counts as inside.
+//! the removed to the kept side within the bounds of a cut part, no farther away than what the pixel shows, or if the ray
+//! starts within these bounds at a near plane that makes caps. Any other marked pixel shows the same whatever counts as inside.
 //!
 //! The test is conservative: it replaces a relief by the slab between its lowest and highest heights, and a cutter by its
-//! bounds, so that the answer is never no where it should be yes.
+//! bounds, so that every pixel that may be wrong is found.
 
 use cutaway::layers::{Layer, Layers};
 use cutaway::scene::{Bounds, Prepared, PreparedPart, PreparedSurface, View};
@@ -30,7 +30,7 @@ fn is_nowhere(stretch: Stretch) -> bool {
     stretch[0] > stretch[1]
 }
 
-/// Per pixel: true if it is marked and may be wrong.
+/// For each pixel, true if it is marked and may be wrong.
 pub fn may_be_wrong(layers: &Layers, prepared: &Prepared, view: &View) -> Vec<bool> {
     let width = layers.size_px[0] as usize;
     let pixels = layers.pixels.par_iter().enumerate();
@@ -73,14 +73,14 @@ fn leaves_what_is_removed(
         if is_nowhere(surely) {
             return !is_nowhere(both(perhaps, seen));
         }
-        // Where the slab of a relief begins, the ray may pass through one of its bumps.
+        // Where the ray enters a relief's slab, it may already pass through one of the relief's bumps.
         let bumps = [perhaps[0], surely[0]];
         let passes_bumps = bumps[0] < bumps[1] && !is_nowhere(both(bumps, seen));
         passes_bumps || !is_nowhere(both([surely[1], perhaps[1]], seen))
     })
 }
 
-/// Intervals of a ray that are possibly, and certainly, on the removed side of a clip-surface.
+/// Two intervals of a ray: where it may be, and where it certainly is, on the removed side of a clip-surface.
 fn removed(surface: &PreparedSurface, (origin, direction): (DVec3, DVec3)) -> [Stretch; 2] {
     if surface.volume.is_some() {
         return [EVERYWHERE, NOWHERE];
@@ -121,7 +121,7 @@ mod tests {
     use crate::hard_cases::scenes;
     use cutaway::layers::Kind;
 
-    /// Per pixel of a row through the middle of a cube, all marked: true if it may be wrong. `shown` is the depth that the pixels show.
+    /// Marks every pixel of a row through the middle of a cube; for each, true if it may be wrong. `shown` is the depth of all pixels.
     fn row(sections: &[&str], shown: Option<f64>) -> Vec<bool> {
         let mut scene = scenes::sectioned("cube", sections);
         scene.camera = scenes::parallel(DVec3::Z * 4.0, DVec3::ZERO, 0.2);
@@ -145,17 +145,17 @@ mod tests {
 
     #[test]
     fn only_what_a_cap_could_cover_counts() {
-        // The picture is 2 wide and the cube 1; 4 of its 5 or 6 columns lie within, and one pixel is not marked at all.
+        // The picture is 2 units wide, the cube 1 unit. Of its columns 4 lie within, and 2 and 7 lie on its edges. One pixel is not marked.
         let behind = row(&["-z=0"], None);
         assert_eq!(
             count(&behind),
             4 + usize::from(behind[2]) + usize::from(behind[7])
         );
         assert!(behind[4] && !behind[0] && !behind[9], "{behind:?}");
-        // A cap cannot hide what is nearer than the section; it can hide much of what is farther.
+        // A cap at the section can hide only what is behind the section: nothing shown at depth 3.6, everything shown at depth 4.4.
         assert_eq!(count(&row(&["-z=0"], Some(3.6))), 0);
         assert_eq!(row(&["-z=0"], Some(4.4)), behind);
-        // Seen from the kept side, no ray passes from removed to kept; nor does one where the section misses the cube.
+        // Seen from the kept side, no ray passes from removed to kept. Where the section misses the cube, no ray does either.
         assert_eq!(count(&row(&["z=0"], None)), 0);
         assert_eq!(count(&row(&["-z=0.7"], None)), 0);
         // Half of the cube is removed along these rays.

@@ -1,8 +1,8 @@
-//! A heat map: a picture of where a frame is wrong, and in which way.
+//! A heat map: a picture that shows where a frame is wrong, and in which way.
 //!
 //! The colours are those of Okabe and Ito (2008), which can be told apart with all common kinds of colour blindness, over a dim
-//! grey rendering of the exact kinds. A single wrong pixel would be overlooked in a large picture: each gets a ring of one pixel
-//! in a lighter tone of its colour, drawn only where nothing is wrong.
+//! grey rendering of the exact kinds. A single wrong pixel would be overlooked in a large picture, so each wrong pixel gets a
+//! one-pixel ring in a lighter tone of its colour. The ring is drawn only over pixels that are not wrong.
 
 use cutaway::layers::{Kind, Layer, Layers};
 use image::{Rgba, RgbaImage};
@@ -13,15 +13,15 @@ use crate::exact::Exact;
 /// Classes of a heat map, the gravest first: a pixel has the colour of the first class that fits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Class {
-    /// A hole where exact has no cap: a back face, or background that is away from the background of exact.
+    /// A hole: the strategy shows a back face, or background where exact has none within a pixel.
     Crack,
     /// Exact has a cap, the strategy does not.
     MissedCap,
     /// The strategy has a cap, exact does not.
     LeakedCap,
-    /// Kinds agree; part or clip-surface does not.
+    /// The kind is right, but the part or the clip-surface is wrong.
     WrongPart,
-    /// A surface where exact has background, or the other way round at an outline.
+    /// A surface where exact has background or, at an outline, background where exact has a surface.
     Mismatch,
     /// Right, but marked by the strategy.
     Unreliable,
@@ -36,13 +36,13 @@ pub struct LegendEntry {
     pub class: Class,
     /// Its colour, sRGB.
     pub rgb: [u8; 3],
-    /// Its name, for readers.
+    /// The name that a legend shows.
     pub name: &'static str,
-    /// What a pixel of the class means, in half a sentence.
+    /// What a pixel of the class means, as a phrase for a legend.
     pub meaning: &'static str,
 }
 
-/// The classes in order, with their colours.
+/// The classes in order, each with its colour, name and meaning.
 pub fn legend() -> [LegendEntry; 7] {
     let entry = |class, rgb, name, meaning| LegendEntry {
         class,
@@ -178,7 +178,7 @@ fn opaque([r, g, b]: [u8; 3]) -> Rgba<u8> {
     Rgba([r, g, b, 255])
 }
 
-/// Dim grey of a right pixel: the more directly its surface faces the light, the lighter.
+/// Dim grey of a right pixel: lighter where its surface faces the light more directly.
 fn ground(truth: &Layer) -> [u8; 3] {
     let [dark, light] = match truth.kind {
         Kind::Background => return [16; 3],

@@ -1,9 +1,9 @@
-//! Layers against the exact reference: how many pixels are wrong, in which way, and how large the errors of the others are.
+//! Compares layers with the exact reference: how many pixels are wrong, in which way, and how large the errors of right pixels are.
 //!
 //! # Classes
 //!
-//! A pixel is *wrong* if its kind, its part or, for a cap, its clip-surface differs from exact, or if it is a crack. Each
-//! wrong pixel is in exactly one of `interior_wrong_px` and `edge_wrong_px`. It is also counted in every class below that
+//! A pixel is *wrong* if its kind, its part or, for a cap, its clip-surface differs from exact, or if it is a crack. A
+//! wrong pixel is counted in either `interior_wrong_px` or `edge_wrong_px`. It is also counted in every class below that
 //! fits, so that each number can be read by itself:
 //!
 //! | class | exact | the strategy |
@@ -11,18 +11,18 @@
 //! | missed cap | cap | anything else |
 //! | leaked cap | anything else | cap |
 //! | wrong part | surface or cap | same kind; another part, or another clip-surface |
-//! | crack | surface or cap, not a back face; decided | a back face; or the background, away from that of exact |
-//! | outline | the same | the background, next to that of exact |
+//! | crack | surface or cap, not a back face; decided | a back face; or background where exact has none within a pixel |
+//! | outline | the same | background where exact has background within a pixel |
 //!
-//! A crack is a hole: the inside of a shell shows, or the sky through a solid. Where exact has background in the 3 x 3 block of a
-//! pixel, background is no crack but a displaced outline, as tessellated caps have; a back face is always a
-//! crack. Cracks are counted among decided pixels only: a sample on an outline may rightly show the background, and a
-//! number that must be 0 cannot depend on it. The other classes count all pixels.
+//! A crack is a hole: the inside of a shell shows, or the background shows through a solid. If exact has background in a pixel's
+//! 3 x 3 block, background at the pixel is not a crack but a displaced outline, as tessellated caps have; a back face is always a
+//! crack. Cracks are counted among decided pixels only: the number must be 0, but a sample on an outline may rightly show
+//! the background. The other classes count all pixels.
 //!
 //! A pixel that fits no class (a surface where exact has background, an exact back face drawn as background) is still wrong.
 //!
-//! Errors of depth and normal are measured where the pixel is right and both its answer and its depth are decided: where
-//! sampling is ambiguous, two answers are right and lie far apart.
+//! Depth and normal errors are measured where the pixel is right, and both its answer and its depth are decided: where
+//! sampling is ambiguous, two answers with very different depths may both be right.
 
 mod doubt;
 mod heatmap;
@@ -36,41 +36,41 @@ use serde::{Deserialize, Serialize};
 
 use crate::exact::Exact;
 
-/// Error of one frame against exact. The fields are those of the JSON of `cutaway compare`.
+/// Errors of one frame compared with exact. `cutaway compare` writes the same fields as JSON.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Comparison {
     /// Exact has a cap, the strategy does not.
     pub missed_cap_px: usize,
     /// The strategy has a cap, exact does not.
     pub leaked_cap_px: usize,
-    /// Kinds agree; the part or, for a cap, the clip-surface does not.
+    /// The kind is right, but the part or, for a cap, the clip-surface is wrong.
     pub wrong_part_px: usize,
-    /// Pixels where exact is sure of a cap or a front face, and the strategy shows a back face, or shows background although exact has
-    /// no background within a pixel.
+    /// Pixels where exact is sure of a cap or a front face, but the strategy shows a back face, or shows background although exact has
+    /// no background within one pixel.
     pub crack_px: usize,
-    /// Background where exact is sure of a front face or a cap and has background within a pixel: a displaced outline, as triangulated
-    /// caps have, rather than a hole.
+    /// Background where exact is sure of a front face or a cap, but has background within one pixel. This is a displaced outline, as
+    /// triangulated caps have, and not a hole.
     pub outline_px: usize,
     /// Wrong pixels farther than one pixel from every boundary of the exact image.
     pub interior_wrong_px: usize,
-    /// The other wrong pixels.
+    /// Wrong pixels within one pixel of a boundary of the exact image.
     pub edge_wrong_px: usize,
     /// Wrong pixels where exact is decided. An exact strategy has none.
     pub decided_wrong_px: usize,
     /// Decided wrong pixels that the strategy does not mark: it is wrong there without a warning.
     pub unmarked_wrong_px: usize,
-    /// Pixels that the strategy marks: odd crossing count, or a buffer that overflowed.
+    /// Pixels that the strategy marks because their crossing count is odd or a buffer overflowed.
     pub odd_parity_px: usize,
-    /// Pixels where the strategy reports that several solids share the cap; it looks for them only if
+    /// Pixels where the strategy reports that several solids share the cap; strategies look for such pixels only if
     /// [`Scene::interference`](cutaway::scene::Scene::interference) has a colour.
     pub overlap_px: usize,
-    /// Largest error of depth in world units.
+    /// Largest depth error in world units.
     pub depth_error_max: f64,
-    /// Mean error of depth in world units.
+    /// Mean depth error in world units.
     pub depth_error_mean: f64,
-    /// Largest error of depth in edge lengths of a pixel at that depth.
+    /// Largest depth error, divided by the edge length of a pixel at that depth.
     pub depth_error_px_max: f64,
-    /// Mean error of depth in edge lengths of a pixel at that depth.
+    /// Mean depth error, divided by the edge length of a pixel at that depth.
     pub depth_error_px_mean: f64,
     /// Largest angle between the cap normals of the strategy and of exact, in degrees.
     pub normal_error_deg_max: f64,
@@ -89,7 +89,7 @@ impl Comparison {
 ///
 /// # Panics
 ///
-/// If the two frames or the view differ in size: they then do not show the same pixels.
+/// If the two frames or the view differ in size, and so do not show the same pixels.
 pub fn compare(exact: &Exact, layers: &Layers, view: &View, scale: f64) -> Comparison {
     assert_eq!(
         exact.layers.size_px, layers.size_px,
@@ -167,7 +167,7 @@ impl PixelErrors {
     }
 }
 
-/// Label that two pixels must share to show the same thing.
+/// Label that is equal for two pixels exactly if they show the same kind, part and clip-surface.
 fn label(layer: &Layer) -> (Kind, u16, u8) {
     match layer.kind {
         Kind::Background => (Kind::Background, 0, 0),
@@ -181,7 +181,7 @@ fn block(exact: &Layers, index: usize) -> impl Iterator<Item = &Layer> {
     around(exact.size_px, index, 1).map(|i| &exact.pixels[i])
 }
 
-/// Indices of the pixels in a square around a pixel, itself included; the square extends `reach` pixels to each side, up to the borders.
+/// Indices of the pixels within `reach` rows and columns of a pixel, which is included. The square ends at the picture's borders.
 pub(crate) fn around(
     size_px: [u32; 2],
     index: usize,

@@ -1,16 +1,16 @@
 //! Undecided samples: those whose answer depends on differences smaller than the precision of the picture.
 //!
-//! A sample is undecided where an implementation that moves it by [`View::doubt_px`], or rounds a depth by four ulp of f32, may correctly
+//! A sample is undecided if an implementation that moves it by [`View::doubt_px`], or rounds a depth by four ulp of f32, may correctly
 //! give another answer. There are three causes: an outline nearby; two events of one ray that are too close to order ([`super::order`]; at
-//! a seam, either triangle may be hit, and the margin is that of the less precise one); and a ray that grazes a clip-surface. For the
-//! last two, nearness alone is not enough: the walk is repeated with the pair swapped, or the graze taken the other way. Only a change of
-//! kind, part or clip-surface leaves the sample undecided. If these stay and the depth jumps, as between the folds of a relief, only the
+//! a seam either triangle may be hit, and the margin is that of the less precise triangle); and a ray that grazes a clip-surface. For the
+//! last two causes, nearness alone is not enough: the walk is repeated with the pair swapped, or the graze taken the other way. The sample
+//! is undecided only if kind, part or clip-surface changes. If none does but the depth jumps, as between the folds of a relief, only the
 //! depth is open. If only the set of solids that overlap at a cap changes, only the overlap is open. An outline leaves the sample undecided
-//! where the part is not clearly removed and nothing hides it. An outline at which the part may be open also counts where the part is
-//! removed, and behind a cap that depends on it.
+//! unless the part is clearly removed there or the outline is hidden. An outline at which the part may be open also counts where the
+//! part is removed, and behind a cap that depends on whether the part is open.
 //!
-//! Two things are decided for whole triangles ([`super::classify`]): on which side of a nearby flat clip-surface a triangle lies, and
-//! that where two parts share a triangle or a plane, the first in rank is seen.
+//! Two things are decided for whole triangles ([`super::classify`]): on which side of a nearby flat clip-surface a triangle lies; and
+//! which of two parts is seen where they share a triangle or a plane, namely the first in rank.
 
 use cutaway::scene::{Prepared, View};
 
@@ -20,8 +20,8 @@ use super::outline::{Brush, OutlineEdge};
 use super::raster::{Crossing, Projected};
 use super::walk::{Cause, Event, RayState, VisiblePoint, restore_order, walk};
 
-/// Four ulp of f32 at a depth. Scene space has a radius of about 1 and its coordinates are rounded to ulps of 1, so
-/// depths below 1 are no more precise; an orthographic depth buffer has one resolution over its whole depth range.
+/// Four ulp of f32 at a depth. Scene space has a radius of about 1, and its coordinates are rounded to ulps of 1, so depths
+/// below 1 are not more precise than 1. An orthographic depth buffer has the same resolution over its whole depth range.
 pub(super) fn rounding(view: &View, depth: f64) -> f64 {
     let span = if view.orthographic {
         view.far - view.near
@@ -36,16 +36,16 @@ pub(super) fn rounding(view: &View, depth: f64) -> f64 {
 pub(super) enum Openness {
     /// The whole answer is decided.
     Nothing,
-    /// The overlap of solids at a cap may differ; all else is decided.
+    /// Which solids overlap at a cap may differ; everything else is decided.
     Overlap,
-    /// The depth may differ, and normal and overlap with it; kind, part and clip-surface are decided.
+    /// The depth may differ, and with it the normal and the overlap; kind, part and clip-surface are decided.
     Depth,
     /// Anything may differ.
     All,
 }
 
 impl Openness {
-    /// Maximum of all; stops at [`Openness::All`].
+    /// Maximum of several values; stops at the first [`Openness::All`].
     pub(super) fn worst(all: impl Iterator<Item = Self>) -> Self {
         let mut worst = Self::Nothing;
         for one in all {
@@ -68,7 +68,7 @@ pub(super) struct RayCase<'a> {
     pub(super) ranks: &'a [u16],
     /// State before the first event.
     pub(super) start: &'a RayState,
-    /// Sorted.
+    /// The ray's events, in order.
     pub(super) events: &'a [Event],
     pub(super) crossings: &'a [Crossing],
     pub(super) roots: &'a [Root],
@@ -77,9 +77,9 @@ pub(super) struct RayCase<'a> {
     /// Outlines of cutters near the sample; the ranks of cutters follow those of the parts.
     pub(super) cutter_brushes: &'a [Brush],
     pub(super) cutters: &'a CutterMeshes,
-    /// The answer.
+    /// The visible point, whose openness is in question; none for the background.
     pub(super) sight: Option<VisiblePoint>,
-    /// Crossings whose triangles are preclassified: the clip-surface, and whether the crossing is before it (-1) or behind it (1).
+    /// Crossings with preclassified triangles, each with the clip-surface, and -1 if the crossing is before it or 1 if behind it.
     pub(super) preclassified: &'a [(u32, u16, i8)],
     /// Crossings, each with the number of the plane in which its triangle is coplanar with triangles of other parts.
     pub(super) shared: &'a [(u32, u16)],
@@ -156,8 +156,8 @@ impl RayCase<'_> {
         change + rounding(self.view, event.depth)
     }
 
-    /// Returns true if an outline near the sample is neither hidden nor clearly removed. One at which the part may be open counts even if
-    /// it is removed, or hidden by a cap that depends on it: an algorithm that counts crossings behind the cap may find one more or fewer.
+    /// Returns true if an outline near the sample is neither hidden nor clearly removed. If the part may be open there, the outline counts
+    /// even if removed, or hidden by a cap that depends on it: an algorithm that counts crossings behind the cap may find one more or less.
     fn brushed(&self, scratch: &mut Scratch) -> bool {
         self.brushes.iter().any(|brush| {
             let is_hidden = brush.depth - brush.margin > self.seen_depth();
@@ -169,7 +169,7 @@ impl RayCase<'_> {
         })
     }
 
-    /// Returns true if a cap appears or vanishes when the ray starts on the other side of a part; its faces are seen either way.
+    /// Returns true if a cap appears or vanishes when the ray starts on the other side of a part; the part's faces are seen either way.
     fn start_matters(&self, scratch: &mut Scratch, rank: u16) -> bool {
         let is_clip = |event: &Event| matches!(event.cause, Cause::Clip { .. });
         let shows_cap = self.sight.filter(|s| s.event.is_none_or(|e| is_clip(&e)));
@@ -240,7 +240,7 @@ impl RayCase<'_> {
         state.removes(self.prepared, brush.rank)
     }
 
-    /// Openness caused by taking each graze the other way.
+    /// Openness from taking each graze the other way: a miss as two crossings, or two crossings as a miss.
     fn grazed(&self, scratch: &mut Scratch) -> Openness {
         Openness::worst(self.grazes.iter().map(|graze| {
             let hidden = self.seen_depth() + rounding(self.view, graze.depth);
@@ -255,8 +255,8 @@ impl RayCase<'_> {
                 .count();
             let removed =
                 self.start.removed[usize::from(graze.surface)] ^ (crossed_before % 2 == 1);
-            // Where the crest touches 0, rounding may have left out the pair of roots around it, or put both at one depth:
-            // then the events contradict the graze, and the pair is still to be inserted.
+            // Where the extremum touches 0, rounding may have left out the pair of roots around it, or put both at one depth:
+            // then the events contradict the graze, and the pair must be inserted.
             if graze.crossed && removed == graze.removed {
                 let after = self.events.partition_point(|e| e.depth <= graze.depth);
                 let before = self.events[..after].iter().rposition(of_surface);
@@ -264,7 +264,7 @@ impl RayCase<'_> {
                 let (Some(before), Some(behind)) = (before, behind) else {
                     return Openness::Nothing;
                 };
-                // The extremum itself may lie behind what is seen: what counts is the crossing before it.
+                // The extremum itself may lie behind the visible point: what counts is the crossing before the extremum.
                 if self.events[before].depth > hidden {
                     return Openness::Nothing;
                 }

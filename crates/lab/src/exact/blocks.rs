@@ -1,15 +1,15 @@
-//! Minimum and maximum heights of blocks of cells of an offset map, so that a ray skips blocks it is far from.
+//! Minimum and maximum heights per block of an offset map's cells, so that a ray can skip blocks that are far from it.
 //!
-//! Along each axis, block `k` of level `l` covers the map's cells from `k 2^l` up to `(k + 1) 2^l`, or to its end. Cell `i` spans
-//! the texels `i` and `i + 1`, the last cell the last texel and the one that the wrap mode continues with. Beyond the map's border,
-//! blocks follow the wrap mode: they repeat; or they are mirrored, and the cell between two copies belongs to one of them; or they
+//! Along each axis, block `k` of level `l` covers the map's cells from `k 2^l` up to `(k + 1) 2^l`, or to the map's end. Cell `i` lies
+//! between texels `i` and `i + 1`, and the last cell between the last texel and the next one in the wrap mode. Beyond the map's border,
+//! the wrap mode decides: blocks repeat; or they are mirrored, and the cell between two copies belongs to one of the two; or they
 //! keep their width and have the heights of the border.
 //!
-//! Cost: once, reading 25 texels for each block of 4 x 4 cells; a sixth of the map's memory.
+//! Cost: building reads 25 texels for each block of 4 x 4 cells, once; the blocks take a sixth of the map's memory.
 
 use cutaway::scene::{OffsetMap, Wrap};
 
-/// The smallest blocks have 4 x 4 cells.
+/// Level of the smallest blocks, which have 4 x 4 cells.
 pub(super) const SMALLEST: u32 = 2;
 
 /// The blocks of a map.
@@ -26,7 +26,7 @@ struct Level {
     ranges: Vec<[f32; 2]>,
 }
 
-/// A block, seen from a ray.
+/// A block that a ray is in.
 pub(super) struct RayBlock {
     /// Least and greatest height of the map.
     pub(super) range: [f32; 2],
@@ -81,7 +81,7 @@ impl Blocks {
         SMALLEST + self.levels.len() as u32 - 1
     }
 
-    /// The block of a level that contains a cell; the ray's direction selects the borders ahead.
+    /// The block that contains a cell at a level. `up` is the ray's direction per axis, which selects the borders ahead.
     pub(super) fn block(&self, level: u32, cell: [i64; 2], up: [bool; 2]) -> RayBlock {
         let of = |axis: usize| self.along(axis, level, cell[axis], up[axis]);
         let ((column, x), (row, y)) = (of(0), of(1));
@@ -149,7 +149,7 @@ impl Level {
 
 #[cfg(test)]
 impl Blocks {
-    /// Blocks that no ray is far from, so that all cells are visited.
+    /// Blocks with heights so wide apart that no ray is far from them: all cells are visited.
     pub(super) fn always_near(mut self) -> Self {
         for level in &mut self.levels {
             level.ranges.fill([f32::NEG_INFINITY, f32::INFINITY]);
@@ -157,7 +157,7 @@ impl Blocks {
         self
     }
 
-    /// Blocks with a planted fault: the range of one is a height far above all others.
+    /// Blocks with a deliberate fault: the range of one block is a single height far above all others.
     pub(super) fn with_a_fault(mut self, level: u32) -> Self {
         let ranges = &mut self.levels[(level - SMALLEST) as usize].ranges;
         let middle = ranges.len() / 2;

@@ -1,15 +1,15 @@
-//! Crossings whose order against a clip-surface is decided for their whole triangle instead of being left to rounding.
+//! Decides for whole triangles on which side of a clip-surface their crossings lie, where rounding would decide for each crossing alone.
 //!
-//! A triangle close to a flat clip-surface is assigned to one side of it ([`PreclassifiedTriangle`]). A crossing that rounding has put on
-//! the other side of the surface's root gets the depth of that root bit for bit, and a place before or behind it. So a face in a
+//! A triangle close to a flat clip-surface is assigned to one side of it ([`PreclassifiedTriangle`]). If rounding has put a crossing on
+//! the other side of the surface's root, it gets exactly the root's depth, and an order before or behind the root. So a face in a
 //! clip-surface is kept or removed as a whole, in every view. A sample near the rim of such faces may, if moved a little, hit a
-//! triangle of another side: there the order is left to [`super::ambiguity`].
+//! triangle assigned to the other side: there the order is left to [`super::ambiguity`].
 //!
-//! Faces of several parts in one plane, facing the same way, get the depth of that plane, and the first part in rank is seen
-//! ([`SharedPlanes`](cutaway::scene::SharedPlanes)).
+//! If several parts have faces in one plane that face the same way, crossings with all of them get the depth of the plane, and the
+//! first part in rank is seen ([`SharedPlanes`](cutaway::scene::SharedPlanes)).
 //!
-//! A face of a part that coincides with a face of a cutter is before the cutter where the ray leaves the part through it, and behind
-//! where the ray enters; only exact coincidence counts, and faces that are merely close are left to [`super::ambiguity`].
+//! A part's face that coincides with a cutter's face comes before the cutter if the ray leaves the part through the face, and after
+//! the cutter if the ray enters. Only exact coincidence counts; faces that are merely close are left to [`super::ambiguity`].
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -27,11 +27,11 @@ use super::{BandedScene, ambiguity, cutter};
 pub(super) struct PreclassifiedFaces {
     /// Triangles in planes shared by several parts, each with the number of its plane.
     shared: Arc<[(u32, u16)]>,
-    /// Per entry of `shared`: for each edge, by its first corner, true if it is at the rim of the faces in the plane.
+    /// Per entry of `shared`: for each edge, indexed by its first corner, true if it is at the rim of the faces in the plane.
     shared_rims: Vec<[bool; 3]>,
-    /// Ordered by triangle.
+    /// Preclassified triangles, ordered by triangle index.
     all: Vec<PreclassifiedTriangle>,
-    /// Per entry of `all`: for each edge, by its first corner, true if it is at a rim: the next triangle is, or may be, on another side.
+    /// Per entry of `all`: for each edge, indexed by its first corner, true if the adjacent triangle is, or may be, on another side.
     rims: Vec<[bool; 3]>,
 }
 
@@ -66,7 +66,7 @@ impl PreclassifiedFaces {
     }
 }
 
-/// Per triangle: for each edge, by its first corner, true if it is at the rim of the triangles with the same key.
+/// Per triangle: for each edge, indexed by its first corner, true if it is at the rim of the triangles with the same key.
 fn rims<K: Ord + Copy>(
     part: &PreparedPart,
     alike: impl Iterator<Item = (u32, K)> + Clone,
@@ -85,7 +85,7 @@ fn rims<K: Ord + Copy>(
     alike.map(|s| edges(s).map(|e| uses[&e] != 2)).collect()
 }
 
-/// Returns true if two crossings are with coplanar faces of parts and still have one depth: a clip-surface may have moved one of them.
+/// Returns true if two crossings are with coplanar faces of parts and still have equal depths: a clip-surface may have moved one.
 /// `shared` lists the crossings in shared planes, each with the number of its plane.
 pub(super) fn share_plane(shared: &[(u32, u16)], events: [&Event; 2]) -> bool {
     let of = |event: &Event| {
@@ -98,7 +98,7 @@ pub(super) fn share_plane(shared: &[(u32, u16)], events: [&Event; 2]) -> bool {
 }
 
 impl BandedScene<'_> {
-    /// Sets the depth of crossings in a shared plane to that of the plane: parts at one depth are ordered by rank.
+    /// Sets the depth of a crossing in a shared plane to the plane's depth, so that the rank of the parts decides their order.
     fn share(&self, at: DVec2, index: u32, bench: &mut RayScratch) {
         let crossing = &mut bench.crossings[index as usize];
         let rank = usize::from(crossing.rank);
@@ -116,7 +116,7 @@ impl BandedScene<'_> {
         }
     }
 
-    /// Puts each crossing on the side of a clip-surface that its triangle is preclassified to.
+    /// Puts each crossing on the side of the clip-surface to which its triangle is preclassified.
     pub(super) fn classify(&self, at: DVec2, ray: &Ray, bench: &mut RayScratch) {
         for index in 0..bench.crossings.len() {
             self.share(at, index as u32, bench);
@@ -157,7 +157,7 @@ impl BandedScene<'_> {
         }
     }
 
-    /// Returns true if the face that a crossing is with lies in a face of a cutter, to the last bit.
+    /// Returns true if a crossing's face lies exactly in a face of a cutter.
     fn coincides(&self, ray: &Ray, root: &Root, crossing: &Crossing) -> bool {
         let distance = (crossing.depth - root.depth).abs();
         let close = ambiguity::rounding(self.view, root.depth) + root.depth_change(self.view, ray);
@@ -169,7 +169,7 @@ impl BandedScene<'_> {
             })
     }
 
-    /// Returns true if the sample still hits both of two coincident triangles when it moves a little.
+    /// Returns true if the sample, moved a little, still hits both of the two coincident triangles.
     fn goes_on(&self, at: DVec2, root: &Root, crossing: &Crossing) -> bool {
         root.face.is_none_or(|face| {
             let of_cutter = self.mesh_of_cutter(root.surface).corners(face.triangle);

@@ -1,7 +1,7 @@
 //! Crossings of a ray with a clip-surface.
 //!
-//! `F(P) = (P - O).N + f(T(P)).Sz` is the kept height: removed iff `F < 0`. A plane, or a relief whose texels are all
-//! equal, has one root in closed form. For any other relief see [`super::relief`].
+//! `F(P) = (P - O).N + f(T(P)).Sz` is the kept height: `P` is removed iff `F < 0`. For a plane, or a relief whose texels are
+//! all equal, the one root has a closed form. For any other relief see [`super::relief`].
 //!
 //! Crossings alternate by construction: the side at the start of a range and the number of crossings in it determine the
 //! side at its end.
@@ -43,18 +43,18 @@ pub(super) struct Root {
     pub(super) surface: u16,
     /// Depth of the crossing.
     pub(super) depth: f64,
-    /// The ray passes from the removed to the kept side.
+    /// True if the ray passes from the removed to the kept side.
     pub(super) to_kept: bool,
     /// Gradient of `F` in scene space.
     pub(super) gradient: DVec3,
-    /// Coefficient of the square of the depth in `F` along the ray; 0 for a plane.
+    /// Quadratic coefficient of `F` as a function of the depth along the ray; 0 for a plane.
     pub(super) bend: f64,
     /// For a cutter, the triangle that is crossed.
     pub(super) face: Option<CutterTriangle>,
 }
 
 impl Root {
-    /// Change of its depth when the sample moves by [`View::doubt_px`].
+    /// Change of the root's depth when the sample moves by [`View::doubt_px`].
     pub(super) fn depth_change(&self, view: &View, ray: &Ray) -> f64 {
         let change = change_per_px(view, self.gradient, self.depth) * view.doubt_px();
         let slope = self.gradient.dot(ray.direction).abs();
@@ -64,17 +64,17 @@ impl Root {
     }
 }
 
-/// A point where a ray barely misses a clip-surface, or barely crosses it twice: an extremum of `F` along the ray that
-/// moving the sample by [`View::doubt_px`] may push to the other side of 0.
+/// A point where a ray barely misses a clip-surface, or barely crosses it twice: an extremum of `F` along the ray whose sign
+/// may change when the sample moves by [`View::doubt_px`].
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Graze {
     /// Number of the surface.
     pub(super) surface: u16,
     /// Depth of the extremum.
     pub(super) depth: f64,
-    /// The surface is crossed just before and just behind the extremum.
+    /// True if the ray crosses the surface just before and just behind the extremum.
     pub(super) crossed: bool,
-    /// The extremum itself is on the removed side.
+    /// True if the extremum itself is on the removed side.
     pub(super) removed: bool,
 }
 
@@ -173,7 +173,7 @@ mod tests {
         }
     }
 
-    /// A relief over z = 0, eight texels per unit, heights `f * 0.5`.
+    /// A relief over z = 0 with eight texels per unit and heights `f * 0.5`.
     fn surface(wrap: Wrap, mut height: impl FnMut(u32, u32) -> f64) -> PreparedSurface {
         let texels = (0..SIZE * SIZE)
             .map(|i| height(i % SIZE, i / SIZE) as f32)
@@ -270,7 +270,7 @@ mod tests {
         for i in -8..8 {
             let at = centre(f64::from(i));
             for z in [-0.2, -0.01, 0.0, 0.03, 0.11, 5.0] {
-                // Along a row of texel centres, a column of them, between them, and through their corners.
+                // Along a row and a column of texel centres, between texel centres, and through texel corners.
                 met(&s, ray(dvec3(-2.0, at, z), DVec3::X), [0.0, 4.0]);
                 met(&s, ray(dvec3(at, -2.0, z), DVec3::Y), [0.0, 4.0]);
                 met(&s, ray(dvec3(at, -2.0, z), DVec3::NEG_Y), [-4.0, 4.0]);
@@ -290,7 +290,7 @@ mod tests {
                     [-2.0, 2.0],
                 );
             }
-            // Parallel to N: once, wherever it starts.
+            // A ray parallel to N crosses once, wherever it starts.
             let down = met(&s, ray(dvec3(at, at, 3.0), DVec3::NEG_Z), [0.0, 6.0]);
             assert_eq!(down.len(), 1, "a height field is met once from above");
         }

@@ -1,16 +1,16 @@
 //! Crossings of a ray with a cutter: the triangles of a closed mesh as one clip-surface.
 //!
-//! Inside is by parity alone, so crossings alternate in the order of their depths, whichever way faces are turned. All crossings of the
-//! line count, also those behind the eye: the crossings before a range give the side at its start. A crossing is then a [`Root`] like that
-//! of any other clip-surface, with the triangle's normal as gradient. The rules for ties and for events that are too close to order apply
-//! here too.
+//! Parity alone decides what is inside, so crossings alternate in depth order, whichever way faces are turned. All crossings of the
+//! line count, also those behind the eye: the crossings before a range give the side at the start of the range. A crossing becomes a
+//! [`Root`] as for any other clip-surface, with the triangle's normal as gradient. The rules for ties and for events that are too close
+//! to order apply here too.
 //!
-//! A part's face that coincides with a face of the cutter is before it where the ray leaves the part through it, and behind it where the
-//! ray enters ([`super::classify`]). Unlike a plane, the cutter's face ends: where a sample is so close to an edge of either triangle
-//! ([`share_the_sample`]) that it may hit only one of them and a neighbour of the other, the order is left to [`super::ambiguity`].
+//! A part's face that coincides with a cutter's face comes before the cutter if the ray leaves the part through the face, and after it if
+//! the ray enters ([`super::classify`]). Unlike a plane, the cutter's face ends: if a sample is so close to an edge of either triangle
+//! ([`share_the_sample`]) that it may hit one triangle and a neighbour of the other, the order is left to [`super::ambiguity`].
 //!
-//! An outline of a cutter is like a graze of a relief: a pair of crossings that may appear or vanish when the sample moves a
-//! little. It leaves a sample undecided where that could change what is seen: where the ray may be inside some part that the cut
+//! An outline of a cutter is like a graze of a relief: a pair of crossings may appear or vanish when the sample moves a
+//! little. The sample is undecided only if that could change what is seen: the ray may be inside some part that the cut
 //! applies to, and neither another cut nor another surface of the same cut decides whether that part is kept ([`bites`]).
 
 use cutaway::scene::Prepared;
@@ -22,7 +22,7 @@ use super::raster::{Crossing, Projected};
 use super::screen::Corner;
 use super::walk::{Cause, Event, RayState};
 
-/// The cutters' meshes among the meshes of a picture: they follow the parts, in the order of their clip-surfaces.
+/// Positions of the cutters' meshes in the list of a picture's meshes: after the parts, in the order of their clip-surfaces.
 pub(super) struct CutterMeshes {
     parts: u16,
     surfaces: Vec<u16>,
@@ -39,7 +39,7 @@ impl CutterMeshes {
         }
     }
 
-    /// Number of entries of a list ordered by rank that belong to parts.
+    /// Number of entries that belong to parts, in a list ordered by rank.
     pub(super) fn split<T>(&self, all: &[T], rank: impl Fn(&T) -> u16) -> usize {
         all.partition_point(|one| rank(one) < self.parts)
     }
@@ -62,9 +62,9 @@ impl CutterMeshes {
 
 /// The crossings of a ray with one cutter.
 pub(super) struct Met {
-    /// The ray is on the removed side at the start of the range.
+    /// True if the ray is on the removed side at the start of the range.
     pub(super) removed: bool,
-    /// An odd number of crossings along the whole line: the eye is on the mesh to the last bit.
+    /// True if the whole line has an odd number of crossings: the eye is exactly on the mesh.
     pub(super) odd: bool,
 }
 
@@ -109,14 +109,14 @@ pub(super) fn meet(
     met
 }
 
-/// Returns true if a sample hits both of two coplanar triangles however it moves within `near_px`.
+/// Returns true if a sample hits both of two coplanar triangles, wherever it moves within `near_px`.
 pub(super) fn share_the_sample(near_px: f64, at: DVec2, triangles: [[&Corner; 3]; 2]) -> bool {
     !triangles
         .into_iter()
         .any(|corners| is_by_an_edge(near_px, at, corners))
 }
 
-/// Returns true if a sample is so close to an edge of a triangle that, moved a little, it may hit the next triangle; always true where
+/// Returns true if a sample is so close to an edge of a triangle that, moved a little, it may hit the adjacent triangle; always true if
 /// the triangle reaches behind the eye.
 fn is_by_an_edge(near_px: f64, at: DVec2, corners: [&Corner; 3]) -> bool {
     if corners.iter().any(|c| c.at.z <= 0.0) {
@@ -125,8 +125,8 @@ fn is_by_an_edge(near_px: f64, at: DVec2, corners: [&Corner; 3]) -> bool {
     (0..3).any(|edge| is_by_edge(near_px, at, corners, edge))
 }
 
-/// Returns true if a sample is so close to edge `edge` of a triangle, which begins at the corner of that index, that, moved a little, it
-/// may hit the next triangle; always true where the edge reaches behind the eye.
+/// Returns true if a sample is so close to the edge that begins at corner `edge` of a triangle that, moved a little, it may hit the
+/// adjacent triangle; always true if the edge reaches behind the eye.
 pub(super) fn is_by_edge(near_px: f64, at: DVec2, corners: [&Corner; 3], edge: usize) -> bool {
     let ends = [corners[edge], corners[(edge + 1) % 3]];
     if ends.iter().any(|c| c.at.z <= 0.0) {

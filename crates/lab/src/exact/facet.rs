@@ -1,9 +1,9 @@
 //! The plane of a triangle: the depth at which a ray meets it, and the largest error of that depth in a picture.
 //!
 //! A rasteriser moves corners by fractions of a pixel, and may interpolate depths from slopes in f32; both matter where the plane is
-//! steep. The first costs some products per crossing, the second the projection of the part of the triangle beyond the near plane.
+//! steep. The first error costs some products per crossing; the second needs the triangle clipped at the near plane and projected.
 //!
-//! Cannot bound the rounding of every rasteriser: the error allowed for slopes is twice the largest observed with llvmpipe.
+//! Limit: the rounding of every rasteriser cannot be bounded. The error allowed for slopes is twice the largest seen with llvmpipe.
 
 use cutaway::scene::{Prepared, View};
 use glam::{DVec2, DVec3};
@@ -13,8 +13,8 @@ use super::screen::Corner;
 
 /// The plane of a triangle, and the range of the triangle's depths.
 pub(super) struct Facet {
-    /// The corners in scene space, sorted by their coordinates: coincident faces have the same depths bit for bit, whichever
-    /// corner each begins with.
+    /// The corners in scene space, sorted by their coordinates, so that coincident faces have exactly the same depths, whichever
+    /// corner each face begins with.
     pub(super) points: [DVec3; 3],
     /// Normal by the counter-clockwise rule; its length is twice the area.
     pub(super) normal: DVec3,
@@ -44,7 +44,7 @@ impl Facet {
         }
     }
 
-    /// Depth at which a ray meets the plane, clamped to the range of the corners' depths, which an edge-on triangle needs.
+    /// Depth at which a ray meets the plane, clamped to the range of the corners' depths; an edge-on triangle needs the clamp.
     pub(super) fn depth(&self, origin: DVec3, direction: DVec3) -> f64 {
         let [lo, hi] = self.depths;
         let depth = (self.points[0] - origin).dot(self.normal) / self.normal.dot(direction);
@@ -55,12 +55,12 @@ impl Facet {
         }
     }
 
-    /// Range of the depths of the corners.
+    /// Difference between the largest and the smallest depth of the corners.
     pub(super) fn extent(&self) -> f64 {
         self.depths[1] - self.depths[0]
     }
 
-    /// Change of the depth within the triangle when a sample moves by [`View::doubt_px`], plus the error of the interpolation in the view's
+    /// Change of the depth within the triangle when a sample moves by [`View::doubt_px`], plus the interpolation error of the view's
     /// rasteriser.
     pub(super) fn depth_change(&self, view: &View, direction: DVec3, depth: f64) -> f64 {
         // For an edge-on triangle both are infinite or NaN.
@@ -72,7 +72,7 @@ impl Facet {
         (self.plane_change_in_middle(view).abs() + self.slopes(view, far)).min(self.extent())
     }
 
-    /// Error of depths from the interpolation in the view's rasteriser.
+    /// Depth error caused by the interpolation in the view's rasteriser.
     fn slopes(&self, view: &View, depth: f64) -> f64 {
         match view.precision.slopes_in_f32 {
             true => self.slope_rounding(view, depth),
@@ -104,9 +104,9 @@ impl Facet {
 
     /// Error of a depth that is interpolated in f32. The rasteriser interpolates the depth-buffer value over the part of the triangle
     /// beyond the near plane, as triangles that share a corner. It computes the slopes in the picture from products of edges, each
-    /// rounded to an ulp of the squared length, divided by the area. The resulting error of a value is the ratio of the two, times the
-    /// range of values. With llvmpipe it is up to 0.02 px at the walls of a tube that are 1200 px long and 2 px wide; for a wall that
-    /// passes the eye, which is thousands of pixels long where it meets the near plane, it is as large as the wall is wide.
+    /// rounded to an ulp of the squared length, divided by the area. So the error of a value is this ulp over the area, times the
+    /// range of values. With llvmpipe the error is up to 0.02 px at tube walls 1200 px long and 2 px wide. For a wall that
+    /// passes the eye, and is thousands of pixels long where it meets the near plane, the error is as large as the wall is wide.
     fn slope_rounding(&self, view: &View, depth: f64) -> f64 {
         let corners = self.points.map(|p| Corner::of(view, p));
         let mut piece = [corners[0]; 4];
@@ -141,7 +141,7 @@ impl Facet {
             longest * range / (b - a).perp_dot(c - a).abs()
         });
         let value = f64::from(f32::EPSILON) * worst.fold(0.0, f64::max);
-        // Derivative of the depth by the depth-buffer value.
+        // Derivative of the depth with respect to the depth-buffer value.
         let per_value = match view.orthographic {
             true => view.far - view.near,
             false => depth * depth / view.near,
@@ -150,14 +150,14 @@ impl Facet {
     }
 }
 
-/// Returns true if, somewhere in a scene, the error of depths interpolated in f32 exceeds the margin that snapping leaves: vertices
-/// move by at most 0.7 of [`View::doubt_px`]. This happens where triangles are long and narrow.
+/// Returns true if, somewhere in a scene, the error of depths interpolated in f32 exceeds the margin that vertex snapping leaves, which
+/// moves vertices by at most 0.7 of [`View::doubt_px`]. This happens where triangles are long and narrow.
 pub(super) fn slopes_matter(prepared: &Prepared, view: &View) -> bool {
     prepared.parts.par_iter().any(|part| {
         part.triangles.par_iter().any(|corners| {
             let points = corners.map(|i| part.positions[i as usize].as_dvec3());
             let depths = points.map(|p| view.depth_of(p));
-            // The ratio of the slope error to the margin grows with depth: they are compared where the triangle is farthest.
+            // The ratio of slope error to margin grows with depth, so the two are compared at the triangle's farthest corner.
             let (far, depth) =
                 points
                     .into_iter()

@@ -21,13 +21,13 @@ const PAD_PX: f64 = 4.0;
 pub(super) struct Followed {
     pub(super) layer: Layer,
     pub(super) sight: Option<VisiblePoint>,
-    /// There is a crossing or an outline beyond the near plane.
+    /// True if there is a crossing or an outline beyond the near plane.
     pub(super) meets_something: bool,
 }
 
 impl<'a> BandedScene<'a> {
-    /// Follows the ray of a sample. `found` are its crossings with all meshes, `brushes` the outlines of parts near it; `bench` keeps
-    /// the events in order and the state before the first, until it is cleared.
+    /// Follows the ray of a sample. `found` holds the ray's crossings with all meshes, `brushes` the outlines of parts near the sample.
+    /// Until `bench` is cleared, it keeps the sorted events and the state before the first.
     pub(super) fn follow(
         &self,
         at: DVec2,
@@ -38,7 +38,7 @@ impl<'a> BandedScene<'a> {
     ) -> Followed {
         let (prepared, view) = (self.prepared, self.view);
         let (found, of_cutters) = found.split_at(self.cutters.split(found, |c| c.rank));
-        // From a little before the near plane, so that an event just before it is found and counted as close.
+        // Start a little before the near plane, so that an event just before the plane is found and counted as close.
         let before_near = view.before_near(self.pad(view.near));
         let odd = bench.sort_crossings(found, brushes, before_near);
         bench.end_open_parts(found);
@@ -95,7 +95,7 @@ impl<'a> BandedScene<'a> {
         PAD_PX * self.view.pixel_size(depth).abs()
     }
 
-    /// Lists the ray's crossings with the clip-surfaces of the parts it meets. Returns true if its side of some cutter is undefined.
+    /// Lists the ray's crossings with the clip-surfaces of the parts it meets. Returns true if the ray's side of some cutter is undefined.
     pub(super) fn meet_clips(
         &self,
         ray: &Ray,
@@ -141,7 +141,7 @@ impl<'a> BandedScene<'a> {
         &self.parts[usize::from(self.cutters.rank_of(surface))]
     }
 
-    /// Writes what is seen into the layer.
+    /// Writes the visible point into the layer.
     pub(super) fn show(
         &self,
         ray: &Ray,

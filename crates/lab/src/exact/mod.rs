@@ -1,17 +1,17 @@
 //! The exact reference: what every pixel shows, in f64, from the definition alone.
 //!
-//! Along the ray through a pixel centre the visible point is the first one, beyond the near plane, at which the ray enters some solid less
-//! what is removed from it. It shows a *surface* where the ray crosses the mesh there and a *cap* where it leaves the removed region. This
+//! Along the ray through a pixel centre, the visible point is the first point beyond the near plane at which the ray enters what is kept
+//! of a solid. The pixel shows a *surface* if the ray crosses the mesh there, and a *cap* if it leaves the removed region there. This
 //! module lists every crossing of the ray with every triangle (`raster`) and with every clip-surface (`clip`, `relief`, `cutter`), walks
 //! them in order (`follow`, `walk`), and marks answers that depend on differences below a picture's precision (`ambiguity`). [`trace`]
-//! gives the list of one pixel. It shares only the scene with the strategies that it judges, including which faces are coplanar, and
-//! no algorithm.
+//! lists one pixel's crossings. With the strategies that it judges, this module shares no algorithm, only the scene, which includes
+//! the detection of coplanar faces.
 //!
-//! *Inside* is by the part's [`Fill`](cutaway::scene::Fill). All crossings of the line count, also those behind the eye: the
-//! crossings before the near plane decide whether it is inside. An open part has pixels where the line still ends inside: with an odd
-//! number of crossings or, where the rule is nonzero, a sum that is not 0. They are marked ([`Exact::odd_parity`]) and drawn as if the
-//! line started outside, and ended where it last crosses the part. An eye that is on a mesh to the last bit is neither inside nor
-//! outside, and its pixels are odd too.
+//! The part's [`Fill`](cutaway::scene::Fill) decides what is *inside*. All crossings of the line count, also those behind the eye: the
+//! crossings before the near plane decide whether the near plane is inside. An open part has pixels where the line still ends inside: the
+//! number of crossings is odd or, for the nonzero rule, their sum is not 0. Such pixels are marked ([`Exact::odd_parity`]) and drawn as
+//! if the line started outside, and ended where it last crosses the part. An eye exactly on a mesh is neither inside nor
+//! outside, and its pixels are marked too.
 //!
 //! Cost: time and memory proportional to the crossings, plus one step per texel border near the relief between the first and the
 //! last crossing of a ray. Rows are processed in bands, each with its own lists, on all threads.
@@ -62,12 +62,12 @@ pub struct Exact {
     pub layers: Layers,
     /// True where sampling itself is ambiguous: within [`View::doubt_px`] of an outline, or two events too close to order.
     pub undecided: Vec<bool>,
-    /// True where kind, part and clip-surface are decided but the depth is not: it jumps within [`View::doubt_px`], as between two folds of
-    /// a relief. False for undecided pixels.
+    /// True where kind, part and clip-surface are decided but the depth is not, because it jumps within [`View::doubt_px`], as between two
+    /// folds of a relief. False for undecided pixels.
     pub depth_open: Vec<bool>,
-    /// True where the overlap of solids at the cap is open, possibly because its depth is. False for undecided pixels.
+    /// True where it is open whether solids overlap at the cap, possibly because the cap's depth is open. False for undecided pixels.
     pub overlap_open: Vec<bool>,
-    /// True where some part has an odd number of crossings along the line or, where its rule is nonzero, crossings that do not cancel:
+    /// True where some part has an odd number of crossings along the line or, for the nonzero rule, crossings whose sum is not 0:
     /// the part is open there, or its faces are oriented inconsistently.
     pub odd_parity: Vec<bool>,
 }
@@ -91,7 +91,7 @@ impl Exact {
         pixels.filter(is_judged).count()
     }
 
-    /// Undecided pixels per covered pixel; 0 where nothing is covered and nothing undecided.
+    /// Undecided pixels per covered pixel; 0 if no pixel is covered or undecided.
     pub fn undecided_share(&self) -> f64 {
         self.undecided_px() as f64 / (self.covered_px().max(1)) as f64
     }
@@ -142,9 +142,9 @@ struct BandedScene<'a> {
     cutters: CutterMeshes,
     /// Clips by number; those of cutters are unused.
     clips: Vec<RayClipSurface>,
-    /// By rank.
+    /// Preclassified faces of each part, by rank.
     preclassified: Vec<PreclassifiedFaces>,
-    /// By number: the planes shared by several parts, as depth-buffer values of the view; none for a plane seen edge-on.
+    /// Planes shared by several parts, by number, as functions for the view's depth-buffer values; none for a plane seen edge-on.
     shared_in_view: Vec<Option<[f64; 3]>>,
     triangles: Bands,
     outlines: Vec<Vec<SilhouetteEdge>>,
@@ -210,7 +210,7 @@ impl<'a> BandedScene<'a> {
         }
     }
 
-    /// Answers for the pixels of a band that are anything but plain background.
+    /// Passes on the result of each pixel of a band that is not plain background.
     fn band(&self, band: usize, mut answer: impl FnMut(usize, PixelResult)) {
         let [width, height] = self.view.size_px;
         let first_row = band as u32 * BAND_ROWS;

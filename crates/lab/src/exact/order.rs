@@ -1,8 +1,8 @@
-//! Events of one ray that are too close to order, and what the ray would show with another order.
+//! Finds events of one ray that are too close to order, and what the ray would show if their order were different.
 //!
 //! Pairs are swapped one at a time. Where other crossings lie between a crossing and a clip-surface, the crossing alone is moved past the
 //! surface, as the others may be preclassified against it ([`super::classify`]). Costs up to two walks along the ray for each close pair.
-//! Orders of three events that no single such step reaches are not tried.
+//! Limit: an order of three events that takes more than one such step to reach is not tried.
 
 use glam::DVec3;
 
@@ -11,7 +11,7 @@ use super::classify::share_plane;
 use super::walk::{Cause, Event};
 
 impl RayCase<'_> {
-    /// Openness caused by swapping two events whose order is open. The near plane is an event too.
+    /// Openness from swapping two events whose order is open. The near plane counts as an event.
     pub(super) fn disordered(&self, scratch: &mut Scratch) -> Openness {
         let mut margins = std::mem::take(&mut scratch.margins);
         margins.clear();
@@ -44,7 +44,7 @@ impl RayCase<'_> {
         open
     }
 
-    /// Openness caused by moving an event to the other side of the near plane; an event at the plane counts as before it.
+    /// Openness from moving an event to the other side of the near plane. An event exactly at the plane is before it.
     fn across_near(&self, scratch: &mut Scratch, event: usize, margin: f64) -> Openness {
         let depth = self.events[event].depth;
         let step = rounding(self.view, depth);
@@ -62,7 +62,7 @@ impl RayCase<'_> {
         let [near, far] = [i, j].map(|k| self.events[k].depth);
         scratch.begin(self.events);
         self.put(scratch, i, far);
-        // At one depth the tie rule decides; to get the other order, the event is moved by the rounding error.
+        // At equal depths the tie rule decides; to get the other order, the event is moved by the rounding error.
         let hair = (near == far).then(|| rounding(self.view, near));
         self.put(scratch, j, near - hair.unwrap_or(0.0));
         let open = self.change(scratch, margin);
@@ -72,8 +72,8 @@ impl RayCase<'_> {
         }
     }
 
-    /// Openness caused by moving a crossing past a clip-surface that stays where it is: crossings between the two may be preclassified
-    /// against the surface, so that the surface cannot move past them.
+    /// Openness from moving a crossing past a clip-surface. The surface stays where it is: crossings between the two may be preclassified
+    /// against the surface, which then cannot move past them.
     fn passed(&self, scratch: &mut Scratch, [i, j]: [usize; 2], margin: f64) -> Openness {
         let [near, far] = [i, j].map(|k| &self.events[k]);
         let (moved, depth) = match (near.cause, far.cause) {
@@ -90,7 +90,7 @@ impl RayCase<'_> {
         self.change(scratch, margin)
     }
 
-    /// Moves an event to another depth, along with all crossings of triangles that coincide with its own: they only move together.
+    /// Moves an event to another depth, together with all crossings whose triangles coincide with the event's own triangle.
     fn put(&self, scratch: &mut Scratch, event: usize, depth: f64) {
         let moved = &self.events[event];
         for (other, copy) in self.events.iter().zip(&mut scratch.events) {
@@ -101,14 +101,14 @@ impl RayCase<'_> {
         scratch.events[event].depth = depth;
     }
 
-    /// Returns true if swapping two events can change anything, and their order is not fixed by exact coincidence.
+    /// Returns true if swapping two events can change the answer, and exact coincidence does not fix their order.
     fn order_matters(&self, a: &Event, b: &Event) -> bool {
         let is_preclassified = |mesh: &Event, surface: u16| {
             (self.preclassified.iter())
                 .any(|(source, by, _)| (*source, *by) == (mesh.source, surface))
         };
         match (a.cause, b.cause) {
-            // For one part it matters which side of the mesh is seen.
+            // For two crossings of one part, it matters which side of the mesh is seen.
             (Cause::Mesh { rank: p, step: s }, Cause::Mesh { rank: q, step: t }) => {
                 (p != q || s != t)
                     && !self.share_triangle(a, b)
@@ -119,9 +119,9 @@ impl RayCase<'_> {
             (Cause::Mesh { .. }, Cause::Clip { surface, .. }) => !is_preclassified(a, surface),
             (Cause::Clip { surface, .. }, Cause::Mesh { .. }) => !is_preclassified(b, surface),
             (Cause::Clip { surface: s, .. }, Cause::Clip { surface: t, .. }) => {
-                // Two surfaces in one plane are crossed at once, whatever the rounding.
+                // Two clip-surfaces in one plane are crossed at once, whatever the rounding.
                 let [g, h] = [a, b].map(|e| self.roots[e.source as usize].gradient);
-                // This does not hold for a face that a cutter shares with another surface: triangles are rounded one by one.
+                // Not so for a cutter's face in the plane of another surface: triangles are rounded one by one.
                 let of_cutter = |surface: u16| self.cutters.contains(surface);
                 let apart = a.depth != b.depth || g.cross(h) != DVec3::ZERO;
                 s != t && (apart || of_cutter(s) || of_cutter(t))
@@ -129,7 +129,7 @@ impl RayCase<'_> {
         }
     }
 
-    /// Returns true if two crossings lie on different sides of one clip-surface.
+    /// Returns true if some clip-surface has the two crossings on different sides.
     fn is_between(&self, a: &Event, b: &Event) -> bool {
         let of = |event: &Event| {
             let source = event.source;
@@ -138,7 +138,7 @@ impl RayCase<'_> {
         of(a).any(|(_, by, place)| of(b).any(|(_, other, there)| by == other && place != there))
     }
 
-    /// Returns true if two events are crossings at one depth with triangles that have the same corners.
+    /// Returns true if two events are crossings at equal depths, with triangles that have the same corners.
     fn share_triangle(&self, a: &Event, b: &Event) -> bool {
         let is_mesh = |e: &Event| matches!(e.cause, Cause::Mesh { .. });
         if a.depth != b.depth || !is_mesh(a) || !is_mesh(b) {

@@ -1,18 +1,18 @@
-//! Edges at which the number or the depth of crossings changes, and the samples that are too close to them.
+//! Edges at which the number or the depth of crossings changes, and the samples too close to such edges.
 //!
-//! An edge shared by exactly two faces on opposite sides in the picture is no outline: whichever face a sample hits, the ray crosses
-//! once. Every other edge is one: a fold (*silhouette*), a rim (*boundary*), an edge of more than two faces, and, where the rule is
-//! nonzero, an edge of inconsistently oriented faces. Vertices are matched by position, as a mesh may store one twice.
+//! If exactly two faces share an edge and lie on opposite sides of it in the picture, the edge is no outline: whichever face a sample
+//! hits, the ray crosses once. Every other edge is an outline: a fold (*silhouette*), a rim (*boundary*), an edge of more than two faces
+//! and, for the nonzero rule, an edge of inconsistently oriented faces. Vertices are matched by position: a mesh may store one twice.
 //!
-//! Where one of the two faces is far steeper than the other, or its depths are interpolated far less precisely, their edge is a *seam*: a
-//! sample that hits the other face also finds one crossing, but possibly at another depth.
+//! If one of the two faces is far steeper than the other, or its depths are interpolated far less precisely, their edge is a *seam*:
+//! whichever face a sample hits, there is one crossing, but the depth may differ.
 //!
-//! A needle narrower than the sub-pixel grid has no reliable side of its edges: they are outlines too (see [`sliver_reach`]), except for
-//! needles that reach past the near plane.
+//! A sample is not reliably on one side of the edges of a needle narrower than the sub-pixel grid: these edges are outlines too (see
+//! [`sliver_reach`]), unless the needle crosses the near plane.
 //!
 //! An adapter with fewer sub-pixel bits than usual (SwiftShader) clips each triangle at the near plane separately, so that a gap of one
-//! step can open between two triangles that share an edge: then all edges through the near plane are outlines at which the part may be
-//! open. This was not observed on llvmpipe, with 8 bits.
+//! sub-pixel step can open between two triangles that share an edge: then all edges through the near plane are outlines at which the part
+//! may be open. This was not observed on llvmpipe, which has 8 bits.
 //!
 //! Rasterisers snap vertices to a fraction of a pixel, usually 1/256, and transforms in f32 move them too. All rasterisers tried
 //! (llvmpipe, SwiftShader, compute) agreed on every sample farther than [`View::doubt_px`] from all outlines.
@@ -26,16 +26,16 @@ use super::facet::lateral;
 use super::raster::{Projected, centres};
 use super::screen::Corner;
 
-/// Maximum difference of two depths of a scene, which lies in a ball of radius 1. The plane of a needle seen edge-on has no such bound.
+/// Maximum difference of two depths: a scene lies in a ball of radius 1. Depths on the plane of a needle seen edge-on have no bound.
 const SCENE_DIAMETER: f64 = 2.0;
 
-/// Maximum ratio of the two faces' depth changes at an edge that is no seam.
+/// Maximum ratio of the two faces' depth changes at an edge; above it, the edge is a seam.
 const SEAM: f64 = 4.0;
 
 /// Two steps of f32 near 1: a triangle no wider than this has no plane in f32.
 const LINE_WIDTH: f64 = 2.0 * f32::EPSILON as f64;
 
-/// An edge that is an outline, from a little before the near plane on.
+/// An edge that is an outline; only what lies beyond a depth slightly before the near plane is kept.
 pub(super) struct SilhouetteEdge {
     ends: [Corner; 2],
     rank: u16,
@@ -43,13 +43,13 @@ pub(super) struct SilhouetteEdge {
     margin: f64,
 }
 
-/// Undecided property near an edge.
+/// What is undecided near an edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum OutlineEdge {
     /// There may be two more crossings.
     Fold,
-    /// The part may be open: the edge has an odd number of faces or, where the rule is nonzero, face directions that do not cancel; or an
-    /// adapter with few sub-pixel bits separates its triangles there.
+    /// The part may be open: the edge has an odd number of faces or, for the nonzero rule, face directions that do not cancel; or an
+    /// adapter with few sub-pixel bits leaves a gap between the triangles at the edge.
     Rim,
     /// Either of two triangles may be crossed.
     Seam([u32; 2]),
@@ -62,11 +62,11 @@ pub(super) struct Brush {
     pub(super) pixel: u32,
     /// Rank of the part.
     pub(super) rank: u16,
-    /// Undecided property there.
+    /// What is undecided there.
     pub(super) edge: OutlineEdge,
     /// Depth of the edge.
     pub(super) depth: f64,
-    /// Largest depth difference from the edge that its faces may have within [`View::doubt_px`].
+    /// Largest difference between the edge's depth and that of its faces within [`View::doubt_px`].
     pub(super) margin: f64,
 }
 
@@ -75,7 +75,7 @@ struct FaceAtEdge {
     key: (u32, u32),
     triangle: u32,
     side: i8,
-    /// 1 where the face traverses the edge in the key's direction, -1 where in the other.
+    /// 1 if the face traverses the edge in the direction of the edge's key, else -1.
     direction: i8,
     /// Approximate change of the depth on the face.
     change: f64,
@@ -95,7 +95,7 @@ pub(super) fn outlines(view: &View, rank: u16, projected: &Projected<'_>) -> Vec
             };
             let change = depth_change(view, projected, index as u32);
             let t = t.map(|i| names[i as usize]);
-            // A triangle with two equal corners is an edge and counts as no face.
+            // A triangle with two equal corners is only an edge and not counted as a face.
             let degenerate = t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
             (0..if degenerate { 0 } else { 3 }).map(move |e| {
                 let (from, to) = (t[e], t[(e + 1) % 3]);
@@ -138,7 +138,7 @@ pub(super) fn outlines(view: &View, rank: u16, projected: &Projected<'_>) -> Vec
                     sliver_reach(view, projected, f.triangle).unwrap_or_else(within)
                 })
                 .fold(0.0, f64::max);
-            // Faces at an edge just before the near plane may extend beyond the plane near the edge, or be rounded there.
+            // Near an edge just before the near plane, the edge's faces may reach beyond the plane, or be rounded there.
             let before = view.before_near(margin + rounding(view, view.near));
             let ends = beyond(before, a, b)?;
             Some(SilhouetteEdge {
@@ -180,15 +180,15 @@ fn points(projected: &Projected<'_>) -> Vec<u32> {
     names
 }
 
-/// Largest depth error of a needle that rounding its corners to the sub-pixel grid may turn over: the side that a rasteriser sees, and so
-/// the depth it finds, is undefined. Its edges are outlines: no sample lies reliably on one side of them.
+/// Largest depth error of a needle so narrow that rounding its corners to the sub-pixel grid may turn it over: which side a rasteriser
+/// sees, and so which depth it finds, is undefined. The needle's edges are outlines: no sample lies reliably on one side of them.
 ///
-/// If its depths differ by more than the width of a pixel, the error is that difference. If by less, the change of its plane within
-/// [`View::doubt_px`] counts too, which is unbounded for a needle seen edge-on: some rasterisers cover samples outside it, as its corners
-/// are rounded, and evaluate the unrounded plane there. Where its corners lie on a line there is no plane, and any depth may be read.
-/// However little its depth changes, the side that is seen is open: a needle that is turned over shows its back.
+/// If its depths differ by more than the width of a pixel, the error is that difference. Otherwise, the change of its plane within
+/// [`View::doubt_px`] counts too, which is unbounded for a needle seen edge-on: some rasterisers round the corners, so cover samples
+/// outside the needle, and evaluate the unrounded plane there. If the corners lie on a line there is no plane, and any depth may result.
+/// However little the depth changes, the visible side is open: a needle that is turned over shows its back.
 ///
-/// None for a triangle that is no needle, and for a needle that crosses the near plane, which is clipped.
+/// None for a triangle that is no needle, and for a needle that crosses the near plane and so is clipped.
 fn sliver_reach(view: &View, projected: &Projected<'_>, triangle: u32) -> Option<f64> {
     let corners = projected.corners(triangle);
     if corners.iter().any(|c| c.depth <= view.near) {
@@ -255,7 +255,7 @@ impl SilhouetteEdge {
         for row in lo.max(first_row)..(hi + 1).min(end_row) {
             let y = f64::from(row) + 0.5;
             let share = |y: f64| ((y - a.y) / along.y).clamp(0.0, 1.0);
-            // The part of the edge that passes this row; the whole edge if it runs along the row.
+            // The stretch of the edge within this row; the whole edge if it runs along the row.
             let (from, to) = if along.y.abs() > near_px {
                 (share(y - near_px), share(y + near_px))
             } else {

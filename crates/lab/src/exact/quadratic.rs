@@ -1,4 +1,4 @@
-//! The height of a relief over a ray within one cell, as a function of the depth.
+//! The kept height `F` of a relief along a ray within one cell, as a function of the depth.
 
 /// `F(start + s) = a s^2 + b s + c` over `0..length`.
 pub(super) struct Quadratic {
@@ -13,7 +13,7 @@ impl Quadratic {
         self.c + s * (self.b + s * self.a)
     }
 
-    /// Both roots, least first, in the form that divides by no small number (`c / q`, `q / a`).
+    /// Both roots, the smaller first, by `c / q` and `q / a`, which avoid division by a small number.
     pub(super) fn roots(&self) -> [f64; 2] {
         let root = (self.b * self.b - 4.0 * self.a * self.c).max(0.0).sqrt();
         let q = -0.5 * (self.b + root.copysign(self.b));
@@ -23,7 +23,7 @@ impl Quadratic {
         [r.min(s), r.max(s)]
     }
 
-    /// The root between two ends of different sign.
+    /// The root, if the signs at the two ends differ.
     pub(super) fn crossing(&self) -> f64 {
         let miss = |r: f64| (r - r.clamp(0.0, self.length)).abs();
         let [r, s] = self.roots();

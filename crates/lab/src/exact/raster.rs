@@ -1,11 +1,11 @@
 //! All crossings of all samples with all triangles, band by band.
 //!
 //! A band is [`BAND_ROWS`] rows of pixels. Triangles are sorted into bands once; the crossings of a band are listed by pixel
-//! and dropped after use, so memory is that of the triangles plus the crossings of one band per thread. Within a row the
-//! three edge functions bound the columns to test, with a slack above their error; [`EdgeFunction::side`] decides.
+//! and dropped after use, so memory holds the triangles, and the crossings of one band per thread. Within a row, the three
+//! edge functions bound the columns to test, with a margin above their rounding error; [`EdgeFunction::side`] decides each sample.
 //!
-//! Triangles behind the eye are crossed like all others, at negative depths: this is what gives a closed part an even
-//! number of crossings in every pixel, wherever the camera is.
+//! Rays also cross the triangles behind the eye, at negative depths: so a closed part has an even number of crossings in every
+//! pixel, wherever the camera is.
 
 use cutaway::scene::{Fill, PreparedPart, PreparedVolume, ShadingMesh, View};
 use glam::{DVec2, Vec3};
@@ -102,14 +102,14 @@ pub(super) struct Crossing {
     pub(super) depth: f64,
     /// Rank of the part.
     pub(super) rank: u16,
-    /// The triangle faces away from the eye.
+    /// True if the triangle faces away from the eye.
     pub(super) back_face: bool,
-    /// Order relative to crossings of clip-surfaces at the same depth: -1 before them, 1 behind; 0 where its triangle lies in none.
+    /// Order relative to clip-surface crossings at the same depth: -1 before them, 1 after them; 0 if the triangle lies in no clip-surface.
     pub(super) place: i8,
 }
 
 impl Crossing {
-    /// Change of the winding number along the ray: 1 into the mesh, -1 on leaving.
+    /// Change of the winding number along the ray: 1 where the ray enters the mesh, -1 where it leaves.
     pub(super) fn step(&self) -> i8 {
         if self.back_face { -1 } else { 1 }
     }
@@ -168,7 +168,7 @@ pub(super) fn centres(lo: f64, hi: f64, slack: f64, size: u32) -> Option<[u32; 2
     (first <= last).then_some([first as u32, last as u32])
 }
 
-/// Far more than the rounding of a projected vertex, far less than a pixel.
+/// Margin in pixels: far more than the rounding of a projected vertex, far less than a pixel.
 const SLACK_PX: f64 = 1e-6;
 
 /// Per triangle of a part: the rows with samples that it may cover.
@@ -194,7 +194,7 @@ pub(super) fn rows_of(view: &View, projected: &Projected<'_>) -> Vec<Option<[u32
         .collect()
 }
 
-/// Crossings of a band sorted by pixel, with the start of each pixel's run and one end.
+/// A band's crossings sorted by pixel, and the index of each pixel's first crossing, followed by the number of crossings.
 pub(super) fn crossings_of_band(
     view: &View,
     parts: &[Projected<'_>],
@@ -215,7 +215,7 @@ pub(super) fn crossings_of_band(
     sort_by_pixel(&found, pixels, |c| c.pixel)
 }
 
-/// Sorts by a small key, keeping the order of equals.
+/// Sorts stably by a small integer key.
 pub(super) fn sort_by_pixel<T: Copy>(
     found: &[T],
     pixels: usize,

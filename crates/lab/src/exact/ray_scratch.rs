@@ -1,4 +1,4 @@
-//! Scratch memory for one ray: its lists of crossings, roots and events, and its states; reused from ray to ray.
+//! Scratch memory for one ray: its lists of crossings, roots and events, and its states. Each thread reuses it for the next ray.
 
 use cutaway::scene::Prepared;
 
@@ -20,7 +20,7 @@ pub(super) struct RayScratch {
     pub(super) ranks: Vec<u16>,
     /// Per surface: true if its roots are listed.
     pub(super) met: Vec<bool>,
-    /// Crossings, each with the clip-surface that classifies its triangle and its [`Crossing::place`]: rounding cannot change their order.
+    /// Crossings with preclassified triangles, each with the clip-surface and its [`Crossing::place`]: rounding cannot change their order.
     pub(super) preclassified: Vec<(u32, u16, i8)>,
     /// Crossings, each with the number of the plane in which its triangle is coplanar with triangles of other parts.
     pub(super) shared: Vec<(u32, u16)>,
@@ -50,7 +50,7 @@ impl RayScratch {
         }
     }
 
-    /// Keeps the crossings beyond a depth, counts those before it, and returns whether some part is open.
+    /// Keeps the crossings beyond a depth and counts the crossings before it. Returns true if some part is open.
     pub(super) fn sort_crossings(
         &mut self,
         found: &[Crossing],
@@ -74,7 +74,7 @@ impl RayScratch {
         self.ranks.iter().any(|r| self.end.is_inside(*r))
     }
 
-    /// Ends each part that is open along the line at its last crossing: beyond, there is nothing of it to cap.
+    /// Ends each part that is open along the line at its last crossing: a clip-surface beyond that crossing makes no cap of the part.
     pub(super) fn end_open_parts(&mut self, found: &[Crossing]) {
         for rank in self.ranks.iter().filter(|r| self.end.is_inside(**r)) {
             let depths = found.iter().filter(|c| c.rank == *rank).map(|c| c.depth);

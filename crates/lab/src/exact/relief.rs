@@ -1,12 +1,12 @@
 //! Crossings of a ray with a relief: visits every texel cell under the ray in turn, but skips blocks of cells far from the ray.
 //!
-//! Within a cell `f` is bilinear and `F` along the ray a quadratic. Signs decide, roots only locate: the sign at the end
-//! of a cell is carried into the next one; there is one root where the signs at the two ends differ, and two where they agree but
-//! differ from that at the quadratic's vertex. Cells are counted in integers and their borders computed from these, so nothing
-//! drifts. A cell is skipped when the four-corner bounds of `f` keep `F` away from 0 over the whole cell, and a block of cells when
-//! its bounds do; blocks skip only cells that would be skipped anyway.
+//! Within a cell, `f` is bilinear, and `F` along the ray is a quadratic. Signs decide how many roots there are: the sign at the end
+//! of a cell is carried into the next cell; there is one root if the signs at the two ends differ, and two if they agree but
+//! differ from the sign at the quadratic's vertex. Cells are counted in integers, from which their borders are computed, so errors do not
+//! accumulate. A cell is skipped if the bounds of `f` from its four corners keep `F` away from 0 over the whole cell, and a block of cells
+//! if the block's bounds do; blocks skip only cells that would be skipped anyway.
 //!
-//! Cost: one step per texel border in the requested range of depths, where the ray is near the relief; few steps elsewhere.
+//! Cost within the requested range of depths: one step per texel border where the ray is near the relief; few steps elsewhere.
 
 use std::sync::Arc;
 
@@ -43,12 +43,12 @@ pub(super) struct RayRelief {
     height: f64,
     /// Minimum and maximum of `f.Sz`.
     slab: [f64; 2],
-    /// Per axis: the texels for the addresses around the scene.
+    /// Per axis: the wrapped texel for each address around the scene.
     tables: [TexelTable; 2],
     blocks: Blocks,
 }
 
-/// Heights of a cell: `h + x along columns + y along rows + xy of both`, times `Sz`.
+/// Heights of a cell, times `Sz`, as coefficients of a bilinear function of the position along the columns and the rows.
 #[derive(Clone, Copy, Default)]
 struct ReliefCell {
     h: f64,
@@ -117,7 +117,7 @@ impl RayRelief {
         roots: &mut Vec<Root>,
         grazes: &mut Vec<Graze>,
     ) -> bool {
-        // Where the plane's distance is outside [lo, hi], it alone gives the sign. The pad exceeds rounding.
+        // Where the distance from the plane is outside [lo, hi], it alone gives the sign. The pad exceeds the rounding error.
         let pad = 1e-9;
         let (lo, hi) = (-self.slab[1] - pad, -self.slab[0] + pad);
         let (mut from, mut to) = (start, end);
@@ -148,7 +148,7 @@ impl RayRelief {
         let mut removed = (from > start).then(|| plane.at(start) < lo);
         let first = walk.run([from, to], &mut removed, roots, grazes);
         if to < end {
-            // The slab's far side fixes the sign; rounding may have left the last root just behind it.
+            // Where the ray leaves the slab, the sign is known; rounding may have put the last root just behind.
             let beyond = plane.slope < 0.0;
             if removed != Some(beyond) {
                 roots.push(walk.root(to, !beyond, 0.0, walk.cell_at(to)));
@@ -164,7 +164,7 @@ impl RayRelief {
     }
 }
 
-/// The traversal of the texel grid by a ray. Texel coordinates along it are `p + d * depth`.
+/// A ray's traversal of the texel grid. Texel coordinates along the ray are `p + d * depth`.
 struct Walk<'a> {
     relief: &'a RayRelief,
     view: &'a View,
@@ -173,7 +173,7 @@ struct Walk<'a> {
     ray: &'a Ray,
     p: [f64; 2],
     d: [f64; 2],
-    /// Slope of `F` at the end of the previous cell; NaN where that cell was skipped.
+    /// Slope of `F` at the end of the previous cell; NaN if that cell was skipped.
     slope_before: f64,
 }
 
@@ -202,7 +202,7 @@ impl Walk<'_> {
         }
     }
 
-    /// Walks `[from, to]`; `removed` holds the side so far, if one is known. Returns the side at the start.
+    /// Walks `[from, to]`. `removed` holds the ray's side so far, if it is known. Returns the side at the start.
     fn run(
         &mut self,
         [from, to]: [f64; 2],
@@ -242,7 +242,7 @@ impl Walk<'_> {
                     return first;
                 }
                 at = end;
-                // The ray has passed the other axis's borders that come before this one; ties step along the columns first.
+                // The ray has passed all borders of the other axis that come before this border; ties step along the columns first.
                 if end_x <= end_y {
                     y = self.cell_by([y, last[1]], 1, |j| border(j, 1) < end_x, at);
                     x = last[0] + step[0];
@@ -279,7 +279,7 @@ impl Walk<'_> {
         }
     }
 
-    /// The cell along an axis, from `now` to `last`, that the ray is in at a depth: the first for which `is_left` is false.
+    /// The cell along an axis that the ray is in at a depth: the first from `now` to `last` for which `is_left` is false.
     fn cell_by(
         &self,
         [now, last]: [i64; 2],
@@ -299,7 +299,7 @@ impl Walk<'_> {
         cell
     }
 
-    /// The side of an interval of the ray that stays away from all heights between two, unless it was on the other side before.
+    /// The side of an interval of the ray that stays clear of all heights in `[lo, hi]`; none if it does not, or comes from the other side.
     fn far_side(
         &self,
         [lo, hi]: [f64; 2],
@@ -307,7 +307,7 @@ impl Walk<'_> {
         removed: Option<bool>,
     ) -> Option<bool> {
         let (g0, g1) = (self.plane.at(start), self.plane.at(end));
-        // No gradient between these heights is longer than `steep`, so a small shift of the sample moves F by at most `reach`.
+        // If heights stay in [lo, hi], no gradient of F is longer than `steep`, so a small shift of the sample moves F by at most `reach`.
         let axes = &self.relief.axes;
         let steep = 1.0 + (hi - lo) * (axes[0].length() + axes[1].length());
         let reach =
@@ -318,7 +318,7 @@ impl Walk<'_> {
         is_far.then_some(!kept)
     }
 
-    /// Distance that rounding may move the sample at a depth, in scene space.
+    /// Distance in scene space by which rounding may move the sample at a depth.
     fn blur(&self, depth: f64) -> f64 {
         rounding(self.view, depth) * self.ray.direction.length()
     }
@@ -389,7 +389,7 @@ mod tests {
     use cutaway::generate::shapes;
     use cutaway::scene::{Camera, ClipSurface, Cut, Prepared, Projection, Scene, Viewpoint, Wrap};
 
-    /// A cube cut by waves with a spike here and there, seen at an angle to the normal of the plane.
+    /// A cube cut by a wavy relief with a few spikes, seen at an angle to the plane's normal.
     fn prepared(wrap: Wrap, size: [u32; 2], height: f64, angle_deg: f64) -> Prepared {
         let texels = (0..size[0] * size[1]).map(|i| {
             let wave =

@@ -2,12 +2,12 @@
 //!
 //! Notation: a vertex is `(x w, y w, w)` in pixels, where `w` is its depth (1 in orthographic views). The edge from `f` to `t` is
 //! represented by the plane through the eye with normal `f x t`; `E(x, y) = (x, y, 1).(f x t)` is linear in the picture and needs
-//! no clipping where `w <= 0` (Olano & Greer 1997). A sample is in a triangle before the eye iff all three `E` have the
-//! sign of `det(a, b, c)`, and in one behind the eye iff all have the other sign.
+//! no clipping where `w <= 0` (Olano & Greer 1997). A sample is in a triangle in front of the eye iff all three `E` have the
+//! sign of `det(a, b, c)`, and in a triangle behind the eye iff all three have the other sign.
 //!
-//! Every vertex is rounded to f64 once, here, and pixel centres are exact; each sign is then exactly that of the real
-//! number, from a filter or from [`robust`]. Two triangles therefore never both cover or both miss a sample on the edge they
-//! share, whichever direction each gives it.
+//! Every vertex is rounded to f64 once, here, and pixel centres are exact. From these, a filter or [`robust`] computes each sign
+//! without error. So exactly one of two triangles covers a sample on the edge that they share, whichever direction the edge
+//! has in each.
 //!
 //! Tie rule: a sample stands for `(x + e, y + e^2)` with `e` infinitely small, so a sample on an edge belongs to the triangle to the
 //! right of the edge, or below it. This is the rasterisers' top-left rule.
@@ -45,12 +45,12 @@ impl Corner {
         self.at.truncate() / self.at.z
     }
 
-    /// The point at a depth on the line to another corner.
+    /// The point at depth `depth` on the line from this corner to another.
     pub(super) fn at_depth(&self, other: &Self, depth: f64) -> Self {
         self.lerp(other, (depth - self.depth) / (other.depth - self.depth))
     }
 
-    /// The point at a fraction of the way to another corner.
+    /// The point at fraction `share` of the way from this corner to another.
     pub(super) fn lerp(&self, other: &Self, share: f64) -> Self {
         Self {
             at: self.at.lerp(other.at, share),
@@ -70,7 +70,7 @@ fn determinant(a: DVec3, b: DVec3, c: DVec3) -> f64 {
         y: p.y,
         z: p.z,
     });
-    // Differences from the origin are exact, so this is the 3 x 3 determinant itself.
+    // Subtracting the origin is exact, so this is the 3 x 3 determinant itself.
     orient3d(
         a,
         b,
@@ -99,7 +99,7 @@ pub(super) struct EdgeFunction {
     to: DVec3,
     /// `from x to`: coefficients of `x`, `y` and 1.
     pub(super) normal: DVec3,
-    /// Maximum rounding error of its values in the picture.
+    /// Maximum rounding error of the edge function in the picture.
     pub(super) error: f64,
 }
 

@@ -1,16 +1,16 @@
-//! Shading normals of visible points. They face the camera, and affect no other part of the answer.
+//! Shading normals of visible points. They face the camera; nothing else in the answer depends on them.
 
 use glam::{DVec3, Vec3};
 
 use super::clip::{CutterTriangle, Root};
 use super::raster::{Crossing, Projected};
 
-/// Normal of a cap: in the direction of decreasing kept height, out of the kept solid.
+/// Normal of a cap: it points out of the kept solid, in the direction in which the kept height decreases.
 pub(super) fn cap_normal(root: &Root) -> Vec3 {
     (-root.gradient).normalize_or_zero().as_vec3()
 }
 
-/// Normal of a cap on a cutter: that of its mesh, facing the side from which a ray leaves the removed region.
+/// Normal of a cap on a cutter: the normal of the cutter's mesh, facing the side from which a ray leaves the removed region.
 pub(super) fn cutter_normal(
     mesh: &Projected<'_>,
     root: &Root,
@@ -29,7 +29,7 @@ pub(super) fn surface_normal(part: &Projected<'_>, crossing: &Crossing, point: D
     (if crossing.back_face { -normal } else { normal }).as_vec3()
 }
 
-/// The interpolated shading normals of a triangle's corners; the triangle's own normal where there are none.
+/// Normal at a point, interpolated from the shading normals of the corners; the triangle's own normal if there are none.
 fn normal_at(mesh: &Projected<'_>, triangle: u32, point: DVec3) -> DVec3 {
     let facet = mesh.facet(triangle);
     let own = facet.normal.normalize_or_zero();

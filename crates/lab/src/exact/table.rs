@@ -1,11 +1,11 @@
-//! Texel addresses around the scene, wrapped once for all rays.
+//! Table of wrapped texel addresses around the scene, computed once for all rays.
 
 use cutaway::scene::Wrap;
 
-/// Maximum number of addresses in a table; others are wrapped one by one.
+/// Maximum number of addresses in a table. Without a table, each address is wrapped when it is needed.
 const TABLE_TEXELS: i64 = 1 << 20;
 
-/// The texels for the addresses around a point, along one axis.
+/// The wrapped texel for each address around a point, along one axis.
 pub(super) struct TexelTable {
     first: i64,
     texels: Vec<u32>,
@@ -14,7 +14,7 @@ pub(super) struct TexelTable {
 }
 
 impl TexelTable {
-    /// The table of addresses within a reach of a centre.
+    /// The table for all addresses within `reach` of `centre`.
     pub(super) fn of(wrap: Wrap, size: u32, centre: f64, reach: f64) -> Self {
         let first = (centre - reach).floor() as i64 - 2;
         let last = (centre + reach).ceil() as i64 + 3;

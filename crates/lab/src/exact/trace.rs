@@ -1,6 +1,6 @@
 //! The crossings of one ray as a list: why a pixel shows what it shows.
 //!
-//! Cost: projecting the meshes as for a whole picture, and following the rays of one row.
+//! Cost: all meshes are projected as for a whole picture, and the rays of one row are followed.
 
 use cutaway::layers::Layer;
 use cutaway::scene::{Prepared, View};
@@ -30,9 +30,9 @@ pub struct RayCrossing {
     pub depth: f64,
     /// The crossed object.
     pub what: Crossed,
-    /// The ray enters the mesh, or leaves the removed side of the clip-surface.
+    /// True if the ray enters the mesh, or leaves the removed side of the clip-surface.
     pub enters: bool,
-    /// Indices of the parts whose kept solid begins or ends here. None where the crossing is removed, or bounds nothing.
+    /// Indices of the parts whose kept solid begins or ends here; empty if the crossing is removed or bounds no kept solid.
     pub bounds: Vec<usize>,
     /// True for the crossing that the pixel shows.
     pub is_seen: bool,
@@ -43,12 +43,12 @@ pub struct RayCrossing {
 pub struct Trace {
     /// Layer of the pixel, equal to that of [`evaluate`](super::evaluate).
     pub layer: Layer,
-    /// Crossings beyond the near plane, in order: with the meshes of all parts, and with clip-surfaces where such a mesh is near.
+    /// Crossings beyond the near plane, in order: with the meshes of all parts and, near these crossings, with clip-surfaces.
     pub crossings: Vec<RayCrossing>,
 }
 
 impl Trace {
-    /// The crossing that is seen; none for the background.
+    /// The crossing that the pixel shows; none for the background.
     pub fn seen(&self) -> Option<&RayCrossing> {
         self.crossings.iter().find(|c| c.is_seen)
     }
@@ -120,7 +120,7 @@ pub fn trace(prepared: &Prepared, view: &View, [x, y]: [u32; 2]) -> Trace {
     }
 }
 
-/// Returns true if two consecutive events are one step of the walk, as are crossings of clip-surfaces at one depth.
+/// Returns true if two consecutive events are one step of the walk, as crossings of clip-surfaces at one depth are.
 fn happen_at_once(a: &Event, b: &Event) -> bool {
     let is_clip = |e: &Event| matches!(e.cause, Cause::Clip { .. });
     a.depth == b.depth && is_clip(a) && is_clip(b)
@@ -135,7 +135,7 @@ fn shown(prepared: &Prepared, ranks: &[u16], state: &RayState) -> Vec<bool> {
     ranks.iter().map(shows).collect()
 }
 
-/// An event as a crossing. `changed` are the ranks of the parts whose kept solid begins or ends at the event or others at once with it.
+/// Converts an event to a crossing. `changed` holds the ranks of the parts whose kept solid begins or ends at this step of the walk.
 fn crossing(prepared: &Prepared, event: &Event, changed: &[usize]) -> RayCrossing {
     let part = |rank: usize| prepared.parts[rank].part;
     let (what, enters, bounds) = match event.cause {
@@ -176,7 +176,7 @@ mod tests {
     use cutaway::layers::Kind;
     use cutaway::scene::{ClipSurface, Cut, OffsetMap, Scene};
 
-    /// A shape whose half before the eye is cut away by waves.
+    /// A shape whose nearer half is cut away along a wavy surface.
     fn prepared(shape: &str) -> Prepared {
         let mut scene = Scene {
             parts: shapes::shape(shape).unwrap(),

@@ -1,8 +1,8 @@
-//! The exact images of a view, one per precision: a picture is judged with the undecided pixels of the rasteriser that drew it.
+//! The exact images of a view, one per precision: which pixels are undecided depends on the rasteriser that drew the picture.
 //!
-//! Nearly all pictures are judged by the usual image, which is evaluated at once. A coarser rasteriser is one with fewer sub-pixel bits,
-//! or one that interpolates depths in f32 where triangles are so long and narrow that it shows. Its image is evaluated when its first
-//! picture is judged, and costs as much again. Both images have the same layers; they differ in what is undecided.
+//! Nearly all pictures are judged by the usual image, which is evaluated at once. A coarser rasteriser has fewer sub-pixel bits, or
+//! interpolates depths in f32 in a scene with triangles so long and narrow that the error matters. The coarser image is evaluated for the
+//! first picture that needs it, at the same cost. Both images have the same layers; they differ in which pixels are undecided.
 
 use std::borrow::Borrow;
 use std::ops::Deref;
@@ -13,7 +13,7 @@ use cutaway::scene::{Precision, Prepared, View};
 use super::facet::slopes_matter;
 use super::{Exact, evaluate};
 
-/// The exact images of one view of a scene; it dereferences to the usual one.
+/// The exact images of one view of a scene; dereferences to the usual image.
 pub struct Truth<P> {
     prepared: P,
     view: View,
@@ -36,7 +36,7 @@ impl<P: Borrow<Prepared>> Truth<P> {
         }
     }
 
-    /// The image for pictures drawn with this precision. More bits than usual are judged like the usual: f32 leaves the same pixels open.
+    /// The image for pictures of this precision. More sub-pixel bits than usual count as the usual number: f32 leaves the same pixels open.
     pub fn at(&self, precision: Precision) -> Arc<Exact> {
         let usual = Precision::USUAL;
         let mut precision = Precision {

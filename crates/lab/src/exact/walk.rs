@@ -1,15 +1,15 @@
-//! The definition itself: walk the events along a ray in order of depth, and stop where it first enters a kept solid.
+//! The definition itself: walk the events along a ray in order of depth, and stop where the ray first enters a kept solid.
 //!
 //! State: per part, the winding number, from which the part's fill rule decides inside or outside; per clip-surface, whether the
-//! ray is on its removed or its kept side. A cut removes where all its surfaces do, and a part loses what any of its cuts
-//! removes. A part *shows* where the ray is inside it and nothing removes it; the visible point is the first, beyond the near
-//! plane, at which some part goes from not showing to showing.
+//! ray is on its removed or its kept side. A point is removed by a cut if it is on the removed side of all the cut's surfaces,
+//! and by a part's cuts if any of them removes it. A part *shows* where the ray is inside it and no cut removes it. The visible
+//! point is the first point beyond the near plane at which some part begins to show.
 //!
-//! Ties. A solid is taken without its boundary: a mesh event whose triangle lies in a clip-surface is before the clip event where the
-//! ray leaves the solid through it, and behind it where the ray enters ([`super::classify`]); so a cut leaves no sheet of zero thickness.
-//! Any other mesh event at exactly the depth of a clip event counts as on its kept side. Clip events at one depth happen at once: two
-//! cuts that share a plane leave no sheet between them. Mesh events at one depth are ordered by the rank of their parts; within a part,
-//! entering comes first, so that of coincident faces the one that faces the eye is seen.
+//! Ties. A solid is taken without its boundary: a mesh event whose triangle lies in a clip-surface comes before the clip event if the
+//! ray leaves the solid there, and after it if the ray enters ([`super::classify`]); so a cut leaves no sheet of zero thickness.
+//! Any other mesh event at exactly the depth of a clip event is taken to be on the surface's kept side. Clip events at one depth happen
+//! at once: two cuts that share a plane leave no sheet between them. Mesh events at one depth are ordered by the rank of their parts;
+//! within a part, entering comes first, so that of two coincident faces the one that faces the eye is seen.
 
 use std::cmp::Ordering;
 
@@ -22,7 +22,7 @@ pub(super) enum Cause {
     Mesh {
         /// Rank of the part.
         rank: u16,
-        /// Change of the winding number: 1 into the mesh, -1 on leaving.
+        /// Change of the winding number: 1 where the ray enters the mesh, -1 where it leaves.
         step: i8,
     },
     /// The ray crosses a clip-surface.
@@ -39,7 +39,7 @@ pub(super) enum Cause {
 pub(super) struct Event {
     /// Depth of the event.
     pub(super) depth: f64,
-    /// Order among the events at that depth: -1 before all clip events, 1 behind them.
+    /// Order among the events at that depth: -1 before all clip events, 1 after them.
     pub(super) place: i8,
     /// Cause of the event.
     pub(super) cause: Cause,
@@ -68,8 +68,8 @@ pub(super) fn by_depth(a: &Event, b: &Event) -> Ordering {
         .then_with(|| a.source.cmp(&b.source))
 }
 
-/// Insertion sort for events that are almost in order: it takes one step per event, plus one for each position that an event
-/// moves by.
+/// Insertion sort for events that are almost in order: one step per event, plus one step for each position by which an event
+/// moves.
 pub(super) fn restore_order(events: &mut [Event]) {
     for unplaced in 1..events.len() {
         let mut at = unplaced;
@@ -89,8 +89,8 @@ pub(super) struct RayState {
     pub(super) fill: Vec<Fill>,
     /// Per clip-surface: true on its removed side.
     pub(super) removed: Vec<bool>,
-    /// Per rank: the depth beyond which the part has ended. For an open part this is its last crossing, whatever the winding
-    /// number is there; for a closed part it never matters.
+    /// Per rank: the depth beyond which the ray is no longer inside the part. For an open part this is its last crossing, whatever the
+    /// winding number is there; for a closed part it has no effect.
     pub(super) ends: Vec<f64>,
 }
 
@@ -151,14 +151,14 @@ pub(super) struct VisiblePoint {
     pub(super) rank: u16,
     /// Depth of the point.
     pub(super) depth: f64,
-    /// The event that brought it into sight; none where the near plane did.
+    /// The event that makes the point visible; none if the near plane does.
     pub(super) event: Option<Event>,
-    /// True for a cap whose event brought other parts into sight too: solids overlap there.
+    /// True for a cap whose event also makes other parts show: solids overlap there.
     pub(super) overlap: bool,
 }
 
 impl VisiblePoint {
-    /// What two equal answers have in common: the part and, for a cap, the clip-surface; for a surface, the side it shows.
+    /// Key by which two answers count as equal: the part and, for a cap, the clip-surface or, for a surface, the side that it shows.
     pub(super) fn class(&self) -> (u16, Option<Cause>) {
         let cause = self.event.map(|e| match e.cause {
             Cause::Clip { surface, .. } => Cause::Clip {
@@ -171,7 +171,7 @@ impl VisiblePoint {
     }
 }
 
-/// Walks sorted events from a state. `ranks` are the parts the ray meets, in order; `state` is left at the end.
+/// Walks sorted events from a state. `ranks` are the parts the ray meets, in order; `state` becomes the state where the walk stops.
 pub(super) fn walk(
     prepared: &Prepared,
     (near, near_cap): (f64, bool),
@@ -207,7 +207,7 @@ pub(super) fn walk(
         rest = later;
         let seen = match event.cause {
             Cause::Mesh { rank, .. } => {
-                // At an inner shell the part may show already.
+                // Where the ray enters an inner shell, the part may already show.
                 let showed = state.shows(prepared, rank);
                 state.apply(event);
                 let enters = !showed && state.shows(prepared, rank);
@@ -227,8 +227,8 @@ pub(super) fn walk(
     None
 }
 
-/// Applies the clip events at one depth, and finds the part that then begins to show, with the event that freed it and
-/// whether the same event freed others too.
+/// Applies the clip events at one depth. Returns the part that then begins to show, the event that stops removing it, and
+/// whether that event stops removing other parts too.
 pub(super) fn pass_clips(
     prepared: &Prepared,
     ranks: &[u16],
@@ -244,7 +244,7 @@ pub(super) fn pass_clips(
             prepared.parts[rank as usize].cuts.contains(&cut) && state.cut_removes(prepared, cut)
         })
     };
-    // Usually the ray is in no removed part, or none is freed.
+    // Usually the ray is inside no removed part, or no event ends the removal.
     let candidates: Vec<(u16, Event)> = ranks
         .iter()
         .filter(|r| state.is_inside(**r))

@@ -1,10 +1,9 @@
 //! Flicker while a camera drifts sideways by fractions of a pixel, moves closer, or orbits the scene.
 //!
-//! From frame to frame some pixels change what they show (kind, part, clip-surface or side), because the picture moves. A strategy
-//! that is as good as exact changes the same pixels as exact; what it changes in addition, or fails to change, is visible as
-//! flicker. A sideways drift shifts the picture of one camera without parallax, so that little has to change. Each step costs one
-//! frame of every renderer and one of exact, plus the frames of the reference pictures with many samples, if these are
-//! requested.
+//! As the picture moves, some pixels change from frame to frame in what they show: kind, part, clip-surface or side. A strategy
+//! that is as good as exact changes the same pixels as exact; an additional or missing change is visible as flicker. A sideways
+//! drift shifts the picture without parallax, so that few pixels have to change. Each step costs one frame of every renderer and
+//! one of exact, plus the frames of the reference pictures with many samples, if these are requested.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -27,13 +26,13 @@ pub struct Drift {
     pub frames: u32,
     /// Shift of the picture from each frame to the next, in pixels.
     pub px: f64,
-    /// Magnification from each frame to the next.
+    /// Factor by which each frame is magnified relative to the previous one.
     pub zoom: f64,
-    /// Angle by which the camera orbits the middle of the scene from each frame to the next, in degrees.
+    /// Angle in degrees by which the camera orbits the centre of the scene from each frame to the next.
     pub turn_deg: f64,
-    /// Samples along each side of a pixel in the judged pictures; 1 is that of a plain frame.
+    /// Samples along each side of a pixel in the judged pictures; 1 means one sample per pixel, as in a plain frame.
     pub fineness: u32,
-    /// Samples along each side of a pixel in the pictures that they are compared with; 0 for no such comparison.
+    /// Samples along each side of a pixel in the reference pictures; 0 if pictures are not compared with a reference.
     pub samples: u32,
 }
 
@@ -51,7 +50,7 @@ impl Drift {
             half_height: first.half_height / self.zoom.powf(frame),
             ..*first
         };
-        // The near plane must not cut a corner of the scene that comes closer than any did in the first frame.
+        // A corner of the scene may now be closer than any was in the first frame; the near plane must not cut it off.
         let corners = prepared.bounds.corners().into_iter();
         let nearest = corners.map(|c| turned.depth_of(c));
         let nearest = nearest.fold(f64::INFINITY, f64::min) * 0.99;
@@ -62,7 +61,7 @@ impl Drift {
             },
             ..turned
         };
-        // A camera that only shifts keeps its exact numbers.
+        // If the camera only shifts, its parameters are kept unchanged, without rounding.
         let moved = if self.turn_deg == 0.0 && self.zoom == 1.0 {
             *first
         } else {
@@ -91,7 +90,7 @@ impl Flicker {
         names.into_iter().zip(values).collect()
     }
 
-    /// Adds the changes from one frame to the next, each with its exact image.
+    /// Adds the changes between two consecutive frames, each given with its exact image.
     pub fn add(&mut self, [before, after]: [(&Exact, &Layers); 2]) {
         for pixel in 0..after.1.pixels.len() {
             let changes =
@@ -115,11 +114,11 @@ fn class(layer: &Layer) -> (Kind, u16, u8, bool) {
     }
 }
 
-/// The exact image for the sub-pixel bits of a frame, and the frame.
+/// The exact image for the sub-pixel bits with which a frame was drawn, and the layers of that frame.
 type ComparedFrame = (Arc<Exact>, Layers);
 
-/// Moves the camera of a scene and returns the figures of each renderer, none for one that refuses or is no method. Ends early with
-/// `None` as soon as `goes_on` returns false.
+/// Moves the camera of a scene and returns the figures of each renderer; a renderer that refuses a frame or is not a method has none.
+/// Returns `None` as soon as `goes_on` returns false.
 pub fn flicker(
     session: &mut Session,
     question: &FrameQuestion<'_>,

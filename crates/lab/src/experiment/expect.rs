@@ -7,7 +7,7 @@ use super::figures::figure;
 use super::sweep::{Point, SweepAxis};
 use super::{Bound, Ending, Expectation, Measurement, Reached, Record, StrategyMeasurement};
 
-/// Judges a kept record by its run's current expectations. Returns true if any result differs from the recorded one.
+/// Checks a kept record against its run's current expectations. Returns true if any result differs from the recorded one.
 pub fn judge_again(run: &SceneRun, point: &Point, record: &mut Record) -> bool {
     let found = Findings {
         measurement: &record.measurement,
@@ -23,14 +23,14 @@ pub fn judge_again(run: &SceneRun, point: &Point, record: &mut Record) -> bool {
 pub struct Findings<'a> {
     /// The strategies, in the order of the point's trials.
     pub measurement: &'a Measurement,
-    /// Figures that need more than one frame, in the same order.
+    /// Figures that need more than one frame, by strategy in the same order.
     pub figures: &'a [BTreeMap<String, f64>],
 }
 
-/// Results of all expectations of a run at a point, in the order they are written.
+/// Results of all of a run's expectations at a point, in the order in which the expectations are written.
 pub fn reached(run: &SceneRun, point: &Point, found: &Findings<'_>) -> Vec<Reached> {
     let bits = found.measurement.adapter.sub_pixel_bits;
-    // An unknown number of bits does not exempt a renderer.
+    // If the device's number of sub-pixel bits is unknown, every claim applies.
     let is_about =
         |c: &&Claim| (c.sub_pixel_bits.zip(bits)).is_none_or(|(least, has)| has >= least);
     run.claims
@@ -52,7 +52,7 @@ fn of_claim(run: &SceneRun, point: &Point, claim: &Claim, found: &Findings<'_>) 
     for index in &meant {
         let strategy = &found.measurement.strategies[*index];
         let ended = ending(claim, strategy);
-        // The figures of a frame with an unexpected outcome mean nothing.
+        // If a frame's outcome is not the expected one, its figures are meaningless.
         let is_as_expected = ended.holds;
         if !is_as_expected || claim.outcome != Ending::Complete || claim.figures.is_empty() {
             all.push(ended);
@@ -137,8 +137,8 @@ fn words(bound: &Bound) -> String {
     }
 }
 
-/// Checks that a figure falls from value to value of an axis, everything else being equal: one result for each step. A figure that
-/// reaches 0 may stay there; one that is 0 at every value cannot fall, and shows nothing about the axis.
+/// Checks that a figure falls from each value of an axis to the next, all else being equal; gives one result for each step. A figure
+/// that reaches 0 may stay there. A figure that is 0 at every value cannot fall, and shows nothing about the axis.
 fn falls(
     run: &SceneRun,
     point: &Point,
@@ -161,7 +161,7 @@ fn falls(
                 .is_some_and(|(b, a)| a < b || (a <= 0.0 && b <= 0.0));
             let text = if is_flat {
                 let axis = &axis.name;
-                format!("{name} 0 at every value of {axis}: there is nothing to fall")
+                format!("{name} 0 at every value of {axis}, so it cannot fall")
             } else {
                 format!("{}, then {}", describe(name, before), describe(name, after))
             };
@@ -178,10 +178,10 @@ fn falls(
     all
 }
 
-/// The index of a strategy text, and its values on all axes but one.
+/// The index of a strategy text, and the parameter values that it has on all axes but one.
 type Chain = (usize, Vec<(String, String)>);
 
-/// Groups of renderers that differ only in one axis, each renderer with the index of its value, in the order of the values.
+/// Groups of renderers that differ only in one axis. Each renderer comes with the index of its axis value, by which a group is sorted.
 fn chains(
     point: &Point,
     axis: &SweepAxis,

@@ -1,7 +1,7 @@
-//! Figures of a strategy by name: the quantities that expectations bound and charts have on their axes.
+//! Figures of a strategy by name: the quantities that expectations refer to and charts show on their axes.
 //!
-//! Error figures are all fields of [`Comparison`], plus `wrong_px`, all wrong pixels, and
-//! `marked`, another name for `odd_parity_px`: the pixels that the strategy marks.
+//! Error figures are all fields of [`Comparison`], plus two more: `wrong_px` counts all wrong pixels, and `marked` is another
+//! name for `odd_parity_px`, the number of pixels that the strategy marks as unreliable.
 
 use std::collections::BTreeMap;
 
@@ -13,7 +13,7 @@ use crate::compare::Comparison;
 /// Figures of a drifting camera's frames, see [`super::drift`].
 pub const OF_DRIFT: [&str; 3] = ["flicker_px", "flicker_exact_px", "flicker_excess_px"];
 
-/// Figures of a drifting camera's pictures: for all covered pixels, for caps away from strokes, and for strokes.
+/// Picture flicker under a drifting camera: over all covered pixels, over caps without strokes, and over strokes.
 pub const OF_PICTURES: [&str; 3] = ["flicker_rms", "flicker_rms.cap", "flicker_rms.stroke"];
 
 /// Figures of memory and of the input's size.
@@ -26,7 +26,7 @@ pub const OF_SIZE: [&str; 6] = [
     "pixels",
 ];
 
-/// Figures of time. No expectation uses them, as they differ between machines.
+/// Figures of time. They differ between machines, so no expectation uses them.
 pub const OF_TIME: [&str; 7] = [
     "ratio",
     "ratio.cut_moves",
@@ -37,7 +37,7 @@ pub const OF_TIME: [&str; 7] = [
     "time_ms.frame",
 ];
 
-/// Names of the errors of a frame.
+/// Names of a frame's error figures.
 pub fn of_error() -> Vec<String> {
     let fields = fields(&Comparison::default())
         .into_iter()
@@ -46,8 +46,8 @@ pub fn of_error() -> Vec<String> {
     fields.chain(more).collect()
 }
 
-/// All figures of the strategy with this index in the measurement, by name. A figure that was not measured is absent: a frame was refused,
-/// or a clock never ran. `more` holds figures that need more than one frame. Times come with their spread, as `.mad`.
+/// All figures, by name, of the strategy with this index in the measurement. A figure that was not measured is absent, for example
+/// because the frame was refused or a clock never ran. `more` holds figures that need more than one frame. Spreads of times end in `.mad`.
 pub fn figures(
     measurement: &Measurement,
     strategy: usize,
@@ -117,7 +117,7 @@ pub fn figure(
     figures(measurement, strategy, more).get(name).copied()
 }
 
-/// The numbers of a comparison by their names in JSON.
+/// The numbers of a comparison, by their JSON field names.
 fn fields(comparison: &Comparison) -> Vec<(String, Option<f64>)> {
     match serde_json::to_value(comparison) {
         Ok(Value::Object(fields)) => (fields.into_iter())

@@ -1,15 +1,15 @@
 //! Identity of a record: a hash of the point, the files it depends on, the program and the device. If a record on disk has a point's
 //! identity, measuring the point again would give the same errors, so the record is kept.
 //!
-//! A scene is identified by its document, and by the contents of the files that the document names and that these name in turn: buffers
-//! of glTF, material lists of OBJ.
+//! A scene is identified by its document, by the contents of the files that the document names, and by the contents of the files that
+//! those files name in turn: glTF buffers and OBJ material libraries.
 
 use std::path::Path;
 
 use cutaway_io::document::Document;
 use cutaway_io::load::Disk;
 
-/// Hash by Fowler, Noll and Vo (FNV-1a, 64 bits): the same on all machines and with all compilers, and written in three lines.
+/// The 64-bit FNV-1a hash of Fowler, Noll and Vo: it is the same on all machines and with all compilers, and takes three lines of code.
 #[derive(Clone, Copy, Debug)]
 pub struct Identity(u64);
 
@@ -26,7 +26,7 @@ impl Identity {
         }
     }
 
-    /// Adds a property of the point. Two texts added separately do not hash like their concatenation.
+    /// Adds a property of the point. Two texts added separately give another hash than their concatenation.
     pub fn add(&mut self, text: impl AsRef<str>) {
         self.bytes(text.as_ref().as_bytes());
         self.bytes(&[0xff]);
@@ -46,7 +46,7 @@ impl Identity {
         self.bytes(&[0xff]);
     }
 
-    /// Adds a document, with the files that it names.
+    /// Adds a document and the files that it names.
     pub fn add_document(&mut self, document: &Document) {
         self.add(document.to_string());
         for file in document.files(&Disk) {

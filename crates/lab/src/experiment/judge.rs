@@ -1,12 +1,12 @@
-//! Strategies measured on one frame: error against the exact reference, time in turns.
+//! Measures strategies on one frame: first their error against the exact reference, then their times, in interleaved rounds.
 //!
-//! First every strategy draws its frame until its buffer sizes are settled, and its layers are compared with exact, which is evaluated once
-//! ([`errors`]). Then times are taken ([`times`]): a warm-up round that is not counted, then rounds in each of which every strategy and the
-//! plain drawing of the uncut scene run once, on all clocks. The order rotates by one from round to round, so that a disturbance of the
-//! machine affects all alike.
+//! First every strategy draws its frame until its buffer sizes no longer change; its layers are then compared with exact, which is
+//! evaluated once ([`errors`]). Then times are taken ([`times`]): after a warm-up round that is not counted, every strategy and the plain
+//! drawing of the uncut scene run once per round, on all clocks. The order rotates by one from round to round, so that a disturbance of
+//! the machine affects all alike.
 //!
 //! Where the device has no reliable timestamps, every pass is timed by the wall clock (see [`cutaway::gpu`]). Renderers that run on the
-//! CPU, such as `winding`, always are.
+//! CPU, such as `winding`, are always timed that way.
 
 use std::sync::Arc;
 
@@ -35,7 +35,7 @@ pub struct FrameQuestion<'a> {
     pub shown: &'a SceneAtTime,
     /// The camera view.
     pub view: View,
-    /// Other scene whose exact image is the reference, such as the whole mesh for a broken one. `None` uses the scene itself.
+    /// Another scene, whose exact image is the reference: for a broken mesh, the intact one. `None` uses the scene itself.
     pub truth: Option<&'a SceneAtTime>,
     /// The command line that repeats the measurement.
     pub command: String,
@@ -44,15 +44,15 @@ pub struct FrameQuestion<'a> {
 }
 
 impl<'a> FrameQuestion<'a> {
-    /// The scene that holds the truth. It must be framed like the scene that is shown, so that their pixels can be compared.
+    /// The scene whose exact image is the reference. It must have the same bounds as the shown scene, so that their pixels can be compared.
     fn whole(&self) -> Result<&'a Prepared> {
         let (own, whole) = (self.shown, self.truth.unwrap_or(self.shown));
         let (shown, truth) = (&own.model.prepared, whole.truth()?);
         let places = [shown, truth].map(|p| (p.centre_in_world.to_array(), p.scale));
         if places[0] != places[1] {
             return Err(Error::input(
-                format!("the truth about {}", self.name),
-                "it is framed in another box than the scene it judges",
+                format!("the reference scene of {}", self.name),
+                "its bounds differ from those of the measured scene",
                 "give both scenes the same bounds, so that cameras and sections mean the same in both",
             ));
         }
@@ -68,7 +68,7 @@ pub struct JudgedFrame {
     pub outcome: Outcome,
     /// Layers of the frame; none if it was refused.
     pub layers: Option<Layers>,
-    /// Exact reference, with the undecided pixels for the vertex snapping of this renderer.
+    /// Exact reference; its undecided pixels are those that follow from this renderer's vertex snapping.
     exact: Arc<Exact>,
 }
 
@@ -76,9 +76,9 @@ pub struct JudgedFrame {
 pub struct Judgement {
     /// The numbers; times are empty until [`times`] has run.
     pub measurement: Measurement,
-    /// The truth.
+    /// The exact reference.
     pub exact: Arc<Exact>,
-    /// The frames, in the order of the measurement.
+    /// One frame per strategy, in the order of the measurement.
     pub frames: Vec<JudgedFrame>,
     options: DrawOptions,
     model: Model,
@@ -86,12 +86,12 @@ pub struct Judgement {
 }
 
 impl Judgement {
-    /// Heatmap of the differences from exact; none if the frame was refused.
+    /// Heat map of a frame's differences from exact; `None` if the frame was refused.
     pub fn heatmap(&self, frame: &JudgedFrame) -> Option<RgbaImage> {
         (frame.layers.as_ref()).map(|l| heatmap(&frame.exact, l))
     }
 
-    /// The picture of a frame, at the measured resolution: RGBA8, rows from the top.
+    /// The picture of a frame at the measured resolution, as RGBA8 rows from top to bottom.
     pub fn picture(&self, session: &mut Session, frame: &JudgedFrame) -> Result<Vec<u8>> {
         match (frame.renderer.or(self.options), &frame.layers) {
             (Renderer::Method(method), _) => session.picture(method),
@@ -111,7 +111,7 @@ pub fn timing_steps(rounds: usize) -> usize {
     1 + rounds
 }
 
-/// Draws a frame by every renderer and compares it with exact.
+/// Draws a frame with every renderer and compares each frame with exact.
 pub fn errors(
     session: &mut Session,
     question: &FrameQuestion<'_>,
@@ -162,7 +162,7 @@ pub fn errors(
     })
 }
 
-/// Takes the times of all frames that were drawn, in turns. Returns `false`, without times, as soon as `goes_on` returns false.
+/// Times all frames that were drawn, in interleaved rounds. Returns `false`, without times, as soon as `goes_on` returns false.
 pub fn times(
     session: &mut Session,
     question: &FrameQuestion<'_>,
@@ -265,21 +265,21 @@ fn draw_by(
     Ok((frame, found))
 }
 
-/// Rasteriser of a renderer; the default one if its options name none.
+/// The rasteriser that a renderer uses; the default one if its options name none.
 fn rasteriser_of(renderer: &Renderer) -> Rasteriser {
     renderer.options().rasteriser.unwrap_or_default()
 }
 
-/// Unit of work that is timed in turns.
+/// Work that is timed once in each round.
 enum Runner {
-    /// The scene with nothing cut, by a rasteriser.
+    /// The uncut scene, drawn with this rasteriser.
     Uncut(Rasteriser),
     /// The frame of a renderer.
     Of(Renderer),
 }
 
 impl Runner {
-    /// Runs all clocks.
+    /// Does the work once, on all clocks, and returns its times.
     fn run(&self, session: &mut Session, question: &FrameQuestion<'_>) -> Result<RunTimes> {
         match self {
             Self::Uncut(rasteriser) => session.repeat_uncut(*rasteriser, ClockSet::ALL),
@@ -289,7 +289,7 @@ impl Runner {
     }
 }
 
-/// The times of a frame on the CPU.
+/// Evaluates a frame on the CPU and returns its times.
 fn times_of(evaluator: Evaluator, question: &FrameQuestion<'_>) -> Result<RunTimes> {
     let evaluated = evaluator.evaluate(question.shown.truth()?, &question.view);
     // Keeps the optimiser from removing the evaluation.
@@ -309,7 +309,7 @@ fn times_of(evaluator: Evaluator, question: &FrameQuestion<'_>) -> Result<RunTim
     })
 }
 
-/// Times of each runner, by round; `None` if the rounds were ended early.
+/// Times of each runner in each round; `None` if the rounds were ended early.
 fn in_turns(
     session: &mut Session,
     question: &FrameQuestion<'_>,
@@ -336,7 +336,7 @@ fn in_turns(
     Ok(Some(runs))
 }
 
-/// Draws the scene with nothing cut, so that it can run in turns with the renderers.
+/// Draws the uncut scene, so that it can be timed in the same rounds as the renderers.
 fn draw_uncut(
     session: &mut Session,
     question: &FrameQuestion<'_>,
@@ -349,7 +349,7 @@ fn draw_uncut(
     }
 }
 
-/// Times of a clock; none where the clock never runs.
+/// Times of a clock; empty if the clock never runs.
 fn samples(runs: &[RunTimes], clock: Clock) -> Samples {
     Samples::new(
         runs.iter()
@@ -362,7 +362,7 @@ fn passes(runs: &[RunTimes]) -> Vec<MedianPassTime> {
     let Some(first) = runs.first() else {
         return Vec::new();
     };
-    // All runs belong to one plan: they have the same passes in the same order.
+    // All runs come from the same plan, so they have the same passes in the same order.
     let of = |i: usize| {
         runs.iter()
             .filter_map(|r| r.passes.get(i))

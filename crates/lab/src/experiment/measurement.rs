@@ -17,26 +17,26 @@ use crate::exact::Exact;
 /// One value for each clock.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct PerClock<T> {
-    /// For a change of the mesh.
+    /// Value of the clock that runs when the mesh changes.
     pub solid: T,
-    /// For a change of a clip-surface.
+    /// Value of the clock that runs when a clip-surface changes.
     pub cut: T,
-    /// For a change of the view.
+    /// Value of the clock that runs in every frame, as when the view changes.
     pub frame: T,
 }
 
 impl<T> PerClock<T> {
-    /// A value for each clock.
+    /// Computes the value of each clock.
     pub fn from_fn(mut value: impl FnMut(Clock) -> T) -> Self {
         let [solid, cut, frame] = Clock::ALL.map(&mut value);
         Self { solid, cut, frame }
     }
 }
 
-/// Maximum ratio of undecided to covered pixels for which a comparison is conclusive.
+/// A comparison is conclusive only if the ratio of undecided to covered pixels is at most this.
 pub const MOST_UNDECIDED: f64 = 1e-3;
 
-/// Up to this many undecided pixels are accepted whatever their share: in a small picture outlines alone cause them.
+/// Up to this many undecided pixels are accepted at any share: in a small picture, outlines alone can cause that many.
 const FEW_UNDECIDED_PX: usize = 20;
 
 /// The exact reference of a frame.
@@ -48,12 +48,12 @@ pub struct Reference {
     pub surface_px: usize,
     /// Pixels that show nothing.
     pub background_px: usize,
-    /// Pixels where sampling is ambiguous, so that no answer can be called wrong.
+    /// Pixels where sampling is ambiguous, so that no result there can be called wrong.
     pub undecided_px: usize,
     /// Covered pixels that are decided; `None` in records older than this field.
     #[serde(default)]
     pub judged_px: Option<usize>,
-    /// Pixels with a cap shared by several solids.
+    /// Pixels whose cap belongs to several solids.
     pub overlap_px: usize,
     /// Time of the evaluation on the CPU.
     pub time_ms: f64,
@@ -73,22 +73,22 @@ impl Reference {
         }
     }
 
-    /// Undecided pixels per covered pixel.
+    /// Number of undecided pixels divided by that of covered pixels.
     pub fn undecided_share(&self) -> f64 {
         self.share(self.undecided_px)
     }
 
-    /// A count of pixels per covered pixel.
+    /// A number of pixels divided by the number of covered pixels.
     fn share(&self, px: usize) -> f64 {
         px as f64 / (self.cap_px + self.surface_px).max(1) as f64
     }
 
-    /// Returns true if there are too many undecided pixels to trust the rest: a share above [`MOST_UNDECIDED`], and more than a few.
+    /// Returns true if too many pixels are undecided to trust the rest: more than a few, and a share above [`MOST_UNDECIDED`].
     pub fn is_doubtful(&self) -> bool {
         self.is_doubtful_with(self.undecided_px)
     }
 
-    /// [`Self::is_doubtful`] for another number of undecided pixels, such as that of a rasteriser less exact than usual.
+    /// [`Self::is_doubtful`] for another number of undecided pixels, for example with a less precise rasteriser.
     pub fn is_doubtful_with(&self, undecided_px: usize) -> bool {
         undecided_px > FEW_UNDECIDED_PX && self.share(undecided_px) > MOST_UNDECIDED
     }
@@ -141,19 +141,19 @@ pub enum Timing {
 pub struct MedianPassTime {
     /// Name of the pass.
     pub name: String,
-    /// Clock that it runs on.
+    /// Clock on which the pass runs.
     pub clock: Clock,
     /// Median over the rounds.
     pub median_ms: f64,
 }
 
-/// Cost of a cut alone: the time of a frame minus that of the uncut scene drawn by the same rasteriser, so that a
-/// faster rasteriser is not mistaken for a cheaper cap. The paper reports +0.366 ms at 1024 x 768, 0.47 ns per pixel.
+/// Cost of a cut alone: the time of a frame compared with that of the uncut scene. Both are drawn by the same rasteriser, so that
+/// a faster rasteriser is not mistaken for a cheaper cap. The paper reports +0.366 ms at 1024 x 768, or 0.47 ns per pixel.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Price {
     /// Frame time divided by that of the uncut scene: the median of the per-round quotients.
     pub over_uncut: f64,
-    /// Frame time minus that of the uncut scene: the median of the per-round differences. Negative where cutting saves more than it costs.
+    /// Frame time minus that of the uncut scene: the median of the per-round differences. Negative if cutting saves more than it costs.
     pub ms: f64,
     /// The difference per covered pixel, in nanoseconds.
     pub ns_per_px: Option<f64>,
@@ -188,28 +188,28 @@ pub struct StrategyMeasurement {
     pub name: String,
     /// Outcome of the frame.
     pub outcome: Ending,
-    /// Reason of an outcome other than complete.
+    /// Why the frame is not complete; `None` if it is.
     pub reason: Option<String>,
-    /// Error against exact; every field is `null` if there was no frame to compare.
+    /// Error against exact. If no frame was drawn, every field is written as `null`.
     #[serde(
         flatten,
         serialize_with = "or_nulls",
         deserialize_with = "all_or_nulls"
     )]
     pub comparison: Option<Comparison>,
-    /// Exact's undecided pixels for this strategy, where they differ from those of [`Measurement::exact`]: it was drawn by the adapter's
-    /// rasteriser, which places triangles less exactly than usual ([`Precision`](cutaway::scene::Precision)).
+    /// Undecided pixels of exact for this strategy, if their number differs from that in [`Measurement::exact`]. It differs if the
+    /// adapter's rasteriser drew the frame and places triangles less exactly than usual ([`Precision`](cutaway::scene::Precision)).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub undecided_px: Option<usize>,
-    /// Bytes of the structures that each clock builds.
+    /// Size in bytes of the structures that are built on each clock.
     pub bytes: PerClock<u64>,
     /// Time of each clock.
     pub time_ms: PerClock<Samples>,
-    /// Frame time divided by that of the same scene drawn without any cut: the median of the per-round quotients.
+    /// Frame time divided by the time to draw the same scene uncut: the median of the per-round quotients.
     pub frame_over_draw_only: Option<f64>,
-    /// Spread of that ratio over the rounds: its median absolute deviation.
+    /// Median absolute deviation of `frame_over_draw_only` over the rounds.
     pub frame_over_draw_only_mad: Option<f64>,
-    /// Cost of the cut alone; `null` in records older than this field, and where no time was taken.
+    /// Cost of the cut alone; `null` in records older than this field, and if no time was taken.
     #[serde(default)]
     pub cut: Option<Price>,
     /// Times of the passes.
@@ -217,22 +217,22 @@ pub struct StrategyMeasurement {
 }
 
 impl StrategyMeasurement {
-    /// Returns true if there is a frame to look at.
+    /// Returns true if the strategy drew a frame, complete or not.
     pub fn was_drawn(&self) -> bool {
         self.comparison.is_some()
     }
 }
 
-/// Result of a comparison.
+/// Result of comparing strategies on one frame.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Measurement {
     /// Name of the scene.
     pub scene: String,
-    /// The command line that repeats it.
+    /// The command line that repeats the measurement.
     pub command: String,
     /// Version of cutaway.
     pub version: String,
-    /// Number of triangles of all parts.
+    /// Number of triangles in all parts together.
     pub triangles: usize,
     /// Width and height in pixels.
     pub resolution: [u32; 2],
@@ -240,20 +240,20 @@ pub struct Measurement {
     pub adapter: AdapterReport,
     /// Method of timing.
     pub timing: Timing,
-    /// Measured rounds, after the warm-up.
+    /// Number of measured rounds, without the warm-up.
     pub rounds: usize,
     /// The reference.
     pub exact: Reference,
-    /// Times of the same scene drawn by the GPU without any cut, in the same rounds.
+    /// Times to draw the same scene uncut with the GPU's own rasteriser, in the same rounds.
     pub draw_only_ms: Samples,
-    /// Times of the same by the compute rasteriser; `null` where no strategy used it, and in records older than this field.
+    /// Times to draw the uncut scene with the compute rasteriser; `null` if no strategy used it, and in records older than this field.
     #[serde(default)]
     pub draw_only_compute_ms: Option<Samples>,
-    /// The strategies, in the order requested.
+    /// One entry per strategy, in the order in which the strategies were requested.
     pub strategies: Vec<StrategyMeasurement>,
 }
 
-/// Writes the fields of a comparison, each as `null` if there is none: a 0 would be read as "no error".
+/// Writes the fields of a comparison. Without a comparison, each is written as `null`, as a 0 would mean "no error".
 fn or_nulls<S: Serializer>(
     comparison: &Option<Comparison>,
     serializer: S,
@@ -271,8 +271,8 @@ fn or_nulls<S: Serializer>(
     }
 }
 
-/// Reads a comparison, or `None` if each of its fields is `null`. A field that is missing or not a number is a fault of the record: a
-/// measured error must not be read as an unmeasured one.
+/// Reads a comparison, or `None` if all its fields are `null`. A field that is missing or not a number makes the record invalid, as
+/// an error that was measured must not be read as not measured.
 fn all_or_nulls<'de, D: Deserializer<'de>>(
     deserializer: D,
 ) -> Result<Option<Comparison>, D::Error> {
@@ -290,7 +290,7 @@ fn all_or_nulls<'de, D: Deserializer<'de>>(
 pub(crate) mod tests {
     use super::*;
 
-    /// A report of one strategy that drew and one that refused.
+    /// A measurement of two strategies, one that drew and one that refused.
     pub(crate) fn example() -> Measurement {
         let drawn = StrategyMeasurement {
             name: "raycast+mask".to_owned(),

@@ -3,14 +3,14 @@
 use cutaway::layers::Layer;
 use cutaway::{Error, Result};
 
-/// Maximum bytes of the layers that a comparison keeps: those of exact, and of one frame per renderer.
+/// Maximum total size in bytes of the layers that a comparison keeps: those of exact, and of one frame per renderer.
 const MOST_LAYER_BYTES: u64 = 8 << 30;
 
-/// Refuses a comparison that would run out of memory only after minutes.
+/// Refuses a comparison at the start that would otherwise run out of memory after minutes.
 ///
 /// # Errors
 ///
-/// A size at which the layers of exact and of `renderers` frames would take more than 8 GiB.
+/// Fails if the layers of exact and of `renderers` frames would take more than 8 GiB at this size.
 pub fn check_memory(size_px: [u32; 2], renderers: usize) -> Result<()> {
     let [width, height] = size_px.map(u64::from);
     let frames = renderers as u64 + 1;
@@ -22,7 +22,7 @@ pub fn check_memory(size_px: [u32; 2], renderers: usize) -> Result<()> {
     Err(Error::input(
         format!("--resolution {width},{height}"),
         format!(
-            "the layers of {frames} frames, of exact and each strategy, would take {:.1} GiB of memory; the limit is {:.0} GiB",
+            "the layers of {frames} frames, one of exact and one of each strategy, would take {:.1} GiB of memory; the limit is {:.0} GiB",
             gib(bytes),
             gib(MOST_LAYER_BYTES)
         ),

@@ -1,8 +1,8 @@
 //! Measurement of strategies: on one frame, and over the sweeps of an experiment.
 //!
-//! An experiment is data: a file with a question, scenes, sweep axes, strategies and expectations. Running one gives a [`Record`] for each
-//! point of its sweeps, written as soon as it is found; [`crate::report`] makes pages of records and needs nothing else. Errors are found
-//! before any time is taken, and time is taken in turns (see [`times`]).
+//! An experiment is data: a file with a question, scenes, sweep axes, strategies and expectations. Running an experiment gives one
+//! [`Record`] for each point of its sweeps, written as soon as the point is measured. [`crate::report`] makes pages from records alone.
+//! Errors are measured before any time is taken, and times are taken in interleaved rounds (see [`times`]).
 
 pub mod definition;
 pub mod drift;

@@ -1,4 +1,4 @@
-//! A value on a sweep axis, as the experiment writes it: it keeps its type in the record and the chart.
+//! A value on a sweep axis, as the experiment's file writes it. The value keeps its type in records and charts.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -13,9 +13,9 @@ use serde::{Deserialize, Serialize};
 pub enum Parameter {
     /// True or false.
     Flag(bool),
-    /// A number without a decimal point.
+    /// A whole number, written without a decimal point.
     Whole(i64),
-    /// A number.
+    /// A number with a decimal point.
     Number(f64),
     /// A text.
     Text(String),
@@ -25,7 +25,7 @@ pub enum Parameter {
 pub type Parameters = BTreeMap<String, Parameter>;
 
 impl Parameter {
-    /// Converts a value of a document; lists and tables have no parameter.
+    /// Converts a value of a document; `None` for lists and tables.
     pub fn of(value: &Value) -> Option<Self> {
         match value {
             Value::Flag(flag) => Some(Self::Flag(*flag)),
@@ -38,7 +38,7 @@ impl Parameter {
         }
     }
 
-    /// The value as a number for a chart; a percentage loses its sign.
+    /// The value as a number for a chart, without a percent sign.
     pub fn number(&self) -> Option<f64> {
         match self {
             Self::Flag(_) => None,

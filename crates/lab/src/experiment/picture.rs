@@ -1,8 +1,8 @@
 //! Pictures of a scene, by a strategy or from the exact reference, antialiased by supersampling.
 //!
-//! Supersampling draws the picture N x N times, each time with the samples elsewhere in their pixels, and averages in
-//! linear light: mixing sRGB values would darken every edge. It costs N² times the time of one frame, but no larger frame on the
-//! device, and does not affect measurements: layers and times are always those of the plain resolution.
+//! Supersampling draws the picture N x N times, each time with another sample position within the pixels, and averages in
+//! linear light, as mixing sRGB values would darken every edge. It takes N² times as long as one frame, but needs no larger frame
+//! on the device. It does not affect measurements: layers and times are always those of the plain resolution.
 
 use std::io::Cursor;
 
@@ -17,7 +17,7 @@ use rayon::prelude::*;
 
 use crate::experiment::{Renderer, SceneAtTime};
 
-/// A picture, and the frames that it was made of.
+/// A picture, and the frames that it was averaged from.
 pub struct Picture {
     /// The image.
     pub image: RgbaImage,
@@ -78,7 +78,7 @@ fn on_ground(session: &Session, shown: &SceneAtTime, renderer: Renderer) -> Resu
     Ok(Some(shown.model.on_ground(shadow)))
 }
 
-/// The samples of a picture: N x N in each pixel, as in a picture N times as large.
+/// The samples of a picture, N x N per pixel, laid out as a picture N times as wide and high.
 struct PictureSamples {
     size_px: [u32; 2],
     n: u32,
@@ -107,7 +107,7 @@ impl PictureSamples {
     }
 }
 
-/// Name of a renderer in JSON, with its draw options.
+/// Name of a renderer in JSON, including its draw options.
 pub fn strategy_name(renderer: Renderer) -> String {
     match renderer.method() {
         Some(method) => method.strategy.to_string(),
@@ -115,22 +115,22 @@ pub fn strategy_name(renderer: Renderer) -> String {
     }
 }
 
-/// Error of a strategy that refused the scene.
+/// The error to report if a strategy refused the scene.
 pub fn refused(renderer: Renderer, refusal: &Refusal) -> Error {
     let help = if refusal.unsupported == Unsupported::Cuts {
-        "cut the mesh by some of them first (`cutaway export MODEL --section ... -o part.ply`), then draw part.ply with the others"
+        "cut the mesh by some of the cuts first (`cutaway export MODEL --section ... -o part.ply`), then draw part.ply with the other cuts"
     } else if renderer
         .method()
         .is_some_and(|m| m.strategy == Strategy::RAYCAST_MASK)
     {
         "lower --resolution, or cut by fewer or flatter clip-surfaces"
     } else {
-        "use --strategy raycast+mask, or see `cutaway compare` for those that draw this scene"
+        "use --strategy raycast+mask, or see `cutaway compare` for the strategies that draw this scene"
     };
     Error::input(format!("strategy {renderer}"), &refusal.reason, help)
 }
 
-/// A picture as PNG.
+/// Encodes a picture as PNG.
 pub fn png(picture: &RgbaImage) -> Result<Vec<u8>> {
     let mut bytes = Cursor::new(Vec::new());
     picture
@@ -145,7 +145,7 @@ pub fn png(picture: &RgbaImage) -> Result<Vec<u8>> {
     Ok(bytes.into_inner())
 }
 
-/// A picture from RGBA8 data, as a session returns it.
+/// Makes a picture from RGBA8 data as a session returns it.
 pub fn plain(rgba: &[u8], size_px: [u32; 2]) -> RgbaImage {
     let mut samples = PictureSamples::new(size_px, 1);
     samples.add([0, 0], rgba);

@@ -1,8 +1,8 @@
-//! Flicker of a picture while the camera drifts: the deviation of each pixel's colour from the same pixel drawn with many samples, and
+//! Flicker of a picture while the camera drifts: how far each pixel's colour deviates from the same pixel drawn with many samples, and
 //! how this deviation changes from frame to frame.
 //!
-//! A deviation that is equal in all frames is blur or sharpness and stands still; one that changes is seen as flicker. So the figure is the
-//! standard deviation over frames of (picture - picture with many samples), in linear luminance, as RMS over the pixels of one kind.
+//! A deviation that is equal in all frames is seen as blur or sharpness; one that changes is seen as flicker. So the figure is the standard
+//! deviation, over the frames, of the picture minus the picture with many samples, in linear luminance, as RMS over the pixels of one kind.
 
 use std::collections::BTreeMap;
 
@@ -20,13 +20,13 @@ use super::figures::OF_PICTURES;
 struct PixelTotals {
     sum: f64,
     squares: f64,
-    /// It was background in no frame; a cap without strokes in all; touched by a stroke in some.
+    /// True if the pixel was something other than a cap in some frame.
     is_other: bool,
     is_shown: bool,
     is_stroked: bool,
 }
 
-/// Accumulates the pictures of a drifting camera by one method.
+/// Accumulates the pictures that one method draws for a drifting camera.
 #[derive(Clone, Debug, Default)]
 pub(super) struct PictureFlicker {
     frames: f64,
@@ -34,7 +34,7 @@ pub(super) struct PictureFlicker {
 }
 
 impl PictureFlicker {
-    /// Adds a frame: its picture and the one with many samples, both in linear luminance, and the layer of each pixel.
+    /// Adds a frame: its picture and the picture with many samples, both in linear luminance, and the layer of each pixel.
     pub(super) fn add(
         &mut self,
         picture: &[f32],
@@ -56,7 +56,7 @@ impl PictureFlicker {
         }
     }
 
-    /// The figures of a record: for all covered pixels, for caps away from strokes, and for strokes.
+    /// The figures for a record: over all covered pixels, over caps without strokes, and over strokes.
     pub(super) fn figures(&self) -> BTreeMap<String, f64> {
         let of = |is_of: fn(&PixelTotals) -> bool| {
             let pixels = self.pixels.iter().filter(|p| is_of(p));
@@ -93,7 +93,7 @@ pub(super) fn luminance(session: &Session, method: Method) -> Result<Vec<f32>> {
         .collect())
 }
 
-/// Luminance of a picture with `samples` samples along each side of a pixel; empty where a sample is refused.
+/// Luminance of a picture with `samples` samples along each side of a pixel; empty if a sample is refused.
 pub(super) fn sampled(
     session: &mut Session,
     shown: &SceneAtTime,
@@ -102,7 +102,7 @@ pub(super) fn sampled(
 ) -> Result<Vec<f32>> {
     let mut mean = Vec::new();
     for (_, view) in view.samples(samples) {
-        // The complete view was drawn from the pixel centres.
+        // The outcome is ignored: the same view was already drawn with its samples at the pixel centres.
         let _ = session.draw(&shown.model, &view, method)?;
         let sample = luminance(session, method)?;
         mean.resize(sample.len(), 0.0);
@@ -137,7 +137,7 @@ mod tests {
         let [whole, cap, stroke] = OF_PICTURES.map(|name| figures[name]);
         assert!((cap - 0.1).abs() < 1e-6, "{cap}");
         assert!((stroke - 0.2).abs() < 1e-6, "{stroke}");
-        // Over three pixels, one of which stands still.
+        // The RMS is over three pixels, one of which does not flicker.
         assert!((whole - (0.05_f64 / 3.0).sqrt()).abs() < 1e-6, "{whole}");
     }
 }

@@ -1,8 +1,8 @@
 //! Results of a run: one [`Record`] for each point of an experiment, and one [`Run`] with the machine and the program.
 //!
 //! A run's folder holds `run.json`, and for each experiment a folder with `experiment.json` (its definition) and one JSON file for each
-//! point, next to its pictures. Each file is written as a whole, as soon as its contents are known: a run that is interrupted loses one
-//! point, and continues from there. No record is computed from other records: a report recomputes whatever combines several.
+//! point, next to its pictures. Each file is written as a whole, as soon as its contents are known: an interrupted run loses at most one
+//! point, and continues from there. No record is computed from other records: a report computes whatever combines several records.
 
 use std::collections::BTreeMap;
 use std::path::{Component, Path};
@@ -13,7 +13,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{Measurement, Parameters};
 
-/// A point of an experiment, measured.
+/// Measurement of one point of an experiment.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Record {
     /// Version of the record format.
@@ -22,25 +22,25 @@ pub struct Record {
     pub experiment: String,
     /// Name of the run in the experiment.
     pub run: String,
-    /// Values of the sweep axes of its scene.
+    /// Values that the scene's sweep axes have at this point.
     pub parameters: Parameters,
-    /// True if it was measured with fewer pixels, values and rounds.
+    /// True if the point was measured with `--quick`: with fewer pixels, values and rounds.
     pub is_quick: bool,
-    /// Hash of what was measured and by what: a point is not measured again if its hash would be the same.
+    /// Hash of the point, its files, the program and the device: a point is not measured again if its hash would be the same.
     pub identity: String,
     /// The scene as a scene file; its paths are relative to the folder in which the command was run.
     #[serde(with = "as_text")]
     pub scene: Document,
-    /// The scene whose exact image is the reference, if that is another scene.
+    /// The scene whose exact image is the reference, if it is not the measured scene.
     #[serde(with = "as_text_if_any")]
     pub truth: Option<Document>,
     /// The measurements.
     pub measurement: Measurement,
-    /// Sources of each strategy, in the order of the measurement: at least one, and more where several of the experiment's strategy texts
-    /// give the same renderer.
+    /// Sources of each strategy, in the order of the measurement. Each strategy has at least one, and several if several of the
+    /// experiment's strategy texts give the same renderer.
     #[serde(rename = "makers")]
     pub families: Vec<Vec<FamilyMember>>,
-    /// Figures of each strategy that need more than one frame, by name, in the order of the measurement.
+    /// Figures that need more than one frame, by name, for each strategy in the order of the measurement.
     pub figures: Vec<BTreeMap<String, f64>>,
     /// The expectations and their results.
     pub expectations: Vec<Reached>,
@@ -48,13 +48,13 @@ pub struct Record {
     pub warnings: Vec<Warning>,
     /// Pictures in the folder of the record.
     pub pictures: Vec<RecordedPicture>,
-    /// The command that measured it; none in records older than this field.
+    /// The command that measured the point; `None` in records older than this field.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[serde(rename = "sitting")]
     pub invocation: Option<Invocation>,
 }
 
-/// A document as the text of its file.
+/// Serialises a document as the text of its file.
 mod as_text {
     use serde::{Deserialize, Deserializer, Serializer, de::Error};
 
@@ -70,7 +70,7 @@ mod as_text {
     }
 }
 
-/// A document that may be missing.
+/// Serialises an optional document as the text of its file.
 mod as_text_if_any {
     use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error};
 
@@ -96,42 +96,42 @@ mod as_text_if_any {
 /// Source of a strategy in an experiment.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct FamilyMember {
-    /// Strategy text in the experiment: `grid:256+vds:{texels}`; the strategy's name if nothing in the text is swept.
+    /// Strategy text in the experiment, such as `grid:256+vds:{texels}`; the strategy's name if the text has no placeholders.
     pub family: String,
-    /// The values that replaced the placeholders.
+    /// The values that replaced the placeholders in the strategy text.
     pub parameters: Parameters,
 }
 
 impl Record {
-    /// The format version that is written.
+    /// The format version that this program writes.
     pub const FORMAT: u32 = 2;
 }
 
-/// One command that measured points of a run: a run may take several.
+/// One command that measured points of a run; a run may be measured by several commands.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Invocation {
-    /// When it began: RFC 3339, UTC.
+    /// Start time: RFC 3339, UTC.
     pub began: String,
-    /// Load average of the last minute before it began, if known.
+    /// Load average of the machine over the minute before the command began, if known.
     pub load: Option<f64>,
     /// The command line.
     pub command: String,
-    /// The device; none in records older than this field, whose run has only one.
+    /// The device; `None` in records older than this field, whose runs have only one device.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub adapter: Option<AdapterReport>,
-    /// The version of the program; none in records older than this field, whose run has only one.
+    /// The program's version; `None` in records older than this field, whose runs have only one version.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub version: Option<String>,
     /// The commit that the program was built from, if known.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub commit: Option<String>,
-    /// The shard of the work, such as `3/16`, if the command did not do all of it.
+    /// The shard that the command measured, such as `3/16`, if it did not measure the whole run.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub shard: Option<String>,
-    /// The scheduler job that ran it.
+    /// The scheduler job that ran the command.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub job: Option<String>,
-    /// Name of the machine, where there may be several.
+    /// Name of the machine, if the run may use several.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub node: Option<String>,
 }
@@ -161,7 +161,7 @@ impl Bound {
 pub struct Expectation {
     /// Short description: `0 decided wrong`, `refuses reliefs`.
     pub what: String,
-    /// Why the result cannot be better, if the expectation declares a failure or a bound.
+    /// If the expectation declares a failure or a bound, the reason why the result cannot be better.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub why: Option<String>,
 }
@@ -175,20 +175,20 @@ pub struct Reached {
     pub expected: Expectation,
     /// Measured result, in the same form.
     pub found: String,
-    /// True if the result is as expected. A declared failure that passes is not.
+    /// True if the result is as expected. If a declared failure passes, this is false.
     pub holds: bool,
 }
 
 /// A hard case: a scene with a known answer, and its results.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CaseRecord {
-    /// Its number in the list, or a letter and number if users of another project met it: `38`, `B8`.
+    /// Its number in the list, such as `38`; a letter and number such as `B8` if users of another project reported the case.
     pub id: String,
     /// Short description.
     pub name: String,
-    /// Expectations for each strategy, and their results.
+    /// The expectations of each strategy, and their results.
     pub expectations: Vec<Reached>,
-    /// Test of the properties that its picture cannot show, as the arguments after `cargo test -p cutaway-tests`.
+    /// Arguments after `cargo test -p cutaway-tests` of the test that checks what the case's picture cannot show.
     pub held_by: Option<String>,
 }
 
@@ -207,16 +207,16 @@ pub struct CaseRecords {
     pub sizes_px: Vec<u32>,
     /// The cases.
     pub cases: Vec<CaseRecord>,
-    /// The command that measured them; none in records older than this field.
+    /// The command that measured the cases; `None` in records older than this field.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub invocation: Option<Invocation>,
 }
 
-/// Warning about a figure. The list is closed, so that each warning has a remedy.
+/// Warning about a figure. The kinds of warnings are fixed, so that each has a remedy.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "kind", rename_all = "kebab-case")]
 pub enum Warning {
-    /// The adapter runs on the CPU: its times are not those of graphics cards.
+    /// The adapter runs on the CPU, so its times do not apply to graphics cards.
     SoftwareAdapter {
         /// Name of the adapter.
         adapter: String,
@@ -225,7 +225,7 @@ pub enum Warning {
     WallTimes,
     /// The machine did other work before the run began.
     Busy {
-        /// Load average of the last minute.
+        /// Load average over the minute before the run.
         load: f64,
         /// Number of processors.
         cores: usize,
@@ -234,15 +234,15 @@ pub enum Warning {
     Noisy {
         /// Name of the strategy.
         strategy: String,
-        /// Median absolute deviation of the frame time, divided by its median.
+        /// Median absolute deviation of the frame time, divided by the median frame time.
         spread: f64,
     },
-    /// The times of the plain drawing scatter, and so does every ratio to them.
+    /// The times of the plain drawing scatter, and so does every ratio that is relative to them.
     NoisyDrawOnly {
-        /// Median absolute deviation, divided by the median.
+        /// Median absolute deviation of these times, divided by their median.
         spread: f64,
     },
-    /// Opening the scene printed a remark: a section misses the model, a mesh was repaired.
+    /// Opening the scene printed a remark, for example that a section misses the model or that a mesh was repaired.
     Opening {
         /// Text of the remark.
         text: String,
@@ -252,19 +252,19 @@ pub enum Warning {
     },
     /// The machine slowed down from round to round.
     Throttled {
-        /// Time of plain drawing in the last third of the rounds, divided by that in the first third.
+        /// Time of plain drawing in the last third of the rounds, divided by its time in the first third.
         slowdown: f64,
     },
     /// A bounded buffer was too small.
     Overflowed {
         /// Name of the strategy.
         strategy: String,
-        /// The buffer, and by how much it was exceeded.
+        /// The name of the buffer, and by how much its size was exceeded.
         reason: String,
     },
     /// The reference leaves many pixels undecided.
     Undecided {
-        /// Undecided pixels per covered pixel.
+        /// Number of undecided pixels divided by that of covered pixels.
         share: f64,
     },
     /// Too few rounds for a spread to mean anything.
@@ -289,13 +289,13 @@ pub struct RecordedPicture {
 }
 
 impl RecordedPicture {
-    /// Its files.
+    /// The picture's files.
     pub fn files(&self) -> impl Iterator<Item = &str> {
         std::iter::once(self.file.as_str()).chain(self.heatmap.as_deref())
     }
 
-    /// Returns true if its files are in the record's folder: a record from elsewhere must not cause files in other folders to be read
-    /// or removed.
+    /// Returns true if the picture's files are in the record's folder: a record from another source must not cause files in other
+    /// folders to be read or removed.
     pub fn is_beside(&self) -> bool {
         let is_bare = |file: &str| {
             let mut parts = Path::new(file).components();
@@ -315,11 +315,11 @@ pub struct Machine {
     pub system: String,
     /// Name of the processor.
     pub processor: String,
-    /// Processors that this process may use.
+    /// Number of processors that this process may use.
     pub cores: usize,
     /// Memory in bytes, if known.
     pub memory: Option<u64>,
-    /// Load average of the last minute before the run began, if known.
+    /// Load average over the minute before the run began, if known.
     pub load: Option<f64>,
 }
 
@@ -328,15 +328,15 @@ pub struct Machine {
 pub struct Run {
     /// Version of the format, [`Record::FORMAT`].
     pub format: u32,
-    /// The command line.
+    /// The command line of the last invocation.
     pub command: String,
     /// Version of cutaway.
     pub version: String,
-    /// Commit of its sources, with `+` if they differ from it; none if unknown.
+    /// Commit of the program's sources, followed by `+` if there were uncommitted changes; `None` if unknown.
     pub commit: Option<String>,
-    /// When it began: RFC 3339, UTC.
+    /// Start time: RFC 3339, UTC.
     pub began: String,
-    /// Seconds of measuring, summed over all invocations.
+    /// Time spent measuring, in seconds, summed over all invocations.
     pub took_s: f64,
     /// True if fewer pixels, values and rounds were requested.
     pub is_quick: bool,
@@ -344,12 +344,12 @@ pub struct Run {
     pub machine: Machine,
     /// The device.
     pub adapter: AdapterReport,
-    /// Limits of the device that plans are made for, by name.
+    /// Device limits that plans must respect, by name.
     pub limits: BTreeMap<String, u64>,
 }
 
 impl Run {
-    /// The file of a run that is not divided into shards.
+    /// File name of a run that is not divided into shards.
     pub const FILE: &str = "run.json";
 
     /// File name of shard `index` of `count`.
@@ -357,7 +357,7 @@ impl Run {
         format!("run.{index}-of-{count}.json")
     }
 
-    /// Returns true if a file name is that of a run or a shard.
+    /// Returns true if a path has the file name of a run or of a shard.
     pub fn is_file(path: &Path) -> bool {
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         name.starts_with("run.") && name.ends_with(".json")

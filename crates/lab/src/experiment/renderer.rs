@@ -1,7 +1,7 @@
 //! Renderers: the sources of a frame's layers.
 //!
 //! Methods draw on the device. Exact and `winding`, generalised winding numbers ([`Windings`](crate::exact::Windings)), are evaluated on
-//! all cores of the CPU: exact is the reference; `winding` is not meant for drawing, but shows what else is possible for open meshes.
+//! all CPU cores. Exact is the reference; `winding` is not meant for drawing, but shows what other results open meshes can give.
 //! Evaluations are always timed by the wall clock, whatever clocks the device has.
 
 use std::fmt;
@@ -18,9 +18,9 @@ use crate::exact::{Windings, evaluate};
 /// Source of the layers of a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Renderer {
-    /// A method, on the device.
+    /// A method, which draws on the device.
     Method(Method),
-    /// An evaluator, on the CPU.
+    /// An evaluator, which runs on the CPU.
     Cpu(Evaluator),
 }
 
@@ -46,7 +46,7 @@ pub struct Evaluation {
 }
 
 impl Evaluator {
-    /// Evaluates a frame of a scene whose meshes are posed.
+    /// Evaluates a frame of a scene whose meshes are already posed.
     pub fn evaluate(self, truth: &Prepared, view: &View) -> Evaluation {
         let watch = Stopwatch::start();
         match self {
@@ -74,11 +74,11 @@ impl Renderer {
     /// The exact reference.
     pub const EXACT: Self = Self::Cpu(Evaluator::Exact);
 
-    /// The renderers that a name stands for; `all` means all strategies with their usual parameters.
+    /// The renderers that a name selects; `all` selects all strategies with their usual parameters.
     ///
     /// # Errors
     ///
-    /// The name `exact`, as the others are measured against it, and unknown names.
+    /// Fails for unknown names, and for `exact`, against which all other renderers are measured.
     pub fn named(name: &str) -> Result<Vec<Self>> {
         if name.trim() == "all" {
             return Ok(Strategy::all().into_iter().map(Self::from).collect());
@@ -93,7 +93,7 @@ impl Renderer {
         }
     }
 
-    /// The method, if it is one.
+    /// The method, if this renderer is one.
     pub fn method(&self) -> Option<Method> {
         match self {
             Self::Method(method) => Some(*method),
@@ -101,13 +101,13 @@ impl Renderer {
         }
     }
 
-    /// Its draw options; the default ones if it runs on the CPU.
+    /// The renderer's draw options; the default ones if it runs on the CPU.
     pub fn options(&self) -> DrawOptions {
         self.method()
             .map_or_else(DrawOptions::default, |m| m.options)
     }
 
-    /// The same renderer, with draw options where a method names none.
+    /// The same renderer; a method that names no draw options gets these.
     #[must_use]
     pub fn or(self, usual: DrawOptions) -> Self {
         match self {
@@ -161,7 +161,7 @@ impl FromStr for Renderer {
             Some(evaluator) => Err(Error::input(
                 text,
                 format!("{evaluator} runs on the CPU and has no draw options"),
-                "leave out the @ and what follows",
+                "leave out the @ and the options after it",
             )),
             None => text.parse().map(Self::Method),
         }

@@ -1,7 +1,7 @@
 //! One point of an experiment, from its scene to its record.
 //!
 //! Errors are measured first; expectations are checked and reported before any time is taken, so that a user can end a run that has
-//! already failed. Then times are taken in turns, warnings are derived, and the pictures are drawn last.
+//! already failed. Then times are taken in interleaved rounds, warnings are derived, and the pictures are drawn last.
 //!
 //! Progress is reported to a [`Watcher`].
 
@@ -30,11 +30,11 @@ use super::{
 pub trait Watcher {
     /// A step begins.
     fn step(&self, what: String);
-    /// Opening the scene gave a remark: reported once, even if the truth scene has the same fault.
+    /// Opening the scene gave a remark. It is reported once, even if the truth scene has the same fault.
     fn opened(&self, message: &Diagnostic);
     /// An expectation was compared with the result.
     fn reached(&self, reached: &Reached);
-    /// Returns false to stop the run; an incomplete point is not kept.
+    /// Returns false to stop the run; a point that is not complete is then discarded.
     fn goes_on(&self) -> bool;
 }
 
@@ -50,29 +50,29 @@ pub struct Assignment<'a> {
     pub point: &'a Point,
     /// Measured rounds.
     pub rounds: usize,
-    /// True if it is measured with `--quick`.
+    /// True if the point is measured with `--quick`.
     pub is_quick: bool,
     /// True if pictures are kept.
     pub keeps_pictures: bool,
-    /// As [`Record::identity`].
+    /// Identity of the point, see [`Record::identity`].
     pub identity: String,
-    /// The command line that measures it again.
+    /// The command line that measures the point again.
     pub command: String,
-    /// Machine of the measurement.
+    /// The machine on which the point is measured.
     pub machine: &'a Machine,
-    /// Command of the measurement.
+    /// The command that measures the point.
     pub invocation: &'a Invocation,
 }
 
 impl SceneRun {
-    /// Number of steps that measuring a point reports.
+    /// Number of steps reported while a point is measured.
     pub fn steps(&self, point: &Point, rounds: usize) -> usize {
         let drift = self.drift.map_or(0, |d| d.frames as usize);
         1 + drift + error_steps(point.trials.len()) + timing_steps(rounds)
     }
 }
 
-/// File name of a point's files, without extension.
+/// Common name of a point's files, without extension.
 pub fn file_stem(run: &str, point: &Point) -> String {
     match point.stem.as_str() {
         "" => run.to_owned(),
@@ -87,11 +87,11 @@ pub type NamedPictures = Vec<(String, RgbaImage)>;
 pub struct Measured {
     /// Its record.
     pub record: Record,
-    /// Its pictures, by their names in the record.
+    /// Its pictures, under the file names given in the record.
     pub pictures: NamedPictures,
 }
 
-/// Measures a point; `None` if it was ended early. Leaves nothing in the session.
+/// Measures a point; returns `None` if the run was stopped. Leaves nothing in the session.
 pub fn measure(
     session: &mut Session,
     assignment: &Assignment<'_>,
@@ -213,7 +213,7 @@ fn measure_with(
     }))
 }
 
-/// Pixels of two scenes show the same place only if both are placed and scaled alike.
+/// Checks that both scenes have the same centre and scale, as otherwise the same pixel shows different positions in them.
 fn must_be_framed_alike(shown: &SceneAtTime, truth: Option<&SceneAtTime>) -> Result<()> {
     let Some(truth) = truth else {
         return Ok(());
@@ -230,7 +230,7 @@ fn must_be_framed_alike(shown: &SceneAtTime, truth: Option<&SceneAtTime>) -> Res
     ))
 }
 
-/// Pictures of exact and of all renderers that drew, with their names.
+/// Pictures of exact and of all renderers that drew a frame, with their file names.
 fn pictures(
     session: &mut Session,
     question: &FrameQuestion<'_>,

@@ -1,23 +1,23 @@
-//! Samples of a measurement: all are kept, and summarised by their median and spread.
+//! Samples of a measurement: all samples are kept, and are summarised by their median and spread.
 //!
-//! Times on a shared machine have a long tail: outliers shift a mean, but not a median. The spread is the median absolute
-//! deviation (MAD), which is robust against up to half of the samples too. Neither assumes a distribution.
+//! Times on a shared machine have a long tail: outliers shift a mean, but hardly a median. The spread is the median absolute
+//! deviation (MAD). Median and MAD tolerate outliers in up to half of the samples, and assume no distribution.
 
 use serde::{Deserialize, Serialize};
 
 /// Measured values with their median.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Samples {
-    /// The median; with an even number of samples, the mean of the middle two; 0 without samples.
+    /// The median; for an even number of samples, the mean of the middle two. 0 without samples.
     pub median: f64,
-    /// The median distance from the median, in the same unit; 0 without samples.
+    /// The median of the samples' distances from their median, in the same unit; 0 without samples.
     pub mad: f64,
-    /// All, in the order they were taken.
+    /// All samples, in the order in which they were taken.
     pub samples: Vec<f64>,
 }
 
 impl Samples {
-    /// Samples with their median and spread.
+    /// Stores samples and computes their median and spread.
     pub fn new(samples: Vec<f64>) -> Self {
         let median = median(&samples);
         let distances: Vec<f64> = samples.iter().map(|s| (s - median).abs()).collect();
@@ -40,14 +40,14 @@ impl Samples {
         ]
     }
 
-    /// Sum of several clocks, round by round; a clock without samples never ran.
+    /// Adds several clocks round by round; a clock that never ran has no samples and adds nothing.
     pub fn sum(all: &[&Self]) -> Self {
         let rounds = all.iter().map(|s| s.samples.len()).max().unwrap_or(0);
         let of_round = |round| all.iter().filter_map(|s| s.samples.get(round)).sum();
         Self::new((0..rounds).map(of_round).collect())
     }
 
-    /// The quotients of samples taken in the same rounds: a disturbance of a round affects both and cancels.
+    /// The quotients of samples taken in the same rounds. A disturbance in a round affects both samples and cancels.
     pub fn over(&self, denominator: &Self) -> Self {
         let pairs = self.samples.iter().zip(&denominator.samples);
         Self::new(pairs.map(|(a, b)| a / b).collect())

@@ -1,4 +1,4 @@
-//! Prepares a scene for the strategies and for the exact reference; nothing else does.
+//! The only place that prepares scenes for the strategies and for the exact reference.
 //!
 //! The exact reference always uses meshes posed in f64 on the CPU; strategies pose them on the device. If nothing is posed, the
 //! scene is prepared once for both.
@@ -12,13 +12,13 @@ use cutaway::strategies::DrawOptions;
 use cutaway::{Error, Result};
 use cutaway_io::document::Settings;
 
-/// A scene at one time, ready to be drawn and judged.
+/// A scene at one point in time, ready to be drawn and evaluated.
 #[derive(Debug)]
 pub struct SceneAtTime {
     /// Model that strategies draw.
     pub model: Model,
     scene: Scene,
-    /// Model for the exact reference, made on first use.
+    /// Model for the exact reference, created on first use.
     truth: OnceLock<Prepared>,
 }
 
@@ -28,12 +28,12 @@ impl SceneAtTime {
         Self::with(Model::new(scene), scene)
     }
 
-    /// Prepares a scene that follows this one in time, and reuses what has not changed.
+    /// Prepares the next state of this scene in time, reusing what has not changed.
     pub fn updated(&self, scene: &Scene) -> Self {
         Self::with(self.model.updated(scene), scene)
     }
 
-    /// Prepares a scene as if it were the first, without reuse ([`Model::anew`]).
+    /// Prepares the next state of this scene without reusing anything ([`Model::anew`]).
     pub fn anew(&self, scene: &Scene) -> Self {
         Self::with(self.model.anew(scene), scene)
     }
@@ -46,7 +46,7 @@ impl SceneAtTime {
         }
     }
 
-    /// Model for the exact reference. Refused, as by strategies, if a cap could have a clip-surface number too large for layers.
+    /// Model for the exact reference. As with strategies, it is an error if a clip-surface number could exceed what layers can store.
     pub fn truth(&self) -> Result<&Prepared> {
         let truth = if self.model.prepared.is_whole() {
             &self.model.prepared
@@ -59,7 +59,7 @@ impl SceneAtTime {
     }
 }
 
-/// The draw options in the settings of a document.
+/// The draw options that a document's settings give.
 pub fn draw_options(settings: &Settings) -> Result<DrawOptions> {
     Ok(DrawOptions {
         rasteriser: settings
@@ -79,7 +79,9 @@ fn must_be_named(truth: &Prepared) -> Result<()> {
     match truth.parts.iter().flat_map(|p| &p.cuts).find(is_beyond) {
         Some(cut) => Err(Error::input(
             format!("cut `{}`", truth.cuts[*cut].name),
-            format!("exact can number {count} clip-surfaces, and this cut's exceed that"),
+            format!(
+                "exact supports {count} clip-surfaces in all, and the surfaces of this cut exceed that number"
+            ),
             "use fewer cuts, or boxes and wedges with fewer faces",
         )),
         None => Ok(()),

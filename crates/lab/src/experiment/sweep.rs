@@ -1,8 +1,8 @@
-//! Sweeps: axes with values, and the points and renderers that these produce.
+//! Sweeps: axes with values, and the points and renderers that the values produce.
 //!
 //! A scene axis sets values of the document by their paths and produces *points*: one frame and one record for each value, or for
 //! each combination if there are several such axes. An axis whose name is in braces in a strategy, `grid:{cells}+mask`, produces
-//! several *renderers* within each point, so that they are measured in turns.
+//! several *renderers* within each point, so that they are timed in the same rounds.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -12,13 +12,13 @@ use cutaway_io::document::{Document, Node};
 
 use super::{FamilyMember, Parameter, Parameters, Renderer};
 
-/// Maximum number of points in a run: more are taken for a mistake.
+/// Maximum number of points in a run; a larger number is regarded as a mistake.
 const MOST_POINTS: usize = 10_000;
 
-/// Maximum number of renderers at a point: all of them are kept on the device, and measured in turns.
+/// Maximum number of renderers at a point: all of them are kept on the device, and timed in the same rounds.
 const MOST_RENDERERS: usize = 200;
 
-/// Values of a document, by their paths, in order.
+/// Values to set in a document, each with its path, in order.
 pub type Changes = Vec<(String, Node)>;
 
 /// One value of an axis.
@@ -26,7 +26,7 @@ pub type Changes = Vec<(String, Node)>;
 pub struct SweepValue {
     /// Label of the value.
     pub is: Parameter,
-    /// Changes to the scene; empty for an axis of strategies.
+    /// Changes that the value makes to the scene; empty on a strategy axis.
     pub sets: Changes,
 }
 
@@ -35,14 +35,14 @@ pub struct SweepValue {
 pub struct SweepAxis {
     /// Its name.
     pub name: String,
-    /// Paths that all its values set, if the axis is one list of values.
+    /// Paths that every value of the axis sets, if the axis is written as one list of values.
     pub paths: Vec<String>,
-    /// Its values, in the order they are written.
+    /// Its values, in the order in which they are written.
     pub values: Vec<SweepValue>,
 }
 
 impl SweepAxis {
-    /// Makes an axis, if its values are distinct and set the same paths.
+    /// Makes an axis. Its values must be distinct and set the same paths.
     pub fn of(name: &str, paths: Vec<String>, values: Vec<SweepValue>) -> Result<Self> {
         let fault = |what: &str, help: &str| Error::input(format!("axis `{name}`"), what, help);
         let Some(first) = values.first() else {
@@ -60,7 +60,7 @@ impl SweepAxis {
         }
         let mut seen = BTreeSet::new();
         if let Some(twice) = values.iter().find(|v| !seen.insert(v.is.to_string())) {
-            let what = format!("the value `{}` is there twice", twice.is);
+            let what = format!("the value `{}` is listed twice", twice.is);
             return Err(fault(&what, "write each value once"));
         }
         Ok(Self {
@@ -70,7 +70,7 @@ impl SweepAxis {
         })
     }
 
-    /// Returns true for an axis of strategies, false for one of the scene.
+    /// Returns true for a strategy axis, false for a scene axis.
     pub(super) fn is_of_strategies(&self) -> bool {
         self.values.iter().all(|v| v.sets.is_empty())
     }
@@ -80,7 +80,7 @@ impl SweepAxis {
     }
 }
 
-/// Axes by name.
+/// The axes of a sweep.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Axes(pub Vec<SweepAxis>);
 
@@ -99,7 +99,7 @@ impl Axes {
         self.0.retain(is_kept);
     }
 
-    /// An axis by its name.
+    /// Finds an axis by its name.
     pub fn get(&self, name: &str) -> Option<&SweepAxis> {
         self.0.iter().find(|a| a.name == name)
     }
@@ -113,9 +113,9 @@ impl Axes {
 /// Input of a sweep: scenes and strategies.
 #[derive(Clone, Debug)]
 pub struct Variable {
-    /// The scene, before anything is varied.
+    /// The scene before any axis value is set.
     pub scene: Document,
-    /// Changes that turn the scene into the truth scene, if that is another.
+    /// Changes that turn the scene into its truth scene, if that is another scene.
     pub truth: Option<Changes>,
     /// Names of renderers.
     pub strategies: Vec<String>,
@@ -124,13 +124,13 @@ pub struct Variable {
 /// One frame to be measured.
 #[derive(Clone, Debug)]
 pub struct Point {
-    /// Values of the sweep axes of its scene.
+    /// Values that the scene's sweep axes have at this point.
     pub parameters: Parameters,
-    /// Distinguishes the point from others of its run in file names; empty if there is only one.
+    /// Part of file names that distinguishes the point from the run's other points; empty if there is only one point.
     pub stem: String,
     /// The scene.
     pub scene: Document,
-    /// The truth scene, if that is another.
+    /// The truth scene, if that is another scene.
     pub truth: Option<Document>,
     /// Renderers to measure.
     pub trials: Vec<Trial>,
@@ -141,12 +141,12 @@ pub struct Point {
 pub struct Trial {
     /// Renderer to measure.
     pub renderer: Renderer,
-    /// Sources of the renderer: each strategy text, by index, that gives it, with the values used.
+    /// Sources of the renderer: the index of each strategy text that gives it, with the values used.
     pub families: Vec<(usize, FamilyMember)>,
 }
 
 impl Trial {
-    /// Returns true if a predicate holds for the parameters of any of its sources.
+    /// Returns true if the predicate holds for the parameters of at least one of the renderer's sources.
     pub fn is_made_by(&self, holds: impl Fn(&Parameters) -> bool) -> bool {
         self.families
             .iter()
@@ -186,7 +186,7 @@ pub fn expand(axes: &Axes, of: &Variable) -> Result<Vec<Point>> {
     Ok(points)
 }
 
-/// Refuses two axes that set the same value.
+/// Fails if two axes set the same value.
 fn must_be_apart(axes: &Axes, scene: &Document) -> Result<()> {
     let paths = |axis: &SweepAxis| -> Vec<String> {
         let first = axis.values.first().map_or(&[] as &[_], |v| &v.sets);
@@ -197,7 +197,7 @@ fn must_be_apart(axes: &Axes, scene: &Document) -> Result<()> {
             for path in paths(axis) {
                 if paths(other).iter().any(|p| scene.overlap(p, &path)) {
                     let what = format!("axis `{}` sets `{path}` too", other.name);
-                    let help = "set each value by one axis: the last axis would win";
+                    let help = "set each value by one axis only: otherwise the last axis overrides the others";
                     return Err(Error::input(format!("axis `{}`", axis.name), what, help));
                 }
             }
@@ -238,8 +238,8 @@ fn check_braces(axes: &Axes, strategies: &[String]) -> Result<()> {
 /// Names between braces.
 fn in_braces(text: &str) -> Result<Vec<&str>> {
     let fault = || {
-        let help = "write {name}, with both braces and a name between";
-        Error::input(format!("`{text}`"), "a brace is not paired", help)
+        let help = "write {name}: a name between two braces";
+        Error::input(format!("`{text}`"), "it has an unpaired brace", help)
     };
     let mut names = Vec::new();
     for piece in text.split('{').skip(1) {
@@ -252,7 +252,7 @@ fn in_braces(text: &str) -> Result<Vec<&str>> {
     Ok(names)
 }
 
-/// All choices of one value from each axis; the last axis varies fastest.
+/// All combinations of one value from each axis; the last axis varies fastest.
 fn combinations<'a>(axes: &[&'a SweepAxis]) -> Vec<Vec<&'a SweepValue>> {
     axes.iter().fold(vec![Vec::new()], |chosen, axis| {
         let longer = |c: &Vec<&'a SweepValue>| {
@@ -268,7 +268,7 @@ fn combinations<'a>(axes: &[&'a SweepAxis]) -> Vec<Vec<&'a SweepValue>> {
     })
 }
 
-/// A file name for the point that differs from those of the others.
+/// A file name for the point that no other point of the run has.
 fn stem(values: &[&SweepValue], taken: &mut BTreeSet<String>) -> String {
     let is_safe = |c: char| c.is_ascii_alphanumeric() || "+-".contains(c);
     let safe = |text: String| -> String {
@@ -278,7 +278,7 @@ fn stem(values: &[&SweepValue], taken: &mut BTreeSet<String>) -> String {
     };
     let plain: Vec<String> = values.iter().map(|v| safe(v.is.to_string())).collect();
     let plain = plain.join("_");
-    // The files of hard cases have the name `cases`, and a stem of dots and spaces is not readable.
+    // `cases` is the stem of the hard cases' files. Characters other than letters, digits, `+` and `-` are already replaced by `_`.
     let is_taken = |s: &String| s == "cases" || taken.contains(s);
     let mut stem = plain.clone();
     let mut count = 1;

@@ -1,30 +1,30 @@
 //! Warnings about the figures of a record, derived from the measurement alone.
 //!
-//! Thresholds are conventions: they mark where a reader should look at the samples before believing a median.
+//! Thresholds are conventions: above them, a reader should look at the samples before trusting a median.
 
 use super::measurement::Timing;
 use super::{Ending, Machine, Measurement, Reference, Samples, Warning};
 
-/// Times scatter if their median absolute deviation is this share of their median.
+/// Times scatter if their median absolute deviation is more than this share of their median.
 const NOISY: f64 = 0.10;
 
-/// The same threshold where there are too few rounds for a spread: a spread this wide is still reported.
+/// The same threshold for measurements with too few rounds for a meaningful spread: only a spread this wide is reported.
 const NOISY_OF_FEW: f64 = 0.25;
 
-/// The machine slowed down if the last third of the rounds took this many times as long as the first.
+/// The machine slowed down if the last third of the rounds took more than this many times as long as the first third.
 const THROTTLED: f64 = 1.15;
 
-/// Minimum number of rounds that tells a trend from an outlier.
+/// Minimum number of rounds needed to tell a trend from an outlier.
 const ROUNDS_OF_A_TREND: usize = 6;
 
 /// Minimum number of rounds for a meaningful spread.
 const ROUNDS_OF_A_SPREAD: usize = 5;
 
-/// The machine is busy if this share of its processors had work before the run.
+/// The machine is busy if at least this share of its processors had work before the run.
 const BUSY: f64 = 0.5;
 
 impl Warning {
-    /// All warnings about a measurement taken on this machine, with fewer rounds because of `--quick` or not.
+    /// All warnings about a measurement on this machine. `is_quick` tells whether `--quick` reduced the number of rounds.
     pub fn all_of(measurement: &Measurement, machine: &Machine, is_quick: bool) -> Vec<Self> {
         let mut all = Vec::new();
         if measurement.adapter.software {
@@ -54,7 +54,7 @@ impl Warning {
                 let strategy = name();
                 all.push(Self::Overflowed { strategy, reason });
             }
-            // The spread of the time, not of the ratio: if the plain drawing scatters, every strategy's ratio does.
+            // Uses the spread of the time, not of the ratio: if the plain drawing scatters, every strategy's ratio scatters.
             if let Some(spread) = spread(&strategy.time_ms.frame) {
                 let strategy = name();
                 all.push(Self::Noisy { strategy, spread });
@@ -63,13 +63,13 @@ impl Warning {
         all
     }
 
-    /// The warning about a reference that leaves more than [`MOST_UNDECIDED`](super::MOST_UNDECIDED) of the pixels undecided.
+    /// The warning about a reference in which more than [`MOST_UNDECIDED`](super::MOST_UNDECIDED) of the pixels are undecided.
     pub fn of_undecided(exact: &Reference) -> Option<Self> {
         let share = exact.undecided_share();
         exact.is_doubtful().then_some(Self::Undecided { share })
     }
 
-    /// Parses the remark printed on standard error when the scene was opened: several lines, the last of which may be a remedy.
+    /// Parses a remark that opening the scene printed on standard error: one or more lines, of which the last may give a remedy.
     pub fn of_opening(said: &str) -> Self {
         let (text, help) = said.split_once("\n  help: ").unwrap_or((said, ""));
         let lines: Vec<&str> = text.lines().map(str::trim).collect();
@@ -80,7 +80,7 @@ impl Warning {
         }
     }
 
-    /// The strategy whose figures it concerns; `None` if it concerns the whole point.
+    /// The strategy whose figures the warning concerns; `None` if it concerns the whole point.
     pub fn concerns(&self) -> Option<&str> {
         match self {
             Self::Noisy { strategy, .. } | Self::Overflowed { strategy, .. } => Some(strategy),
@@ -92,15 +92,15 @@ impl Warning {
     pub fn text(&self) -> String {
         match self {
             Self::SoftwareAdapter { adapter } => {
-                format!("{adapter} draws on the CPU: times say nothing about graphics cards")
+                format!("{adapter} draws on the CPU: its times do not apply to graphics cards")
             }
             Self::WallTimes => {
-                "times are wall times around each pass, and include what it costs to submit it and to \
+                "times are wall times around each pass, and include the time to submit the pass and to \
                  wait for it"
                     .to_owned()
             }
             Self::Busy { load, cores } => {
-                format!("other work was on the machine: load {load:.1} on {cores} processors")
+                format!("the machine was doing other work: load {load:.1} on {cores} processors")
             }
             Self::Noisy { strategy, spread } => {
                 format!(
@@ -110,14 +110,14 @@ impl Warning {
             }
             Self::NoisyDrawOnly { spread } => {
                 format!(
-                    "the plain drawing scatters: {:.0} % around the median; no ratio of this point is worth much",
+                    "the times of the plain drawing scatter by {:.0} % around their median, so this point's ratios are unreliable",
                     spread * 100.0
                 )
             }
             Self::Opening { text, .. } => text.clone(),
             Self::Throttled { slowdown } => {
                 format!(
-                    "the machine slowed down: the last third of the rounds took {slowdown:.2} times the first"
+                    "the machine slowed down: the last third of the rounds took {slowdown:.2} times as long as the first third"
                 )
             }
             Self::Overflowed { strategy, reason } => format!("{strategy} overflowed: {reason}"),
@@ -127,7 +127,7 @@ impl Warning {
                     share * 100.0
                 )
             }
-            Self::FewRounds { rounds: 1, .. } => "of 1 round there is no spread".to_owned(),
+            Self::FewRounds { rounds: 1, .. } => "1 round has no spread".to_owned(),
             Self::FewRounds { rounds, .. } => {
                 format!("{rounds} rounds are too few for a spread to mean anything")
             }
@@ -138,7 +138,7 @@ impl Warning {
     pub fn remedy(&self) -> &str {
         match self {
             Self::SoftwareAdapter { .. } => {
-                "measure on a graphics card before you choose by time; errors hold as they are"
+                "measure on a graphics card before you choose by time; errors apply as they are"
             }
             Self::WallTimes => "compare ratios, and frames that take more than a few milliseconds",
             Self::Busy { .. } => "end the other work and measure again with --force",
@@ -149,22 +149,22 @@ impl Warning {
                 "let the machine cool, fix its clock, and measure again with --force"
             }
             Self::Overflowed { .. } => {
-                "errors are those of the frame that overflowed: lower --resolution, or raise its limit"
+                "errors are those of an incomplete frame: lower --resolution, or raise the buffer's limit"
             }
             Self::Undecided { .. } => {
-                "choose another view, or come closer: what is drawn at these pixels counts neither as right nor as wrong"
+                "choose another view, or move the camera closer: undecided pixels count neither as right nor as wrong"
             }
             Self::FewRounds { is_quick: true, .. } => "leave --quick out, or measure more --rounds",
             Self::FewRounds { .. } => "measure more --rounds",
             Self::Opening { help, .. } if help.is_empty() => {
-                "look at the scene by `cutaway render` before you believe its figures"
+                "look at the scene with `cutaway render` before you trust its figures"
             }
             Self::Opening { help, .. } => help,
         }
     }
 }
 
-/// Spread of times, if it is worth a warning.
+/// Spread of times, if it is large enough for a warning.
 fn spread(times_ms: &Samples) -> Option<f64> {
     let most = if times_ms.samples.len() < ROUNDS_OF_A_SPREAD {
         NOISY_OF_FEW
@@ -175,7 +175,7 @@ fn spread(times_ms: &Samples) -> Option<f64> {
     (spread > most).then_some(spread)
 }
 
-/// Slowdown of the machine: the same frame drawn repeatedly takes the same time unless the machine changes.
+/// Warns if the machine slowed down: drawing the same frame repeatedly takes the same time unless the machine's speed changes.
 fn slowdown(draw_only_ms: &Samples) -> Option<Warning> {
     let all = &draw_only_ms.samples;
     if all.len() < ROUNDS_OF_A_TREND {

@@ -7,8 +7,8 @@ use glam::{DVec2, DVec3};
 
 use super::{Judged, Question, tolerances};
 
-/// Half a texel's diagonal in scene space, for the largest part, including the two texels of margin that the sprite leaves on
-/// either side.
+/// Half of a texel's diagonal in scene space, for the largest part. The texel size includes the margin of two texels that the sprite
+/// leaves on either side.
 pub(super) fn reach(prepared: &Prepared, resolution: u32) -> f64 {
     let extent = prepared
         .parts
@@ -19,7 +19,7 @@ pub(super) fn reach(prepared: &Prepared, resolution: u32) -> f64 {
     extent / (texels - 4.0) * std::f64::consts::SQRT_2 * 0.5
 }
 
-/// The first decided wrong pixel that the sprite's reach does not explain.
+/// Describes the first decided wrong pixel that is farther from any mesh than [`reach`] allows.
 pub(super) fn fault(question: &Question, judged: &Judged, resolution: u32) -> Option<String> {
     let allowed = reach(&question.model.prepared, resolution) + tolerances::ROUNDING_OF_POINTS;
     judged.decided_wrong().find_map(|pixel| {

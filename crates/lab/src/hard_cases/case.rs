@@ -1,7 +1,7 @@
 //! A case: scenes with a known answer, and the expected result of each strategy.
 //!
-//! A case gives the form of its cuts and the expected results of exact strategies and of the paper's strategy; those of other strategies
-//! follow from their kind. A case names each strategy that differs from its kind.
+//! A case gives the form of its cuts and the expected results of exact strategies and of the paper's strategy; for any other strategy,
+//! the expected result follows from the strategy's kind, unless the case gives one for that strategy by name.
 
 use std::sync::Arc;
 
@@ -42,7 +42,7 @@ impl Form {
 /// A row of the table, read from its file.
 #[derive(Clone, Debug)]
 pub struct Case {
-    /// Its number in the list of hard cases, or a letter and number if users of other projects met it.
+    /// The case's number in the list of hard cases, or a letter and a number for a case met by users of other projects.
     pub id: String,
     /// Description of the case.
     pub name: String,
@@ -52,13 +52,13 @@ pub struct Case {
     pub exact: Expected,
     /// Expected result of the paper's strategy.
     pub paper: Expected,
-    /// Expected results of strategies that differ from their kind, by a glob over names.
+    /// Expected results of strategies that differ from what their kind implies, each by a glob over strategy names.
     pub apart: Vec<(String, Expected)>,
-    /// Expected results that differ with fewer than 8 sub-pixel bits, by a glob over names.
+    /// Expected results that differ with fewer than 8 sub-pixel bits, each by a glob over strategy names.
     pub coarse: Vec<(String, Expected)>,
-    /// Wrong pixels per covered pixel of built-in methods that fail, over all pictures: minimum and maximum of 64 and 256 px.
+    /// For built-in methods that fail: wrong pixels per covered pixel, over all pictures; the minimum and maximum of 64 and 256 px.
     pub found: Vec<(String, [f64; 2])>,
-    /// Further bounds on exact strategies.
+    /// Further bounds that exact strategies must keep to.
     pub keeps: Keeps,
     /// Its scene.
     pub document: Document,
@@ -71,14 +71,14 @@ pub struct Case {
 pub struct CasePicture {
     /// Name of the picture.
     pub name: String,
-    /// True if the middle of the picture is the centre of a pixel.
+    /// True if the camera is moved so that the middle of the picture is the centre of a pixel.
     pub half_pixel: bool,
-    /// Values by their paths.
+    /// The changes: paths in the scene, each with its value.
     pub sets: Vec<(String, Node)>,
 }
 
 impl CasePicture {
-    /// The picture with the changes of both.
+    /// A picture with the changes of this one and of another.
     pub(super) fn with(&self, other: &Self) -> Self {
         let names = [&self.name, &other.name].map(String::as_str);
         Self {
@@ -89,7 +89,7 @@ impl CasePicture {
     }
 }
 
-/// Bounds on the errors of a picture that shows the right things.
+/// Bounds on the errors of a picture whose kinds, parts and clip-surfaces are right.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Keeps {
     /// Largest angle between cap normals and those of exact, in degrees.
@@ -118,11 +118,11 @@ impl Keeps {
 }
 
 impl Case {
-    /// The scenes of its pictures, which are `size_px` pixels wide and high.
+    /// The scenes of the case's pictures, which are `size_px` pixels wide and high.
     ///
     /// # Errors
     ///
-    /// A scene that makes no sense, with its file and line.
+    /// An invalid scene; the error gives its file and line.
     pub fn scenes(&self, size_px: u32) -> Result<Vec<Scene>> {
         let mut assets = Assets::from_files(Arc::new(Embedded));
         let scene = |picture: &CasePicture| {
@@ -137,7 +137,7 @@ impl Case {
         self.pictures.iter().map(scene).collect()
     }
 
-    /// Expected result of a strategy. Bounds apply to the built-in methods: other parameters may miss them.
+    /// Expected result of a strategy. Bounds apply to the built-in methods; with other parameters, a method may exceed them.
     pub fn expected(&self, method: &Method) -> Expected {
         let expected = self.declared(method);
         let name = method.to_string();

@@ -1,10 +1,10 @@
-//! Expected results of a strategy in a case, and their comparison with the results found.
+//! Expected results of a strategy in a case, and how the results found are compared with them.
 //!
-//! Bounds were found with 8 sub-pixel bits. For an adapter with fewer, exact decides fewer pixels along outlines, where tessellations and
-//! depth images are wrong: its errors may be below the lower bound.
+//! Bounds were found with 8 sub-pixel bits. With fewer bits, exact decides fewer pixels along outlines, where tessellations and
+//! depth images are wrong: on such an adapter, the number of wrong pixels may be below the lower bound.
 //!
-//! An expectation covers all pictures of a case: each picture is judged by itself; if a failure is declared, some must be wrong, and if a
-//! refusal is, some must be refused. A declared failure that passes is a fault too: then the table is wrong and misleads its reader.
+//! An expectation covers all pictures of a case. Each picture is judged by itself. If a failure is declared, some picture must be wrong; if
+//! a refusal is declared, some must be refused. A declared failure that passes is a fault too: then the table is wrong and misleading.
 
 use std::fmt;
 use std::sync::Arc;
@@ -19,27 +19,27 @@ use crate::compare::around;
 /// Expected result of a strategy in a case.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Expected {
-    /// No decided pixel wrong, none cracked, none odd.
+    /// No decided pixel is wrong, a crack or odd.
     Exact,
     /// The mesh is open: exactly the odd pixels are marked, and no other pixel is wrong.
     Marked,
     /// The mesh is open: all wrong pixels are marked, and right pixels may be marked too.
     Doubted,
-    /// Some picture overflows a buffer, for a reason that contains these words, with all wrong pixels marked. The other pictures are exact.
+    /// Some picture overflows a buffer, with a reason that contains these words and all wrong pixels marked. The other pictures are exact.
     Overflows(Arc<str>),
     /// Each wrong cap pixel is as near to a mesh as the depth image's theoretical error allows; the cap surface is exact.
     Band,
-    /// Decided wrong pixels per pixel on a boundary are at most this many.
+    /// There are at most this many decided wrong pixels per boundary pixel.
     Share(f64),
-    /// As `Share`, for this reason.
+    /// As `Share`; the text says why there are wrong pixels.
     Within(f64, Arc<str>),
-    /// As `Share`, and no decided pixel is a back face, a crack or odd: a tessellation that decides by one per-pixel list.
+    /// As `Share`, and no decided pixel is a back face, a crack or odd: for a tessellation that decides caps with one per-pixel list.
     Listed(f64),
-    /// Known to be wrong, for this reason, in at least one of its pictures.
+    /// At least one picture is known to be wrong; the text gives the reason.
     Fails(Arc<str>),
-    /// As `Fails`, with the minimum and maximum number of decided wrong pixels per covered pixel, over all pictures.
+    /// As `Fails`, with the minimum and maximum of decided wrong pixels per covered pixel over all pictures.
     FailsWithin(Arc<str>, f64, f64),
-    /// Refused because of an unsupported feature.
+    /// All pictures are refused because of an unsupported feature.
     Refuses(Unsupported),
     /// Some pictures are refused because of an unsupported feature, and the others are exact.
     RefusesSome(Unsupported),
@@ -125,8 +125,8 @@ impl fmt::Display for Expected {
     }
 }
 
-/// Fault if pixels other than the odd ones are marked, or odd ones are not. A sample next to the rim of a hole, even a hidden rim, may
-/// count either way: a few pixels with a neighbour of the other kind are accepted.
+/// Fault if a pixel that is not odd is marked, or an odd pixel is not marked. A sample next to the rim of a hole, even a hidden rim, may
+/// count either way: a few such pixels are accepted if a neighbouring pixel differs in whether it is odd.
 fn mismarked_fault(judged: &Judged) -> Option<String> {
     let odd = &judged.exact.odd_parity;
     let is_rim = |i: usize| around(judged.layers.size_px, i, 1).any(|j| odd[j] != odd[i]);
@@ -153,12 +153,12 @@ fn share_fault(question: &Question, judged: &Judged, most: f64) -> Option<String
         .then(|| format!("{wrong} decided wrong along {boundary} boundary pixels"))
 }
 
-/// Pixels of background in a tessellation's frame that count as no hole: a kept solid may be thinner than the displacement of its
-/// cap, and vanish although no background of exact is near. Found: one pixel of scene 13 of the search from
-/// seed 1, by `adaptive:0.5+mask`, and single pixels of thin wings of real meshes. Inner sides never show.
+/// Number of background pixels in a tessellation's frame that are not counted as a hole: a kept solid may be thinner than the
+/// displacement of its cap, and vanish although exact has no background nearby. Seen in one pixel of scene 13 of the search from
+/// seed 1, drawn by `adaptive:0.5+mask`, and in single pixels of thin wings of real meshes. Inner sides never show.
 const REMNANT_PX: usize = 1;
 
-/// Fault that one per-pixel list rules out at any tessellation. Background this near to that of exact is a displaced outline.
+/// Fault that no tessellation with one per-pixel list has. Background within `outline_px` of exact's background is a displaced outline.
 pub(super) fn list_fault(judged: &Judged, outline_px: usize) -> Option<String> {
     let holes = judged.holes(outline_px);
     let counts = [
@@ -175,22 +175,22 @@ pub(super) fn list_fault(judged: &Judged, outline_px: usize) -> Option<String> {
 pub struct Tally {
     /// Number of pictures.
     pub pictures: usize,
-    /// Decided wrong pixels in all of them.
+    /// Decided wrong pixels in all pictures.
     pub wrong_px: usize,
-    /// Covered pixels of exact in the pictures that were not refused.
+    /// Pixels that exact covers, in the pictures that were not refused.
     pub covered_px: usize,
-    /// Covered pixels that are decided, in the same pictures.
+    /// Pixels that exact covers and decides, in the pictures that were not refused.
     pub judged_px: usize,
-    /// Undecided pixels in the same pictures.
+    /// Undecided pixels, in the pictures that were not refused.
     pub undecided_px: usize,
     /// Number of refused pictures.
     pub refused: usize,
     /// Number of overflowed pictures.
     pub overflowed: usize,
-    /// Side lengths of the strategy's usual pictures that were not drawn: if there are any, a result without wrong pixels may be luck,
+    /// Side lengths of the strategy's usual pictures that were not drawn. If there are any, a result without wrong pixels may be luck,
     /// and does not show that a bound is unnecessary.
     pub unasked_px: Vec<u32>,
-    /// True if some were drawn with fewer sub-pixel bits than those for which bounds were found.
+    /// True if some pictures were drawn with fewer sub-pixel bits than the 8 for which bounds were found.
     pub is_coarse: bool,
     /// Unexpected results, picture by picture.
     pub faults: Vec<String>,
@@ -241,12 +241,12 @@ impl Tally {
         ))
     }
 
-    /// Returns true if exact strategies would have done better.
+    /// Returns true if the results are worse than those of an exact strategy.
     pub fn is_short_of_exact(&self) -> bool {
         self.wrong_px > 0 || self.refused > 0 || self.overflowed > 0
     }
 
-    /// Unexpected results over all pictures: those of single pictures, and declared faults that did not occur.
+    /// All unexpected results: those of single pictures, and faults that were declared for the case but did not occur.
     pub fn faults_of(&self, expected: &Expected) -> Vec<String> {
         let mut faults = self.faults.clone();
         if let Expected::FailsWithin(_, least, most) = expected {

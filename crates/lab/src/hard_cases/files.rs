@@ -20,12 +20,12 @@
 //! "cut.0.surfaces.0.section" = ["-z=0.05", "-1,-1,-1@0,0,0.1"]
 //! ```
 //!
-//! `half_pixel = true` next to an `is` moves a parallel camera so that the middle of a picture of even size is the centre of a pixel.
-//! An expectation is a word (`exact`, `marked`, `doubted`, `band`) or a table: `{ share = S }` or `{ listed = S }` with the share found,
-//! the former with `why` if the reason is not the usual one, `{ fails = "WHY" }`, `{ refuses = FEATURE }`,
-//! `{ refuses_some = FEATURE }`, `{ overflows = "WORDS" }`.
+//! `half_pixel = true` next to an `is` moves an orthographic camera so that the middle of a picture of even size is the centre of a pixel.
+//! An expectation is a word (`exact`, `marked`, `doubted`, `band`) or a table: `{ share = S }` or `{ listed = S }` with the share found
+//! (`share` also takes a `why` if the reason is not the usual one), `{ fails = "WHY" }`, `{ refuses = FEATURE }`,
+//! `{ refuses_some = FEATURE }` or `{ overflows = "WORDS" }`.
 //!
-//! The files are part of the program. Reading all of them costs some milliseconds, once.
+//! The files are embedded in the program. Reading all of them takes some milliseconds and happens once.
 
 use std::borrow::Cow;
 use std::io;
@@ -76,7 +76,7 @@ pub(super) fn read_all() -> Result<Vec<Case>> {
 /// Reads a case from the text of its file.
 pub fn read(path: &Path, text: &str) -> Result<Case> {
     let document = Document::parse(path, text)?;
-    // The rest of the scene is checked when it is opened.
+    // All other parts of the scene are checked when it is opened.
     let entry = document.need("case", "{ id = \"1\", name = \"cube\" }")?;
     case(&entry, document.clone())
 }
@@ -109,7 +109,7 @@ fn case(entry: &Entry<'_>, document: Document) -> Result<Case> {
     })
 }
 
-/// Pairs of a method name, or a glob over names, and a value; sorted by name, so that the first match is the same everywhere.
+/// Pairs of a value and the name of its method, or a glob over names; sorted by name, so that the first match is the same everywhere.
 fn by_glob<T>(
     table: &Table<'_>,
     key: &str,
@@ -200,7 +200,7 @@ fn keeps(table: &Table<'_>) -> Result<Keeps> {
     })
 }
 
-/// Makes one picture for each combination of values; the last axis by name varies fastest.
+/// Makes one picture for each combination of values. Axes are ordered by name, and the last varies fastest.
 fn pictures(table: &Table<'_>) -> Result<Vec<CasePicture>> {
     let mut all = vec![CasePicture::default()];
     let Some(entry) = table.get("pictures") else {
@@ -217,7 +217,7 @@ fn pictures(table: &Table<'_>) -> Result<Vec<CasePicture>> {
     Ok(all)
 }
 
-/// Reads a value of an axis: a table of what it sets, or the value at the path that is the axis's name.
+/// Reads a value of an axis: a table of paths and values to set, or a value for the path that is the axis's name.
 fn picture(axis: &str, entry: &Entry<'_>) -> Result<CasePicture> {
     if !entry.is_table() {
         return Ok(CasePicture {
@@ -259,7 +259,7 @@ mod tests {
         assert!(stray.is_empty(), "no case names {stray:?}");
     }
 
-    /// Built-in methods that fail a case, each with whether the case states by how much.
+    /// Built-in methods that fail a case; each has true if the case states by how much.
     fn failures(case: &Case) -> Vec<(String, bool)> {
         let of = |method: cutaway::strategies::Method| match case.expected(&method) {
             Expected::Fails(_) => Some((method.to_string(), false)),

@@ -12,17 +12,17 @@ use super::{Case, Question, Tally, cases, list};
 /// A case, and its results.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CaseFound {
-    /// Its number in the list, or a letter and number.
+    /// The case's number in the list, or a letter and a number.
     pub id: String,
     /// Description of the case.
     pub name: String,
-    /// The tests of what its pictures cannot show, as the arguments after `cargo test -p cutaway-tests`.
+    /// Arguments after `cargo test -p cutaway-tests` for the tests of what the case's pictures cannot show.
     pub held_by: Option<String>,
-    /// Expected and found result of each strategy; empty if the case has no pictures.
+    /// Expected result of each strategy, and the result found; empty if the case has no pictures.
     pub reached: Vec<CaseOutcome>,
 }
 
-/// Expected and found result of a strategy.
+/// Expected result of a strategy, and the result found.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CaseOutcome {
     /// Name of the strategy.
@@ -33,7 +33,7 @@ pub struct CaseOutcome {
     pub why: Option<String>,
     /// Found result.
     pub found: String,
-    /// True if the found result is the expected one. A declared failure that passes is not.
+    /// True if the result found is as expected. If a declared failure passes, this is false.
     pub holds: bool,
 }
 
@@ -44,11 +44,11 @@ pub struct CaseSelection<'a> {
     pub ids: &'a [String],
     /// Side lengths of the pictures.
     pub sizes_px: &'a [u32],
-    /// Methods to run: exactly these, or [the usual](super::usual_methods), for which the table's bounds were found.
+    /// Methods to run, or none for [the usual methods](super::usual_methods), for which the table's bounds were found.
     pub methods: Option<&'a [Method]>,
 }
 
-/// Refuses globs that match no case.
+/// Rejects globs that match no case.
 pub fn check_ids(ids: &[String]) -> Result<()> {
     let fits_none = |glob: &&String| !list().any(|l| glob_matches(glob, &l.id));
     match ids.iter().find(fits_none) {
@@ -174,7 +174,7 @@ fn reached(
                 None => tallies.push((method, tally)),
             }
         }
-        // These scenes are not used again.
+        // No later case uses these scenes.
         session.forget();
     }
     let describe = |(method, tally): (Method, Tally)| {

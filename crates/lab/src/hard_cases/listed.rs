@@ -13,7 +13,7 @@ const FILE: &str = "list.toml";
 /// A line of the list.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Listed {
-    /// Its number, or a letter and number if users of other projects met it: `B` in one project's thread, `U` in many.
+    /// The case's number or, if users of other projects met it, a letter and a number: `B` for one project's thread, `U` for many projects.
     pub id: String,
     /// Description of the case.
     pub name: String,
@@ -24,7 +24,7 @@ pub struct Listed {
 }
 
 impl Listed {
-    /// The tests as arguments after `cargo test -p cutaway-tests`, one after the other; `None` if the pictures cover everything.
+    /// Arguments after `cargo test -p cutaway-tests` that run the tests; `None` if the pictures cover everything.
     pub fn held_by(&self) -> Option<String> {
         let functions = self.tests.iter().filter_map(|t| t.split_once(' '));
         let typed: Vec<String> = functions

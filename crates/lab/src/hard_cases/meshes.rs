@@ -1,5 +1,5 @@
-//! Meshes beyond the built-in shapes: boxes in one mesh, lumpy balls, and defective meshes. Shapes are given by specs written in
-//! the source: an invalid spec panics.
+//! Meshes that are no built-in shapes: boxes in one mesh, lumpy balls, and defective meshes. The functions take specs that are written
+//! in the source, so an invalid spec panics.
 
 use std::collections::HashMap;
 use std::f64::consts::TAU;
@@ -8,7 +8,7 @@ use cutaway::generate::shapes;
 use cutaway::scene::{Mesh, Part};
 use glam::{DAffine3, DQuat, DVec2, DVec3};
 
-/// The only part of a shape, as a mesh.
+/// The mesh of a shape that has exactly one part.
 pub fn shape(spec: &str) -> Mesh {
     let parts = shapes::shape(spec).unwrap_or_else(|e| panic!("{spec}: {e}"));
     assert_eq!(parts.len(), 1, "{spec} has more than one part");
@@ -64,7 +64,7 @@ pub fn turned(mesh: &Mesh) -> Mesh {
     }
 }
 
-/// The union of cells of a lattice, cell `(0, 0, 0)` between the origin and `size`: the faces between full and empty cells.
+/// The union of full lattice cells, as the faces between full and empty cells. Cell `(0, 0, 0)` is between the origin and `size`.
 pub fn cells(full: &[[i32; 3]], size: f64) -> Mesh {
     let mut mesh = Mesh::default();
     let mut names = HashMap::new();
@@ -102,7 +102,7 @@ pub fn cells(full: &[[i32; 3]], size: f64) -> Mesh {
     mesh
 }
 
-/// Closed prisms with `sides` sides and length 4, side by side in a square of side 2: long, narrow triangles, along no axis.
+/// Closed prisms with `sides` sides and length 4, side by side in a square of side 2: their triangles are long, narrow and oblique.
 pub fn prisms(count: usize, sides: u32) -> Mesh {
     let mut mesh = Mesh::default();
     let per_row = (count as f64).sqrt().ceil() as usize;
@@ -134,7 +134,7 @@ pub fn prisms(count: usize, sides: u32) -> Mesh {
     mesh
 }
 
-/// A closed rod with `teeth` teeth around it, 2 wide and 6 long: adjacent walls are long and narrow, and face four ways.
+/// A closed rod with `teeth` teeth around it, 2 wide and 6 long. Its walls are long and narrow, and face in four directions in turn.
 pub fn toothed(teeth: u32) -> Mesh {
     let count = 4 * teeth;
     let corner = |i: u32, y: f64| {
@@ -194,7 +194,7 @@ pub fn with_degenerate(mesh: &Mesh) -> Mesh {
     mesh
 }
 
-/// A mesh with each triangle split in three at a point that is `share` of the way from one edge to the other corner:
+/// A mesh with each triangle split in three at a point that is `share` of the way from an edge to the opposite corner:
 /// one of the three is a needle.
 pub fn with_needles(mesh: &Mesh, share: f64) -> Mesh {
     let mut mesh = mesh.clone();

@@ -1,7 +1,7 @@
 //! The methods that draw the hard cases.
 //!
-//! One of each family, with parameters suited to pictures of a few hundred pixels. All methods draw the smaller pictures; where results do
-//! not depend on the size, only a few draw the larger ones.
+//! One method per family, with parameters suited to pictures of a few hundred pixels. All methods draw the small pictures. The large
+//! pictures are drawn by few methods, where results do not depend on the size.
 
 use cutaway::strategies::Method;
 use cutaway::strategies::table::{CAP_SURFACES, INSIDE_TESTS};
@@ -20,7 +20,7 @@ pub fn usual_methods(size_px: u32) -> Vec<Method> {
         .collect()
 }
 
-/// The names of all methods, each with whether it draws large pictures too.
+/// The names of all methods; each has true if the method also draws large pictures.
 fn names() -> impl Iterator<Item = (&'static str, bool)> {
     let surfaces = CAP_SURFACES.iter().map(|row| &row.facts);
     let tests = INSIDE_TESTS.iter().map(|row| &row.facts);

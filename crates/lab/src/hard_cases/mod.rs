@@ -1,13 +1,13 @@
 //! Hard cases: scenes with a known answer, and the expected result of every strategy.
 //!
-//! A [`Case`] is scenes and an [`Expected`] result for each [method](cutaway::strategies::Method): nothing wrong, errors within theory,
-//! a refusal, or a failure with its reason. [`found`] runs the table [`cases`], as does
+//! A [`Case`] consists of scenes and an [`Expected`] result for each [method](cutaway::strategies::Method): no errors, errors within
+//! theoretical bounds, a refusal, or a failure with its reason. [`found`] runs the table [`cases`], as does
 //! `cargo test -p cutaway-tests --test it hard_cases::`. [`list`] names tests of what pictures cannot show: all fifty numbers are tested.
 //!
 //! [`random`] makes random scenes, and reduces those that are drawn wrong to their simplest form.
 //!
 //! Each case is a scene file in this crate's folder `hard-cases`, with a table `[case]` of expected results (format: see `files.rs`), so
-//! that any case can be drawn: `cutaway compare experiments/hard-cases/16-hollow.toml`. [`scenes`] and [`meshes`] are for tests; they
+//! that any case can be drawn: `cutaway compare experiments/hard-cases/16-hollow.toml`. [`scenes`] and [`meshes`] serve tests, and
 //! panic on invalid input. A case costs one exact image for each of its pictures and a frame for each method; only the session keeps
 //! data between cases.
 

@@ -5,7 +5,7 @@
 pub struct Numbers(pub u64);
 
 impl Numbers {
-    /// 64 bits.
+    /// A random number of 64 bits.
     pub fn word(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.0;
@@ -14,17 +14,17 @@ impl Numbers {
         z ^ (z >> 31)
     }
 
-    /// In `0..1`.
+    /// A random number in `0..1`.
     pub fn unit(&mut self) -> f64 {
         (self.word() >> 11) as f64 / (1_u64 << 53) as f64
     }
 
-    /// In `low..high`.
+    /// A random number in `low..high`.
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.unit()
     }
 
-    /// In `0..count`.
+    /// A random whole number in `0..count`.
     pub fn below(&mut self, count: u64) -> u64 {
         self.word() % count
     }

@@ -1,7 +1,7 @@
 //! One frame of one scene with its reference, and the result of a strategy.
 //!
-//! Exact is evaluated once per [`Question`] and shared by all strategies that answer it. [`is_wrong`] is a separate definition of wrong
-//! pixels, against which the counts of [`crate::compare`] can be checked.
+//! The exact image is evaluated once per [`Question`] and shared by all strategies that answer it. [`is_wrong`] defines wrong pixels
+//! independently of [`crate::compare`], so that the counts there can be checked.
 
 use std::sync::Arc;
 
@@ -15,7 +15,7 @@ use cutaway::strategies::Method;
 use crate::compare::{Comparison, around, compare};
 use crate::exact::{Exact, Truth};
 
-/// One frame of one scene, and the truth about it.
+/// One frame of one scene, and its exact images.
 #[derive(Clone)]
 pub struct Question {
     /// The scene as a model for strategies.
@@ -28,15 +28,15 @@ pub struct Question {
 
 /// Result of a strategy for a question.
 pub struct Judged {
-    /// Error against exact; all zero where the strategy refused.
+    /// Errors compared with exact; all zero if the strategy refused.
     pub comparison: Comparison,
     /// The reference, for the rasteriser that drew the frame.
     pub exact: Arc<Exact>,
-    /// Layers that the strategy drew; background where it refused.
+    /// Layers that the strategy drew; all background if it refused.
     pub layers: Layers,
     /// Outcome of the frame.
     pub outcome: Outcome,
-    /// Precision of triangle placement.
+    /// Precision of the rasteriser that drew the frame.
     pub precision: Precision,
 }
 
@@ -53,7 +53,7 @@ impl Question {
         Self::of_model(model, scene, view)
     }
 
-    /// The scene in a view, with a model that may have been updated from another one.
+    /// The scene in a view. The model may be one that was updated from another scene.
     pub fn of_model(model: Model, scene: &Scene, view: View) -> Self {
         let exact = Arc::new(Truth::new(model.truth(scene).into_owned(), view));
         Self { model, view, exact }
@@ -74,7 +74,7 @@ impl Question {
         }
     }
 
-    /// Judges a method's last frame, which had this outcome.
+    /// Judges a method's last frame, given the frame's outcome.
     pub fn judge(&self, session: &Session, method: Method, outcome: Outcome) -> Result<Judged> {
         let layers = session.layers(method)?;
         let precision = session.precision(method)?;
@@ -89,7 +89,7 @@ impl Question {
         })
     }
 
-    /// Pixels of the exact image with a neighbour of another kind, part or clip-surface, or far away in depth.
+    /// Number of pixels of the exact image that have a neighbour of another kind, part or clip-surface, or far away in depth.
     pub fn boundary_px(&self) -> usize {
         let layers = &self.exact.layers;
         let [width, height] = layers.size_px;
@@ -114,7 +114,7 @@ impl Question {
 }
 
 impl Judged {
-    /// The fault that an exact strategy's frame would not have, if any.
+    /// The first fault that rules out an exact strategy, if the frame has one.
     pub fn fault_of_exact(&self) -> Option<String> {
         let c = &self.comparison;
         let faults = [
@@ -156,7 +156,7 @@ impl Judged {
             .find(|i| !self.layers.pixels[*i].unreliable)
     }
 
-    /// Decided pixels that show a back face where exact shows none.
+    /// Number of decided pixels that show a back face where exact shows none.
     pub fn back_faces(&self) -> usize {
         let pairs = self.layers.pixels.iter().zip(&self.exact.layers.pixels);
         pairs
@@ -167,8 +167,8 @@ impl Judged {
             .count()
     }
 
-    /// Number of decided background pixels where exact has the outer side of a solid and no background within `outline_px`. With 1 pixel
-    /// these are the cracks of a comparison that show no back face.
+    /// Number of decided background pixels where exact has the outer side of a solid, and no background within `outline_px`. With 1 pixel
+    /// these are a comparison's cracks, except for cracks that show a back face.
     pub fn holes(&self, outline_px: usize) -> usize {
         let truth = &self.exact.layers.pixels;
         let is_sky = |l: &Layer| l.kind == Kind::Background;

@@ -54,8 +54,8 @@ pub fn relief(scene: &Scene, section: &str, relief: &str) -> ClipSurface {
     surface.unwrap_or_else(|e| panic!("{section}, {relief}: {e}"))
 }
 
-/// A plane with a height map: one repeat per `period` in both directions, centred on the origin. The map is oriented as in Duff et al.
-/// (2017).
+/// A plane with a height map that repeats once per `period` in both directions and is centred on the origin. Its axes are those of
+/// Duff et al. (2017).
 pub fn mapped(
     origin: DVec3,
     normal: DVec3,

@@ -1,14 +1,14 @@
-//! Tolerances of all hard cases, each with its reason; those of single cases are in their files. Whoever raises one must check its
-//! negative control.
+//! Tolerances that apply to all hard cases, each with its reason; tolerances of a single case are in its file. Whoever raises a tolerance
+//! must check its negative control.
 
-/// Tolerance factor on found errors without a theoretical bound: up to this many times as large, and for failures down to 1 / `FACTOR`,
-/// as another adapter rounds differently at single pixels. Twice as much is a different error.
+/// Tolerance factor on found errors that have no theoretical bound: errors may be up to this many times as large and, for failures, as
+/// small as 1 / `FACTOR`, because another adapter rounds single pixels differently. Beyond twice as much, the error is a different one.
 pub const FACTOR: f64 = 2.0;
 
-/// Largest displacement of a point of a frame, in scene units: rounding of depth and of the sprite's rows in f32,
-/// some ulp of 1 each.
+/// Largest displacement of a point in a frame, in scene units: the depth and the sprite's rows are rounded to f32,
+/// by some ulp of 1 each.
 pub const ROUNDING_OF_POINTS: f64 = 1e-5;
 
-/// Pixels along the rims of holes that may be marked or not: a rim leaves a band of 2/256 px open, so of the pixels on its two sides
-/// about 1 in 256.
+/// Share of the pixels along the rims of holes that may be marked or not. A rim leaves a band of 2/256 px open, which contains about
+/// 1 in 256 of the pixels on the rim's two sides.
 pub const RIM_SHARE: f64 = 1.0 / 64.0;

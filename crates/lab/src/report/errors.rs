@@ -1,11 +1,11 @@
-//! The counts of wrong pixels, each with its name in tables, which are in the same order on the terminal and on the page.
+//! The counts of wrong pixels with their names in tables. The order of the counts is the same on the terminal and on the page.
 
 use crate::Comparison;
 
-/// A word, and the count that it stands for.
+/// Name of a count in tables, and the function that reads the count.
 pub(super) type ErrorCount = (&'static str, fn(&Comparison) -> usize);
 
-/// All of them, the sum first.
+/// All counts, the sum first.
 pub(super) const ERRORS: [ErrorCount; 9] = [
     ("decided wrong px", |c| c.decided_wrong_px),
     ("missed cap", |c| c.missed_cap_px),

@@ -1,7 +1,7 @@
-//! A report for machines: a table of every figure, and all records joined.
+//! Machine-readable report: a CSV table of all figures, and a JSON file with all records.
 //!
-//! Spreadsheets run what begins like a formula: an apostrophe before such a cell makes it text, as OWASP advises against CSV injection.
-//! Numbers are left as they are; to read a text back, take off one apostrophe where it stands before one of [`MARKED`].
+//! Spreadsheets execute cells that begin like a formula. A leading apostrophe makes such cells text, as OWASP recommends against CSV
+//! injection. Numbers are left as they are. To read a text back, remove one leading apostrophe if one of [`MARKED`] follows it.
 
 use std::collections::BTreeSet;
 
@@ -13,10 +13,10 @@ use super::derived::{
 use super::recorded::{Experiment, Folder, PeerRecord, RecordedFolders};
 use crate::experiment::{CaseRecords, Record, Run, Synopsis};
 
-/// Version of the form of [`json`].
+/// Version of the format that [`json`] writes.
 const REPORT_FORMAT: u32 = 1;
 
-/// One row for each point and strategy: what it is, then every figure by name; what was not measured is empty.
+/// One row for each point and strategy: first what identifies the row, then every figure by name. A figure that was not measured is empty.
 pub(super) fn csv(recorded: &RecordedFolders) -> String {
     let mut all: Vec<(&Folder, Row<'_>)> = Vec::new();
     for folder in &recorded.folders {
@@ -62,7 +62,7 @@ pub(super) fn csv(recorded: &RecordedFolders) -> String {
         .chain(["command".to_owned()]);
     let mut bytes = Vec::new();
     let mut table = csv::Writer::from_writer(&mut bytes);
-    // Writing rows of one length to memory cannot fail.
+    // Writing rows of equal length to memory cannot fail.
     let _ = table.write_record(heading.map(inert));
     for (folder, row) in &all {
         let (m, found) = (&row.record.measurement, row.found());
@@ -106,10 +106,10 @@ pub(super) fn csv(recorded: &RecordedFolders) -> String {
     String::from_utf8_lossy(&bytes).into_owned()
 }
 
-/// Characters that may begin a formula, and the apostrophe itself, so that one can always be removed.
+/// Characters that may begin a formula, and the apostrophe itself, so that the added apostrophe can always be told apart and removed.
 const MARKED: [char; 7] = ['=', '+', '-', '@', '\t', '\r', '\''];
 
-/// A cell that no spreadsheet takes for a formula.
+/// Changes a cell so that no spreadsheet takes it for a formula.
 fn inert(cell: String) -> String {
     match cell.starts_with(MARKED) && !cell.parse().is_ok_and(f64::is_finite) {
         true => format!("'{cell}"),
@@ -149,11 +149,11 @@ struct DerivedPoint<'a> {
     run: &'a str,
     parameters: &'a crate::experiment::Parameters,
     adapter: &'a str,
-    /// The first of the ranking when only the view, the cut, or the mesh moves: the fastest exact strategy that `cutaway render` takes.
+    /// The fastest exact strategy that `cutaway render` accepts, when only the view moves, when the cut moves, and when the mesh moves.
     fastest_exact: [Option<String>; 3],
 }
 
-/// A strategy over all points of one folder, adapter and kind of run that are judged by their own exact image.
+/// Totals of a strategy over the points of one folder and adapter, quick or full, that are judged by their own exact image.
 #[derive(Serialize)]
 struct DerivedTotals {
     folder: String,
@@ -165,11 +165,11 @@ struct DerivedTotals {
     exact: usize,
     overflowed: usize,
     worst_decided_wrong_px: usize,
-    /// Least, median, greatest ratio of the frame to draw only.
+    /// Minimum, median and maximum of the frame time divided by the time to draw the uncut scene.
     ratio: Option<[f64; 3]>,
 }
 
-/// All records, and what is worked out of them.
+/// All records, and the values derived from them.
 pub(super) fn json(recorded: &RecordedFolders) -> String {
     let records = |folder| experiments_of(folder).flat_map(|e| &e.records);
     let points = (recorded.folders.iter()).flat_map(|f| records(f).map(move |r| derived(f, r)));

@@ -1,9 +1,9 @@
 //! The colour and the marker of each method: one table for every chart, ranking and list of a report.
 //!
-//! The look depends on the kind of method, not on parameters: all grids with a depth sprite, the paper's method, look alike. Colours are
-//! classes of the page's style, after Okabe and Ito (2008), which stay apart for all common kinds of colour blindness; the marker tells
-//! apart what has one colour. Colours go by the cap surface: blue casts rays, orange refines a grid, green and ochre know planes alone.
-//! Methods that are not in the table are grey with a cross, and so is everything derived from them later.
+//! The look depends on the kind of method, not on its parameters: all grids with a depth sprite (the paper's method) look alike. Colours
+//! are classes of the page's style, after Okabe and Ito (2008): they are distinguishable with all common kinds of colour blindness. Markers
+//! distinguish methods of the same colour. The colour depends on how the cap surface is found: blue methods cast rays, orange methods
+//! refine a grid, green and ochre methods support only planes. Methods that are not in the table are grey with a cross.
 
 /// Shape of a marker.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
@@ -26,7 +26,7 @@ pub(super) struct Look {
     pub marker: Marker,
 }
 
-/// Grey.
+/// Index of grey, the colour of methods that are not in the table.
 const NO_COLOR: usize = 6;
 
 impl Default for Look {
@@ -72,7 +72,7 @@ pub(super) fn look(name: &str) -> Look {
     found.map_or_else(Look::default, |(_, look)| *look)
 }
 
-/// The name without parameters: `grid+vds` of `grid:{cells}+vds:1024`.
+/// The name without parameters: `grid+vds` for `grid:{cells}+vds:1024`.
 fn kind(name: &str) -> String {
     let (strategy, options) = match name.split_once('@') {
         Some((strategy, options)) => (strategy, Some(options)),

@@ -1,8 +1,8 @@
 //! Results of measurements, in human-readable forms.
 //!
-//! [`text`] makes a table of a [`Measurement`](crate::experiment::Measurement) for a terminal. Of recorded runs [`pages`] makes a report:
-//! `recorded` reads them, `derived` works out what no record has, `sections` say it, and `document` writes it down as a page, which
-//! opens from disk and asks no network, and as Markdown; `export` is for machines.
+//! [`text`] formats a [`Measurement`](crate::experiment::Measurement) as a table for a terminal. [`pages`] makes a report of recorded runs:
+//! `recorded` reads the runs, `derived` computes what no record holds, `chapters` define the content, and `document` writes the content
+//! as Markdown and as an HTML page, which opens from disk without network access; `export` writes machine-readable files.
 
 mod chapters;
 mod derived;

@@ -1,19 +1,19 @@
-//! Numbers as reports write them: one form for each kind, three digits that count, and no exponents.
+//! Numbers as reports write them: one format for each kind, three significant digits, and no exponents.
 //!
-//! | kind | form |
+//! | kind | format |
 //! |---|---|
 //! | time | `0.0412`, `1.29`, `12.9`, `129`: [`milliseconds`] |
 //! | factor | `×0.84`, `×1.29`, `×12.9`, `×129`: [`times`] |
 //! | share | `0 %`, `0.04 %`, `1.29 %`, `12 %`: [`percent`] |
-//! | any other figure | whole as it is, else as a time: [`figure`] |
-//! | axis label | as short as it goes: `0.5`, `25 k`, `2 M`: [`tick`] |
+//! | any other figure | whole numbers in full, others like a time: [`figure`] |
+//! | axis label | as short as possible: `0.5`, `25 k`, `2 M`: [`tick`] |
 //!
-//! What is too small for six decimals is written as a power of ten.
+//! A number too small for six decimals is written with a power of ten.
 
-/// Numbers below this have no digits within six decimals.
+/// Numbers below this are zero in the first six decimals.
 const LEAST: f64 = 1e-6;
 
-/// Three digits that count, as decimals.
+/// A number with three significant digits, without an exponent.
 pub(super) fn significant(value: f64) -> String {
     let size = value.abs();
     if size == 0.0 || !value.is_finite() {
@@ -26,7 +26,7 @@ pub(super) fn significant(value: f64) -> String {
     format!("{value:.decimals$}")
 }
 
-/// `2·10⁻⁹`.
+/// A number with a power of ten: `2·10⁻⁹`.
 fn power(value: f64) -> String {
     let exponent = value.abs().log10().floor();
     let digits = value / 10_f64.powf(exponent);
@@ -58,7 +58,7 @@ pub(super) fn times(factor: f64) -> String {
     }
 }
 
-/// A share in percent, with as many digits as tell it from none.
+/// A share in percent, with enough digits to distinguish it from 0.
 pub(super) fn percent(share: f64) -> String {
     match share * 100.0 {
         0.0 => "0 %".to_owned(),
@@ -68,7 +68,7 @@ pub(super) fn percent(share: f64) -> String {
     }
 }
 
-/// Bytes, in MiB so that a column can be read down.
+/// Bytes in MiB, so that the numbers of a column have the same unit.
 pub(super) fn mebibytes(bytes: u64) -> String {
     match bytes {
         0 => "0".to_owned(),
@@ -76,7 +76,7 @@ pub(super) fn mebibytes(bytes: u64) -> String {
     }
 }
 
-/// A figure of any kind: whole numbers as they are.
+/// A figure of any kind; whole numbers are written in full.
 pub(super) fn figure(value: f64) -> String {
     match value.fract() == 0.0 && value.abs() < 1e12 {
         true => format!("{value:.0}"),
@@ -84,7 +84,7 @@ pub(super) fn figure(value: f64) -> String {
     }
 }
 
-/// A number at an axis tick, in few letters.
+/// The label of an axis tick, in as few characters as possible.
 pub(super) fn tick(value: f64) -> String {
     let size = value.abs();
     if size > 0.0 && size < LEAST {

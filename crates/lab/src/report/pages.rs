@@ -1,4 +1,4 @@
-//! The report of recorded runs in all its forms.
+//! The report on recorded runs, in all its formats.
 
 use cutaway::Result;
 
@@ -7,20 +7,20 @@ use super::document::{html, markdown};
 use super::export::{csv, json};
 use super::recorded::RecordedFolders;
 
-/// The forms of a report, each the text of a file.
+/// The formats of a report, each as the text of a file.
 #[derive(Clone, Debug)]
 pub struct Pages {
     /// One page with everything in it.
     pub html: String,
-    /// The same tables as text.
+    /// The same content as Markdown.
     pub markdown: String,
     /// One row for each point and strategy, with every figure.
     pub csv: String,
-    /// All records joined, and what is worked out of them.
+    /// All records, and the values derived from them.
     pub json: String,
 }
 
-/// Makes the report of some folders.
+/// Makes the report on some folders of runs.
 pub fn pages(recorded: &RecordedFolders, pictures: &PictureOptions) -> Pages {
     let document = document(recorded, pictures);
     Pages {
@@ -31,16 +31,16 @@ pub fn pages(recorded: &RecordedFolders, pictures: &PictureOptions) -> Pages {
     }
 }
 
-/// Report on one method, as a page and as text.
+/// Report on one method, as an HTML page and as Markdown.
 #[derive(Clone, Debug)]
 pub struct MethodPages {
     /// One page with everything in it.
     pub html: String,
-    /// The same tables as text.
+    /// The same content as Markdown.
     pub markdown: String,
 }
 
-/// Makes the page of one method at all points of some folders: its errors, its times, its memory, and what it refuses and why.
+/// Makes the report on one method over all points of some folders: its errors, times, memory, and what it refuses and why.
 ///
 /// # Errors
 ///

@@ -1,6 +1,6 @@
 //! A table of texts, laid out for a terminal.
 
-/// Columns with a heading each; the first column is aligned left, the others right.
+/// A table whose columns have headings; the first column is aligned left, the others right.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct TextTable {
     heading: Vec<String>,
@@ -16,14 +16,14 @@ impl TextTable {
         }
     }
 
-    /// Adds a row; cells that are missing stay empty.
+    /// Adds a row; missing cells are left empty.
     pub fn row<S: Into<String>>(&mut self, cells: impl IntoIterator<Item = S>) {
         let mut cells: Vec<String> = cells.into_iter().map(Into::into).collect();
         cells.resize(self.heading.len(), String::new());
         self.rows.push(cells);
     }
 
-    /// Aligned with spaces.
+    /// The table as text, with columns aligned by spaces.
     pub fn to_text(&self) -> String {
         let widths: Vec<usize> = (0..self.heading.len())
             .map(|c| {

@@ -1,4 +1,4 @@
-//! A report for a terminal: error first, then time, then what was refused and why.
+//! Report on a measurement for a terminal: errors first, then times, then what was refused and why.
 
 use super::TextTable;
 use super::errors::ERRORS;
@@ -24,11 +24,9 @@ pub fn text(report: &Measurement) -> String {
         (exact.judged_px).map_or_else(String::new, |px| format!(", {px} judged px")),
         milliseconds(exact.time_ms)
     ));
-    // One number for all of them: an adapter has one rasteriser.
+    // One number applies to all strategies, as an adapter has only one rasteriser.
     if let Some(px) = report.strategies.iter().find_map(|s| s.undecided_px) {
-        text.push_str(&format!(
-            "undecided in what the hardware rasteriser draws: {px} px\n"
-        ));
+        text.push_str(&format!("undecided for the hardware rasteriser: {px} px\n"));
     }
     text.push('\n');
     text.push_str(&errors(report).to_text());
@@ -132,7 +130,7 @@ fn two_digits(value: Option<f64>) -> String {
     value.map_or_else(|| "-".to_owned(), |v| format!("{v:.2}"))
 }
 
-/// A sentence for each strategy that did not draw all of the frame.
+/// A line for each strategy that did not draw the whole frame.
 fn shortfalls(report: &Measurement) -> Vec<String> {
     let short = report.strategies.iter().filter_map(|s| {
         let reason = s.reason.as_ref()?;

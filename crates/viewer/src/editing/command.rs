@@ -1,6 +1,6 @@
-//! A scene as a command line that draws exactly this picture.
+//! Writes a scene as a command line that draws exactly the picture in the window.
 //!
-//! Values that already follow from the inputs are left out; plain planes become `--section`, and everything else `--set`, which takes any
+//! Values that the input files already give are left out. Plain planes become `--section`; everything else becomes `--set`, which takes any
 //! document value.
 
 use cutaway::{Error, Result};
@@ -18,11 +18,11 @@ pub struct ExportSettings {
     pub size_px: [u32; 2],
 }
 
-/// The arguments of a command that draws a document. `origin` is the document as read from its file, if it has one.
+/// The arguments of a command that draws a document. `origin` is the document as read from its file, if it was read from one.
 ///
 /// # Errors
 ///
-/// A document from which a value of its file was removed: no option does that.
+/// A value of the document's file was removed: no command-line option can do that.
 pub fn words(
     document: &Document,
     origin: &Document,
@@ -107,7 +107,7 @@ fn entries(node: &Node) -> impl Iterator<Item = (&str, &Node)> {
     entries.iter().map(|(key, node)| (&**key, node))
 }
 
-/// The sections of cuts that consist of a single plane.
+/// The `--section` texts of the cuts, if every cut is a single plane.
 fn planes(cuts: &Node) -> Option<Vec<String>> {
     let plane = |cut: &Node| {
         let [surface] = cut.get("surfaces")?.items() else {
@@ -163,8 +163,8 @@ fn differences(
 fn cannot_remove(path: &str) -> Error {
     Error::input(
         format!("`{path}`"),
-        "it was taken out of the scene file, which no option does",
-        "save the scene, and copy the command of that file",
+        "it was removed from the scene file, and no option can do that",
+        "save the scene, then copy the command again",
     )
 }
 

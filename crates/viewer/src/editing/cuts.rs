@@ -1,8 +1,8 @@
 //! The cuts of a document: list entries, new cuts, and moves of planes.
 //!
-//! A moved plane keeps its notation in the document: `z=50%` stays an axis and a percentage, a normal and an origin stay vectors.
+//! A moved plane keeps its notation in the document: `z=50%` remains an axis and a percentage; a normal and an origin remain vectors.
 //!
-//! Cannot: move a surface in the paper's form (`u`, `v`), which has to be edited as numbers.
+//! Cannot: move a surface given in the paper's form (`u`, `v`); its numbers have to be edited.
 
 use cutaway::scene::{Bounds, PlaneSpec, Up};
 use cutaway::{Error, Result};
@@ -52,7 +52,7 @@ impl CutKind {
 pub struct CutEntry {
     /// Name of the cut, or its number if it has no name.
     pub name: String,
-    /// Kind of the region that it removes.
+    /// Kind of the region that the cut removes.
     pub kind: CutKind,
     /// True if the cut is enabled.
     pub is_enabled: bool,
@@ -88,9 +88,9 @@ fn entry((index, cut): (usize, &Node)) -> CutEntry {
 /// A new cut.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NewCut {
-    /// A plane across an axis: 0 is x.
+    /// A plane perpendicular to an axis: 0 is x.
     Plane(usize),
-    /// A ragged plane across an axis.
+    /// A plane with a relief, perpendicular to an axis: 0 is x.
     Relief(usize),
     /// The octant of the bounding box nearest to the eye.
     Box,
@@ -103,7 +103,7 @@ pub enum NewCut {
 }
 
 impl NewCut {
-    /// The cut, which removes the side towards the eye.
+    /// Creates the cut. It removes the side that faces the eye.
     pub fn draft(self, forward: DVec3, up: Up) -> CutDraft {
         let across = |axis: usize| section(&facing(DVec3::AXES[axis], forward));
         match self {
@@ -133,7 +133,7 @@ impl NewCut {
     }
 }
 
-/// The plane through the middle whose removed side faces the eye.
+/// The plane through the model's middle whose removed side faces the eye.
 fn facing(axis: DVec3, forward: DVec3) -> String {
     let letter = ["x", "y", "z"][(axis.y + 2.0 * axis.z) as usize];
     let minus = if forward.dot(axis) < 0.0 { "-" } else { "" };
@@ -145,21 +145,21 @@ fn facing(axis: DVec3, forward: DVec3) -> String {
 pub enum PlaneMove {
     /// Along its normal, in world units.
     Along(f64),
-    /// Along its normal, to a distance from the origin of the world, in world units.
+    /// Along its normal, to a distance from the world origin, in world units.
     To(f64),
     /// Along its normal, as a fraction of the model's size.
     Step(f64),
-    /// Perpendicular to an axis, through its present position; repeated, keeps the other side.
+    /// Perpendicular to an axis, through its present position. If it already is perpendicular, it keeps the other side.
     Across(usize),
     /// Keeps the other side.
     Flip,
-    /// To a normal direction, through its present position.
+    /// Turns it about its present position, to a new normal.
     Turn(DVec3),
     /// Through a point, with a normal.
     Through(DVec3, DVec3),
-    /// Rotated in its plane, to an angle in degrees.
+    /// Rotates its relief within the plane, to an angle in degrees.
     Spin(f64),
-    /// The same, during a drag.
+    /// As [`PlaneMove::Through`], during a drag.
     Tilt(DVec3, DVec3),
 }
 
@@ -189,15 +189,15 @@ impl CutSurface {
             (None, None) => {
                 return Err(Error::input(
                     format!("`{path}`"),
-                    "a surface in the form of u and v is not moved by hand",
-                    "write it as a section or as a normal and an origin",
+                    "a surface given by u and v cannot be moved by dragging",
+                    "give it as a section, or as a normal and an origin",
                 ));
             }
         };
         Ok(Self { path, words })
     }
 
-    /// Its unit normal and a point on it.
+    /// The unit normal of the surface's plane, and a point on it.
     fn plane(&self, bounds: &Bounds) -> Result<(DVec3, DVec3)> {
         match &self.words {
             SurfaceNotation::Section(spec) => {
@@ -211,11 +211,11 @@ impl CutSurface {
     }
 }
 
-/// The plane of a surface of a cut: the normal, which points to the kept side, and a point on it.
+/// The plane of a cut's first surface: the normal, which points to the kept side, and a point on the plane.
 ///
 /// # Errors
 ///
-/// A surface that does not exist, or one that is invalid for such bounds.
+/// The surface does not exist, or is invalid for these bounds.
 pub fn plane(document: &Document, cut: usize, bounds: &Bounds) -> Result<(DVec3, DVec3)> {
     let surface = CutSurface::find(document, cut, 0)?;
     let (normal, origin) = surface.plane(bounds)?;
@@ -223,7 +223,7 @@ pub fn plane(document: &Document, cut: usize, bounds: &Bounds) -> Result<(DVec3,
     Ok((if is_flipped { -normal } else { normal }, origin))
 }
 
-/// The direction that a cut's first surface is rotated about, as in the document, and the angle in degrees; `None` for a surface
+/// The axis about which a cut's first surface is rotated, as in the document, and the angle in degrees; `None` for a surface
 /// without a relief, where a rotation has no effect.
 pub fn spin(document: &Document, cut: usize, bounds: &Bounds) -> Option<(DVec3, f64)> {
     let surface = CutSurface::find(document, cut, 0).ok()?;
@@ -237,7 +237,7 @@ pub fn spin(document: &Document, cut: usize, bounds: &Bounds) -> Option<(DVec3, 
     Some((normal, degrees))
 }
 
-/// Returns true if a surface keeps the side opposite to that of its plane.
+/// Returns true if a surface keeps the side opposite to the one that its plane's notation keeps.
 fn is_flipped(document: &Document, surface: &str) -> bool {
     let flip = document.get(&format!("{surface}.flip"));
     flip.is_ok_and(|n| n.value == true.into())
@@ -247,7 +247,7 @@ fn is_flipped(document: &Document, surface: &str) -> bool {
 ///
 /// # Errors
 ///
-/// As of [`plane`].
+/// The same errors as [`plane`].
 pub fn move_plane(
     document: &mut Document,
     cut: usize,
@@ -263,7 +263,7 @@ pub fn move_plane(
         SurfaceNotation::Section(spec) => spec.clone(),
         SurfaceNotation::Vectors { normal, origin } => PlaneSpec::through(*origin, *normal)?,
     };
-    // From now on the plane itself sets the kept side.
+    // The new notation gives the kept side, so `flip` is removed.
     let flip = format!("{path}.flip");
     if is_flipped(document, &path) {
         spec = spec.flipped();

@@ -1,6 +1,6 @@
 //! Undo and redo: earlier and later documents.
 //!
-//! A document is small and includes its text, so a step stores the whole previous document. Changes by one gesture, such as dragging a
+//! A document is small, so a step stores the whole previous document with its text. Changes by one gesture, such as dragging a
 //! slider, are one step. A move of the eye is not a step: after undoing a cut, its effect must stay in view.
 
 use std::sync::Arc;
@@ -22,7 +22,7 @@ pub struct History {
 }
 
 impl History {
-    /// Stores a document that is about to be changed, unless the change continues a gesture.
+    /// Stores a document before it is changed, unless the change continues a gesture.
     pub fn keep(&mut self, before: &Document, gesture: Option<Gesture>) {
         let goes_on = gesture.is_some() && gesture == self.gesture;
         self.gesture = gesture;
@@ -41,7 +41,7 @@ impl History {
         self.gesture = None;
     }
 
-    /// The document before this one.
+    /// Goes one step back, and returns the earlier document.
     pub fn undo(&mut self, present: &Document) -> Option<Arc<Document>> {
         self.gesture = None;
         let before = self.past.pop()?;
@@ -49,7 +49,7 @@ impl History {
         Some(before)
     }
 
-    /// The document that was undone.
+    /// Goes one step forward, and returns the document whose change was undone.
     pub fn redo(&mut self, present: &Document) -> Option<Arc<Document>> {
         self.gesture = None;
         let after = self.future.pop()?;
@@ -57,12 +57,12 @@ impl History {
         Some(after)
     }
 
-    /// Availability of an undo step and of a redo step.
+    /// Whether there is a step to undo, and whether there is a step to redo.
     pub fn reaches(&self) -> [bool; 2] {
         [&self.past, &self.future].map(|steps| !steps.is_empty())
     }
 
-    /// Clears all steps, for another document.
+    /// Clears all steps, before another document is opened.
     pub fn clear(&mut self) {
         *self = Self::default();
     }

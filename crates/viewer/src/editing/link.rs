@@ -1,9 +1,9 @@
-//! A scene as a URL fragment: its document, deflated, in URL-safe characters.
+//! Encodes a scene as a URL fragment: its document, compressed by DEFLATE and written in URL-safe Base64.
 //!
 //! A fragment is never sent to a server. It contains the document, but not the files that it names. The recipient
 //! would need these files as well, so there is no link for a scene with files.
 //!
-//! A scene with a few cuts takes 200 to 600 characters. Cannot: hold more than a megabyte of text.
+//! A scene with a few cuts takes 200 to 600 characters. Cannot: encode more than a megabyte of scene text.
 
 use std::io::{Read, Write};
 
@@ -15,23 +15,23 @@ use flate2::Compression;
 use flate2::read::DeflateDecoder;
 use flate2::write::DeflateEncoder;
 
-/// Prefix of the scene in a fragment; identifies the encoding.
+/// Text before the scene in a fragment; it identifies the encoding.
 const KEY: &str = "scene=";
 
-/// Maximum size of the unpacked text: more is not a scene but an attack.
+/// Maximum size of the decompressed text: a longer one is not a scene but an attack.
 const MOST_BYTES: u64 = 1 << 20;
 
 /// The URL fragment for a document.
 ///
 /// # Errors
 ///
-/// A document that names files.
+/// The document names files, or its text is too long.
 pub fn fragment(document: &Document) -> Result<String> {
     let files = document.files(&cutaway_io::load::Memory::default());
     if let Some(file) = files.first() {
         return Err(Error::input(
             "the link",
-            format!("it holds the scene, and not {}", file.display()),
+            format!("it contains the scene, but not the file {}", file.display()),
             "save the scene and pass it on together with its files",
         ));
     }
@@ -53,7 +53,7 @@ pub fn fragment(document: &Document) -> Result<String> {
 ///
 /// # Errors
 ///
-/// A damaged scene.
+/// The scene is damaged or too long.
 pub fn document(fragment: &str) -> Result<Option<Document>> {
     let fragment = fragment.trim_start_matches('#');
     let Some(packed) = fragment.strip_prefix(KEY) else {
@@ -74,7 +74,7 @@ fn unreadable(why: &str) -> Error {
     Error::input(
         "the link",
         format!("its scene cannot be read: {why}"),
-        "copy the whole of the link again",
+        "copy the whole link again",
     )
 }
 

@@ -1,5 +1,5 @@
-//! The parts of a document: list entries, and visibility. A part has several solids if its file does:
-//! [`Timeline::names_of`](cutaway_io::document::Timeline::names_of) has their names.
+//! The parts of a document: list entries, and visibility. A part has as many solids as its file contains;
+//! [`Timeline::names_of`](cutaway_io::document::Timeline::names_of) returns the names of the solids.
 
 use cutaway::Result;
 use cutaway_io::Document;
@@ -10,7 +10,7 @@ use cutaway_io::document::{Node, Value};
 pub struct PartEntry {
     /// Name of the part, or its default name.
     pub name: String,
-    /// True if it is enabled before animation.
+    /// True if the part is enabled, before animation.
     pub is_enabled: bool,
 }
 
@@ -30,7 +30,7 @@ pub fn name(index: usize, entry: &Node) -> String {
     name.unwrap_or_else(|| index.to_string())
 }
 
-/// Shows or hides a part. A part shown again is as it was before.
+/// Shows or hides a part. Hiding a part and showing it again restores the document.
 ///
 /// # Errors
 ///
@@ -38,7 +38,7 @@ pub fn name(index: usize, entry: &Node) -> String {
 pub fn show(document: &mut Document, index: usize, is_shown: bool) -> Result<()> {
     let path = format!("part.{index}.enabled");
     document.get(&format!("part.{index}"))?;
-    // A value moved by keys has to stay in the file.
+    // A value that keys animate has to stay in the file.
     let entry = format!("part.{}", parts(document)[index].name);
     let targets = [path.clone(), format!("{entry}.enabled")];
     let keys = document.root().get("key").map_or(&[] as &[_], Node::items);

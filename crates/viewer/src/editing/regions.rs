@@ -1,6 +1,6 @@
-//! Boxes and wedges of a cut, and moves of their faces.
+//! The boxes and wedges of a cut, and how their faces are moved.
 //!
-//! A moved face keeps its notation in the document: percent stays percent, a centre and a size stay so. Coordinates are in
+//! A moved face keeps its notation in the document: percentages remain percentages, a centre and a size remain so. Coordinates are in
 //! world space, and percentages refer to the model's bounding box.
 
 use cutaway::scene::{Amount, Block, Bounds, Wedge, next_axis, to_decimals};
@@ -9,13 +9,13 @@ use cutaway_io::Document;
 use cutaway_io::document::{Node, Value};
 use glam::DVec3;
 
-/// Decimals of percentages after a move.
+/// Number of decimals to which a move rounds percentages.
 const PERCENT_DECIMALS: i32 = 3;
 
-/// Lengths are rounded to this share of the model.
+/// Lengths are rounded to this fraction of the model's size.
 const FINEST_SHARE: f64 = 1e-6;
 
-/// Decimals of angles after a move.
+/// Number of decimals to which a move rounds angles in degrees.
 const DEGREE_DECIMALS: i32 = 2;
 
 /// A region of a cut, and its path in the document.
@@ -62,7 +62,7 @@ pub enum RegionMove {
     },
 }
 
-/// The boxes of a cut, then its wedges; without those not given as numbers in the document.
+/// The boxes of a cut, then its wedges. Regions that the document does not give as numbers are left out.
 pub fn regions(document: &Document, cut: usize, bounds: &Bounds) -> Vec<Region> {
     let each = |key: &str| -> Vec<(String, Node)> {
         let path = format!("cut.{cut}.{key}");
@@ -136,7 +136,7 @@ fn wedge(node: &Node, bounds: &Bounds) -> Option<Wedge> {
 ///
 /// # Errors
 ///
-/// A region that does not exist, or of another kind.
+/// The region does not exist, or is of another kind.
 pub fn move_region(
     document: &mut Document,
     cut: usize,
@@ -175,7 +175,7 @@ fn none(kind: &str) -> Error {
     Error::input(
         "the cut",
         format!("it has no such {kind}"),
-        "select another cut, or change it by its numbers",
+        "select another cut, or edit the numbers of this one",
     )
 }
 
@@ -209,7 +209,7 @@ fn move_face(
             document.set(&format!("{path}.centre"), centre.to_vec())?;
         }
     }
-    // A size is treated as a coordinate from 0.
+    // A size is written like a coordinate in a range that begins at 0.
     let long = |held: Option<Amount>| placed(held, max - min, [0.0, most - least]);
     match &size.value {
         Value::List(list) => {
@@ -224,7 +224,7 @@ fn move_face(
     }
 }
 
-/// A coordinate in the notation of the previous value: in percent of a range, or in units.
+/// A coordinate in the previous value's notation: as a percentage of a range, or in units.
 fn placed(held: Option<Amount>, to: f64, [least, most]: [f64; 2]) -> Value {
     match held {
         Some(Amount::Percent(_)) if most > least => {

@@ -1,5 +1,5 @@
-//! Removal of values from a document, together with tables and lists left empty: the document's tree keeps empty ones but its text does
-//! not, so a scene with all changes undone would count as changed.
+//! Removes values from a document, and the tables and lists left empty by this. The document's tree keeps empty tables but its text does
+//! not, so a scene whose changes were all undone would otherwise count as changed.
 //!
 //! Cost: one check per table on the path to the value.
 
@@ -7,7 +7,7 @@ use cutaway::Result;
 use cutaway_io::Document;
 use cutaway_io::document::{Node, Value};
 
-/// Removes a value, with the containers that are then empty and have no meaning by themselves.
+/// Removes a value, and then the containers that became empty, unless an empty container has a meaning.
 ///
 /// # Errors
 ///
@@ -18,7 +18,7 @@ pub fn take_out(document: &mut Document, path: &str) -> Result<()> {
     while let Some((group, _)) = path.rsplit_once('.')
         && document.get(group).ok().and_then(count) == Some(0)
     {
-        // An empty cutout table and an empty list entry still have a meaning.
+        // An empty cutout table and an empty list entry have a meaning, so they stay.
         let is_entry = group.starts_with("part.") && group.matches('.').count() == 1;
         if is_entry || group.starts_with("cut.") {
             break;

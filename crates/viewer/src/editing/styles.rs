@@ -1,6 +1,6 @@
-//! The numbers of a style by path, and changes to them in a document.
+//! The values of a style, by path, and how a document changes them.
 //!
-//! A document names a style, or has a table with a base and changes to it. The first change turns the name into a table; when the last is
+//! A document names a style, or has a table with a base style and changes. The first change turns the name into a table; once all are
 //! reset, the plain name returns.
 
 use cutaway::Result;
@@ -10,8 +10,8 @@ use cutaway_io::document::{Node, Value, paths};
 
 use crate::editing::removal;
 
-/// Values of a style by document path, such as `style.strokes.cut`. One colour for all parts excludes the lightness of their
-/// hues: only the one in effect is listed. Lines without a colour of their own have that of the ink.
+/// Values of a style by document path, such as `style.strokes.cut`. A single colour for all parts and the lightness of their hues
+/// exclude each other: only the one in effect is listed. Lines without a colour of their own are listed with the ink's colour.
 pub fn values(style: &Style) -> Vec<(String, Value)> {
     let mut style = *style;
     style.hatch.color.get_or_insert(style.ink);

@@ -1,11 +1,11 @@
 //! The keys of a document as rows of a timeline, and changes to them.
 //!
-//! A row has one target, and a time and a value per key. An animated value is in the document twice: as the target's rest value,
-//! and in the keys. The [pose] of a document has the values at a time in place of the rest values; a manual change
-//! to these goes [into the keys](keep) of that time.
+//! A row has one target, with a time and a value for each key. An animated value is in the document twice: as the target's rest value,
+//! and in the keys. The [pose] of a document has the values at one time in place of the rest values; a manual change
+//! to a pose is stored [in the keys](keep) at that time.
 //!
-//! Cannot: key values in percent, because keys hold numbers; values are converted to units before they are keyed. Nor key an entry of a
-//! list if both its name and its number are names of other entries.
+//! Cannot: key percentages, because keys are numbers (percentages are converted to units before they are keyed); or key an entry of a
+//! list whose name and number are both names of other entries.
 
 mod address;
 mod chosen;
@@ -93,7 +93,7 @@ pub fn add(document: &mut Document, target: &str, time_s: f64, value: Value) -> 
     document.set(&format!("key.{index}.values"), values)
 }
 
-/// Moves a key to another time, between its neighbours.
+/// Moves a key to another time. The time is limited so that the key stays between its neighbours.
 ///
 /// # Errors
 ///
@@ -113,7 +113,7 @@ pub fn move_key(document: &mut Document, [track, key]: [usize; 2], to_s: f64) ->
     document.set(&format!("key.{track}.times_s.{key}"), to_s)
 }
 
-/// Removes a key, and its row with the last key.
+/// Removes a key. If it was the row's last key, the row is removed too.
 ///
 /// # Errors
 ///
@@ -156,7 +156,7 @@ fn found(document: &Document, [track, key]: [usize; 2]) -> Result<TimelineTrack>
     })
 }
 
-/// Replaces rest values by the values at a time.
+/// Replaces rest values by the keys' values at a time.
 ///
 /// # Errors
 ///
@@ -174,7 +174,7 @@ pub fn pose<'a>(
     Ok(())
 }
 
-/// Moves the changes to a pose into the keys of its time, and restores the rest values.
+/// Stores the changes to a pose in the keys at its time, and restores the rest values.
 ///
 /// # Errors
 ///
@@ -199,7 +199,7 @@ pub fn keep<'a>(
     Ok(())
 }
 
-/// The same value with other numbers.
+/// A value of the same structure, with its numbers taken from `numbers` in order.
 fn filled(held: &Value, numbers: &mut impl Iterator<Item = f64>) -> Value {
     match held {
         Value::List(list) => {

@@ -1,6 +1,6 @@
-//! State of the judge: a session on a device of its own, and the references of the present scene.
+//! State of the judge: a session on its own device, and the exact references of the present scene.
 //!
-//! A lost device is replaced by another one of the same adapter, and the interrupted work is repeated.
+//! If the device is lost, another one is opened on the same adapter, and the interrupted work is repeated.
 
 use std::sync::Arc;
 
@@ -22,7 +22,7 @@ const MOST_REFERENCES: usize = DIVISORS.len();
 pub(super) struct JudgeContext {
     adapter: Option<String>,
     session: Option<(Session, DeviceLoss)>,
-    /// References for one scene and viewpoint, the last requested one at the end.
+    /// References for one scene and viewpoint; the most recently requested one is the last.
     references: Vec<PictureReference>,
 }
 
@@ -30,7 +30,7 @@ pub(super) struct JudgeContext {
 struct PictureReference {
     subject: Subject,
     exact: Arc<Exact>,
-    /// The reference's shaded picture, with its scene.
+    /// The reference's shaded picture, and the scene that it shows.
     picture: Option<(Arc<SceneAtTime>, Arc<RgbaImage>)>,
 }
 
@@ -65,7 +65,7 @@ impl JudgeContext {
         Ok(session)
     }
 
-    /// Does some work, and repeats it on another device if the session's device is lost.
+    /// Runs `work`, and runs it again on another device if the session's device is lost.
     pub(super) async fn retried<T>(&mut self, mut work: impl AsyncFnMut(&mut Self) -> T) -> T {
         let done = work(self).await;
         if !self.has_lost_device() {
@@ -106,7 +106,7 @@ impl JudgeContext {
     /// Shaded picture of the reference.
     pub(super) async fn exact_picture(&mut self, subject: &Subject) -> Result<Arc<RgbaImage>> {
         let exact = self.exact(subject)?;
-        // The last entry is the reference just requested.
+        // `exact` has put the requested reference last.
         let kept = (self.references.last()).and_then(|r| r.picture.as_ref());
         if let Some((_, picture)) = kept.filter(|(at, _)| Arc::ptr_eq(at, &subject.at)) {
             return Ok(picture.clone());

@@ -1,6 +1,6 @@
-//! Cost of a slot's frame: its passes with their clocks, times and bytes written.
+//! Cost of a slot's frame: the clock, time and bytes written of each of its passes.
 //!
-//! The window's own frames are recorded into egui's encoder and not timed; the judge draws the same frame on its own device, running all
+//! The window's own frames are recorded into egui's encoder and not timed. The judge redraws the same frame on its own device, running all
 //! its clocks again.
 
 use cutaway::Result;
@@ -17,7 +17,7 @@ use crate::picture::slot::SlotSide;
 /// Number of timed runs of a frame.
 const RUNS: usize = 3;
 
-/// A question.
+/// A question about the cost of frames.
 #[derive(Clone, Debug)]
 pub struct CostQuestion {
     /// Id of the question, repeated in answers.
@@ -36,7 +36,7 @@ impl CostQuestion {
     }
 }
 
-/// Cost of a frame.
+/// Cost of one frame.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cost {
     /// Passes and CPU steps of the frame, in order.
@@ -45,16 +45,16 @@ pub struct Cost {
     pub bytes: PerClock<u64>,
     /// Bytes of the scene itself, over all clocks.
     pub scene_bytes: u64,
-    /// True if times are device time; otherwise wall-clock time, with a wait after each pass.
+    /// True if times are device time; false if they are wall-clock time, with a wait for the device after each pass.
     pub is_device_time: bool,
-    /// Number of row bands of the frame; passes and scene bytes are those of the first band.
+    /// Number of row bands in which the frame is drawn; `passes` and `scene_bytes` describe the first band.
     pub bands: usize,
 }
 
 /// Cost of a pass.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PassCost {
-    /// Its name.
+    /// Name of the pass.
     pub name: String,
     /// Clock on which it runs.
     pub clock: Clock,
@@ -62,7 +62,7 @@ pub struct PassCost {
     pub reason: String,
     /// Time in milliseconds: the minimum of a few runs.
     pub time_ms: f64,
-    /// Bytes of the resources that it writes; for a CPU step, bytes uploaded.
+    /// Bytes of the resources that the pass writes; for a CPU step, the bytes uploaded.
     pub bytes: u64,
 }
 

@@ -1,4 +1,4 @@
-//! Errors of the slots against the reference, at increasing resolution, and the layers of slots drawn on the CPU.
+//! Compares the slots with the reference at increasing resolution, and computes the layers of slots drawn on the CPU.
 
 use cutaway::Result;
 use cutaway_lab::compare::{compare, heatmap_overlay};

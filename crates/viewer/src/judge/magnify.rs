@@ -1,7 +1,7 @@
-//! A pixel and its neighbourhood in each slot and in the reference, with one sample per pixel, and the list of all crossings of its ray.
+//! Magnifies a pixel: its neighbourhood in each slot and in the reference, at one sample per pixel, and all crossings of its ray.
 //!
-//! Cost: a frame of each slot unless it was the last one, with full readback; the reference at full resolution unless it is kept;
-//! one projection of the meshes for the list.
+//! Cost: one frame with full readback per slot, unless it was the last frame drawn; the reference at full resolution, unless it is kept;
+//! and one projection of all meshes for the list of crossings.
 
 use std::borrow::Cow;
 
@@ -19,7 +19,7 @@ use crate::picture::slot::SlotSide;
 /// Width and height of a neighbourhood, in pixels; the queried pixel is in the middle.
 pub const SIDE_PX: u32 = 15;
 
-/// A question.
+/// A question about a pixel.
 #[derive(Clone, Debug)]
 pub struct MagnifyQuestion {
     /// Id of the question, repeated in the answer.
@@ -41,7 +41,7 @@ pub struct Magnified {
     pub neighbourhoods: Vec<Neighbourhood>,
     /// All crossings of the pixel's ray, in order.
     pub depths: Vec<DepthRow>,
-    /// True if sampling is ambiguous at the pixel, so that no result counts as wrong.
+    /// True if the reference cannot decide the pixel, so that no result counts as wrong.
     pub is_undecided: bool,
 }
 
@@ -64,11 +64,11 @@ pub struct Neighbourhood {
 pub struct DepthRow {
     /// Distance from the eye along the viewing direction, in units of the model.
     pub depth: f64,
-    /// What is crossed: the part, the cut or the cutter.
+    /// The part, cut or cutter that is crossed.
     pub what: String,
-    /// Direction in which the ray crosses it.
+    /// Direction of the crossing, in words.
     pub way: Cow<'static, str>,
-    /// True if the remaining solid of some part begins or ends there.
+    /// True if the ray enters or leaves what the cuts keep of some part there.
     pub is_kept: bool,
     /// True for the crossing visible in the reference.
     pub is_seen: bool,
@@ -118,7 +118,7 @@ pub(super) async fn answer(
     })
 }
 
-/// Neighbourhood and layer of a pixel as drawn by a renderer; or the reason why it draws nothing.
+/// Neighbourhood and layer of a pixel as a renderer draws it; or the reason why the renderer draws nothing.
 async fn shown_by(
     context: &mut JudgeContext,
     subject: &Subject,
@@ -201,7 +201,7 @@ fn part_name(part: usize, prepared: &Prepared) -> String {
     named.map(|p| p.name.clone()).unwrap_or_default()
 }
 
-/// The cut that a clip-surface belongs to, with its number where there are several, or the name of the cutter.
+/// Name of the cut to which a clip-surface belongs, with the surface's number if the cut has several, or the cutter's name.
 fn surface_name(surface: usize, prepared: &Prepared) -> String {
     let Some(placed) = prepared.surfaces.get(surface) else {
         return String::new();

@@ -24,17 +24,17 @@ pub(super) struct QuestionMessage {
     pub(super) about: QuestionKind,
 }
 
-/// Subject of a question.
+/// What a question is about.
 #[derive(Clone, Copy, Serialize, Deserialize)]
 pub(super) enum QuestionKind {
-    /// The slots; true if their errors are requested.
+    /// The pictures in the slots; `wants_errors` also requests their errors.
     Slots { wants_errors: bool },
     /// A pixel.
     Pixel([u32; 2]),
 }
 
 impl QuestionKind {
-    /// Index of the kind of question, in the order in which they are answered: the newest of each kind is answered.
+    /// Index of the kind of question. Lower kinds are answered first, and of each kind only the newest question.
     pub(super) fn kind(self) -> usize {
         match self {
             Self::Pixel(_) => 0,
@@ -64,7 +64,7 @@ impl QuestionMessage {
         self.renderers.each_ref().map(renderer)
     }
 
-    /// Replies of the worker if it has no answer.
+    /// Replies that the worker sends if it cannot answer, with the reason.
     pub(super) fn unanswered(&self, why: &str) -> Vec<Reply> {
         match self.about {
             QuestionKind::Slots { .. } => failed(self.id, why).map(Reply::Answer).into(),
@@ -119,7 +119,7 @@ struct NeighbourhoodMessage {
     is_b: Option<bool>,
     name: String,
     says: String,
-    /// Reason why there is no picture; a picture is in the separate bytes.
+    /// Reason why there is no picture. If there is one, it is in the separate bytes.
     refused: Option<String>,
 }
 

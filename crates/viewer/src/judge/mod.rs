@@ -1,14 +1,14 @@
-//! Comparisons with the reference, outside the window, which never waits for them: on a thread with its own device, or in a
-//! web worker, which has its own device too.
+//! Compares pictures with the exact reference in the background, so that the window never waits: on a thread with its own device, or in a
+//! web worker with its own device.
 //!
-//! Only the newest question of each kind is answered: the errors of the slots, a [magnified](magnify) pixel, the [cost] of a
-//! frame, a [survey] of all methods. Errors are computed at a quarter, a half and then the full resolution, so that the first
-//! answer comes during a drag; a newer question ends the previous one between two steps.
+//! Of each kind of question only the newest is answered. The kinds are: the slots' errors, a [magnified](magnify) pixel, the [cost] of a
+//! frame, and a [survey] of all methods. Errors are computed at a quarter, a half and then the full resolution, so that the first
+//! answer comes during a drag. A newer question ends work on the previous one between two steps.
 //!
-//! The reference of the present scene is kept at each of these resolutions, 53 bytes per pixel of the picture, so that neither a click nor
-//! another method evaluates it again.
+//! The present scene's reference is kept at each of these resolutions, at 53 bytes per pixel, so that neither a click nor
+//! a change of method evaluates it again.
 //!
-//! Cannot: stop in the middle of a step; measure costs and times in a browser, whose clocks are coarse.
+//! Cannot: stop within a step; measure costs and times in a browser, whose timers are too coarse.
 
 #![cfg_attr(
     target_arch = "wasm32",
@@ -49,7 +49,7 @@ pub use worker::Judge;
 /// Picture that a question is about.
 #[derive(Clone, Debug)]
 pub struct Subject {
-    /// Changes whenever solids, cuts or the eye may have changed.
+    /// Revision number that changes whenever solids, cuts or the eye may have changed.
     pub revision: u64,
     /// The scene.
     pub at: Arc<SceneAtTime>,
@@ -60,7 +60,7 @@ pub struct Subject {
 }
 
 impl Subject {
-    /// The picture displayed by a state, if any.
+    /// The picture that a state displays; `None` if it has no scene.
     pub fn of(state: &State, size_px: [u32; 2]) -> Option<Self> {
         let shown = state.shown()?;
         Some(Self {
@@ -77,7 +77,7 @@ impl Subject {
         prepared.view_of(&self.camera, self.size_px)
     }
 
-    /// Returns true if all rays have the same hits in both pictures, regardless of style.
+    /// Returns true if both pictures have the same rays with the same hits; their styles may differ.
     pub fn has_the_rays_of(&self, other: &Self) -> bool {
         let scale = |subject: &Self| subject.at.model.prepared.scale;
         self.revision == other.revision
@@ -95,7 +95,7 @@ pub struct ErrorQuestion {
     pub subject: Subject,
     /// Renderers of the slots; `None` for a slot that is not visible.
     pub renderers: [Option<Renderer>; 2],
-    /// True if errors are requested, not only the layers of slots drawn on the CPU.
+    /// True to compute errors; false to compute only the layers of slots drawn on the CPU.
     pub wants_errors: bool,
 }
 
@@ -106,29 +106,29 @@ pub struct Answer {
     pub id: u64,
     /// The slot concerned.
     pub side: SlotSide,
-    /// Resolution divisor relative to the picture.
+    /// Divisor of the picture's resolution at which the answer was computed.
     pub divisor: u32,
     /// Content of the answer.
     pub what: Content,
 }
 
-/// Known results of a slot.
+/// Result for a slot.
 #[derive(Debug)]
 pub enum Content {
     /// Layers of a slot drawn on the CPU.
     Layers(Layers),
     /// Errors of a slot drawn by a method.
     Errors {
-        /// Error marks: transparent for correct pixels.
+        /// Image of error marks, transparent at correct pixels.
         marks: RgbaImage,
-        /// The counts.
+        /// Counts of wrong pixels, by kind.
         comparison: Comparison,
     },
     /// The method refuses the scene, or something failed.
     Failed(String),
 }
 
-/// Answers for both slots that report a failure, with the reason.
+/// Answers that report the same failure for both slots.
 fn failed(id: u64, why: &str) -> [Answer; 2] {
     SlotSide::BOTH.map(|side| Answer {
         id,
@@ -141,11 +141,11 @@ fn failed(id: u64, why: &str) -> [Answer; 2] {
 /// A result other than errors.
 #[derive(Debug)]
 pub enum JudgeFinding {
-    /// The neighbourhood of a pixel, by the number of the question.
+    /// The id of the question, and the magnified pixel.
     Magnified(u64, Result<Magnified, String>),
-    /// The cost of a frame of a slot, by the number of the question.
+    /// The id of the question, the slot, and the cost of its frame.
     Cost(u64, SlotSide, Result<Cost, String>),
-    /// A step of a survey, by the number of the question.
+    /// The id of the question, and the result for one method of a survey.
     Surveyed(u64, Surveyed),
 }
 

@@ -1,9 +1,9 @@
-//! Error and time of every method on one picture, method by method.
+//! Measures the error and the time of every method on one picture, one method at a time.
 //!
-//! A method draws the picture until its buffers are large enough, is compared with the reference, runs once more unmeasured, and then a few
-//! times for its time: the median time of the frame clock's passes. Its device memory is released before the next method.
+//! A method draws the picture until its buffers are large enough, is compared with the reference, runs once unmeasured, and then runs a few
+//! measured frames. Its time is the median, over these, of the frame clock's passes. Its device memory is released before the next method.
 //!
-//! Cannot: interleave the timed frames of all methods, as `cutaway compare` does, so other load on the machine affects the times.
+//! Cannot: interleave the methods' timed frames, as `cutaway compare` does; other load on the machine can therefore bias the comparison.
 
 use std::sync::Arc;
 
@@ -24,10 +24,10 @@ const MOST_FRAMES: usize = 7;
 /// Minimum number of frames measured per method, however long they take.
 const FEWEST_FRAMES: usize = 3;
 
-/// Time after which no further frame is begun.
+/// Total measuring time per method after which no further frame is begun, once there are enough.
 const LONG_ENOUGH_MS: f64 = 1000.0;
 
-/// A question.
+/// A request for a survey.
 #[derive(Clone, Debug)]
 pub struct SurveyQuestion {
     /// Id of the question, repeated in answers.
@@ -39,9 +39,9 @@ pub struct SurveyQuestion {
 /// Result for a method.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Surveyed {
-    /// Number of methods.
+    /// Number of methods in the survey.
     pub total: usize,
-    /// The method.
+    /// The method measured.
     pub method: Method,
     /// The result.
     pub found: Found,
@@ -61,11 +61,11 @@ pub enum Found {
 pub struct SurveyPoint {
     /// Time of the passes of the frame clock, in milliseconds: the median.
     pub time_ms: f64,
-    /// True if that is device time; otherwise wall-clock time.
+    /// True if `time_ms` is device time; false if it is wall-clock time.
     pub is_device_time: bool,
-    /// Number of wrong pixels among those that the reference decides.
+    /// Number of wrong pixels, counting only pixels that the reference decides.
     pub wrong_px: usize,
-    /// Number of these that the method does not mark as unreliable.
+    /// Number of wrong pixels that the method does not mark as unreliable.
     pub unmarked_px: usize,
     /// Name of the bounded buffer that was too small, if one was.
     pub overflow: Option<String>,
@@ -90,17 +90,17 @@ impl Survey {
         }
     }
 
-    /// Id of its question.
+    /// Id of the survey's question.
     pub(super) fn id(&self) -> u64 {
         self.question.id
     }
 
-    /// Returns true if all methods are done.
+    /// Returns true if all methods were measured.
     pub(super) fn is_done(&self) -> bool {
         self.done == self.methods.len()
     }
 
-    /// Takes the next method, which must exist.
+    /// Begins the next step, and returns its method; [`Self::is_done`] must be false.
     pub(super) fn begin_step(&mut self) -> Method {
         let method = self.methods[self.done];
         self.done += 1;
@@ -137,7 +137,7 @@ impl Survey {
     }
 }
 
-/// Every strategy with every rasteriser that draws it.
+/// Every combination of a strategy and a rasteriser that can draw it.
 pub fn methods() -> Vec<Method> {
     let by_each = |strategy: Strategy| {
         let by_compute = Method::new(strategy, DrawOptions::by(Rasteriser::Compute));

@@ -1,7 +1,7 @@
 //! A thread that answers questions on its own device. A survey takes its next step only when no other question waits. The thread leaves a
 //! core free for the window.
 //!
-//! A panic becomes the answer to its question. The next question starts without the unfinished state.
+//! A panic is reported as the answer to its question, and all kept state is rebuilt for the next question.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::mpsc::{Receiver, Sender, channel};
@@ -16,7 +16,7 @@ use super::{Answer, AnswerSink, ErrorQuestion, JudgeFinding, cost, errors, faile
 use crate::beside::beside;
 use crate::state::State;
 
-/// The newest question of each kind: a question not yet begun is replaced by the next one.
+/// Holds the newest question of each kind: a new question replaces one that was not yet begun.
 #[derive(Default)]
 struct Mailbox {
     pending: Mutex<PendingQuestions>,
@@ -30,7 +30,7 @@ struct PendingQuestions {
     pixel: Option<magnify::MagnifyQuestion>,
     cost: Option<cost::CostQuestion>,
     survey: Option<survey::SurveyQuestion>,
-    /// Id of the survey to continue.
+    /// Id of the survey in progress.
     surveyed: Option<u64>,
     /// True if the thread should end.
     is_over: bool,
@@ -67,17 +67,17 @@ impl Judge {
         }
     }
 
-    /// Requests errors; earlier questions about errors are dropped.
+    /// Requests the errors of the slots, and drops earlier questions about errors.
     pub fn ask(&self, _: &State, question: ErrorQuestion) {
         self.put(|pending| pending.errors = Some(question));
     }
 
-    /// Asks for the neighbourhood of a pixel.
+    /// Requests the neighbourhood of a pixel.
     pub fn magnify(&self, _: &State, question: magnify::MagnifyQuestion) {
         self.put(|pending| pending.pixel = Some(question));
     }
 
-    /// Asks for the cost of a frame.
+    /// Requests the cost of the slots' frames.
     pub fn cost(&self, question: cost::CostQuestion) {
         self.put(|pending| pending.cost = Some(question));
     }
@@ -95,12 +95,12 @@ impl Judge {
         self.put(|pending| (pending.survey, pending.surveyed) = (None, None));
     }
 
-    /// Answers since the last call.
+    /// Answers that arrived since the last call.
     pub fn answers(&self) -> impl Iterator<Item = Answer> + '_ {
         self.answers.try_iter()
     }
 
-    /// Findings since the last call.
+    /// Findings that arrived since the last call.
     pub fn findings(&self) -> impl Iterator<Item = JudgeFinding> + '_ {
         self.findings.try_iter()
     }
@@ -130,7 +130,7 @@ fn work(
     let mut context = JudgeContext::new(Some(adapter));
     let mut survey: Option<Survey> = None;
     let found = |finding| {
-        // It fails if the window is closed.
+        // Sending fails only after the window was closed, and is then ignored.
         let _ = findings.send(finding);
         wake();
     };
@@ -149,7 +149,7 @@ fn work(
                     Ok(is_done) => {
                         let mut held = lock(&mailbox.pending);
                         if !is_done && held.errors.is_none() {
-                            // A pixel question interrupted it; it restarts afterwards.
+                            // A question about a pixel interrupted this one, which starts again afterwards.
                             held.errors = Some(question);
                         }
                     }
@@ -193,7 +193,7 @@ fn work(
     }
 }
 
-/// An answer, or the error or panic that prevented it; after a panic all kept state is rebuilt.
+/// Returns an answer, or the error or panic that prevented it; after a panic all kept state is rebuilt.
 fn guarded<T>(
     context: &mut JudgeContext,
     answer: impl FnOnce(&mut JudgeContext) -> Result<T>,
@@ -222,7 +222,7 @@ struct ThreadSink<'a> {
 
 impl AnswerSink for ThreadSink<'_> {
     fn send(&self, answer: Answer) {
-        // As above.
+        // Sending fails only after the window was closed, and is then ignored.
         let _ = self.answers.send(answer);
         (self.wake)();
     }

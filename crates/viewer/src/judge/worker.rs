@@ -5,7 +5,7 @@
 //! worker  [reply, bytes]                         -> page
 //! ```
 //!
-//! The worker opens the document itself, and keeps files and the prepared scene between questions.
+//! The worker opens the document itself. It keeps files and the prepared scene from one question to the next.
 
 use std::cell::{Cell, RefCell};
 use std::path::PathBuf;
@@ -31,17 +31,17 @@ use crate::web::files::PageFiles;
 /// The script that starts this program as a worker.
 const SCRIPT: &str = "./judge.js";
 
-/// The worker, as the page sees it.
+/// The page's handle to the worker.
 pub struct Judge {
     worker: Option<Worker>,
     replies: Rc<RefCell<Replies>>,
-    /// True after a failure: no more answers follow.
+    /// True after the worker has failed: it sends no more answers.
     is_lost: Rc<Cell<bool>>,
-    /// Number of files sent to it.
+    /// Number of files sent to the worker so far.
     given: Cell<usize>,
     /// The last question of each kind.
     asked: Rc<RefCell<[Option<QuestionMessage>; 2]>>,
-    /// Handlers of its messages and of its failure.
+    /// Handlers for the worker's messages and for its failure.
     _on_message: Closure<dyn FnMut(MessageEvent)>,
     _on_error: Closure<dyn FnMut(Event)>,
 }
@@ -62,8 +62,8 @@ impl Replies {
     }
 }
 
-/// Error after a failure of the worker.
-const LOST: &str = "the worker that compares has failed: reload the page";
+/// Message for questions that the failed worker cannot answer.
+const LOST: &str = "the comparison worker has failed: reload the page";
 
 impl Judge {
     /// Starts the worker, on the browser's adapter; `wake` is called for every answer.
@@ -105,7 +105,7 @@ impl Judge {
         }
     }
 
-    /// Sends a question about the visible picture; earlier ones are dropped.
+    /// Sends a question about the visible picture; earlier questions of this kind are dropped.
     pub fn ask(&self, state: &State, question: ErrorQuestion) {
         let wants_errors = question.wants_errors;
         let kind = QuestionKind::Slots { wants_errors };
@@ -132,7 +132,7 @@ impl Judge {
     }
 
     fn try_send(&self, state: &State, question: &QuestionMessage) -> Result<(), String> {
-        let worker = (self.worker.as_ref()).ok_or("the browser started no worker to judge by")?;
+        let worker = (self.worker.as_ref()).ok_or("the browser started no comparison worker")?;
         if self.is_lost.get() {
             return Err(LOST.to_owned());
         }
@@ -151,28 +151,28 @@ impl Judge {
         let text = document.to_string();
         let message = Array::of4(&asked.into(), &text.into(), &path.into(), &further);
         let sent = worker.post_message(&message);
-        sent.map_err(|_| "the browser does not reach its worker".to_owned())?;
+        sent.map_err(|_| "the browser cannot send messages to the comparison worker".to_owned())?;
         self.given.set(given);
         Ok(())
     }
 
-    /// Answers since the last call.
+    /// Answers that arrived since the last call.
     pub fn answers(&self) -> impl Iterator<Item = Answer> + '_ {
         std::mem::take(&mut self.replies.borrow_mut().answers).into_iter()
     }
 
-    /// Findings since the last call.
+    /// Findings that arrived since the last call.
     pub fn findings(&self) -> impl Iterator<Item = JudgeFinding> + '_ {
         std::mem::take(&mut self.replies.borrow_mut().findings).into_iter()
     }
 
-    /// Not offered on a page, whose clocks are coarse.
+    /// Does nothing: a page offers no time measurements, because a browser's timers are too coarse.
     pub fn cost(&self, _: cost::CostQuestion) {}
 
-    /// Not offered on a page, whose clocks are coarse.
+    /// Does nothing: a page offers no time measurements, because a browser's timers are too coarse.
     pub fn survey(&self, _: survey::SurveyQuestion) {}
 
-    /// Not offered on a page.
+    /// Does nothing: a page offers no surveys.
     pub fn cancel_survey(&self) {}
 }
 
@@ -194,7 +194,7 @@ struct Received {
 struct WorkerMailbox {
     /// The newest unanswered question of each kind.
     pending: RefCell<[Option<Received>; 2]>,
-    /// State for answering; taken while a question is answered.
+    /// State for answering; `None` while a question is being answered.
     state: RefCell<Option<WorkerState>>,
     files: Arc<PageFiles>,
     /// True if files have arrived since the last check.
@@ -222,7 +222,7 @@ pub fn judge(message: &JsValue) {
     };
     let kind = received.asked.about.kind();
     mailbox.pending.borrow_mut()[kind] = Some(received);
-    // Without a state an answer is in progress, and the question is found afterwards.
+    // If the state is taken, an answer is in progress, and its task goes on with the new question.
     if let Some(state) = mailbox.state.take() {
         spawn_local(work(mailbox, state));
     }
@@ -294,7 +294,7 @@ async fn work(mailbox: Rc<WorkerMailbox>, mut state: WorkerState) {
                 let kind = asked.about.kind();
                 let mut pending = mailbox.pending.borrow_mut();
                 if !is_done && pending[kind].is_none() {
-                    // A pixel question interrupted it; it restarts afterwards.
+                    // A question about a pixel interrupted this one, which starts again afterwards.
                     pending[kind] = Some(received);
                 }
             }
@@ -316,7 +316,7 @@ async fn work(mailbox: Rc<WorkerMailbox>, mut state: WorkerState) {
     *mailbox.state.borrow_mut() = Some(state);
 }
 
-/// The prepared scene of a document, updated from the last scene if it differs.
+/// The prepared scene of a document; if the document differs from the last one, the last scene is updated.
 fn open<'a>(
     document: &Document,
     assets: &mut Assets,
@@ -365,7 +365,7 @@ struct PageSink<'a> {
 fn post(reply: Reply) {
     let worker: DedicatedWorkerGlobalScope = js_sys::global().unchecked_into();
     if let Some(message) = reply.into_message() {
-        // If the page is closed, there is no receiver left.
+        // Posting fails only if the page is closed, and is then ignored.
         let _ = worker.post_message(&message);
     }
 }
@@ -376,7 +376,7 @@ impl AnswerSink for PageSink<'_> {
     }
 
     async fn is_superseded(&self) -> bool {
-        // Messages arrive between tasks of the worker: this task ends here and continues in the next one.
+        // A worker receives messages only between its tasks, so this task ends here and continues in the next one.
         let next_task = Promise::new(&mut |resolve: Function, _| {
             let worker: DedicatedWorkerGlobalScope = js_sys::global().unchecked_into();
             let set = worker.set_timeout_with_callback(&resolve);
@@ -384,7 +384,7 @@ impl AnswerSink for PageSink<'_> {
                 let _ = resolve.call0(&JsValue::NULL);
             }
         });
-        // It never fails.
+        // This promise is never rejected.
         let _ = JsFuture::from(next_task).await;
         self.mailbox.pending.borrow().iter().any(Option::is_some)
     }

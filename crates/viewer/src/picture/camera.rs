@@ -1,7 +1,7 @@
 //! Interactive camera control.
 //!
-//! Moves change a [`Camera`], which is then written back in the document's notation: angles and a zoom for an orbit, a position and a
-//! focal point for a fixed eye. A viewpoint given otherwise, by a named view or `auto`, becomes an orbit.
+//! A move changes a [`Camera`], which is then written back in the document's notation: angles and a zoom for an orbit, a position and a
+//! focal point for a fixed eye. A viewpoint given by a named view or by `auto` becomes an orbit.
 //!
 //! Cannot: tilt the horizon.
 
@@ -13,28 +13,28 @@ use glam::{DVec2, DVec3};
 
 use crate::editing::timeline;
 
-/// Elevation limit below straight up and down, where the picture would spin.
+/// Limit of the elevation while orbiting. At 90 degrees, straight up or down, the picture would spin.
 const STEEPEST_DEG: f64 = 89.9;
 
 /// A move of the eye.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum CameraMove {
-    /// Around the model, in degrees: to the right, and up.
+    /// Orbits around the model by two angles in degrees: to the right, and up.
     Orbit(DVec2),
-    /// Along the picture plane, right and up, in picture heights.
+    /// Pans in the picture plane, to the right and up, in picture heights.
     Pan(DVec2),
-    /// Zoom by a factor about a point of the picture, which is given right and up from the middle, in picture heights.
+    /// Zooms by a factor about a point of the picture.
     Zoom {
         /// Factor; more than 1 magnifies.
         factor: f64,
-        /// Fixed point of the zoom.
+        /// Fixed point of the zoom: right and up from the picture's middle, in picture heights.
         about: DVec2,
     },
-    /// To a direction, by azimuth and elevation in degrees.
+    /// Moves to the direction with this azimuth and elevation, in degrees.
     Stand([f64; 2]),
     /// Fits the whole model into the view.
     Home,
-    /// Parallel or perspective projection.
+    /// Selects the projection: parallel if true, else perspective.
     Parallel(bool),
 }
 
@@ -90,7 +90,7 @@ fn is_finite(by: CameraMove) -> bool {
 /// Largest pan that documents allow.
 const FARTHEST_PAN: DVec2 = DVec2::splat(10.0);
 
-/// Moves the eye to a direction at its present distance.
+/// Moves the eye to a direction, and keeps its distance.
 fn turn(camera: &mut Camera, [azimuth_deg, elevation_deg]: [f64; 2]) {
     let azimuth_deg = (azimuth_deg + 180.0).rem_euclid(360.0) - 180.0;
     camera.viewpoint = match camera.viewpoint {
@@ -140,7 +140,7 @@ pub fn round(camera: &mut Camera) {
             focal_point,
             view_up,
         } => {
-            // A millionth of the eye's distance.
+            // Decimals for a millionth of the eye's distance.
             let count = 6 - (position - focal_point).length().log10().floor() as i32;
             Viewpoint::Explicit {
                 position: decimals(position, count),
@@ -165,7 +165,7 @@ pub fn round(camera: &mut Camera) {
 ///
 /// # Errors
 ///
-/// A document whose `camera` is not a table.
+/// The document's `camera` is not a table.
 pub fn write(camera: &Camera, document: &mut Document) -> Result<()> {
     match camera.viewpoint {
         Viewpoint::Explicit {
@@ -188,7 +188,7 @@ pub fn write(camera: &Camera, document: &mut Document) -> Result<()> {
             document.set("camera.elevation_deg", elevation)?;
         }
     }
-    // A default value needs no entry.
+    // Default values are not written.
     let (projection, fov_y_deg, height) = match camera.projection {
         Projection::Perspective { fov_y_deg } => (None, Some(fov_y_deg), None),
         Projection::Orthographic { height } => (Some("orthographic".into()), None, height),
@@ -214,7 +214,7 @@ pub fn write(camera: &Camera, document: &mut Document) -> Result<()> {
         let path = format!("camera.{key}");
         match value {
             Some(value) => document.set(&path, value)?,
-            // A value moved by keys has to be in the document.
+            // A value that keys animate has to be in the document.
             None if timeline::is_target(document, &path) => match key {
                 "zoom" => document.set(&path, camera.zoom)?,
                 "pan" => document.set(&path, camera.pan.to_array().to_vec())?,
@@ -239,7 +239,7 @@ mod tests {
             let content = |camera: &Camera| (about - camera.pan) / camera.zoom;
             let before = content(&camera);
             move_camera(&mut camera, CameraMove::Zoom { factor, about });
-            // At the limits of the range the picture is clamped instead.
+            // Near the limits of the zoom the picture is clamped, so this is not checked.
             if (2e-3..5e2).contains(&camera.zoom) {
                 assert!((content(&camera) - before).length() < 1e-12, "{factor}");
             }

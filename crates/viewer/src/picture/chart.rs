@@ -1,15 +1,15 @@
-//! Positions in a chart of error against time: both axes are logarithmic, and the error axis has a position for zero.
+//! Positions in a chart of error against time. Both axes are logarithmic; the error axis has an extra position for zero.
 
-/// Position of methods without wrong pixels: less than a decade below one wrong pixel.
+/// Position on the error axis for zero wrong pixels: half a decade below one wrong pixel.
 pub const NONE_WRONG: f64 = -0.5;
 
-/// Position of a time.
+/// Position of a time on the time axis.
 pub fn place_of_time(time_ms: f64) -> f64 {
-    // Nothing that runs takes less than a nanosecond.
+    // Times below a nanosecond are measured as zero, which has no logarithm.
     time_ms.max(1e-6).log10()
 }
 
-/// Position of a count of wrong pixels.
+/// Position of a number of wrong pixels on the error axis.
 pub fn place_of_wrong(wrong_px: usize) -> f64 {
     match wrong_px {
         0 => NONE_WRONG,
@@ -32,7 +32,7 @@ pub fn wrong_label(place: f64) -> String {
     }
 }
 
-/// One, two or five times a power of ten; nothing between these.
+/// The number at a position, if it is one, two or five times a power of ten; otherwise an empty text.
 fn number(place: f64) -> String {
     let power = (place + 1e-6).floor();
     let times = 10f64.powf(place - power);
@@ -43,7 +43,7 @@ fn number(place: f64) -> String {
     shown.flatten().map(|number| number.to_string()).collect()
 }
 
-/// Grid lines between two positions, each with its distance to the next of its kind: powers of ten, and two to nine times these.
+/// Grid lines between two positions, at one to nine times the powers of ten; each with a spacing that ranks it: 1, 0.3 or 0.1.
 pub fn lines(from: f64, to: f64) -> Vec<(f64, f64)> {
     let powers = from.floor() as i32..=to.ceil() as i32;
     let around = |power: i32| {
@@ -62,7 +62,7 @@ pub fn lines(from: f64, to: f64) -> Vec<(f64, f64)> {
         .collect()
 }
 
-/// Nearest labelled positions below the minimum and above the maximum of some positions.
+/// The nearest labelled position at or below `least`, and the nearest one at or above `greatest`.
 pub fn labels_around(least: f64, greatest: f64) -> [f64; 2] {
     let all = lines(least - 1.0, greatest + 1.0).into_iter();
     let labelled = all.filter_map(|(place, to_next)| (to_next > 0.2).then_some(place));
@@ -74,7 +74,7 @@ pub fn labels_around(least: f64, greatest: f64) -> [f64; 2] {
     ]
 }
 
-/// Grid lines of the error axis: none between zero and one wrong pixel.
+/// Grid lines of the error axis. There are none between zero and one wrong pixel.
 pub fn lines_of_wrong(from: f64, to: f64) -> Vec<(f64, f64)> {
     let none = (from..=to).contains(&NONE_WRONG);
     let none = none.then_some((NONE_WRONG, 1.0));

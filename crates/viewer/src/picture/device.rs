@@ -1,7 +1,7 @@
-//! The device shared by egui and sessions, and its loss: by a driver reset or update, a removed card, or a frame that
+//! The device that egui and sessions share. It can be lost by a driver reset or update, a removed card, or a frame that
 //! exceeds the system's time limit.
 //!
-//! A lost device and all its resources are unusable: everything has to be created on another device.
+//! After a loss the device and all its resources are unusable: everything has to be created again on another device.
 
 use std::sync::{Arc, OnceLock};
 
@@ -15,7 +15,7 @@ pub fn on_our_device(options: &mut WgpuConfiguration) {
     }
 }
 
-/// Shared flag that a device is lost, with the reason.
+/// Records that a device was lost, with the reason. Clones share the record.
 #[derive(Clone, Debug, Default)]
 pub struct DeviceLoss(Arc<OnceLock<String>>);
 
@@ -36,7 +36,7 @@ impl DeviceLoss {
         loss
     }
 
-    /// Reason for the loss, once it has happened.
+    /// Reason for the loss; `None` while the device is not lost.
     pub fn reason(&self) -> Option<&str> {
         self.0.get().map(String::as_str)
     }

@@ -1,4 +1,4 @@
-//! A full-screen pass that reads other pictures; its shader has the entry points `vertex` and `fragment`.
+//! A full-screen render pass that reads other pictures. Its shader has the entry points `vertex` and `fragment`.
 
 use cutaway::gpu::wgpu;
 
@@ -40,7 +40,7 @@ impl FullScreen {
         Self { pipeline }
     }
 
-    /// Runs the shader on some resources, bound in group 0 from binding 0.
+    /// Runs the shader. The resources are bound in group 0, in order from binding 0.
     pub fn encode<'a>(
         &self,
         device: &wgpu::Device,

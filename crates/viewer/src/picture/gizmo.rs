@@ -1,10 +1,10 @@
-//! The gizmo of the selected cut in the picture: outlines of the cut, and handles to drag.
+//! The selected cut's gizmo in the picture: outlines of the cut, and handles to drag.
 //!
-//! Everything here is geometry in pixels, computed from the view; the window paints and reads the pointer. A handle moves along a rail in
-//! space. A held handle stores its initial value and how far the pointer has moved it, so that a value that snaps or is clamped continues
-//! from the position of the pointer, and no intermediate value is rounded.
+//! This module computes geometry in pixels from the view; the window paints it and reads the pointer. A handle moves along a rail in
+//! space. During a drag it stores its initial value and how far the pointer has moved it, so that a snapped or clamped value continues
+//! from the pointer's position, and rounding errors do not accumulate.
 //!
-//! Cannot: drag a surface in the paper's form, which has to be edited as numbers.
+//! Cannot: drag a surface given in the paper's form (`u`, `v`); its numbers have to be edited.
 
 mod plane;
 mod rail;
@@ -20,10 +20,10 @@ use crate::editing::regions::{self, Region, RegionMove};
 use crate::picture::world_view::WorldView;
 use rail::Rail;
 
-/// Distance from a handle within which a pointer grabs it, in pixels.
+/// Maximum distance at which the pointer grabs a handle, in pixels.
 const NEAR_PX: f64 = 10.0;
 
-/// Factor on the motion of the pointer for fine dragging.
+/// Factor applied to the pointer's motion during fine dragging.
 const FINE: f64 = 0.1;
 
 /// Identity of a handle.
@@ -68,14 +68,14 @@ impl Grip {
     }
 }
 
-/// Map from the amount along a rail to the value of a handle.
+/// Linear map from the amount along a rail to the handle's value, with snapping and limits.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct RailScale {
     /// The value at amount 0.
     start: f64,
     /// Change of the value per unit of amount.
     unit: f64,
-    /// A value that it snaps to, and the step between such values.
+    /// One value to snap to, and the step between the values to snap to.
     snap: [f64; 2],
     /// The minimum and the maximum value.
     range: [f64; 2],
@@ -96,15 +96,15 @@ impl RailScale {
 /// A handle to drag.
 #[derive(Clone, Debug)]
 pub struct Handle {
-    /// Its identity.
+    /// Identity of the handle.
     pub grip: Grip,
-    /// The line that shows it, in pixels.
+    /// Polyline that shows the handle, in pixels.
     pub line: Vec<DVec2>,
-    /// The knob on it, in pixels.
+    /// Position of the handle's knob, in pixels; `None` if it has no knob.
     pub knob: Option<DVec2>,
     rail: Rail,
     scale: RailScale,
-    /// Normal of the plane, of length 1.
+    /// Unit normal of the plane.
     normal: DVec3,
 }
 
@@ -126,7 +126,7 @@ impl Default for Handle {
 }
 
 impl Handle {
-    /// Distance of a pointer, in pixels. A knob counts as nearer than a line.
+    /// Distance from the handle to a pointer, in pixels. A knob counts as nearer than a line.
     fn distance(&self, pointer: DVec2) -> f64 {
         let to_line = (self
             .line
@@ -151,7 +151,7 @@ impl Handle {
 pub struct Hold {
     /// The handle at the start of the drag.
     handle: Handle,
-    /// Amount along the rail moved since.
+    /// Amount along the rail since the start of the drag.
     amount: f64,
 }
 
@@ -161,7 +161,7 @@ impl Hold {
         self.handle.grip
     }
 
-    /// Action for a motion of the pointer by some pixels.
+    /// Continues the drag by a pointer motion in pixels, and returns the action for it.
     pub fn drag(&mut self, by_px: DVec2, view: &WorldView, is_fine: bool, snaps: bool) -> Action {
         let Handle {
             grip,
@@ -205,14 +205,14 @@ impl Hold {
 /// Gizmo of a cut in a picture.
 #[derive(Clone, Debug, Default)]
 pub struct Gizmo {
-    /// Lines that show it, in pixels.
+    /// Polylines that show the cut, in pixels.
     pub outlines: Vec<Vec<DVec2>>,
     /// Handles to drag.
     pub handles: Vec<Handle>,
 }
 
 impl Gizmo {
-    /// Creates the gizmo for a cut of a document, given the box of the model.
+    /// Creates the gizmo for a cut of a document, given the model's bounding box.
     pub fn of(
         document: &Document,
         cut: usize,
@@ -256,7 +256,7 @@ impl Gizmo {
         self.handles.iter().find(|h| h.grip == grip)
     }
 
-    /// Adds a line through some points, unless one of them is behind the eye.
+    /// Adds a polyline through the points, unless one of them is behind the eye.
     fn add_outline(&mut self, points: &[DVec3], is_closed: bool, view: &WorldView) {
         let line: Option<Vec<DVec2>> = points.iter().map(|p| view.project(*p)).collect();
         if let Some(mut line) = line.filter(|line| line.len() > 1) {
@@ -267,7 +267,7 @@ impl Gizmo {
         }
     }
 
-    /// Adds a handle with a knob and a range of its rail drawn as a polyline, unless it is behind the eye.
+    /// Adds a handle unless part of it is behind the eye. A polyline shows the range `shown` of its rail; `knob_at` is its knob's amount.
     fn add(
         &mut self,
         mut handle: Handle,
@@ -367,11 +367,11 @@ mod tests {
                 let handle = before.handle(grip).expect("a handle");
                 let at = handle.knob.unwrap_or(handle.line[0]);
                 assert_eq!(before.at(at).map(|h| h.grip), Some(grip), "{cut}");
-                // Along what is seen of the rail.
+                // Drag along the visible part of the rail.
                 let [a, b] = [handle.line[0], handle.line[handle.line.len() - 1]];
                 let by = (b - a).normalize() * 12.0;
                 let after = gizmo(&drag(cut, grip, by, (false, false)), &bounds);
-                // The arcs of a plane go with its frame, which stays upright: its arrow tells how far it turned.
+                // The arcs of a plane turn with its frame, which stays upright, so the arrow shows how far the plane turned.
                 let end = |gizmo: &Gizmo, grip| {
                     let handle = gizmo.handle(grip).expect("a handle");
                     handle.knob.unwrap_or(handle.line[0])

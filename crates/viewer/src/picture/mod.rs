@@ -1,4 +1,4 @@
-//! The picture of the window: the camera, the slots and their textures, and what is painted over them.
+//! The window's picture: the camera, the slots and their textures, and the gizmo and marks painted over them.
 
 pub mod camera;
 pub mod chart;

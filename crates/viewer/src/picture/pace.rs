@@ -1,7 +1,7 @@
 //! Adaptive resolution while something moves.
 //!
 //! While something moves, pictures are drawn at full, half, a quarter or an eighth of the resolution, as needed to stay within
-//! [`BUDGET_MS`]; after [`REST`] without motion at full resolution, and then sample by sample. The device reports when a frame is done.
+//! [`BUDGET_MS`]. After [`REST`] without motion follow the full resolution and then its samples. The device reports when a frame is done.
 
 use std::time::Duration;
 
@@ -13,7 +13,7 @@ pub const BUDGET_MS: f64 = 33.0;
 /// Time without motion before a full-resolution picture is drawn.
 pub const REST: Duration = Duration::from_millis(150);
 
-/// The largest divisor.
+/// The largest divisor of the resolution.
 const MOST_DIVISOR: u32 = 8;
 
 /// Resolution or sample of a frame.
@@ -45,8 +45,8 @@ impl Detail {
         }
     }
 
-    /// Next frame after the last one of the same scene: during motion, only a finer one; at rest the full-resolution picture, then its
-    /// samples, `per_side` along each side of a pixel.
+    /// The frame to draw after the `last` one of the same scene: in motion only a finer one; at rest the full-resolution picture, then its
+    /// samples, `per_side` along each side of a pixel. `None` if nothing is left to draw.
     pub fn next(last: Option<Self>, divisor: u32, is_moving: bool, per_side: u32) -> Option<Self> {
         let begun = |index| Sample { index, per_side };
         match last {
@@ -62,7 +62,7 @@ impl Detail {
     }
 }
 
-/// Controller of the resolution divisor.
+/// Chooses the resolution divisor from the times of earlier frames.
 #[derive(Clone, Copy, Debug)]
 pub struct Pace {
     moving: u32,
@@ -83,7 +83,7 @@ impl Pace {
     /// Records the time of a frame drawn with a divisor.
     pub fn learn(&mut self, divisor: u32, took_ms: f64) {
         if took_ms > BUDGET_MS {
-            // A frame of a quarter of the pixels takes no less than a quarter of the time.
+            // A frame with a quarter of the pixels takes at least a quarter of the time.
             let mut next = divisor * 2;
             let mut expected = took_ms / 4.0;
             while expected > BUDGET_MS {
@@ -112,7 +112,7 @@ mod tests {
         assert_eq!(drawn.len(), 5);
         assert_eq!(drawn[0], Detail::WHOLE);
         assert!(drawn[4].sample().is_some_and(Sample::is_last));
-        // What moves again is not drawn coarser as long as it is the same picture.
+        // When motion starts again, an unchanged picture is not redrawn more coarsely.
         assert_eq!(Detail::next(last, 4, true, 2), None);
         assert_eq!(Detail::next(None, 4, true, 2), Some(Detail::Coarse(4)));
         let coarse = Some(Detail::Coarse(4));
@@ -137,7 +137,7 @@ mod tests {
         assert_eq!(pace.divisor(true), 8, "no coarser than that");
         pace.learn(8, 5.0);
         assert_eq!(pace.divisor(true), 4);
-        // A picture at rest that takes long says nothing of finer ones while something moves.
+        // The time of a full-resolution frame at rest does not lower the divisor used during motion.
         pace.learn(1, 30.0);
         assert_eq!(pace.divisor(true), 4);
     }

@@ -13,7 +13,7 @@ pub struct Picked {
     pub kind: Kind,
     /// The visible part.
     pub part: String,
-    /// The cut that made the cap, if it is a cap.
+    /// Name of the cut that made the cap; `None` for a surface.
     pub cut: Option<String>,
     /// Distance from the eye along the viewing direction, in units of the model.
     pub depth: f64,
@@ -21,12 +21,12 @@ pub struct Picked {
     pub point: DVec3,
     /// Unit vector away from the solid.
     pub normal: DVec3,
-    /// True if the method marks the pixel as unreliable.
+    /// True if the rendering method marks the pixel as unreliable.
     pub is_unreliable: bool,
 }
 
 impl Picked {
-    /// Reads the layer of a pixel of a view; `None` for the background.
+    /// Describes the layer of a pixel of a view; `None` for the background.
     pub fn new(layer: &Layer, shown: &Shown, view: &View, at_px: [u32; 2]) -> Option<Self> {
         if layer.kind == Kind::Background {
             return None;

@@ -1,11 +1,11 @@
-//! Blocking readback of a texture: for tests and files, never during a frame.
+//! Reads a texture back, and waits for the device: for tests and files, never during a frame.
 
 use cutaway::Result;
 use cutaway::gpu::Gpu;
 use cutaway::gpu::wgpu;
 use image::RgbaImage;
 
-/// Reads an RGBA8 texture. The copy is submitted before this returns.
+/// Reads an RGBA8 texture. The copy is submitted before this function returns; the future waits for the result.
 ///
 /// # Errors
 ///

@@ -1,10 +1,10 @@
-//! The slots' pictures in textures for egui: drawn by the session on egui's own device, into its encoder, without waiting
+//! Draws the slots' pictures into textures for egui. The session uses egui's own device and encoder, without waiting
 //! and without readback.
 //!
-//! A slot drawn on the CPU gets its layers from the [judge](crate::judge), and is shaded here. Two slots with the same method share one
-//! picture. The queue reports when a frame is done; until then no other is drawn, so that a slow device queues no frames.
+//! The layers of a slot drawn on the CPU come from the [judge](crate::judge), and are shaded here. Two slots with the same method share one
+//! picture. The queue reports when a frame is done; until then no other frame is drawn, so that frames do not queue up on a slow device.
 //!
-//! While nothing moves, further [samples](Sample) of a picture are drawn, and smooth its edges when all are complete.
+//! While nothing moves, more [samples](Sample) of the picture are drawn. When all are complete, they are combined to smooth its edges.
 //!
 //! Cannot: show a picture larger than the device's maximum texture size.
 
@@ -37,10 +37,10 @@ use picture::ShownTexture;
 pub use samples::Sample;
 use samples::SlotSamples;
 
-/// A frame that the device has not done yet.
+/// A frame that the device has not completed yet.
 struct PendingFrame {
     divisor: u32,
-    /// Time in milliseconds, as the bits of a float; 0 until it is done.
+    /// Time of the frame in milliseconds, as the bits of a float; 0 until the frame is done.
     took: Arc<AtomicU64>,
 }
 
@@ -56,22 +56,22 @@ pub struct Screen {
     /// View of the last frame drawn by a method.
     view: Option<View>,
     under_way: Option<PendingFrame>,
-    /// A requested pixel.
+    /// The requested pixel, and its pending readback.
     pick: Option<([u32; 2], Pick)>,
     /// Reason why a slot shows nothing.
     refusals: [Option<String>; 2],
     took_ms: Option<f64>,
     passes: usize,
-    /// The clocks on which the last whole frame of each slot ran.
+    /// The clocks on which passes ran in each slot's last full-resolution frame.
     clocks: [Option<ClockSet>; 2],
 }
 
 impl Screen {
-    /// On the device that egui draws with.
+    /// Creates the pictures on the device that egui draws with.
     ///
     /// # Errors
     ///
-    /// A device with less than core WebGPU.
+    /// The device does not support core WebGPU.
     pub fn on(host: &RenderState) -> Result<Self> {
         let info = host.adapter.get_info();
         let gpu = Gpu::from_device(&info, host.device.clone(), host.queue.clone())?;
@@ -97,17 +97,17 @@ impl Screen {
         self.session.gpu()
     }
 
-    /// Time of the last whole frame, in milliseconds, from its submission until it was done.
+    /// Time of the last frame in milliseconds, from its submission until it was done.
     pub fn took_ms(&self) -> Option<f64> {
         self.took_ms
     }
 
-    /// Number of passes of that frame.
+    /// Number of passes of the last frame.
     pub fn passes(&self) -> usize {
         self.passes
     }
 
-    /// The clocks on which the last whole frame of a slot ran, where a method draws it.
+    /// The clocks on which passes ran in the slot's last full-resolution frame; `None` unless a method draws the slot.
     pub fn clocks(&self, side: SlotSide) -> Option<ClockSet> {
         self.clocks[side.index()]
     }
@@ -127,7 +127,7 @@ impl Screen {
         self.difference.id()
     }
 
-    /// Polls the device: the divisor and time of a finished frame, and whether a frame has to be drawn again because
+    /// Polls the device. Returns the divisor and time in milliseconds of a finished frame, and true if a frame must be redrawn because
     /// a buffer was too small.
     ///
     /// # Errors
@@ -152,12 +152,12 @@ impl Screen {
         self.under_way.is_some()
     }
 
-    /// The view last drawn by methods: of a picture, or of one of its samples.
+    /// View of the last frame drawn by a method, which was a picture or one of its samples.
     pub fn view(&self) -> Option<&View> {
         self.view.as_ref()
     }
 
-    /// Draws the slots with methods at a given detail; after the last sample, all samples are combined.
+    /// Draws the slots that have methods, at a given detail. After the last sample, all samples are combined.
     ///
     /// # Errors
     ///
@@ -187,7 +187,7 @@ impl Screen {
             let is_new = self.painted_by[side.index()] != renderer;
             let Some(Renderer::Method(method)) = renderer else {
                 self.clocks[side.index()] = None;
-                // The picture of another renderer must not be shown under this name.
+                // The slot must not show the picture of its previous renderer.
                 if is_new {
                     self.refusals[side.index()] = None;
                     if let Some(old) = self.pictures.remove(&side) {
@@ -248,7 +248,7 @@ impl Screen {
         Ok(())
     }
 
-    /// Shades layers computed elsewhere into a slot, in the style of their scene.
+    /// Shades layers that the judge computed, and shows them in a slot.
     ///
     /// # Errors
     ///
@@ -285,7 +285,7 @@ impl Screen {
     ///
     /// # Errors
     ///
-    /// As of [`Session::pick`].
+    /// The same errors as [`Session::pick`].
     pub fn pick(&mut self, method: Method, at_px: [u32; 2]) -> Result<()> {
         let mut encoder =
             (self.host.device).create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
@@ -308,7 +308,7 @@ impl Screen {
         Some((at_px, pick.layer()?))
     }
 
-    /// Blocking readback of a slot's pixels: for tests and files.
+    /// Reads a slot's pixels back, and waits for the device: for tests and files.
     ///
     /// # Errors
     ///
@@ -323,7 +323,7 @@ impl Screen {
         self.refusals[side.index()] = Some(why);
     }
 
-    /// Resizes a slot's picture to the requested size.
+    /// Replaces a slot's texture if it does not have the requested size.
     fn make_room(&mut self, side: SlotSide, size_px: [u32; 2]) {
         let fits = |picture: &ShownTexture| picture.size_px() == size_px;
         if self.pictures.get(&side).is_some_and(fits) {
@@ -363,7 +363,7 @@ impl Screen {
     }
 }
 
-/// Texture sampling for loaded images: nearest neighbour.
+/// Texture options for loaded images: nearest-neighbour filtering.
 pub const PLAIN: TextureOptions = TextureOptions::NEAREST;
 
 fn clear(encoder: &mut wgpu::CommandEncoder, view: &wgpu::TextureView) {

@@ -1,7 +1,7 @@
 //! The scene of a document, prepared for drawing.
 //!
-//! Opening costs reading the files, once: assets cache them. After that a change costs rebuilding the document's tree and everything
-//! that depends on the change, because unchanged data keeps its address.
+//! Opening costs reading the files, which the assets then cache. After that a change costs rebuilding the document's tree and everything
+//! that depends on the change. Unchanged data is recognised by its address.
 
 use std::sync::Arc;
 
@@ -15,24 +15,24 @@ use cutaway_lab::experiment::SceneAtTime;
 /// Default style, as for exported pictures.
 pub const USUAL_STYLE: &str = "technical";
 
-/// A scene at a time. A clone shares large data.
+/// A scene at one time. A clone shares large data.
 #[derive(Clone, Debug)]
 pub struct Shown {
     /// The scene over time.
     pub timeline: Arc<Timeline>,
-    /// The scene at that time, with the active camera.
+    /// The scene at the displayed time, with the active camera.
     pub scene: Scene,
-    /// The prepared scene.
+    /// The same scene, prepared for drawing.
     pub at: Arc<SceneAtTime>,
 }
 
 impl Shown {
-    /// Opens a document's scene at a given time, or at the document's own; `None` if it has no parts. Data in common with the
+    /// Opens a document's scene at a given time, or else at the document's own time; `None` if it has no parts. Data in common with the
     /// last scene is reused.
     ///
     /// # Errors
     ///
-    /// Those of [`Document::timeline`].
+    /// The errors of [`Document::timeline`].
     pub fn open(
         document: &Document,
         assets: &mut Assets,
@@ -45,7 +45,7 @@ impl Shown {
             return Ok(None);
         }
         let timeline = document.timeline(assets)?;
-        // The view stays where it is while a cut is dragged: it is not fitted to what the cut keeps.
+        // The view is fitted to the whole model, not to what the cuts keep, so that it does not move while a cut is dragged.
         let timeline = timeline
             .with_usual_style(named_style(USUAL_STYLE)?)?
             .with_usual_fit(Fit::All);
@@ -55,7 +55,7 @@ impl Shown {
         };
         let at = match last {
             Some(last) => last.at.updated(&scene),
-            // Hatches depend on the positions of parts at the beginning, as in exported pictures.
+            // Hatches depend on the parts' positions at the beginning, as in exported pictures.
             None if timeline.moves() => SceneAtTime::new(&timeline.at(0.0)?).updated(&scene),
             None => SceneAtTime::new(&scene),
         };
@@ -70,7 +70,7 @@ impl Shown {
     ///
     /// # Errors
     ///
-    /// Those of [`Timeline::at`].
+    /// The errors of [`Timeline::at`].
     pub fn seek(&mut self, time_s: f64) -> Result<()> {
         let camera = self.scene.camera;
         self.scene = self.timeline.at(time_s)?;
@@ -81,11 +81,11 @@ impl Shown {
         Ok(())
     }
 
-    /// Prepares the scene as for an exported picture; while something moves, hatches keep their initial layout.
+    /// Prepares the scene again, as for an exported picture; while something moves, hatches keep their initial layout.
     ///
     /// # Errors
     ///
-    /// Those of [`Timeline::at`].
+    /// The errors of [`Timeline::at`].
     pub fn classify(&mut self) -> Result<()> {
         let at = match self.timeline.moves() {
             true => {
@@ -107,7 +107,7 @@ impl Shown {
         keys.any(|key| key.target.starts_with("camera."))
     }
 
-    /// View of a picture of a size in pixels.
+    /// The view of a picture with a size in pixels.
     pub fn view(&self, size_px: [u32; 2]) -> View {
         self.at.model.prepared.view_of(&self.scene.camera, size_px)
     }

@@ -1,4 +1,4 @@
-//! Comparison slots: two slots, each a method or the reference, and their layout.
+//! The two comparison slots, each drawn by a method or by the reference, and their layout.
 
 use std::fmt;
 use std::str::FromStr;
@@ -43,14 +43,14 @@ impl fmt::Display for SlotSide {
 /// Choice of the renderer of a slot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Painter {
-    /// Chosen automatically for scene and adapter.
+    /// Chosen automatically for the scene, the view and the adapter.
     Auto,
-    /// A renderer.
+    /// The renderer with this name.
     Named(Renderer),
 }
 
 impl Painter {
-    /// Resolves the choice for a scene in a view on a device.
+    /// The renderer that the choice means for this scene, view and device.
     pub fn classify(self, gpu: &Gpu, model: &Model, view: &View) -> Renderer {
         match self {
             Self::Named(renderer) => renderer,
@@ -87,18 +87,18 @@ pub enum SlotLayout {
     /// Only A.
     #[default]
     Single,
-    /// A to the left of a line that can be dragged, B to the right.
+    /// A to the left of a movable line, B to the right.
     Wipe,
-    /// Two pictures of one view.
+    /// A and B next to each other, with the same view.
     SideBySide,
-    /// B while a key is held.
+    /// A, or B while a key is held.
     Flicker,
     /// Colour difference between A and B.
     Difference,
 }
 
 impl SlotLayout {
-    /// All of them.
+    /// All layouts.
     pub const ALL: [Self; 5] = [
         Self::Single,
         Self::Wipe,

@@ -5,18 +5,18 @@ use glam::{DVec2, DVec3};
 
 use crate::picture::shown::Shown;
 
-/// A view, and the placement of its scene in the world.
+/// A view, and where its scene lies in the world.
 #[derive(Clone, Copy, Debug)]
 pub struct WorldView {
     view: View,
-    /// Position of the origin of scene space, in world space.
+    /// World-space position of the origin of scene space.
     centre: DVec3,
     /// Scene units per world unit.
     scale: f64,
 }
 
 impl WorldView {
-    /// Creates the view of a scene, in a picture of a size in pixels.
+    /// Creates the view of a scene for a picture with a size in pixels.
     pub fn of(shown: &Shown, size_px: [u32; 2]) -> Self {
         let prepared = &shown.at.model.prepared;
         Self {
@@ -26,7 +26,7 @@ impl WorldView {
         }
     }
 
-    /// Creates the view of a scene whose space is world space.
+    /// Creates the view of a scene whose scene space is equal to world space.
     pub fn plain(view: View) -> Self {
         Self {
             view,
@@ -35,7 +35,7 @@ impl WorldView {
         }
     }
 
-    /// Projects a point, to pixels from the upper left corner; `None` if it is behind the near plane.
+    /// Projects a point; the result is in pixels from the upper left corner, `None` behind the near plane.
     pub fn project(&self, point: DVec3) -> Option<DVec2> {
         let (at, depth) = self.view.project((point - self.centre) * self.scale);
         (self.view.orthographic || depth > self.view.near).then_some(at)

@@ -1,10 +1,10 @@
-//! Actions that read possibly large files are carried out in the background on a copy of the state, from which the state then takes
-//! the result.
+//! Actions that may read large files are carried out in the background on a copy of the state. The state then takes over
+//! the copy's result.
 //!
-//! If the state has not changed meanwhile, the copy replaces it. Otherwise the action is repeated, at the cost of
+//! If the state has not changed meanwhile, the copy replaces it. Otherwise the action is repeated on the state, at the cost of
 //! a document change: the files are already read, and most prepared data comes from the copy's scene.
 //!
-//! Cost of a copy: the document's tree; meshes and history steps are shared.
+//! Cost of a copy: a copy of the document's tree; meshes and history steps are shared.
 
 use cutaway_io::load::Assets;
 
@@ -27,7 +27,7 @@ pub struct StateRevision {
 }
 
 impl State {
-    /// Present revision counters.
+    /// The state's present revision counters.
     pub fn moment(&self) -> StateRevision {
         StateRevision {
             acted: self.acted,
@@ -35,7 +35,7 @@ impl State {
         }
     }
 
-    /// A copy for carrying out an action, without the pending notices of this state.
+    /// A copy for carrying out an action, without this state's pending notices.
     #[must_use]
     pub fn copy(&self) -> Self {
         let mut copy = self.clone();
@@ -55,7 +55,7 @@ impl State {
             return true;
         }
         if copy.scene_revision == since.scene_revision {
-            // It was refused.
+            // The action was refused.
             self.notices.append(&mut copy.notices);
             return false;
         }
@@ -69,7 +69,7 @@ impl State {
         false
     }
 
-    /// Assets without earlier files: those read in the background, or empty ones.
+    /// Assets that hold no outdated files: those read in the background, or else empty ones.
     pub(super) fn fresh_assets(&self) -> Assets {
         let read = self.ahead.as_ref().map(|ahead| ahead.assets.clone());
         read.unwrap_or_else(|| Assets::from_files(self.store.clone()))

@@ -56,13 +56,13 @@ impl State {
         Ok(())
     }
 
-    /// Switches to another document; a new one is prepared from scratch, otherwise the present scene is updated.
+    /// Switches to another document. If it is new, its scene is prepared from scratch; otherwise the present scene is updated.
     pub(super) fn show(&mut self, document: Document, is_new: bool) -> Result<()> {
         let last = self.shown.as_ref().filter(|_| !is_new);
         let ahead = self.ahead.as_ref().and_then(|ahead| ahead.shown.as_ref());
         let alike = last.or(ahead);
         let mut shown = Shown::open(&document, &mut self.assets, self.time_s, alike)?;
-        // Automatic angles are chosen only once: turning a cut does not turn the eye.
+        // Automatic view angles are chosen only once, so that turning a cut does not turn the eye.
         if let (Some(shown), Some(last)) = (&mut shown, last)
             && document.root().get("camera") == self.document.root().get("camera")
         {
@@ -83,7 +83,7 @@ impl State {
             let before = document.clone();
             document.remove("camera")?;
             document.set_node("camera", camera)?;
-            // A value moved by keys has to exist, and stays as the keys set it.
+            // A value that keys animate has to exist in the document, so it is restored.
             for track in timeline::tracks(&before) {
                 if document.get(&track.target).is_err()
                     && let Ok(held) = before.get(&track.target)
@@ -95,7 +95,7 @@ impl State {
         Ok(document)
     }
 
-    /// Goes to a document of the history, with the present eye.
+    /// Switches to a document of the history, and keeps the present eye.
     pub(super) fn go_to(&mut self, document: Document) -> Result<()> {
         let document = self.seen_from_here(document)?;
         self.show(document, false)?;
@@ -125,7 +125,7 @@ impl State {
         })
     }
 
-    /// Moves the selected cut's plane, or a new one, through a point.
+    /// Moves the selected cut's plane, or adds one, through a point.
     pub(super) fn cut_through(&mut self, point: DVec3, normal: DVec3) -> Result<()> {
         if let Selection::Cut(_) = self.selection {
             return self.move_plane(PlaneMove::Through(point, normal));
@@ -216,7 +216,7 @@ impl State {
             };
         }
         camera::move_camera(&mut moved, by);
-        // The eye equals the document's, to the last digit.
+        // Rounded as in the document, so that both cameras are equal.
         camera::round(&mut moved);
         camera::write(&moved, &mut self.document)?;
         shown.scene.camera = moved;

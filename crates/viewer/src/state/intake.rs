@@ -12,7 +12,7 @@ use crate::picture::slot::SlotSide;
 use crate::storage::files;
 use cutaway::error::Diagnostic;
 
-/// A document's top-level files: its own file, or its meshes if it has none.
+/// The files from which a document was opened: its own file or, if it has none, its meshes.
 pub(super) fn files_of(document: &Document) -> Vec<PathBuf> {
     if !document.path().as_os_str().is_empty() {
         return vec![document.path().to_owned()];
@@ -87,7 +87,7 @@ impl State {
         })
     }
 
-    /// Reloads all files. The scene file itself is reloaded only if nothing but the eye was changed here.
+    /// Reloads all files. If the scene file has changed on disk, reloading is refused when anything but the eye was changed in the window.
     pub(super) fn reload(&mut self) -> Result<()> {
         let mut document = self.document.clone();
         let path = document.path().to_owned();
@@ -100,8 +100,8 @@ impl State {
             if self.is_changed_beside_the_eye()? {
                 return Err(Error::file(
                     &path,
-                    "it was written, and the scene was changed here as well",
-                    "save the scene under another name, or take the changes back and reload",
+                    "the file has changed on disk, and the scene was changed here as well",
+                    "save the scene under another name, or undo the changes and reload",
                 ));
             }
             document = self.seen_from_here(written.clone())?;
@@ -109,7 +109,7 @@ impl State {
         let fresh = self.fresh_assets();
         let assets = std::mem::replace(&mut self.assets, fresh);
         if let Err(error) = self.show(document, true) {
-            // The files read before are still valid.
+            // Reloading failed, so the files read earlier stay in use.
             self.assets = assets;
             return Err(error);
         }
@@ -126,7 +126,7 @@ impl State {
         self.is_changed() && self.is_changed_beside_the_eye().unwrap_or(true)
     }
 
-    /// Returns true if the document differs from its file in more than the eye.
+    /// Returns true if the document differs from its file in anything but the eye.
     fn is_changed_beside_the_eye(&self) -> Result<bool> {
         let mut both = [self.document.clone(), self.saved.clone()];
         for document in &mut both {
@@ -135,7 +135,7 @@ impl State {
         Ok(both[0] != both[1])
     }
 
-    /// Applies the settings of a document other than its scene.
+    /// Applies the document's settings that are not part of its scene.
     pub(super) fn take_settings(&mut self) -> Result<()> {
         let Some(shown) = &self.shown else {
             return Ok(());

@@ -1,4 +1,4 @@
-//! Adding and removing keys, and the document at the displayed time.
+//! Adds and removes keys, and keeps the pose at the displayed time up to date.
 
 use cutaway::scene::{Bounds, Camera};
 use cutaway::{Error, Result};
@@ -6,7 +6,7 @@ use cutaway::{Error, Result};
 use super::State;
 use crate::editing::timeline;
 
-/// Duration of a new animation, in seconds.
+/// Duration of an animation begun in the window, in seconds.
 const FIRST_DURATION_S: f64 = 2.0;
 
 impl State {
@@ -23,7 +23,7 @@ impl State {
         }
     }
 
-    /// The model's bounding box and the eye, which keys are relative to.
+    /// The model's bounding box and the eye, from which keys take their values.
     fn seen(&self) -> Result<(Bounds, Camera)> {
         let Some(shown) = &self.shown else {
             let help = "open a file: drop it into the window";
@@ -40,7 +40,7 @@ impl State {
         timeline::prepare(&mut posed, selection, (&bounds, &eye))?;
         let targets = timeline::targets(&posed, selection, (&bounds, &eye))?;
         self.change(None, |document| {
-            // Targets that already have keys are numbers already, and keep their rest values.
+            // Targets that already have keys are already numbers; their rest values stay as they are.
             if targets
                 .iter()
                 .any(|(path, _)| !timeline::is_target(document, path))
@@ -67,7 +67,7 @@ impl State {
 
     pub(super) fn remove_key(&mut self, key: [usize; 2]) -> Result<()> {
         self.change(None, |document| timeline::remove(document, key))?;
-        // Without any keys left the scene has no time.
+        // A scene without keys has no time.
         if !self
             .shown
             .as_ref()

@@ -1,6 +1,6 @@
-//! Saving the scene, and the rules for all other files written.
+//! Saves the scene, and decides which files may be overwritten.
 //!
-//! No file replaces an input of the scene, and none replaces an existing file unasked, except the scene's own file.
+//! Writing never replaces an input of the scene. It replaces an existing file only after confirmation, except the scene's own file.
 
 use std::path::{Component, Path, PathBuf};
 
@@ -13,7 +13,7 @@ use super::State;
 use cutaway::error::Diagnostic;
 
 impl State {
-    /// Default name for saving the scene: its own, or one from its first model.
+    /// Default name for saving the scene: the name of its own file, or one made from its first model.
     pub fn usual_file(&self) -> PathBuf {
         let own = self.document.path();
         if !own.as_os_str().is_empty() {
@@ -30,21 +30,21 @@ impl State {
         name.with_extension("toml")
     }
 
-    /// Returns true if a write would replace a file other than the scene's own, or one that has changed since.
+    /// Returns true if a write would replace a file other than the scene's own, or the scene's own file after another program changed it.
     pub fn replaces(&self, path: &Path) -> bool {
         let path = &*place_of(path);
         let is_own = self.is_own(path);
-        // Looked up by the scene's name for it, which the document stores.
+        // Read by the path that the document stores for its own file.
         let on_disk = || Document::read_from(self.document.path(), &*self.store).ok();
         self.store.is_file(path) && !(is_own && on_disk().is_some_and(|there| there == self.saved))
     }
 
-    /// Refuses to overwrite an input of the scene: a mesh, an image, or a file that one of them names. If a file exists there, other than
+    /// Refuses to overwrite an input of the scene: a mesh, an image, or a file named by one. If the path leads to a file other than
     /// the scene's own, the meshes are read to find the files that they name.
     ///
     /// # Errors
     ///
-    /// Names the file.
+    /// The path leads to an input of the scene.
     pub fn must_not_be_read(&self, path: &Path) -> Result<()> {
         if !self.store.is_file(&place_of(path)) || self.is_own(path) {
             return Ok(());
@@ -56,7 +56,7 @@ impl State {
             .chain(self.assets.files());
         match inputs.any(|input| self.store.is_one(input, path)) {
             true => {
-                let what = "the scene is made of it, and it would be overwritten";
+                let what = "it is an input of the scene, and would be overwritten";
                 Err(Error::file(path, what, "write to a file of another name"))
             }
             false => Ok(()),
@@ -69,14 +69,14 @@ impl State {
         !own.as_os_str().is_empty() && self.store.is_one(own, path)
     }
 
-    /// Saves the document to a file, with the first slot's renderer, and continues with that file.
+    /// Saves the document to a file, with the first slot's renderer. The file becomes the scene's own.
     pub(super) fn save(&mut self, path: &Path) -> Result<()> {
         if self.replaces(path) {
             let what = match self.is_own(path) {
                 true => "it was changed by another program, and would be overwritten",
-                false => "there is such a file, and it would be overwritten",
+                false => "the file exists, and would be overwritten",
             };
-            let help = "save the scene under another name, or agree to replace the file";
+            let help = "save the scene under another name, or confirm replacing the file";
             return Err(Error::file(path, what, help));
         }
         self.save_over(path)
@@ -85,7 +85,7 @@ impl State {
     /// As [`State::save`], but may replace an existing file.
     pub(super) fn save_over(&mut self, path: &Path) -> Result<()> {
         self.must_not_be_read(path)?;
-        // A path with `..` after a missing folder can be written but not read, so the scene gets the resolved path.
+        // A path with `..` after a missing folder can be written but not read, so the document stores the resolved path.
         let goes_back = path.components().any(|step| step == Component::ParentDir);
         let place = goes_back.then(|| place_of(path));
         let path = place.as_deref().unwrap_or(path);

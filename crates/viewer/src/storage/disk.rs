@@ -1,4 +1,4 @@
-//! Files on disk, written as by the command.
+//! File storage on disk, which writes files in the same way as the `cutaway` command.
 
 use std::path::Path;
 

@@ -1,5 +1,5 @@
-//! Export of pictures, films and drawings, by the command in a separate process: the result is what the command
-//! would write, the window stays usable meanwhile, and cancelling leaves no partial file.
+//! Exports pictures, films and drawings by running the command in a separate process: the result is what the command
+//! would write, the window remains usable, and cancelling leaves no partial file.
 
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -11,7 +11,7 @@ use cutaway_io::Document;
 
 use cutaway::error::{Diagnostic, Severity};
 
-/// Supersampling factor of exported pictures, relative to the window.
+/// Value of `--supersample` for exported pictures.
 const SUPERSAMPLE: &str = "2";
 
 /// An export in progress.
@@ -20,16 +20,16 @@ pub struct Export {
     child: Child,
     path: PathBuf,
     made: PathBuf,
-    /// Folder with the scene that the command reads.
+    /// Temporary folder with the scene that the command reads.
     _folder: tempfile::TempDir,
 }
 
 impl Export {
-    /// Begins an export: a picture (.png), a film (.gif, .apng, .mp4) or section outlines (.svg), by extension.
+    /// Begins an export. The extension decides what is exported: a picture (.png), a film (.gif, .apng, .mp4) or section outlines (.svg).
     ///
     /// # Errors
     ///
-    /// Another extension, or a process that cannot be started.
+    /// The file has another extension, or the process cannot be started.
     pub fn begin(
         program: &Path,
         document: &Document,
@@ -54,7 +54,7 @@ impl Export {
             _ => {
                 return Err(Error::file(
                     path,
-                    "it is no kind of file that is exported",
+                    "this kind of file cannot be exported",
                     "name a picture (.png), a film (.gif, .apng, .mp4) or a drawing (.svg)",
                 ));
             }
@@ -62,13 +62,13 @@ impl Export {
         let fault = |e: std::io::Error| {
             Error::file(
                 path,
-                format!("its making cannot be started: {e}"),
+                format!("the export cannot be started: {e}"),
                 "try again",
             )
         };
         let folder = tempfile::tempdir().map_err(fault)?;
         let scene = folder.path().join("scene.toml");
-        // Written here, and moved to its destination when complete.
+        // The command writes to this path; the file is moved to its destination when complete.
         let made = folder.path().join(format!("made.{ending}"));
         write_file(&scene, document.moved_to(&scene)?.to_string().as_bytes())?;
         let (subcommand, options) = (words[0], &words[1..]);
@@ -90,12 +90,12 @@ impl Export {
         })
     }
 
-    /// The file.
+    /// The file to which the export is written.
     pub fn path(&self) -> &Path {
         &self.path
     }
 
-    /// Result of the export, once it has ended.
+    /// The notice of success or failure, once the export has ended.
     pub fn ended(&mut self) -> Option<Diagnostic> {
         let status = self.child.try_wait().ok().flatten()?;
         if status.success() {
@@ -109,7 +109,7 @@ impl Export {
         }
         let mut text = String::new();
         if let Some(stderr) = &mut self.child.stderr {
-            // Report the process's messages or, without any, its exit status.
+            // Report the process's messages or, if there are none, its exit status.
             let _ = stderr.read_to_string(&mut text);
         }
         let text = text.trim().trim_start_matches("error: ").to_owned();
@@ -122,7 +122,7 @@ impl Export {
 
     /// Cancels the export.
     pub fn cancel(&mut self) {
-        // Fails harmlessly if the process has already ended.
+        // This fails, without harm, if the process has already ended.
         let _ = self.child.kill();
         let _ = self.child.wait();
     }

@@ -1,4 +1,4 @@
-//! Kinds of files for the viewer, and their storage: on disk, or in a page's memory.
+//! The kinds of files that the viewer opens, and the storage of files: on disk, or in a page's memory.
 
 use std::path::Path;
 
@@ -11,7 +11,7 @@ pub trait FileStorage: Files {
     ///
     /// # Errors
     ///
-    /// A path that cannot be written.
+    /// The path cannot be written.
     fn write(&self, path: &Path, bytes: &[u8]) -> Result<()>;
 
     /// Returns true if two paths lead to the same file.
@@ -27,7 +27,7 @@ pub enum FileKind {
     Scene,
     /// A mesh.
     Model,
-    /// An image: heights of a relief.
+    /// An image, used as the height map of a relief.
     Image,
 }
 
@@ -39,11 +39,11 @@ const IMAGES: [&str; 11] = [
     "png", "jpg", "jpeg", "tif", "tiff", "bmp", "pgm", "ppm", "pnm", "tga", "exr",
 ];
 
-/// Kind of a file, by its name; a built-in shape is a model.
+/// Kind of a file, by its extension; a built-in shape (`shape:...`) is a model.
 ///
 /// # Errors
 ///
-/// A name without a known extension.
+/// The name has no known extension.
 pub fn kind(path: &Path) -> Result<FileKind> {
     let name = path.to_string_lossy().to_lowercase();
     if name.starts_with("shape:") {
@@ -60,7 +60,7 @@ pub fn kind(path: &Path) -> Result<FileKind> {
     } else {
         Err(Error::file(
             path,
-            "it is no scene, no mesh and no image by its name",
+            "its name is not that of a scene, a mesh or an image",
             "open .toml, .obj, .stl, .ply, .glb, .gltf, .3mf, or an image such as .png",
         ))
     }

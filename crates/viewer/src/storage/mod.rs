@@ -1,4 +1,4 @@
-//! Files of the window: opening, watching, recent files and saving.
+//! File handling for the window: opening, watching, recent files, export and recovery.
 
 #[cfg(not(target_arch = "wasm32"))]
 pub mod disk;

@@ -1,9 +1,9 @@
-//! Files are opened in the background, on a copy of the state, which the state [takes over](State::take_over) when done. One
-//! action at a time is carried out; others wait.
+//! Opens files in the background, on a copy of the state. The state [takes over](State::take_over) the result. One
+//! action is carried out at a time; further actions wait.
 //!
 //! Cost for the window: a copy of the state, plus a document change at the end if the state has changed meanwhile.
 //!
-//! Cannot: abort reading a file; cancelling only drops the result. Not used in a browser, which has no threads.
+//! Cannot: stop reading a file; cancelling only drops the result. Not used in a browser, which has no threads.
 
 use std::collections::VecDeque;
 use std::path::PathBuf;
@@ -15,7 +15,7 @@ use crate::action::Action;
 use crate::beside::beside;
 use crate::state::{State, StateRevision};
 
-/// The opening in progress, and the actions that wait for it.
+/// The action in progress, and the actions that wait for it.
 #[derive(Debug, Default)]
 pub struct Opening {
     waits: VecDeque<Action>,
@@ -35,9 +35,9 @@ impl Opening {
         cfg!(not(target_arch = "wasm32")) && matches!(action, Action::Take(_) | Action::Reload)
     }
 
-    /// Starts or queues an action.
+    /// Queues an action, which starts at the next [`Opening::go_on`].
     pub fn ask(&mut self, action: Action) {
-        // Files that are read again once are up to date.
+        // One queued reload is enough to bring all files up to date.
         if action != Action::Reload || !self.waits.contains(&action) {
             self.waits.push_back(action);
         }
@@ -48,7 +48,7 @@ impl Opening {
         self.under_way.is_some() || !self.waits.is_empty()
     }
 
-    /// Description of the opening in progress.
+    /// Description of the action in progress, for the menu bar.
     pub fn what(&self) -> Option<String> {
         let name = |path: &PathBuf| {
             let name = path.file_name().unwrap_or(path.as_os_str());
@@ -63,13 +63,13 @@ impl Opening {
         }
     }
 
-    /// Drops the action in progress, and goes on with the next.
+    /// Drops the action in progress; the next one can then start.
     pub fn cancel(&mut self) {
         self.under_way = None;
     }
 
     /// Takes over finished actions, and begins waiting ones; `wake` is called when a result is ready. Returns true if the state was
-    /// replaced by an already prepared one.
+    /// replaced by the copy on which an action was carried out.
     pub fn go_on(&mut self, state: &mut State, wake: impl FnOnce() + Send + 'static) -> bool {
         let is_another = self.take_over(state);
         if self.under_way.is_none()
@@ -80,7 +80,7 @@ impl Opening {
             beside(move || {
                 copy.apply(own);
                 copy.classify();
-                // If it was cancelled, there is no receiver.
+                // Sending fails if the action was cancelled, and is then ignored.
                 let _ = tell.send(copy);
                 wake();
             });

@@ -1,9 +1,9 @@
-//! Recently opened files, in a small text file per user: one line each, the newest first.
+//! The list of recently opened files: a small text file per user, with one file per line, the newest first.
 //!
-//! The list is read again before it is written, as another window may have changed it, and is written completely or not at all. Windows
-//! that write at the same time take turns by a lock on a file next to it. A window waits at most 0.1 s for the lock.
+//! The list is read again before it is written, because another window may have changed it. It is written completely or not at all. Windows
+//! that write at the same time take turns by locking a file next to the list. A window waits at most 0.1 s for the lock.
 //!
-//! Cannot: store a name with a line break, nor, on systems other than Unix, a name that is not Unicode.
+//! Cannot: store a name with a line break or, on systems other than Unix, a name that is not Unicode.
 
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
@@ -16,7 +16,7 @@ use cutaway_cli::write_file;
 /// Maximum number of files kept.
 const MOST: usize = 8;
 
-/// Maximum number of attempts to take the lock, and the delay after each.
+/// Maximum number of attempts to take the lock, and the delay after each attempt.
 const TRIES: usize = 20;
 const BETWEEN_TRIES: Duration = Duration::from_millis(5);
 
@@ -28,7 +28,7 @@ pub struct Recent {
 }
 
 impl Recent {
-    /// Path of the list: in `$XDG_STATE_HOME`, or in `~/.local/state`; `None` without a home directory.
+    /// Default path of the list: in `$XDG_STATE_HOME`, or else in `~/.local/state`; `None` if there is no home directory.
     pub fn usual_file() -> Option<PathBuf> {
         let folder = |name: &str| {
             env::var_os(name)
@@ -39,7 +39,7 @@ impl Recent {
         Some(state?.join("cutaway/recent"))
     }
 
-    /// Reads the list; a missing one is empty.
+    /// Reads the list from a file; if there is no such file, the list is empty.
     pub fn read(file: impl Into<PathBuf>) -> Self {
         let file = file.into();
         let paths = lines_of(&file);
@@ -51,11 +51,11 @@ impl Recent {
         &self.paths
     }
 
-    /// Puts a file first.
+    /// Puts a file at the front of the list.
     ///
     /// # Errors
     ///
-    /// A list that cannot be written.
+    /// The list cannot be written.
     pub fn add(&mut self, path: &Path) -> Result<()> {
         let path = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
         self.change(|paths| {
@@ -65,11 +65,11 @@ impl Recent {
         })
     }
 
-    /// Removes a file.
+    /// Removes a file from the list.
     ///
     /// # Errors
     ///
-    /// A list that cannot be written.
+    /// The list cannot be written.
     pub fn forget(&mut self, path: &Path) -> Result<()> {
         self.change(|paths| paths.retain(|held| held != path))
     }
@@ -77,8 +77,8 @@ impl Recent {
     fn change(&mut self, change: impl FnOnce(&mut Vec<PathBuf>)) -> Result<()> {
         if let Some(folder) = self.file.parent() {
             fs::create_dir_all(folder).map_err(|e| {
-                let help = "make the folder, or set $XDG_STATE_HOME to one that can be written";
-                Error::file(folder, format!("cannot be made: {e}"), help)
+                let help = "create the folder, or set $XDG_STATE_HOME to a writable folder";
+                Error::file(folder, format!("cannot be created: {e}"), help)
             })?;
         }
         let _lock = locked(&self.file.with_extension("lock"));
@@ -90,7 +90,7 @@ impl Recent {
     }
 }
 
-/// A lock that other windows respect while it is held; the list is written even without it.
+/// Takes the lock that makes windows take turns; `None` if it stays taken, in which case the list is written all the same.
 fn locked(file: &Path) -> Option<fs::File> {
     let file = fs::File::create(file).ok()?;
     for _ in 0..TRIES {
@@ -102,7 +102,7 @@ fn locked(file: &Path) -> Option<fs::File> {
     None
 }
 
-/// A line of the list; `None` for a name with a line break.
+/// The line of the list for a file; empty for a name with a line break.
 fn line_of(path: &Path) -> Vec<u8> {
     #[cfg(unix)]
     let name = std::os::unix::ffi::OsStrExt::as_bytes(path.as_os_str()).to_vec();
@@ -114,7 +114,7 @@ fn line_of(path: &Path) -> Vec<u8> {
     }
 }
 
-/// The files in a list.
+/// The files in a stored list.
 fn lines_of(file: &Path) -> Vec<PathBuf> {
     let text = fs::read(file).unwrap_or_default();
     let lines = text.split(|byte| *byte == b'\n');
@@ -123,7 +123,7 @@ fn lines_of(file: &Path) -> Vec<PathBuf> {
     named.filter_map(path_of).take(MOST).collect()
 }
 
-/// The file in a line.
+/// The file that a line of the list names.
 fn path_of(line: &[u8]) -> Option<PathBuf> {
     #[cfg(unix)]
     let name: Option<&OsStr> = Some(std::os::unix::ffi::OsStrExt::from_bytes(line));

@@ -1,4 +1,4 @@
-//! Recovery of the scene when the program cannot continue, in a file next to the list of recent files.
+//! Saves the scene when the program cannot continue, to a file next to the list of recent files.
 
 use std::path::{Path, PathBuf};
 use std::{fs, process};
@@ -9,11 +9,11 @@ use cutaway_cli::write_file;
 use crate::state::State;
 use crate::storage::recent::Recent;
 
-/// Writes a scene with unsaved changes to a separate file, and returns its path; a scene without such changes is in its own file.
+/// Writes a scene with unsaved changes to a separate file, and returns the path; `None` if there are no unsaved changes.
 ///
 /// # Errors
 ///
-/// A folder that cannot be written.
+/// The folder cannot be created or written.
 pub fn keep(state: &State) -> Result<Option<PathBuf>> {
     if !state.has_unsaved_changes() {
         return Ok(None);
@@ -29,7 +29,7 @@ fn keep_in(state: &State, path: &Path) -> Result<()> {
     if let Some(folder) = path.parent() {
         fs::create_dir_all(folder).map_err(|e| {
             let help = "set $XDG_STATE_HOME to a folder that can be written";
-            Error::file(folder, format!("cannot be made: {e}"), help)
+            Error::file(folder, format!("cannot be created: {e}"), help)
         })?;
     }
     let document = state.as_moving()?.moved_to(path)?;

@@ -1,4 +1,4 @@
-//! Watched files: whether one was written since it was read. Polled from time to time; a poll reads the files' metadata.
+//! Detects whether a file was written since it was last checked. The files are polled; a poll reads their metadata.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -9,11 +9,11 @@ use std::time::SystemTime;
 pub struct Watch(BTreeMap<PathBuf, SystemTime>);
 
 impl Watch {
-    /// Returns true if the modification time of a file differs from the last check. A file seen for the first time is unchanged.
+    /// Returns true if a file's modification time differs from the last check. A file checked for the first time counts as unchanged.
     pub fn has_changed<'a>(&mut self, files: impl Iterator<Item = &'a Path>) -> bool {
         let mut has_changed = false;
         for file in files {
-            // A missing file is probably about to be rewritten.
+            // A missing file is probably being rewritten, so it counts as unchanged.
             let Ok(written) = file.metadata().and_then(|m| m.modified()) else {
                 continue;
             };

@@ -1,4 +1,4 @@
-//! Integration with the desktop: dropped files, and exports through the command-line program.
+//! Desktop integration: dropped files, and exports through the command-line program.
 
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -11,11 +11,11 @@ use super::dialogs::naming::Asks;
 use crate::action::Action;
 use crate::storage::export::Export;
 
-/// State of work outside the window.
+/// State of desktop integration.
 #[derive(Default)]
 pub(super) struct Outside {
     export: Option<Export>,
-    /// Program that exports in place of this one.
+    /// Program that carries out exports; `None` for this program itself.
     program: Option<PathBuf>,
 }
 
@@ -26,7 +26,7 @@ impl Outside {
 }
 
 impl Viewer {
-    /// Sets another program for exports, for hosts that are not `cutaway` themselves.
+    /// Sets the program that carries out exports, for hosts that are not `cutaway` itself.
     pub fn export_by(&mut self, program: impl Into<PathBuf>) {
         self.outside.program = Some(program.into());
     }
@@ -47,7 +47,7 @@ impl Viewer {
         }
     }
 
-    /// Opens the dialog for a file to open.
+    /// Shows the dialog that asks for a file to open.
     pub(super) fn ask_for_files(&mut self, _: &Context) {
         self.asks = Some(Asks::open());
     }
@@ -73,7 +73,7 @@ impl Viewer {
     fn try_export(&self, path: &Path) -> Result<Export> {
         let own = || {
             std::env::current_exe().map_err(|e| {
-                let what = format!("this program does not know where it is: {e}");
+                let what = format!("the path of this program is not known: {e}");
                 Error::file(path, what, "use *Copy command* instead")
             })
         };
@@ -87,7 +87,7 @@ impl Viewer {
         Export::begin(&program, &document, self.size_px, moves, path)
     }
 
-    /// Shows the running export, with a button that cancels it.
+    /// Shows the export in progress, with a cancel button.
     pub(super) fn exporting(&mut self, ui: &mut Ui) {
         let Some(export) = &mut self.outside.export else {
             return;

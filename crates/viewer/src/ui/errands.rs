@@ -1,4 +1,4 @@
-//! Background work of the window: watching files and advancing time.
+//! Periodic work of the window: watches files and advances the time.
 
 use std::time::Duration;
 
@@ -13,7 +13,7 @@ const LOOKED_AT_EVERY_S: f64 = 1.0;
 impl Viewer {
     pub(super) fn run_errands(&mut self, ctx: &Context, actions: &mut Vec<Action>) {
         self.look_outside(ctx, actions);
-        // Files of a page are in its memory: no other program writes them.
+        // A page's files are in its memory, where no other program writes them.
         if cfg!(not(target_arch = "wasm32")) {
             self.look_at_files(ctx, actions);
         }
@@ -25,7 +25,7 @@ impl Viewer {
         let Some(shown) = self.state.shown() else {
             return;
         };
-        // Requested in every frame, because each frame discards the requests of the one before.
+        // Requested in every frame, because each frame discards the previous frame's requests.
         ctx.request_repaint_after(Duration::from_secs_f64(LOOKED_AT_EVERY_S));
         if now - self.watch.1 < LOOKED_AT_EVERY_S {
             return;
@@ -36,7 +36,7 @@ impl Viewer {
         }
     }
 
-    /// Advances the time while playing; wraps to the beginning at the end.
+    /// Advances the time while the animation plays; after the end it starts again.
     fn play(&mut self, ctx: &Context, actions: &mut Vec<Action>) {
         let duration_s = self.state.shown().and_then(|s| s.timeline.duration_s());
         let Some(duration_s) = duration_s.filter(|_| self.plays) else {

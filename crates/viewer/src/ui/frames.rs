@@ -1,4 +1,4 @@
-//! Frames of the slots: when they are drawn, and how finely.
+//! Decides when the slots' frames are drawn, and at which resolution.
 
 use std::time::Duration;
 
@@ -10,10 +10,10 @@ use super::Viewer;
 use crate::picture::pace::{Detail, REST};
 use crate::picture::slot::{SlotLayout, SlotSide};
 
-/// Samples along each side of a pixel where a document specifies none; exported pictures use the same default.
+/// Default number of samples along each side of a pixel, for documents that specify none. Exported pictures use the same default.
 const USUAL_SAMPLES: u32 = 2;
 
-/// Maximum number: each sample is a texture layer, kept until all are complete.
+/// Maximum number of samples along each side: each sample needs a texture layer until all are complete.
 const MOST_SAMPLES: u32 = 3;
 
 /// State of the last frame drawn.
@@ -27,7 +27,7 @@ pub(super) struct LastFrame {
 }
 
 impl Viewer {
-    /// Returns true until the full-resolution picture of the present state is drawn.
+    /// Returns true until the present state is drawn at full resolution.
     pub(super) fn is_drawing(&self) -> bool {
         let Some(last) = self.last else {
             return self.state.shown().is_some();
@@ -38,7 +38,7 @@ impl Viewer {
         self.state.shown().is_some() && (!is_whole || is_under_way)
     }
 
-    /// Returns true until all samples of that picture are drawn.
+    /// Returns true until all samples of the full-resolution picture are drawn.
     pub(super) fn is_refining(&self) -> bool {
         let last = self.last.filter(|_| self.state.shown().is_some());
         let per_side = self.samples_per_side();
@@ -47,13 +47,13 @@ impl Viewer {
         last.is_some_and(is_open) || self.screen.is_busy()
     }
 
-    /// Samples along each side of a pixel at rest: the count that the document requests.
+    /// Number of samples along each side of a pixel at rest: the document's number, up to the maximum, or 1 if edges are not smoothed.
     fn samples_per_side(&self) -> u32 {
         let asked = (self.state.shown()).and_then(|s| s.timeline.settings().supersample);
         let drawn = self.last.map_or([None; 2], |last| last.renderers);
         let is_refused = |side: SlotSide| self.screen.refusal(side).is_some();
         let seen = || drawn.iter().flatten();
-        // Comparisons use one sample per pixel, as the reference does, and a difference compares pixels, not means.
+        // Comparisons use one sample per pixel, as the reference does. A difference compares single samples, not means.
         let is_compared = self.state.layout() == SlotLayout::Difference
             || seen().any(|renderer| renderer.method().is_none());
         let is_idle = seen().next().is_none() || SlotSide::BOTH.into_iter().all(is_refused);
@@ -63,7 +63,7 @@ impl Viewer {
         }
     }
 
-    /// Draws changed slots, as finely as the time budget allows.
+    /// Draws the slots that have changed, at the finest resolution that the time budget allows.
     pub(super) fn draw(&mut self, ctx: &Context) {
         if let Err(error) = self.try_draw(ctx) {
             self.toasts.add(ctx, error.into());

@@ -1,4 +1,4 @@
-//! The handles of the selected cut, painted over the picture; which one is under the pointer or held is bright.
+//! Paints the selected cut's handles over the picture. The handle that is held or under the pointer is bright.
 
 use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, vec2};
 use glam::DVec2;
@@ -11,10 +11,10 @@ use crate::state::State;
 
 const COLOR: Color32 = Color32::from_rgb(230, 120, 30);
 const LIT: Color32 = Color32::from_rgb(255, 214, 64);
-/// Colour behind a handle, so that it is visible on any cap.
+/// Colour of the outline around a handle, which makes the handle visible on any cap.
 const RIM: Color32 = Color32::from_rgb(40, 24, 10);
 
-/// The handles of the selected cut, in points of a picture.
+/// The selected cut's gizmo, in points of the picture.
 pub(super) fn gizmo(state: &State, shown: &Shown, view: &WorldView) -> Gizmo {
     let Selection::Cut(index) = state.selection() else {
         return Gizmo::default();
@@ -29,7 +29,7 @@ pub(super) fn in_picture(picture: Rect, at: Pos2) -> DVec2 {
     DVec2::new(f64::from(at.x), f64::from(at.y))
 }
 
-/// Paints the handles over a picture, with the help text of the highlighted one.
+/// Paints the handles over a picture, and the help text of the highlighted handle.
 pub(super) fn paint(painter: &Painter, picture: Rect, gizmo: &Gizmo, lit: Option<Grip>) {
     let at = |p: &DVec2| picture.min + vec2(p.x as f32, p.y as f32);
     for line in &gizmo.outlines {

@@ -1,4 +1,4 @@
-//! Results of the judge: error marks, counts, and pictures of slots drawn on the CPU.
+//! Results from the judge: error marks, error counts, and the pictures of slots drawn on the CPU.
 
 use cutaway_lab::compare::Comparison;
 use cutaway_lab::experiment::Renderer;
@@ -11,10 +11,10 @@ use crate::picture::screen::{PLAIN, Screen};
 use crate::picture::slot::SlotSide;
 use crate::state::State;
 
-/// Known errors of a slot.
+/// The errors known for a slot.
 #[derive(Default)]
 struct Errors {
-    /// Id of the question.
+    /// Id of the question that they answer.
     id: u64,
     divisor: u32,
     marks: Option<TextureHandle>,
@@ -22,7 +22,7 @@ struct Errors {
     failed: Option<String>,
 }
 
-/// Subject of a question.
+/// What a question is about; an equal one is not sent again.
 #[derive(Clone, Copy, PartialEq)]
 struct JudgedSubject {
     revision: u64,
@@ -32,7 +32,7 @@ struct JudgedSubject {
     wants_errors: bool,
 }
 
-/// The judge, and its answers.
+/// The judge, and the answers received from it.
 #[derive(Default)]
 pub(super) struct JudgeState {
     judge: Option<Judge>,
@@ -40,12 +40,12 @@ pub(super) struct JudgeState {
     /// The picture of the last question.
     subject: Option<Subject>,
     errors: [Errors; 2],
-    /// Per slot drawn on the CPU: the id of the question of its picture, and the divisor of its resolution.
+    /// For each slot drawn on the CPU: the id of the question that its picture answers, and the picture's resolution divisor.
     pictures: [(u64, u32); 2],
 }
 
 impl JudgeState {
-    /// Sends a question about the visible picture if it needs an answer and differs from the last question.
+    /// Sends a question about the visible picture if an answer is needed and the question differs from the last one.
     pub(super) fn ask(
         &mut self,
         ctx: &Context,
@@ -57,7 +57,7 @@ impl JudgeState {
         let is_on_cpu = |r: &Renderer| r.method().is_none();
         let paints = renderers.iter().flatten().any(is_on_cpu);
         let is_needed = wants_errors || paints;
-        // Hatches affect pictures, but not errors.
+        // Hatches change pictures but not errors, so they matter only for slots drawn on the CPU.
         let is_preclassified = paints && is_preclassified;
         let about = JudgedSubject {
             revision: state.revision(),
@@ -80,7 +80,7 @@ impl JudgeState {
         self.judge(ctx, screen).ask(state, question);
     }
 
-    /// The judge, started by the first question.
+    /// The judge, which is started on the first call.
     pub(super) fn judge(&mut self, ctx: &Context, screen: &Screen) -> &Judge {
         let wake = ctx.clone();
         let adapter = screen.gpu().name();
@@ -102,7 +102,7 @@ impl JudgeState {
             what,
         } in answers
         {
-            // An answer to an older question is better than none: it is shown, faded, until the next.
+            // Errors from an older question are shown, faded, until newer ones arrive.
             let wants_difference = state.layout() == crate::picture::slot::SlotLayout::Difference;
             let by = self.renderer(side);
             let errors = &mut self.errors[side.index()];
@@ -142,12 +142,12 @@ impl JudgeState {
         }
     }
 
-    /// Renderer of a slot in the picture of the last question.
+    /// The slot's renderer in the last question.
     fn renderer(&self, side: SlotSide) -> Option<Renderer> {
         self.latest.about()?.renderers[side.index()]
     }
 
-    /// Error marks of a slot; true if they belong to the visible picture.
+    /// Error marks of a slot, and true if they belong to the visible picture.
     pub(super) fn marks(&self, side: SlotSide) -> Option<(&TextureHandle, bool)> {
         let errors = &self.errors[side.index()];
         errors
@@ -182,7 +182,7 @@ impl JudgeState {
         SlotSide::BOTH.into_iter().any(is_open)
     }
 
-    /// Error counts of a slot, with their resolution divisor.
+    /// Error counts of a slot, and the resolution divisor at which they were computed.
     pub(super) fn counts(&self, side: SlotSide) -> Option<(&Comparison, u32)> {
         let errors = &self.errors[side.index()];
         let is_known = errors.marks.is_some() && errors.id == self.latest.id();

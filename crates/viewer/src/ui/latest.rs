@@ -1,6 +1,6 @@
-//! The latest question of a kind to the judge: sent once per subject, and identified by its number.
+//! Numbers the questions of one kind to the judge, so that each subject is asked about once and only the latest question's answer counts.
 
-/// The last question sent; only its answer counts.
+/// The latest question; answers to earlier ones are ignored.
 #[derive(Debug)]
 pub(super) struct Latest<T> {
     /// The number of the question; 0 before the first.
@@ -15,7 +15,7 @@ impl<T> Default for Latest<T> {
 }
 
 impl<T: PartialEq> Latest<T> {
-    /// The number of a new question, if its subject differs from the last one's.
+    /// The number of a new question; `None` if its subject is that of the last question.
     pub(super) fn ask(&mut self, about: T) -> Option<u64> {
         if self.about.as_ref() == Some(&about) {
             return None;
@@ -35,7 +35,7 @@ impl<T: PartialEq> Latest<T> {
         self.about.as_ref()
     }
 
-    /// Forces the next question to be sent, whatever its subject. The last one counts until then.
+    /// Makes the next question be sent even if its subject is the same. Until then the last question's answer still counts.
     pub(super) fn forget(&mut self) {
         self.about = None;
     }

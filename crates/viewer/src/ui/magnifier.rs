@@ -1,6 +1,6 @@
-//! Magnifier of a pixel clicked while errors are shown: its neighbourhood in the slots and the reference, and its ray's crossings.
+//! The magnifier, which a click on a pixel opens while errors are shown: the pixel in the slots and the reference, and its ray's crossings.
 //!
-//! The window follows the picture: when the scene has changed and rests, the same pixel is queried again.
+//! The magnifier follows the picture: after a change, once nothing moves, the same pixel is queried again.
 
 use cutaway_lab::experiment::Renderer;
 use eframe::egui::{
@@ -15,16 +15,16 @@ use crate::judge::Subject;
 use crate::judge::magnify::{DepthRow, Magnified, MagnifyQuestion, Neighbourhood, SIDE_PX};
 use crate::picture::screen::PLAIN;
 
-/// Width of a magnified pixel, in points.
+/// Size of a magnified pixel, in points.
 const POINTS_PER_PX: f32 = 16.0;
 
-/// Maximum height of the list of depths, in points; longer lists scroll.
+/// Maximum height of the list of crossings, in points; a longer list scrolls.
 const LIST_POINTS: f32 = 220.0;
 
-/// Initial position of the window, from the upper right corner.
+/// Initial position of the magnifier's window, relative to the upper right corner of the viewer, in points.
 const OPENS_AT: Vec2 = Vec2::new(-780.0, 40.0);
 
-/// Subject of a question.
+/// What a question is about; an equal one is not sent again.
 #[derive(Clone, Copy, PartialEq)]
 struct MagnifiedSubject {
     revision: u64,
@@ -33,15 +33,15 @@ struct MagnifiedSubject {
     at_px: [u32; 2],
 }
 
-/// Answer to the question with this id.
+/// An answer, with the id of its question.
 struct Answered {
     id: u64,
     magnified: Result<Magnified, String>,
-    /// Textures of the neighbourhoods that have a picture.
+    /// Textures of the neighbourhoods; `None` for one without a picture.
     pictures: Vec<Option<TextureHandle>>,
 }
 
-/// The window of a pixel.
+/// State of the magnifier's window.
 #[derive(Default)]
 pub(super) struct Magnifier {
     at_px: Option<[u32; 2]>,
@@ -50,7 +50,7 @@ pub(super) struct Magnifier {
 }
 
 impl Magnifier {
-    /// Opens at a pixel.
+    /// Opens the window for a pixel.
     pub(super) fn open(&mut self, pointed: Pointed) {
         self.at_px = Some(pointed.at_px);
     }
@@ -132,7 +132,7 @@ impl Viewer {
         judge.magnify(&self.state, question);
     }
 
-    /// The window of the magnifier.
+    /// Shows the magnifier's window.
     pub(super) fn magnifier(&mut self, ctx: &Context) {
         let Some([x, y]) = self.magnifier.at_px else {
             return;
@@ -142,7 +142,7 @@ impl Viewer {
         let window = Window::new("Magnifier")
             .open(&mut is_open)
             .resizable(false)
-            // Over the panel to the right rather than the pixel.
+            // Placed over the right panel, so that it does not hide the pixel.
             .default_pos(ctx.content_rect().right_top() + OPENS_AT);
         window.show(ctx, |ui| {
             ui.horizontal(|ui| {
@@ -215,7 +215,7 @@ fn contents(ui: &mut Ui, magnified: &Magnified, pictures: &[Option<TextureHandle
     list.show(ui, |ui| depths(ui, &magnified.depths));
 }
 
-/// A picture of few pixels, with a frame around the one in the middle.
+/// Shows a neighbourhood, with a frame around the pixel in the middle.
 fn neighbourhood(ui: &mut Ui, picture: &TextureHandle) {
     let size = Vec2::splat(POINTS_PER_PX * SIDE_PX as f32);
     let (rect, _) = ui.allocate_exact_size(size, Sense::hover());

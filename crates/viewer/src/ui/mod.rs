@@ -1,4 +1,4 @@
-//! The whole window: panels around the picture. Panels read the [`State`] and return actions; only [`Viewer::show`] carries them
+//! The whole window: panels around the picture. Panels read the [`State`] and return actions; only [`Viewer::show`] carries the actions
 //! out.
 
 #[cfg(not(target_arch = "wasm32"))]
@@ -65,9 +65,9 @@ pub struct Viewer {
     toasts: Toasts,
     pace: Pace,
     last: Option<LastFrame>,
-    /// The revision last seen, and the time since when, on egui's clock in seconds.
+    /// The revision last seen, and when it was first seen, on egui's clock in seconds.
     changed: (u64, f64),
-    /// The revision prepared as for an exported picture.
+    /// The revision for which the scene was prepared as for an exported picture.
     preclassified: Option<u64>,
     held: Held,
     flickers: bool,
@@ -77,7 +77,7 @@ pub struct Viewer {
     magnifier: Magnifier,
     chart: ChartWindow,
     costs: Costs,
-    /// The scene's files, and the time of the last check.
+    /// Watches the scene's files, with the time of the last check.
     watch: (Watch, f64),
     outside: Outside,
     shows_keys: bool,
@@ -86,7 +86,7 @@ pub struct Viewer {
     badges: Badges,
     #[cfg(not(target_arch = "wasm32"))]
     closing: dialogs::closing::CloseProgress,
-    /// Action to carry out once the changes are saved or discarded; `None` where the window is closed.
+    /// Action to carry out once the changes are saved or discarded; `None` to close the window.
     #[cfg(not(target_arch = "wasm32"))]
     leaves_for: Option<Action>,
     #[cfg(not(target_arch = "wasm32"))]
@@ -94,22 +94,22 @@ pub struct Viewer {
     size_px: [u32; 2],
     /// True if edges are antialiased while nothing moves.
     is_smooth: bool,
-    /// Costs of frames, where profiling is on, and the cost of the present frame.
+    /// Costs of earlier frames, if profiling is on, and the cost of the present frame.
     profile: Option<Profile>,
     cost: FrameCost,
 }
 
 impl Viewer {
-    /// Creates the window of a state, on egui's device.
+    /// Creates a window for a state, on egui's device.
     ///
     /// # Errors
     ///
-    /// A device with less than core WebGPU.
+    /// The device does not support core WebGPU.
     pub fn on(host: &RenderState, state: State) -> Result<Self> {
         Ok(Self::with(Screen::on(host)?, state))
     }
 
-    /// Creates the window of a state, with a screen.
+    /// Creates a window for a state, with an existing screen.
     pub fn with(screen: Screen, state: State) -> Self {
         Self {
             state,
@@ -148,8 +148,8 @@ impl Viewer {
         }
     }
 
-    /// Continues in a window with another device after a loss: keeps the scene, its history, and the work in the
-    /// background. Everything that the lost device has drawn is redrawn.
+    /// Continues on another device after a device loss. Keeps the scene, its history, and the work in the
+    /// background. Everything drawn on the lost device is redrawn.
     #[must_use]
     pub fn reopened_on(self, screen: Screen) -> Self {
         let mut reopened = Self {
@@ -163,7 +163,7 @@ impl Viewer {
         };
         reopened.state.tell(Diagnostic::warning(
             "device-lost",
-            "The graphics device was lost. It has been opened again; the scene is whole.",
+            "The graphics device was lost and has been reopened; the scene is intact.",
         ));
         reopened
     }
@@ -173,42 +173,42 @@ impl Viewer {
         &self.state
     }
 
-    /// The pictures.
+    /// The pictures of the slots.
     pub fn screen(&self) -> &Screen {
         &self.screen
     }
 
-    /// The size of the picture of a slot, in pixels.
+    /// Width and height of a slot's picture, in pixels.
     pub fn size_px(&self) -> [u32; 2] {
         self.size_px
     }
 
-    /// The errors of a slot against the reference, and by how much coarser than the picture they were taken, once they are known.
+    /// The errors of a slot against the reference, and the resolution divisor at which they were computed; `None` until they are known.
     pub fn errors(&self, side: SlotSide) -> Option<(&Comparison, u32)> {
         self.judged.counts(side)
     }
 
-    /// The pixel under the pointer, once it is known.
+    /// What is visible at the pixel under the pointer; `None` until it is known.
     pub fn picked(&self) -> Option<&Picked> {
         self.pointing.under_pointer()
     }
 
-    /// The pixel that was clicked, magnified, once it is known.
+    /// The magnified pixel; `None` until it is known.
     pub fn magnified(&self) -> Option<&Magnified> {
         self.magnifier.magnified()
     }
 
-    /// Results for the methods measured so far.
+    /// Survey results for the methods measured so far.
     pub fn surveyed(&self) -> &[(Method, Found)] {
         self.chart.entries()
     }
 
-    /// Cost of a frame of a slot, where that is shown, once it is known.
+    /// Cost of a slot's frame; `None` while costs are not shown or not yet known.
     pub fn cost(&self, side: SlotSide) -> Option<&Cost> {
         self.costs.cost(side)
     }
 
-    /// Returns true while something is pending: a frame, an answer of the judge, a requested pixel, a file being opened or
+    /// Returns true while something is pending: a frame, an answer from the judge, a requested pixel, a file being opened or
     /// exported, a mesh being inspected.
     pub fn is_busy(&self) -> bool {
         let is_judging = self.judged.is_busy()
@@ -220,7 +220,7 @@ impl Viewer {
         self.is_drawing() || self.is_refining() || is_asked || is_outside
     }
 
-    /// Carries out an action, as a button does.
+    /// Carries out an action, as if a button had been pressed.
     pub fn apply(&mut self, action: Action) {
         match Opening::is_for(&action) {
             true => self.opening.ask(action),
@@ -228,22 +228,22 @@ impl Viewer {
         }
     }
 
-    /// Smooths edges while nothing moves, or does not.
+    /// Turns the smoothing of edges at rest on or off.
     pub fn smooth(&mut self, is_smooth: bool) {
         self.is_smooth = is_smooth;
     }
 
-    /// Begins to keep what frames cost.
+    /// Begins to record the costs of frames.
     pub fn begin_profile(&mut self) {
         self.profile = Some(Profile::default());
     }
 
-    /// Frame costs recorded since.
+    /// The frame costs recorded so far; `None` if profiling is off.
     pub fn profile(&self) -> Option<&Profile> {
         self.profile.as_ref()
     }
 
-    /// All of the window.
+    /// Shows the whole window, and carries out the user's actions.
     pub fn show(&mut self, ui: &mut Ui) {
         let watch = Stopwatch::start();
         self.cost = FrameCost::default();
@@ -285,7 +285,7 @@ impl Viewer {
             .show(ui, |ui| {
                 panels::properties::show(ui, &self.state, &mut actions);
             });
-        // Releasing the pointer ends the gestures of panels.
+        // Releasing the pointer ends any gesture in a panel.
         if ctx.input(|input| input.pointer.any_released()) {
             actions.push(Action::Release);
         }
@@ -333,14 +333,14 @@ impl Viewer {
         }
     }
 
-    /// Sends the questions of open windows to the judge.
+    /// Sends the questions of the magnifier, cost and survey windows to the judge.
     fn ask_the_judge(&mut self, ctx: &Context) {
         self.magnify(ctx);
         self.survey(ctx);
         self.ask_costs(ctx);
     }
 
-    /// Takes in the findings of the judge other than errors.
+    /// Hands the judge's findings other than errors to their windows.
     fn take_findings(&mut self, ctx: &Context) {
         for finding in self.judged.findings() {
             match finding {

@@ -1,4 +1,4 @@
-//! The page around the window: files that are dropped or chosen, the link, and pictures that are downloaded.
+//! Integration with the web page: dropped or chosen files, the link to the scene, and downloads of pictures.
 
 use std::cell::{Cell, RefCell};
 use std::io::Cursor;
@@ -22,7 +22,7 @@ use crate::storage::files::{self, FileKind};
 use crate::web::files::{PageFiles, download};
 use cutaway::error::{Diagnostic, Severity};
 
-/// Files and notices on their way to the window.
+/// Files and notices that asynchronous tasks deliver to the window.
 #[derive(Clone, Default)]
 pub(super) struct Outside {
     come: Rc<RefCell<Vec<Come>>>,
@@ -31,7 +31,7 @@ pub(super) struct Outside {
 
 /// A delivery to the window.
 enum Come {
-    /// Files, which are among those of the page by now.
+    /// Files that are now in the page's memory.
     Files(Vec<PathBuf>),
     /// A notice for the user.
     Told(Diagnostic),
@@ -42,7 +42,7 @@ impl Outside {
         self.under_way.get() > 0 || !self.come.borrow().is_empty()
     }
 
-    /// Delivers something later.
+    /// Delivers the result of an asynchronous task when it is complete.
     fn await_it(&self, ctx: &Context, what: impl Future<Output = Come> + 'static) {
         let (own, ctx) = (self.clone(), ctx.clone());
         own.under_way.set(own.under_way.get() + 1);
@@ -55,7 +55,7 @@ impl Outside {
     }
 }
 
-/// Reads files into the memory of the page.
+/// Reads dropped files into the page's memory.
 async fn read(dropped: Vec<DroppedFileHandle>) -> Come {
     let mut paths = Vec::new();
     for file in dropped {
@@ -69,7 +69,7 @@ async fn read(dropped: Vec<DroppedFileHandle>) -> Come {
     Come::Files(paths)
 }
 
-/// Reads chosen files into the memory of the page.
+/// Reads chosen files into the page's memory.
 async fn read_chosen(chosen: Vec<File>) -> Come {
     let mut paths = Vec::new();
     for file in chosen {
@@ -88,14 +88,14 @@ async fn read_chosen(chosen: Vec<File>) -> Come {
     Come::Files(paths)
 }
 
-/// Asks in a dialog of the browser if unsaved changes may be discarded.
+/// Asks in a browser dialog whether unsaved changes may be discarded.
 fn is_agreed() -> bool {
     let question = "The scene was changed and is not saved. Open another in its place?";
     let asked = web_sys::window().and_then(|page| page.confirm_with_message(question).ok());
     asked.unwrap_or(true)
 }
 
-/// Actions for files that have arrived: files that the scene already names are read again, others are taken in.
+/// Actions for files that have arrived: files that the scene already uses are reloaded, and new files are opened.
 fn actions_of(paths: Vec<PathBuf>, state: &State) -> Vec<Action> {
     let shown = state.shown();
     let known: Vec<&Path> = shown.map_or(Vec::new(), |s| s.timeline.files().collect());
@@ -107,7 +107,7 @@ fn actions_of(paths: Vec<PathBuf>, state: &State) -> Vec<Action> {
     reload.into_iter().chain(take).collect()
 }
 
-/// Hands a picture to the user.
+/// Downloads a picture as a PNG file.
 fn download_png(path: &Path, image: Result<RgbaImage>) -> Diagnostic {
     let written = image.and_then(|image| {
         let mut png = Cursor::new(Vec::new());
@@ -124,7 +124,7 @@ fn unreadable(path: &Path, why: &str) -> Come {
     Come::Told(Error::file(path, format!("the browser cannot read it: {why}"), help).into())
 }
 
-/// The files to open: of a scene with its files, the scene; of a mesh with its files, the mesh.
+/// The files to open: only the scenes if there is one, else only the meshes if there is one, else all files.
 fn taken(paths: Vec<PathBuf>) -> Vec<PathBuf> {
     let of = |kind| move |path: &&PathBuf| files::kind(path).is_ok_and(|k| k == kind);
     for kind in [FileKind::Scene, FileKind::Model] {
@@ -159,10 +159,10 @@ impl Viewer {
         }
     }
 
-    /// Lets the user choose files to open.
+    /// Lets the user choose files to open, in the browser's dialog.
     pub(super) fn ask_for_files(&mut self, ctx: &Context) {
         if let Err(why) = self.choose_files(ctx) {
-            let text = format!("the browser does not let files be chosen: {why:?}");
+            let text = format!("the browser does not allow files to be chosen: {why:?}");
             self.toasts
                 .add(ctx, Diagnostic::new(Severity::Error, "browser", text));
         }
@@ -171,7 +171,7 @@ impl Viewer {
     /// Downloads the picture of slot A, as displayed.
     pub(super) fn begin_export(&mut self, ctx: &Context, path: &Path) {
         if path.extension().is_none_or(|ending| ending != "png") {
-            let what = "a page exports pictures (.png)";
+            let what = "a page exports only pictures (.png)";
             let help = "save the scene, and use the command for films and drawings";
             self.toasts.add(ctx, Error::file(path, what, help).into());
             return;
@@ -183,14 +183,14 @@ impl Viewer {
         }
     }
 
-    /// Shows a spinner while something is on its way.
+    /// Shows a spinner while a delivery is pending.
     pub(super) fn exporting(&mut self, ui: &mut Ui) {
         if self.outside.is_busy() {
             ui.spinner();
         }
     }
 
-    /// Puts the address of the page that shows this scene into the clipboard.
+    /// Copies to the clipboard a link that opens this page with this scene.
     pub(super) fn copy_link(&mut self, ctx: &Context) {
         let fragment = self.state.as_seen().and_then(|d| link::fragment(&d));
         match fragment {
@@ -206,7 +206,7 @@ impl Viewer {
         }
     }
 
-    /// Has the user choose files.
+    /// Opens the browser's dialog for choosing files.
     fn choose_files(&self, ctx: &Context) -> Result<(), JsValue> {
         let document = web_sys::window().and_then(|window| window.document());
         let document = document.ok_or("there is no page")?;

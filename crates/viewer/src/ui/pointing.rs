@@ -1,4 +1,4 @@
-//! Picking with the pointer: a pixel is requested when the picture rests, and shown when it arrives. Two clicks measure, and a click
+//! Picking with the pointer: a pixel is requested while the picture is at rest, and described once known. Two clicks measure; a click
 //! while errors are shown opens the magnifier.
 
 use cutaway::scene::View;
@@ -17,14 +17,14 @@ struct PixelRequest {
     view: View,
 }
 
-/// The pixel under the pointer, and the last clicks.
+/// State of picking: the pixel under the pointer, and the last clicks.
 #[derive(Debug, Default)]
 pub(super) struct Pointing {
     asked: Option<PixelRequest>,
     under_pointer: Option<Picked>,
-    /// The last two clicks.
+    /// The pixels of the last two clicks.
     clicked: Vec<Picked>,
-    /// A click that came while another pixel was under way.
+    /// A click that happened while another pixel was pending.
     waiting: Option<Pointed>,
 }
 
@@ -48,7 +48,7 @@ impl Pointing {
 }
 
 impl Viewer {
-    /// Asks for what is under the pointer, and takes in what has come.
+    /// Requests the pixel under the pointer, and receives a pixel that has arrived.
     pub(super) fn point(&mut self, ctx: &Context, at: Option<Pointed>) {
         let revision = self.state.revision();
         if let (Some((at_px, layer)), Some(asked)) = (self.screen.picked(), self.pointing.asked) {
@@ -74,7 +74,7 @@ impl Viewer {
         }
         let waiting = self.pointing.waiting;
         let Some(pointed) = waiting.or(at) else {
-            // A click whose pixel is still to come counts, wherever the pointer is by then.
+            // A click counts even if the pointer has moved away before its pixel arrives.
             let is_picking = self.screen.is_picking();
             let asked = self.pointing.asked;
             self.pointing.asked = asked.filter(|asked| asked.pointed.is_click && is_picking);
@@ -91,7 +91,7 @@ impl Viewer {
         let renderer = renderers.and_then(|r| r[pointed.side.index()]);
         let method = renderer.and_then(|renderer| renderer.method());
         let (Some(method), Some(view)) = (method, self.screen.view()) else {
-            // What is drawn on the CPU has no layers here.
+            // For a slot drawn on the CPU, the screen has no layers to pick from.
             (self.pointing.asked, self.pointing.under_pointer) = (None, None);
             return;
         };
@@ -111,7 +111,7 @@ impl Viewer {
         let Some(picked) = &self.pointing.under_pointer else {
             return;
         };
-        // What is before the face goes: the normal of a plane points to what stays.
+        // The part in front of the face is removed, so the normal points into the solid, to the kept side.
         actions.push(Action::CutThrough(picked.point, -picked.normal));
     }
 }

@@ -1,4 +1,4 @@
-//! The picture: slots side by side or one over the other, with marks of what is wrong, the line of the wipe and the handles of a cut.
+//! The picture: slots side by side or one over the other, with error marks, the wipe line and the handles of the selected cut.
 
 use eframe::egui::{
     Align2, Color32, CursorIcon, FontId, Painter, PointerButton, Pos2, Rect, Response, Sense,
@@ -18,28 +18,28 @@ use crate::picture::slot::{SlotLayout, SlotSide};
 use crate::picture::world_view::WorldView;
 use crate::state::State;
 
-/// Degrees of an orbit for a point of a drag.
+/// Degrees of orbit per point that the pointer is dragged.
 const DEGREES_PER_POINT: f64 = 0.4;
 
-/// Zoom per point of scrolling.
+/// Zoom per point of scrolling, as the exponent of e.
 const ZOOM_PER_POINT: f64 = 0.003;
 
-/// Distance from the line of the wipe within which a pointer grabs it, in points.
+/// Maximum distance at which the pointer grabs the wipe line, in points.
 const NEAR_LINE: f32 = 8.0;
 
-/// The item that the pointer holds.
+/// What the pointer is dragging.
 #[derive(Clone, Debug, Default)]
 pub(super) enum Held {
     /// Nothing, or the eye.
     #[default]
     Eye,
-    /// The line of the wipe.
+    /// The wipe line.
     Line,
     /// A handle of the selected cut.
     Handle(Box<Hold>),
 }
 
-/// Position of the pointer in the picture of a slot.
+/// Position of the pointer in a slot's picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Pointed {
     pub(super) side: SlotSide,
@@ -47,7 +47,7 @@ pub(super) struct Pointed {
     pub(super) is_click: bool,
 }
 
-/// The size of the picture of a slot, in pixels.
+/// Width and height of a slot's picture, in pixels.
 pub(super) fn size_px(rect: Rect, layout: SlotLayout, pixels_per_point: f32) -> [u32; 2] {
     let columns = if layout == SlotLayout::SideBySide {
         2.0
@@ -58,7 +58,7 @@ pub(super) fn size_px(rect: Rect, layout: SlotLayout, pixels_per_point: f32) -> 
     [size.x, size.y].map(|s| (s.round() as u32).max(16))
 }
 
-/// Shows the pictures, and says what the pointer does.
+/// Shows the pictures, and handles the pointer. Returns the pixel under it.
 pub(super) fn show(
     ui: &mut Ui,
     rect: Rect,
@@ -180,7 +180,7 @@ pub(super) fn show(
         (held, &gizmo, &view),
         actions,
     );
-    // A pointer that has left by the time its click is seen has clicked all the same.
+    // A click counts even if the pointer has already left the picture.
     let at = match response.clicked() {
         true => response.interact_pointer_pos(),
         false => response.hover_pos().filter(|_| !response.dragged()),
@@ -203,12 +203,12 @@ pub(super) fn show(
     })
 }
 
-/// Position of the line of the wipe.
+/// Horizontal position of the wipe line.
 fn line(rect: Rect, at: f32) -> f32 {
     rect.left() + rect.width() * at
 }
 
-/// A part of a picture that fills `whole`, or why there is none.
+/// Paints the region `part` of a slot whose picture fills `whole`, or the reason why there is no picture.
 fn slot(
     painter: &Painter,
     (whole, part): (Rect, Rect),
@@ -245,7 +245,7 @@ fn slot(
     }
 }
 
-/// Paints that part of a picture that fills `whole` which lies in `part`.
+/// Paints only the region `part` of a picture that fills `whole`.
 fn image(painter: &Painter, (whole, part): (Rect, Rect), id: TextureId, tint: Color32) {
     let share = |p: Pos2| ((p - whole.min) / whole.size()).to_pos2();
     let uv = Rect::from_min_max(share(part.min), share(part.max));

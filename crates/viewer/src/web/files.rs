@@ -1,4 +1,4 @@
-//! Files of a page: those that were dropped or chosen, in memory. What is written is kept there too, and handed to the user as a download.
+//! In-memory file storage of a page, for files that were dropped or chosen. Files that are written are also kept there, and are downloaded.
 
 use std::borrow::Cow;
 use std::io::{self, ErrorKind};
@@ -15,18 +15,18 @@ use crate::storage::files::FileStorage;
 
 type PageFile = (PathBuf, Arc<[u8]>);
 
-/// Files in memory, in order of arrival; of two with the same name only the newer keeps its bytes.
+/// Files in memory, in order of arrival. If two have the same name, only the newer one keeps its bytes.
 #[derive(Debug, Default)]
 pub struct PageFiles(Mutex<Vec<PageFile>>);
 
 impl PageFiles {
-    /// Those of this page.
+    /// The files of this page.
     pub fn of_page() -> Arc<Self> {
         static OF_PAGE: LazyLock<Arc<PageFiles>> = LazyLock::new(Arc::default);
         OF_PAGE.clone()
     }
 
-    /// Puts a file in.
+    /// Adds a file.
     pub fn insert(&self, path: impl Into<PathBuf>, bytes: impl Into<Arc<[u8]>>) {
         let path = path.into();
         let mut files = self.lock();
@@ -37,7 +37,7 @@ impl PageFiles {
         files.push((path, bytes.into()));
     }
 
-    /// Files added after the first `count`.
+    /// The files that were added after the first `count` files.
     pub fn since(&self, count: usize) -> Vec<PageFile> {
         self.lock().get(count..).unwrap_or_default().to_vec()
     }
@@ -74,11 +74,11 @@ impl FileStorage for PageFiles {
     }
 }
 
-/// Hands a file to the user.
+/// Lets the browser download a file.
 ///
 /// # Errors
 ///
-/// A browser that does not download it.
+/// The browser does not download the file.
 pub fn download(path: &Path, bytes: &[u8]) -> Result<()> {
     try_download(path, bytes).map_err(|e| {
         let what = format!("the browser does not download it: {e:?}");

@@ -1,9 +1,9 @@
-//! The window on a page: a canvas, files that are dropped into it or chosen, a link that holds the scene, and what the page itself may ask.
+//! The viewer on a web page: a canvas, dropped or chosen files, a link that contains the scene, and the functions that the page can call.
 //!
-//! The same [`Viewer`] as on a desktop, on the browser's WebGPU. Nothing is sent anywhere: files stay in the memory of the page.
+//! The same [`Viewer`] as on a desktop, on the browser's WebGPU. Nothing is sent anywhere: files stay in the page's memory.
 //!
-//! Cannot: make films, which the command does; watch files; keep files from one visit to the next; go on with another device where the
-//! browser takes the present one away.
+//! Cannot: make films (the command does that); watch files; keep files from one visit to the next; continue on another device if the
+//! browser takes the device away.
 
 pub mod files;
 
@@ -31,7 +31,7 @@ use crate::state::State;
 use crate::ui::Viewer;
 use files::PageFiles;
 
-/// The viewer, as the page sees it.
+/// The page's handle to the viewer.
 #[wasm_bindgen]
 pub struct Cutaway {
     viewer: Rc<RefCell<Viewer>>,
@@ -39,11 +39,11 @@ pub struct Cutaway {
     on_lost: Rc<RefCell<Option<Function>>>,
 }
 
-/// Shows the viewer on a canvas, with the scene of a link: the fragment of the page's address.
+/// Shows the viewer on a canvas. `fragment` is the fragment of the page's address, which may contain a scene.
 ///
 /// # Errors
 ///
-/// A browser without WebGPU.
+/// The browser does not offer WebGPU.
 #[wasm_bindgen]
 pub async fn start(canvas: HtmlCanvasElement, fragment: String) -> Result<Cutaway, JsValue> {
     let mut options = eframe::WebOptions {
@@ -82,24 +82,24 @@ pub async fn start(canvas: HtmlCanvasElement, fragment: String) -> Result<Cutawa
     made.take().ok_or_else(|| "the viewer did not start".into())
 }
 
-/// Makes the browser ask before a page with unsaved changes is left. After a loss of the device the scene is kept elsewhere.
+/// Makes the browser ask before the user leaves a page with unsaved changes, except after a device loss, when the scene is kept elsewhere.
 fn ask_before_leaving(viewer: Rc<RefCell<Viewer>>, loss: DeviceLoss) {
     let on_leaving = Closure::<dyn FnMut(_)>::new(move |event: BeforeUnloadEvent| {
         let is_changed = viewer.borrow().state().has_unsaved_changes();
         if is_changed && loss.reason().is_none() {
             event.prevent_default();
-            // Browsers that do not ask because of the line above ask because of this one; none shows the text.
+            // Some browsers need this line instead of the one above in order to ask; none of them shows the text.
             event.set_return_value("The scene was changed and is not saved.");
         }
     });
     if let Some(window) = web_sys::window() {
         window.set_onbeforeunload(Some(on_leaving.as_ref().unchecked_ref()));
     }
-    // It is there as long as the page is.
+    // The handler lives as long as the page.
     on_leaving.forget();
 }
 
-/// The one font of egui's four that something here is written in.
+/// The only one of egui's four fonts that the viewer uses.
 fn fonts() -> FontDefinitions {
     let mut fonts = FontDefinitions::empty();
     let name = "Ubuntu-Light".to_owned();
@@ -111,7 +111,7 @@ fn fonts() -> FontDefinitions {
     fonts
 }
 
-/// The scene of a fragment; where it cannot be opened an empty one, which says why.
+/// Opens the scene in a fragment. If it cannot be opened, the state is empty and has a notice with the reason.
 fn open(fragment: &str) -> Result<State> {
     let store = PageFiles::of_page();
     let open = |document| {
@@ -128,7 +128,7 @@ fn open(fragment: &str) -> Result<State> {
     }
 }
 
-/// Keeps a scene outside the page: in a link, whose fragment is returned, or, where it names files, as a download.
+/// Keeps a scene outside the page: in a link, whose fragment is returned, or, if no link can contain it, as a download.
 fn keep(scene: Document) -> Result<Option<String>> {
     if let Ok(fragment) = link::fragment(&scene) {
         return Ok(Some(fragment));
@@ -139,80 +139,80 @@ fn keep(scene: Document) -> Result<Option<String>> {
 
 #[wasm_bindgen]
 impl Cutaway {
-    /// Takes a file in, as if it were dropped: a scene in the place of this one, a model as a further part, an image as the relief of the
+    /// Opens a file as if it had been dropped: a scene replaces the present one, a model becomes a further part, an image the relief of the
     /// selected cut.
     pub fn take(&self, name: &str, bytes: &[u8]) {
         PageFiles::of_page().insert(name, bytes);
         self.apply(Action::Take(vec![name.into()]));
     }
 
-    /// The scene file.
+    /// The text of the scene file.
     pub fn scene(&self) -> Result<String, JsValue> {
         let scene = self.viewer.borrow().state().as_seen();
         Ok(scene.map_err(text)?.to_string())
     }
 
-    /// The command that makes the picture of slot A.
+    /// The command that draws the picture in slot A.
     pub fn command(&self) -> Result<String, JsValue> {
         let viewer = self.viewer.borrow();
         viewer.state().command(viewer.size_px()).map_err(text)
     }
 
-    /// The fragment of an address that shows the scene.
+    /// The fragment for the page's address with which the page opens this scene.
     pub fn fragment(&self) -> Result<String, JsValue> {
         let scene = self.viewer.borrow().state().as_seen();
         scene.and_then(|scene| link::fragment(&scene)).map_err(text)
     }
 
-    /// Has a function called once when the browser takes the device away, after which nothing is drawn any more: with the reason, and with
-    /// the fragment of an address that shows the scene, or null where the scene names files and is downloaded.
+    /// Sets a function to call once when the browser takes the device away, after which nothing is drawn. Its arguments are the reason and
+    /// the fragment for an address that opens the scene: null if the scene was downloaded instead, undefined if it was not kept.
     pub fn on_lost(&self, call: Function) {
         *self.on_lost.borrow_mut() = Some(call);
     }
 
-    /// Chooses the painter of slot A or B: a strategy such as `raycast+mask@compute`, `auto` or `exact`.
+    /// Chooses the renderer of slot A or B: a strategy such as `raycast+mask@compute`, `auto` or `exact`.
     pub fn choose(&self, is_b: bool, name: &str) -> Result<(), JsValue> {
         let painter: Painter = name.parse().map_err(text)?;
         self.apply(Action::Choose(side(is_b), painter));
         Ok(())
     }
 
-    /// Smooths edges while nothing moves, or does not.
+    /// Turns the smoothing of edges at rest on or off.
     pub fn smooth(&self, is_smooth: bool) {
         self.viewer.borrow_mut().smooth(is_smooth);
         self.ctx.request_repaint();
     }
 
-    /// Compares the slots with the exact reference, or not.
+    /// Turns the comparison of the slots with the exact reference on or off.
     pub fn show_errors(&self, shows: bool) {
         self.apply(Action::ShowErrors(shows));
     }
 
-    /// Errors of slot A or B at the whole resolution, as JSON, once they are known.
+    /// Errors of slot A or B at full resolution, as JSON; undefined until they are known.
     pub fn errors(&self, is_b: bool) -> Option<String> {
         let viewer = self.viewer.borrow();
         let (errors, _) = viewer.errors(side(is_b)).filter(|(_, at)| *at == 1)?;
         serde_json::to_string(errors).ok()
     }
 
-    /// Crossings of the ray of the pixel that was clicked while errors are shown, as JSON, once they are known.
+    /// All crossings of the magnified pixel's ray, as JSON; undefined until known. A click while errors are shown magnifies a pixel.
     pub fn crossings(&self) -> Option<String> {
         let viewer = self.viewer.borrow();
         serde_json::to_string(&viewer.magnified()?.depths).ok()
     }
 
-    /// Why slot A or B shows nothing, where it does not.
+    /// The reason why slot A or B shows nothing; undefined if it shows a picture.
     pub fn refusal(&self, is_b: bool) -> Option<String> {
         let viewer = self.viewer.borrow();
         viewer.screen().refusal(side(is_b)).map(str::to_owned)
     }
 
-    /// Returns true while something is pending: a frame, an answer of the judge, a requested pixel.
+    /// Returns true while something is pending: a frame, an answer from the judge, a requested pixel.
     pub fn is_busy(&self) -> bool {
         self.viewer.borrow().is_busy()
     }
 
-    /// Width and height of the picture of a slot, in pixels.
+    /// Width and height of a slot's picture, in pixels.
     pub fn size_px(&self) -> Vec<u32> {
         self.viewer.borrow().size_px().to_vec()
     }
@@ -253,15 +253,15 @@ impl eframe::App for App {
             self.viewer.borrow_mut().show(ui);
             return;
         };
-        // Taken before it is called: what it does may be to set another.
+        // Taken out before the call, because the function may set another one.
         let call = self.on_lost.borrow_mut().take();
         if let Some(call) = call {
             let kept = self.viewer.borrow().state().as_seen().and_then(keep);
-            // Where it cannot be kept either, nothing is promised.
+            // Undefined if the scene could not be kept.
             let kept = kept.map_or(JsValue::UNDEFINED, |link| {
                 link.map_or(JsValue::NULL, JsValue::from)
             });
-            // An exception in the callback of the page is ignored.
+            // An exception in the page's callback is ignored.
             let _ = call.call2(&JsValue::NULL, &why.into(), &kept);
         }
     }

@@ -1,4 +1,4 @@
-//! A window with changes asks before it is closed, and files that were opened are found again.
+//! A window with unsaved changes asks before it closes, and opened files appear in the list of recent files.
 
 use std::fs;
 
@@ -17,7 +17,7 @@ use glam::DVec2;
 
 use super::common::{Scratch, TORUS, act, classify, state, viewer};
 
-/// Closes the window, and gives what it says to that.
+/// Requests that the window close, and returns the commands with which it responds.
 fn close(harness: &mut Harness<'_, Viewer>) -> Vec<ViewportCommand> {
     let root = harness
         .input_mut()

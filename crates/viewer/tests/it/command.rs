@@ -1,4 +1,4 @@
-//! The command that is copied makes the picture that is seen.
+//! The copied command draws the same picture as the window.
 
 use std::process::Command;
 
@@ -10,7 +10,7 @@ use glam::DVec2;
 
 use super::common::{self, Scratch, TORUS, act, state, viewer};
 
-/// Runs a command by the shell, with its picture in a folder; the picture.
+/// Runs a command in a shell, and returns the picture that it writes to a scratch folder.
 pub(super) fn run(command: &str, scratch: &Scratch) -> image::RgbaImage {
     let program = env!("CARGO_BIN_EXE_cutaway-viewer");
     let line = command.replacen("cutaway", program, 1);
@@ -109,7 +109,7 @@ fn at_rest_edges_become_as_smooth_as_the_commands() {
     let seen = common::pixels(&harness, SlotSide::A);
     let (state, size_px) = (harness.state().state(), harness.state().size_px());
     let made = run(&state.command(size_px).unwrap(), &Scratch::new());
-    // Powers are rounded otherwise on the device.
+    // The device rounds powers differently.
     let apart = |a: &image::RgbaImage| {
         let both = a.as_raw().iter().zip(made.as_raw());
         both.map(|(a, b)| a.abs_diff(*b)).max().unwrap_or(255)
@@ -117,7 +117,7 @@ fn at_rest_edges_become_as_smooth_as_the_commands() {
     assert_eq!(made.dimensions(), seen.dimensions());
     assert!(apart(&seen) <= 1, "{} levels", apart(&seen));
     assert!(apart(&raw) > 30, "one sample is as smooth");
-    // What moves again is drawn with one sample, and smoothed when it rests.
+    // During motion the picture is drawn with one sample; at rest it is smoothed again.
     act(&mut harness, Action::MovePlane(PlaneMove::Along(-0.1)));
     assert!(
         common::pixels(&harness, SlotSide::A) != seen,

@@ -1,4 +1,4 @@
-//! A viewer in a harness.
+//! Helpers that run a viewer in a test harness.
 
 use std::path::PathBuf;
 use std::time::Duration;
@@ -19,10 +19,10 @@ use egui_kittest::kittest::Queryable;
 use egui_wgpu::{RenderState, RendererOptions, WgpuConfiguration, WgpuSetup, wgpu};
 use image::RgbaImage;
 
-/// A model of few faces, so that the reference answers soon.
+/// A model with few faces, so that the reference is computed quickly.
 pub(crate) const TORUS: &str = "shape:torus?segments=48&sides=24";
 
-/// A folder that is gone when it is dropped.
+/// A temporary folder, removed when this is dropped.
 pub(crate) struct Scratch(tempfile::TempDir);
 
 impl Scratch {
@@ -35,7 +35,7 @@ impl Scratch {
     }
 }
 
-/// A device that is made as the window makes it.
+/// A device created in the same way as the window's.
 pub(crate) fn host() -> RenderState {
     let mut config = WgpuConfiguration {
         wgpu_setup: WgpuSetup::without_display_handle(),
@@ -47,21 +47,21 @@ pub(crate) fn host() -> RenderState {
     pollster::block_on(made).unwrap()
 }
 
-/// The state of a model.
+/// A state that shows a model.
 pub(crate) fn state(model: &str) -> State {
     let mut document = Document::new();
     document.add_part(part(model)).unwrap();
     State::open(document, Assets::default()).unwrap()
 }
 
-/// A viewer of a state, which has drawn it.
+/// A viewer that has drawn a state.
 pub(crate) fn viewer(state: State) -> Harness<'static, Viewer> {
     shown(Viewer::on(&host(), state).unwrap())
 }
 
-/// A viewer in a window of its own.
+/// Runs an existing viewer in a harness.
 pub(crate) fn shown(mut viewer: Viewer) -> Harness<'static, Viewer> {
-    // One sample a pixel, where a test does not ask for more.
+    // One sample per pixel, unless a test requests more.
     viewer.smooth(false);
     let show = |ui: &mut eframe::egui::Ui, viewer: &mut Viewer| viewer.show(ui);
     let builder = Harness::builder().with_size(Vec2::new(1100.0, 640.0));
@@ -70,7 +70,7 @@ pub(crate) fn shown(mut viewer: Viewer) -> Harness<'static, Viewer> {
     harness
 }
 
-/// Goes on until nothing is still to come, and looks whether all controls are labelled.
+/// Runs frames until nothing is pending, and checks that all controls are labelled.
 pub(crate) fn classify(harness: &mut Harness<'_, Viewer>) {
     let mut waits = 0;
     for _ in 0..3 {
@@ -91,7 +91,7 @@ pub(crate) fn pixels(harness: &Harness<'_, Viewer>, side: SlotSide) -> RgbaImage
     pollster::block_on(harness.state().screen().read(side).unwrap()).unwrap()
 }
 
-/// Carries out an action and waits for what it shows.
+/// Carries out an action, and waits until its effect is drawn.
 pub(crate) fn act(harness: &mut Harness<'_, Viewer>, action: Action) {
     harness.state_mut().apply(action);
     classify(harness);
@@ -102,7 +102,7 @@ pub(crate) fn picture(harness: &Harness<'_, Viewer>) -> Rect {
     harness.get_by_label("Picture").rect()
 }
 
-/// The handles of the selected cut, in points of the picture.
+/// The selected cut's gizmo, in points of the picture.
 pub(crate) fn gizmo(harness: &Harness<'_, Viewer>) -> Gizmo {
     let rect = picture(harness);
     let state = harness.state().state();
@@ -116,7 +116,7 @@ pub(crate) fn gizmo(harness: &Harness<'_, Viewer>) -> Gizmo {
     Gizmo::of(state.posed(), index, (&state.bounds(), up), &view)
 }
 
-/// Drags from a point of the window.
+/// Drags the pointer from a point of the window.
 pub(crate) fn drag(harness: &mut Harness<'_, Viewer>, from: Pos2, by: Vec2) {
     harness.drag_at(from);
     harness.step();

@@ -1,4 +1,4 @@
-//! Comparisons: a pixel against the reference, all methods in a chart, the passes of a frame.
+//! Comparisons: a pixel with the reference, all methods in a chart, and the passes of a frame.
 
 use cutaway::layers::{Kind, Layer};
 use cutaway::plan::Clock;
@@ -18,7 +18,7 @@ use egui_kittest::kittest::Queryable;
 
 use super::common::{act, classify, state, viewer};
 
-/// A shape that a relief cuts in halves.
+/// A state with a shape that a relief cuts in half.
 fn ragged(shape: &str) -> State {
     let text = format!(
         "[[part]]\nname = \"body\"\n{shape}\n\n[relief.rough]\nkind = \"fractal\"\n\n[[cut]]\nname = \"front\"\nsurfaces = [{{ section = \"-z=50%\", relief = \"rough\" }}]\n"
@@ -207,7 +207,7 @@ fn measuring_ends_when_it_is_cancelled() {
     assert!(done < methods().len() / 2, "{done} were measured");
     assert!(harness.query_by_label("Cancel measuring").is_none());
     harness.get_by_label_contains("Ended after");
-    // The judge is free for others.
+    // The judge can now answer other questions.
     act(&mut harness, Action::ShowErrors(true));
     assert!(harness.state().errors(SlotSide::A).is_some(), "it answers");
     assert_eq!(harness.state().surveyed().len(), done, "it has ended");

@@ -1,4 +1,4 @@
-//! A device that is lost, and what goes on with another one.
+//! After a device loss, the viewer continues on another device.
 
 use cutaway_viewer::Action;
 use cutaway_viewer::action::Selection;
@@ -38,7 +38,7 @@ fn a_scene_that_was_changed_goes_on_with_another_device() {
     }
     let lost = harness.into_state();
     let mut harness = shown(lost.reopened_on(Screen::on(&host()).unwrap()));
-    harness.get_by_label_contains("It has been opened again; the scene is whole.");
+    harness.get_by_label_contains("lost and has been reopened; the scene is intact.");
     let state = harness.state().state();
     assert_eq!(state.document().to_string(), moved.to_string());
     assert_eq!(state.selection(), Selection::Cut(0));

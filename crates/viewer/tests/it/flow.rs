@@ -1,4 +1,4 @@
-//! From an empty window to a saved scene, by labels alone.
+//! Goes from an empty window to a saved scene, finding all controls by their labels.
 
 use cutaway_io::Document;
 use cutaway_io::load::Assets;
@@ -21,10 +21,10 @@ fn click(harness: &mut Harness<'_, Viewer>, role: Role, label: &str) {
 fn choose(harness: &mut Harness<'_, Viewer>, combo: &str, choice: &str) {
     harness.get_by_role_and_label(Role::ComboBox, combo).click();
     classify(harness);
-    // As a screen reader does it: a pointer would have to scroll.
+    // Clicked as by a screen reader, because a pointer would have to scroll.
     harness.get_by_label(choice).click_accesskit();
     classify(harness);
-    // Which leaves the list open.
+    // Such a click leaves the list open.
     harness.key_press(eframe::egui::Key::Escape);
     classify(harness);
 }
@@ -70,7 +70,7 @@ fn a_model_is_cut_tilted_made_ragged_compared_saved_and_taken_back() {
     let document = harness.state().state().document().clone();
     assert!(document.get("relief.fractal.kind").is_ok(), "{document}");
 
-    // A is exact by its nature, B is the paper's path on a coarse grid.
+    // A is exact; B is the paper's path on a coarse grid.
     click(&mut harness, Role::Button, "Wipe");
     choose(&mut harness, "Slot B", "grid:256+vds:1024");
     click(&mut harness, Role::CheckBox, "Errors");
@@ -143,7 +143,7 @@ fn slots_show_the_reference_and_the_difference() {
 fn what_is_only_looked_at_does_not_change() {
     let mut state = state(TORUS);
     state.apply(Action::Add(NewCut::Plane(2)));
-    // No number that a slider with few digits could show.
+    // This number has more digits than the slider shows.
     let path = "cut.0.surfaces.0.section".to_owned();
     let value = "z=0.123456".into();
     state.apply(Action::Set { path, value });

@@ -1,4 +1,4 @@
-//! Handles of cuts are dragged in the picture, and a gesture is one step.
+//! A cut's handles are dragged in the picture, and each drag is one undo step.
 
 use cutaway_viewer::Action;
 use cutaway_viewer::cuts::{NewCut, PlaneMove, plane};
@@ -13,7 +13,7 @@ use super::common::{act, classify, drag, gizmo, picture, state, viewer};
 
 const TORUS: &str = super::common::TORUS;
 
-/// Drags a handle by some points.
+/// Drags a handle by an offset in points.
 fn pull(harness: &mut Harness<'_, Viewer>, grip: Grip, by: Vec2) {
     let gizmo = gizmo(harness);
     let handle = gizmo.handle(grip).unwrap_or_else(|| panic!("no {grip:?}"));
@@ -22,7 +22,7 @@ fn pull(harness: &mut Harness<'_, Viewer>, grip: Grip, by: Vec2) {
     drag(harness, from, by);
 }
 
-/// Direction of a handle in the picture, of length 1.
+/// Unit direction of a handle in the picture.
 fn along(harness: &Harness<'_, Viewer>, grip: Grip) -> Vec2 {
     let gizmo = gizmo(harness);
     let line = &gizmo.handle(grip).unwrap().line;
@@ -57,7 +57,7 @@ fn arcs_tilt_a_plane_in_one_step() {
             "one step"
         );
     }
-    // With Ctrl it goes in steps of 5 degrees.
+    // With Ctrl the handle moves in steps of 5 degrees.
     let by = along(&harness, Grip::Tilt(0)) * 30.0;
     let held = Modifiers::COMMAND | Modifiers::CTRL;
     harness.event(eframe::egui::Event::ModifiersChanged(held));
@@ -85,7 +85,7 @@ fn knobs_move_faces_of_boxes_and_angles_of_wedges() {
         let by = along(&harness, handle.grip) * 25.0;
         let [width, seen] = [picture(&harness).width() as f64, by.length() as f64];
         let at = handle.knob.unwrap();
-        // Where another knob is nearer, or it is seen end on, the pointer holds something else.
+        // If another knob is nearer, or the rail is seen end-on, the pointer holds something else.
         let own = gizmo(&harness).at(at).map(|h| h.grip) == Some(handle.grip);
         let is_long = (handle.line[1] - handle.line[0]).length() > 12.0;
         if !own || !is_long || at.x > width || seen < 1.0 {

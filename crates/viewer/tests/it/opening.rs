@@ -1,4 +1,4 @@
-//! Opening of files in the background, while the window stays responsive.
+//! Files are opened in the background while the window stays responsive.
 
 use std::borrow::Cow;
 use std::fs;
@@ -26,7 +26,7 @@ use super::common::{Scratch, TORUS, classify, pixels, viewer};
 
 const MESH: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
 
-/// The disk, of which nothing is read until it is let go.
+/// File storage on disk that blocks all reading until it is released.
 #[derive(Debug, Default)]
 struct Slow {
     is_let_go: Mutex<bool>,
@@ -62,7 +62,7 @@ impl FileStorage for Slow {
     }
 }
 
-/// A viewer of a torus with a cut, whose disk is slow, and two files: a mesh, and one that is none.
+/// A viewer of a cut torus on slow storage, with the storage and two files: a valid mesh and an invalid one.
 fn slow(scratch: &Scratch) -> (Harness<'static, Viewer>, Arc<Slow>, [PathBuf; 2]) {
     let files = [scratch.path("corner.obj"), scratch.path("bad.obj")];
     fs::write(&files[0], MESH).unwrap();
@@ -80,7 +80,7 @@ fn parts(harness: &Harness<'_, Viewer>) -> usize {
     harness.state().state().shown().unwrap().scene.parts.len()
 }
 
-/// Frames until something holds.
+/// Runs frames until a condition holds.
 fn wait(harness: &mut Harness<'_, Viewer>, holds: impl Fn(&Harness<'_, Viewer>) -> bool) {
     for _ in 0..2_000 {
         if holds(harness) {

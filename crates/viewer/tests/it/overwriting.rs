@@ -1,4 +1,4 @@
-//! No file is replaced unasked, and no input of the scene at all.
+//! No file is replaced without confirmation, and no input of the scene is ever replaced.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -19,7 +19,7 @@ use super::common::{Scratch, act, classify, viewer};
 const MESH: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
 const OTHER: &str = "[[part]]\nshape = \"cube\"\n";
 
-/// A scene of a mesh, to which a plane is added.
+/// A state with a mesh and a plane cut.
 fn cut(mesh: &Path) -> State {
     fs::write(mesh, MESH).unwrap();
     let mut document = Document::new();
@@ -29,7 +29,7 @@ fn cut(mesh: &Path) -> State {
     state
 }
 
-/// Opens a window in which a file is named, and types its name; gives the name that stood there.
+/// Opens the dialog that asks for a file name, and types a name. Returns the name that the dialog suggested.
 fn name(harness: &mut Harness<'_, Viewer>, entry: &str, path: &Path) -> String {
     click(harness, "File");
     click(harness, entry);
@@ -77,7 +77,7 @@ fn a_scene_is_saved_beside_its_mesh_and_replaces_another_only_when_agreed() {
     assert_eq!(fs::read_to_string(&other).unwrap(), OTHER);
     click(&mut harness, "Cancel");
     assert_eq!(fs::read_to_string(&other).unwrap(), OTHER);
-    // By a detour through a folder that is not there it is the same file.
+    // The same file, by a path through a folder that does not exist.
     name(
         &mut harness,
         "Save scene ...",
@@ -89,7 +89,7 @@ fn a_scene_is_saved_beside_its_mesh_and_replaces_another_only_when_agreed() {
     assert!(!asks(&harness), "agreed");
     let saved = fs::read_to_string(&other).unwrap();
     assert!(saved.contains("[[cut]]"), "{saved}");
-    // From now on it is the file of the scene.
+    // This is now the scene's own file.
     act(&mut harness, Action::Add(NewCut::Plane(0)));
     name(&mut harness, "Save scene ...", &other);
     click(&mut harness, "Save");
@@ -101,7 +101,7 @@ fn a_scene_is_saved_beside_its_mesh_and_replaces_another_only_when_agreed() {
             .count(),
         2
     );
-    // Until another program writes it.
+    // Another program then changes the file.
     fs::write(&other, OTHER).unwrap();
     act(&mut harness, Action::Add(NewCut::Plane(1)));
     name(&mut harness, "Save scene ...", &other);
@@ -133,7 +133,7 @@ fn no_input_of_the_scene_is_ever_replaced() {
     let mut harness = viewer(state);
     act(&mut harness, Action::Take(vec![relief.clone()]));
     act(&mut harness, Action::SaveOver(mesh.clone()));
-    harness.get_by_label_contains("the scene is made of it");
+    harness.get_by_label_contains("it is an input of the scene");
     assert_eq!(fs::read_to_string(&mesh).unwrap(), MESH);
     name(&mut harness, "Export ...", &scratch.path("no/../r.png"));
     click(&mut harness, "Export");

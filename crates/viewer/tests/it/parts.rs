@@ -1,4 +1,4 @@
-//! Parts are hidden and shown, and the numbers of a style are changed and taken back.
+//! Parts are hidden and shown, and values of a style are changed and reset.
 
 use cutaway_io::Document;
 use cutaway_io::load::Assets;
@@ -44,7 +44,7 @@ fn a_part_is_hidden_in_the_picture_and_in_the_command_and_shown_again() {
     assert_ne!(picture(&harness), before.1, "the ball is gone");
     let command = harness.state().state().command([64, 48]).unwrap();
     assert!(command.contains("part.1.enabled=false"), "{command}");
-    // The last one stays, and it is said why.
+    // Hiding the last part is refused, with a reason.
     eye(&mut harness, "block");
     assert_eq!(names(&harness), ["block"]);
     harness.get_by_label_contains("no part is enabled");
@@ -105,7 +105,7 @@ fn numbers_of_a_style_are_changed_and_taken_back() {
         .unwrap();
     assert_eq!(named.text(), Some("drafting"));
     harness
-        .get_by_label("Take style.strokes.cut back")
+        .get_by_label("Reset style.strokes.cut")
         .click_accesskit();
     classify(&mut harness);
     assert_eq!(style(&harness), own);

@@ -1,4 +1,4 @@
-//! Picking returns the visible surface, and an export matches the picture of the command.
+//! Picking returns the visible surface, and an export matches the picture that the command draws.
 
 use cutaway::layers::Kind;
 use cutaway_viewer::Action;
@@ -65,7 +65,7 @@ fn a_click_counts_where_the_pointer_has_left_by_the_time_it_is_seen() {
     let mut harness = viewer(state("shape:cube"));
     let middle = picture(&harness).center();
     let mut last = None;
-    // So often that a pixel comes after the pointer has left, once at least.
+    // Often enough that at least one pixel arrives after the pointer has left.
     for click in 0..12_u16 {
         let pos = middle + Vec2::new(f32::from(click * click), 10.0);
         hover(&mut harness, pos);
@@ -119,7 +119,7 @@ fn a_drag_of_the_arrow_moves_the_plane_and_one_beside_it_the_eye() {
     act(&mut harness, Action::MovePlane(PlaneMove::Across(0)));
     let rect = picture(&harness);
     let before = harness.state().state().document().clone();
-    // Beside the model nothing but the eye is held.
+    // A drag that starts beside the model moves only the eye.
     drag(
         &mut harness,
         rect.left_top() + Vec2::splat(30.0),
@@ -176,7 +176,7 @@ fn a_picture_is_exported_while_the_window_goes_on() {
             .click();
         classify(&mut harness);
         match starts_with {
-            // Nothing is written, and it is said why.
+            // Nothing is written, and the reason is shown.
             "" => harness.get_by_label_contains("help:").rect(),
             _ => {
                 let text = std::fs::read_to_string(&path).unwrap();

@@ -1,5 +1,5 @@
-//! Random actions: none panics, the document stays a file that says the same, every step is taken back and done again, and the command and
-//! the link that are copied draw what is seen.
+//! Random actions: none panics, a document written and read again is equal, every step can be undone and redone, and the copied command and
+//! link draw the same picture as the window.
 //!
 //! A run depends on its seed alone. A failure reports the seed and the last actions.
 
@@ -27,13 +27,13 @@ use super::common::Scratch;
 /// Two small solids, one of them moved, and a cut.
 const SCENE: &str = "# Mine.\n[[part]]\nname = \"ring\"\nshape = \"torus?segments=8&sides=5\"\n\n[[part]]\nname = \"box\"\nshape = \"cube\"\ntranslate = [0.5, 0, 0] # aside\n\n[[cut]]\nname = \"front\"\nsurfaces = [{ section = \"z=50%\" }]\n";
 
-/// More parts than this are not taken in.
+/// Maximum number of parts; files are not added beyond it.
 const MOST_PARTS: usize = 4;
 
-/// Pixels of pictures.
+/// Width and height of the pictures, in pixels.
 const SIZE_PX: [u32; 2] = [80, 60];
 
-/// Numbers without a pattern (Marsaglia's xorshift).
+/// Pseudo-random numbers (Marsaglia's xorshift).
 struct Random(u64);
 
 impl Random {
@@ -56,7 +56,7 @@ impl Random {
         self.below(2) == 0
     }
 
-    /// From -1 to 1.
+    /// A number from -1 to 1.
     fn share(&mut self) -> f64 {
         (self.next() % 20_001) as f64 / 10_000.0 - 1.0
     }
@@ -66,7 +66,7 @@ impl Random {
     }
 }
 
-/// Paths of a document, with values that they take.
+/// Document paths, with valid values.
 const VALUES: &[(&str, &[&str])] = &[
     ("cut.0.enabled", &["true", "false"]),
     ("cut.1.enabled", &["true", "false"]),
@@ -105,7 +105,7 @@ const VALUES: &[(&str, &[&str])] = &[
     ("interference", &["\"#ff0000\""]),
 ];
 
-/// Paths that lead nowhere, or to what is no number.
+/// Invalid paths, and paths to values that are not numbers.
 const NONSENSE: &[&str] = &[
     "",
     ".",
@@ -142,7 +142,7 @@ const NUMBERS: &[f64] = &[
     f64::NAN,
 ];
 
-/// Range of generated actions: only those that a window sends, or others as well.
+/// Which actions are generated: only those that a window can send, or others as well.
 #[derive(Clone, Copy, PartialEq)]
 enum Kinds {
     Usual,
@@ -334,7 +334,7 @@ fn keep(last: &mut VecDeque<Action>, action: &Action) {
     }
 }
 
-/// A document without the eye, which undo leaves where it is.
+/// A document without its eye, which undo does not change.
 fn without_eye(document: &Document) -> Document {
     let mut document = document.clone();
     document.remove("camera").unwrap();
@@ -345,7 +345,7 @@ fn open(text: &str) -> State {
     State::open(Document::parse("", text).unwrap(), Assets::default()).unwrap()
 }
 
-/// Goes as far as it goes.
+/// Repeats an undo or redo until none is left.
 fn to_the_end(state: &mut State, step: &Action, reach: usize) {
     let mut steps = 0;
     while state.can_undo_redo()[reach] {
@@ -401,7 +401,7 @@ fn documents_stay_files_and_steps_are_taken_back_and_done_again() {
     }
 }
 
-/// Picture of the first slot of a window at rest.
+/// The picture of a window's first slot at rest.
 fn drawn(session: &mut Session, state: &mut State) -> RgbaImage {
     state.classify();
     let shown = state.shown().unwrap();

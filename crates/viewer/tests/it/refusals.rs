@@ -1,4 +1,4 @@
-//! Refused actions are reported with a remedy, and change nothing.
+//! Refused actions change nothing, and are reported with a help text.
 
 use std::fs;
 
@@ -27,7 +27,7 @@ fn bad_files_and_values_are_told_and_change_nothing() {
         value: cutaway_io::document::Value::read(value),
     };
     for (action, phrase) in [
-        (take("no.xyz"), "no scene, no mesh and no image"),
+        (take("no.xyz"), "not that of a scene, a mesh or"),
         (take("gone.obj"), "gone.obj"),
         (take("bad.toml"), "bad.toml"),
         (take("bad.obj"), "bad.obj"),
@@ -42,7 +42,7 @@ fn bad_files_and_values_are_told_and_change_nothing() {
         ),
         (
             Action::Save(scratch.path("bad.toml")),
-            "there is such a file",
+            "the file exists, and would",
         ),
     ] {
         let mut state = state(TORUS);

@@ -1,4 +1,4 @@
-//! Scenes begin to move, keys are added, dragged and deleted, and each is a step.
+//! Scenes are animated, and keys are added, dragged and deleted; each change is one undo step.
 
 use cutaway_io::Document;
 use cutaway_io::load::Assets;
@@ -131,7 +131,7 @@ fn what_keys_move_is_changed_at_the_moment_that_is_shown() {
     assert_eq!(rest, saved.get("part.0.translate").unwrap());
     let part = &state.shown().unwrap().scene.parts[0];
     assert_eq!(part.world_from_part.translation.y, 3.0);
-    // What no key moves is the same at all times.
+    // A value that no key animates is the same at all times.
     let path = "part.0.priority".to_owned();
     let value = 2_i64.into();
     state.apply(Action::Set { path, value });
@@ -164,7 +164,7 @@ fn the_eye_is_keyed_where_it_is_and_may_be_moved_between() {
         (between - (at_begin + at_end) * 0.5).abs() < 0.1,
         "{between}"
     );
-    // A zoom that is as usual stays in the document, for it has keys.
+    // A default zoom stays in the document, because it has keys.
     state.apply(Action::MoveCamera(CameraMove::Home));
     state.apply(Action::Add(NewCut::Plane(0)));
     state.apply(Action::Undo);
@@ -204,7 +204,7 @@ fn keys_stay_with_their_cuts_when_another_one_goes() {
 
 #[test]
 fn the_second_of_two_parts_with_one_name_moves_alone() {
-    // Both are called after their shape.
+    // Both parts have the name of their shape.
     let part = "[[part]]\nshape = \"cube\"\n";
     let document = Document::parse("two.toml", &part.repeat(2)).unwrap();
     let mut state = State::open(document, Assets::default()).unwrap();

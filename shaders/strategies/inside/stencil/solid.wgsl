@@ -1,4 +1,4 @@
-// Draws a solid without what the only plane removes. Every kept fragment counts in the stencil, hidden or not: if the ray starts on the
+// Draws the part of a solid that the only plane keeps. Every kept fragment counts in the stencil, hidden or not: if the ray starts on the
 // removed side these are the fragments behind the plane.
 
 #import cutaway::cuts::parts

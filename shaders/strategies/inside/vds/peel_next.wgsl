@@ -1,5 +1,5 @@
 // Draws the sprite layer behind the given one (Everitt 2001): fragments at or in front of it are dropped. Fragments of equal depth, such as
-// doubled faces, are thus lost: the parity is then wrong, an error of the method that is deliberately left visible.
+// doubled faces, are thus lost: the parity is then wrong. This error of the method is deliberately left visible.
 
 #import cutaway::sprite::sprite_position
 #import cutaway::vds::sprite

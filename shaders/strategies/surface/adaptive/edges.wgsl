@@ -8,7 +8,7 @@
 
 // Index of the clip-surface in the table.
 override surface: u32 = 0u;
-// Texels of half an edge, as a power of two.
+// Number of texels in half an edge, as an exponent of two.
 override half_bits: u32 = 0u;
 
 // The greatest deviation in the triangle between the edge and an apex; both are given in texels from the edge's middle.

@@ -8,7 +8,7 @@
 
 // Index of the clip-surface in the table.
 override surface: u32 = 0u;
-// Texels of half a side, as a power of two.
+// Number of texels in half a side, as an exponent of two.
 override half_bits: u32 = 0u;
 
 // The greatest deviation in the triangle at a corner of the square, whose other corners lie towards x and y.

@@ -1,7 +1,7 @@
 // Draws cutters only for their fragments: each stores its depth, its clip-surface and the shading normal in its pixel's list.
 //
-// The first vertex of a triangle is unshared: it carries the triangle's data. A fragment's normal is that of its visible side: where a ray
-// leaves the removed region it sees the face from there, so a cap's normal faces the eye.
+// The first vertex of a triangle is unshared: it carries the triangle's data. A fragment's normal is that of its visible side: a ray
+// that leaves the removed region sees the face from inside that region, so a cap's normal faces the eye.
 //
 // A triangle that extends behind the eye is clipped, by any rasteriser, to corners up to a hundred thousand pixels away, and values that
 // fixed functions interpolate between these have a visible error: there the depth is computed from the triangle's plane.

@@ -1,4 +1,4 @@
-// Marks the pixels of parts whose section by a plane is not closed: a ray that goes from removed to kept there may have an unknown cap. One
+// Marks the pixels of parts whose section by a plane is not closed: a ray that goes from removed to kept there may miss a cap. One
 // fragment owns one pixel of one triangle; it costs a walk through the list of its pixel.
 //
 // The mark is set, not flipped, in the plane of words behind the lanes: triangles may share pixels, and so may parts.

@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-/// The uses of all edges, sorted: smaller index, larger index, then direction.
+/// The uses of all edges, sorted by smaller index, larger index, then direction.
 pub struct Edges {
     keys: Vec<u64>,
 }
@@ -11,13 +11,13 @@ pub struct Edges {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct EdgeCount {
     pub(crate) edges: usize,
-    /// One use.
+    /// Edges with one use.
     pub(crate) boundary: usize,
-    /// An odd number of uses.
+    /// Edges with an odd number of uses.
     pub open: usize,
-    /// More than two uses.
+    /// Edges with more than two uses.
     pub(crate) non_manifold: usize,
-    /// Two uses in the same direction.
+    /// Edges with two uses in the same direction.
     pub(crate) inconsistent: usize,
 }
 
@@ -44,7 +44,7 @@ impl Edges {
         count
     }
 
-    /// Edges with an odd number of uses, by their vertices.
+    /// Edges with an odd number of uses, as pairs of vertices.
     pub fn open(&self) -> impl Iterator<Item = [u32; 2]> {
         self.runs()
             .filter(|run| run.len() % 2 == 1)
@@ -52,7 +52,7 @@ impl Edges {
     }
 }
 
-/// The keys of a triangle's edges: smaller index, larger index, then whether it runs from the larger to the smaller.
+/// The keys of a triangle's edges: smaller index, larger index, then whether the edge runs from the larger to the smaller.
 fn keys_of([a, b, c]: &[u32; 3]) -> [u64; 3] {
     [[*a, *b], [*b, *c], [*c, *a]].map(|[from, to]| {
         let (low, high) = (from.min(to), from.max(to));

@@ -9,9 +9,9 @@ use rayon::prelude::*;
 
 use crate::scene::{Bounds, Mesh};
 
-/// Rays per axis along each side of the bounds.
+/// Number of rays along each side of the bounds, per axis.
 const GRID: usize = 256;
-/// Integer steps between two rays: with [`GRID`] they keep products of two extents below 2^48.
+/// Integer steps between adjacent rays: with [`GRID`] they keep products of two extents below 2^48.
 const STEPS: i64 = 1 << 15;
 /// Sums over rays.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

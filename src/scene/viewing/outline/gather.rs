@@ -1,4 +1,4 @@
-//! Points whose convex hull is that of the kept geometry of a part.
+//! Finds points that have the same convex hull as a part's kept geometry.
 
 use glam::DVec3;
 use rayon::prelude::*;
@@ -7,25 +7,25 @@ use super::region::Regions;
 use super::rim;
 use crate::scene::{Mesh, Part};
 
-/// Steps along an edge that meets a relief.
+/// Number of steps along an edge that meets a relief.
 const EDGE_STEPS: u32 = 24;
 
-/// Bisections of a step.
+/// Number of bisections within a step.
 const CROSSING_HALVINGS: u32 = 24;
 
-/// Steps to where two reliefs meet.
+/// Number of steps in the search for a point where two reliefs meet.
 const MEETING_STEPS: u32 = 8;
 
-/// Distance from a triangle, as a share of its corners, within which a point counts as on its edge.
+/// A point counts as on a triangle's edge if a barycentric coordinate is negative by at most this.
 const ON_EDGE: f64 = 1e-9;
 
 /// Triangles that one thread takes at a time.
 const CHUNK: usize = 4096;
 
-/// Heights up to this, in lengths of the part, are those of faces that lie in a clip-surface, which keeps nothing of them.
+/// A height up to this, as a share of the part's size, counts as on the clip-surface; a face there is not kept.
 const FLUSH: f64 = 1e-9;
 
-/// The points, in world space.
+/// Points with the same convex hull as the part's kept geometry, in world space.
 pub(super) fn kept_of(part: &Part, regions: &Regions) -> Vec<DVec3> {
     let mesh = part.posed_mesh();
     let placed: Vec<DVec3> = (mesh.positions.iter())
@@ -67,7 +67,7 @@ pub(super) fn kept_of(part: &Part, regions: &Regions) -> Vec<DVec3> {
     more
 }
 
-/// The vertices that triangles have.
+/// The vertices that triangles use.
 fn used<'a>(mesh: &'a Mesh, placed: &'a [DVec3]) -> impl Iterator<Item = DVec3> + 'a {
     let mut is_used = vec![false; placed.len()];
     for corner in mesh.triangles.iter().flatten() {
@@ -80,17 +80,17 @@ fn used<'a>(mesh: &'a Mesh, placed: &'a [DVec3]) -> impl Iterator<Item = DVec3> 
 struct Gather<'a> {
     regions: &'a Regions,
     placed: Vec<DVec3>,
-    /// Least and greatest height of each vertex over each side.
+    /// Lower and upper bound of each vertex's height over each side.
     brackets: Vec<[f64; 2]>,
     least: f64,
 }
 
-/// Points from some triangles.
+/// Points found in some of the triangles.
 struct GatheredPoints {
-    /// Vertices that are kept, some of them more than once.
+    /// Indices of kept vertices; an index may occur more than once.
     taken: Vec<usize>,
     more: Vec<DVec3>,
-    /// Per side: its crossings with edges.
+    /// Per side: the points where it crosses edges.
     rims: Vec<Vec<DVec3>>,
 }
 
@@ -99,7 +99,7 @@ impl Gather<'_> {
         self.brackets[vertex * self.regions.sides.len() + side]
     }
 
-    /// Returns true if a simplex of vertices is kept as a whole, as far as sides that hold for all its points can decide.
+    /// Returns true if the height bounds of a simplex's corners prove that the whole simplex is kept.
     fn is_whole(&self, corners: &[usize]) -> bool {
         let over = |side| {
             corners
@@ -109,7 +109,7 @@ impl Gather<'_> {
         self.regions.keep(over)
     }
 
-    /// Returns true if all of the simplex is under every side of one cut. A box has two sides per axis, and no single plane to be under.
+    /// Returns true if the whole simplex is below every side of one cut. A cut with a box side never qualifies: a box has no single plane.
     fn is_gone(&self, corners: &[usize]) -> bool {
         let is_under = |side: usize| {
             let under = corners
@@ -121,7 +121,7 @@ impl Gather<'_> {
         cuts.any(|[first, end]| (*first..*end).all(is_under))
     }
 
-    /// Points of the kept geometry of some triangles.
+    /// Finds points of the kept geometry in some of the triangles.
     fn found(&self, triangles: &[[u32; 3]]) -> GatheredPoints {
         let mut found = GatheredPoints {
             taken: Vec::new(),
@@ -149,7 +149,7 @@ impl Gather<'_> {
         self.take_meetings(corners, found);
     }
 
-    /// Takes the pieces of an edge that are kept.
+    /// Adds the ends of the kept sections of an edge.
     fn take_edge(&self, a: usize, b: usize, found: &mut GatheredPoints) {
         if self.is_gone(&[a, b]) {
             return;
@@ -214,7 +214,7 @@ impl Gather<'_> {
         }
     }
 
-    /// Takes where two sides of different cuts meet in a triangle.
+    /// Adds the points where sides of two different cuts meet in a triangle.
     fn take_meetings(&self, corners: [usize; 3], found: &mut GatheredPoints) {
         let regions = self.regions;
         for second in 0..regions.sides.len() {
@@ -241,7 +241,7 @@ impl Gather<'_> {
         }
     }
 
-    /// Point at which two sides meet in a triangle. Reliefs are met in steps, each with the planes at the heights of the last point.
+    /// Point at which two sides meet in a triangle. For reliefs, each step intersects the planes at the last point's heights.
     fn meeting(&self, sides: [usize; 2], corners: [usize; 3]) -> Option<DVec3> {
         let [a, b, c] = corners.map(|v| self.placed[v]);
         let of_planes = sides.map(|side| {
@@ -252,7 +252,7 @@ impl Gather<'_> {
         let mut reliefs = sides.map(|side| self.regions.sides[side].middle_relief());
         let is_rough = sides.iter().any(|s| self.regions.sides[*s].is_rough());
         for step in 0..=MEETING_STEPS {
-            // Heights over the planes that the reliefs lie in there.
+            // The corners' heights over the planes that stand for the reliefs at the last point.
             let [one, other] = [0, 1].map(|i| of_planes[i] - lows[i] + reliefs[i]);
             let shares = one.cross(other);
             let shares = shares / shares.element_sum();

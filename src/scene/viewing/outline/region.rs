@@ -1,10 +1,10 @@
-//! The removed region of one part: the cuts that apply to it, each as the sides that it removes together.
+//! The removed region of one part: the cuts that apply to it, each as the sides whose intersection it removes.
 
 use glam::DVec3;
 
 use crate::scene::{Bounds, ClipSurface, Part, Scene};
 
-/// One removed side, by heights over it: negative where it removes.
+/// One removed side, described by heights that are negative on that side.
 pub(super) enum RemovedSide {
     /// A plane, or a plane with a relief.
     Surface {
@@ -19,9 +19,9 @@ pub(super) enum RemovedSide {
 
 /// The removed sides of all cuts of a part.
 pub(super) struct Regions {
-    /// Sides, those of one cut one after the other.
+    /// All sides, grouped by cut.
     pub(super) sides: Vec<RemovedSide>,
-    /// Per cut: the first of its sides and the one after its last.
+    /// Per cut: the index of its first side, and one more than that of its last side.
     pub(super) cuts: Vec<[usize; 2]>,
 }
 
@@ -38,7 +38,7 @@ impl RemovedSide {
         }
     }
 
-    /// Least and greatest height that a point has by all that is known at once.
+    /// Lower and upper bound of a point's height, without evaluating the relief.
     pub(super) fn bracket(&self, point: DVec3) -> [f64; 2] {
         match self {
             Self::Surface {
@@ -77,7 +77,7 @@ impl RemovedSide {
         }
     }
 
-    /// The height that the relief adds in the middle between its least and its greatest.
+    /// The mean of the least and the greatest height that the relief adds.
     pub(super) fn middle_relief(&self) -> f64 {
         match self {
             Self::Surface { slab, .. } => (slab[0] + slab[1]) / 2.0,
@@ -95,7 +95,7 @@ impl RemovedSide {
         }
     }
 
-    /// The plane in the middle of the relief, as a point and the normal: none of a box.
+    /// The plane in the middle of the relief, as a point and the normal; `None` for a box.
     pub(super) fn plane(&self) -> Option<(DVec3, DVec3)> {
         match self {
             Self::Surface {
@@ -107,13 +107,13 @@ impl RemovedSide {
 }
 
 impl Regions {
-    /// The regions of a part. A cut by a cutter that removes its inside is ignored.
+    /// The regions of a part. A cut is ignored if its cutter removes its inside.
     pub(super) fn of(scene: &Scene, part: &Part) -> Self {
         let mut regions = Self {
             sides: Vec::new(),
             cuts: Vec::new(),
         };
-        // A ghost shows what they remove.
+        // If removed geometry is drawn, nothing counts as removed.
         if scene.style.ghost.is_drawn() {
             return regions;
         }

@@ -1,12 +1,12 @@
-//! Points of caps that no edge of the mesh leads to: heights of reliefs between their rims, corners where three cuts meet inside a solid,
-//! and those of boxes.
+//! Points of caps that lie on no edge of the mesh: relief heights within a cap's rim, corners where three cuts meet inside a solid, and
+//! corners of boxes.
 
 use glam::{DVec2, DVec3};
 
 use super::region::{Regions, RemovedSide};
 use crate::scene::Bounds;
 
-/// Points along each side of the grid at which a relief is looked up.
+/// Number of points along each side of the grid on which a relief is sampled.
 const RISEN_GRID: u32 = 96;
 
 /// Points of the cap along a relief, within the hull of its rim.
@@ -26,7 +26,7 @@ pub(super) fn risen(regions: &Regions, side: usize, rim: &[DVec3], least: f64) -
         DVec2::new(d.dot(frame.u_hat), d.dot(frame.v_hat))
     };
     let ring = ring(rim.iter().map(flat).collect());
-    // A part that the relief passes by has none.
+    // If the relief misses the part, the rim has no points.
     if ring.len() < 3 {
         return Vec::new();
     }
@@ -52,7 +52,7 @@ pub(super) fn risen(regions: &Regions, side: usize, rim: &[DVec3], least: f64) -
     points
 }
 
-/// Corners of the boxes that nothing is kept outside of, as far as the box around some points reaches.
+/// Corners of the boxes outside which nothing is kept; each box is first clipped to the box around `placed`.
 pub(super) fn corners_of_boxes(regions: &Regions, placed: &[DVec3], least: f64) -> Vec<DVec3> {
     let around = Bounds::from_points(placed.iter().copied());
     let mut corners = Vec::new();
@@ -73,7 +73,7 @@ pub(super) fn corners_of_boxes(regions: &Regions, placed: &[DVec3], least: f64) 
     corners
 }
 
-/// Points where planes of three cuts meet inside the solid of some triangles.
+/// Points where planes of three cuts meet inside the solid that the triangles bound.
 pub(super) fn inner_corners(
     regions: &Regions,
     placed: &[DVec3],
@@ -113,7 +113,7 @@ pub(super) fn inner_corners(
     corners
 }
 
-/// Returns true if a ray from a point crosses triangles an odd number of times. It is not parallel to any axis, so it meets no edge of
+/// Returns true if a ray from a point crosses triangles an odd number of times. The ray is not parallel to any axis, so it hits no edge of
 /// axis-aligned geometry.
 fn is_inside(point: DVec3, placed: &[DVec3], triangles: &[[u32; 3]]) -> bool {
     let ray = DVec3::new(0.913_545, 0.287_361, 0.287_918);
@@ -121,14 +121,14 @@ fn is_inside(point: DVec3, placed: &[DVec3], triangles: &[[u32; 3]]) -> bool {
         let [a, b, c] = triangle.map(|i| placed[i as usize] - point);
         let sides = [a.cross(b), b.cross(c), c.cross(a)].map(|n| n.dot(ray));
         let is_met = sides.iter().all(|s| *s > 0.0) || sides.iter().all(|s| *s < 0.0);
-        // Before the point, not behind it.
+        // Only triangles in front of the point count.
         let normal = (b - a).cross(c - a);
         is_met && (a.dot(normal) > 0.0) == (ray.dot(normal) > 0.0)
     });
     crossed.count() % 2 == 1
 }
 
-/// The convex ring around points of a plane, counter-clockwise (Andrew 1979).
+/// The convex hull of points in a plane, counter-clockwise (Andrew 1979).
 fn ring(mut points: Vec<DVec2>) -> Vec<DVec2> {
     points.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
     points.dedup();
@@ -150,7 +150,7 @@ fn ring(mut points: Vec<DVec2>) -> Vec<DVec2> {
     all
 }
 
-/// Returns true if a point lies within a convex ring.
+/// Returns true if a point lies within a convex polygon.
 fn holds(ring: &[DVec2], point: DVec2) -> bool {
     let edges = ring.iter().zip(ring.iter().cycle().skip(1));
     edges

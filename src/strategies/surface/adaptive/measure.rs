@@ -51,7 +51,7 @@ pub(super) fn record(
         for bits in 0..row.patch_bits {
             pass(
                 &format!("edges {}", 2 << bits),
-                "how far the map is from the triangles on these edges, and from those that come of them",
+                "how far the map is from the triangles on these edges, and from the halves of these triangles",
                 "strategies/surface/adaptive/edges.wgsl",
                 Some(bits),
                 texels.map(|n| (n >> bits) + 1),

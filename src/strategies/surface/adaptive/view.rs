@@ -16,7 +16,7 @@ const DEPTH_UNITS: f64 = (1_u32 << 30) as f64;
 /// Rounding error of f32 in border values, in scene units.
 const BORDER_MARGIN: f64 = 1e-4;
 
-/// The row of a clip-surface, by its index in the table.
+/// The row of the clip-surface at the given table index.
 pub(super) fn refinement(
     input: &Input<'_>,
     index: usize,

@@ -1,7 +1,7 @@
 //! Chooses how rays walk through reliefs, cell by cell or over a pyramid, by the expected number of cells that a ray passes.
 //!
-//! A ray passes texel density x distance through the height slab x sine of its angle to the normal cells, which varies over the picture:
-//! the mean is taken over a grid of rays, counting those that meet the box of the cut solids and the slab.
+//! The number of cells that a ray passes is texel density x distance through the height slab x sine of the ray's angle to the normal. It
+//! varies over the picture: the mean is taken over a grid of rays, counting those that meet the box of the cut solids and the slab.
 //!
 //! Once a session has chosen the pyramid it keeps it: otherwise a camera near the threshold would rebuild it in every other frame. The cost
 //! is a few percent to a quarter of the walk, in later views that meet few cells.
@@ -29,7 +29,7 @@ pub(super) fn of(input: &Input<'_>) -> WalkChoice {
     if !input.pyramids_fit() {
         return WalkChoice {
             walk: ReliefWalk::Cells,
-            reason: "reliefs are walked cell by cell, for their pyramids are too large".to_owned(),
+            reason: "reliefs are walked cell by cell: their pyramids are too large".to_owned(),
         };
     }
     let cells = expected_cells(input);

@@ -167,7 +167,7 @@ fn the_plan_is_told_with_its_work_on_the_cpu() {
         "  slice  [on the CPU]",
         "    why     1 section, triangulated: the region of a plane inside a part",
         "    writes  section vertices, section indices",
-        "    why     1 section: where one is, the crossing of its plane is inside its part",
+        "    why     1 section: under a section, the crossing of its plane is inside the part",
     ] {
         assert!(text.contains(line), "`{line}` is not in\n{text}");
     }

@@ -232,7 +232,7 @@ fn the_book_has_the_figures_of_meshes_with_holes() {
             format!("{:.1} % for", share(&holes, "winding", all)),
             format!("{:.1} |", median(frames(&holes, "winding"))),
             format!(
-                "`{sprite}`: {:.0} %, unmarked",
+                "`{sprite}`: {:.0} % of the cap wrong and unmarked",
                 share(&holes, sprite, unmarked)
             ),
         ],

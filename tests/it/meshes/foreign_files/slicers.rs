@@ -7,7 +7,7 @@ use command::Scratch;
 /// The note on a use that a slicer has for a mesh.
 const USES: [(&str, &str, &str); 3] = [
     ("ParameterModifier", "modifier_part", "a modifier"),
-    ("NegativeVolume", "negative_part", "not taken away"),
+    ("NegativeVolume", "negative_part", "not subtracted"),
     ("SupportBlocker", "support_blocker", "supports"),
 ];
 

@@ -198,12 +198,12 @@ fn components_in_a_ring_or_without_end_are_refused() {
     };
     must_load(&folder.write("deep.3mf", package(model(&chain(60, 1), item), &[])));
     let deeper = package(model(&chain(300, 1), item), &[]);
-    must_be_refused(&folder.write("deeper.3mf", deeper), "in each other");
+    must_be_refused(&folder.write("deeper.3mf", deeper), "nested more than");
     let bomb = package(model(&chain(40, 2), item), &[]);
     must_be_refused(&folder.write("bomb.3mf", bomb), "more than 65536 objects");
     let twice = object(1, "") + &object(1, "");
     let path = folder.write("twice.3mf", package(model(&twice, item), &[]));
-    must_be_refused(&path, "second object of the number 1");
+    must_be_refused(&path, "second object has the number 1");
     let far = "<item objectid=\"1\" transform=\"1e200 0 0 0 1e200 0 0 0 1e200 0 0 0\"/>";
     let far = components(
         1,
@@ -225,7 +225,7 @@ fn elements_without_end_are_refused() {
     let text = whole().replace("<build>", &format!("{deep}<build>"));
     must_be_refused(
         &folder.write("deep.3mf", package(text, &[])),
-        "in each other",
+        "nested more than",
     );
 }
 

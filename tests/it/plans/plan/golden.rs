@@ -38,7 +38,7 @@ fn the_cube_cut_by_a_relief_in_the_way_of_the_paper() {
     insta::assert_snapshot!(text, @r"
 per solid: 4 passes, 48.0 KiB
   sprite clear 0  [compute 4 x 4 x 1 groups]
-    why     `cube 0` is counted from zero
+    why     the layer count of `cube 0` starts at zero
     reads   sprite 0
     writes  sprite counts, need
   sprite count 0  [draw 12 triangles in 1 draw]
@@ -46,11 +46,11 @@ per solid: 4 passes, 48.0 KiB
     reads   sprite 0, sprite counts, need, vertices, indices
     writes  sprite counts, need
   sprite peel 0.0  [draw 12 triangles in 1 draw]
-    why     layer 0 of `cube 0`, behind the layer before
+    why     layer 0 of `cube 0`, behind the previous layer
     reads   sprite 0, vertices, indices
     writes  sprite layers 0
   sprite peel 0.1  [draw 12 triangles in 1 draw]
-    why     layer 1 of `cube 0`, behind the layer before
+    why     layer 1 of `cube 0`, behind the previous layer
     reads   sprite 0, sprite layers 0, vertices, indices
     writes  sprite layers 0
 per cut: 0 passes, 1.6 KiB

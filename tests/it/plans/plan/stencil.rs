@@ -228,10 +228,10 @@ fn the_cube_cut_by_a_plane_in_the_classic_way() {
 per cut: 0 passes, 12 B
 per frame: 4 passes, 1.8 MiB
   solid 0  [draw 12 triangles in 1 draw, stencil winds]
-    why     what the plane leaves of `cube 0`; back faces minus front faces
+    why     kept part of `cube 0`: back faces add 1, front faces subtract 1
     reads   frame, parts, ray_table, vertices, indices
     writes  surface_words, surface_depth
-  cap 0  [draw 1 triangle in 1 draw, where stencil bits 0x01 are]
+  cap 0  [draw 1 triangle in 1 draw, where stencil & 0x01 != 0]
     why     the plane, where it is inside `cube 0`
     reads   frame, cut_table, parts, ray_table, screen indices, surface_words, surface_depth
     writes  surface_words, surface_depth

@@ -63,7 +63,7 @@ fn what_is_doubtful_is_said() {
         "render shape:earth?subdivisions=2 --section x=50% --roles whole=blot* {small}"
     ));
     assert!(
-        idle.contains("no part and no material is called `blot*`"),
+        idle.contains("no part or material has a name that matches `blot*`"),
         "{idle}"
     );
 }

@@ -103,7 +103,7 @@ const CLIPS: &[Fault] = &[
     (
         "no such sampler",
         |d| set(d, "/animations/0/channels/0/sampler", json!(4)),
-        &["sampler 4 of 1"],
+        &["sampler 4, but there are only 1"],
     ),
     (
         "no such accessor",
@@ -173,7 +173,7 @@ const CLIPS: &[Fault] = &[
                 .unwrap()
                 .push(sampler);
         },
-        &["places that are not finite"],
+        &["positions that are not finite"],
     ),
 ];
 
@@ -253,7 +253,7 @@ const MENDED: &[(Whole, Fault)] = &[
                 let attributes = &mut d.json["meshes"][0]["primitives"][0]["attributes"];
                 attributes.as_object_mut().unwrap().remove("WEIGHTS_0");
             },
-            &["passed over JOINTS_0", "12 vertices have no joint"],
+            &["ignored JOINTS_0", "12 vertices have no joint"],
         ),
     ),
     (
@@ -266,7 +266,9 @@ const MENDED: &[(Whole, Fault)] = &[
                 let inverse = d.floats(&[one]);
                 d.json["skins"][0]["inverseBindMatrices"] = json!(inverse);
             },
-            &["shown where its node is: skin 0: it has 2 joints and 1 inverse bind matrices"],
+            &[
+                "shown without its skin, at its node: skin 0: it has 2 joints and 1 inverse bind matrices",
+            ],
         ),
     ),
     (
@@ -291,7 +293,7 @@ const MENDED: &[(Whole, Fault)] = &[
                 let inverse = d.floats(&inverse);
                 d.json["skins"][0]["inverseBindMatrices"] = json!(inverse);
             },
-            &["skin 0: joint 1 flattens its vertices"],
+            &["skin 0: joint 1 is flat"],
         ),
     ),
     (
@@ -327,7 +329,7 @@ const MENDED: &[(Whole, Fault)] = &[
                 let scales = d.floats(&[[1.0; 3], [0.0; 3]]);
                 d.clip(2, "scale", "LINEAR", &[0.0, 2.0], scales);
             },
-            &["clip `scale` scales joint 1 of skin 0 to nothing at 2 s"],
+            &["clip `scale` scales joint 1 of skin 0 to zero at 2 s"],
         ),
     ),
     (
@@ -427,7 +429,10 @@ const REFUSED: &[(Whole, Fault)] = &[
                 let joints = d.accessor(&[[0_u8, 7, 0, 0]; 12].concat(), 5121, "VEC4", 12);
                 d.json["meshes"][0]["primitives"][0]["attributes"]["JOINTS_0"] = json!(joints);
             },
-            &["mesh 0, primitive 0", "follows joint 7, its skin has 2"],
+            &[
+                "mesh 0, primitive 0",
+                "follows joint 7, but its skin has only 2",
+            ],
         ),
     ),
     (
@@ -467,7 +472,7 @@ const REFUSED: &[(Whole, Fault)] = &[
                 let inverse = d.floats(&[[1e38; 16]; 2]);
                 d.json["skins"][0] = json!({"joints": [1, parent], "inverseBindMatrices": inverse});
             },
-            &["bar: it is bent to places that are not finite"],
+            &["bar: it is moved to positions that are not finite"],
         ),
     ),
     (
@@ -548,7 +553,7 @@ fn what_is_welded_moves_as_one() {
     let apart = split_cube(|k, [_, y, _]| if k == 35 { [9.0; 3] } else { [0.0, y, 0.0] }).load();
     let said = crate::common::text_of(&apart.notes);
     assert!(
-        said.contains("1 vertices move otherwise than those they were welded to"),
+        said.contains("1 vertices move differently from the vertices they were welded to"),
         "{said}"
     );
     let now = apart.parts[0].at_time(0, 1.0);

@@ -137,7 +137,7 @@ fn patterns_are_named_or_come_from_files() {
         }
     }
     for (hatch, said) in [
-        ("steal", &["\"steal\" is no hatch", "steel"][..]),
+        ("steal", &["\"steal\" is not a hatch", "steel"][..]),
         ("mine.pat#OKA", &["no pattern `OKA`", "OAK"]),
         ("mine.pat", &["2 patterns", "mine.pat#OAK"]),
         ("bad.pat", &["bad.pat", "line 2"]),

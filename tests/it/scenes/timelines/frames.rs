@@ -206,7 +206,7 @@ fn broken_frames_are_named() {
             "shape = \"cube\"",
             "shape = \"cube\"\nfps = 3",
             "part.floor.fps",
-            "only frames",
+            "numbered frames",
         ),
     ] {
         let text = SCENE.replacen(intact, broken, 1);

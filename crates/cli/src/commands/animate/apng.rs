@@ -1,6 +1,6 @@
-//! Animated PNG: lossless. A viewer without support for animation shows the first frame.
+//! Animated PNG, which is lossless. A viewer without support for animation shows the first frame.
 //!
-//! After the first frame only the rectangle that changed is written.
+//! After the first frame, only the rectangle that changed is written for each frame.
 
 use std::fs::File;
 use std::path::{Path, PathBuf};

@@ -1,9 +1,9 @@
 //! `encode`: makes one animation of numbered pictures, as if `animate` had written it directly.
 //!
-//! Pictures written by `animate` store the identity and the length of their animation ([`Stamp`]): a picture that is missing, from another
-//! animation or incomplete is an error at any position. Pictures from other programs are taken in the order of their numbers.
+//! Pictures written by `animate` store the identity and the length of their animation ([`Stamp`]), so a picture that is missing, incomplete
+//! or from another animation is an error at any position. Pictures from other programs are taken in the order of their numbers.
 //!
-//! One picture is in memory at a time, except for a GIF, which keeps all pictures compressed until its colours are known.
+//! One picture is in memory at a time. A GIF is an exception: all pictures stay in memory, compressed, until its colours are known.
 
 use std::io::Cursor;
 use std::path::{Path, PathBuf};
@@ -30,9 +30,9 @@ Examples:
   cutaway encode 'frames/%04d.png' -o run.gif --fps 12.5
   cutaway encode 'frames/%04d.png' -o run.mp4
 
-The pictures are those of one animation, drawn in one go or in shares: cutaway animate ... -o 'frames/%04d.png' [--shard I/N]. They are
-numbered without a gap, from 0 or 1 on, and stay as they are. Ctrl-C or SIGTERM ends after the present one, with exit code 130 and
-without a file.";
+The pictures belong to one animation, drawn at once or in shares: cutaway animate ... -o 'frames/%04d.png' [--shard I/N]. They must be
+numbered without a gap from 0 or 1 on, and are not changed. Ctrl-C or SIGTERM ends the command after the present picture, with exit
+code 130 and without a file.";
 
 /// Options of `encode`.
 #[derive(Args)]
@@ -129,7 +129,7 @@ const DRAW_MISSING: &str =
 /// Maximum number of missing pictures listed by name.
 const MOST_NAMED: usize = 5;
 
-/// Refuses an animation with missing pictures.
+/// Rejects an animation with missing pictures.
 fn must_be_whole(culprit: &str, pattern: &Pattern, stamp: &Stamp) -> Result<()> {
     let files = (1..=stamp.count).map(|number| pattern.file(number));
     let missing: Vec<PathBuf> = files.filter(|file| !file.is_file()).collect();
@@ -152,7 +152,7 @@ fn must_be_whole(culprit: &str, pattern: &Pattern, stamp: &Stamp) -> Result<()> 
     Err(Error::input(culprit, what, DRAW_MISSING))
 }
 
-/// Refuses a picture from another animation than the first picture's, or an incomplete picture among complete ones.
+/// Rejects a picture that is not from the first picture's animation, or is incomplete while the first is complete, or the reverse.
 fn must_belong(path: &Path, index: u32, own: Option<&Stamp>, first: Option<&Stamp>) -> Result<()> {
     let (what, help) = match (own, first) {
         (None, None) => return Ok(()),

@@ -15,14 +15,14 @@ use super::target::AnimationOutput;
 use super::times::Times;
 use crate::console::Console;
 
-/// Encoder of an animation. Dropped before it is finished, it leaves no incomplete file.
+/// Encoder of an animation. If it is dropped before it is finished, no incomplete file remains.
 pub(super) trait Encoder {
     /// Returns true if a frame, counted from 0, is already written and need not be added.
     fn has(&self, _number: u32) -> bool {
         false
     }
 
-    /// Adds a frame by its number; all have the size of the first. An incomplete frame may be written, but a later run draws it again.
+    /// Adds a frame by its number. All frames have the same size. An incomplete frame may be written, but a later run draws it again.
     fn add(&mut self, number: u32, frame: &RgbaImage, is_complete: bool) -> Result<()>;
 
     /// Moves the finished animation to its destination.

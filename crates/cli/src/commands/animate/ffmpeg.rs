@@ -1,6 +1,6 @@
 //! MP4 by ffmpeg, which receives raw frames through a pipe.
 //!
-//! H.264 by libx264 if ffmpeg has it, otherwise by the best available encoder. The widely supported pixel format halves
+//! The codec is H.264 by libx264 if ffmpeg has it, otherwise the best available encoder. The widely supported pixel format halves
 //! the colour resolution, so sizes have to be even: an odd size is padded with a copy of the last row or column.
 //! Colours are tagged as BT.709, which players assume for untagged files.
 
@@ -23,7 +23,7 @@ pub(super) fn even(size_px: [u32; 2]) -> [u32; 2] {
     size_px.map(|s| s.next_multiple_of(2))
 }
 
-/// A child process that ends when this is dropped.
+/// A child process that is ended when this value is dropped.
 struct Running(Child);
 
 impl Drop for Running {
@@ -40,7 +40,7 @@ pub(super) struct Ffmpeg {
     // Declared before its output file, so that it is dropped first: a file is removed once its writer is closed.
     running: Running,
     pending: Pending,
-    /// Its error output, read by a thread so that the process never blocks on it.
+    /// Error output of ffmpeg, read by a thread so that ffmpeg never blocks on it.
     complaint: Option<JoinHandle<String>>,
     size_px: [u32; 2],
 }
@@ -81,7 +81,7 @@ impl Ffmpeg {
         let complaint = child.stderr.take().map(|mut stderr| {
             std::thread::spawn(move || {
                 let mut said = Vec::new();
-                // Keep the lines read before the pipe broke.
+                // If the pipe breaks, keep the lines read before.
                 let _ = stderr.read_to_end(&mut said);
                 String::from_utf8_lossy(&said).into_owned()
             })
@@ -133,7 +133,7 @@ impl Encoder for Ffmpeg {
         match mp4::missing(self.pending.beside()) {
             Ok(None) => {}
             Ok(Some(missing)) => {
-                let how = format!("left a file that cannot be played, for {missing}");
+                let how = format!("left a file that cannot be played: {missing}");
                 return Err(self.stopped(&how));
             }
             Err(e) => return Err(self.stopped(&format!("left a file that cannot be read ({e})"))),

@@ -21,7 +21,7 @@ use crate::notes::warn_of_doubt;
 use crate::renderer_request::RendererChoice;
 use crate::verdict::Verdict;
 
-/// The expected time is reported in advance if it is at least this many seconds and no progress bar shows it.
+/// If no progress bar shows the expected time, it is reported in advance when it is at least this many seconds.
 const PATIENCE_S: f64 = 10.0;
 
 /// Everything needed to draw the frames.
@@ -95,7 +95,7 @@ impl Film<'_> {
         Ok((drawn.image, report))
     }
 
-    /// Reports the estimated time of the remaining frames, from the last one's time: the first frame also builds what all frames share.
+    /// Reports the estimated time of the remaining frames, from the time of the last frame: the first also builds what all frames share.
     pub(super) fn announce(&self, frames: &[FrameReport], console: &Console) {
         let left = self.own.len() - frames.len();
         let Some(ms) = frames.last().and_then(|f| f.drawn_ms) else {
@@ -104,7 +104,7 @@ impl Film<'_> {
         let left_s = left as f64 * ms / 1000.0;
         if left_s > PATIENCE_S {
             console.milestone(format!(
-                "{left} frames of {ms:.0} ms are left: about {left_s:.0} s; a smaller --resolution, --fps or --supersample takes less"
+                "{left} frames remain, {ms:.0} ms each: about {left_s:.0} s; a smaller --resolution, --fps or --supersample takes less"
             ));
         }
     }
@@ -149,7 +149,7 @@ impl Film<'_> {
         };
         let kept = match frames.iter().filter(|f| f.is_kept()).count() {
             0 => String::new(),
-            kept => format!("; {kept} were there from an earlier run of this command"),
+            kept => format!("; {kept} already existed, from an earlier run of this command"),
         };
         console.note(format!(
             "{} frames of {width} x {height}, {} s at {} a second, drawn in {:.0} ms each{clocks}{kept}",

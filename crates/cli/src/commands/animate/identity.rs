@@ -15,7 +15,7 @@ fn program() -> String {
     format!("{:?}", written.ok())
 }
 
-/// The identity of a run; output paths and the share of frames do not count.
+/// The identity of a run. It does not depend on output paths or on the share of frames.
 pub(super) fn of(
     subject: &SceneInput,
     times: &Times,

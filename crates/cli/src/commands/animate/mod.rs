@@ -1,7 +1,7 @@
 //! `animate`: a scene over time, or from all sides, as a GIF, an animated PNG, a film, or numbered pictures.
 //!
-//! All frames are drawn by one session, so that what does not change from frame to frame is built once. The time is that of as
-//! many pictures, plus the encoder's. The file appears at its destination when it is complete.
+//! All frames are drawn by one session, so that what does not change from frame to frame is built once. An animation takes as long
+//! as drawing that many pictures, plus encoding them. The file appears at its destination when it is complete.
 
 mod apng;
 pub(crate) mod encode;
@@ -57,11 +57,11 @@ Examples:
   cutaway animate part.stl --sweep y=10%:90% -o sweep.gif
   cutaway animate part.stl --section z=50% --turntable=90 --frames 12 -o 'frames/%04d.png'
 
-What moves is the scene's business: keys of a scene file, animations of a glTF file. A turntable comes on top of it.
-Ctrl-C or SIGTERM ends after the present frame, with exit code 130. Numbered frames that are there stay, and the same command goes on
-from them; of an animation in one file no file is written.";
+The scene defines what moves, by keys of a scene file or animations of a glTF file. A turntable is added to that motion.
+Ctrl-C or SIGTERM ends the command after the present frame, with exit code 130. Numbered frames that are complete are kept, and the
+same command continues after them; an animation in one file is then not written.";
 
-/// Default frame rate of a GIF, with delays of 8 hundredths: about half of a film's rate, which halves file size and time.
+/// Default frame rate of a GIF, with delays of 8/100 s: about half of a film's rate, which halves file size and drawing time.
 const USUAL_GIF_FPS: f64 = 12.5;
 
 /// Default size of a GIF, small because the format compresses little more than runs of equal pixels.
@@ -76,7 +76,7 @@ pub(crate) struct AnimateArgs {
     clip: ClipArgs,
     #[command(flatten)]
     times: TimesArgs,
-    /// A plane that moves through the model from one position to another: `y=10%:90%`, `-z=0:25`; the side its axis points to stays
+    /// A plane that moves through the model from one position to another: `y=10%:90%`, `-z=0:25`; the side to which the axis points is kept
     #[arg(
         long,
         value_name = "AXIS=FROM:TO",
@@ -99,7 +99,7 @@ pub(crate) struct AnimateArgs {
     /// Output animation: .gif, .png or .apng (animated PNG), .mp4 (needs ffmpeg), or a PNG for each frame: 'frames/%04d.png'
     #[arg(long, short, value_name = "FILE|PATTERN", help_heading = "Output")]
     output: String,
-    /// Draw only one contiguous share of numbered frames: 0/8 to 7/8; auto takes it from the array task (Slurm and others), auto/8 if only some of 8 tasks are resubmitted
+    /// Draw only one contiguous share of numbered frames: 0/8 to 7/8; auto takes the share from the array task (Slurm and others); use auto/8 if only some of 8 tasks are resubmitted
     #[arg(long, value_name = "I/N|auto", help_heading = "Output")]
     shard: Option<Shard>,
     #[command(flatten)]
@@ -129,7 +129,7 @@ pub(crate) fn run(args: &AnimateArgs) -> Result<Verdict> {
     args.clip.amend(&mut document)?;
     args.look.amend(&mut document)?;
     args.options.amend(&mut document)?;
-    // After all options, because some cutaways depend on the picture.
+    // Set after all options, because some cutaways depend on the size of the picture.
     if matches!(target, AnimationOutput::Gif(_)) && document.get("resolution").is_err() {
         document.set("resolution", USUAL_GIF_SIZE_PX.map(Value::from).to_vec())?;
     }
@@ -157,7 +157,7 @@ pub(crate) fn run(args: &AnimateArgs) -> Result<Verdict> {
         AnimationOutput::Numbered(_) => identity::of(&subject, &times, args.turn_deg, &session),
         _ => Identity::default(),
     };
-    // Before the encoder begins a file, which Ctrl-C would otherwise leave half written.
+    // Listen before the encoder begins a file: otherwise Ctrl-C would leave it half written.
     let interrupt = Interrupt::listen("animate", "frame")?;
     let mut encoder = encoder(&target, subject.size_px(), &times, plays, run)?;
     let own = args.shard.unwrap_or(Shard::WHOLE).of_row(times.count);
@@ -258,7 +258,7 @@ fn outputs(args: &AnimateArgs) -> Result<(AnimationOutput, Option<Output>)> {
         return Err(Error::input(
             "--shard",
             "only numbered frames are drawn in shares",
-            "write -o 'frames/%04d.png', and when all shares are there: cutaway encode 'frames/%04d.png' -o run.gif",
+            "write -o 'frames/%04d.png' and, when all shares are complete, run: cutaway encode 'frames/%04d.png' -o run.gif",
         ));
     }
     args.loops.must_fit(&target)?;
@@ -270,7 +270,7 @@ fn outputs(args: &AnimateArgs) -> Result<(AnimationOutput, Option<Output>)> {
     Ok((target, json))
 }
 
-/// Refuses `--turntable 90`, which would be parsed as an input file named 90.
+/// Rejects `--turntable 90`, which would be parsed as an input file named 90.
 fn turn_is_no_input(args: &AnimateArgs) -> Result<()> {
     let number = |i: &&String| i.parse::<f64>().is_ok() && !std::path::Path::new(i).exists();
     match args.scene.inputs.iter().find(number) {
@@ -305,7 +305,7 @@ fn times(
     let (asked, fps) = rate(args, target, moving_s.is_none());
     if args.times.fps.is_some() && (fps - asked).abs() > 1e-9 * asked {
         console.note(format!(
-            "delays of a GIF are hundredths of a second, 2 at least: {} frames per second instead of {asked}",
+            "a GIF stores delays in hundredths of a second, at least 2: it plays at {} frames per second instead of {asked}",
             cutaway::scene::numbers::round(fps)
         ));
     }
@@ -349,7 +349,7 @@ fn verdict(frames: &[FrameReport], renderer: Renderer, console: &Console) -> Ver
         return Verdict::Done;
     };
     console.failed(format!(
-        "{renderer} did not draw all of {} frames, the first at {} s: {}",
+        "{renderer} drew {} frames incompletely, the first at {} s: {}",
         incomplete.len(),
         cutaway::scene::numbers::round(first.time_s),
         first.outcome.reason().unwrap_or_default()

@@ -1,4 +1,4 @@
-//! Completeness of an MP4 file, by its boxes: an encoder may report success although the disk is full.
+//! Checks by its boxes whether an MP4 file is complete: an encoder may report success although the disk is full.
 
 use std::fs::File;
 use std::io::{Read, Seek, SeekFrom};

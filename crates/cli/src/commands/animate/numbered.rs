@@ -67,7 +67,7 @@ impl Encoder for Numbered {
         let next = self.file(self.count);
         if next.exists() {
             console.warn(format!(
-                "{} is from an earlier run and does not belong to this animation\n  help: remove it and those after it",
+                "{} is from an earlier run and does not belong to this animation\n  help: remove it and the files numbered after it",
                 next.display()
             ));
         }

@@ -1,6 +1,6 @@
-//! The colours of a GIF: at most 255 for all its frames, so that nothing flickers from one to the next.
+//! The colours of a GIF: one palette of at most 255 colours for all frames, so that colours do not flicker between frames.
 //!
-//! Up to 255 colours are kept as they are. More are reduced by a self-organising map, trained on a sample of all frames (NeuQuant, from
+//! Up to 255 colours are kept unchanged. More are reduced by a self-organising map, trained on a sample of all frames (NeuQuant, from
 //! the crate `color_quant`), and frames are dithered by a fixed 8 x 8 pattern, scaled by the distance between colours: a pattern
 //! that depends on the picture, as in error diffusion, would crawl where nothing moves.
 
@@ -26,7 +26,7 @@ pub(super) struct Sampler {
     /// Mean distance between a frame's sampled pixels.
     stride: usize,
     sampled: Vec<[u8; 3]>,
-    /// All distinct colours, as long as they are few.
+    /// All distinct colours, until there are too many for a palette.
     distinct: BTreeSet<[u8; 3]>,
     state: u32,
 }
@@ -171,8 +171,8 @@ fn distance(a: [u8; 3], b: [u8; 3]) -> u32 {
     off(0) * off(0) + off(1) * off(1) + off(2) * off(2)
 }
 
-/// Candidates for the nearest entry to a colour of a cell: those whose minimum distance from the cell does not exceed the smallest
-/// of all maximum distances.
+/// Entries that can be the nearest to some colour of a cell: their minimum distance from the cell does not exceed the smallest of all
+/// entries' maximum distances.
 fn candidates(cell: usize, colors: &[[u8; 3]]) -> Vec<u8> {
     let low = [cell / CELLS / CELLS, cell / CELLS % CELLS, cell % CELLS].map(|c| c * CELL);
     let range = |color: &[u8; 3]| {
@@ -194,7 +194,7 @@ fn candidates(cell: usize, colors: &[[u8; 3]]) -> Vec<u8> {
     near.map(|(i, _)| i as u8).collect()
 }
 
-/// Bayer pattern: from -1/2 to 1/2, each value once in every 8 x 8 pixels.
+/// Bayer pattern: values from -1/2 to 1/2, each occurring once in every 8 x 8 pixels.
 fn pattern(x: usize, y: usize) -> f64 {
     let mut rank = 0;
     for bit in 0..3 {

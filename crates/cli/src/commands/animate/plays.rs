@@ -21,12 +21,12 @@ pub(crate) struct LoopArgs {
 }
 
 impl LoopArgs {
-    /// Refuses a play count for formats that do not store one.
+    /// Rejects a play count for a format that does not store it.
     pub(super) fn must_fit(self, target: &AnimationOutput) -> cutaway::Result<()> {
         if self.plays.is_none() || target.counts_plays() {
             return Ok(());
         }
-        let what = "only a GIF or an animated PNG says how often it plays";
+        let what = "only a GIF or an animated PNG stores how often it plays";
         let help = "leave it out, or write a .gif or a .png";
         Err(Error::input("--loop", what, help))
     }

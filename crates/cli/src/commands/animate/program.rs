@@ -23,7 +23,7 @@ const CODECS: &[(&str, &[&str])] = &[
 ];
 
 impl FfmpegProgram {
-    /// Queries the codecs of ffmpeg, before any frame is drawn.
+    /// Finds ffmpeg and the best of its codecs, before any frame is drawn.
     pub(super) fn find(output: &Path) -> Result<Self> {
         let culprit = || format!("--output {}", output.display());
         let asked = Command::new("ffmpeg")

@@ -22,7 +22,7 @@ pub(super) struct FrameReport {
 }
 
 impl FrameReport {
-    /// Report of a picture, from the reports of its samples.
+    /// Report of a frame, from the reports of its samples.
     pub(super) fn of(time_s: f64, frames: &[Drawn], drawn_ms: f64) -> Self {
         let incomplete = frames.iter().find(|f| f.outcome != Outcome::Complete);
         let mean = |clock: Clock| {
@@ -51,7 +51,7 @@ impl FrameReport {
         }
     }
 
-    /// Returns true if the picture existed already.
+    /// Returns true if the frame already existed.
     pub(super) fn is_kept(&self) -> bool {
         self.drawn_ms.is_none()
     }
@@ -74,12 +74,12 @@ impl FrameReport {
     }
 }
 
-/// Median time from scene to picture over the frames drawn.
+/// Median time from scene to picture, over the frames that were drawn.
 pub(super) fn median_ms(frames: &[FrameReport]) -> f64 {
     Samples::new(frames.iter().filter_map(|f| f.drawn_ms).collect()).median
 }
 
-/// Text of how often each clock ran; none for exact.
+/// How often each clock ran, as text; empty for exact.
 pub(super) fn clocks(frames: &[FrameReport]) -> String {
     let counts = Clock::ALL.map(|c| (c, frames.iter().filter(|f| f.clocks.contains(c)).count()));
     let ran: Vec<String> = (counts.iter().filter(|(_, n)| *n > 0))

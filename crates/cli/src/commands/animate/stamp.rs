@@ -1,6 +1,6 @@
 //! Metadata of a numbered picture in PNG text chunks: the run that drew it, its number and the frame count.
 //!
-//! A picture without them is from another program, or incomplete.
+//! A picture without these chunks is from another program, or incomplete.
 
 use std::io::{BufRead, Seek};
 

@@ -1,7 +1,7 @@
 //! `--sweep`: a plane that moves through the model over the whole animation.
 //!
-//! It becomes a cut of the document and a key that moves its origin, so that `--save` writes both. Percentages refer to the model's
-//! bounding box over all times, and are converted to positions in it.
+//! The plane becomes a cut of the document, and its motion a key that moves the cut's origin, so that `--save` writes both. Percentages
+//! refer to the model's bounding box over all times, and are converted to positions.
 
 use cutaway::scene::{Amount, Bounds};
 use cutaway::{Error, Result};
@@ -36,7 +36,7 @@ impl PlaneSweep {
             origin
         });
         if ends[0] == ends[1] {
-            let help = "let it end elsewhere, for example y=10%:90%";
+            let help = "give it another end position, for example y=10%:90%";
             return Err(Error::input("--sweep", "the plane does not move", help));
         }
         let before = document

@@ -14,9 +14,9 @@ const OPTION: &str = "--output";
 /// A destination of frames.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum AnimationOutput {
-    /// 255 colours, shown by any browser.
+    /// GIF with 255 colours, shown by any browser.
     Gif(PathBuf),
-    /// Lossless.
+    /// Animated PNG, lossless.
     Apng(PathBuf),
     /// Written by ffmpeg, which is installed.
     Mp4(PathBuf, FfmpegProgram),
@@ -28,7 +28,7 @@ pub(super) enum AnimationOutput {
 const EXTENSIONS: &[&str] = &["gif", "png", "apng", "mp4"];
 
 impl AnimationOutput {
-    /// The destination that an option's value names; checks that it can be written.
+    /// Parses a destination from an option's value, and checks that it can be written.
     pub(super) fn checked(value: &str) -> Result<Self> {
         if value == "-" {
             return Err(Error::input(

@@ -1,6 +1,6 @@
 //! Frame times of an animation: equally spaced, from `--start`.
 //!
-//! The end time has no frame: in a loop it would repeat the first frame.
+//! No frame is drawn at the end time: in a loop it would repeat the first frame.
 
 use clap::Args;
 use cutaway::{Error, Result};
@@ -11,7 +11,7 @@ use crate::input::when::parse_time;
 /// Default duration of a turntable in seconds.
 const USUAL_TURN_S: f64 = 4.0;
 
-/// Maximum number of frames, half an hour at 50 per second: more are probably a mistake.
+/// Maximum number of frames, half an hour at 50 per second; a larger number is probably a mistake.
 pub(super) const MOST_FRAMES: u32 = 90_000;
 
 /// Selection of the times to show.
@@ -43,7 +43,7 @@ pub(super) struct Times {
 }
 
 impl TimesArgs {
-    /// Frames per second: as requested, else the default. A frame count for a turntable of a static scene is spread over the turn.
+    /// Frames per second: as requested, else the default. For a turntable of a static scene, a frame count is spread over one turn.
     pub(super) fn rate(&self, usual: f64, stands_still: bool) -> f64 {
         let of_a_turn = (self.frames.filter(|_| stands_still))
             .map(|frames| (f64::from(frames) / USUAL_TURN_S).min(usual));
@@ -67,7 +67,7 @@ impl TimesArgs {
             };
             return Err(Error::input(
                 culprit,
-                format!("that makes {count} frames, at most {MOST_FRAMES} are drawn in one go"),
+                format!("that makes {count} frames, but at most {MOST_FRAMES} can be drawn"),
                 "lower --fps or --duration",
             ));
         }

@@ -1,7 +1,7 @@
 //! A camera that moves around the up axis, in addition to all other motion.
 //!
-//! An orbiting camera would move closer and farther as the model's apparent width changes, because each picture is fitted
-//! separately. Here the distance, or the height of an orthographic picture, is that of the widest view of the turn, around the centre
+//! If each picture were fitted separately, an orbiting camera would move closer and farther as the model's apparent width changes.
+//! Here all pictures have the distance, or the orthographic height, of the widest view of the turn, around the centre
 //! of the fitted extent.
 
 use cutaway::scene::{
@@ -110,7 +110,7 @@ impl Start {
                 height: Some(2.0 * half_height),
             };
         }
-        // From straight above the up axis says nothing about what is up, and a view along a direction has an up of its own.
+        // Seen from straight above, the up axis does not define what is up in the picture; a view along a direction has its own up.
         let is_along = matches!(camera.viewpoint, Viewpoint::Along { .. });
         let is_pole = views[0].forward.cross(camera.up.axis()).length() < 1e-6;
         Self {

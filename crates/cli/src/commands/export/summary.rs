@@ -1,4 +1,4 @@
-//! Report of `export` on each part, as JSON: triangles, volumes, areas of caps, open edges.
+//! What `export` reports for each part as JSON: triangles, volumes, cap areas, open edges.
 
 use cutaway::scene::{Edges, Mesh, Scene, SceneSpace};
 use cutaway::slice::{CappedPart, Half, Slicer, planes_of};
@@ -12,7 +12,7 @@ pub(super) struct ExportSummary {
     pub(super) open_edges: usize,
     pub(super) kept: HalfFacts,
     removed: HalfFacts,
-    /// Area of the plane's section by the part's fill rule; none unless exactly one plane cuts the part.
+    /// Area of the section by the part's fill rule; none unless exactly one plane cuts the part.
     section_area: Option<f64>,
     relief_off: f64,
     defects: Vec<String>,
@@ -61,11 +61,11 @@ impl ExportSummary {
     }
 }
 
-/// Relative excess of cap area over section area that counts as rounding: both print as the same number.
+/// Largest relative excess of cap area over section area that counts as rounding: up to this, both are printed as the same number.
 const ROUNDED_AREA: f64 = 1e-5;
 
 impl ExportSummary {
-    /// The areas of caps and section if bodies of the part overlap in the plane, so that each has its own cap.
+    /// The areas of the caps and of the section, if bodies of the part overlap in the plane and so have separate caps.
     pub(super) fn overlap(&self) -> Option<[f64; 2]> {
         let areas = [self.kept.cap_area, self.section_area?];
         (areas[0] > areas[1] * (1.0 + ROUNDED_AREA)).then_some(areas)

@@ -52,7 +52,7 @@ pub(super) fn sizes_px(asked: &AskedCases) -> Vec<u32> {
     }
 }
 
-/// Result of a search, as one case with an expectation per strategy. `None` if `goes_on` returned false.
+/// Result of a search, in the form of one case with an expectation per strategy. `None` if `goes_on` returned false.
 pub(super) fn search(
     session: &mut Session,
     asked: &AskedSearch,

@@ -35,8 +35,8 @@ impl OutputFolder {
         })
     }
 
-    /// The existing files that a run of an experiment replaces: its definition, and the records by name with
-    /// their pictures.
+    /// The existing files that a run of an experiment replaces: the experiment's definition, and the records with these names,
+    /// with their pictures.
     pub(super) fn replaced(&self, experiment: &str, stems: &[String]) -> Vec<PathBuf> {
         let is_replaced = |name: &str| {
             let of_stem = |stem: &String| {
@@ -54,8 +54,8 @@ impl OutputFolder {
             .collect()
     }
 
-    /// The existing run, if any. A run on another device, or a full run where this one is quick, must not be mixed with this one:
-    /// refused unless everything is measured again. Shards of one run may use several devices, but a shard replaces only its own points, so
+    /// The existing run, if any. This run must not be mixed with a run on another device, nor a quick run with a full one: such a run is
+    /// an error unless everything is measured again. Shards of a run may use several devices, but a shard replaces only its own points, so
     /// `force` does not allow a full run next to a quick one, or the reverse.
     pub(super) fn earlier(
         &self,
@@ -67,7 +67,7 @@ impl OutputFolder {
         let is_shard = self.run_file != Run::FILE;
         let replaces_all = force && !is_shard;
         for path in self.run_files().filter(|path| *path != own) {
-            // Each file is complete; one that is not a description is ignored.
+            // Files are never incomplete; a file that does not describe a run is ignored.
             let Some(run) = read::<Run>(&path) else {
                 continue;
             };
@@ -89,7 +89,7 @@ impl OutputFolder {
                 Ok(None)
             } else {
                 let help = "remove the file and measure again: points that are whole are kept";
-                Err(Error::file(&own, "it is no whole record of a run", help))
+                Err(Error::file(&own, "it is no complete record of a run", help))
             };
         };
         if force {
@@ -113,7 +113,7 @@ impl OutputFolder {
         write_json(&self.path.join(&self.run_file), run)
     }
 
-    /// Writes the definition, with the names of all its records as `points`, in the order of the experiment, so that a reader of the
+    /// Writes the definition. Its `points` are the names of all records in the experiment's order, so that a reader of the
     /// folder can find missing and outdated records.
     pub(super) fn write_definition(&self, definition: &Definition, stems: &[String]) -> Result<()> {
         let synopsis = Synopsis {
@@ -128,7 +128,7 @@ impl OutputFolder {
         }
     }
 
-    /// The record with these files, if it has this identity and its pictures exist.
+    /// The record with this file name, if it has this identity and its pictures exist.
     pub(super) fn record(&self, experiment: &str, stem: &str, identity: &str) -> Option<Record> {
         let folder = self.of(experiment);
         let record: Record = read(&folder.join(format!("{stem}.json")))?;
@@ -139,7 +139,7 @@ impl OutputFolder {
             .then_some(record)
     }
 
-    /// Writes a point, its pictures first, so that no record names a missing picture.
+    /// Writes a point: first its pictures, then its record, so that no record names a missing picture.
     pub(super) fn write(&self, stem: &str, measured: &Measured) -> Result<()> {
         let folder = self.of(&measured.record.experiment);
         for (file, image) in &measured.pictures {
@@ -168,8 +168,8 @@ impl OutputFolder {
         write_json(&path, record)
     }
 
-    /// Records that this experiment no longer requests, each with the files of its pictures. Files that are not records
-    /// are skipped.
+    /// Records that this experiment no longer requests, each with its picture files. Files that are not records are
+    /// skipped.
     pub(super) fn others(&self, experiment: &str, stems: &[String]) -> Vec<Vec<PathBuf>> {
         let folder = self.of(experiment);
         let entries = std::fs::read_dir(&folder).into_iter().flatten().flatten();
@@ -201,7 +201,7 @@ impl OutputFolder {
     }
 }
 
-/// Error for a run that must not be mixed with an existing one, by adapter and by quick or full.
+/// Error for a run that must not be mixed with an existing one, because the adapter differs, or one is quick and the other full.
 fn mixed(path: &Path, run: &Run, (adapter, is_quick): (&AdapterReport, bool), help: &str) -> Error {
     let word = |is_quick| if is_quick { "quick" } else { "in full" };
     let what = format!(

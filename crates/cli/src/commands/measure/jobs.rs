@@ -32,7 +32,7 @@ pub(super) struct Job<'a> {
 
 /// Task to measure.
 pub(super) enum Task<'a> {
-    /// A point; true if its pictures are kept.
+    /// A point of a run; the flag is true if the point's pictures are kept.
     Point(&'a SceneRun, &'a Point, bool),
     /// Hard cases.
     Cases(&'a AskedCases),
@@ -51,7 +51,7 @@ impl Job<'_> {
         place
     }
 
-    /// The name of its record, without an extension.
+    /// The name of the job's record, without an extension.
     pub(super) fn stem(&self) -> String {
         match self.task {
             Task::Point(_, point, _) => file_stem(&self.run.name, point),
@@ -59,7 +59,7 @@ impl Job<'_> {
         }
     }
 
-    /// Name for `--only`: the run, then a colon and the stem of the point's files.
+    /// The job's name for `--only`: the run, a colon, and the stem of the point's file names.
     fn address(&self) -> String {
         match self.task {
             Task::Point(_, point, _) if !point.stem.is_empty() => {
@@ -69,7 +69,7 @@ impl Job<'_> {
         }
     }
 
-    /// Returns true if `--only` selects the job by a glob for the run and, after a colon, one for the point.
+    /// Returns true if `--only` selects the job: by a glob for the run and, after a colon, a glob for the point.
     fn is_meant(&self, only: &str) -> bool {
         let (run, point) = only.split_once(':').unwrap_or((only, "*"));
         let stem = match self.task {
@@ -97,7 +97,7 @@ impl Job<'_> {
         }
     }
 
-    /// Cost relative to other jobs, in drawn pixels: the frames of every round, plus the reference, counted as several frames.
+    /// Cost of the job in drawn pixels, to compare jobs: the frames of every round, plus the reference, which counts as several frames.
     fn cost(&self, args: &MeasureArgs) -> f64 {
         const REFERENCE_ROUNDS: f64 = 20.0;
         match self.task {
@@ -161,7 +161,7 @@ impl Job<'_> {
                 }
                 let rounds = self.rounds(args);
                 identity.add(format!("{:?} {keeps_pictures} {rounds}", point.parameters));
-                // Expectations are left out: a record is compared with them again without measuring.
+                // Expectations are left out: if they change, the record is compared with them without measuring again.
                 identity.add(format!("{:?}", run.drift));
             }
             Task::Cases(asked) => identity.add(format!("{asked:?}")),
@@ -171,7 +171,7 @@ impl Job<'_> {
     }
 }
 
-/// Refuses a folder where records would replace the experiments' own files, or files that their points name.
+/// Rejects a folder where records would replace the experiments' own files, or files that their points refer to.
 pub(super) fn keep_inputs(
     definitions: &[Definition],
     jobs: &[Job<'_>],
@@ -194,7 +194,7 @@ pub(super) fn keep_inputs(
     Ok(())
 }
 
-/// Reads the experiments of some files; refuses duplicate names.
+/// Reads the experiments from files; rejects duplicate names.
 pub(super) fn load(paths: &[PathBuf]) -> Result<Vec<Definition>> {
     let mut names = BTreeSet::new();
     let mut all = Vec::new();
@@ -204,7 +204,7 @@ pub(super) fn load(paths: &[PathBuf]) -> Result<Vec<Definition>> {
             return Err(Error::file(
                 path,
                 format!("another experiment is called `{}`", definition.name),
-                "rename one of the files: records are kept by their names",
+                "rename one of the files: records are stored under the file's name",
             ));
         }
         all.push(definition);
@@ -246,7 +246,7 @@ pub(super) fn jobs<'a>(definitions: &'a [Definition], args: &MeasureArgs) -> Res
     Ok(jobs)
 }
 
-/// Refuses `--only` names that match no job.
+/// Rejects an `--only` value that matches no job.
 fn must_mean_a_job(only: &str, jobs: &[Job<'_>]) -> Result<()> {
     if jobs.iter().any(|j| j.is_meant(only)) {
         return Ok(());
@@ -266,7 +266,7 @@ fn must_mean_a_job(only: &str, jobs: &[Job<'_>]) -> Result<()> {
         .map(|a| a.split_once(':').map_or("*", |(_, stem)| stem));
     let help = did_you_mean(point, stems);
     Err(fault(
-        "no point of the run has this name in its file names",
+        "no point of the run has a file name that matches",
         help,
     ))
 }

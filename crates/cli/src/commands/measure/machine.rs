@@ -1,7 +1,7 @@
 //! Environment of a run: the machine, its job and node in a cluster, the program's commit, and the time of day.
 //!
-//! Unknown values are left out, never guessed. The commit comes from `git` in the folder that the program was built from, if it still
-//! exists and is unchanged since: a program that was installed, or is older than its sources, has none.
+//! Unknown values are left out, never guessed. The commit comes from `git` in the folder that the program was built from, if that folder
+//! still exists and is unchanged since: for a program that was installed, or is older than its sources, there is no commit.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;

@@ -42,7 +42,7 @@ Examples:
   cutaway measure mine.toml --only crank --rounds 25 --out target/mine
   cutaway measure mine.toml --shard auto/16 --out shared/mine        # a task of an array: experiments/cluster
 
-Ctrl-C ends after the present round. The same command again goes on where it stopped.
+Ctrl-C ends the command after the present round. Run the same command again to continue where it stopped.
 Exit codes: 0 done; 1 done, but an expectation failed; 2 bad input or usage; 130 ended by Ctrl-C or SIGTERM.";
 
 /// Options of `measure`.
@@ -54,7 +54,7 @@ pub(crate) struct MeasureArgs {
     /// Folder for the records and pictures
     #[arg(long, value_name = "DIR", default_value = "target/measure")]
     pub(crate) out: PathBuf,
-    /// Use the fewer pixels, values and rounds that the experiments define for quick runs
+    /// Use the smaller numbers of pixels, values and rounds that the experiments define for quick runs
     #[arg(long)]
     pub(crate) quick: bool,
     /// Measure points again that are already measured
@@ -66,13 +66,13 @@ pub(crate) struct MeasureArgs {
     /// Only list the points to measure; needs no graphics adapter
     #[arg(long)]
     pub(crate) dry_run: bool,
-    /// Only runs with this name and, after a colon, only points with this name in their files; * matches anything
+    /// Measure only runs with this name and, after a colon, only points with this file name; * matches anything
     #[arg(long, value_name = "RUN[:POINT]")]
     pub(crate) only: Option<String>,
     /// Number of measured rounds, after one warm-up round [default: as the experiments define]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=10_000))]
     pub(crate) rounds: Option<u32>,
-    /// Measure only one share of the points, into a folder common to all shares: 0/8 to 7/8; auto takes it from the array task (Slurm and others), auto/8 if only some of 8 tasks are resubmitted
+    /// Measure only one share of the points, into a folder common to all shares: 0/8 to 7/8; auto takes the share from the array task (Slurm and others); use auto/8 if only some of 8 tasks are resubmitted
     #[arg(long, value_name = "I/N|auto", conflicts_with_all = ["prune"])]
     pub(crate) shard: Option<Shard>,
     #[command(flatten)]
@@ -209,7 +209,7 @@ impl InvocationState<'_> {
             self.console.note(text);
         } else {
             self.console.note(format!(
-                "{name}: {what} that it no longer has {are} left as before\n  help: --prune removes what no experiment asks for"
+                "{name}: {what} that it no longer has {are} left as before\n  help: --prune removes records that no experiment asks for"
             ));
         }
         Ok(())
@@ -249,7 +249,7 @@ impl InvocationState<'_> {
         Ok(!tally.interrupted)
     }
 
-    /// Prints a line for each point, for the log of an unattended run.
+    /// Prints a progress line after each point, for the log of an unattended run.
     fn say_how_far(&self, job: &Job<'_>, tally: &JobTally) {
         let (name, run) = (&job.definition.name, &job.run.name);
         let [complete, asked] = tally.of_run(job);

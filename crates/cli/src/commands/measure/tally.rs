@@ -1,4 +1,4 @@
-//! Summary of an invocation: a line per experiment, and the verdict.
+//! Summary of one call of `measure`: a line per experiment, and the verdict.
 
 use std::collections::BTreeMap;
 
@@ -28,7 +28,7 @@ fn key(job: &Job<'_>) -> [String; 2] {
 #[derive(Default)]
 pub(super) struct JobTally {
     lines: Vec<ExperimentTally>,
-    /// Per experiment and run: the number of complete jobs, and of all jobs.
+    /// Per experiment and run: the number of complete jobs, and the number of all jobs.
     runs: BTreeMap<[String; 2], [usize; 2]>,
     /// An interrupted job, which must be restarted.
     pub(super) lost: Option<String>,
@@ -37,7 +37,7 @@ pub(super) struct JobTally {
 }
 
 impl JobTally {
-    /// A tally of jobs of which none is done.
+    /// A tally of these jobs, with none done yet.
     pub(super) fn of(jobs: &[Job<'_>]) -> Self {
         let mut tally = Self::default();
         for job in jobs {
@@ -46,7 +46,7 @@ impl JobTally {
         tally
     }
 
-    /// Number of complete and of requested jobs in this job's run.
+    /// Number of complete jobs and number of requested jobs in this job's run.
     pub(super) fn of_run(&self, job: &Job<'_>) -> [usize; 2] {
         self.runs.get(&key(job)).copied().unwrap_or_default()
     }

@@ -27,7 +27,7 @@ impl<'a> Watching<'a> {
         }
     }
 
-    /// Text of the rounds lost to an interrupt, for a point of `steps` steps that end with its rounds.
+    /// The number of rounds lost to an interrupt, as text. The point has `steps` steps, and its rounds are the last of them.
     pub(super) fn lost(&self, steps: usize, rounds: usize) -> String {
         let before = steps - rounds;
         // The last reported round is incomplete.

@@ -1,8 +1,8 @@
-//! The planes of a scene's cuts, and the region of each that is a cap: on the removed sides of its cut's other clip-surfaces, where no
-//! other cut removes the solid behind it.
+//! The planes of a scene's cuts, and the region of each plane that is a cap: on the removed sides of the other clip-surfaces of the plane's
+//! cut, where no other cut removes the solid behind the plane.
 //!
-//! Tie rule: among coplanar clip-surfaces that keep the same side, the first has the cap; between two that keep opposite sides
-//! there is none.
+//! Tie rule: among coplanar clip-surfaces that keep the same side, the first has the cap; two clip-surfaces that keep opposite sides
+//! have no cap.
 
 use cutaway::scene::numbers::round;
 use cutaway::scene::{Part, Scene};
@@ -28,13 +28,13 @@ pub(super) struct CutPlane {
 
 /// Position of one plane relative to another.
 enum RelativeSide {
-    /// The plane is entirely on the kept side.
+    /// The plane is entirely on the other's kept side.
     Kept,
-    /// The plane is entirely on the removed side.
+    /// The plane is entirely on the other's removed side.
     Removed,
-    /// A half-plane of it is on the removed side.
+    /// One half-plane of the plane is on the other's removed side.
     Crossed(HalfPlane),
-    /// The planes coincide, and keep the same side or opposite sides.
+    /// The planes coincide; `is_opposite` is true if they keep opposite sides.
     Same { is_opposite: bool },
 }
 
@@ -44,7 +44,7 @@ impl CutPlane {
         self.plane.keeping(scene.cuts[self.cut].offset_for(part))
     }
 
-    /// Trims the section of a part of a given size by this plane, which is at `at` for the part. `None` if nothing is left.
+    /// Trims a part's section in this plane, which is at `at` for the part; `size` is the part's size. `None` if nothing is left.
     pub(super) fn trim(
         &self,
         (scene, planes): (&Scene, &[Self]),
@@ -87,7 +87,7 @@ impl CutPlane {
     }
 }
 
-/// Relation of one plane to another, within the range of something of a given size.
+/// Position of a plane relative to another, with tolerances for a model of this size.
 fn side(plane: &SlicePlane, other: &SlicePlane, size: f64) -> RelativeSide {
     let outward = other.frame.normal;
     let normal = DVec2::new(
@@ -125,7 +125,7 @@ pub(super) fn planes(scene: &Scene) -> Result<Vec<CutPlane>> {
             return Err(Error::input(
                 format!("cut `{}`", cut.name),
                 format!(
-                    "{} is a mesh that cuts, and a section is flat",
+                    "{} is a mesh that cuts, but a section must be flat",
                     cutter.name()
                 ),
                 "leave it out, or see the cap with `cutaway render`",
@@ -135,7 +135,7 @@ pub(super) fn planes(scene: &Scene) -> Result<Vec<CutPlane>> {
             let Some(plane) = SlicePlane::of_flat(surface) else {
                 return Err(Error::input(
                     format!("cut `{}`", cut.name),
-                    format!("clip-surface {number} has a relief, and a section is flat"),
+                    format!("clip-surface {number} has a relief, but a section must be flat"),
                     "leave the relief out, or see the ragged cap with `cutaway render`",
                 ));
             };
@@ -157,7 +157,7 @@ pub(super) fn planes(scene: &Scene) -> Result<Vec<CutPlane>> {
     Ok(planes)
 }
 
-/// The face of the cut that a plane belongs to. Cuts with the same name form one region, as for a wedge of more than half a turn.
+/// The cut's face that a plane forms. Cuts with the same name form one region: a wedge of more than half a turn has several cuts.
 fn face(scene: &Scene, cut: usize, within: usize, plane: &SlicePlane) -> SectionFace {
     let name = &scene.cuts[cut].name;
     let kin = |cuts: &[cutaway::scene::Cut]| -> usize {

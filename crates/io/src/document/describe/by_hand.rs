@@ -1,8 +1,8 @@
-//! Values with several forms, which their readers take directly from the table.
+//! Values that have several forms. Their readers take them directly from the table.
 
 use cutaway::scene::describe::{Given, Leaf, ValueType};
 
-/// Placeholder for such a value in a description.
+/// Placeholder in a description for a value that has several forms.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct ByHand;
 

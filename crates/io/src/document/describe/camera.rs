@@ -5,7 +5,7 @@ use cutaway::scene::range::SMALLEST;
 use cutaway::scene::{Fit, STANDARD_VIEWS, Up};
 use glam::{DVec2, DVec3};
 
-/// Words of `view`: the standard views, and the one that faces the first section.
+/// Words that `view` accepts: the standard views, and `cut`, which faces the first section.
 const VIEWS: [&str; STANDARD_VIEWS.len() + 1] = joined(&words(&STANDARD_VIEWS), &["cut"]);
 
 /// Projection by its name.
@@ -19,19 +19,19 @@ pub(crate) enum ProjectionKind {
 /// The camera as stored in a file.
 #[derive(Clone, Debug, Default, PartialEq, Described)]
 pub(crate) struct CameraDesc {
-    /// Rotation around the up axis; "auto" faces the cuts.
+    /// Rotation around the up axis, or "auto" to face the cuts.
     #[value(words = ["auto"], unit = "degrees", example = 35)]
     pub(crate) azimuth_deg: Option<OrWord<f64>>,
-    /// Angle above the horizon; "auto" faces the cuts.
+    /// Angle above the horizon, or "auto" to face the cuts.
     #[value(words = ["auto"], unit = "degrees", example = 25)]
     pub(crate) elevation_deg: Option<OrWord<f64>>,
-    /// Named direction, instead of angles; `cut` faces the first section.
+    /// Named viewing direction, used instead of angles; `cut` faces the first section.
     #[value(choice = VIEWS, example = "iso")]
     pub(crate) view: Option<String>,
-    /// Position of the eye, instead of angles.
+    /// Position of the eye, used instead of angles.
     #[value(unit = "units", example = [0, 0, 5])]
     pub(crate) position: Option<DVec3>,
-    /// Point in the middle of the picture; default: the middle of the model.
+    /// Point in the middle of the picture, by default the middle of the model.
     #[value(unit = "units", example = [0, 0, 0])]
     pub(crate) focal_point: Option<DVec3>,
     /// Direction that points up in the picture.
@@ -43,19 +43,19 @@ pub(crate) struct CameraDesc {
     /// Perspective or orthographic.
     #[value(example = "orthographic")]
     pub(crate) projection: ProjectionKind,
-    /// Vertical field of view, in perspective.
+    /// Vertical field of view of a perspective camera.
     #[value(range = SMALLEST..=170.0, unit = "degrees", example = 30)]
     pub(crate) fov_y_deg: Option<f64>,
-    /// Height of an orthographic picture; default: fits the model.
+    /// Height of an orthographic picture, by default fitted to the model.
     #[value(range = SMALLEST.., unit = "units", example = 3)]
     pub(crate) height: Option<f64>,
-    /// Framing of an orbit: the silhouette of the geometry that the cuts keep, or the box of the whole model.
+    /// What an orbit frames: the silhouette of the geometry that the cuts keep, or the box of the whole model.
     #[value(example = "kept")]
     pub(crate) fit: Option<Fit>,
     /// Magnification relative to the fitted view.
     #[value(range = 1e-3..=1e3, example = 1.5)]
     pub(crate) zoom: Option<f64>,
-    /// Offset of the model in the picture, right and up.
+    /// Offset by which the model moves right and up in the picture.
     #[value(range = -10.0..=10.0, unit = "heights", example = [0.1, 0])]
     pub(crate) pan: DVec2,
     /// Distance of the near plane.

@@ -6,10 +6,10 @@ use cutaway::scene::describe::Described;
 
 use super::PlacementDesc;
 
-/// A cut as stored in a file, without its surfaces, regions and offsets.
+/// A cut as stored in a file. Its surfaces, regions and offsets are read separately.
 #[derive(Clone, Debug, Default, PartialEq, Described)]
 pub(crate) struct CutDesc {
-    /// Name in paths.
+    /// Name that paths use for the cut.
     #[value(example = "front")]
     pub(crate) name: Option<String>,
     /// Applies the cut.
@@ -21,13 +21,13 @@ pub(crate) struct CutDesc {
     /// Globs of the parts to leave uncut.
     #[value(example = ["bolt*"])]
     pub(crate) except: Vec<String>,
-    /// Closed mesh that cuts: a file, or a shape.
+    /// Closed mesh whose inside is removed, from a file or a built-in shape.
     #[value(example = "shape:sphere")]
     pub(crate) volume: Option<PathBuf>,
     /// Placement of the volume.
     #[value(flat)]
     pub(crate) placement: PlacementDesc,
-    /// Removes what is outside the volume.
+    /// Removes everything outside the volume, instead of everything inside.
     #[value(example = true)]
     pub(crate) flip: bool,
 }

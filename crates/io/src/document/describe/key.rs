@@ -10,9 +10,9 @@ pub enum Interpolation {
     /// Linear interpolation.
     #[default]
     Linear,
-    /// The earlier value, until the later time.
+    /// Keeps the earlier value until the later time.
     Step,
-    /// A cubic with zero slope at both ends.
+    /// Cubic interpolation with zero slope at both ends.
     Smooth,
 }
 

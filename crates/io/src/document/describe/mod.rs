@@ -1,10 +1,10 @@
-//! Typed descriptions: the values of a scene file, in the file's units. Each value is declared once, at the field that holds it.
+//! Typed descriptions of the values of a scene file, in the file's units. Each value is declared once, at the field that holds it.
 //!
-//! Readers use the declarations, with their types, ranges and examples, to fill a description from a table, and convert it to
-//! world units. The list of paths, the reference and the panels of a window are generated from the same declarations
-//! ([`paths`](super::paths)). The style is described in the core: [`Style`](cutaway::scene::Style).
+//! A declaration has a type, a range and an example. Readers use the declarations to fill a description from a table, and then convert it
+//! to world units. The list of paths, the reference and the viewer's panels are generated from the same declarations
+//! ([`paths`](super::paths)). The style is described in the core, by [`Style`](cutaway::scene::Style).
 //!
-//! Not supported: values that exclude each other. Readers check those.
+//! Declarations cannot express that two values exclude each other. Readers check that.
 
 mod by_hand;
 mod camera;

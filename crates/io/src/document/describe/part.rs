@@ -9,31 +9,31 @@ use glam::Vec3;
 
 use super::{ByHand, PlacementDesc};
 
-/// A part as stored in a file, without its lists of defects and deformers.
+/// A part as stored in a file. Its lists of defects and deformers are read separately.
 #[derive(Clone, Debug, Default, PartialEq, Described)]
 pub(crate) struct PartDesc {
-    /// Name in paths and globs.
+    /// Name that paths and globs use for the part.
     #[value(example = "crank")]
     pub(crate) name: Option<String>,
     /// Includes the part in the scene.
     #[value(example = true)]
     pub(crate) enabled: Option<bool>,
-    /// Mesh file, or numbered frames: "walk_%04d.ply".
+    /// Mesh file, or a pattern for numbered frames such as "walk_%04d.ply".
     #[value(example = "crank.obj")]
     pub(crate) mesh: Option<PathBuf>,
-    /// Built-in shape; or a table of its name and parameters.
+    /// Built-in shape, as text or as a table with its name and parameters.
     #[value(takes = ValueType::Text, example = "crank?throws=3")]
     pub(crate) shape: ByHand,
-    /// Makes each connected body a part: NAME/1, NAME/2, ...
+    /// Makes each connected body a separate part, named NAME/1, NAME/2, ...
     #[value(fixed, example = true)]
     pub(crate) split: bool,
     /// Closes planar and small holes of the mesh.
     #[value(fixed, example = true)]
     pub(crate) close_holes: bool,
-    /// Globs of the solids, or with `split` of the bodies, to take from the file.
+    /// Globs of the solids to take from the file; with `split`, globs of the bodies.
     #[value(example = ["gear*"])]
     pub(crate) only: Vec<String>,
-    /// Globs of the solids or bodies to leave out.
+    /// Globs of the solids to leave out; with `split`, globs of the bodies.
     #[value(example = ["bolt*"])]
     pub(crate) except: Vec<String>,
     /// Frames per second.
@@ -48,10 +48,10 @@ pub(crate) struct PartDesc {
     /// Placement of the mesh.
     #[value(flat)]
     pub(crate) placement: PlacementDesc,
-    /// Interior parts are never cut; whole parts neither, but are hidden where they are removed entirely.
+    /// Role in cuts: interior and whole parts are never cut, but whole parts that lie entirely in the removed region are hidden.
     #[value(example = "interior")]
     pub(crate) role: Option<Role>,
-    /// The part with the higher priority is shown where solids overlap.
+    /// Where solids overlap, the part with the higher priority is shown.
     #[value(example = 1)]
     pub(crate) priority: Option<i32>,
     /// Fill rule of the mesh.
@@ -71,7 +71,7 @@ pub(crate) struct MaterialDesc {
     /// Colour of caps.
     #[value(example = "#d9773f")]
     pub(crate) cap_color: Option<Vec3>,
-    /// Hatch of caps: general, none, solid, a material, or a pattern from a file, mine.pat#NAME.
+    /// Hatch of caps: general, none, solid, the name of a material, or mine.pat#NAME for a pattern from a file.
     #[value(example = "steel")]
     pub(crate) hatch: Option<String>,
     /// Textures of caps.
@@ -82,22 +82,22 @@ pub(crate) struct MaterialDesc {
 /// Textures of caps.
 #[derive(Clone, Debug, Default, PartialEq, Described)]
 pub(crate) struct CapMaterialDesc {
-    /// Colour texture of caps, in the (u, v) of the clip-surface.
+    /// Colour texture of caps, placed by the (u, v) coordinates of the clip-surface.
     #[value(example = "rust.png")]
     pub(crate) diffuse: Option<PathBuf>,
-    /// Normal map of caps, added to the relief.
+    /// Normal map of caps, which is combined with the normals of the relief.
     #[value(example = "grain.png")]
     pub(crate) normal: Option<PathBuf>,
     /// Light map of caps.
     #[value(example = "soft.png")]
     pub(crate) light: Option<PathBuf>,
-    /// Solid texture.
+    /// Procedural solid texture of caps.
     #[value(choice = words(&SolidTexture::NAMED), example = "marble")]
     pub(crate) solid: Option<String>,
-    /// Numbered slices that fill the part's box, instead of `solid`.
+    /// Pattern for numbered slice images that fill the part's box, as an alternative to `solid`.
     #[value(example = "slices/%03d.png")]
     pub(crate) images: Option<PathBuf>,
-    /// Length of one repeat; default: images have the relief's placement.
+    /// Length after which a texture repeats; without it, images are placed like the relief.
     #[value(range = SMALLEST.., unit = "units", fixed, example = "10%")]
     pub(crate) size: Option<Amount>,
 }

@@ -5,7 +5,7 @@ use glam::DVec3;
 
 use super::ByHand;
 
-/// Scale, rotation and translation, applied in this order, or a matrix.
+/// Placement by scale, rotation and translation, applied in this order, or by a matrix.
 #[derive(Clone, Debug, Default, PartialEq, Described)]
 pub(crate) struct PlacementDesc {
     /// Translation, applied last.
@@ -17,10 +17,10 @@ pub(crate) struct PlacementDesc {
     /// Scale, applied first.
     #[value(example = 0.5)]
     pub(crate) scale: Option<Factors>,
-    /// Fixed point of scale and rotation; default: the origin.
+    /// Point that scale and rotation leave fixed, by default the origin.
     #[value(words = ["centre"], unit = "units", example = [0, 0, 0])]
     pub(crate) pivot: Option<OrWord<DVec3>>,
-    /// 4 rows of 4 numbers, instead of translation, rotation, scale and pivot.
+    /// Matrix with 4 rows of 4 numbers, which replaces translation, rotation, scale and pivot.
     #[value(example = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 2], [0, 0, 0, 1]])]
     pub(crate) matrix: ByHand,
 }

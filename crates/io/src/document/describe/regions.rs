@@ -6,7 +6,7 @@ use glam::{DVec2, DVec3};
 
 use super::ReliefUse;
 
-/// Names of axis directions.
+/// Axis directions by name.
 pub(crate) const AXES: [(&str, DVec3); 6] = [
     ("x", DVec3::X),
     ("y", DVec3::Y),
@@ -15,7 +15,7 @@ pub(crate) const AXES: [(&str, DVec3); 6] = [
     ("-y", DVec3::NEG_Y),
     ("-z", DVec3::NEG_Z),
 ];
-/// Their names.
+/// Names of the axis directions.
 pub(super) const AXIS_NAMES: [&str; 6] = words(&AXES);
 /// Words for the axis of a cutout.
 const CUTOUT_AXES: [&str; 9] = joined(&["auto", "main", "symmetry"], &AXIS_NAMES);
@@ -23,13 +23,13 @@ const CUTOUT_AXES: [&str; 9] = joined(&["auto", "main", "symmetry"], &AXIS_NAMES
 /// A box as stored in a file.
 #[derive(Clone, Debug, Default, PartialEq, Described)]
 pub(crate) struct BoxDesc {
-    /// Lower corner; default: unbounded on that side.
+    /// Lower corner of the box; a box without one is unbounded below.
     #[value(unit = "units", example = ["50%", 0, 0])]
     pub(crate) min: Option<[Amount; 3]>,
-    /// Upper corner.
+    /// Upper corner of the box; a box without one is unbounded above.
     #[value(unit = "units", example = ["100%", 1, 1])]
     pub(crate) max: Option<[Amount; 3]>,
-    /// Centre, instead of corners.
+    /// Centre of the box, used with `size` instead of corners.
     #[value(unit = "units", example = [0, 0, 0])]
     pub(crate) centre: Option<[Amount; 3]>,
     /// Side lengths.
@@ -38,7 +38,7 @@ pub(crate) struct BoxDesc {
     /// Relief on the box.
     #[value(flat)]
     pub(crate) ruffle: ReliefUse,
-    /// Faces with the relief: -x to +z.
+    /// Faces that have the relief, named -x, +x, -y, +y, -z and +z.
     #[value(example = ["+z"])]
     pub(crate) faces: Vec<String>,
 }
@@ -49,13 +49,13 @@ pub(crate) struct WedgeDesc {
     /// Axis of the wedge.
     #[value(words = AXIS_NAMES, example = [0, 0, 1])]
     pub(crate) axis: Option<OrWord<DVec3>>,
-    /// Point on the axis; default: the middle of the model.
+    /// Point on the axis, by default the middle of the model.
     #[value(unit = "units", example = ["50%", "50%", 0])]
     pub(crate) origin: Option<[Amount; 3]>,
-    /// Start angle, counter-clockwise from the next axis.
+    /// Start angle, counter-clockwise from the axis that follows the wedge's axis.
     #[value(unit = "degrees", example = 0)]
     pub(crate) from_deg: Option<f64>,
-    /// End angle, at most 360 more.
+    /// End angle, at most 360 degrees more than the start angle.
     #[value(unit = "degrees", example = 90)]
     pub(crate) to_deg: Option<f64>,
     /// Smallest coordinate along the axis.
@@ -67,7 +67,7 @@ pub(crate) struct WedgeDesc {
     /// Relief on the wedge.
     #[value(flat)]
     pub(crate) ruffle: ReliefUse,
-    /// Faces with the relief: from, to, min, max.
+    /// Faces that have the relief, named from, to, min and max.
     #[value(example = ["from"])]
     pub(crate) faces: Vec<String>,
 }
@@ -75,25 +75,25 @@ pub(crate) struct WedgeDesc {
 /// A cutout as stored in a file.
 #[derive(Clone, Debug, PartialEq, Described)]
 pub(crate) struct CutoutDesc {
-    /// Axis of the wedge: automatic from all faces, their main axis of inertia, their axis of symmetry, or a direction.
+    /// Axis of the wedge: a direction, or one found from the faces: automatic, their main axis of inertia or their axis of symmetry.
     #[value(words = CUTOUT_AXES, fixed, example = "auto")]
     pub(crate) axis: Option<OrWord<DVec3>>,
-    /// Angle between the two faces; a full turn would remove everything.
+    /// Angle between the two faces, less than a full turn because that would remove everything.
     #[value(range = 0.0..=359.0, unit = "degrees", example = 110)]
     pub(crate) angle_deg: f64,
-    /// Rotation away from the first camera, or with `fixed` from the second axis.
+    /// Rotation of the opening relative to the first camera; with `fixed`, relative to the second axis.
     #[value(unit = "degrees", example = 0)]
     pub(crate) turn_deg: f64,
     /// Keeps the cutout in place when the camera moves.
     #[value(example = true)]
     pub(crate) fixed: bool,
-    /// Translation along the second and the third axis.
+    /// Translation along the second and third axes.
     #[value(unit = "units", example = [0, 0])]
     pub(crate) offset: DVec2,
     /// Relief on the cutout.
     #[value(flat)]
     pub(crate) ruffle: ReliefUse,
-    /// Faces with the relief: from, to.
+    /// Faces that have the relief, named from and to.
     #[value(example = ["from"])]
     pub(crate) faces: Vec<String>,
 }

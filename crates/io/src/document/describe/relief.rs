@@ -8,14 +8,14 @@ use cutaway::scene::relief::{BlendOp, Procedure};
 
 use super::ByHand;
 
-/// Kinds that are not procedural.
+/// Kinds of relief that are not procedural.
 const OTHER_KINDS: [&str; 4] = ["image", "blend", "profile", "layers"];
 
 /// Words of `kind`.
 const KINDS: [&str; Procedure::NAMES.len() + OTHER_KINDS.len()] =
     joined(&Procedure::NAMES, &OTHER_KINDS);
 
-/// A relief as stored in a file, without the parameters of procedural ones, which [`Procedure`] declares.
+/// A relief as stored in a file. The parameters of procedural reliefs are declared by [`Procedure`].
 #[derive(Clone, Debug, Default, PartialEq, Described)]
 pub(crate) struct ReliefDesc {
     /// Source of the heights.
@@ -27,10 +27,10 @@ pub(crate) struct ReliefDesc {
     /// Names of the reliefs to combine, in order.
     #[value(example = ["a", "b"])]
     pub(crate) blend: Vec<String>,
-    /// Operator that combines them (blend).
+    /// Operator that combines the blended reliefs (blend).
     #[value(choice = BlendOp::NAMES, example = "add")]
     pub(crate) op: Option<String>,
-    /// Weight of each relief against those before it (blend, mix).
+    /// Weight of each relief relative to the result of the reliefs before it (blend, mix).
     #[value(range = 0.0..=1.0, example = 0.5)]
     pub(crate) share: Option<f64>,
     /// Heights at equal steps along U (profile).
@@ -45,10 +45,10 @@ pub(crate) struct ReliefDesc {
     /// Number of the first image (layers).
     #[value(fixed, example = 1)]
     pub(crate) first: Option<u32>,
-    /// Position between layers; layer 0 is at 0 (layers).
+    /// Position between layers, where layer 0 is at 0 and layer 1 at 1 (layers).
     #[value(example = 0.5)]
     pub(crate) at: f64,
-    /// Wrap mode beyond the last layer (layers).
+    /// Wrap mode for positions beyond the last layer (layers).
     #[value(example = "repeat")]
     pub(crate) wrap: Wrap,
 }

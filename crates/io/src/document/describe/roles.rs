@@ -2,10 +2,10 @@
 
 use cutaway::scene::describe::Described;
 
-/// Roles of parts by globs, or by visibility from outside.
+/// Roles that parts get from globs on their names, or from their visibility from outside.
 #[derive(Clone, Debug, Default, PartialEq, Described)]
 pub(crate) struct RolesDesc {
-    /// Makes parts interior if they are not visible from outside; short form: roles = "auto".
+    /// Makes parts interior if they are not visible from outside; roles = "auto" is the short form.
     #[value(fixed, example = true)]
     pub(crate) auto: bool,
     /// Globs of parts that are never cut.
@@ -14,7 +14,7 @@ pub(crate) struct RolesDesc {
     /// Globs of parts that are cut.
     #[value(example = ["housing*"])]
     pub(crate) exterior: Vec<String>,
-    /// Globs of parts that are never cut, but hidden where they are removed entirely.
+    /// Globs of parts that are never cut, but are hidden if they lie entirely in the removed region.
     #[value(example = ["bolt*", "shaft*"])]
     pub(crate) whole: Vec<String>,
 }

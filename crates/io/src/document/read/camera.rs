@@ -1,7 +1,7 @@
 //! `[camera]`.
 //!
-//! An orbit angle that is `"auto"`, and both without a `[camera]`, turn to the direction from which most faces of the cuts are visible:
-//! half of all sections would otherwise show only their backs. `view` is a named direction.
+//! If an orbit angle is `"auto"`, or if there is no `[camera]`, the camera turns to where most faces of the cuts are visible. A fixed
+//! default would show only the backs of half of all sections. `view` is a named direction.
 
 use cutaway::error::Result;
 use cutaway::scene::describe::OrWord;
@@ -18,18 +18,18 @@ use crate::document::describe::{CameraDesc, ProjectionKind};
 
 static KEYS: Keys = Keys::below("camera");
 
-/// A camera, with flags for its automatic angles.
+/// A camera, with flags that mark automatic angles.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Seen {
     pub(crate) camera: Camera,
-    /// True for an automatic azimuth and elevation.
+    /// True if the azimuth and the elevation, in this order, are automatic.
     pub(crate) free: [bool; 2],
-    /// True if it faces the first section, which is known only once the cuts are read.
+    /// True if the camera faces the first section, which is known only once the cuts are read.
     pub(super) faces_cut: bool,
 }
 
 impl Seen {
-    /// Default of a document without camera settings.
+    /// Camera of a document without camera settings.
     pub(super) fn usual(fit: Fit) -> Self {
         Self {
             camera: Camera {
@@ -46,13 +46,13 @@ impl Seen {
         self.free.contains(&true)
     }
 
-    /// Finds the angles from which most faces of the given cuts are visible; of equally good ones, those nearest to the default.
+    /// Finds the angles from which most faces of the given cuts are visible. Of equally good angles, those nearest to the default win.
     pub(crate) fn turned<'a>(&self, cuts: impl Iterator<Item = &'a Cut> + Clone) -> Viewpoint {
         self.camera.viewpoint_facing(cuts, self.free)
     }
 }
 
-/// Reads a camera; the default focal point is the middle of the bounds.
+/// Reads a camera, whose default focal point is the middle of the bounds.
 pub(super) fn read(entry: &Entry<'_>, bounds: &Bounds, usual_fit: Fit) -> Result<Seen> {
     let table = entry.table(KEYS.all())?;
     let desc: CameraDesc = described::read(&table)?;
@@ -92,7 +92,7 @@ pub(super) fn read(entry: &Entry<'_>, bounds: &Bounds, usual_fit: Fit) -> Result
     })
 }
 
-/// Refuses other keys for the camera direction in addition to `view`; an automatic angle is allowed.
+/// Refuses keys that give the camera direction in addition to `view`. An automatic angle is allowed.
 fn says_nothing_else(table: &Table<'_>) -> Result<()> {
     let others = [
         "azimuth_deg",
@@ -114,7 +114,7 @@ fn says_nothing_else(table: &Table<'_>) -> Result<()> {
     }
 }
 
-/// Viewpoint that faces the first section of some cuts.
+/// Viewpoint that faces the first section among the given cuts.
 pub(super) fn facing_first(
     first: Option<&ClipSurface>,
     up: Up,
@@ -178,7 +178,7 @@ fn viewpoint(table: &Table<'_>, desc: &CameraDesc, middle: DVec3) -> Result<View
     if let (Some(view_up), Some(entry)) = (desc.view_up, table.get("view_up"))
         && view_up.normalize_or_zero().cross(forward).length() < 1e-9
     {
-        let what = "it points along the viewing direction, or nowhere";
+        let what = "it is zero, or points along the viewing direction";
         let across = desc.up.axis().to_array();
         let help = format!("use a direction at an angle to it, for example {across:?}");
         return Err(entry.fault(what, help));

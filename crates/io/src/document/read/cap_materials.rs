@@ -31,7 +31,7 @@ const IMAGES: [(&str, TextureKind); 3] = [
     ("light", TextureKind::Data),
 ];
 
-/// Checks everything that needs no opened file.
+/// Checks everything that can be checked without opening a file.
 pub(super) fn check(entry: &Entry<'_>, folder: &Path, assets: &Assets) -> Result<()> {
     let table = entry.table(KEYS.all())?;
     for (key, _) in IMAGES {
@@ -44,12 +44,12 @@ pub(super) fn check(entry: &Entry<'_>, folder: &Path, assets: &Assets) -> Result
     plain(&table).map(|_| ())
 }
 
-/// Reads the keys that name no file.
+/// Reads the keys that do not name files.
 fn plain(table: &Table<'_>) -> Result<CapMaterial> {
     let desc: CapMaterialDesc = described::read(table)?;
     let solid = match (table.get("solid"), table.get("images")) {
         (Some(_), Some(images)) => {
-            return Err(images.fault("the cap has a solid too", "keep one of the two"));
+            return Err(images.fault("the cap also has a `solid`", "keep one of the two"));
         }
         (Some(solid), None) => {
             let word = solid.text()?;

@@ -16,13 +16,13 @@ use crate::document::paths::keys_below;
 use crate::load::Assets;
 use crate::load::frames::Pattern;
 
-/// Checks everything that needs no opened file.
+/// Checks everything that can be checked without opening a file.
 pub(in crate::document) fn check(root: &Table<'_>, folder: &Path, assets: &Assets) -> Result<()> {
     must_be_known(&root.entry, "")?;
     let settings: Settings = described::read(root)?;
     style::check(root, &settings, (folder, assets))?;
     keys::read(root)?;
-    // With a position but no focal point, the viewing direction depends on parts that are not read yet.
+    // If the camera has a position but no focal point, its direction depends on parts that are not read yet.
     let is_whole = |camera: &Entry<'_>| {
         let has = |key: &str| camera.node.get(key).is_some();
         has("focal_point") || !has("position")
@@ -69,7 +69,7 @@ fn must_be_known(entry: &Entry<'_>, above: &str) -> Result<()> {
     let known = keys_below(above);
     let is_named = known.contains(&"*");
     if entry.is_list() && !known.is_empty() {
-        // A `box` may be a list of boxes, which the paths do not show.
+        // A `box` may also be a list of boxes, although the known paths only have a single one.
         let above = if is_named {
             below("*")
         } else {

@@ -1,4 +1,4 @@
-//! `defects` of a part: deliberate damage to its mesh, applied once, when the part is opened.
+//! `defects` of a part: deliberate damage to its mesh, which is applied once, when the part is opened.
 
 use cutaway::error::{Diagnostic, Result, did_you_mean};
 use cutaway::generate::defects::{Defect, DefectKind, break_parts};
@@ -31,7 +31,7 @@ pub(super) fn read_one(entry: &Entry<'_>) -> Result<Defect> {
     let name = named.text()?;
     let Some(kind) = DefectKind::named(name) else {
         let help = did_you_mean(name, DefectKind::NAMES);
-        return Err(named.fault(format_args!("{name:?} is no defect"), help));
+        return Err(named.fault(format_args!("{name:?} is not a defect"), help));
     };
     let mut defect = Defect::of(kind);
     let keys = [vec!["kind"], keys_of(defect.fields())].concat();

@@ -1,8 +1,8 @@
 //! `deform` of a part: deformations of its mesh.
 //!
-//! Lengths are in mesh units, or in percent of the diagonal of the mesh's bounds; `turn_deg` is the angle from one end of
-//! the bounds to the other along the axis. The default axis goes through the middle of the bounds, along their longest
-//! side. The bounds are those of the rest mesh, and of all frames of a sequence: they do not change over time.
+//! Lengths are in mesh units, or in percent of the diagonal of the mesh's bounds. `turn_deg` is the angle between the two ends of the
+//! bounds along the axis. The default axis goes through the middle of the bounds, along their longest side. The bounds enclose the rest
+//! mesh, or all frames of a sequence, so they do not change over time.
 
 use cutaway::error::Result;
 use cutaway::scene::describe::OrWord;
@@ -71,7 +71,9 @@ fn read_one(entry: &Entry<'_>, bounds: Bounds) -> Result<Deformer> {
                 let length = length(&period)?;
                 if length <= extent / range::MOST_RADII {
                     let least = range::MOST_RADII;
-                    let what = format!("it must be above 0, more than a {least:.0e}th of the part");
+                    let what = format!(
+                        "it must be above 0, and more than 1/{least:.0e} of the part's extent"
+                    );
                     return Err(period.fault(what, "write for example \"25%\""));
                 }
                 length
@@ -119,7 +121,10 @@ fn axis(table: &Table<'_>, desc: &DeformDesc, bounds: Bounds) -> Result<Axis> {
             let across = across - along * across.dot(along);
             if across.length() < 1e-6 {
                 let entry = table.need("across", "\"x\"")?;
-                return Err(entry.fault("it points along the axis", "use a direction across it"));
+                return Err(entry.fault(
+                    "it points along the axis",
+                    "use a direction at an angle to the axis",
+                ));
             }
             across.normalize()
         }
@@ -132,7 +137,7 @@ fn axis(table: &Table<'_>, desc: &DeformDesc, bounds: Bounds) -> Result<Axis> {
     })
 }
 
-/// Reads a direction at a table's key, given as a name or as a vector of any length except 0.
+/// Reads a direction at a table's key, given as a name or as a vector of any non-zero length.
 pub(super) fn direction(given: &OrWord<DVec3>, table: &Table<'_>, key: &str) -> Result<DVec3> {
     let v = match given {
         OrWord::Value(v) => *v,
@@ -146,5 +151,8 @@ pub(super) fn direction(given: &OrWord<DVec3>, table: &Table<'_>, key: &str) -> 
         return Ok((v / greatest).normalize());
     }
     let entry = table.need(key, "\"y\"")?;
-    Err(entry.fault("it points nowhere", "write for example \"y\" or [0, 1, 0]"))
+    Err(entry.fault(
+        "it has no direction",
+        "write for example \"y\" or [0, 1, 0]",
+    ))
 }

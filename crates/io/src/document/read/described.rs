@@ -1,4 +1,4 @@
-//! Reads tables whose values are declared by a struct: each value is read by its type, within its range.
+//! Reads tables whose values are declared by a struct. Each value must have its declared type and be within its range.
 
 use cutaway::error::{Error, Result, did_you_mean, nearest};
 use cutaway::scene::describe::{Described, Field, Given, Leaf, ValueType};
@@ -8,7 +8,7 @@ use super::reader::{Entry, Source, Table};
 use crate::document::spec::number_or_text;
 use crate::document::{Node, Value, paths};
 
-/// The table keys of these fields.
+/// Returns the keys that these fields have in tables.
 pub(super) fn keys_of(fields: &'static [Field]) -> Vec<&'static str> {
     let keys = |field: &'static Field| match field.key {
         "" => keys_of(field.below),
@@ -17,7 +17,7 @@ pub(super) fn keys_of(fields: &'static [Field]) -> Vec<&'static str> {
     fields.iter().flat_map(keys).collect()
 }
 
-/// The words of a choice field.
+/// Returns the words that a choice field accepts.
 pub(super) fn choices(fields: &'static [Field], key: &str) -> &'static [&'static str] {
     match fields.iter().find(|f| f.key == key).map(|f| f.takes) {
         Some(ValueType::Choice(words)) => words,
@@ -25,14 +25,14 @@ pub(super) fn choices(fields: &'static [Field], key: &str) -> &'static [&'static
     }
 }
 
-/// Reads a table as a description; missing values get their defaults.
+/// Reads a table as a description. Missing values get their defaults.
 pub(super) fn read<T: Described + Default>(table: &Table<'_>) -> Result<T> {
     let mut described = T::default();
     amend(&mut described, table)?;
     Ok(described)
 }
 
-/// Sets the values that a table has, and keeps the others. The keys of the table are checked by the code that opens it.
+/// Sets the values that a table has, and leaves all other values unchanged. The keys are checked by the code that opens the table.
 pub(super) fn amend(described: &mut dyn Described, table: &Table<'_>) -> Result<()> {
     for (index, field) in described.fields().iter().enumerate() {
         match (field.key, described.below_mut(index)) {
@@ -46,8 +46,9 @@ pub(super) fn amend(described: &mut dyn Described, table: &Table<'_>) -> Result<
                 if let Some(entry) = table.get(key)
                     && !described.set(index, entry.given(&field.takes, field.example)?)
                 {
-                    let help = "please report it: its declaration and its type differ";
-                    return Err(entry.fault("internal error: the value was not taken", help));
+                    let help =
+                        "please report this: the declaration and the type of the value differ";
+                    return Err(entry.fault("internal error: the value was not accepted", help));
                 }
             }
             (_, None) => {}
@@ -56,12 +57,12 @@ pub(super) fn amend(described: &mut dyn Described, table: &Table<'_>) -> Result<
     Ok(())
 }
 
-/// Parses command-line words into a value for a path with numbers, a text or a colour: lists are written with commas, sizes also with
-/// an `x`.
+/// Parses a command-line text into the value of a path that takes numbers, a text or a colour. Lists are separated by commas, and sizes may
+/// be separated by `x`.
 ///
 /// # Errors
 ///
-/// Words that are invalid for the type.
+/// Fails if the text is invalid for the type.
 pub fn parse_value(path: &paths::Path, text: &str) -> Result<Value> {
     let text = text.trim();
     let value = match path.takes {
@@ -90,7 +91,7 @@ pub fn parse_value(path: &paths::Path, text: &str) -> Result<Value> {
     Ok(node.value)
 }
 
-/// The numbers or amounts of a list; a single one is repeated.
+/// The numbers or amounts of a list. A single one is repeated `count` times.
 fn repeated(given: Given, count: usize) -> Given {
     match given {
         Given::Numbers(one) if one.len() == 1 => Given::Numbers(vec![one[0]; count]),
@@ -118,7 +119,7 @@ fn joined(each: Vec<Given>) -> Given {
 }
 
 impl Entry<'_> {
-    /// Reads the value as a type; `example` is used in errors.
+    /// Reads the value as a type. Errors show `example`.
     pub(super) fn given(&self, takes: &ValueType, example: &str) -> Result<Given> {
         let other = || self.expected(&takes.noun(), example);
         let within = |number: f64, least: f64, most: f64| match (least..=most).contains(&number) {
@@ -179,7 +180,7 @@ impl Entry<'_> {
                     });
                 }
                 Value::Text(word) => self.given(one, example).map_err(|e| match e {
-                    // The error of the innermost type lists its words.
+                    // The error of the innermost type already lists the valid words.
                     e if matches!(one, ValueType::Or(..)) => e,
                     _ => {
                         let help = format!(
@@ -218,11 +219,11 @@ impl Entry<'_> {
         Ok(joined(each.collect::<Result<_>>()?))
     }
 
-    /// An error about a number that is not an integer, possibly because of an animation key.
+    /// An error about a number that is not an integer. An animation key may be the cause.
     fn expected_whole(&self, noun: &str, example: &str) -> Error {
         match &self.node.value {
             Value::Number(number) if self.is_moved() && number.value.fract() != 0.0 => {
-                let help = "let the [[key]] have whole numbers, and `interpolation = \"step\"` between them";
+                let help = "use whole numbers in the [[key]], with `interpolation = \"step\"`";
                 self.expected_but(noun, help)
             }
             _ => self.expected(noun, example),

@@ -10,7 +10,7 @@ use super::opening::{LoadContext, missing};
 use super::reader::Entry;
 use crate::load::{Assets, read_patterns};
 
-/// The built-in patterns; a test parses them.
+/// The built-in patterns. A test checks that they parse.
 static NAMED: LazyLock<Vec<Arc<HatchPattern>>> = LazyLock::new(|| {
     let bytes = include_bytes!("../styles/patterns.pat");
     let patterns = read_patterns(Path::new("patterns.pat"), bytes).unwrap_or_default();
@@ -18,20 +18,20 @@ static NAMED: LazyLock<Vec<Arc<HatchPattern>>> = LazyLock::new(|| {
     read.map(Arc::new).collect()
 });
 
-/// Hatches without a pattern.
+/// Named hatches that have no pattern.
 const PLAIN: [(&str, CapHatch); 3] = [
     ("general", CapHatch::General),
     ("none", CapHatch::None),
     ("solid", CapHatch::Solid),
 ];
 
-/// Names that need no file.
+/// Names of hatches that need no file.
 fn names() -> impl Iterator<Item = &'static str> {
     let plain = PLAIN.iter().map(|(name, _)| *name);
     plain.chain(NAMED.iter().map(|p| p.name.as_str()))
 }
 
-/// Splits a text into a pattern file and a pattern name; `None` if it names no file.
+/// Splits a text into a pattern file and a pattern name. Returns `None` if the text does not name a file.
 fn file_of(text: &str) -> Option<(&str, Option<&str>)> {
     let is_file = |text: &str| text.to_lowercase().ends_with(".pat");
     if is_file(text) {
@@ -49,13 +49,13 @@ fn named(entry: &Entry<'_>, name: &str) -> Result<CapHatch> {
         Some(pattern) => Ok(CapHatch::Pattern(pattern.clone())),
         None => {
             let near = did_you_mean(name, names());
-            let help = format!("{near}, or name a pattern of a file: mine.pat#NAME");
-            Err(entry.fault(format_args!("{name:?} is no hatch"), help))
+            let help = format!("{near}, or name a pattern from a file as mine.pat#NAME");
+            Err(entry.fault(format_args!("{name:?} is not a hatch"), help))
         }
     }
 }
 
-/// Checks everything that needs no opened file.
+/// Checks everything that can be checked without opening a file.
 pub(super) fn check(entry: &Entry<'_>, folder: &Path, assets: &Assets) -> Result<()> {
     match file_of(entry.text()?) {
         None => named(entry, entry.text()?).map(|_| ()),
@@ -71,7 +71,7 @@ pub(super) fn open(entry: &Entry<'_>, opening: &mut LoadContext<'_>) -> Result<C
     };
     let path = opening.folder.join(file);
     let bytes = opening.assets.store().read(&path).map_err(|e| {
-        let help = "check the name; it is relative to the scene file";
+        let help = "check the name, which is relative to the scene file";
         entry.fault(format_args!("{} cannot be read: {e}", path.display()), help)
     })?;
     let mut patterns = read_patterns(&path, &bytes)?;
@@ -79,16 +79,19 @@ pub(super) fn open(entry: &Entry<'_>, opening: &mut LoadContext<'_>) -> Result<C
     let found = match name {
         None if patterns.len() == 1 => Some(0),
         None => {
-            let what = format!("{file} holds {} patterns", patterns.len());
+            let what = format!("{file} contains {} patterns", patterns.len());
             let first = &patterns[0].0;
-            return Err(entry.fault(what, format!("say which: {file}#{first}")));
+            return Err(entry.fault(
+                what,
+                format!("name one of them, for example {file}#{first}"),
+            ));
         }
-        // Case is ignored, as in drawing programs.
+        // Upper and lower case are not distinguished, as in drawing programs.
         Some(name) => (patterns.iter()).position(|(p, _)| p.eq_ignore_ascii_case(name)),
     };
     let Some(found) = found else {
         let name = name.unwrap_or_default();
-        let what = format!("{file} holds no pattern `{name}`");
+        let what = format!("{file} contains no pattern `{name}`");
         let all = patterns.iter().map(|(name, _)| name.as_str());
         return Err(entry.fault(what, did_you_mean(name, all)));
     };

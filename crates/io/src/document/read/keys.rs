@@ -1,9 +1,8 @@
 //! `[[key]]`: animated numbers of the scene.
 //!
-//! A key finds its numbers in the tree of the file ([`target`](super::target)). At a time the tree is read again with other
-//! numbers in their place, so any number in a file can be animated, and all checks of the readers apply at every
-//! time. Before its first and after its last time a key has its first or last value. A flag is animated by true and false, or 1 and 0,
-//! and only with step interpolation.
+//! A key finds its numbers in the tree of the file ([`target`](super::target)). For each time they are replaced in the tree, which is then
+//! read again. So any number in a file can be animated, and all checks of the readers apply at every time. Before its first time a key has
+//! its first value, and after its last time its last. A flag is animated by true and false, or 1 and 0, with step interpolation only.
 
 use cutaway::error::{Result, did_you_mean};
 
@@ -16,7 +15,7 @@ use crate::document::{Interpolation, Node, Number, Place, Value};
 
 static KEYS: Keys = Keys::below("key.*");
 
-/// Tables whose numbers can be animated: the rest of a file is not part of the scene.
+/// Tables whose numbers can be animated. The rest of a file is not part of the scene.
 const MOVABLE: [&str; 5] = ["camera", "part", "cut", "relief", "style"];
 
 /// An animated number, vector of numbers or flag of the scene.
@@ -26,15 +25,15 @@ pub struct Key {
     pub target: String,
     /// Ascending times.
     pub times_s: Vec<f64>,
-    /// One value for each time, all of the same length; a single number has length 1, and the rows of a matrix are concatenated.
-    /// True is 1, and false is 0.
+    /// One value for each time. All have the same length, which is 1 for a single number; the rows of a matrix are concatenated. Flags are
+    /// stored as 1 for true and 0 for false.
     pub values: Vec<Vec<f64>>,
     /// Interpolation between the values.
     pub interpolation: Interpolation,
 }
 
 impl Key {
-    /// The numbers at a time; empty for a key without times.
+    /// The numbers at a time, or an empty list for a key without times.
     pub fn at(&self, time_s: f64) -> Vec<f64> {
         let next = self.times_s.partition_point(|t| *t <= time_s);
         let (Some(last), true) = (next.checked_sub(1), next < self.times_s.len()) else {
@@ -57,20 +56,20 @@ impl Key {
     }
 }
 
-/// A key with its target.
+/// A key together with its target.
 #[derive(Clone, Debug)]
 pub(crate) struct Keyed {
     pub(crate) key: Key,
-    /// Its own path, `key.3`.
+    /// Path of the key itself, such as `key.3`.
     own_path: String,
-    /// Path of its target, entries by name.
+    /// Path of the key's target, in which entries appear by name.
     path: String,
-    /// Positions of the numbers, in order.
+    /// Positions of the animated numbers in the tree, in order.
     places: Vec<Place>,
 }
 
 impl Keyed {
-    /// Sets the animated value at a time. Integers stay integers if possible; a flag is true unless it is 0.
+    /// Sets the animated value at a time. Integers stay integers if possible. A flag becomes true if the value is not 0.
     pub(crate) fn set(&self, root: &mut Node, time_s: f64) {
         for (place, value) in self.places.iter().zip(self.key.at(time_s)) {
             match root.at_mut(place).map(|node| &mut node.value) {
@@ -82,7 +81,7 @@ impl Keyed {
     }
 }
 
-/// A time, and the keys that are set at it.
+/// A time, and the keys whose values at this time are set in the tree.
 #[derive(Clone, Copy)]
 pub(crate) struct KeyedTime<'a> {
     pub time_s: f64,
@@ -119,7 +118,7 @@ pub(super) fn read(root: &Table<'_>) -> Result<Vec<Keyed>> {
         let meets = |k: &&Keyed| k.places.iter().any(|p| keyed.places.contains(p));
         if let Some(other) = all.iter().find(meets) {
             let target = entry.table(KEYS.all())?.need("target", "\"camera.near\"")?;
-            let what = format!("`{}` moves it too", other.own_path);
+            let what = format!("`{}` animates it, too", other.own_path);
             return Err(target.fault(what, "merge the two keys"));
         }
         all.push(keyed);
@@ -136,7 +135,7 @@ fn read_one(entry: &Entry<'_>, root: &Table<'_>) -> Result<Keyed> {
     let times = table.need("times_s", "[0, 2]")?;
     let times_s = times.numbers()?;
     if times_s.is_empty() || times_s.windows(2).any(|w| w[0] >= w[1]) {
-        return Err(times.fault("times must ascend", "sort them and remove doubles"));
+        return Err(times.fault("times must ascend", "sort them and remove duplicates"));
     }
     let list = table.need("values", "[[0, 0, -1], [0, 0, 1]]")?;
     let given = list.list()?;
@@ -156,7 +155,7 @@ fn read_one(entry: &Entry<'_>, root: &Table<'_>) -> Result<Keyed> {
         .unzip();
     if values[0].is_empty() || shapes.iter().any(|s| *s != shapes[0]) {
         let help = "make all values numbers, or all lists of the same length";
-        return Err(list.fault("the values differ in length, or have none", help));
+        return Err(list.fault("the values are empty or differ in length", help));
     }
     let example = match values[0].as_slice() {
         [one] if shapes[0] == Nesting::Flag => format!("{}", *one != 0.0),
@@ -173,7 +172,7 @@ fn read_one(entry: &Entry<'_>, root: &Table<'_>) -> Result<Keyed> {
     let switches = |v: &Vec<f64>| matches!(v.as_slice(), [v] if [0.0, 1.0].contains(v));
     let is_list = matches!(shapes[0], Nesting::List(_));
     if is_flag && (is_list || !values.iter().all(switches)) {
-        let what = format!("`{full}` is on or off");
+        let what = format!("`{full}` is true or false");
         return Err(list.fault(what, "let every value be true or false"));
     }
     if shape != shapes[0] && !is_flag {
@@ -183,7 +182,7 @@ fn read_one(entry: &Entry<'_>, root: &Table<'_>) -> Result<Keyed> {
     let interpolation = match (desc.interpolation, is_flag) {
         (None | Some(Interpolation::Step), true) => Interpolation::Step,
         (Some(_), true) => {
-            let what = format!("`{full}` is on or off, with no values in between");
+            let what = format!("`{full}` is true or false, with no values in between");
             return Err(table.entry.fault(what, "write `interpolation = \"step\"`"));
         }
         (given, false) => given.unwrap_or_default(),
@@ -201,7 +200,7 @@ fn read_one(entry: &Entry<'_>, root: &Table<'_>) -> Result<Keyed> {
     })
 }
 
-/// Refuses values outside the scene, and values that determine which files are loaded.
+/// Refuses targets outside the scene, and values that determine which files are loaded.
 fn movable(target: &Entry<'_>, path: &str) -> Result<()> {
     let (root, below) = path.split_once('.').unwrap_or((path, ""));
     if !MOVABLE.contains(&root) {
@@ -210,14 +209,14 @@ fn movable(target: &Entry<'_>, path: &str) -> Result<()> {
     }
     if below.is_empty() || path.split('.').any(str::is_empty) {
         let help = "add the field, as in `camera.azimuth_deg` or `cut.front.surfaces.0.origin`";
-        return Err(target.fault("it names no number of the scene", help));
+        return Err(target.fault("it holds no number of the scene", help));
     }
     let last = path.rsplit('.').next();
     if matches!(root, "part" | "relief") && matches!(last, Some("fps" | "first" | "loop")) {
-        let what = "it says how files are played, which cannot change while they play";
-        return Err(target.fault(what, "move another number"));
+        let what = "it determines how files are played, which cannot change over time";
+        return Err(target.fault(what, "animate another number"));
     }
-    // A shape given as text gets its own error message.
+    // A shape given as text gets a separate error message.
     let is_made = below.contains(".shape.");
     let is_broken = path.split('.').any(|word| word == "defects");
     let how = match last {
@@ -228,7 +227,7 @@ fn movable(target: &Entry<'_>, path: &str) -> Result<()> {
     };
     if let Some(how) = how.filter(|_| root == "part") {
         let what = format!("the mesh is {how} once, when it is opened");
-        return Err(target.fault(what, "move another number"));
+        return Err(target.fault(what, "animate another number"));
     }
     Ok(())
 }

@@ -1,9 +1,9 @@
-//! Cache of loaded parts across reloads, keyed by their source settings. Splitting bodies and closing holes take longer than a frame, and
-//! dragging a cut opens a document for each frame.
+//! Cache of loaded parts across reloads, keyed by their source settings. Dragging a cut opens a document for each frame, and splitting
+//! bodies and closing holes takes longer than a frame.
 //!
-//! The visibility of the parts from outside is cached likewise, if roles depend on it.
+//! If roles depend on the visibility of parts from outside, the visibility is cached likewise.
 //!
-//! Entries are compared by the keys that affect their opening. A lookup compares an entry with all entries of the last document.
+//! Entries are compared by the keys that affect how they are opened. A lookup compares an entry with all entries of the last document.
 
 use std::collections::BTreeSet;
 use std::path::PathBuf;
@@ -20,7 +20,7 @@ use super::reader::Table;
 use crate::document::Node;
 use crate::load::Assets;
 
-/// Keys that affect the opening of an entry.
+/// Keys that affect how an entry is opened.
 const OPENED_BY: [&str; 10] = [
     "mesh",
     "shape",
@@ -36,20 +36,20 @@ const OPENED_BY: [&str; 10] = [
 
 /// An opened entry.
 pub(super) struct OpenedEntry {
-    /// Source of its parts, without a name or a colour.
+    /// Source of the entry's parts, which have no names and colours yet.
     pub(super) source: PartSource,
     notes: Vec<Diagnostic>,
     files: BTreeSet<PathBuf>,
 }
 
-/// The document's folder, and the entry's keys among [`OPENED_BY`].
+/// The document's folder, and those of the entry's keys that are in [`OPENED_BY`].
 type EntryKey = (PathBuf, Vec<(&'static str, Node)>);
 
 /// The opened entries of a document.
 pub(super) type OpenedEntries = Memo<EntryKey, Arc<OpenedEntry>>;
 
 impl LoadContext<'_> {
-    /// Opens an entry, or reuses it from this document or the last one, and adds its notes.
+    /// Opens an entry, or reuses an equal entry of this document or the last one, and adds its notes.
     pub(super) fn known(
         &mut self,
         table: &Table<'_>,
@@ -84,7 +84,7 @@ impl LoadContext<'_> {
     }
 }
 
-/// Data that determines the visibility of a part: its mesh, its motion, its placement and its pose.
+/// Data that determines the visibility of a part, namely its mesh, motion, placement and pose.
 type PosedMesh = (ById<Mesh>, Option<ById<Motion>>, DAffine3, Pose);
 
 /// Visibility of the parts of the last document.

@@ -1,7 +1,6 @@
 //! The readers of a document: parts, cuts, camera and style.
 //!
-//! Every unknown key is an error that suggests the nearest known one; every number must be finite. Paths are relative to the
-//! scene file.
+//! Every unknown key is an error, which suggests the nearest known key. Every number must be finite. Paths are relative to the scene file.
 //!
 //! ```toml
 //! [[part]]
@@ -40,13 +39,13 @@
 //! box = { min = ["50%", 0, 0], max = ["100%", 1, 1] }
 //! ```
 //!
-//! An offset moves every clip-surface of the cut, with its relief, towards the removed side: the part protrudes from the
-//! cut. If several globs match a part, an entry with its exact name is required, and is used.
+//! For a part with an offset, every clip-surface of the cut and its relief move towards the removed side, so that the part protrudes. If
+//! several globs match a part, an entry with its exact name is required, and is used.
 //!
 //! # The camera
 //!
-//! Without `[camera]` the scene is seen from the side, turned to where most faces of its cuts are visible. With it only
-//! angles that are `"auto"` are turned.
+//! Without `[camera]` the scene is seen from the side from which most faces of its cuts are visible. With `[camera]` only angles that are
+//! `"auto"` are found this way.
 //!
 //! ```toml
 //! [camera]
@@ -60,17 +59,17 @@
 //! near_cap = false                       # true, the default, shows a cap where the near plane cuts a solid
 //! ```
 //!
-//! Without `near_cap` a ray that begins inside a solid shows neither the near plane's section nor the surface where it leaves the
-//! solid, but the next surface or cap that it enters.
+//! With `near_cap = false`, a ray that begins inside a solid does not show the near plane's section, nor the surface where it leaves the
+//! solid. It shows the next surface or cap through which it enters a solid.
 //!
 //! # Height filter
 //!
-//! `height_filter = "hardware"` reads reliefs through the GPU's sampler if a strategy needs heights at
-//! points; `"exact"`, the default, computes them from four texels.
+//! With `height_filter = "hardware"`, strategies that need the height at a point read the relief through the GPU's sampler. With `"exact"`,
+//! the default, they compute the height from four texels.
 //!
 //! # Picture settings
 //!
-//! These keys precede all tables: the defaults of the picture.
+//! These keys set defaults for the picture. They must precede all tables.
 //!
 //! ```toml
 //! resolution = [1024, 768]
@@ -88,9 +87,9 @@
 //!
 //! # Animation
 //!
-//! A `[[key]]` animates any number of `camera`, `part`, `relief` and `cut`, or a list of numbers. `interpolation` is
-//! `"linear"`, `"step"` or `"smooth"`. The number must be in the file, as a number: those in texts such as `"6%"` cannot be animated. A
-//! `true` or `false`, as `cut.slice.enabled`, is animated by such values in steps.
+//! A `[[key]]` animates any number of `camera`, `part`, `relief` and `cut`, or a list of numbers. `interpolation` is `"linear"`, `"step"`
+//! or `"smooth"`. The number must be in the file, as a number: a text such as `"6%"` cannot be animated. A flag such as `cut.slice.enabled`
+//! is animated by the values `true` and `false`, in steps.
 //!
 //! ```toml
 //! [[part]]
@@ -126,7 +125,7 @@
 //!
 //! # Parts of a file
 //!
-//! A file with one solid is one part; a file with several is one part for each: `NAME/SOLID`. With `split`, each connected body is a part.
+//! A file with one solid becomes one part, and a file with several one part `NAME/SOLID` each. With `split`, each connected body is a part.
 //!
 //! ```toml
 //! [[part]]
@@ -136,11 +135,11 @@
 //! except = ["gearbox/7"]                # `only` and `except` apply after the split, and name bodies by the file's name
 //! ```
 //!
-//! In a file with several solids, bodies are `NAME/SOLID/1`, matched as `SOLID/1`. A solid with one body keeps its name. Frames are split
-//! like the first one, whose triangles all must have. `defects` apply after all that, and `close_holes = true` closes the holes they leave.
+//! If a file has several solids, bodies are named `NAME/SOLID/1`, and globs match `SOLID/1`. A solid with one body keeps its name. All
+//! frames must have the first frame's triangles. Then `defects` apply, and `close_holes = true` closes the remaining holes.
 //!
-//! A part with `enabled = false` is read and left out: bounds, and values relative to them, are those of the others, which keep their
-//! colours. Globs may still match it. One part has to be enabled at every time.
+//! A part with `enabled = false` is read, but left out of the scene and of its bounds. The colours of other parts do not change. Globs may
+//! still match a disabled part. At least one part has to be enabled at every time.
 
 mod camera;
 mod cap_materials;
@@ -193,10 +192,10 @@ pub(super) use scene_assets::SceneAssets;
 pub(super) use style::is_file as is_style_file;
 pub use style::{named_style, style_names};
 
-/// Keys of a scene. `case` has no effect on the picture: it holds the expectations for a scene in `experiments/hard-cases`.
+/// Keys of a scene. `case` has no effect on the picture. It states what is expected of a scene in `experiments/hard-cases`.
 static KEYS: LazyLock<Vec<&str>> = LazyLock::new(|| [keys_below(""), vec!["case"]].concat());
 
-/// The root of a document, at a moment if it is animated.
+/// The root table of a document, with the time and the keys if the document is animated.
 pub(super) fn root<'a>(
     path: &'a Path,
     node: &'a Node,
@@ -205,7 +204,7 @@ pub(super) fn root<'a>(
     Table::of_file(Source { path, moment }, node, &KEYS)
 }
 
-/// The document as a table, with any keys.
+/// The document as a table, whose keys are not checked.
 pub(super) fn top<'a>(path: &'a Path, node: &'a Node) -> Result<Table<'a>> {
     Entry::root(Source { path, moment: None }, node).open_table()
 }
@@ -243,7 +242,7 @@ pub(super) fn open(root: &Table<'_>, folder: &Path, assets: &mut Assets) -> Resu
     })
 }
 
-/// Settings of a document in addition to the scene itself.
+/// Settings of a document that are not part of the scene itself.
 pub(super) fn settings(root: &Table<'_>) -> Result<Settings> {
     described::read(root)
 }
@@ -264,7 +263,7 @@ pub(super) fn parts(
     Ok(parts.into_iter().map(|(part, _)| part).collect())
 }
 
-/// Notes about the roles of some parts; an error if the roles name a part that exists at no time.
+/// Returns notes about the roles of the given parts. Fails if the roles name a part that does not exist at any time.
 pub(super) fn role_notes(
     root: &Table<'_>,
     scene_assets: &SceneAssets,
@@ -297,7 +296,7 @@ pub(super) fn style(
     style::read(root, scene_assets.style.unwrap_or_default(), settings)
 }
 
-/// The scene with these parts, and its camera.
+/// Returns the scene that has these parts, and its camera.
 pub(super) fn scene(
     root: &Table<'_>,
     scene_assets: &SceneAssets,
@@ -354,7 +353,7 @@ pub(super) fn defect(defect: &Node) -> Result<Defect> {
     defects::read_one(&root.entry.at("defect", defect))
 }
 
-/// Reads a single clip-surface, whose images are in the current folder.
+/// Reads a single clip-surface. Image paths are relative to the current folder.
 pub(super) fn surface(
     surface: &Node,
     reliefs: &Node,
@@ -379,12 +378,15 @@ pub(super) fn surface(
     clip::cuts::surface(&root.entry.at("surface", surface), &context)
 }
 
-/// Refuses equal names: they identify entries in globs, errors and animation keys.
+/// Refuses equal names, because names identify entries in globs, errors and animation keys.
 fn names_differ(entries: &[Entry<'_>]) -> Result<()> {
     let mut seen = BTreeSet::new();
     for entry in entries {
         if !seen.insert(entry.key.as_str()) {
-            return Err(entry.fault("the name is taken", "give every entry its own name"));
+            return Err(entry.fault(
+                "the name is taken by another entry",
+                "give every entry its own name",
+            ));
         }
     }
     Ok(())

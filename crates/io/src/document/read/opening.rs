@@ -1,4 +1,4 @@
-//! Opens the files of a document: meshes, frames and shapes, each once, with notes about them.
+//! Opens the meshes, frames and shapes that a document names, each once, and collects notes about them.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -22,7 +22,7 @@ pub(super) struct LoadContext<'a> {
     /// Folder to which file names are relative.
     pub(super) folder: &'a Path,
     pub(super) assets: &'a mut Assets,
-    /// Notes about the opened files, each once.
+    /// Notes about the opened files, without duplicates.
     pub(super) notes: Vec<Diagnostic>,
     /// Files that were read.
     pub(super) files: BTreeSet<PathBuf>,
@@ -35,7 +35,7 @@ impl LoadContext<'_> {
             (Some(mesh), None) => (mesh.clone(), mesh.text()?.to_owned(), true),
             (None, Some(shape)) => (shape.clone(), spec_of(&shape)?, false),
             (Some(_), Some(shape)) => {
-                return Err(shape.fault("the part has a mesh too", "keep one of the two"));
+                return Err(shape.fault("the part also has a mesh", "keep one of the two"));
             }
             (None, None) => {
                 let help = "add `mesh = \"FILE\"` or `shape = \"crank\"`";
@@ -49,7 +49,7 @@ impl LoadContext<'_> {
         for key in ["fps", "first", "loop"] {
             if let Some(entry) = table.get(key) {
                 let help = "remove it, or name frames as in `mesh = \"walk_%04d.ply\"`";
-                return Err(entry.fault("only frames have it", help));
+                return Err(entry.fault("it is only valid for numbered frames", help));
             }
         }
         let parts = if is_mesh {
@@ -58,7 +58,7 @@ impl LoadContext<'_> {
             self.shape(&origin, &text)?
         };
         if parts.is_empty() {
-            return Err(origin.fault("it holds no solid", "use a file or shape with triangles"));
+            return Err(origin.fault("it contains no solid", "use a file or shape with triangles"));
         }
         let alone = parts.len() == 1;
         let below = |_, part: &Part| (!alone).then(|| part.name.clone());
@@ -74,7 +74,7 @@ impl LoadContext<'_> {
         Ok(PartSource::of(vec![solids], None))
     }
 
-    /// The solids that an entry keeps, with its defects and hole closing applied.
+    /// The solids that an entry keeps, after its defects are applied and its holes are closed.
     fn taken(
         &mut self,
         table: &Table<'_>,
@@ -86,7 +86,7 @@ impl LoadContext<'_> {
         defects::apply(table, parts, &mut self.notes)?;
         if closes_holes(table)? {
             let notes = close_holes_of(solids.iter_mut().map(|s| &mut s.part));
-            // The notes of later frames would be nearly the same.
+            // Only the notes of the first frame are kept, because those of later frames would be nearly the same.
             self.notes.extend(notes.into_iter().filter(|_| is_first));
         }
         Ok(solids)
@@ -97,7 +97,7 @@ impl LoadContext<'_> {
         self.opened(origin, name, false)
     }
 
-    /// Like `mesh`; if holes will be closed, the note about open edges is deferred until then.
+    /// Like `mesh`. If holes will be closed, the note about open edges is deferred until then.
     fn opened(&mut self, origin: &Entry<'_>, name: &str, closes_holes: bool) -> Result<Vec<Part>> {
         let path = self.folder.join(name);
         if !self.assets.has_mesh(&path) {
@@ -131,7 +131,7 @@ impl LoadContext<'_> {
             .map_err(|e| origin.place(e))?;
         self.notes.extend(sequence.notes().iter().cloned());
         self.files.extend(sequence.files().iter().cloned());
-        // Solids of a frame are named after the sequence and their number.
+        // If a frame has several solids, they are named after the sequence and their number.
         let several = sequence.frames().any(|parts| parts.len() > 1);
         let below = |index: usize, _: &Part| several.then(|| index.to_string());
         let frames = sequence
@@ -158,7 +158,7 @@ fn closes_holes(table: &Table<'_>) -> Result<bool> {
     table.get("close_holes").map_or(Ok(false), |e| e.flag())
 }
 
-/// A built-in shape in the notation of [`shape`](cutaway::generate::shapes::shape), from a text, or a table with name and parameters.
+/// Converts a text, or a table with name and parameters, to the notation of [`shape`](cutaway::generate::shapes::shape).
 pub(super) fn spec_of(entry: &Entry<'_>) -> Result<String> {
     if !entry.is_table() {
         return entry.text().map(str::to_owned);
@@ -175,16 +175,16 @@ pub(super) fn spec_of(entry: &Entry<'_>) -> Result<String> {
     })
 }
 
-/// Error for a missing file or a folder in its place.
+/// Error for a file that is missing or is a folder.
 pub(super) fn missing(origin: &Entry<'_>, path: &Path) -> Error {
     if path.is_dir() {
         let what = format!("{} is a folder", path.display());
-        return origin.fault(what, "give the name of a file in it");
+        return origin.fault(what, "give the name of a file in that folder");
     }
     let what = format!("there is no file {}", path.display());
     let help = match origin.node.origin {
         Origin::Text { .. } => {
-            "check the name; it is relative to the scene file, and built-in shapes are `shape = \"crank\"`, cutters `shape:NAME`"
+            "check the name, which is relative to the scene file; a built-in shape is `shape = \"crank\"`, and as a volume `shape:NAME`"
         }
         _ => "check the path; built-in shapes are written shape:NAME",
     };

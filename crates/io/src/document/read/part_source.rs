@@ -1,7 +1,7 @@
-//! Sources of the parts of an entry: one or more solids, or those of each frame, with their names and colours.
+//! Sources of the parts of an entry. They hold one or more solids, or the solids of each frame, with names and colours.
 //!
-//! All parts have unique names: a name from a file that is already taken gets a number. Parts that neither their file nor
-//! the document colours get colours by their shape.
+//! All parts have unique names: if a name from a file is already taken, a number is appended. A part that has no colour in its file or in
+//! the document gets one according to its shape.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -14,14 +14,14 @@ use crate::load::frames::Sequence;
 /// Source of one entry `[[part]]`.
 #[derive(Clone, Debug)]
 pub(crate) struct PartSource {
-    /// Solids of the mesh, or of each frame.
+    /// Solids by frame. A single mesh is one frame.
     frames: Vec<Vec<SourceSolid>>,
     sequence: Option<Sequence>,
     /// Part name for each solid name that occurs in the file at any time.
     names: BTreeMap<String, String>,
-    /// Forms of the solids by their index, each from the first frame that has a solid of this index.
+    /// Measures of the solids, by index. Each is taken from the first frame that has a solid with this index.
     forms: Vec<SolidMeasures>,
-    /// Bounds of all solids at all times, in the file's space if they share it, else in world space.
+    /// Bounds of all solids at all times. If all solids share the file's space, the bounds are in that space, otherwise in world space.
     pub(super) rest: Bounds,
     /// True if all solids of the file share one space.
     pub(super) share_a_space: bool,
@@ -63,7 +63,7 @@ impl PartSource {
         self.frames.iter_mut().flatten()
     }
 
-    /// Playback of the frames, if the entry has several.
+    /// The frame sequence, if the entry has several frames.
     pub(crate) fn sequence(&self) -> Option<&Sequence> {
         self.sequence.as_ref()
     }
@@ -84,7 +84,7 @@ impl PartSource {
         (solids.flat_map(|solid| &solid.part.materials)).map(String::as_str)
     }
 
-    /// Names the parts after the entry, if it has a name, or else after their solids, avoiding names in `taken`.
+    /// Names the parts after the entry or, if it has no name, after their solids. Names in `taken` are avoided.
     pub(super) fn call(&mut self, of_entry: Option<&str>, taken: &mut BTreeSet<String>) {
         let mut known = BTreeSet::new();
         let solids: Vec<&SourceSolid> = (self.frames.iter().flatten())
@@ -107,8 +107,8 @@ impl PartSource {
         self.names = names;
     }
 
-    /// Colours parts without a file colour by their shape, so that a hundred equal screws look alike; adds new shapes to `shapes`.
-    /// Later frames have the colours of the first.
+    /// Colours parts that have no colour in their file by shape, so that a hundred equal screws look alike. Adds new shapes to `shapes`.
+    /// Later frames get the colours of the first.
     pub(super) fn colour(&mut self, shapes: &mut Vec<SolidMeasures>) {
         let mut colours = Vec::with_capacity(self.forms.len());
         for form in &self.forms {
@@ -126,7 +126,7 @@ impl PartSource {
     }
 }
 
-/// Properties that equal solids share regardless of their position.
+/// Measures that equal solids share, wherever they are placed.
 #[derive(Clone, Debug)]
 pub(super) struct SolidMeasures {
     triangles: usize,
@@ -143,7 +143,7 @@ impl SolidMeasures {
         }
     }
 
-    /// Tolerance of one ten-thousandth, because files round the vertices of each copy separately.
+    /// Compares with a tolerance of one ten-thousandth, because files round the vertices of each copy separately.
     fn is_like(&self, other: &Self) -> bool {
         let near = |a: f64, b: f64| (a - b).abs() <= 1e-4 * a.abs().max(b.abs());
         self.triangles == other.triangles

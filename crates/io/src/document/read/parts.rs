@@ -18,7 +18,7 @@ use crate::document::describe::{MaterialDesc, PartDesc, PlacementDesc};
 /// Keys of a part.
 pub(super) static KEYS: Keys = Keys::below("part.*");
 
-/// The parts at a time, each with the source of its role. A disabled part is read, but left out.
+/// The parts at a time, each with the source of its role. A disabled part is read, but not returned.
 pub(in crate::document) fn all(
     root: &Table<'_>,
     scene_assets: &SceneAssets,
@@ -41,13 +41,13 @@ pub(in crate::document) fn all(
         }
     }
     if all.is_empty() {
-        let help = "let one of them be enabled: a scene without a part shows nothing";
+        let help = "enable at least one part: a scene without parts shows nothing";
         return Err(root.entry.fault("no part is enabled", help));
     }
     Ok(all)
 }
 
-/// The parts of one entry, whose solids these are at the time; a mesh file with several objects gives a part `NAME/OBJECT` for each.
+/// Builds the parts of one entry from its solids at a time. A mesh file with several objects gives a part `NAME/OBJECT` for each.
 fn read(
     table: &Table<'_>,
     desc: &PartDesc,
@@ -93,12 +93,12 @@ fn read(
     Ok(parts)
 }
 
-/// Placement: scale, then rotation about the world's x, y and z in this order, both about the pivot, then translation.
+/// Placement: scale about the pivot, then rotation about the pivot (around the world's x, y and z, in this order), then translation.
 pub(super) fn placement(table: &Table<'_>, desc: &PlacementDesc, rest: Bounds) -> Result<DAffine3> {
     if let Some(matrix) = table.get("matrix") {
         let steps = ["translate", "rotate_deg", "scale", "pivot"];
         if let Some(step) = steps.iter().find_map(|key| table.get(key)) {
-            return Err(step.fault("the part has a matrix too", "keep one of the two"));
+            return Err(step.fault("the part also has a matrix", "keep one of the two"));
         }
         return affine(&matrix);
     }

@@ -1,7 +1,7 @@
 //! Typed reading of TOML, with errors that name the file, the line, the column and the key.
 //!
-//! Values are read one by one, and the known keys of a table are given when it is opened: an unknown key is an error
-//! at that point, with the nearest known one. Derived deserialisation would report neither the path of a key nor a remedy.
+//! Values are read one by one. Opening a table takes its list of known keys. An unknown key is an error at that point, which suggests the
+//! nearest known key. Derived deserialisation would report neither the path of a key nor a remedy.
 
 use std::fmt::Display;
 use std::path::Path;
@@ -16,11 +16,11 @@ use crate::document::{Node, Origin, Value};
 
 pub use super::table::{Table, with_table};
 
-/// Source of values, for errors.
+/// Source of values, which errors refer to.
 #[derive(Clone, Copy)]
 pub(crate) struct Source<'a> {
     pub(crate) path: &'a Path,
-    /// Time of an animated scene, and its keys.
+    /// Time of an animated scene and its animation keys.
     pub(crate) moment: Option<KeyedTime<'a>>,
 }
 
@@ -28,19 +28,19 @@ pub(crate) struct Source<'a> {
 #[derive(Clone)]
 pub struct Entry<'a> {
     source: Source<'a>,
-    /// Dotted path, in the notation of animation keys.
+    /// Dotted path of the value, in the notation of animation keys.
     pub(crate) key: String,
     /// The value itself.
     pub node: &'a Node,
 }
 
 impl<'a> Entry<'a> {
-    /// An error at this value: the fault and its remedy.
+    /// An error at this value. `what` is the fault, and `help` is the remedy.
     pub fn fault(&self, what: impl Display, help: impl Into<String>) -> Error {
         let what = match (&self.node.origin, self.key.as_str()) {
-            // An element of a root that is a list has no key but its number.
+            // If the root is a list, its elements have only numbers as keys.
             (_, key) if key.parse::<usize>().is_ok() => what.to_string(),
-            // The root has no key, and the words of an option name it already.
+            // The root has no key, and the words of the option already identify it.
             (_, "") => what.to_string(),
             (Origin::Option(words), _) if self.is_table() || !words.contains('`') => {
                 what.to_string()
@@ -72,7 +72,7 @@ impl<'a> Entry<'a> {
     pub fn place(&self, error: Error) -> Error {
         match (error, &self.node.origin) {
             (Error::Missing(error), _) => self.place(*error).missing(),
-            // Options are excluded: their words are quoted already.
+            // Options are excluded, because the error already quotes their words.
             (
                 Error::Input {
                     culprit,
@@ -104,7 +104,7 @@ impl<'a> Entry<'a> {
         self.expected_but(expected, help)
     }
 
-    /// The same with a help of its own.
+    /// Like `expected`, but with the given help.
     pub(super) fn expected_but(&self, expected: &str, help: impl Into<String>) -> Error {
         self.fault(
             format_args!("it must be {expected}, but is {}", self.found()),
@@ -141,7 +141,7 @@ impl<'a> Entry<'a> {
             .ok_or_else(|| self.expected("a whole number in range", "1"))
     }
 
-    /// Replaces the node, keeping the key and the source.
+    /// Replaces the node, but keeps the key and the source.
     pub fn of(&self, node: &'a Node) -> Self {
         Self {
             node,
@@ -179,7 +179,7 @@ impl<'a> Entry<'a> {
             .map(|(_, value)| *value)
             .ok_or_else(|| {
                 let help = did_you_mean(word, choices.iter().map(|(name, _)| *name));
-                self.fault(format_args!("{word:?} is no choice"), help)
+                self.fault(format_args!("{word:?} is not a valid choice"), help)
             })
     }
 
@@ -220,7 +220,7 @@ impl<'a> Entry<'a> {
         }
     }
 
-    /// Reads a number, or nested lists of numbers: the numbers in order, and their nesting. A flag is 0 or 1.
+    /// Reads a number or nested lists of numbers. Returns the numbers in order, and their nesting. A flag is read as 0 or 1.
     pub(super) fn nested(&self) -> Result<(Vec<f64>, Nesting)> {
         if let Value::Flag(flag) = &self.node.value {
             return Ok((vec![f64::from(u8::from(*flag))], Nesting::Flag));
@@ -258,7 +258,7 @@ impl<'a> Entry<'a> {
         }
     }
 
-    /// Returns true if the value is text: some keys take a number or text with a unit.
+    /// Returns true if the value is text. Some keys take either a number or text with a unit.
     pub fn is_text(&self) -> bool {
         matches!(self.node.value, Value::Text(_))
     }
@@ -280,7 +280,7 @@ impl<'a> Entry<'a> {
             if !known.contains(&&**key) {
                 let help = did_you_mean(key, known.iter().copied());
                 let stray = self.child(key, node);
-                return Err(stray.fault("there is no such key here", help));
+                return Err(stray.fault("there is no such key in this table", help));
             }
         }
         Ok(table)
@@ -297,7 +297,7 @@ impl<'a> Entry<'a> {
         }
     }
 
-    /// The same value with its own `name` in the path, so that errors and animation keys use `cut.front`, not `cut.0`.
+    /// The same value with its `name` in the path, so that errors and animation keys use `cut.front` instead of `cut.0`.
     pub(crate) fn named(mut self) -> Self {
         if let Some(name) = self.node.name()
             && let Some((list, _)) = self.key.rsplit_once('.')
@@ -307,7 +307,7 @@ impl<'a> Entry<'a> {
         self
     }
 
-    /// Another value of the same source, with this key.
+    /// Another value from the same source, with this key.
     pub(super) fn at(&self, key: &str, node: &'a Node) -> Self {
         self.child(key, node)
     }

@@ -9,8 +9,8 @@
 //! whole = ["bolt*", "shaft*"]
 //! ```
 //!
-//! The `role` of a part has priority, then globs on its name and on its materials' names, then the model's own data: a role or
-//! a material that transmits light, which makes the part exterior; last comes its visibility.
+//! The `role` of a part has priority, followed by globs on its name and on its materials' names. Next is the model's own data: a role, or a
+//! material that transmits light, which makes the part exterior. Visibility comes last.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -25,23 +25,23 @@ use crate::document::describe::RolesDesc;
 
 static KEYS: Keys = Keys::below("roles");
 
-/// Visibility of each part from outside, by its name.
+/// Visibility from outside of each part, by part name.
 type Sights = BTreeMap<String, Sight>;
 
 /// Source of the role of a part.
 #[derive(Clone, Debug, PartialEq)]
 pub enum RoleBy {
-    /// The default, because none is given.
+    /// The default, because no source gives a role.
     Default,
-    /// The model itself, such as a built-in shape.
+    /// Data in the model itself, such as a built-in shape.
     Model,
-    /// `role` of the part.
+    /// The `role` key of the part.
     Part,
-    /// A glob of `roles`.
+    /// A glob in `roles`.
     Glob(String),
-    /// A material in its file that transmits light.
+    /// A material in the part's file that transmits light.
     Transparency,
-    /// Its visibility from outside.
+    /// The part's visibility from outside.
     Sight(Sight),
 }
 
@@ -104,7 +104,7 @@ fn fits(glob: &str, part: &Part) -> bool {
 }
 
 impl Roles {
-    /// Refuses names that no part has; a glob may match nothing at some times.
+    /// Refuses names that no part has. A glob, in contrast, may match nothing at some times.
     pub(super) fn must_name(&self, root: &Table<'_>, names: &[&str]) -> Result<()> {
         let is_name = |glob: &&String| !glob.contains(['*', '?']);
         let mut said = self.globs.iter().map(|(glob, _)| glob).filter(is_name);
@@ -123,7 +123,7 @@ impl Roles {
         let has = |glob: &str| parts.iter().any(|part| fits(glob, part));
         let idle = self.globs.iter().filter(|(glob, _)| !has(glob));
         let note = |glob: &String| {
-            let text = format!("no part and no material is called `{glob}`");
+            let text = format!("no part or material has a name that matches `{glob}`");
             Diagnostic::note("no-such-part", text).about("roles")
         };
         idle.map(|(glob, _)| note(glob)).collect()

@@ -1,7 +1,6 @@
-//! Sources of the parts, cuts and reliefs of a scene: meshes, shapes, images and frames, opened once.
+//! Sources of a scene's parts, cuts and reliefs: meshes, shapes, images and frames, each opened once.
 //!
-//! The numbers of a document may change over time, its texts may not: anything named by a text is opened with the
-//! document.
+//! The numbers of a document may change over time, but its texts may not. So everything that a text names is opened with the document.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
@@ -28,11 +27,11 @@ pub(in crate::document) struct SceneAssets {
     pub(super) images: ReliefImages,
     /// Base of the document's style, if it has one.
     pub(in crate::document) style: Option<Style>,
-    /// Default target that orbits are fitted to.
+    /// What an orbiting camera frames by default.
     pub(in crate::document) fit: Fit,
-    /// Visibility of each part from outside, if its role depends on it.
+    /// Visibility from outside of each part, if the roles depend on it.
     pub(in crate::document) sights: Option<BTreeMap<String, Sight>>,
-    /// Frames of the cutouts, by the index of their cut, once computed.
+    /// Frames of the cutouts, by the index of their cut. Empty until they are computed.
     pub(in crate::document) frames: BTreeMap<usize, CutoutFrame>,
     /// Notes about the assets.
     pub(in crate::document) notes: Vec<Diagnostic>,
@@ -56,7 +55,7 @@ pub(super) fn open(
         if let Some(name) = &name
             && name.text()?.is_empty()
         {
-            return Err(name.fault("it is empty", "give the part a name, or leave the key out"));
+            return Err(name.fault("it is empty", "give the part a name, or remove the key"));
         }
         given.push(name.map(|n| n.text()).transpose()?);
         let known = opening.known(&table, &before, &now)?;
@@ -90,7 +89,7 @@ pub(super) fn open(
     Ok(sources)
 }
 
-/// Returns the entry of a key in the material of a part.
+/// Returns the value of a key in the material of a part.
 pub(super) fn of_material<'a>(part: &Table<'a>, key: &str) -> Result<Option<Entry<'a>>> {
     let material = part.get("material").map(|m| m.table(MATERIAL.all()));
     Ok(material.transpose()?.and_then(|m| m.get(key)))

@@ -1,7 +1,7 @@
-//! The solids of a file, a shape or a frame, and the selection of them for a part: `split`, `only` and `except`, in this order.
+//! The solids of a file, a shape or a frame, and which of them a part takes by `split`, `only` and `except`, applied in this order.
 //!
-//! `split = true` divides each solid into its bodies ([`Bodies`]), which are numbered: `gear/1`, `gear/2`. A solid
-//! with one body keeps its name. All frames of a sequence are split like the first, so all must have its triangles.
+//! `split = true` divides each solid into its bodies ([`Bodies`]), which are numbered: `gear/1`, `gear/2`. A solid with one body keeps its
+//! name. All frames of a sequence are split like the first, so all must have the same triangles.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -15,23 +15,23 @@ use cutaway::scene::{
 
 use super::reader::Table;
 
-/// Maximum number of bodies: more are indistinguishable in a picture.
+/// Maximum number of bodies. More could not be distinguished in a picture.
 const MOST_BODIES: usize = 1 << 16;
 
-/// A solid from its file, or a body of one.
+/// A solid from a file, or one body of a solid.
 #[derive(Clone, Debug)]
 pub(super) struct SourceSolid {
     pub(super) part: Part,
-    /// Bounds in part space.
+    /// Bounds of the solid in part space.
     pub(super) rest: Bounds,
-    /// Suffix of the part name after the name of the entry; `None` if the entry is one solid.
+    /// Suffix that follows the entry's name in the part name, or `None` if the entry is a single solid.
     pub(super) below: Option<String>,
-    /// True if its file gives no colour.
+    /// True if the file does not give the solid a colour.
     pub(super) is_plain: bool,
 }
 
 impl SourceSolid {
-    /// Converts parts to solids; `below` gives each its name suffix.
+    /// Converts parts to solids. `below` returns the name suffix of each.
     pub(super) fn all(parts: &[Part], below: impl Fn(usize, &Part) -> Option<String>) -> Vec<Self> {
         let solid = |(index, part): (usize, &Part)| Self {
             rest: Bounds::EMPTY,
@@ -48,11 +48,11 @@ impl SourceSolid {
     }
 }
 
-/// Division of the solids of a file, or of a sequence's first frame, into bodies.
+/// Describes how the solids of a file, or of a sequence's first frame, are split into bodies.
 pub(super) struct BodySplits {
     /// Bodies of each solid.
     bodies: Vec<Bodies>,
-    /// Split meshes, shared by solids with the same mesh.
+    /// Meshes that have been split. Solids with the same mesh share the result.
     known: Memo<GeometryId, Arc<Pieces>>,
 }
 
@@ -106,7 +106,7 @@ impl BodySplits {
         Diagnostic::note("bodies", text).about(of)
     }
 
-    /// Divides solids that have the same triangles as those whose bodies were found.
+    /// Splits solids. They must have the same triangles as the solids whose bodies were found.
     pub(super) fn applied(&mut self, solids: Vec<SourceSolid>) -> Vec<SourceSolid> {
         let mut taken: Vec<String> = solids.iter().map(|s| s.part.name.clone()).collect();
         taken.sort_unstable();
@@ -141,7 +141,7 @@ impl BodySplits {
         all
     }
 
-    /// Refuses a frame whose triangles differ from those of the first one.
+    /// Refuses a frame whose triangles differ from the first frame's.
     pub(super) fn must_fit(
         &self,
         (first, first_file): (&[SourceSolid], &Path),
@@ -162,7 +162,7 @@ impl BodySplits {
     }
 }
 
-/// The solids selected by `only` and `except`.
+/// The solids that `only` and `except` select.
 pub(super) fn chosen(table: &Table<'_>, solids: Vec<SourceSolid>) -> Result<Vec<SourceSolid>> {
     let names: Vec<String> = solids.iter().map(|s| s.part.name.clone()).collect();
     let mut left = solids;
@@ -180,7 +180,10 @@ pub(super) fn chosen(table: &Table<'_>, solids: Vec<SourceSolid>) -> Result<Vec<
         }
         left.retain(|s| keep == globs.iter().any(|g| glob_matches(g, &s.part.name)));
         if left.is_empty() {
-            return Err(entry.fault("it leaves no solid", "choose fewer or others"));
+            return Err(entry.fault(
+                "it leaves no solid",
+                "change the globs so that a solid remains",
+            ));
         }
     }
     Ok(left)

@@ -1,6 +1,6 @@
 //! `style = "NAME"` or `[style]`: a base style and changes to it.
 //!
-//! A base is one of the built-in styles, or a style file, opened with the document. Numbers of `[style]` may be animated.
+//! The base is a built-in style, or a style file that is opened with the document. Numbers in `[style]` may be animated.
 
 use std::path::Path;
 
@@ -17,7 +17,7 @@ use crate::load::Assets;
 
 static KEYS: Keys = Keys::below("style");
 
-/// Built-in styles of the program, in addition to `lit`, which is the default of the library.
+/// Built-in styles of the program, apart from `lit`, which is the library's default style.
 const STYLES: [(&str, &str); 8] = [
     ("technical", include_str!("../styles/technical.toml")),
     ("drafting", include_str!("../styles/drafting.toml")),
@@ -38,7 +38,7 @@ pub fn style_names() -> impl Iterator<Item = &'static str> {
 ///
 /// # Errors
 ///
-/// An unknown name.
+/// Fails if the name is unknown.
 pub fn named_style(name: &str) -> Result<Style> {
     if name == "lit" {
         return Ok(Style::default());
@@ -75,7 +75,7 @@ pub(in crate::document) fn is_file(base: &str) -> bool {
     base.ends_with(".toml")
 }
 
-/// Opens the base style of a document, if it names one.
+/// Opens the base style of a document, if the document names one.
 pub(super) fn open(root: &Table<'_>, opening: &mut LoadContext<'_>) -> Result<Option<Style>> {
     let Some(base) = base(root)? else {
         return Ok(None);
@@ -92,7 +92,7 @@ pub(super) fn open(root: &Table<'_>, opening: &mut LoadContext<'_>) -> Result<Op
     let text = String::from_utf8(bytes.into_owned()).map_err(|_| {
         base.fault(
             format_args!("{} is not text", path.display()),
-            "write it as UTF-8",
+            "save it as text in UTF-8",
         )
     })?;
     let style = of_text(&path, &text)?;
@@ -100,7 +100,7 @@ pub(super) fn open(root: &Table<'_>, opening: &mut LoadContext<'_>) -> Result<Op
     Ok(Some(style))
 }
 
-/// Checks everything that needs no opened file.
+/// Checks everything that can be checked without opening a file.
 pub(super) fn check(
     root: &Table<'_>,
     settings: &Settings,
@@ -117,7 +117,7 @@ pub(super) fn check(
     read(root, Style::default(), settings).map(|_| ())
 }
 
-/// The entry with the name of the base, if there is one.
+/// The value that names the base style, if there is one.
 fn base<'a>(root: &Table<'a>) -> Result<Option<Entry<'a>>> {
     match root.get("style") {
         Some(entry) if entry.is_text() => Ok(Some(entry)),
@@ -126,7 +126,7 @@ fn base<'a>(root: &Table<'a>) -> Result<Option<Entry<'a>>> {
     }
 }
 
-/// The document's style: its base with the current values of its changes.
+/// The document's style, which is its base style with the changes applied at the current time.
 pub(super) fn read(root: &Table<'_>, base: Style, settings: &Settings) -> Result<Style> {
     let mut style = base;
     if let Some(entry) = root.get("style").filter(|entry| !entry.is_text()) {
@@ -157,7 +157,7 @@ fn amend(style: &mut Style, table: &Table<'_>) -> Result<()> {
     }
     if let Some(hatch) = hatch.filter(|_| style.hatch.most < style.hatch.least) {
         let help = "write for example `least = 5.2, most = 9.5`";
-        let what = "its least distance is more than the greatest";
+        let what = "its least distance is greater than its greatest distance";
         return Err(hatch.entry.fault(what, help));
     }
     for (key, direction) in [
@@ -173,13 +173,13 @@ fn amend(style: &mut Style, table: &Table<'_>) -> Result<()> {
     Ok(())
 }
 
-/// Refuses a colour together with hue values.
+/// Refuses a fixed colour together with lightness, chroma or warmth.
 fn one_tint(table: &Table<'_>) -> Result<()> {
     let of_hue = keys_of(Hue::FIELDS);
     match of_hue.iter().find_map(|key| table.get(key)) {
         Some(hue) if table.get("color").is_some() => {
             let help = "keep the colour, or lightness, chroma and warmth";
-            Err(hue.fault("there is one colour for all parts", help))
+            Err(hue.fault("`color` already sets one colour for all parts", help))
         }
         _ => Ok(()),
     }

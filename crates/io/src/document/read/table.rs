@@ -16,7 +16,7 @@ pub struct Table<'a> {
     pub(super) entries: &'a [(Arc<str>, Node)],
 }
 
-/// Reads the text of a TOML file whose keys are among `known`.
+/// Reads the text of a TOML file. Its keys must be among `known`.
 pub fn with_table<T>(
     path: &Path,
     text: &str,
@@ -57,7 +57,7 @@ impl<'a> Table<'a> {
             .map(move |(key, node)| (&**key, entry.child(key, node)))
     }
 
-    /// The tables of a list `[[key]]`; empty if the key is missing.
+    /// The tables of a list `[[key]]`, or none if the key is missing.
     pub fn tables(&self, key: &str) -> Result<Vec<Entry<'a>>> {
         match self.get(key) {
             Some(entry) => Ok(entry.list()?.into_iter().map(Entry::named).collect()),

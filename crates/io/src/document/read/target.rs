@@ -31,15 +31,15 @@ impl fmt::Display for Nesting {
 /// The numbers at a path.
 #[derive(Debug)]
 pub(super) struct KeyTarget {
-    /// The path in the form used by errors: entries by name if they have one.
+    /// The path as shown in errors: named entries appear by name, others by index.
     pub(super) path: String,
     /// Positions of the numbers, in text order.
     pub(super) places: Vec<Place>,
-    /// Their nesting.
+    /// Nesting of the numbers in lists.
     pub(super) shape: Nesting,
 }
 
-/// Finds the numbers at a path; `example` is a value for the error.
+/// Finds the numbers at a path. Errors show `example` as a possible value.
 pub(super) fn find(root: &Node, path: &str, example: &str) -> Result<KeyTarget, Lost> {
     let step = walk(root, path);
     if !step.rest.is_empty() {
@@ -79,7 +79,7 @@ fn numbers(value: &Value, place: &Place, places: &mut Vec<Place>) -> Option<Nest
     }
 }
 
-/// Error for a path to a value other than numbers.
+/// Error for a path whose value holds no numbers.
 fn no_number(step: &PathStep<'_>) -> Lost {
     let last = step.path.rsplit('.').next().unwrap_or_default();
     match &step.node.value {
@@ -89,27 +89,27 @@ fn no_number(step: &PathStep<'_>) -> Lost {
                     "write the plane as `normal = [0, 0, 1], origin = [0, 0, 0]` and move its origin"
                 }
                 _ if text.trim_end().ends_with('%') => {
-                    "write it as a number in scene units: a number in a text cannot move"
+                    "write it as a number in scene units: a number within a text cannot be animated"
                 }
                 _ => "let the target be a number of the file",
             };
             (
-                format!("it names no number: {} is the text {text:?}", step.path),
+                format!("it holds no number: {} is the text {text:?}", step.path),
                 help.into(),
             )
         }
         Value::Table(_) | Value::List(_) => {
-            let what = "it names no number of the scene, but a group of values";
+            let what = "it is a group of values and holds no number itself";
             (what.into(), farther(step.node))
         }
         _ => (
-            "it names no number of the scene".into(),
+            "it holds no number of the scene".into(),
             "let the target be a number of the file".into(),
         ),
     }
 }
 
-/// Error for a path that does not resolve, often because the scene's default for a number is not in the file.
+/// Error for a path that does not resolve. Often the file does not contain the number because the scene uses its default.
 fn missing(step: &PathStep<'_>, example: &str) -> Lost {
     let is_field = matches!(step.node.value, Value::Table(_)) && !step.rest.contains('.');
     let (path, next) = (&step.path, &step.rest);
@@ -121,7 +121,7 @@ fn missing(step: &PathStep<'_>, example: &str) -> Lost {
     let help = match names.find(|n| strsim::jaro_winkler(n, next) > 0.9) {
         Some(near) => format!("did you mean `{near}`?"),
         None => format!(
-            "add `{next} = {example}` to `{path}`{}: a key moves a number that the file has",
+            "add `{next} = {example}` to `{path}`{}: a key can only animate a number that is in the file",
             match step.node.origin {
                 Origin::Text { line, .. } => format!(" in line {line}"),
                 _ => String::new(),

@@ -1,4 +1,4 @@
-//! Cutaways of a timeline: positions of cutouts, breakaways that open to the current camera, and the source of each part's role.
+//! Cutaways of a timeline: the positions of cutouts, breakaways that open to the current camera, and the source of each part's role.
 
 use std::collections::BTreeMap;
 use std::sync::{OnceLock, PoisonError};
@@ -49,7 +49,7 @@ impl Timeline {
         let first = self.closed_at(0.0)?;
         self.scene_assets.frames = frames_of(&first, cutouts, self.settings.size_px())?;
         self.notes.extend(notes_of(&self.scene_assets.frames));
-        // Results computed without the cutouts are discarded; the camera stays, since the cutouts open towards it.
+        // Results computed without the cutouts are discarded. The camera is kept, because the cutouts open towards it.
         self.outline = OnceLock::new();
         let parts = (self.rest.parts.clone(), None);
         let reliefs = self
@@ -66,7 +66,7 @@ impl Timeline {
     ///
     /// # Errors
     ///
-    /// None beyond those of opening the document.
+    /// The errors of opening the document, and no others.
     pub fn roles(&self) -> Result<Vec<(Part, RoleBy)>> {
         self.read_at(0.0, |root| {
             read::parts_with_roles(root, &self.scene_assets, 0.0, &self.outwards)
@@ -81,7 +81,7 @@ fn notes_of(frames: &BTreeMap<usize, CutoutFrame>) -> impl Iterator<Item = Diagn
         let axis = frame.along.to_array().map(round);
         let axis = axis.join(", ");
         let text = format!(
-            "no axis of the model stands out, so it goes around [{axis}], the upright; `axis` names another"
+            "no axis of the model stands out, so the cutout turns around the upright axis [{axis}]; set `axis` to choose another"
         );
         Diagnostic::note("cutout-axis", text).about(format!("cut.{number}.cutout"))
     })
@@ -93,7 +93,7 @@ fn frames_of(
     cutouts: Vec<(usize, AxisRule)>,
     size_px: [u32; 2],
 ) -> Result<BTreeMap<usize, CutoutFrame>> {
-    // The kept geometry is unknown before the cutouts are placed.
+    // The geometry that the cuts keep is unknown before the cutouts are placed.
     let camera = Camera {
         fit: Fit::All,
         ..scene.camera
@@ -101,8 +101,8 @@ fn frames_of(
     let view = camera.view(|p| p, 1.0, scene.bounds(), size_px);
     let frame = |(number, rule)| {
         let frame = CutoutFrame::of(scene.parts.iter(), rule, &view, camera.up.axis());
-        let help = "use parts with an inside, of which one at least has the role exterior";
-        let what = "there is nothing to cut out of: no exterior part, or a flat one";
+        let help = "use solid parts, at least one of them with the role exterior";
+        let what = "there is nothing to cut: there is no exterior part, or it is flat";
         let missing = || Error::input(format!("cut.{number}.cutout"), what, help);
         Ok((number, frame.ok_or_else(missing)?))
     };

@@ -1,16 +1,15 @@
-//! A document over time: clips of its mesh files, frame sequences, and its animation keys.
+//! A document over time. It moves by clips in its mesh files, by frame sequences, and by its animation keys.
 //!
-//! [`Timeline::at`] gives the scene at a time. Animated numbers are set in the tree, which is then read like the
-//! unanimated scene, from the same meshes: no file is opened or parsed again. Clips and looping sequences restart at their own
-//! end; keys stay at their last value. Unchanged data keeps its `Arc` from time to time, so that renderers of
-//! the scene can recognize by address the data that they have already prepared.
+//! [`Timeline::at`] gives the scene at a time. Animated numbers are set in the tree, which is then read like the unanimated scene. No file
+//! is opened or parsed again. Clips and looping sequences restart at their own end, while keys stay at their last value. Unchanged data
+//! keeps its `Arc` from one time to the next, so that renderers can recognize the data that they have already prepared by its address.
 //!
-//! An animated scene has one [`stage`](Scene::stage) for all its times, so that pictures do not jump and `z=50%` is always the same
-//! plane. It is computed on first use, from the bounds at many times: between two of them a part may leave it
-//! by the deviation of its motion there from a straight line. The outline of the kept geometry, to which its camera may be fitted, is
-//! computed likewise, as are automatic angles of the camera, for all times at once.
+//! An animated scene has one [`stage`](Scene::stage) for all times, so that pictures do not jump and `z=50%` is always the same plane. The
+//! stage is computed on first use, from the bounds at many sampled times. Between two samples a part may leave the stage, by the amount by
+//! which its motion deviates from a straight line. The outline of the kept geometry, to which the camera may be fitted, and the camera's
+//! automatic angles are computed likewise.
 //!
-//! Cost per time: reading the tree, which is small, and recomputing the reliefs that changed.
+//! Evaluating one time costs reading the tree, which is small, and recomputing the reliefs that changed.
 
 mod cutaways;
 mod stage;
@@ -28,10 +27,10 @@ use super::{Document, Node, Settings};
 use crate::load::Assets;
 use crate::load::frames::Sequence;
 
-/// Times, as shares of the duration, at which visible cuts are collected.
+/// Times at which visible cuts are collected, as fractions of the duration.
 const LOOKED_AT: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 
-/// Scene that can be evaluated at any time.
+/// A scene that can be evaluated at any time.
 #[derive(Debug)]
 pub struct Timeline {
     path: PathBuf,
@@ -41,16 +40,16 @@ pub struct Timeline {
     keys: Vec<Keyed>,
     scene_assets: SceneAssets,
     settings: Settings,
-    /// Unanimated scene: numbers as written, and the first frame of each sequence.
+    /// The unanimated scene, with numbers as written and the first frame of each sequence.
     rest: Scene,
     /// Notes about the document.
     notes: Vec<Diagnostic>,
     clips: Vec<Clip>,
     /// The longest clip among the first clips of all parts.
     first_clip: Option<Clip>,
-    /// Name of the selected clip; without one every part plays its own first clip.
+    /// Name of the selected clip. Without a selected clip, every part plays its own first clip.
     chosen: Option<String>,
-    /// Reliefs as last computed.
+    /// Reliefs as computed for the last time.
     reliefs: Mutex<Resolved>,
     outwards: Outwards,
     stage: OnceLock<Bounds>,
@@ -58,7 +57,7 @@ pub struct Timeline {
     outline: OnceLock<Arc<Outline>>,
     /// Viewpoint for all times, if the camera is automatic.
     viewpoint: OnceLock<Viewpoint>,
-    /// The view at time 0, in world space, if a breakaway opens to it.
+    /// The view at time 0, in world space, if a breakaway opens to that view.
     first_view: OnceLock<View>,
 }
 
@@ -125,11 +124,11 @@ impl Timeline {
         Ok(timeline)
     }
 
-    /// The same timeline with this style, if the document names none.
+    /// Returns the timeline with this style as its base, if the document names no style.
     ///
     /// # Errors
     ///
-    /// Changes in the document that are invalid on this style.
+    /// Fails if the document's changes are invalid for this style.
     pub fn with_usual_style(mut self, style: Style) -> Result<Self> {
         self.scene_assets.style.get_or_insert(style);
         self.rest.style = self.read_at(0.0, |root| {
@@ -138,7 +137,7 @@ impl Timeline {
         Ok(self)
     }
 
-    /// The same timeline with this fit of automatic angles, if the document gives none.
+    /// Returns the timeline with this camera fit, if the document gives none.
     #[must_use]
     pub fn with_usual_fit(mut self, fit: Fit) -> Self {
         let camera = self.root.get("camera");
@@ -149,8 +148,8 @@ impl Timeline {
         self
     }
 
-    /// Returns the scene that is drawn without an explicit time: at the document's own time, or else unanimated, with the numbers as
-    /// written and the first frames.
+    /// Returns the scene that is drawn if the user gives no time. It is the scene at the document's own time or, without one, the
+    /// unanimated scene with numbers as written and first frames.
     pub fn scene(&self) -> Result<Scene> {
         match self.time_s() {
             Some(time_s) => self.at(time_s),
@@ -158,35 +157,35 @@ impl Timeline {
         }
     }
 
-    /// The time that the document sets; 0 if it only selects a clip.
+    /// The time that the document sets, or 0 if the document only selects a clip.
     pub fn time_s(&self) -> Option<f64> {
         let begins = self.chosen.is_some().then_some(0.0);
         self.settings.time_s.or(begins)
     }
 
-    /// The unanimated scene, without a stage, with breakaways closed.
+    /// The unanimated scene. It has no stage, and its breakaways are not opened.
     pub fn rest(&self) -> &Scene {
         &self.rest
     }
 
-    /// Returns the settings of the document in addition to the scene itself.
+    /// Returns the settings of the document that are not part of the scene itself.
     pub fn settings(&self) -> &Settings {
         &self.settings
     }
 
-    /// Notes for the user: repairs of meshes, and keys without effect.
+    /// Notes for the user, about repaired meshes and keys without effect.
     pub fn notes(&self) -> &[Diagnostic] {
         &self.notes
     }
 
-    /// All files that were read: the document's own file, and those that it names.
+    /// All files that were read, which are the document's own file and the files that it names.
     pub fn files(&self) -> impl Iterator<Item = &Path> {
         let own = Some(self.path.as_path()).filter(|path| !path.as_os_str().is_empty());
         own.into_iter()
             .chain(self.scene_assets.files.iter().map(PathBuf::as_path))
     }
 
-    /// Names of the parts that entry number `entry` of `part` has at any time: one for each solid of a file.
+    /// Names of all parts that entry number `entry` of `part` has at any time. A file gives one part per solid.
     pub fn names_of(&self, entry: usize) -> impl Iterator<Item = &str> {
         let source = self.scene_assets.parts.get(entry).into_iter();
         source.flat_map(PartSource::names).map(String::as_str)
@@ -197,8 +196,7 @@ impl Timeline {
         self.duration_s().is_some()
     }
 
-    /// Duration of the whole timeline: the longest of the played clips, the keys and the sequences. `None` if nothing
-    /// moves.
+    /// Duration of the whole timeline, which is that of the longest played clip, key or sequence. Returns `None` if nothing moves.
     pub fn duration_s(&self) -> Option<f64> {
         let longest = match &self.chosen {
             Some(name) => self.clips.iter().find(|c| c.name == *name),
@@ -214,7 +212,7 @@ impl Timeline {
         (longest > 0.0).then_some(longest)
     }
 
-    /// The clips of all parts, by name; the longest if several share a name.
+    /// The clips of all parts, by name. If several clips share a name, the longest is returned.
     pub fn clips(&self) -> &[Clip] {
         &self.clips
     }
@@ -224,7 +222,7 @@ impl Timeline {
         self.keys.iter().map(|k| &k.key)
     }
 
-    /// Finds a clip by its name, or else by its index in [`Timeline::clips`], from 0.
+    /// Finds a clip by its name or, if none matches, by its index in [`Timeline::clips`].
     fn clip_called(&self, name_or_number: &str) -> Result<String> {
         let by_name = self.clips.iter().find(|c| c.name == name_or_number);
         let by_number = || self.clips.get(name_or_number.parse::<usize>().ok()?);
@@ -233,7 +231,7 @@ impl Timeline {
         }
         let culprit = format!("clip `{name_or_number}`");
         if self.clips.is_empty() {
-            let help = "use a glTF or GLB file with animations, or leave the clip out";
+            let help = "use a glTF or GLB file with animations, or do not select a clip";
             return Err(Error::input(culprit, "no part has a clip", help));
         }
         let mut help = did_you_mean(name_or_number, self.clips.iter().map(|c| c.name.as_str()));
@@ -241,17 +239,17 @@ impl Timeline {
         Err(Error::input(culprit, "there is no such clip", help))
     }
 
-    /// The scene at a time in seconds, not negative. Parts are posed by their clips; parts without the selected clip
-    /// keep their rest pose. The stage is the one for all times.
+    /// The scene at a time in seconds, which must not be negative. Parts are posed by their clips. Parts without the selected clip keep
+    /// their rest pose. The stage is the same for all times.
     pub fn at(&self, time_s: f64) -> Result<Scene> {
         self.opened(self.closed_at(time_s)?)
     }
 
-    /// The scene at a time, with its breakaways closed.
+    /// The scene at a time, before its breakaways are opened.
     fn closed_at(&self, time_s: f64) -> Result<Scene> {
         if !(time_s.is_finite() && time_s >= 0.0) {
-            let help = "times are seconds from the beginning, 0 or more";
-            let what = "it is not a time of the scene";
+            let help = "give seconds from the beginning, 0 or more";
+            let what = "it is not a valid time";
             return Err(Error::input(format!("time {time_s}"), what, help));
         }
         let stage = self.stage()?;
@@ -269,7 +267,7 @@ impl Timeline {
         Ok(scene)
     }
 
-    /// The box that contains all parts at all times, in world space; `None` if nothing moves.
+    /// The box that contains all parts at all times, in world space. Returns `None` if nothing moves.
     pub fn stage(&self) -> Result<Option<Bounds>> {
         let Some(duration_s) = self.duration_s() else {
             return Ok(None);
@@ -281,7 +279,7 @@ impl Timeline {
         Ok(Some(*self.stage.get_or_init(|| stage)))
     }
 
-    /// Outline of the geometry that the cuts keep at any time; `None` if nothing moves.
+    /// Outline of the geometry that the cuts keep at any time. Returns `None` if nothing moves.
     fn outline(&self) -> Result<Option<Arc<Outline>>> {
         let Some(duration_s) = self.duration_s() else {
             return Ok(None);
@@ -309,14 +307,14 @@ impl Timeline {
         Ok(*self.viewpoint.get_or_init(|| seen.turned(cuts.iter())))
     }
 
-    /// The parts at a time, before posing by clips.
+    /// The parts at a time, before clips pose them.
     fn unposed_at(&self, time_s: f64) -> Result<Vec<Part>> {
         self.read_at(time_s, |root| {
             read::parts(root, &self.scene_assets, time_s, &self.outwards)
         })
     }
 
-    /// The scene at a time, before posing by clips; amounts relative to bounds refer to the stage.
+    /// The scene at a time, before clips pose its parts. Amounts given in percent refer to the stage.
     fn unposed_scene_at(&self, time_s: f64, stage: Option<Bounds>) -> Result<(Scene, Seen)> {
         self.read_at(time_s, |root| {
             let notes = &mut Vec::new();
@@ -333,7 +331,7 @@ impl Timeline {
     }
 
     fn read_at<T>(&self, time_s: f64, read: impl FnOnce(&Table<'_>) -> Result<T>) -> Result<T> {
-        // Cloned only if keys change it.
+        // The tree is cloned only if keys change it.
         let mut root = Cow::Borrowed(&self.root);
         for keyed in &self.keys {
             keyed.set(root.to_mut(), time_s);
@@ -370,7 +368,7 @@ impl Timeline {
     }
 }
 
-/// The clips of parts, by name, in order of first occurrence; the longest if several share a name.
+/// The clips of parts by name, in order of first occurrence. If several clips share a name, the longest is returned.
 fn clips_of(parts: &[Part]) -> Vec<Clip> {
     let mut all: Vec<Clip> = Vec::new();
     for clip in parts.iter().flat_map(Part::clips) {
@@ -382,7 +380,7 @@ fn clips_of(parts: &[Part]) -> Vec<Clip> {
     all
 }
 
-/// Time within a clip that restarts after its end; the end itself maps to the end.
+/// Time within a clip that restarts after its end. The end of a repetition maps to the clip's end, not to its start.
 fn looped(time_s: f64, duration_s: f64) -> f64 {
     if time_s <= duration_s || duration_s <= 0.0 {
         time_s.min(duration_s)

@@ -1,7 +1,7 @@
-//! Properties of a timeline as a whole: the box of all its times, the geometry that the cuts keep at any of them, and the validity of its
-//! keys at all of them.
+//! Properties of a timeline as a whole: the box that contains the scene at all times, the geometry that the cuts keep at any time, and
+//! whether its keys are valid at all times.
 //!
-//! Cost: reading the scene at every sample, and the bounds of each part that changed since the sample before.
+//! Cost: at every sampled time, the scene is read, and the bounds of each part that has changed since the previous sample are computed.
 
 use std::sync::Arc;
 
@@ -11,18 +11,18 @@ use cutaway::scene::{Bounds, Cut, Outline, Part, Scene};
 
 use super::Timeline;
 
-/// Number of times spread over the duration, both ends included: a full rotation leaves its stage by a thousandth at most.
+/// Number of times spread over the duration, including both ends. In a full rotation, a part leaves the stage by at most 0.1%.
 const SPREAD: u32 = 65;
 
-/// Maximum number of additional key and frame times; if there are more, this many are spread over them.
+/// Maximum number of additional key and frame times. If there are more, this many of them are picked, spread evenly.
 const MOST_SINGLED_OUT: usize = 512;
 
 /// Fractions of the interval between two key times at which the keys are tested.
 const BETWEEN: [f64; 3] = [0.25, 0.5, 0.75];
 
 impl Timeline {
-    /// Times at which the bounds of a scene are sampled. `clips_s` are the durations of the played clips: shorter clips
-    /// restart, and times spread over the whole duration may hit the same phase in each repetition.
+    /// Times at which the bounds of a scene are sampled. `clips_s` are the durations of the played clips. They matter because shorter clips
+    /// restart, and times spread over the whole duration may hit the same phase of every repetition.
     fn sampled_times_s(&self, duration_s: f64, clips_s: Vec<f64>) -> Vec<f64> {
         let frames = self.sequences().flat_map(|s| s.times_s());
         let mut singled: Vec<f64> = frames.chain(self.key_times_s()).collect();
@@ -32,8 +32,8 @@ impl Timeline {
         times
     }
 
-    /// The box of all parts at many times. The rest pose of parts with a played clip is excluded: it is not shown, often with spread arms,
-    /// and would only make the picture wider.
+    /// The box of all parts at many times. The rest pose of parts with a played clip is excluded. It is not shown, and often has spread
+    /// arms, which would only make the picture wider.
     pub(super) fn find_stage(&self, duration_s: f64) -> Result<Bounds> {
         let mut last: Vec<(Part, Bounds)> = Vec::new();
         let mut stage = Bounds::EMPTY;
@@ -84,7 +84,7 @@ impl Timeline {
         Ok(played.collect())
     }
 
-    /// Reads the scene at all key times and between them, so that invalid values are reported before drawing starts.
+    /// Reads the scene at and between all key times, so that invalid values are reported before drawing starts.
     pub(super) fn try_keys(&self) -> Result<()> {
         if self.keys().next().is_none() {
             return Ok(());
@@ -96,7 +96,7 @@ impl Timeline {
             .windows(2)
             .flat_map(|w| BETWEEN.map(|share| w[0] + (w[1] - w[0]) * share));
         let all: Vec<f64> = times.iter().copied().chain(between).collect();
-        // The parts first, because the stage depends on them.
+        // The parts are read first, because the stage depends on them.
         for time_s in &all {
             self.unposed_at(*time_s)?;
         }
@@ -122,7 +122,7 @@ fn spread_over(mut clips_s: Vec<f64>, duration_s: f64) -> Vec<f64> {
     clips_s.into_iter().flat_map(spread).collect()
 }
 
-/// Sorts times and removes duplicates; if there are too many, keeps some spread over all.
+/// Sorts times and removes duplicates. If there are too many, keeps only some of them, spread evenly.
 fn few(mut times: Vec<f64>) -> Vec<f64> {
     times.sort_by(f64::total_cmp);
     times.dedup();
@@ -134,7 +134,7 @@ fn few(mut times: Vec<f64>) -> Vec<f64> {
     spread.collect()
 }
 
-/// Returns true if cuts remove the same region, judged by the data that defines them.
+/// Returns true if two lists of cuts are defined by the same data, and therefore remove the same region.
 fn cut_alike(all: &[Cut], others: &[Cut]) -> bool {
     let is_like = |(a, b): (&Cut, &Cut)| {
         let mut surfaces = a.surfaces.iter().zip(&b.surfaces);
@@ -156,7 +156,7 @@ fn cut_alike(all: &[Cut], others: &[Cut]) -> bool {
     all.len() == others.len() && all.iter().zip(others).all(is_like)
 }
 
-/// Returns true if two parts occupy the same space because all data that places them is the same.
+/// Returns true if all data that places two parts is equal, so that they occupy the same space.
 fn stands_alike(a: &Part, b: &Part) -> bool {
     is_same(a.motion.as_ref(), b.motion.as_ref())
         && Arc::ptr_eq(&a.mesh, &b.mesh)
@@ -171,7 +171,7 @@ mod tests {
     #[test]
     fn a_short_clip_is_looked_at_all_the_way_round() {
         let halfway = |times: &[f64]| times.iter().any(|t| t.rem_euclid(1.0) == 0.5);
-        // The control: times spread over the whole duration alone all fall on the beginning of a repetition.
+        // As a control, times that are only spread over the whole duration all fall on the beginning of a repetition.
         assert!(!halfway(&spread_over(Vec::new(), 64.0)));
         assert!(halfway(&spread_over(vec![1.0, 64.0, 1.0], 64.0)));
         assert_eq!(spread_over(vec![64.0], 64.0).len(), SPREAD as usize);

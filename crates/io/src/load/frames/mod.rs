@@ -1,9 +1,8 @@
 //! Frame sequences: one mesh file per frame, as written by simulations.
 //!
-//! Every frame is an independent mesh; the number of vertices, triangles and even solids may change from frame to
-//! frame. All frames are loaded at once, in parallel, and stay in memory: frames are shown as loaded,
-//! without interpolation, and repeated requests for a frame return the same [`Arc`] of
-//! its mesh.
+//! Every frame is an independent mesh. The number of vertices, triangles and even solids may change from frame to frame. All frames are
+//! loaded at once, in parallel, and stay in memory. They are shown as loaded, without interpolation. Repeated requests for a frame return
+//! the same [`Arc`] of its mesh.
 
 mod pattern;
 
@@ -19,10 +18,10 @@ pub use pattern::Pattern;
 /// Default frames per second.
 pub const USUAL_FPS: f64 = 24.0;
 
-/// Tolerance, as a share of a frame, by which a time may fall short of a frame's start: `3 / fps * fps` need not be 3.
+/// Fraction of a frame by which a time may fall short of a frame's start. It allows for rounding: `3 / fps * fps` may not be exactly 3.
 const SLACK: f64 = 1e-6;
 
-/// A sequence of frames, each with its parts.
+/// A sequence of frames. Each frame has one or more parts.
 #[derive(Clone, Debug)]
 pub struct Sequence {
     frames: Arc<[Vec<Part>]>,
@@ -80,7 +79,7 @@ impl Sequence {
         })
     }
 
-    /// Returns the same frames at another rate. Without a loop the last frame stays.
+    /// Returns the same frames at another rate. If the sequence does not loop, it stays at the last frame.
     pub fn timed(self, fps: f64, loops: bool) -> Result<Self> {
         if !(fps.is_finite() && fps > 0.0) {
             let help = "give the number of frames per second, for example 24";
@@ -108,7 +107,7 @@ impl Sequence {
         (0..self.frames.len()).map(|i| i as f64 / self.fps)
     }
 
-    /// Returns the index of the frame that is shown at a time, from 0.
+    /// Returns the index, from 0, of the frame that is shown at a time.
     pub fn frame_at(&self, time_s: f64) -> usize {
         let count = self.frames.len();
         let frame = (time_s.max(0.0) * self.fps + SLACK).floor();
@@ -119,8 +118,8 @@ impl Sequence {
         }
     }
 
-    /// Parts of the frame shown at a time: a single part is named after the pattern without its number, several after the pattern
-    /// and their number in the file.
+    /// Parts of the frame that is shown at a time. A single part is named after the pattern without its number. Several parts are named
+    /// after the pattern and their number in the file.
     pub fn parts_at(&self, time_s: f64) -> &[Part] {
         &self.frames[self.frame_at(time_s)]
     }
@@ -130,12 +129,12 @@ impl Sequence {
         self.frames.iter().map(Vec::as_slice)
     }
 
-    /// The files, in order.
+    /// The files, in the order of the frames.
     pub fn files(&self) -> &[PathBuf] {
         &self.files
     }
 
-    /// Notes for the user: frames left out, and repairs of frames.
+    /// Notes for the user, about frames that were left out or repaired.
     pub fn notes(&self) -> &[Diagnostic] {
         &self.notes
     }
@@ -143,9 +142,9 @@ impl Sequence {
 
 /// Refuses a frame that cannot be drawn.
 fn whole(path: &Path, parts: &[Part]) -> Result<()> {
-    let help = "export the frame again, or leave out this and later ones";
+    let help = "export the frame again, or remove it and all later frames";
     if parts.is_empty() {
-        return Err(Error::file(path, "the frame holds no solid", help));
+        return Err(Error::file(path, "the frame contains no solid", help));
     }
     match parts.iter().find_map(|p| p.mesh.defect()) {
         Some(defect) => Err(Error::file(path, format!("the frame: {defect}"), help)),
@@ -153,7 +152,7 @@ fn whole(path: &Path, parts: &[Part]) -> Result<()> {
     }
 }
 
-/// The notes of the first frame with notes, and the count of other frames with notes, since problems usually affect most frames.
+/// The notes of the first frame that has any, and the number of other frames with notes. Problems usually affect most frames.
 fn summary(files: &[PathBuf], opened: &[(Vec<Part>, Vec<Diagnostic>)]) -> Vec<Diagnostic> {
     let mut noted = files.iter().zip(opened).filter(|(_, (_, n))| !n.is_empty());
     let Some((path, (_, notes))) = noted.next() else {
@@ -162,7 +161,7 @@ fn summary(files: &[PathBuf], opened: &[(Vec<Part>, Vec<Diagnostic>)]) -> Vec<Di
     let mut notes = notes.clone();
     let others = noted.count();
     if others > 0 {
-        let text = format!("{others} more frames have notes like these");
+        let text = format!("{others} more frames have similar notes");
         notes.push(Diagnostic::note("notes-of-frames", text).in_file(path));
     }
     notes

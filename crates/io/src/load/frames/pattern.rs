@@ -1,4 +1,4 @@
-//! Names of frames: a path with one number in it, written `%d` or `%04d`; `%%` stands for a percent sign.
+//! File name patterns of frames. A pattern is a path with one number, written `%d` or `%04d`. In it, `%%` stands for a percent sign.
 
 use std::path::{Path, PathBuf};
 
@@ -11,7 +11,7 @@ const EXAMPLE: &str = "write one %04d where the number belongs, as in `frames/wa
 /// Largest number of digits to which frame numbers are padded.
 const MOST_DIGITS: usize = 12;
 
-/// Count of numbers searched for further frames after a missing one, to distinguish a gap from the end.
+/// How many numbers after a missing frame are searched for further frames, to distinguish a gap from the end of the sequence.
 const GAP_LOOKED_ACROSS: u32 = 64;
 
 /// A path with a placeholder for a number.
@@ -73,7 +73,7 @@ impl Pattern {
         })
     }
 
-    /// The same pattern below a folder.
+    /// Returns the pattern with its path below a folder.
     #[must_use]
     pub fn inside(mut self, folder: &Path) -> Self {
         self.before = folder.join(&self.before).to_string_lossy().into_owned();
@@ -91,7 +91,7 @@ impl Pattern {
         format!("{before}{number:0digits$}{after}").into()
     }
 
-    /// The file name without folder, number and extension; `frames` if nothing is left.
+    /// The file name without folder, number and extension, or `frames` if nothing is left.
     pub(super) fn stem(&self) -> String {
         let name = |text: &str| {
             let name = text.rsplit(['/', '\\']).next().unwrap_or(text);
@@ -109,7 +109,7 @@ impl Pattern {
         if stem.is_empty() { "frames" } else { stem }.to_owned()
     }
 
-    /// The files from the first number up to the first missing one, and a note if more files follow the gap.
+    /// The files from the first number up to the first missing file, and a note if more files follow after the gap.
     #[doc(hidden)]
     pub fn files(
         &self,
@@ -133,7 +133,7 @@ impl Pattern {
                         self.file(0).display(),
                         self.file(1).display()
                     ),
-                    "check the folder and the digits: %04d is four of them; in a scene file `first` may be any number",
+                    "check the folder and the number of digits (%04d stands for four); in a scene file `first` may be any number",
                 ),
             };
             return Err(Error::input(format!("`{}`", self.text), what, help).missing());

@@ -7,10 +7,10 @@ use gltf::Accessor;
 use gltf::accessor::{DataType, Dimensions, Item, Iter};
 use gltf::buffer::View;
 
-/// Largest accepted count of a sparse accessor without base values, which states items without bytes in the file.
+/// Largest accepted count of a sparse accessor without base values. Its items have no bytes in the file, so nothing else limits the count.
 const MOST_IMPLIED_ITEMS: usize = 1 << 26;
 
-/// Expected content of the accessor.
+/// Expected content of an accessor.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct AccessorFormat {
     pub(super) what: &'static str,
@@ -18,7 +18,7 @@ pub(super) struct AccessorFormat {
     pub(super) dimensions: Dimensions,
 }
 
-/// `POSITION` and `NORMAL`, of vertices and of morph targets.
+/// `POSITION` and `NORMAL` of vertices and morph targets.
 pub(super) const VEC3: AccessorFormat = AccessorFormat {
     what: "positions or normals",
     types: SHARES,
@@ -66,21 +66,21 @@ pub(super) const WEIGHTS: AccessorFormat = AccessorFormat {
     dimensions: Dimensions::Vec4,
 };
 
-/// Times of keys.
+/// Times of animation samples.
 pub(super) const TIMES: AccessorFormat = AccessorFormat {
     what: "times",
     types: &[DataType::F32],
     dimensions: Dimensions::Scalar,
 };
 
-/// Keys of translations and scales.
+/// Animation values of translations and scales.
 pub(super) const TRIPLES: AccessorFormat = AccessorFormat {
     what: "translations or scales",
     types: &[DataType::F32],
     dimensions: Dimensions::Vec3,
 };
 
-/// Number types of positions, normals, rotations and target weights: floating-point, or integers, usually normalized.
+/// Component types for positions, normals, rotations and target weights. They are floating-point, or integers that are usually normalized.
 const SHARES: &[DataType] = &[
     DataType::F32,
     DataType::I8,
@@ -89,14 +89,14 @@ const SHARES: &[DataType] = &[
     DataType::U16,
 ];
 
-/// Keys of rotations.
+/// Animation values of rotations.
 pub(super) const ROTATIONS: AccessorFormat = AccessorFormat {
     what: "rotations",
     types: SHARES,
     dimensions: Dimensions::Vec4,
 };
 
-/// Keys of the weights of morph targets.
+/// Animation values of morph target weights.
 pub(super) const TARGET_WEIGHTS: AccessorFormat = AccessorFormat {
     what: "weights of morph targets",
     types: SHARES,
@@ -110,7 +110,7 @@ pub(super) const MAT4: AccessorFormat = AccessorFormat {
     dimensions: Dimensions::Mat4,
 };
 
-/// Returns an error message if an accessor is invalid. `buffers` are by index.
+/// Returns an error message if an accessor is invalid. `buffers` are in order of their index.
 pub(super) fn check(
     accessor: &Accessor<'_>,
     wanted: AccessorFormat,
@@ -141,7 +141,7 @@ pub(super) fn check(
     if let Some(view) = accessor.view() {
         if !fits(view, accessor.offset(), count, size) {
             return Err(named(format!(
-                "states {count} items, its buffer ends before"
+                "states {count} items, but its buffer ends before the last"
             )));
         }
     } else if accessor.sparse().is_none() {
@@ -168,7 +168,7 @@ pub(super) fn check(
     Ok(())
 }
 
-/// The items of an accessor whose item type is known to be `T`.
+/// Returns the items of an accessor. Its item type must be `T`.
 pub(super) fn items<T: Item>(
     accessor: Accessor<'_>,
     wanted: AccessorFormat,

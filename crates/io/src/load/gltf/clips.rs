@@ -1,8 +1,8 @@
 //! The clips of a glTF file: its animations, checked channel by channel.
 //!
-//! A clip with any fault is left out as a whole, with a note that gives its name and the reason: half a motion is worse than
-//! none, and the mesh does not need it. Channels that move nodes outside the scene affect nothing that is shown and are
-//! ignored, and so are weights of nodes without morph targets.
+//! A clip with any fault is left out as a whole, because half a motion is worse than none and the mesh can be shown without it. A note
+//! gives the clip's name and the reason. Channels that move nodes outside the scene are ignored because they affect nothing that is shown.
+//! Weights of nodes without morph targets are also ignored.
 
 use std::collections::BTreeMap;
 
@@ -19,7 +19,7 @@ use super::accessor::{TARGET_WEIGHTS, TIMES, TRIPLES, items};
 use super::nodes::Nodes;
 use super::quantized::{rotations, share};
 
-/// A rig that only lacks its clips, and the sources to read them from.
+/// The sources from which the clips of an otherwise complete rig are read.
 pub(super) struct ClipReader<'a> {
     pub(super) document: &'a Document,
     pub(super) nodes: &'a Nodes<'a>,
@@ -58,7 +58,9 @@ impl ClipReader<'_> {
             };
             notes.push(Diagnostic::note(
                 "joint-scaled-to-nothing",
-                format!("{first}{more}: vertices that follow only this joint have no volume then"),
+                format!(
+                    "{first}{more}: there, geometry that follows only this joint has no volume"
+                ),
             ));
         }
     }
@@ -98,7 +100,9 @@ impl ClipReader<'_> {
             let sampler = animation.samplers.get(channel.sampler.value());
             let sampler = sampler.ok_or_else(|| {
                 let (wanted, there) = (channel.sampler.value(), animation.samplers.len());
-                at(format!("it names sampler {wanted} of {there}"))
+                at(format!(
+                    "it names sampler {wanted}, but there are only {there}"
+                ))
             })?;
             self.track(channel, sampler, accessors, &mut of_node)
                 .map_err(at)?;
@@ -116,7 +120,7 @@ impl ClipReader<'_> {
         let node = channel.target.node.value();
         let Some(place) = self.nodes.place_of.get(node) else {
             let there = self.nodes.place_of.len();
-            return Err(format!("it moves node {node}, there are {there}"));
+            return Err(format!("it moves node {node}, but there are only {there}"));
         };
         let (Checked::Valid(property), Checked::Valid(interpolation)) =
             (channel.target.path, sampler.interpolation)
@@ -126,7 +130,12 @@ impl ClipReader<'_> {
         let Some(place) = *place else { return Ok(()) };
         let accessor = |index: usize| {
             let found = accessors.get(index).cloned();
-            found.ok_or_else(|| format!("it names accessor {index} of {}", accessors.len()))
+            found.ok_or_else(|| {
+                format!(
+                    "it names accessor {index}, but there are only {}",
+                    accessors.len()
+                )
+            })
         };
         let times: Vec<f32> = items(accessor(sampler.input.value())?, TIMES, self.buffers)?;
         let times: Vec<f64> = times.into_iter().map(f64::from).collect();
@@ -227,7 +236,7 @@ pub(super) fn targets(node: &gltf::Node<'_>) -> usize {
 /// Number of sampled times at which a clip is checked for positions that are not finite.
 const TRIED: usize = 9;
 
-/// Adds a clip unless it overflows: products of large scales may not be finite.
+/// Adds a clip, unless it gives positions that are not finite. Products of large scales may overflow.
 fn add(rig: &mut Rig, name: &str, of_node: BTreeMap<usize, NodeTracks>) -> Result<(), String> {
     let ends = of_node.values().flat_map(|tracks| {
         [
@@ -252,14 +261,14 @@ fn add(rig: &mut Rig, name: &str, of_node: BTreeMap<usize, NodeTracks>) -> Resul
         if !(nodes && (0..rig.skins.len()).all(joints)) {
             rig.take_back();
             return Err(format!(
-                "at {time_s} s it leads to places that are not finite"
+                "at {time_s} s it leads to positions that are not finite"
             ));
         }
     }
     Ok(())
 }
 
-/// Notes about joints that a clip scales to zero although a skin depends on them: often intended, to hide a part.
+/// Notes about joints that a clip scales to zero although a skin depends on them. This is often intended, to hide a part.
 fn flattening(of_node: &BTreeMap<usize, NodeTracks>, name: &str, rig: &Rig) -> Vec<String> {
     let mut found = Vec::new();
     for (node, tracks) in of_node {
@@ -273,9 +282,7 @@ fn flattening(of_node: &BTreeMap<usize, NodeTracks>, name: &str, rig: &Rig) -> V
         for (skin, of_skin) in rig.skins.iter().enumerate() {
             let joint = of_skin.joints.iter().position(|(joint, _)| below(*joint));
             found.extend(joint.map(|joint| {
-                format!(
-                    "clip `{name}` scales joint {joint} of skin {skin} to nothing at {time_s} s"
-                )
+                format!("clip `{name}` scales joint {joint} of skin {skin} to zero at {time_s} s")
             }));
         }
     }

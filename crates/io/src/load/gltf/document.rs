@@ -1,7 +1,7 @@
 //! The JSON document of a glTF file and its buffers: checks that do not need geometry.
 //!
-//! Animations are removed before the crate validates the rest, so that a broken clip does not prevent loading the mesh. They
-//! are checked when they are read.
+//! Animations are removed before the crate validates the rest of the document, so that a broken clip does not prevent loading the mesh.
+//! Animations are checked when they are read.
 
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
@@ -18,7 +18,7 @@ pub(super) struct GltfFile {
     pub(super) document: Document,
     /// Buffer contents by index.
     pub(super) buffers: Vec<Vec<u8>>,
-    /// The file's animations, which `document` lacks.
+    /// The animations of the file, which have been removed from `document`.
     pub(super) animations: Vec<Animation>,
 }
 
@@ -37,7 +37,7 @@ pub(super) fn open(
     extensions::classify_required(path, &mut root, notes)?;
     notes.extend(extensions::unread(&root));
     for image in &mut root.images {
-        // The crate requires the fields that such an image lacks. An empty data URI satisfies it, and reading the image reports the fault.
+        // The crate requires fields that such an image lacks. An empty data URI is accepted, and fails when the image is read.
         let is_whole =
             image.uri.is_some() || (image.buffer_view.is_some() && image.mime_type.is_some());
         if !is_whole {
@@ -105,10 +105,12 @@ fn check_glb(bytes: &[u8]) -> Result<(), String> {
         ));
     };
     if version != 2 {
-        return Err(format!("its version is {version}, only 2 is read"));
+        return Err(format!(
+            "its version is {version}, but only version 2 is read"
+        ));
     }
     if length > bytes.len() {
-        return Err(format!("it holds {} of {length} bytes", bytes.len()));
+        return Err(format!("it has only {} of {length} bytes", bytes.len()));
     }
     if length < 20 {
         return Err(format!("its header states a length of {length} bytes"));
@@ -132,7 +134,7 @@ fn check_attributes(root: &Root) -> Result<(), String> {
     }
 }
 
-/// The bytes of all buffers; buffers that only stand in for packed data are empty.
+/// The bytes of all buffers. Buffers that are only placeholders for packed data are empty.
 fn buffers(
     path: &Path,
     root: &Root,
@@ -153,7 +155,7 @@ fn buffers(
             };
             let (held, stated) = (bytes.len(), buffer.byte_length.0);
             if (held as u64) < stated {
-                let what = format!("buffer {number} holds {held} of {stated} bytes");
+                let what = format!("buffer {number} has only {held} of {stated} bytes");
                 return Err(Error::file(path, what, DAMAGED));
             }
             Ok(bytes)

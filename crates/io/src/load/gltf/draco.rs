@@ -1,5 +1,5 @@
-//! Primitives packed by `KHR_draco_mesh_compression`, unpacked by `draco-core`: triangles, and attributes in the component types that
-//! their accessors state.
+//! Unpacks primitives with `KHR_draco_mesh_compression`, by `draco-core`. The results are triangles, and attributes in the component types
+//! that their accessors state.
 
 use std::collections::BTreeMap;
 
@@ -12,12 +12,12 @@ use serde::Deserialize;
 
 use super::packed::{ByteBudget, add_view, range};
 
-/// Content of the extension on a primitive.
+/// Content of the extension of a primitive.
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(super) struct DracoExtension {
     buffer_view: usize,
-    /// Attribute numbers in the stream, by glTF attribute name.
+    /// Number of each attribute in the stream, by glTF attribute name.
     attributes: BTreeMap<String, u32>,
 }
 
@@ -77,7 +77,7 @@ pub(super) fn unpack(
     let number = give(root, buffers, bytes, (place, accessor));
     let primitive = &mut root.meshes[mesh].primitives[primitive];
     primitive.indices = Some(number);
-    // The stream always holds triangles, whatever mode the primitive states.
+    // The stream always contains triangles, whatever mode the primitive states.
     primitive.mode = Checked::Valid(Mode::Triangles);
     Ok(())
 }
@@ -110,7 +110,7 @@ fn in_components(numbers: &[f32], kind: ComponentType) -> Vec<u8> {
     }
 }
 
-/// Accessor for the indices of `corners` corners.
+/// Creates an accessor for `corners` vertex indices.
 fn indices(corners: usize) -> Accessor {
     Accessor {
         buffer_view: None,
@@ -128,7 +128,7 @@ fn indices(corners: usize) -> Accessor {
     }
 }
 
-/// Assigns bytes to an accessor without a buffer view, or else to a new accessor with the same properties.
+/// Assigns bytes to an accessor. If it already has a buffer view, a new accessor with the same properties gets the bytes.
 fn give(
     root: &mut Root,
     buffers: &mut Vec<Vec<u8>>,

@@ -1,8 +1,7 @@
-//! Extensions: those that are read, those that may be ignored, and notes about all others.
+//! Decides which glTF extensions are read and which may be ignored, and writes notes about all others.
 //!
-//! An extension that a file requires and that is not read is an error, unless its name refers to appearance or to data unrelated to the
-//! geometry. An unread extension that is only used is no error; on a node or a mesh it may move, hide or add
-//! geometry, and a note names it.
+//! A file that requires an unread extension is refused, unless the extension's name refers to appearance or to data unrelated to geometry.
+//! If an unread extension is only used, not required, a note names it where it may move, hide or add geometry, that is on a node or a mesh.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -14,10 +13,10 @@ use serde_json::{Map, Value};
 
 use super::packed::{DRACO, MESHOPT};
 
-/// Instances of a node's mesh.
+/// Name of the extension for instances of a node's mesh.
 pub(super) const INSTANCES: &str = "EXT_mesh_gpu_instancing";
 
-/// Visibility of a node and its descendants.
+/// Name of the extension for the visibility of a node and its descendants.
 pub(super) const VISIBILITY: &str = "KHR_node_visibility";
 
 /// Extensions that are read.
@@ -31,7 +30,7 @@ const READ: [&str; 7] = [
     "KHR_texture_transform",
 ];
 
-/// Substrings in the names of extensions that only change appearance.
+/// Substrings by which the names of extensions that only change appearance are recognized.
 const LOOKS: [&str; 5] = [
     "_materials_",
     "_lights_",
@@ -40,7 +39,7 @@ const LOOKS: [&str; 5] = [
     "_sky",
 ];
 
-/// Substrings in the names of extensions that add data, sound or behaviour, and no geometry.
+/// Substrings by which the names of extensions that add data, sound or behaviour, but no geometry, are recognized.
 const BESIDE: [&str; 9] = [
     "_xmp",
     "_metadata",
@@ -57,7 +56,7 @@ fn has_any(name: &str, pieces: &[&str]) -> bool {
     pieces.iter().any(|piece| name.contains(piece))
 }
 
-/// Refuses required extensions that are not supported; afterwards the document requires none.
+/// Refuses required extensions that are not supported. Afterwards, the document's list of required extensions is empty.
 pub(super) fn classify_required(
     path: &Path,
     root: &mut Root,

@@ -1,8 +1,8 @@
-//! Deformers of the vertices of a glTF mesh: repaired joint weights, and morph targets.
+//! What moves the vertices of a glTF mesh: joint weights, which are repaired if necessary, and morph targets.
 //!
-//! Repaired with a note: weights that do not sum to 1, that are negative or not finite; vertices whose weights are all zero (they follow
-//! their first joint, as in other readers); vertices without joints (they follow the node); and morph targets that do not fit (they move
-//! nothing). Refused: a joint that the skin lacks, because the position of its vertices is unknown.
+//! Weights that do not sum to 1, are negative or are not finite are repaired, with a note. So are vertices whose weights are all zero (they
+//! follow their first joint, as in other readers), vertices without joints (they follow the node), and morph targets that do not fit (they
+//! are ignored). A joint that the skin lacks is an error, because its position is unknown.
 
 use cutaway::error::Diagnostic;
 use cutaway::scene::motion::{JointWeight, Motion};
@@ -13,14 +13,14 @@ use gltf::Primitive;
 use super::quantized::triples;
 use super::skin::Pulls;
 
-/// Deviation of a weight sum from 1 that counts as rounding.
+/// Largest deviation of a weight sum from 1 that is considered rounding.
 const WHOLE: f64 = 1e-3;
 
 /// Assembles a motion, primitive by primitive.
 #[derive(Debug, Default)]
 pub(super) struct Followers {
     pub(super) motion: Motion,
-    /// Number of joints of the skin; `None` without a skin.
+    /// Number of joints in the skin, or `None` if there is no skin.
     joints: Option<u16>,
     unwhole: usize,
     weightless: usize,
@@ -39,7 +39,7 @@ impl Followers {
         followers
     }
 
-    /// Adds the joint influences on the next `vertices`; `pulls` is empty if a primitive has none.
+    /// Adds the joint influences on the next `vertices` vertices. `pulls` is empty if a primitive has none.
     pub(super) fn pull(&mut self, pulls: &[Pulls], vertices: usize) -> Result<(), String> {
         let Some(joints) = self.joints else {
             return Ok(());
@@ -53,7 +53,7 @@ impl Followers {
                 if weight > 0.0 && weight.is_finite() {
                     whole.push((*joint, weight));
                 } else {
-                    // A zero weight pads a set; anything else is a mistake.
+                    // A weight of zero only pads a set. Any other weight here is a mistake.
                     is_odd |= weight.abs() > 0.0 || weight.is_nan();
                 }
             }
@@ -64,7 +64,7 @@ impl Followers {
             }
             if let Some((joint, _)) = whole.iter().find(|(joint, _)| *joint >= joints) {
                 return Err(format!(
-                    "vertex {vertex} follows joint {joint}, its skin has {joints}"
+                    "vertex {vertex} follows joint {joint}, but its skin has only {joints}"
                 ));
             }
             whole.sort_by_key(|(joint, _)| *joint);
@@ -135,7 +135,7 @@ impl Followers {
         Ok(())
     }
 
-    /// The motion of all `vertices`; repairs are added to `notes`.
+    /// Returns the motion of all vertices, and adds the repairs to `notes`.
     pub(super) fn finish(mut self, vertices: usize, notes: &mut Vec<Diagnostic>) -> Motion {
         for target in &mut self.motion.targets {
             target.resize(vertices, DVec3::ZERO);

@@ -1,4 +1,4 @@
-//! Images of a glTF file as textures, each read on first use. An error in one becomes a note, because it affects only colours.
+//! Images of a glTF file as textures. Each is read on first use. An error in an image becomes a note, because it affects only colours.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -13,7 +13,7 @@ use super::uri;
 use crate::load::Files;
 use crate::load::images::texture::texture_of;
 
-/// Total number of pixels from which no further image of a file is read: small files can hold large even images.
+/// No further image is read once those read have more pixels than this in total. Small files can contain huge plain images.
 const MOST_PIXELS: u64 = 1 << 27;
 
 /// The images of a file.
@@ -31,7 +31,7 @@ pub(super) struct GltfImages<'a> {
 }
 
 impl GltfImages<'_> {
-    /// The image of a texture; `None` if it has none or the image cannot be read.
+    /// The image of a texture, or `None` if the texture has no image or the image cannot be read.
     pub(super) fn of_texture(&mut self, texture: &gltf::Texture<'_>) -> Option<Arc<Texture>> {
         if let Some(image) = texture.source() {
             return self.get(&image);
@@ -41,7 +41,10 @@ impl GltfImages<'_> {
         let extensions = extensions.map(String::as_str).collect::<Vec<_>>();
         let why = match extensions.as_slice() {
             [] => "it has no image".to_owned(),
-            some => format!("its image is of {}, which is not read", some.join(" and ")),
+            some => format!(
+                "its image requires {}, which is not read",
+                some.join(" and ")
+            ),
         };
         let note = Diagnostic::note("image-left-out", format!("{why}: shown without it"))
             .about(format!("texture {number}"));

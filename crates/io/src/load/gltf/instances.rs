@@ -1,6 +1,6 @@
-//! Instances of a node's mesh at several positions relative to the node, by `EXT_mesh_gpu_instancing`.
+//! Instances of a node's mesh, by `EXT_mesh_gpu_instancing`. Each has its own transform relative to the node.
 //!
-//! Each instance becomes a rig node below its own node, so that it follows that node's motion.
+//! Each instance becomes a rig node whose parent is the instanced node, so that it follows the motion of its parent.
 
 use cutaway::scene::motion::NodeTransform;
 use glam::{DQuat, DVec3};
@@ -11,10 +11,10 @@ use super::accessor::{TRIPLES, items};
 use super::extensions::INSTANCES;
 use super::quantized::rotations;
 
-/// Maximum number of instances of all nodes of a file.
+/// Maximum total number of instances in a file.
 pub(super) const MOST: usize = 1 << 16;
 
-/// Reads the instance transforms of a node's mesh, relative to the node; `None` if the node is not instanced.
+/// Reads the instance transforms of a node's mesh, relative to the node. Returns `None` if the node is not instanced.
 pub(super) fn read(
     document: &Document,
     node: &Node<'_>,
@@ -63,7 +63,9 @@ pub(super) fn read(
         };
     };
     if let Some(other) = counts.find(|other| *other != count) {
-        return Err(at(format!("it gives {count} instances and {other}")));
+        return Err(at(format!(
+            "its attributes differ in length: {count} and {other} instances"
+        )));
     }
     let of = |all: &Option<Vec<DVec3>>, i: usize, usual| all.as_ref().map_or(usual, |all| all[i]);
     let stands = (0..count).map(|i| NodeTransform {

@@ -1,4 +1,4 @@
-//! Repairs of missing or invalid entries that remove no geometry, made before the crate validates the document.
+//! Repairs missing or invalid entries before the crate validates the document. No repair removes geometry.
 //!
 //! | fault | becomes |
 //! |---|---|
@@ -17,14 +17,13 @@ use serde_json::{Value, json};
 
 use super::packed::add_view;
 
-/// Size in bytes of the zeros that accessors without a buffer view share; an accessor that states more is not repaired.
+/// Size in bytes of the zeros that accessors without a buffer view share. An accessor that states a greater length is not repaired.
 const MOST_ZEROS: usize = 1 << 28;
 
 /// Document keys that only affect appearance.
 const LOOKS: [&str; 5] = ["materials", "textures", "images", "samplers", "cameras"];
 
-/// Parses a document again without its malformed animation or appearance entries; `None` if it has other faults
-/// as well.
+/// Parses a document again without its malformed animation or appearance entries. Returns `None` if the document has other faults, too.
 pub(super) fn without_odd_entries(json: &[u8], notes: &mut Vec<Diagnostic>) -> Option<Root> {
     let mut value: Value = serde_json::from_slice(json).ok()?;
     let mut said = without_odd_clips(&mut value);
@@ -83,7 +82,7 @@ fn without_odd_clips(document: &mut Value) -> Vec<Diagnostic> {
     said
 }
 
-/// Makes the repairs that remove no geometry. Attribute indices must be in range.
+/// Makes all repairs that remove no geometry. Attribute indices must be in range.
 pub(super) fn mend(root: &mut Root, buffers: &mut Vec<Vec<u8>>, notes: &mut Vec<Diagnostic>) {
     let mut positions = Vec::new();
     for (number, mesh) in root.meshes.iter_mut().enumerate() {
@@ -97,9 +96,15 @@ pub(super) fn mend(root: &mut Root, buffers: &mut Vec<Vec<u8>>, notes: &mut Vec<
         });
         let left_out = before - mesh.primitives.len();
         if left_out > 0 {
-            notes.push(Diagnostic::note("primitives-left-out", format!(
-                "left out {left_out} of {before} primitives: without positions they show nothing"
-            )).about(format!("mesh {number}")));
+            notes.push(
+                Diagnostic::note(
+                    "primitives-left-out",
+                    format!(
+                        "left out {left_out} of {before} primitives: without positions nothing can be drawn"
+                    ),
+                )
+                .about(format!("mesh {number}")),
+            );
         }
     }
     for position in &positions {
@@ -115,7 +120,7 @@ pub(super) fn mend(root: &mut Root, buffers: &mut Vec<Vec<u8>>, notes: &mut Vec<
     });
 }
 
-/// Assigns a shared buffer of zeros to all accessors without data, except those of positions: a mesh in one point is an error.
+/// Assigns a shared buffer of zeros to accessors without data. Positions get none, because a mesh with all vertices at 0 is an error.
 fn give_zeros(
     root: &mut Root,
     buffers: &mut Vec<Vec<u8>>,
@@ -153,7 +158,7 @@ fn give_zeros(
     }
 }
 
-/// Validates the document, without its appearance data if only that is invalid; otherwise returns the first fault and the number of faults.
+/// Validates the document, and removes its appearance data if only that is invalid. An error gives the first fault and the fault count.
 pub(super) fn validated(mut root: Root, notes: &mut Vec<Diagnostic>) -> Result<Document, String> {
     let mut faults = faults(&root);
     let is_of_looks = |(at, _): &(Path, Error)| {

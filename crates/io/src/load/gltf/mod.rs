@@ -1,14 +1,14 @@
-//! glTF 2.0 and GLB: geometry, placement, base colours and their images, vertex colours, and animation: nodes, skins, morph
-//! targets, clips.
+//! Reads glTF 2.0 and GLB: geometry, placement, base colours and their images, vertex colours, and animation by nodes, skins, morph targets
+//! and clips.
 //!
-//! Every node with a mesh becomes a part, or several if it has instances or its mesh's primitives are separate closed solids;
-//! hidden nodes are left out. Nodes with the same mesh share it. A part is shown in its rest pose: by the joints of its skin, with the
-//! default weights of its morph targets. Vertices are welded in the bind pose, so that a closed mesh stays closed in every pose; welded
+//! Every node with a mesh becomes a part, or several parts if it has instances or if its primitives are separate closed solids. Hidden
+//! nodes are left out. Nodes with the same mesh share it. A part is shown in its rest pose, which is given by its skin's joints and the
+//! default weights of its morph targets. Vertices are welded in the bind pose, so that a closed mesh stays closed in every pose. Welded
 //! vertices follow the first vertex of their group.
 //!
 //! Vertices may be quantized, and packed by meshopt or Draco (`packed`).
 //!
-//! Faults in the geometry of the still picture are errors. Faulty data for motion or appearance is left out with a note.
+//! Faults in the geometry of the rest pose are errors. Faulty data for motion or appearance is left out with a note.
 
 mod accessor;
 mod clips;
@@ -119,7 +119,9 @@ pub(super) fn read(
         {
             let shown = shape.at(&rig, at, name.clone(), &weights);
             let mut shown = shown.ok_or_else(|| {
-                wrong(format!("{label}: it is bent to places that are not finite"))
+                wrong(format!(
+                    "{label}: it is moved to positions that are not finite"
+                ))
             })?;
             shown.role = role;
             placed.push(shown);
@@ -185,12 +187,12 @@ fn usable_skin<T>(
     };
     notes.push(Diagnostic::note(
         "skin-left-out",
-        format!("shown where its node is: {why}"),
+        format!("shown without its skin, at its node: {why}"),
     ));
     None
 }
 
-/// Default weights of a node's morph targets, one per target.
+/// Default weights of a node's morph targets, one for each target.
 fn weights(node: &Node<'_>, notes: &mut Vec<Diagnostic>) -> Vec<f64> {
     let targets = clips::targets(node);
     let mesh = node.mesh();
@@ -206,14 +208,14 @@ fn weights(node: &Node<'_>, notes: &mut Vec<Diagnostic>) -> Vec<f64> {
         let given = weights.len();
         notes.push(Diagnostic::note(
             "weights-missing",
-            format!("{given} weights for {targets} morph targets: those that are missing are 0"),
+            format!("{given} weights for {targets} morph targets: missing weights are set to 0"),
         ));
     }
     weights.resize(targets, 0.0);
     if let Some(bad) = weights.iter_mut().find(|w| !w.is_finite()) {
         notes.push(Diagnostic::note(
             "weights-not-finite",
-            format!("a weight of its morph targets is {bad}: all are 0"),
+            format!("a weight of its morph targets is {bad}: all weights are set to 0"),
         ));
         weights.fill(0.0);
     }
@@ -250,7 +252,7 @@ impl GltfSolid {
         }
     }
 
-    /// Places the solid at a node; `None` if the result is not finite.
+    /// Places the solid at a node. Returns `None` if the result is not finite.
     fn at(
         &self,
         rig: &Arc<Rig>,
@@ -273,7 +275,7 @@ impl GltfSolid {
     }
 }
 
-/// Returns the attachment of a skinned solid to the rig: a single joint, if all of its vertices follow that joint.
+/// Returns how a skinned solid is attached to the rig. If all its vertices follow one joint, it is attached to that joint.
 fn hold(motion: &Motion, skin: usize, rig: &Rig) -> RigAttachment {
     let beyond = rig.skins[skin].joints.len();
     let joints = motion.pulls.iter().map(|pull| usize::from(pull.joint));

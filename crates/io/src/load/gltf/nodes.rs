@@ -1,4 +1,4 @@
-//! The nodes of a glTF scene: their selection, transforms and hierarchy.
+//! The nodes of a glTF scene, with their transforms and hierarchy.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -11,16 +11,16 @@ use gltf::{Document, Node};
 use super::extensions::VISIBILITY;
 use super::instances;
 
-/// The nodes of the displayed scene, parents first, otherwise in file order.
+/// The nodes of the displayed scene. Parents come before children; otherwise the order is that of the file.
 pub(super) struct Nodes<'a> {
     pub(super) nodes: Vec<Node<'a>>,
     /// The same nodes as rig nodes.
     pub(super) of_rig: Vec<RigNode>,
-    /// Index in this list for each node of the file; `None` if the node is not in the scene.
+    /// For each node of the file, its index in this list, or `None` if the node is not in the scene.
     pub(super) place_of: Vec<Option<usize>>,
-    /// Ranges of instance nodes in the rig, by the index of the instanced node.
+    /// For each instanced node, by index, the range of its instance nodes in the rig.
     instances: BTreeMap<usize, Range<usize>>,
-    /// True for nodes that are hidden themselves or through an ancestor.
+    /// True for each node that is hidden, itself or by an ancestor.
     is_hidden: Vec<bool>,
 }
 
@@ -42,7 +42,7 @@ impl Nodes<'_> {
     }
 }
 
-/// A pending node, and the index of its parent.
+/// A node that is still to be visited, and the index of its parent.
 type Waiting<'a> = (Node<'a>, Option<usize>);
 
 pub(super) fn read<'a>(document: &'a Document, buffers: &[Vec<u8>]) -> Result<Nodes<'a>, String> {
@@ -74,7 +74,7 @@ pub(super) fn read<'a>(document: &'a Document, buffers: &[Vec<u8>]) -> Result<No
         let place = found.nodes.len();
         if found.place_of[node.index()].replace(place).is_some() {
             return Err(format!(
-                "node {} has two parents or is its own",
+                "node {} has two parents or is its own ancestor",
                 node.index()
             ));
         }
@@ -117,7 +117,7 @@ pub(super) fn read<'a>(document: &'a Document, buffers: &[Vec<u8>]) -> Result<No
             if !(worlds[place] * rest).is_finite() {
                 let node = node.index();
                 return Err(format!(
-                    "node {node} has an instance at a place that is not finite"
+                    "node {node} has an instance at a position that is not finite"
                 ));
             }
             found.of_rig.push(RigNode {
@@ -128,13 +128,13 @@ pub(super) fn read<'a>(document: &'a Document, buffers: &[Vec<u8>]) -> Result<No
         }
         found.instances.insert(place, first..found.of_rig.len());
         if found.of_rig.len() - found.nodes.len() > instances::MOST {
-            return Err(format!("its instances are more than {}", instances::MOST));
+            return Err(format!("it has more than {} instances", instances::MOST));
         }
     }
     Ok(found)
 }
 
-/// Transform of a node relative to its parent, as a matrix and decomposed.
+/// Returns the transform of a node relative to its parent, as a matrix and decomposed.
 fn local(node: &Node<'_>) -> (DAffine3, Option<NodeTransform>) {
     match node.transform() {
         Transform::Matrix { matrix } => {
@@ -157,11 +157,11 @@ fn local(node: &Node<'_>) -> (DAffine3, Option<NodeTransform>) {
     }
 }
 
-/// Largest accepted difference between a matrix and its recomposition, relative to its largest entry: shear cannot be decomposed.
+/// Largest accepted difference between a matrix and its recomposition, relative to the largest entry. Sheared matrices exceed it.
 const SHEAR: f64 = 1e-5;
 
 fn apart(matrix: DAffine3) -> Option<NodeTransform> {
-    // A singular matrix has no defined rotation.
+    // A singular matrix does not define a rotation.
     if matrix.matrix3.determinant().abs() <= 0.0 || !matrix.is_finite() {
         return None;
     }

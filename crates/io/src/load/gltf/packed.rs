@@ -1,8 +1,7 @@
-//! Decompression that runs before all other reading: buffer views by `EXT_meshopt_compression` and its successor
-//! `KHR_meshopt_compression`, primitives by `KHR_draco_mesh_compression`. The results are put into new buffers, so that
-//! readers need no special case.
+//! Decompression, which runs before all other reading. `EXT_meshopt_compression` and its successor `KHR_meshopt_compression` pack buffer
+//! views, and `KHR_draco_mesh_compression` packs primitives. Results are put into new buffers, so that readers need no special case.
 //!
-//! The unpacked size is limited as for archives, to a multiple of the packed size.
+//! As for archives, the unpacked size is limited to a multiple of the packed size.
 
 use gltf::json::buffer::{Buffer, View};
 use gltf::json::validation::USize64;
@@ -17,7 +16,7 @@ use crate::load::input_file::most_unpacked;
 pub(super) const MESHOPT: [&str; 2] = ["EXT_meshopt_compression", "KHR_meshopt_compression"];
 pub(super) const DRACO: &str = "KHR_draco_mesh_compression";
 
-/// True for buffers without data of their own, whose views are packed in other buffers.
+/// Returns, for each buffer, true if it is only a placeholder without data, whose views are packed in other buffers.
 pub(super) fn is_stand_in(root: &Root) -> Vec<bool> {
     let mut is_named = vec![false; root.buffers.len()];
     let mut is_needed = vec![false; root.buffers.len()];
@@ -126,7 +125,7 @@ pub(super) fn range(
 ) -> Result<&[u8], String> {
     let held = buffers.get(buffer);
     held.and_then(|held| held.get(from..from.checked_add(length)?))
-        .ok_or_else(|| format!("its {length} bytes are not in buffer {buffer}"))
+        .ok_or_else(|| format!("its {length} bytes are not within buffer {buffer}"))
 }
 
 /// Returns the name and the content of the extension that packs a view.
@@ -142,7 +141,7 @@ fn said<'a, T: Deserialize<'a>>(value: &'a Value) -> Result<T, String> {
     T::deserialize(value).map_err(|e| e.to_string())
 }
 
-/// Content of the extension on a view.
+/// Content of the extension of a buffer view.
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase")]
 struct PackedView {
@@ -177,7 +176,7 @@ impl PackedView {
         if length.map(|n| n as u64) != Some(view.byte_length.0) {
             let (count, stride, view) = (self.count, self.byte_stride, view.byte_length.0);
             return Err(format!(
-                "{count} elements of {stride} bytes are not the {view} bytes of the view"
+                "{count} elements of {stride} bytes do not give the {view} bytes of the view"
             ));
         }
         room.take(length.unwrap_or(usize::MAX))?;

@@ -1,5 +1,5 @@
-//! Appearance of a glTF primitive: base colour and its image, and vertex colours. Wrapping is always a repeat.
-//! Texture coordinates are translated and scaled by `KHR_texture_transform`; its rotation is ignored, with a note.
+//! Appearance of a glTF primitive: base colour and its image, and vertex colours. Images always repeat, whatever the wrap mode.
+//! `KHR_texture_transform` translates and scales texture coordinates. Its rotation is ignored, with a note.
 
 use cutaway::error::Diagnostic;
 use cutaway::scene::{map_channels, srgb_from_linear};
@@ -86,7 +86,7 @@ pub(super) fn triangles(
             "shown without the rotation of KHR_texture_transform",
         ));
     }
-    // Coordinates that are missing for some vertices are not used.
+    // Coordinates are not used if some vertices lack them.
     let places = places.filter(|all| all.len() >= vertices);
     let colors = colors.filter(|all| all.len() >= vertices);
     painted.extend(triangles.iter().map(|t| PaintedTriangle {
@@ -96,8 +96,8 @@ pub(super) fn triangles(
     }));
 }
 
-/// Factor that undoes the reader's normalization of a coordinate: integers without `normalized`, as in
-/// `KHR_mesh_quantization`, are used unscaled.
+/// Factor that undoes the reader's normalization of a coordinate. Integers without `normalized`, which `KHR_mesh_quantization` allows, are
+/// not scaled.
 fn stored_unit(accessor: &Accessor<'_>) -> f32 {
     match accessor.data_type() {
         DataType::U8 if !accessor.normalized() => f32::from(u8::MAX),
@@ -106,7 +106,7 @@ fn stored_unit(accessor: &Accessor<'_>) -> f32 {
     }
 }
 
-/// The base colour as sRGB; `None` for a textured material with a white factor, which defines no colour of its own.
+/// The base colour in sRGB. Returns `None` for a textured material with a white factor, which does not define a colour.
 fn color(primitive: &Primitive<'_>) -> Option<Vec3> {
     let material = primitive.material();
     material.index()?;

@@ -15,7 +15,7 @@ use super::paint;
 use super::quantized::triples;
 use super::skin;
 
-/// Reads all primitives of a mesh as groups of one draft. `joints` is the joint count of its skin, if it has one.
+/// Reads all primitives of a mesh as groups of one draft. `joints` is the number of joints in the mesh's skin, if there is one.
 pub(super) fn draft(
     mesh: &gltf::Mesh<'_>,
     joints: Option<usize>,
@@ -104,7 +104,7 @@ pub(super) fn draft(
     Ok(draft)
 }
 
-/// The triangles of a primitive with indices in range; `None` for points and lines.
+/// Returns the triangles of a primitive, after checking their indices. Returns `None` for points and lines.
 fn triangles(
     primitive: &Primitive<'_>,
     vertices: usize,

@@ -1,5 +1,5 @@
-//! Number triples: floating-point, or integers as in `KHR_mesh_quantization`, normalized or not.
-//! Rotations are read the same way.
+//! Reads number triples, which are floating-point or, as in `KHR_mesh_quantization`, integers that may be normalized. Rotations are read
+//! the same way.
 
 use glam::DQuat;
 use gltf::Accessor;
@@ -35,12 +35,12 @@ fn whole<T: Item + Copy + Into<f64>>(
     Ok(triples.into_iter().map(|t| t.map(number)).collect())
 }
 
-/// Converts a normalized integer to a fraction of its type's largest value; the smallest value of a signed type also maps to -1.
+/// Converts a normalized integer to a fraction of its type's largest value. The smallest value of a signed type also becomes -1.
 pub(super) fn share<T: Into<f64>>(number: T, most: T) -> f64 {
     (number.into() / most.into()).max(-1.0)
 }
 
-/// The rotations in an accessor; integers are normalized.
+/// Reads the rotations in an accessor. Integers are always normalized.
 pub(super) fn rotations(accessor: Accessor<'_>, buffers: &[Vec<u8>]) -> Result<Vec<DQuat>, String> {
     match accessor.data_type() {
         DataType::I8 => shares(accessor, buffers, i8::MAX),

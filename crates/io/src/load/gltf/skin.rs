@@ -10,10 +10,10 @@ use gltf::{Document, Primitive, Semantic, Skin};
 use super::accessor::{JOINTS, MAT4, WEIGHTS, check, items};
 use super::nodes::Nodes;
 
-/// Joint influences on each vertex: joint and weight, up to four per set.
+/// Joint influences on a vertex. Each is a joint and a weight, with up to four in a set.
 pub(super) type Pulls = Vec<(u16, f32)>;
 
-/// Reads the skins of a file; an unusable skin is an error message.
+/// Reads the skins of a file. An unusable skin is returned as an error message.
 pub(super) fn read(
     document: &Document,
     nodes: &Nodes<'_>,
@@ -29,7 +29,10 @@ pub(super) fn read(
 fn one(skin: &Skin<'_>, nodes: &Nodes<'_>, buffers: &[Vec<u8>]) -> Result<RigSkin, String> {
     let joints: Vec<usize> = skin.joints().map(|n| n.index()).collect();
     if joints.len() > usize::from(u16::MAX) {
-        return Err(format!("it has {} joints, 65,535 are read", joints.len()));
+        return Err(format!(
+            "it has {} joints, but at most 65,535 are supported",
+            joints.len()
+        ));
     }
     let inverse = match skin.inverse_bind_matrices() {
         None => vec![DAffine3::IDENTITY; joints.len()],
@@ -57,10 +60,10 @@ fn one(skin: &Skin<'_>, nodes: &Nodes<'_>, buffers: &[Vec<u8>]) -> Result<RigSki
     Ok(skin)
 }
 
-/// Ratio of a matrix's determinant to the volume that its columns could span, below which its joint flattens the vertices it influences.
+/// A joint counts as flattening if its matrix's determinant, relative to the product of the column lengths, is at most this.
 const FLAT: f64 = 1e-12;
 
-/// Notes on joints that flatten the vertices they influence in the rest pose.
+/// Notes on joints whose matrix flattens the geometry that follows them in the rest pose.
 pub(super) fn flat_joints(rig: &Rig) -> Vec<Diagnostic> {
     let is_flat = |joint: &DAffine3| {
         let m = joint.matrix3;
@@ -69,9 +72,8 @@ pub(super) fn flat_joints(rig: &Rig) -> Vec<Diagnostic> {
     };
     let flat = |skin: usize| {
         let joint = rig.palette(skin, None).iter().position(is_flat)?;
-        let text = format!(
-            "joint {joint} flattens its vertices: those that follow only this joint have no volume"
-        );
+        let text =
+            format!("joint {joint} is flat: geometry that follows only this joint has no volume");
         Some(Diagnostic::note("joint-flattens", text).about(format!("skin {skin}")))
     };
     (0..rig.skins.len()).filter_map(flat).collect()
@@ -92,14 +94,14 @@ impl gltf::accessor::Item for Columns {
     }
 }
 
-/// Returns true if any primitive has joints for its vertices.
+/// Returns true if any primitive of a mesh has joints for its vertices.
 pub(super) fn pulls_at(mesh: &gltf::Mesh<'_>) -> bool {
     let is_pulled = |p: Primitive<'_>| p.get(&Semantic::Joints(0)).is_some();
     mesh.primitives().any(is_pulled)
 }
 
-/// The joint influences on every vertex of a primitive, in file order; empty if it has none. A list whose length differs
-/// from the number of positions is an error; joints without weights, or the reverse, are ignored with a note.
+/// The joint influences on every vertex of a primitive, in file order. Empty if the primitive has none. A list whose length differs from
+/// the number of positions is an error. Joints without weights, and weights without joints, are ignored with a note.
 pub(super) fn pulls(
     primitive: &Primitive<'_>,
     vertices: usize,
@@ -122,7 +124,7 @@ pub(super) fn pulls(
         ) else {
             notes.push(Diagnostic::note(
                 "joints-left-out",
-                format!("passed over JOINTS_{set} or WEIGHTS_{set}: the other is missing"),
+                format!("ignored JOINTS_{set} or WEIGHTS_{set}, because the other is missing"),
             ));
             continue;
         };

@@ -1,6 +1,6 @@
-//! Solids that a file splits across several nodes: static open meshes that close each other become one part.
+//! Joins solids that a file splits across several nodes. Static open meshes become one part if they close each other.
 //!
-//! Edges are equal if their ends are equal in f32. A set of meshes connected by shared edges is only joined if the result is closed.
+//! Edges are equal if their ends are equal in f32. Meshes that share edges are only joined if the result is closed.
 //!
 //! Cost: one sort of the open edges of all parts.
 
@@ -15,7 +15,7 @@ use glam::{DAffine3, Vec3};
 
 use super::super::Placed;
 
-/// An end of an edge: its f32 coordinates as bits.
+/// An end of an edge, as the bits of its f32 coordinates.
 type EdgeEnd = [u32; 3];
 
 /// Returns the parts after joining those that form one solid.
@@ -66,7 +66,7 @@ fn open_edges(part: &Placed) -> impl Iterator<Item = [EdgeEnd; 2]> {
     })
 }
 
-/// Joins the pieces into one part in world space; `None` if the result is not closed, or if the pieces have different roles.
+/// Joins pieces into one part in world space. Returns `None` if the result is not closed, or if the pieces have different roles.
 fn whole(pieces: &[&Placed]) -> Option<Placed> {
     let first = pieces.first()?;
     if pieces.iter().any(|piece| piece.role != first.role) {
@@ -107,7 +107,7 @@ fn whole(pieces: &[&Placed]) -> Option<Placed> {
     })
 }
 
-/// The normals in world space, if all pieces have them.
+/// The normals of the pieces in world space, if all pieces have normals.
 fn normals(pieces: &[&Placed]) -> Option<Vec<[Vec3; 3]>> {
     let mut all = Vec::new();
     for piece in pieces {
@@ -119,7 +119,7 @@ fn normals(pieces: &[&Placed]) -> Option<Vec<[Vec3; 3]>> {
     Some(all)
 }
 
-/// The joint vertex paint, if any piece has one or the colours of the pieces differ.
+/// The combined vertex paint of the pieces. There is one if a piece has vertex paint or if the pieces differ in colour.
 fn vertex_paint(pieces: &[&Placed]) -> Option<VertexPaint> {
     let is_plain =
         |piece: &&Placed| piece.mesh.vertex_paint.is_none() && piece.color == pieces[0].color;

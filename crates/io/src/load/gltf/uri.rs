@@ -1,4 +1,4 @@
-//! The bytes behind the URI of a glTF buffer or image: a data URI, or a file in the model's folder or below.
+//! Reads the URI of a glTF buffer or image, which may be a data URI or a file in the model's folder or below.
 
 use std::path::{Path, PathBuf};
 
@@ -12,7 +12,7 @@ use crate::load::{Files, input_file};
 const BESIDE: &str =
     "keep the file in the folder of the model or below, and name it relative to the model";
 
-/// Reads a URI relative to the file `from`; a file that was read is added to `files`.
+/// Reads a URI relative to the file `from`. If it is a file, it is added to `files`.
 pub(super) fn read(
     from: &Path,
     (what, uri): (&str, &str),
@@ -51,7 +51,7 @@ pub(super) fn read(
     Ok(bytes.into_owned())
 }
 
-/// Returns why a name is not allowed, unless it is a file in the same folder or below: a file from elsewhere must not choose what is read.
+/// Returns why a name is not allowed, unless it stays in the folder or below. A model must not read files from elsewhere.
 pub(in crate::load) fn leads_away(name: &str) -> Option<&'static str> {
     let scheme = name.split_once(':').map(|(scheme, _)| scheme);
     let is_scheme = |s: &str| {
@@ -59,7 +59,9 @@ pub(in crate::load) fn leads_away(name: &str) -> Option<&'static str> {
         s.starts_with(|c: char| c.is_ascii_alphabetic()) && s.chars().all(rest)
     };
     if scheme.is_some_and(is_scheme) {
-        return Some("has a scheme or a drive, and nothing is fetched from elsewhere");
+        return Some(
+            "has a scheme or a drive, but nothing is fetched from outside the model's folder",
+        );
     }
     if name.starts_with(['/', '\\']) {
         return Some("is an absolute path");

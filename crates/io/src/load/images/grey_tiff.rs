@@ -1,6 +1,6 @@
-//! Grey TIFF files as heights: a usual format of elevation models, with float and signed samples that the `image` crate does not read.
+//! Reads heights from grey TIFF files. Elevation models use them, often with float or signed samples, which the `image` crate cannot read.
 //!
-//! Float samples are used as they are; integers are divided by the largest value of their type, so that signed ones range from -1 to 1.
+//! Float samples are used unchanged. Integers are divided by the largest value of their type, so that signed integers range from -1 to 1.
 
 use std::io::Cursor;
 
@@ -8,15 +8,15 @@ use cutaway::scene::relief::MAX_TEXELS;
 use tiff::ColorType;
 use tiff::decoder::{Decoder, DecodingResult};
 
-/// Width and height in texels, and the heights row by row.
+/// Width and height of an image in texels, and its heights row by row.
 pub(in crate::load) type GreyHeights = ([u32; 2], Vec<f32>);
 
-/// Decodes the heights of a grey TIFF; `None` for a TIFF in colour. The error is the reason for a decoding failure.
+/// Decodes the heights of a grey TIFF. Returns `None` for a TIFF in colour. An error is the reason for a decoding failure.
 pub(in crate::load) fn read(bytes: &[u8]) -> Result<Option<GreyHeights>, String> {
     let mut decoder = Decoder::new(Cursor::new(bytes)).map_err(|e| e.to_string())?;
     let (width, height) = decoder.dimensions().map_err(|e| e.to_string())?;
     match decoder.colortype().map_err(|e| e.to_string())? {
-        // One-bit samples are packed; `image` unpacks them.
+        // One-bit samples are packed, and the `image` crate unpacks them.
         ColorType::Gray(1) => return Ok(None),
         ColorType::Gray(_) | ColorType::Multiband { num_samples: 1, .. } => {}
         ColorType::Multiband { num_samples, .. } => {
@@ -26,7 +26,7 @@ pub(in crate::load) fn read(bytes: &[u8]) -> Result<Option<GreyHeights>, String>
         }
         _ => return Ok(None),
     }
-    // The size is checked before decoding: a few bytes can state any size.
+    // The size is checked before decoding, because a few bytes can state any size.
     if u64::from(width) * u64::from(height) > MAX_TEXELS {
         return Err(format!(
             "{width} x {height} is more than {MAX_TEXELS} texels"

@@ -1,8 +1,8 @@
 //! Offset maps from image files.
 //!
-//! Heights are data, not colours: integer samples are divided by their largest possible value and not linearised, so the
-//! sRGB curve of a PNG has no effect. Colour becomes luma (Rec. 709 weights), alpha is ignored. Float samples (EXR, TIFF of
-//! 16, 32 or 64 bits) are used unchanged. The top row of the image is the row at `t = 0`, so `V` points down the picture.
+//! Heights are data, not colours. Integer samples are divided by their largest possible value but not linearised, so the sRGB curve of a
+//! PNG has no effect. Colour is converted to luma (Rec. 709 weights), and alpha is ignored. Float samples (EXR, TIFF with 16, 32 or 64
+//! bits) are used unchanged. The top row of the image is at `t = 0`, so `V` points down in the picture.
 
 use std::io::Cursor;
 use std::path::Path;
@@ -27,7 +27,7 @@ pub fn read_offset_map(path: &Path) -> Result<OffsetMap> {
 ///
 /// # Errors
 ///
-/// The errors of [`read_offset_map`]: a file that is missing or is not a height image.
+/// Fails like [`read_offset_map`] if the file is missing or is not a height image.
 pub fn read_offset_map_from(path: &Path, store: &dyn Files) -> Result<OffsetMap> {
     let bytes = input_file::read(path, store)?;
     let undecodable = |e: String| Error::file(path, format!("cannot be decoded: {e}"), FORMATS);
@@ -36,7 +36,7 @@ pub fn read_offset_map_from(path: &Path, store: &dyn Files) -> Result<OffsetMap>
         read_exr(path, &bytes)?
     } else {
         let mut reader = ImageReader::new(Cursor::new(&*bytes));
-        // The name is used if the first bytes do not identify the format.
+        // The file name is used if the first bytes do not identify the format.
         if let Ok(by_name) = ImageFormat::from_path(path) {
             reader.set_format(by_name);
         }
@@ -79,7 +79,7 @@ fn heights(picture: &DynamicImage) -> Vec<f32> {
         DynamicImage::ImageLumaA16(i) => luma(i.as_raw(), 2, 65_535),
         DynamicImage::ImageRgb16(i) => luma(i.as_raw(), 3, 65_535),
         DynamicImage::ImageRgba16(i) => luma(i.as_raw(), 4, 65_535),
-        // Float images: the same weights, without division.
+        // Float images use the same weights, but are not divided.
         other => other
             .to_rgb32f()
             .pixels()
@@ -96,8 +96,8 @@ fn heights(picture: &DynamicImage) -> Vec<f32> {
     }
 }
 
-/// Luma divided by the largest value. Integer weights with one division at the end give a grey pixel the same height whether
-/// it is stored as grey or as RGB.
+/// Luma divided by the largest value. With integer weights and a single division at the end, a grey pixel has the same height whether it is
+/// stored as grey or as RGB.
 fn luma<T: Copy + Into<u64>>(samples: &[T], channels: usize, greatest: u64) -> Vec<f32> {
     samples
         .chunks_exact(channels)
@@ -113,7 +113,7 @@ fn luma<T: Copy + Into<u64>>(samples: &[T], channels: usize, greatest: u64) -> V
         .collect()
 }
 
-/// Reads the first layer's channel Y, else its R, else its only channel.
+/// Reads channel Y of the first layer or, if there is none, its channel R or its only channel.
 fn read_exr(path: &Path, bytes: &[u8]) -> Result<([u32; 2], Vec<f32>)> {
     let image = exr::image::read::read()
         .no_deep_data()

@@ -13,7 +13,7 @@ use crate::load::{Files, input_file};
 ///
 /// # Errors
 ///
-/// A file that is missing, that is not a PNG, JPEG, TIFF, BMP, PNM or TGA, or that is larger than [`MOST_TEXELS_ALONG`] along a side.
+/// Fails if the file is missing, is not a PNG, JPEG, TIFF, BMP, PNM or TGA, or exceeds [`MOST_TEXELS_ALONG`] along a side.
 pub fn read_texture_from(path: &Path, kind: TextureKind, store: &dyn Files) -> Result<Texture> {
     let bytes = input_file::read(path, store)?;
     let by_name = ImageFormat::from_path(path).ok();
@@ -25,7 +25,7 @@ pub fn read_texture_from(path: &Path, kind: TextureKind, store: &dyn Files) -> R
     })
 }
 
-/// Decodes a texture from the bytes of an image file. The format comes from the bytes, or else from the name. The error is a message.
+/// Decodes a texture from the bytes of an image file. The bytes or, failing that, the name identify the format. Errors are messages.
 pub(in crate::load) fn texture_of(
     bytes: &[u8],
     by_name: Option<ImageFormat>,
@@ -33,7 +33,7 @@ pub(in crate::load) fn texture_of(
 ) -> Result<Texture, String> {
     let undecodable = |e: &dyn std::fmt::Display| format!("cannot be decoded: {e}");
     let mut reader = ImageReader::new(Cursor::new(bytes));
-    // The name is used if the first bytes do not identify the format.
+    // The file name is used if the first bytes do not identify the format.
     if let Some(format) = by_name {
         reader.set_format(format);
     }

@@ -1,10 +1,10 @@
-//! One-line errors of a PLY file. The parser accepts no NaN and no infinity.
+//! Converts errors in a PLY file to messages of one line. The parser accepts neither NaN nor infinity.
 
 use std::io::ErrorKind;
 
 use ply_rs_bw::parser::ParseError;
 
-/// An error message and its line.
+/// An error message, and the line of the error.
 pub(super) struct PlyError {
     pub(super) line: Option<usize>,
     pub(super) what: String,
@@ -24,7 +24,7 @@ impl PlyError {
         }
     }
 
-    /// The parser's error message about a header, with the faulty line.
+    /// The parser's error message about a header, and the faulty line.
     pub(super) fn in_header(error: &ParseError, header: &str) -> Self {
         match error.line() {
             Some(line) if error.kind() != ErrorKind::UnexpectedEof => {

@@ -1,7 +1,7 @@
-//! The header of a PLY file, apart from its payload.
+//! Separates the header of a PLY file from its payload.
 //!
-//! A header line that does not begin with a header word, even a misspelt one, is treated as a comment: old
-//! versions of Blender wrote comments that way. Blank lines are comments, too. Lines may end with LF, CR LF, or CR alone.
+//! A header line that does not begin with a header word is treated as a comment, because old versions of Blender wrote comments that way. A
+//! misspelt header word does not become a comment. Blank lines do. Lines may end with LF, CR LF, or CR alone.
 
 use cutaway::error::Diagnostic;
 use std::path::Path;
@@ -20,11 +20,11 @@ const WORDS: [&str; 7] = [
 /// Maximum header length in bytes.
 const LONGEST: usize = 1 << 20;
 
-/// Smallest similarity at which a word counts as a misspelling of one of [`WORDS`].
+/// Smallest similarity at which a word counts as a misspelling of a header word.
 const MISSPELT: f64 = 0.8;
 
-/// Splits a file into header and payload. Header lines end with LF, and unrecognized ones become comments in the same line. Without
-/// an end marker the whole file is header.
+/// Splits a file into header and payload. In the returned header, lines end with LF, and unrecognized lines are comments. Without an end
+/// marker the whole file is header.
 pub(super) fn split<'a>(
     path: &Path,
     bytes: &'a [u8],
@@ -59,7 +59,7 @@ fn length(bytes: &[u8]) -> usize {
     let Some(end) = (1..head.len()).find(is_at) else {
         return bytes.len();
     };
-    // If no earlier line ends with LF, an LF after `end_header` may be the first byte of the payload.
+    // If no earlier line ends with LF, header lines end with CR, and an LF after `end_header` may belong to the payload.
     let ends = if head[..end].contains(&b'\n') {
         b'\n'
     } else {

@@ -1,8 +1,8 @@
-//! PLY, ASCII and binary of either byte order; headers and binary elements through `ply-rs-bw`.
+//! Reads PLY files, ASCII or binary in either byte order. The crate `ply-rs-bw` parses headers and binary elements.
 //!
-//! Elements `vertex` (`x`, `y`, `z`, optionally `nx`, `ny`, `nz`; any number type; `red`, `green`, `blue` of
-//! `uchar`, `ushort`, `float` or `double`), `face` (`vertex_indices`, under any name; polygons become fans from their first corner) and
-//! `tristrips` (triangle strips, each ended by a negative index). Other elements are parsed and dropped.
+//! An element `vertex` has `x`, `y`, `z`, optionally `nx`, `ny`, `nz`, of any number type, and optionally `red`, `green`, `blue` of
+//! `uchar`, `ushort`, `float` or `double`. A `face` has `vertex_indices`, under any name; polygons become fans from their first corner. In
+//! `tristrips`, a negative index ends each strip. Other elements are parsed and dropped.
 
 mod fault;
 mod header;
@@ -32,7 +32,7 @@ const CORNERS: &str = "vertex_indices";
 /// Name of the triangle-strip element.
 const STRIPS: &str = "tristrips";
 
-const DAMAGED: &str = "the file is cut off, damaged or no PLY: export or download it again";
+const DAMAGED: &str = "the file is cut off, damaged or not a PLY: export or download it again";
 
 /// Properties of vertex colours.
 const COLORS: [&str; 3] = ["red", "green", "blue"];
@@ -41,7 +41,7 @@ const COLORS: [&str; 3] = ["red", "green", "blue"];
 struct PlyVertex {
     at: DVec3,
     normal: Vec3,
-    /// sRGB, each channel from 0 to the largest value of its type, or in 0..=1.
+    /// Colour in sRGB. In the file, integer channels range from 0 to the largest value of their type, and others from 0 to 1.
     color: [u8; 4],
 }
 
@@ -50,17 +50,17 @@ struct PlyFace {
     corners: Corners,
 }
 
-/// Indices in the integer type of the file: converting each list separately would double the allocations.
+/// Indices in the integer type of the file. Converting each list separately would double the number of allocations.
 #[derive(Debug)]
 enum Corners {
     Signed(Vec<i32>),
     Unsigned(Vec<u32>),
-    /// Indices that are not whole numbers.
+    /// The indices are not whole numbers.
     Broken,
 }
 
 impl Corners {
-    /// Some programs store indices as floating-point numbers.
+    /// Converts indices that are stored as floating-point numbers, as some programs do.
     fn of_floats(all: impl Iterator<Item = f64>) -> Self {
         let whole = |n: f64| (n == f64::from(n as i32)).then_some(n as i32);
         all.map(whole)
@@ -150,7 +150,7 @@ impl PropertyAccess for Ignored {
     }
 }
 
-/// Elements of a mesh, and flags that are true if the vertices have complete normals and complete colours.
+/// Elements of a mesh, with flags for whether the vertices have complete normals and complete colours.
 #[derive(Default)]
 struct Elements {
     vertices: Vec<PlyVertex>,
@@ -270,7 +270,7 @@ fn has(element: &ElementDef, property: &str) -> bool {
     element.properties.iter().any(|(name, _)| name == property)
 }
 
-/// Refuses elements that would be read as nothing: an element without properties takes no bytes, whatever its stated count.
+/// Refuses elements that lack a required property or have none. Without properties an element takes no bytes, whatever its count.
 fn check(path: &Path, element: &ElementDef) -> Result<()> {
     let missing = match element.name.as_str() {
         "vertex" => ["x", "y", "z"].into_iter().find(|n| !has(element, n)),
@@ -324,11 +324,11 @@ fn mesh_of(path: &Path, read: &Elements) -> Result<Mesh> {
                 _ => [w[1], w[0], w[2]],
             });
             let strip = strip.map(|t| t.map(|i| i as u32));
-            // Strips are joined by degenerate triangles with repeated corners.
+            // Strips are joined by degenerate triangles, which have repeated corners and are dropped here.
             triangles.extend(strip.filter(has_three));
         }
     }
-    // Out-of-range indices are refused by the later mesh check; normals are only looked up if all indices are in range.
+    // The later mesh check refuses indices that are out of range. Normals are only looked up if all indices are in range.
     let in_range = triangles
         .iter()
         .flatten()

@@ -1,7 +1,7 @@
-//! The elements of an ASCII PLY.
+//! Reads the elements of an ASCII PLY.
 //!
-//! Each element is a line, as the format requires; blank lines are ignored. If this fails, elements are read as runs of words regardless of
-//! lines, and all words must be used.
+//! Each element is a line, as the format requires, and blank lines are ignored. If reading by lines fails, elements are read word by word
+//! regardless of lines, and all words must be used.
 
 use std::str::SplitAsciiWhitespace;
 
@@ -12,7 +12,7 @@ use ply_rs_bw::ply::{
 use super::PlyError;
 use crate::load::lines::{Lines, lines};
 
-/// Maximum capacity reserved from a count in the header alone.
+/// Maximum capacity that is reserved before the elements that the header counts have been seen.
 const MOST_RESERVED: usize = 1 << 16;
 
 /// The words of a payload, grouped by line.
@@ -26,7 +26,7 @@ pub(super) struct Words<'a> {
     by_line: bool,
 }
 
-/// Reads a payload that follows `lines_before` lines: by lines, or else by words. Errors refer to the attempt by lines.
+/// Reads a payload that follows `lines_before` lines, first by lines and, if that fails, by words. Errors are those of reading by lines.
 pub(super) fn in_either_layout<T>(
     text: &str,
     lines_before: usize,
@@ -105,7 +105,7 @@ impl<'a> Words<'a> {
         }
     }
 
-    /// The next value; `None` if the next word is not of this type.
+    /// Returns the next value, or `None` if the next word is not of this type.
     fn value(&mut self, kind: &PropertyType) -> Option<Property> {
         use ScalarType as Of;
         let (length, kind) = match kind {

@@ -1,7 +1,7 @@
-//! The vertices and triangles of an object, and the properties of its triangles.
+//! Reads the vertices and triangles of an object, and the properties of its triangles.
 //!
-//! Numbers are read as f64. The format requires vertices before triangles, so a wrong index is reported
-//! with its line. Other content of a mesh, such as triangle sets, does not affect its shape and is ignored.
+//! Numbers are read as f64. The format requires vertices to precede triangles, so a wrong index is reported with its line. Other content of
+//! a mesh, such as triangle sets, does not affect its shape and is ignored.
 
 use cutaway::error::Result;
 use cutaway::scene::Mesh;
@@ -12,7 +12,7 @@ use super::xml::{Element, Space, Xml, shortened};
 /// Marks a missing index.
 pub(super) const NONE: u32 = u32::MAX;
 
-/// Properties of a triangle: the group, and an index for each corner.
+/// Properties of a triangle, given by a property group and an index for each corner.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Assigned {
     pub(super) group: u32,
@@ -23,13 +23,13 @@ pub(super) struct Assigned {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Geometry {
     pub(super) mesh: Mesh,
-    /// Properties per triangle.
+    /// Properties of each triangle.
     pub(super) assigned: Vec<Assigned>,
     /// True if the mesh has beams in addition to the triangles.
     pub(super) has_beams: bool,
 }
 
-/// Reads a `<mesh>` element that is open.
+/// Reads a `<mesh>` element, which is already open.
 pub(super) fn read(xml: &mut Xml<'_>) -> Result<Geometry> {
     let mut geometry = Geometry::default();
     while let Some(element) = xml.child()? {
@@ -56,7 +56,7 @@ pub(super) fn read(xml: &mut Xml<'_>) -> Result<Geometry> {
 }
 
 impl Geometry {
-    /// Keeps only the triangles whose index is wanted.
+    /// Keeps only the triangles for whose index `wanted` is true.
     pub(super) fn keep(&mut self, wanted: impl Fn(usize) -> bool) {
         let mut numbers = 0..self.mesh.triangles.len();
         self.mesh

@@ -1,16 +1,16 @@
-//! 3MF: the core specification, the production extension, and the colours of the materials extension.
+//! Reads 3MF: the core specification, the production extension, and the colours of the materials extension.
 //!
-//! The package relationships name the root model. Each mesh becomes a part at each of its placements in the build, through nested
-//! components and other models of the package. Only built objects are used. Non-solid objects are left out with a note: supports, surfaces,
-//! others, and those that slicers mark as regions or as volumes to subtract ([`slicer`]). Coordinates keep the unit of the file, which is
-//! reported if it is not the millimetre. Another model of the same package is scaled to the unit of the first.
+//! The package relationships name the root model. A mesh becomes one part for each of its placements in the build, which may be nested in
+//! components and other models. Only built objects are used. A note reports objects that are left out: supports, surfaces, `other`, and
+//! those that slicers mark as regions or volumes to subtract ([`slicer`]). Coordinates keep the file's unit, which is reported unless it is
+//! the millimetre. Other models are scaled to the first model's unit.
 //!
-//! A required extension that defines shapes without triangles is an error that names it: slices, beams, boolean operations,
-//! volumetric functions, displacement, encryption. If the extension is optional, the triangles are shown, with a note about beams.
-//! An unreadable image becomes a note.
+//! Some extensions define shapes without triangles: slices, beams, boolean operations, volumetric functions, displacement, encryption. If a
+//! file requires such an extension, it is rejected with an error that names the extension. Otherwise the triangles are shown, with a note
+//! if there are beams. An unreadable image becomes a note.
 //!
-//! Cost: the text of each model part and the data built from it, in memory one part after the other; each image once; one mesh for all
-//! placements.
+//! Memory cost: one model part at a time, as text and as the data built from it. Each image is held once. All placements of an object share
+//! one mesh.
 
 mod mesh;
 mod model;
@@ -39,13 +39,13 @@ use xml::shortened;
 /// Maximum nesting depth of objects.
 const MOST_DEPTH: usize = 64;
 
-/// Maximum number of objects in a build: nested components can multiply beyond any memory.
+/// Maximum number of objects in a build. Nested components can multiply to more than any memory holds.
 const MOST_OBJECTS: usize = 1 << 16;
 
 const BUILD: &str =
     "export it with solid objects: supports, surfaces, points and lines are not cut";
 
-/// An object of a package: the name of its package part, which is empty for the first model, and its number.
+/// Identifies an object of a package by its package part's name, which is empty for the first model, and its number.
 type ObjectKey = (String, u32);
 
 /// Reads the solids of a package, and the unit of their coordinates.
@@ -100,7 +100,7 @@ struct Reader<'a> {
     /// Name of the package part with the first model.
     first: String,
     models: BTreeMap<String, ThreeMfModel>,
-    /// Solids built from objects so far; `None` for objects without triangles.
+    /// Solids built so far, by object. The value is `None` for objects without triangles.
     solids: BTreeMap<ObjectKey, Option<ShownSolid>>,
     /// Number of objects visited, including repeated visits.
     objects: usize,
@@ -110,7 +110,7 @@ struct Reader<'a> {
     notes: Vec<Diagnostic>,
 }
 
-/// Path to an object.
+/// The path by which an object was reached.
 #[derive(Clone, Copy)]
 struct ObjectPath<'a> {
     /// The enclosing objects, outermost first.
@@ -184,7 +184,7 @@ impl Reader<'_> {
         }
         if way.around.len() >= MOST_DEPTH {
             return Err(wrong(format!(
-                "more than {MOST_DEPTH} objects in each other"
+                "objects are nested more than {MOST_DEPTH} deep"
             )));
         }
         if !world_from_object.is_finite() {
@@ -207,7 +207,7 @@ impl Reader<'_> {
         }
         match &mut object.shape {
             ObjectGeometry::Components(components) => {
-                // Put back after the loop: a cycle back to this object is refused before its components are needed.
+                // The components are put back after the loop. A cycle back to this object is refused before they are needed.
                 let components = std::mem::take(components);
                 let around = [way.around, std::slice::from_ref(&key)].concat();
                 let inner = ObjectPath {
@@ -251,8 +251,9 @@ impl Reader<'_> {
         let unit = self.models.get("").map_or(model.unit, |root| root.unit);
         if unit != model.unit {
             let (own, of_root) = (model.unit.in_3mf(), unit.in_3mf());
-            let note =
-                format!("lengths in the {own} are shown in the {of_root} of the first model");
+            let note = format!(
+                "its unit is the {own}, and lengths are converted to the {of_root} of the first model"
+            );
             self.notes
                 .push(Diagnostic::note("3mf-units-differ", note).about(part));
         }

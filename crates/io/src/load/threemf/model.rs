@@ -1,8 +1,7 @@
-//! A model part: its unit, its objects with their properties, and its build.
+//! Reads a model part, that is its unit, its objects with their properties, and its build.
 //!
-//! An error in the mesh of an object is kept until that object is used, because only built objects have to be valid. Errors that
-//! affect the set of objects are reported at once: duplicate numbers, and a required extension that defines shapes
-//! without triangles.
+//! An error in an object's mesh is only reported if the object is used, because only built objects have to be valid. Errors that affect the
+//! set of objects, such as duplicate numbers or a required extension that defines shapes without triangles, are reported at once.
 
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
@@ -25,7 +24,7 @@ pub(super) struct ThreeMfModel {
     pub(super) unit: LengthUnit,
     pub(super) objects: BTreeMap<u32, Object>,
     pub(super) properties: Properties,
-    /// Items of the build; `None` if the model has no `<build>`.
+    /// Items of the build, or `None` if the model has no `<build>`.
     pub(super) items: Option<Vec<ObjectReference>>,
     pub(super) notes: Vec<Diagnostic>,
 }
@@ -35,11 +34,11 @@ pub(super) struct ThreeMfModel {
 pub(super) struct Object {
     pub(super) name: Option<String>,
     pub(super) part_number: Option<String>,
-    /// Type of the object: `model` is a solid.
+    /// Type of the object. The type `model` means a solid.
     pub(super) kind: String,
-    /// Group and index of the property of triangles without their own.
+    /// Group and index of the property that triangles without a property have.
     pub(super) default: Option<(u32, u32)>,
-    /// Use of the object in a slicer, if it is not a solid.
+    /// What a slicer uses the object for, if it is not a solid.
     pub(super) used_as: Option<Use>,
     pub(super) shape: ObjectGeometry,
 }
@@ -53,11 +52,11 @@ pub(super) enum ObjectGeometry {
     Other(Option<String>),
 }
 
-/// A build item or a component: an object with a transform.
+/// A build item or a component, which places an object by a transform.
 #[derive(Debug)]
 pub(super) struct ObjectReference {
     pub(super) object: u32,
-    /// The package part that contains the object, if it is another one.
+    /// The package part that contains the object, if it is not the part with the reference.
     pub(super) part: Option<String>,
     pub(super) part_number: Option<String>,
     pub(super) outer_from_object: DAffine3,
@@ -116,7 +115,7 @@ impl ThreeMfModel {
             };
             model.notes.push(Diagnostic::note(
                 "3mf-unknown-element",
-                format!("passed over <{first}>{more}: not part of a mesh"),
+                format!("ignored <{first}>{more}: not part of a mesh"),
             ));
         }
         for id in &model.properties.repeated {
@@ -135,7 +134,7 @@ impl ThreeMfModel {
                 match self.objects.entry(id) {
                     Entry::Vacant(free) => _ = free.insert(object),
                     Entry::Occupied(_) => {
-                        return Err(element.error(format!("a second object of the number {id}")));
+                        return Err(element.error(format!("a second object has the number {id}")));
                     }
                 }
             } else if !self.properties.read(xml, &element)? {
@@ -171,12 +170,11 @@ fn check_extensions(xml: &Xml<'_>, root: &Element<'_>) -> Result<()> {
             }
             Space::Other if name.contains("/displacement/") => "meshes displaced by images",
             Space::Other if name.contains("/securecontent/") => "encrypted parts",
-            Space::Other => "an extension that is not known here",
+            Space::Other => "an extension that is not known",
         };
         let name = shortened(&name);
         let what = format!("it requires the extension `{prefix}` ({name}): {shapes}");
-        let help =
-            "export it as plain triangles: of 3MF, only core, materials and production are read";
+        let help = "export it as plain triangles: only the core, materials and production parts of 3MF are read";
         return Err(root.error_with_help(what, help));
     }
     Ok(())
@@ -226,7 +224,7 @@ fn object(xml: &mut Xml<'_>, element: &Element<'_>) -> Result<(u32, Object)> {
     Ok((id, object))
 }
 
-/// The build items, or the components of an object, in the element that is open.
+/// Reads the build items, or the components of an object, in the open element.
 fn references(xml: &mut Xml<'_>, name: &str) -> Result<Vec<ObjectReference>> {
     let mut references = Vec::new();
     while let Some(element) = xml.child()? {
@@ -248,14 +246,14 @@ fn references(xml: &mut Xml<'_>, name: &str) -> Result<Vec<ObjectReference>> {
     Ok(references)
 }
 
-/// Parses twelve numbers: three axes and a translation, each a row in the file.
+/// Parses a transform of twelve numbers. The file has three axes and a translation, each as a row.
 fn affine(element: &Element<'_>, text: &str) -> Result<DAffine3> {
     let mut numbers = [0.0; 12];
     let mut words = text.split_whitespace();
     for (k, number) in numbers.iter_mut().enumerate() {
         let word = words
             .next()
-            .ok_or_else(|| element.error(format!("its transform has {k} of 12 numbers")))?;
+            .ok_or_else(|| element.error(format!("its transform has only {k} of 12 numbers")))?;
         let word = shortened(word);
         *number = word
             .parse()

@@ -1,10 +1,10 @@
-//! The package of a 3MF file: a ZIP archive whose relationships name the model part.
+//! The package of a 3MF file, a ZIP archive whose relationships name the model part.
 //!
-//! Content types are ignored: the relationship or path that leads to a part defines its type. Part names are matched
-//! without regard to the case of ASCII letters, as in the Open Packaging Conventions.
+//! Content types are ignored, because the relationship or path that leads to a part defines its type. Part names match regardless of the
+//! case of ASCII letters, as in the Open Packaging Conventions.
 //!
-//! Sizes stated by the archive are not trusted. All parts together may unpack to as much as a gzipped file of the archive's
-//! length may ([`input_file`]). Cost: the bytes of one part in memory at a time, plus the images.
+//! Sizes stated by the archive are not trusted. All parts together may unpack to the size that is allowed for a gzipped file of the
+//! archive's length ([`input_file`]). Memory cost: the bytes of one part at a time, plus the images.
 
 use std::collections::BTreeMap;
 use std::io::{Cursor, Read};
@@ -25,7 +25,7 @@ const MODEL: &str = "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmode
 
 const RELATIONSHIPS: &str = "_rels/.rels";
 
-/// Maximum number of texels in all images together: four images of the largest size.
+/// Maximum number of texels in all images together. It is enough for four images of the largest size.
 const MOST_TEXELS: u64 = 4 * (MOST_TEXELS_ALONG as u64).pow(2);
 
 /// An archive from which parts are read.
@@ -34,11 +34,11 @@ pub(super) struct Package<'a> {
     archive: ZipArchive<Cursor<&'a [u8]>>,
     /// Maximum number of bytes in all parts together.
     most: u64,
-    /// Bytes still available for further parts.
+    /// Number of bytes to which further parts may unpack.
     left: u64,
-    /// Images read so far, by part name, or the error of each.
+    /// Images read so far, by part name. If an image could not be read, its error is stored instead.
     textures: BTreeMap<String, Result<Arc<Texture>, String>>,
-    /// Texels left for further images.
+    /// Number of texels that further images may have.
     texels_left: u64,
 }
 
@@ -92,7 +92,8 @@ impl<'a> Package<'a> {
                 Err(Error::file(&relationships.path, what, DAMAGED))
             }
             (_, count) => {
-                let what = format!("relationships lead to {count} 3D models, only one is allowed");
+                let what =
+                    format!("relationships lead to {count} 3D models, but only one is allowed");
                 Err(Error::file(&relationships.path, what, DAMAGED))
             }
         }
@@ -132,7 +133,7 @@ impl<'a> Package<'a> {
         Ok((path, bytes))
     }
 
-    /// Returns a part as an image, which is read once, or the reason why it cannot be read.
+    /// Returns a part as an image, or the reason why it cannot be read. Each image is read once.
     pub(super) fn texture(&mut self, part: &str) -> Result<Arc<Texture>, String> {
         let name = part.trim_start_matches('/').to_lowercase();
         if let Some(known) = self.textures.get(&name) {
@@ -187,7 +188,7 @@ fn text_of(path: &Path, bytes: Vec<u8>) -> Result<String> {
         ))
     };
     if bytes.starts_with(&[0xff, 0xfe, 0, 0]) || bytes.starts_with(&[0, 0, 0xfe, 0xff]) {
-        return wrong("it is encoded in UTF-32, 3MF is in UTF-8 or UTF-16");
+        return wrong("it is encoded in UTF-32, but 3MF requires UTF-8 or UTF-16");
     }
     let from_units: Option<fn([u8; 2]) -> u16> = match bytes.first_chunk() {
         Some([0xff, 0xfe]) => Some(u16::from_le_bytes),

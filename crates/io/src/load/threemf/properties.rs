@@ -1,9 +1,8 @@
-//! Colours: base materials, and the groups of the materials extension.
+//! Reads colours from base materials, and from the property groups of the materials extension.
 //!
-//! A colour is sRGB, per triangle or per corner. A composite uses its material with the greatest share; several
-//! properties on one triangle use the first texture coordinate, or else the first colour: they are not blended. Images repeat, whatever the
-//! tile style.
-//! An invalid property leaves its triangles without a colour and adds a note, because the shape is not affected.
+//! Colours are sRGB, given per triangle or per corner. Nothing is blended. A composite is shown as its material with the greatest share. Of
+//! several properties on a triangle, the first with a texture coordinate or, failing that, the first colour is shown. Images always repeat,
+//! whatever their tile style. A triangle with an invalid property has no colour, with a note, because the shape is not affected.
 
 use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, BTreeSet};
@@ -27,11 +26,11 @@ enum PropertyGroup {
     /// Names and colours of materials.
     Materials(Vec<(Option<String>, Option<Rgba>)>),
     Colors(Vec<Option<Rgba>>),
-    /// A group of materials, and the index of each composite's main material in it.
+    /// A group of materials, and for each composite the index of its main material in that group.
     Composites(u32, Vec<Option<u32>>),
-    /// Groups, and for each property its index in each group.
+    /// Several groups, and for each combined property its index in each group.
     Several(Vec<u32>, Vec<Vec<u32>>),
-    /// Texture coordinates in the image with this number; (0, 0) is its upper left.
+    /// Texture coordinates in the image with this number, where (0, 0) is the upper left corner.
     Places(u32, Vec<Vec2>),
 }
 
@@ -49,19 +48,19 @@ struct TextureImage {
 pub(super) struct Properties {
     groups: BTreeMap<u32, PropertyGroup>,
     images: BTreeMap<u32, TextureImage>,
-    /// Numbers that are used twice.
+    /// Property numbers that occur more than once.
     pub(super) repeated: Vec<u32>,
 }
 
-/// Resolved property.
+/// A property after its group and index have been looked up.
 enum ResolvedProperty<'a> {
     Color(Rgba, Option<&'a str>),
-    /// The number of an image, and the texture coordinate in it.
+    /// The number of an image, and a texture coordinate in that image.
     Place(u32, Vec2),
     Missing,
 }
 
-/// Appearance of an object, from its properties.
+/// Appearance of an object, computed from its properties.
 #[derive(Debug, Default)]
 pub(super) struct ObjectAppearance {
     pub(super) vertex_paint: Option<VertexPaint>,
@@ -73,7 +72,7 @@ pub(super) struct ObjectAppearance {
 }
 
 impl Properties {
-    /// Reads and closes an open resource element; returns true if it is a property element.
+    /// Reads and closes an open resource element. Returns true if it is a property element.
     pub(super) fn read(&mut self, xml: &mut Xml<'_>, element: &Element<'_>) -> Result<bool> {
         let [id, of, indices, groups] = element.values(["id", "matid", "matindices", "pids"])?;
         if element.is(Space::Material, "texture2d") {
@@ -121,7 +120,7 @@ impl Properties {
                     let number = text.trim().parse().ok().filter(|n: &f32| n.is_finite());
                     Ok(number.unwrap_or_default())
                 };
-                // V points up in the file, and down in rows of texels.
+                // V points up in the file, but down in rows of texels.
                 Ok(Vec2::new(number("u")?, 1.0 - number("v")?))
             })?;
             PropertyGroup::Places(of, places)
@@ -137,7 +136,7 @@ impl Properties {
         Ok(true)
     }
 
-    /// Reads the images that have texture coordinates; `read` returns a package part by its name. Returns the errors of unreadable images.
+    /// Reads the images that texture coordinates use. `read` returns a package part by its name. Returns notes about unreadable images.
     pub(super) fn read_images(
         &mut self,
         read: &mut dyn FnMut(&str) -> std::result::Result<Arc<Texture>, String>,
@@ -160,7 +159,7 @@ impl Properties {
         notes
     }
 
-    /// The image of a triangle and the texture coordinates of its corners, if all corners lie in the same image.
+    /// The image of a triangle and the texture coordinates of its corners, if all corners use the same image.
     fn place(&self, found: &[ResolvedProperty<'_>; 3]) -> Option<(u32, [Vec2; 3])> {
         let ResolvedProperty::Place(image, _) = found[0] else {
             return None;
@@ -218,7 +217,7 @@ impl Properties {
         }
     }
 
-    /// Resolves a property that does not combine others.
+    /// Resolves a property of a group that does not combine other groups.
     fn plain(&self, group: u32, index: u32) -> ResolvedProperty<'_> {
         match self.groups.get(&group) {
             Some(PropertyGroup::Materials(all)) => match all.get(index as usize) {
@@ -237,7 +236,7 @@ impl Properties {
         }
     }
 
-    /// Computes the appearance of the triangles of an object; `default` is the property of triangles without their own.
+    /// Computes the appearance of an object's triangles. Triangles without a property have the property `default`.
     pub(super) fn look(
         &self,
         geometry: &Geometry,
@@ -299,12 +298,12 @@ impl Properties {
             (
                 textured,
                 "3mf-texture-left-out",
-                "a texture that is not there or cannot be read",
+                "a texture that is missing or cannot be read",
             ),
             (
                 missing,
                 "3mf-property-missing",
-                "a property that is not there or has no colour",
+                "a property that is missing or has no colour",
             ),
         ] {
             if count > 0 {
@@ -324,7 +323,7 @@ impl Properties {
     }
 }
 
-/// The property group of a triangle and an index for each corner; the object's default replaces missing ones.
+/// The property group of a triangle, and an index for each corner. The object's default replaces missing values.
 fn resolved(assigned: Assigned, default: Option<(u32, u32)>) -> (u32, [u32; 3]) {
     let (group, index) = default.unwrap_or((NONE, NONE));
     match (assigned.group, assigned.corners) {

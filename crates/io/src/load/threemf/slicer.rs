@@ -1,11 +1,11 @@
-//! Mesh uses that slicers store outside the model: modifier regions with their own settings, which are not solids, and meshes that are
-//! subtracted from the ones they overlap.
+//! Reads what slicers use meshes for, which they store outside the model. Some meshes are modifier regions with separate settings, and not
+//! solids. Others are subtracted from the meshes that they overlap.
 //!
-//! PrusaSlicer and its relatives write all volumes of an object into one mesh, and the triangle range of each volume into a package file.
-//! Bambu Studio and OrcaSlicer write objects with components, and the use of each component. Cura writes its settings into the
-//! object: as metadata, or in older versions as `settings`.
+//! PrusaSlicer and slicers derived from it write all volumes of an object into one mesh, and the triangle range of each volume into a
+//! package file. Bambu Studio and OrcaSlicer write objects with components, and the use of each component. Cura writes settings into the
+//! object, as metadata or, in older versions, as `settings`.
 //!
-//! Neither kind is shown: a region is not a solid, and solids are not subtracted from each other. Each becomes a note.
+//! Neither kind is shown, because a region is not a solid, and solids are not subtracted from each other. Each such mesh becomes a note.
 
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
@@ -21,7 +21,7 @@ const PARTS: [&str; 2] = [
     "Metadata/model_settings.config",
 ];
 
-/// Use of a mesh that is not a solid.
+/// What a slicer uses a mesh for that is not a solid.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Use {
     Modifier,
@@ -52,7 +52,7 @@ impl Use {
         }
     }
 
-    /// A note on what is left out.
+    /// Returns a note that `what` is left out because of its use.
     pub(super) fn note(self, what: &str) -> Diagnostic {
         let (code, text) = match self {
             Self::Modifier => (
@@ -61,11 +61,11 @@ impl Use {
             ),
             Self::Negative => (
                 "slicer-negative",
-                "a negative part of the slicer: it is not taken away from the solids that it overlaps",
+                "a negative part of the slicer: it is not subtracted from the solids that it overlaps",
             ),
             Self::Support => (
                 "slicer-support",
-                "where the slicer enforces or blocks supports: a region, not a solid",
+                "a region where the slicer enforces or blocks supports, not a solid",
             ),
         };
         Diagnostic::note(code, format!("left out {what}, {text}"))
@@ -75,14 +75,14 @@ impl Use {
 /// Uses of meshes of the first model, by object number.
 #[derive(Debug, Default)]
 pub(super) struct Uses {
-    /// Uses of the triangles of an object.
+    /// Uses of triangle ranges, by object.
     pub(super) of_triangles: BTreeMap<u32, Vec<(RangeInclusive<usize>, Use)>>,
-    /// Uses of an object's components, by the numbers of the object and the component.
+    /// Uses of components, by the numbers of the object and the component.
     pub(super) of_components: BTreeMap<(u32, u32), Use>,
 }
 
 impl Uses {
-    /// Reads the uses in a package; an unreadable one becomes a note.
+    /// Reads the uses stored in a package. An unreadable file becomes a note.
     pub(super) fn read(package: &mut Package<'_>, notes: &mut Vec<Diagnostic>) -> Self {
         let mut uses = Self::default();
         for part in PARTS {
@@ -92,7 +92,9 @@ impl Uses {
                 let why = e.into_what();
                 notes.push(Diagnostic::note(
                     "slicer-file-unread",
-                    format!("{part} is not read: {why}: meshes that are not solids may be shown"),
+                    format!(
+                        "{part} cannot be read, so meshes that are not solids may be shown: {why}"
+                    ),
                 ));
             }
         }
@@ -139,16 +141,16 @@ impl Uses {
     }
 }
 
-/// Returns true if an element of an object may hold settings of Cura.
+/// Returns true if an element of an object may hold Cura settings.
 pub(super) fn is_settings(element: &Element<'_>) -> bool {
     element.is_named("metadatagroup") || element.is_named("settings")
 }
 
-/// The use of an object from its settings element, which is open and is closed here.
+/// Returns the use of an object, from its open settings element, and closes that element.
 pub(super) fn used_as(xml: &mut Xml<'_>) -> Result<Option<Use>> {
     let mut found = None;
     while let Some(setting) = xml.child()? {
-        // An unreadable setting is not one that matters here.
+        // A setting that cannot be read is none of those that matter here, so it is skipped.
         let [name, key] = setting.values(["name", "key"]).unwrap_or_default();
         let of = name.or(key).and_then(|name| Use::of_setting(&name));
         let is_on = xml.text()?.eq_ignore_ascii_case("true");
@@ -172,7 +174,7 @@ fn said(metadata: &Element<'_>) -> Result<Option<Use>> {
     let value = value.unwrap_or_default();
     Ok(match key.as_deref() {
         Some("volume_type") => Use::of(&value),
-        // Form used by older versions.
+        // Older versions use this form.
         Some("modifier") => (value.trim() == "1").then_some(Use::Modifier),
         _ => None,
     })

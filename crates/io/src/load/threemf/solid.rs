@@ -1,4 +1,4 @@
-//! The solid of one object of a 3MF package: its mesh without the regions that a slicer uses, its colours and its welded vertices.
+//! Builds the solid of an object in a 3MF package: its mesh, without slicer regions and with welded vertices, and its colours.
 
 use std::ops::RangeInclusive;
 use std::sync::Arc;
@@ -12,7 +12,7 @@ use super::slicer::Use;
 use super::xml::shortened;
 use crate::load::draft::{Draft, Group};
 
-/// A solid that is shown in at least one place.
+/// A solid that is shown at least once.
 #[derive(Clone)]
 pub(super) struct ShownSolid {
     pub(super) mesh: Arc<Mesh>,
@@ -21,7 +21,7 @@ pub(super) struct ShownSolid {
     pub(super) is_transparent: bool,
 }
 
-/// Builds the solid of an object, whose mesh is consumed; further placements reuse the result.
+/// Builds the solid of an object and consumes the object's mesh. Further placements reuse the result.
 pub(super) fn solid(
     model: &mut ThreeMfModel,
     id: u32,
@@ -41,7 +41,7 @@ pub(super) fn solid(
     if geometry.has_beams {
         notes.push(Diagnostic::note(
             "3mf-beams",
-            "its beams are not drawn, its triangles are",
+            "its beams are not drawn, only its triangles",
         ));
     }
     for (range, of) in uses {
@@ -68,7 +68,7 @@ pub(super) fn solid(
         ..Draft::default()
     };
     let path = model.path.join(label);
-    // One group gives one solid.
+    // The draft has one group, so there is one solid.
     let solid = draft.into_solids(&path, notes)?.pop();
     Ok(solid.map(|solid| ShownSolid {
         mesh: Arc::new(solid.mesh),

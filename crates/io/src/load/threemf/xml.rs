@@ -1,9 +1,9 @@
-//! A pull parser over the elements of an XML document in memory, each with its namespace and line.
+//! A pull parser for the elements of an XML document in memory. Each element has its namespace and line.
 //!
-//! Text between elements is ignored: 3MF keeps all relevant data in attributes. Document types are refused, as the format requires, and
-//! with them all entities except the five of XML. Elements may be nested 64 deep; 3MF itself needs 6.
+//! Text between elements is ignored, because 3MF keeps all relevant data in attributes. Document types are refused, as the format requires,
+//! so XML's five predefined entities are the only ones. Elements may be nested 64 levels deep, of which 3MF itself needs 6.
 //!
-//! Cost: one pass to parse, and one to count lines.
+//! Cost: one pass over the text to parse it, and one to count lines.
 
 use std::borrow::Cow;
 use std::path::Path;
@@ -14,14 +14,14 @@ use quick_xml::name::{Namespace, QName, ResolveResult};
 use quick_xml::{NsReader, XmlVersion};
 
 pub(super) const DAMAGED: &str =
-    "the file is cut off, damaged or no 3MF: export or download it again";
+    "the file is cut off, damaged or not a 3MF: export or download it again";
 
 const CORRECT: &str = "correct the line, or export the file again";
 
 /// Maximum nesting depth of elements.
 const MOST_DEPTH: usize = 64;
 
-/// Specification that defines a name.
+/// The specification that defines an element or attribute name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Space {
     Core,
@@ -29,7 +29,7 @@ pub(super) enum Space {
     Production,
     BeamLattice,
     Slice,
-    /// Names of triangle sets, which do not affect geometry.
+    /// The specification of triangle sets, which do not affect geometry.
     TriangleSets,
     Other,
 }
@@ -74,7 +74,7 @@ impl SourcePosition<'_> {
     }
 }
 
-/// Start tag of an element.
+/// The start tag of an element.
 #[derive(Clone, Debug)]
 pub(super) struct Element<'a> {
     space: Space,
@@ -83,14 +83,14 @@ pub(super) struct Element<'a> {
 }
 
 impl Element<'_> {
-    /// Returns true if it has this name. Names of material extensions also match in the core namespace, in which some programs put them.
+    /// Returns true if the element has this name. The core namespace also matches the materials extension, as some programs mix them.
     pub(super) fn is(&self, space: Space, name: &str) -> bool {
         let is_of_space =
             self.space == space || (self.space, space) == (Space::Core, Space::Material);
         is_of_space && self.start.local_name().as_ref() == name.as_bytes()
     }
 
-    /// Returns true if it has this name, in any namespace.
+    /// Returns true if the element has this name, in any namespace.
     pub(super) fn is_named(&self, name: &str) -> bool {
         self.start.local_name().as_ref() == name.as_bytes()
     }
@@ -99,12 +99,12 @@ impl Element<'_> {
         self.space
     }
 
-    /// Its line, counted from 1.
+    /// Line of the element, counted from 1.
     pub(super) fn line(&self) -> usize {
         self.place.line
     }
 
-    /// Its name as written in the file.
+    /// Name of the element as written in the file.
     pub(super) fn name(&self) -> String {
         let name = self.start.name();
         String::from_utf8_lossy(name.as_ref())
@@ -146,7 +146,7 @@ impl Element<'_> {
         Ok(value)
     }
 
-    /// Returns a required value.
+    /// Returns a value that is required, or an error that names the missing attribute.
     pub(super) fn needed<T>(&self, value: Option<T>, name: &str) -> Result<T> {
         value.ok_or_else(|| self.error(format!("<{}> lacks `{name}`", self.name())))
     }
@@ -195,7 +195,7 @@ impl<'a> Xml<'a> {
         }
     }
 
-    /// Opens and returns the next child of the open element; at the end of the open element, closes it and returns `None`.
+    /// Opens and returns the next child of the open element. If there are no more children, closes the open element and returns `None`.
     pub(super) fn child(&mut self) -> Result<Option<Element<'a>>> {
         loop {
             let mut place = self.place(self.reader.buffer_position());
@@ -221,12 +221,12 @@ impl<'a> Xml<'a> {
                     return Ok(None);
                 }
                 Event::Eof if self.depth == 0 => return Ok(None),
-                Event::Start(_) => format!("XML: more than {MOST_DEPTH} elements in each other"),
-                Event::Eof => format!("XML: it ends within {} elements", self.depth),
+                Event::Start(_) => format!("XML: elements are nested more than {MOST_DEPTH} deep"),
+                Event::Eof => format!("XML: it ends while {} elements are open", self.depth),
                 Event::DocType(_) => "XML: it has a document type, which 3MF forbids".to_owned(),
                 Event::Decl(declaration) => match declaration.encoding() {
                     Some(Ok(name)) if !is_unicode(&name) => format!(
-                        "XML: it is encoded in {}, 3MF is in UTF-8 or UTF-16",
+                        "XML: it is encoded in {}, but 3MF requires UTF-8 or UTF-16",
                         shortened(&String::from_utf8_lossy(&name))
                     ),
                     _ => continue,
@@ -264,7 +264,7 @@ impl<'a> Xml<'a> {
                 Err(other.error_with_help(what, DAMAGED))
             }
             None => {
-                let what = format!("XML: it has no element <{name}>");
+                let what = format!("invalid XML: no <{name}> element");
                 Err(Error::file(self.path, what, DAMAGED))
             }
         }
@@ -299,7 +299,7 @@ impl<'a> Xml<'a> {
         self.depth
     }
 
-    /// Closes elements until fewer than `depth` are open.
+    /// Closes elements until fewer than `depth` elements are open.
     pub(super) fn leave(&mut self, depth: usize) -> Result<()> {
         while self.depth >= depth.max(1) {
             self.child()?;
@@ -307,7 +307,7 @@ impl<'a> Xml<'a> {
         Ok(())
     }
 
-    /// True if the text is not XML: nothing further can be read.
+    /// Returns true if the text is not valid XML, so that nothing further can be read.
     pub(super) fn is_broken(&self) -> bool {
         self.is_broken
     }
@@ -328,7 +328,7 @@ impl<'a> Xml<'a> {
         }
     }
 
-    /// The value of an attribute in a given namespace, on the element that was opened last.
+    /// Returns the value of an attribute in a given namespace, on the element that was opened last.
     pub(super) fn value_of(
         &self,
         element: &Element<'_>,

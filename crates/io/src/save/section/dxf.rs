@@ -1,9 +1,9 @@
-//! Sections as ASCII DXF for AutoCAD 2004 (`AC1018`), the first with true colours: each loop is a closed polyline on its part's layer.
+//! Writes sections as ASCII DXF for AutoCAD 2004 (`AC1018`), the first with true colours. Loops are closed polylines on part layers.
 //!
-//! Coordinates are those of [`svg`](super::svg): each plane is seen from the removed side, `v` up, and the planes are side by side;
-//! the first plane has exactly the `u` and `v` of the JSON. All digits of a coordinate are kept. Curves that do not close are open
-//! polylines on a red layer `PART open`. A layer has its cap's colour, which programs without true colours show as the nearest of the
-//! first seven index colours. DXF has no fill rules: where loops nest, the inner ones are holes.
+//! Coordinates are those of [`svg`](super::svg): each plane is seen from the removed side, with `v` up, and planes are side by side. Points
+//! in the first plane have exactly the coordinates `u` and `v` of the JSON. All digits are kept. Curves that do not close are open
+//! polylines on a red layer `PART open`. Other layers have the part's cap colour. Programs without true colours show the nearest of the
+//! first seven index colours. DXF has no fill rules, so in nested loops the inner loops are holes.
 //!
 //! Cost: one pass over the points.
 
@@ -15,7 +15,7 @@ use cutaway::scene::LengthUnit;
 use super::svg::places;
 use super::{Curve, PartReport, SectionReport};
 
-/// The index colours that all programs share: number and sRGB.
+/// The index colours that all programs agree on, each with its number and sRGB value.
 const INDEXED: [(u8, [u8; 3]); 7] = [
     (1, [255, 0, 0]),
     (2, [255, 255, 0]),
@@ -29,10 +29,10 @@ const INDEXED: [(u8, [u8; 3]); 7] = [
 /// The layer that every drawing must have.
 const ZERO: &str = "0";
 
-/// First handle available to layers and polylines; lower ones belong to tables, blocks and dictionaries.
+/// First handle available to layers and polylines. Lower handles belong to tables, blocks and dictionaries.
 const FIRST_FREE: u32 = 0x100;
 
-/// Code and value pairs of the file, and the next free handle.
+/// The pairs of code and value written so far, and the next free handle.
 struct DxfWriter {
     text: String,
     next: u32,
@@ -56,7 +56,7 @@ impl DxfWriter {
     }
 }
 
-/// The drawing as the text of a file.
+/// Returns the text of the DXF file.
 pub fn dxf(report: &SectionReport, unit: Option<LengthUnit>) -> String {
     let mut draft = DxfWriter {
         text: String::new(),
@@ -94,7 +94,7 @@ pub fn dxf(report: &SectionReport, unit: Option<LengthUnit>) -> String {
 /// The layers of a drawing.
 #[derive(Default)]
 struct DxfLayers {
-    /// Layers of closed and of open curves, by part name.
+    /// The two layers of each part, for closed and for open curves, by part name.
     of_parts: BTreeMap<String, [String; 2]>,
     /// Colours by layer name.
     colors: BTreeMap<String, [u8; 3]>,
@@ -103,7 +103,7 @@ struct DxfLayers {
 impl DxfLayers {
     fn of(report: &SectionReport) -> Self {
         let mut layers = Self::default();
-        // Layer names are compared without regard to case.
+        // Upper and lower case do not distinguish layer names.
         let mut taken = BTreeSet::from([ZERO.to_owned()]);
         for part in report.sections.iter().flat_map(|s| &s.parts) {
             let names = (layers.of_parts.entry(part.part.clone()))
@@ -147,7 +147,7 @@ fn layer_names(part: &str, taken: &mut BTreeSet<String>) -> [String; 2] {
     pair.map(|name| in_ascii(&name))
 }
 
-/// Escapes other characters as their code numbers, in the format's notation.
+/// Escapes characters that are not ASCII by their code numbers, in DXF notation.
 fn in_ascii(text: &str) -> String {
     let mut ascii = String::with_capacity(text.len());
     for unit in text.encode_utf16() {

@@ -1,9 +1,9 @@
-//! Sections of the parts of a scene by planes, as data: the JSON of `cutaway section`, and the input of its drawings.
+//! Plane sections of a scene's parts as data, which are the JSON of `cutaway section` and the input of its drawings.
 //!
-//! Everything is in world units. A drawing shows a plane as seen from the removed side, as pictures show caps: `u` is
-//! to the right and `v` up, and `u` x `v` points against the normal. `v` is as close to the scene's up axis as the plane
-//! allows; in a level plane it points to the back. The origin is the projection of the world origin, so that for a plane across an axis
-//! `u` and `v` are model coordinates, except for their signs.
+//! Everything is in world units. A drawing shows a plane from the removed side, as pictures show caps. In it, `u` points right, `v` points
+//! up, and `u` x `v` points against the normal. `v` is as close to the scene's up axis as the plane allows. In a level plane, `v` points to
+//! the back. The origin is the projection of the world origin, so in a plane perpendicular to an axis, `u` and `v` are model coordinates,
+//! except for their signs.
 
 use cutaway::scene::{Part, Up};
 use cutaway::slice::{Section, SlicePlane};
@@ -21,7 +21,7 @@ pub use svg::svg;
 pub struct SectionReport {
     /// Name of the scene.
     pub scene: String,
-    /// Sections by plane, in the order of the cuts.
+    /// The sections, one for each plane, in the order of the cuts.
     pub sections: Vec<PlaneReport>,
 }
 
@@ -34,15 +34,15 @@ pub struct PlaneReport {
     pub face: SectionFace,
     /// Number of the clip-surface in the scene.
     pub clip_surface: usize,
-    /// The plane, with its right and up directions.
+    /// The plane, with the directions right and up of its drawing.
     pub plane: DrawingPlane,
-    /// True if other clip-surfaces of the cut, or other cuts, remove part of the section.
+    /// True if part of the section is removed by other clip-surfaces of the same cut or by other cuts.
     pub trimmed: bool,
     /// Total area over all parts.
     pub area: f64,
     /// Total perimeter over all parts.
     pub perimeter: f64,
-    /// Parts that the plane meets. At shared points the last part has priority.
+    /// Parts that the plane meets. Where parts overlap, the last one has priority.
     pub parts: Vec<PartReport>,
 }
 
@@ -53,7 +53,7 @@ pub struct SectionFace {
     pub number: usize,
     /// Number of planes in all cuts with this name.
     pub of: usize,
-    /// The plane in the notation of `--section`, rounded.
+    /// The plane in the notation of `--section`, with rounded numbers.
     pub plane: String,
 }
 
@@ -62,23 +62,23 @@ pub struct SectionFace {
 pub struct PartReport {
     /// Name of the part.
     pub part: String,
-    /// Colour of its cap, sRGB, `#rrggbb`.
+    /// Cap colour of the part, in sRGB as `#rrggbb`.
     pub color: String,
-    /// Fill rule of its loops: `even-odd` or `nonzero`.
+    /// Fill rule of the loops, either `even-odd` or `nonzero`.
     pub fill: String,
     /// Area enclosed by the loops.
     pub area: f64,
-    /// Perimeter of the outline of that area.
+    /// Perimeter of the area enclosed by the loops.
     pub perimeter: f64,
     /// True if the whole outline is closed and capped.
     pub closed: bool,
-    /// Closed curves; if the mesh faces outward, outlines run counter-clockwise and holes clockwise.
+    /// Closed curves. If the mesh faces outward, outlines run counter-clockwise and holes clockwise.
     pub loops: Vec<Curve>,
     /// Curves that end at open edges of the mesh.
     pub open_chains: Vec<Curve>,
-    /// Defects of the mesh where the plane meets it, in words.
+    /// Descriptions of the mesh defects that the plane meets.
     pub defects: Vec<String>,
-    /// Remedy for the first defect that removes part of the section.
+    /// Remedy for the first defect because of which part of the section is missing.
     #[serde(skip)]
     pub help: Option<&'static str>,
 }
@@ -86,11 +86,11 @@ pub struct PartReport {
 /// A curve in a plane.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Curve {
-    /// Length; for a loop, its full circumference.
+    /// Length of the curve, which for a loop is its whole circumference.
     pub length: f64,
-    /// Coordinates along `u` and `v`.
+    /// Points of the curve, in coordinates `u` and `v`.
     pub uv: Vec<[f64; 2]>,
-    /// The same points in world space.
+    /// Points of the curve, in world space.
     pub world: Vec<[f64; 3]>,
 }
 
@@ -100,29 +100,29 @@ pub struct DrawingPlane {
     /// The point of the plane nearest to the world origin.
     #[serde(serialize_with = "as_array")]
     pub origin: DVec3,
-    /// Direction to the kept side.
+    /// Normal of the plane, which points to the kept side.
     #[serde(serialize_with = "as_array")]
     pub normal: DVec3,
-    /// Direction to the right.
+    /// Direction that points to the right in the drawing.
     #[serde(serialize_with = "as_array")]
     pub u: DVec3,
-    /// Direction up.
+    /// Direction that points up in the drawing.
     #[serde(serialize_with = "as_array")]
     pub v: DVec3,
 }
 
 fn as_array<S: Serializer>(v: &DVec3, serializer: S) -> Result<S::Ok, S::Error> {
-    // Adding zero turns -0 into 0, for readers.
+    // Adding zero turns -0 into 0, which is easier to read.
     (*v + DVec3::ZERO).to_array().serialize(serializer)
 }
 
 impl DrawingPlane {
-    /// A plane of a scene with an up axis.
+    /// Creates the drawing axes of a plane in a scene with this up axis.
     pub fn of(plane: &SlicePlane, up: Up) -> Self {
         let normal = plane.frame.normal;
         let up = up.axis();
         let upright = (up - normal * up.dot(normal)).try_normalize();
-        // In a level plane `u` is the same whether the plane is seen from above or from below.
+        // In a level plane, `u` is the same direction whether the plane is seen from above or from below.
         let level = || {
             let right = DVec3::X - normal * normal.x;
             -normal.cross(right.normalize_or(plane.frame.u_hat))
@@ -181,7 +181,7 @@ impl PartReport {
     /// Creates the report of the section of a part.
     pub fn new(part: &Part, section: &Section, plane: &SlicePlane, drawn: &DrawingPlane) -> Self {
         let curve = |points: &[u32], closed| {
-            // Seen from the other side, loops run in the opposite direction.
+            // The points are reversed, because loops run in the opposite direction if seen from the other side.
             let seen = points.iter().rev();
             let at: Vec<DVec2> = seen.map(|i| section.points[*i as usize]).collect();
             Curve::of(&at, closed, plane, drawn)

@@ -1,26 +1,26 @@
-//! Sections as a drawing: SVG that shows each plane as seen from the removed side.
+//! Draws sections as SVG, with each plane seen from the removed side.
 //!
-//! One file holds all planes side by side, one group each. Within its group a path has exactly the coordinates `u` and `v` of the JSON: the
-//! group flips `v` up, and translates every plane except the first. Each part is one path in its cap colour, filled by its fill rule.
-//! Strokes keep their screen width in viewers that support it; in others they are a thousandth of the drawing wide. Curves that do
+//! One file holds all planes side by side, each in a group. The paths in a group have exactly the coordinates `u` and `v` of the JSON. The
+//! group flips `v` up and, except for the first plane, translates the plane. Each part is one path in its cap colour, filled by its fill
+//! rule. Strokes keep their screen width if the viewer supports that. Otherwise their width is a thousandth of the drawing. Curves that do
 //! not close are red and not filled.
 //!
-//! A unit of the drawing is a unit of the model. With a [`LengthUnit`] the drawing has the model's size; without one it is fitted to
-//! [`LONGEST_PX`] pixels.
+//! A unit of the drawing is a unit of the model. If a [`LengthUnit`] is given, the drawing has the model's physical size. Otherwise its
+//! longer side has [`LONGEST_PX`] pixels.
 
 use cutaway::scene::LengthUnit;
 use maud::{Markup, html};
 
 use super::{Curve, PartReport, PlaneReport, SectionReport};
 
-/// Pixels along the longer side of a drawing without a physical size.
+/// Number of pixels along the longer side of a drawing that has no physical size.
 const LONGEST_PX: f64 = 1000.0;
-/// Margin around a drawing and between planes, as a share of the longest side of all planes.
+/// Margin around the drawing and between planes, as a fraction of the longest side of any plane.
 const GAP_SHARE: f64 = 0.03;
-/// Digits kept for a coordinate as large as the longest side.
+/// Number of digits that are kept for a coordinate as large as the longest side.
 const DRAWN_DIGITS: i32 = 10;
 
-/// Viewers without this effect skip the `@supports` rule: in them a stroke of 1 px would be one unit wide, possibly a blot.
+/// Viewers without this effect skip the `@supports` rule. Without it, a stroke of 1 px would be one drawing unit wide, possibly a blot.
 const NON_SCALING: &str = "@supports (vector-effect: non-scaling-stroke) \
     { path { vector-effect: non-scaling-stroke; stroke-width: 1px } .open { stroke-width: 2px } }";
 
@@ -32,7 +32,7 @@ struct PlaneRect {
 }
 
 impl PlaneRect {
-    /// Bounds of all curves of a plane; the unit square if there are none.
+    /// Bounds of all curves of a plane, or the unit square if there are no curves.
     fn of(plane: &PlaneReport) -> Self {
         let curves = plane
             .parts
@@ -63,7 +63,7 @@ impl PlaneRect {
 /// Layout of the planes of a report side by side.
 struct DrawingLayout {
     frames: Vec<PlaneRect>,
-    /// The longest side of all planes.
+    /// The longest side of any plane.
     longest: f64,
 }
 
@@ -76,7 +76,7 @@ impl DrawingLayout {
     }
 }
 
-/// Offset of each plane, so that all stand on one line; the first has none.
+/// Offset of each plane, such that all planes stand on one line. The first plane is not moved.
 pub(super) fn places(report: &SectionReport) -> Vec<[f64; 2]> {
     let DrawingLayout { frames, longest } = DrawingLayout::of(report);
     let Some(first) = frames.first() else {
@@ -91,7 +91,7 @@ pub(super) fn places(report: &SectionReport) -> Vec<[f64; 2]> {
     frames.iter().map(place).collect()
 }
 
-/// The drawing as the text of a file.
+/// Returns the text of the SVG file.
 pub fn svg(report: &SectionReport, unit: Option<LengthUnit>) -> String {
     let DrawingLayout { frames, longest } = DrawingLayout::of(report);
     let decimals = (DRAWN_DIGITS - longest.log10().ceil() as i32).clamp(0, 300) as usize;
@@ -166,7 +166,7 @@ fn group(index: usize, plane: &PlaneReport, [x, y]: [String; 2], decimals: usize
     }
 }
 
-/// Formats curves as the data of one path. Consecutive points with the same text are merged.
+/// Formats curves as the data of one path. Consecutive points that round to the same text are merged.
 fn outline(curves: &[Curve], decimals: usize, end: &str) -> String {
     let mut data = String::new();
     for curve in curves {

@@ -1,4 +1,4 @@
-//! `[[chart]]`: parses the charts of an experiment's records. The report draws them.
+//! Parser of `[[chart]]`: the charts that a report draws from an experiment's records.
 
 use std::collections::BTreeSet;
 
@@ -10,7 +10,7 @@ use super::{Asked, DefinedRun};
 use crate::experiment::ChartSynopsis;
 use crate::experiment::figures::{OF_DRIFT, OF_PICTURES, OF_SIZE, OF_TIME, of_error};
 
-/// Reads a chart of some runs, and checks that these have the values it shows.
+/// Reads a chart, and checks that the runs it shows have the values of its axes.
 pub(super) fn read(entry: &Entry<'_>, runs: &[DefinedRun]) -> Result<ChartSynopsis> {
     let table = entry.table(&["title", "runs", "x", "y", "log", "pareto", "note"])?;
     let of_scenes = |run: &&DefinedRun| matches!(run.full, Asked::Scenes(_));
@@ -74,7 +74,7 @@ fn one_of(entry: &Entry<'_>, known: &[&str]) -> Result<String> {
     Err(entry.fault(what, did_you_mean(word, known.iter().copied())))
 }
 
-/// Reads the logarithmic axes.
+/// Reads which axes are logarithmic.
 fn axes(table: &Table<'_>) -> Result<Vec<String>> {
     let Some(log) = table.get("log") else {
         return Ok(Vec::new());
@@ -82,7 +82,7 @@ fn axes(table: &Table<'_>) -> Result<Vec<String>> {
     let axes = log.texts()?;
     match axes.iter().find(|a| *a != "x" && *a != "y") {
         Some(stray) => {
-            let help = "write some of `log = [\"x\", \"y\"]`";
+            let help = "write `log = [\"x\"]`, `log = [\"y\"]` or `log = [\"x\", \"y\"]`";
             Err(log.fault(format_args!("`{stray}` is no axis"), help))
         }
         None => Ok(axes),

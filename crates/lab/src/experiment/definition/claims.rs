@@ -1,7 +1,7 @@
-//! `[[run.expect]]`: expected results of strategies.
+//! Parser of `[[run.expect]]`: the expected results of strategies.
 //!
-//! An expectation concerns errors, never times: a time on one machine predicts nothing on another, and times belong in reports. An
-//! expectation that declares a failure or a bound gives a reason.
+//! An expectation concerns errors, never times: a time on one machine predicts nothing about another machine, so times belong in reports.
+//! An expectation that declares a failure or a bound must give a reason.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -15,7 +15,7 @@ use crate::experiment::figures::{OF_DRIFT, OF_PICTURES, OF_SIZE, OF_TIME, of_err
 use crate::experiment::sweep::{Point, Trial};
 use crate::experiment::{Bound, Ending, Parameter, Parameters};
 
-/// Keys that are not names of figures.
+/// Keys of an expectation that are not names of figures.
 const BESIDE_FIGURES: [&str; 6] = [
     "strategies",
     "where",
@@ -28,17 +28,17 @@ const BESIDE_FIGURES: [&str; 6] = [
 /// Expected results of strategies.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Claim {
-    /// Globs over the names of renderers.
+    /// Globs that match the names of the renderers concerned.
     pub strategies: Vec<String>,
-    /// Values that the point or the renderer must have.
+    /// Parameter values that the point or the renderer must have for the claim to apply.
     pub conditions: Parameters,
-    /// Minimum sub-pixel bits of the rasterisers that the claim applies to; with `None`, it applies to every adapter.
+    /// Minimum number of sub-pixel bits that a rasteriser must have for the claim to apply; with `None`, it applies to every adapter.
     pub sub_pixel_bits: Option<u32>,
     /// Why the result cannot be better.
     pub why: Option<String>,
     /// Expected outcome of the frame.
     pub outcome: Ending,
-    /// Words in the reason of a frame that is not complete.
+    /// Words that the reason must contain if the frame is not complete.
     pub reason: Option<String>,
     /// Expected figures.
     pub figures: Vec<(String, Wanted)>,
@@ -49,12 +49,12 @@ pub struct Claim {
 pub enum Wanted {
     /// A number, or a range.
     Within(Bound),
-    /// From each value of a strategy axis to the next, the figure is strictly smaller, or 0 at both.
+    /// From each value of this strategy axis to the next, the figure becomes strictly smaller, or is 0 at both.
     FallsAlong(String),
 }
 
 impl Claim {
-    /// Returns true if the claim applies to a renderer at a point, judged by the renderer's name and the sweep values of both.
+    /// Returns true if the claim applies to a renderer at a point, given the renderer's name and the sweep values of both.
     pub fn means(&self, name: &str, of_point: &Parameters, trial: &Trial) -> bool {
         let is_made_so = |own: &Parameters| {
             let has = |(key, value): (&String, &Parameter)| {
@@ -66,7 +66,7 @@ impl Claim {
     }
 }
 
-/// Reads what a run expects.
+/// Reads the expectations of a run.
 pub(super) fn read(table: &Table<'_>, run: &SceneRun) -> Result<Vec<Claim>> {
     let entries = table.tables("expect")?;
     entries.iter().map(|e| claim(e, run)).collect()
@@ -121,7 +121,7 @@ fn claim(entry: &Entry<'_>, run: &SceneRun) -> Result<Claim> {
     for name in &names {
         if let Some(entry) = table.get(name) {
             let wanted = wanted(&entry, run)?;
-            // A bound of at most 0 declares no failure: it means exactly 0.
+            // A bound of at most 0 means exactly 0, so it does not declare a failure.
             is_declared |= entry.is_table()
                 && matches!(&wanted, Wanted::Within(b) if b.most.is_none_or(|most| most > 0.0));
             claim.figures.push((name.clone(), wanted));
@@ -182,7 +182,7 @@ fn conditions(table: &Table<'_>, run: &SceneRun) -> Result<Parameters> {
             .find(|v| Some(&v.is) == is.as_ref());
         let Some(held) = held else {
             let asked = is.map_or_else(String::new, |is| is.to_string());
-            let help = "use a value of [run.sweep], written as it is there";
+            let help = "use a value that is listed in [run.sweep], in the same spelling";
             return Err(value.fault(format_args!("its value is never `{asked}`"), help));
         };
         conditions.insert(key.to_owned(), held.is.clone());
@@ -208,8 +208,8 @@ fn wanted(entry: &Entry<'_>, run: &SceneRun) -> Result<Wanted> {
         return match (bound.least, bound.most) {
             (None, None) => Err(entry.fault("nothing is expected", "write `{ most = 30 }`")),
             (Some(least), Some(most)) if least > most => Err(entry.fault(
-                "no number is in this range",
-                "let `least` be at most `most`",
+                "no number lies in this range",
+                "make `least` no greater than `most`",
             )),
             _ => Ok(Wanted::Within(bound)),
         };
@@ -240,7 +240,7 @@ fn wanted(entry: &Entry<'_>, run: &SceneRun) -> Result<Wanted> {
     Ok(Wanted::FallsAlong(axis.to_owned()))
 }
 
-/// Returns true if one strategy text has two values of an axis among the renderers that a claim applies to.
+/// Returns true if, among the renderers that a claim applies to, two come from one strategy text with different values of the axis.
 fn has_a_step(point: &Point, claim: &Claim, axis: &str) -> bool {
     let meant = (point.trials.iter())
         .filter(|e| claim.means(&e.renderer.to_string(), &point.parameters, e));
@@ -255,7 +255,7 @@ fn has_a_step(point: &Point, claim: &Claim, axis: &str) -> bool {
     false
 }
 
-/// Refuses an expectation that applies to no renderer, and so could never be missed.
+/// Fails if an expectation applies to no renderer, as it could then never be missed.
 fn must_mean_somebody(table: &Table<'_>, claim: &Claim, run: &SceneRun) -> Result<()> {
     let strategies = table.need("strategies", "[\"*\"]")?;
     let names: BTreeSet<String> = (run.points.iter().flat_map(|p| &p.trials))

@@ -1,4 +1,4 @@
-//! `drift` of a run: how its camera moves.
+//! Parser of a run's `drift`: how the camera moves.
 
 use cutaway::Result;
 use cutaway_io::document::reader::Table;
@@ -38,7 +38,7 @@ pub(super) fn drift(table: &Table<'_>) -> Result<Option<Drift>> {
         return Err(samples.fault("pictures cannot have this many samples", "use 2 to 16"));
     }
     if !(2..=4096).contains(&drift.frames) {
-        return Err(frames.fault("a drift cannot have this many frames", "use 2 to 4096"));
+        return Err(frames.fault("a drift cannot have this number of frames", "use 2 to 4096"));
     }
     Ok(Some(drift))
 }

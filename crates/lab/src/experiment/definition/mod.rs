@@ -1,10 +1,10 @@
 //! Parser of an experiment: one TOML file with a question, scenes, sweep axes, strategies and expectations.
 //!
-//! Reading a file checks all that can be checked without opening a scene: every key and strategy name is known, every path can be
-//! set, every value is used, and every expectation matches a renderer. The result is already expanded: each run of scenes holds its
-//! points twice, in full and for `--quick`, each with its scene document.
+//! Reading a file checks everything that can be checked without opening a scene: every key and strategy name is known, every path can
+//! be set, every value is used, and every expectation matches a renderer. The result is already expanded: each run of scenes holds two
+//! lists of points, one for the full task and one for `--quick`, and each point has its scene document.
 //!
-//! The format is described in `experiments/README.md`; the readers of its parts are in this folder.
+//! The format is described in `experiments/README.md`; the modules of this folder read its parts.
 
 mod charts;
 mod claims;
@@ -31,13 +31,13 @@ const FILE_KEYS: &[&str] = &["question", "analysis", "run", "chart"];
 /// An experiment.
 #[derive(Clone, Debug)]
 pub struct Definition {
-    /// Path of its file, as the caller gave it.
+    /// Path of the experiment's file, as the caller gave it.
     pub path: PathBuf,
-    /// The stem of the file.
+    /// Name of the experiment: the stem of its file.
     pub name: String,
     /// The runs.
     pub runs: Vec<DefinedRun>,
-    /// Synopsis for a record, without the points, which differ between full and `--quick`.
+    /// Synopsis for the folder of records. It lists no points, as these differ between the full task and `--quick`.
     pub synopsis: Synopsis,
 }
 
@@ -48,14 +48,14 @@ pub struct DefinedRun {
     pub name: String,
     /// The full task.
     pub full: Asked,
-    /// The task of `--quick`.
+    /// The task with `--quick`.
     pub quick: Asked,
-    /// True if the file defines `--quick`; otherwise the full task is used.
+    /// True if the file defines a task for `--quick`; otherwise `--quick` uses the full task.
     pub has_quick: bool,
 }
 
 impl DefinedRun {
-    /// The task, in full or for `--quick`.
+    /// The full task, or that of `--quick`.
     pub fn asked(&self, is_quick: bool) -> &Asked {
         if is_quick { &self.quick } else { &self.full }
     }
@@ -119,7 +119,7 @@ impl Definition {
     }
 }
 
-/// Names of other entries in a folder of records: no record may have such a name.
+/// Names of other entries in a folder of records, which no record may have.
 const TAKEN: [&str; 2] = ["experiment", "peers"];
 
 /// Returns true if a name is a valid file name on any system.
@@ -132,7 +132,7 @@ fn question(root: &Table<'_>) -> Result<String> {
     let entry = root.need("question", "\"What does it cost?\"")?;
     let question = entry.text()?.trim();
     if question.len() < 2 || !question.ends_with('?') {
-        let help = "ask something: one sentence that ends in a question mark";
+        let help = "write one sentence that ends in a question mark";
         return Err(entry.fault("it is not a question", help));
     }
     Ok(question.to_owned())
@@ -163,11 +163,11 @@ fn run(entry: &Entry<'_>, path: &Path) -> Result<(DefinedRun, RunSynopsis)> {
         != 1
     {
         let help = "give exactly one of `scene`, `cases` and `random`";
-        return Err(entry.fault("it runs nothing, or several things", help));
+        return Err(entry.fault("it defines no task, or several tasks", help));
     }
     let name = table.need("name", "\"crank\"")?;
     if !is_name(name.text()?) {
-        let help = "use small letters, digits and `-`, and neither `experiment` nor `peers`: files are named after it";
+        let help = "use lower-case letters, digits and `-`, and neither `experiment` nor `peers`: files are named after it";
         return Err(name.fault("it cannot be a name", help));
     }
     let about = table.get("about");

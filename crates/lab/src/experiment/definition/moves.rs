@@ -1,4 +1,4 @@
-//! Inputs that move in the use case of a run: they select the clocks that count in every frame.
+//! The inputs that move in a run's use case. They determine which clocks are part of a frame's cost.
 
 use cutaway::Result;
 use cutaway::error::did_you_mean;
@@ -12,13 +12,13 @@ pub enum Moves {
     /// Only the view.
     #[default]
     View,
-    /// The cut, and maybe the view.
+    /// The cut, and possibly the view.
     Cut,
-    /// The mesh, and maybe the rest.
+    /// The mesh, and possibly the cut and the view.
     Mesh,
 }
 
-/// All, by name.
+/// All values with their names.
 const NAMED: [(&str, Moves); 3] = [
     ("view", Moves::View),
     ("cut", Moves::Cut),
@@ -32,7 +32,7 @@ pub(super) fn read(entry: &Entry<'_>) -> Result<Moves> {
         Some((_, moves)) => Ok(*moves),
         None => {
             let help = did_you_mean(text, NAMED.map(|(name, _)| name));
-            Err(entry.fault(format!("`{text}` is not something that moves"), help))
+            Err(entry.fault(format!("`{text}` is not an input that can move"), help))
         }
     }
 }

@@ -11,26 +11,26 @@ use crate::experiment::Renderer;
 /// Selected hard cases.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AskedCases {
-    /// Globs over the ids of cases.
+    /// Globs that match the ids of the selected cases.
     pub cases: Vec<String>,
-    /// Methods to run; `None` means those that the cases name.
+    /// Methods to run; `None` means the methods that each case names.
     pub methods: Option<Vec<Method>>,
-    /// Side lengths of the pictures in pixels; if empty, the cases decide.
+    /// Side lengths of the pictures in pixels; if empty, each case uses its own.
     pub sizes_px: Vec<u32>,
 }
 
 /// A search through random scenes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AskedSearch {
-    /// Number of scenes.
+    /// Number of random scenes.
     pub scenes: usize,
-    /// First seed.
+    /// Seed of the first scene.
     pub seed: u64,
-    /// Methods to run; `None` means all that should be exact.
+    /// Methods to run; `None` means all methods that should be exact.
     pub methods: Option<Vec<Method>>,
 }
 
-/// Reads a run of hard cases, in full and quick.
+/// Reads a run of hard cases: the full task, and that of `--quick`.
 pub(super) fn read_cases(entry: &Entry<'_>) -> Result<(Asked, Asked)> {
     let table = entry.table(&["name", "about", "cases", "strategies", "sizes", "quick"])?;
     let globs = table.need("cases", "[\"*\"]")?;
@@ -48,7 +48,7 @@ pub(super) fn read_cases(entry: &Entry<'_>) -> Result<(Asked, Asked)> {
     Ok((Asked::Cases(full), Asked::Cases(quick)))
 }
 
-/// Reads a search, in full and quick.
+/// Reads a search: the full task, and that of `--quick`.
 pub(super) fn read_search(entry: &Entry<'_>) -> Result<(Asked, Asked)> {
     let table = entry.table(&["name", "about", "random", "strategies", "quick"])?;
     let random = table.need("random", "{ scenes = 200, seed = 1 }")?;

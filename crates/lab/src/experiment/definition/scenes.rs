@@ -1,4 +1,4 @@
-//! `[[run]]` with a `scene`: a document, and its sweep axes.
+//! Parser of a `[[run]]` with a `scene`: the scene document and the sweep axes.
 
 use std::path::Path;
 
@@ -50,11 +50,11 @@ const MOST_ROUNDS: usize = 10_000;
 /// Strategies to measure on the points of a sweep.
 #[derive(Clone, Debug)]
 pub struct SceneRun {
-    /// The points, in the order of the values; the first axis by name varies slowest.
+    /// The points, in the order of their axis values; the alphabetically first axis varies slowest.
     pub points: Vec<Point>,
-    /// Measured rounds, after one warm-up round.
+    /// Number of measured rounds, without the warm-up round.
     pub rounds: usize,
-    /// The points that keep pictures.
+    /// The points whose pictures are kept.
     pub pictures: Pictures,
     /// Drift of the camera, if any.
     pub drift: Option<Drift>,
@@ -78,7 +78,7 @@ pub enum Pictures {
 }
 
 impl Pictures {
-    /// Returns true if the point with this index, out of `points`, keeps its pictures.
+    /// Returns true if the pictures of the point with this index are kept; `points` is the number of points.
     pub fn are_kept(self, index: usize, points: usize) -> bool {
         match self {
             Self::None => false,
@@ -89,7 +89,7 @@ impl Pictures {
     }
 }
 
-/// A run as written, before it is expanded.
+/// A run as the file defines it, before it is expanded into points.
 #[derive(Clone)]
 struct RunDraft {
     variable: Variable,
@@ -98,11 +98,11 @@ struct RunDraft {
     drift: Option<Drift>,
 }
 
-/// Reads a run, in full and quick. Files are named relative to the folder of the experiment file, `path`.
+/// Reads a run: the full task, and that of `--quick`. File names are relative to the folder of `path`, the experiment's file.
 pub(super) fn read(entry: &Entry<'_>, path: &Path) -> Result<(Asked, Asked)> {
     let table = entry.table(RUN_KEYS)?;
     let scene = scene(&table, path)?;
-    // Errors in the experiment's changes to a scene file name the experiment's file, not the scene's.
+    // If a change that the experiment makes to a scene file is wrong, the error must name the experiment's file, not the scene file.
     let node;
     let (entry, table) = if scene.path() == path {
         (entry.clone(), table)
@@ -143,7 +143,7 @@ pub(super) fn read(entry: &Entry<'_>, path: &Path) -> Result<(Asked, Asked)> {
 }
 
 impl RunDraft {
-    /// Sets the keys of a run that change the scene, other than `scene` itself.
+    /// Applies the keys of a run that change the scene, other than `scene` itself.
     fn set(&mut self, table: &Table<'_>) -> Result<()> {
         let scene = &mut self.variable.scene;
         if let Some(size) = table.get("resolution") {
@@ -170,7 +170,7 @@ impl RunDraft {
                 quick.axes.replace(fewer(name, &values, self)?);
             }
         }
-        // There is one quick size, however many sizes there are in full.
+        // `--quick` has one size, even if the full task has several.
         if table.get("resolution").is_some() {
             let is_of_more = |a: &SweepAxis| {
                 let mut sets = a.values.iter().flat_map(|v| &v.sets);
@@ -215,7 +215,7 @@ fn scene(table: &Table<'_>, path: &Path) -> Result<Document> {
     Document::read(&file)
 }
 
-/// Reads values by their paths.
+/// Reads values to set in a document, each with its path.
 fn changes(entry: &Entry<'_>) -> Result<Changes> {
     let table = entry.open_table()?;
     let all = table.all();
@@ -228,7 +228,10 @@ fn changes(entry: &Entry<'_>) -> Result<Changes> {
 pub(super) fn some_texts(entry: &Entry<'_>) -> Result<Vec<String>> {
     let texts = entry.texts()?;
     if texts.is_empty() || texts.iter().any(|t| t.trim().is_empty()) {
-        return Err(entry.fault("it is empty, or a text in it is", "write at least one word"));
+        return Err(entry.fault(
+            "it is empty or contains an empty text",
+            "write at least one word",
+        ));
     }
     Ok(texts)
 }
@@ -239,7 +242,10 @@ fn pictures(entry: &Entry<'_>) -> Result<Pictures> {
     }
     let is_kept = entry.flag().map_err(|_| {
         let help = "write true (for the first point), \"last\", \"all\", or false";
-        entry.fault("it does not select points to keep pictures of", help)
+        entry.fault(
+            "it does not select the points whose pictures are kept",
+            help,
+        )
     })?;
     Ok(if is_kept {
         Pictures::First
@@ -260,8 +266,8 @@ fn rounds(table: &Table<'_>) -> Result<Option<usize>> {
     Err(entry.fault("this number of rounds cannot be measured", help))
 }
 
-/// Reads an axis. Its name is the path at which its values are set, or a placeholder in braces in a strategy, or neither if the values
-/// give the paths: `{ path = "..", values = [..] }` or a table for each value.
+/// Reads an axis. Its name is the path at which its values are set, or a placeholder in braces in a strategy. It can be any name if the
+/// paths are given with the values: `{ path = "..", values = [..] }`, or a table for each value.
 fn axis(name: &str, entry: &Entry<'_>, draft: &RunDraft) -> Result<SweepAxis> {
     if entry.is_table() {
         let table = entry.table(&["path", "values"])?;
@@ -294,7 +300,7 @@ fn axis(name: &str, entry: &Entry<'_>, draft: &RunDraft) -> Result<SweepAxis> {
     of_paths(name, vec![name.to_owned()], entry, draft)
 }
 
-/// Reads fewer or other values of an axis. On an axis with tables, a value is selected by its label.
+/// Reads the values that replace those of an axis for `--quick`. If the values of the axis are tables, they are selected by label.
 fn fewer(name: &str, entry: &Entry<'_>, draft: &RunDraft) -> Result<SweepAxis> {
     let Some(full) = draft.axes.get(name) else {
         return axis(name, entry, draft);
@@ -332,7 +338,7 @@ fn of_strategies(name: &str, entry: &Entry<'_>) -> Result<SweepAxis> {
     SweepAxis::of(name, Vec::new(), values).map_err(|f| entry.place(f))
 }
 
-/// Reads an axis whose values are set at some paths.
+/// Reads an axis that sets each of its values at the same paths.
 fn of_paths(
     name: &str,
     paths: Vec<String>,
@@ -352,7 +358,7 @@ fn of_paths(
     SweepAxis::of(name, paths, values).map_err(|f| entry.place(f))
 }
 
-/// Reads a value that gives the paths it sets: `{ is = "2 k", "part.0.shape" = "torus?segments=48&sides=21" }`.
+/// Reads a value that is a table with the paths that it sets: `{ is = "2 k", "part.0.shape" = "torus?segments=48&sides=21" }`.
 fn tabled(entry: &Entry<'_>, draft: &RunDraft) -> Result<SweepValue> {
     let table = entry.open_table()?;
     let is = called(&table.need("is", "\"2 k\"")?)?;
@@ -373,7 +379,7 @@ fn settable(sets: &Changes, entry: &Entry<'_>, draft: &RunDraft) -> Result<()> {
         .iter()
         .any(|(path, _)| path == "strategy.name" || path == "strategy")
     {
-        let help = "name the strategies in `strategies`: each of them is measured at each point";
+        let help = "name the strategies in `strategies`: each strategy is measured at each point";
         return Err(entry.fault("the strategy is not set in the scene here", help));
     }
     draft
@@ -387,7 +393,7 @@ fn settable(sets: &Changes, entry: &Entry<'_>, draft: &RunDraft) -> Result<()> {
 /// Label of a value.
 fn called(entry: &Entry<'_>) -> Result<Parameter> {
     Parameter::of(&entry.node.value).ok_or_else(|| {
-        let help = "give it a name: `{ is = \"small\", \"resolution\" = [64, 48] }`";
+        let help = "give it a label: `{ is = \"small\", \"resolution\" = [64, 48] }`";
         entry.fault("a list or a table has no name", help)
     })
 }

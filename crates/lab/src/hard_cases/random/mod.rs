@@ -1,10 +1,10 @@
 //! Random scenes: unions of boxes, lumpy balls and bundles of long prisms, flush with one another or not, rotated or not, some with
-//! needles; one or two cuts by one or two planes or reliefs; eyes outside and inside; small pictures, and some rows of large ones.
+//! needles; one or two cuts by one or two planes or reliefs each; eyes outside and inside. Pictures are small, or some rows of a large one.
 //!
-//! Each scene is drawn by each method and compared with exact: exact strategies must have no decided wrong pixel, depth images none beyond
-//! their theoretical error, tessellations with one per-pixel list no hole. A scene that is drawn wrong is simplified as long as it stays
-//! wrong, and printed as code for a numbered regression test. A scene costs an exact image of 64 x 48 pixels, or for one in twelve of
-//! 2400 x 8, and a frame for each method; shrinking a scene costs some hundred of both.
+//! Each method draws each scene, and the frame is compared with exact: exact strategies must have no decided wrong pixel, depth images
+//! none beyond their theoretical error, and tessellations with one per-pixel list no hole. A scene that is drawn wrong is simplified as
+//! long as it stays wrong, and printed as code for a numbered regression test. A scene costs one exact image of 64 x 48 pixels (of
+//! 2400 x 8 for one scene in twelve) and a frame per method; simplifying a scene costs some hundred exact images and frames.
 
 mod recipe;
 
@@ -20,7 +20,7 @@ use super::expected::{list_fault, unmarked_fault};
 use super::numbers::Numbers;
 use super::{Judged, Question, band};
 
-/// Maximum number of findings per method: more add no information.
+/// Maximum number of findings per method: further findings add no information.
 const MOST_FINDINGS: usize = 5;
 
 /// A scene that was drawn wrong.
@@ -41,7 +41,7 @@ pub struct WrongScene {
 pub struct Searched {
     /// Scenes that were drawn wrong.
     pub findings: Vec<WrongScene>,
-    /// Per method, in order: the number of scenes it drew completely; it refused the others, or drew them with an overflow.
+    /// Per method, in order: the number of scenes it drew completely. All other scenes it refused, or drew with an overflow.
     pub drawn: Vec<usize>,
     /// Pixels that show a cap in exact.
     pub caps_px: usize,
@@ -51,13 +51,13 @@ pub struct Searched {
     pub undecided_px: usize,
 }
 
-/// Recipe of a scene by the seed of the search and its number in it.
+/// Recipe of a scene, from the seed of the search and the scene's number in the search.
 pub fn recipe(seed: u64, scene: u64) -> Recipe {
     Recipe::random(&mut Numbers(seed ^ (scene << 32)))
 }
 
-/// Draws the scenes with these numbers by each method, and returns those drawn wrong. `step` is called with each scene before it is drawn,
-/// and with each finding. Ends early, without a result, as soon as `goes_on` returns false; `goes_on` is called before each frame.
+/// Draws the scenes with these numbers by each method, and returns those drawn wrong. `step` is called before each scene is drawn, and
+/// with each finding. Ends early, without a result, as soon as `goes_on` returns false; `goes_on` is called before each frame.
 pub fn search(
     session: &mut Session,
     scenes: Range<u64>,
@@ -112,8 +112,8 @@ pub fn search(
     Ok(goes_on().then_some(searched))
 }
 
-/// As [`fault`], but ignores what a depth sprite loses in peeling: of two crossings at one depth in a texel it keeps one, as between the
-/// walls of needles and teeth. A layered depth image with as many texels keeps both: if it has no fault, peeling was the cause.
+/// As [`fault`], but ignores what a depth sprite loses in peeling: of two crossings at one depth in a texel, as at needles and teeth, it
+/// keeps only one. A layered depth image with as many texels keeps both: if that image has no fault, peeling was the cause.
 fn fault_kept(
     session: &mut Session,
     question: &Question,
@@ -137,7 +137,7 @@ fn fault_kept(
     Ok(found.filter(|_| fault(question, &by_lists, &lists).is_some()))
 }
 
-/// Fault of an answer. A refusal is no fault, nor is a reported overflow as long as all wrong pixels are marked.
+/// Fault of an answer. A refusal is not a fault. A reported overflow is not a fault if all wrong pixels are marked.
 pub fn fault(question: &Question, judged: &Judged, method: &Method) -> Option<String> {
     let strategy = &method.strategy;
     let is_whole = |judged: &Judged| judged.layers.pixels.iter().all(|p| !p.depth.is_nan());
@@ -157,8 +157,8 @@ pub fn fault(question: &Question, judged: &Judged, method: &Method) -> Option<St
     }
 }
 
-/// Largest displacement of an outline, in pixels: a fold of a grid is up to one cell away from the relief's fold. The width of a cell is
-/// about that of the picture divided by the number of cells. Adaptive cells are off by less than a pixel.
+/// Largest displacement of an outline, in pixels: a fold of a grid is up to one cell away from the relief's fold. A cell is about as
+/// wide as the picture divided by the number of cells. Adaptive cells displace outlines by less than a pixel.
 fn outline_px(question: &Question, strategy: &Strategy) -> usize {
     let cells = strategy.surface.steps();
     if strategy.surface != CapSurface::grid(cells) {
@@ -168,7 +168,7 @@ fn outline_px(question: &Question, strategy: &Strategy) -> usize {
     width.max(height).div_ceil(cells) as usize
 }
 
-/// The simplest recipe that can be reached without removing the fault, and its fault.
+/// The simplest recipe that can be reached while a fault remains, and that fault.
 pub fn shrunk(
     mut recipe: Recipe,
     mut what: String,

@@ -13,23 +13,23 @@ use crate::hard_cases::{Question, meshes, scenes};
 /// Size of most pictures in pixels.
 const WHOLE_PX: [u32; 2] = [64, 48];
 
-/// Size in pixels of a large picture, of which only some rows are drawn.
+/// Size in pixels of a large picture; only some of its rows are drawn.
 const PRINT_PX: [u32; 2] = [2400, 1800];
 
 /// Number of rows drawn of a large picture.
 const ROWS: u32 = 8;
 
-/// Scale of prisms and rods, which are 4 and 6 long.
+/// Scale applied to prisms, whose length is 4, and to rods, whose length is 6.
 const LONG: f64 = 0.25;
 
 /// A solid.
 #[derive(Clone, Debug, PartialEq)]
 pub enum RandomSolid {
-    /// Cells of a lattice of quarters.
+    /// Cells of a lattice with spacing 1/4.
     Cells(Vec<[i32; 3]>),
     /// A ball with lumps.
     Lumpy {
-        /// Fineness.
+        /// Number of subdivisions of the icosphere.
         subdivisions: u32,
         /// Maximum height of the lumps, as a share of the radius.
         lumps: f64,
@@ -40,10 +40,10 @@ pub enum RandomSolid {
     Prisms {
         /// Number of prisms.
         count: usize,
-        /// Sides of each.
+        /// Number of sides of each prism.
         sides: u32,
     },
-    /// A rod with teeth, whose walls are narrower still.
+    /// A rod with teeth, whose walls are even narrower.
     Toothed {
         /// Number of teeth.
         teeth: u32,
@@ -53,18 +53,18 @@ pub enum RandomSolid {
 /// A clip-surface.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Surface {
-    /// Toward the kept side.
+    /// Normal of the plane, pointing to the kept side.
     pub normal: [f64; 3],
     /// A point of the plane.
     pub at: [f64; 3],
-    /// Noise on it.
+    /// Noise that turns the plane into a relief.
     pub bumps: Option<Bumps>,
 }
 
 /// A map of noise.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bumps {
-    /// In texels.
+    /// Size of the map, in texels.
     pub size: [u32; 2],
     /// Seed of the noise.
     pub seed: u64,
@@ -79,11 +79,11 @@ pub struct Bumps {
 /// A scene and a camera.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Recipe {
-    /// Parts, each moved.
+    /// Parts, each with its translation.
     pub solids: Vec<(RandomSolid, [f64; 3])>,
-    /// The first part is never cut.
+    /// True if the first part is never cut.
     pub spared: bool,
-    /// The last part wins where parts share a point, whatever its size.
+    /// True if the last part is seen where parts share a point, whatever its size.
     pub preferred: bool,
     /// Clip-surfaces of each cut.
     pub cuts: Vec<Vec<Surface>>,
@@ -99,7 +99,7 @@ pub struct Recipe {
     pub turned: [f64; 3],
     /// First of the rows drawn of a large picture; `None` draws a small one.
     pub first_row: Option<u32>,
-    /// Splits each triangle in three, one of them a needle; the value is the needle's width as a share of the triangle's height.
+    /// If set, each triangle is split in three, one of them a needle; the value is the needle's width over the triangle's height.
     pub needles: Option<f64>,
 }
 
@@ -129,7 +129,7 @@ impl Recipe {
             near: n.once_in(4).then(|| n.between(0.01, 1.0) * reach),
             ..Self::default()
         };
-        // Options added later use later random numbers, so that scenes without these options stay the same.
+        // Options added later draw their random numbers last, so that scenes without these options stay the same.
         if n.once_in(4) {
             // Parts touch, are flush or share faces.
             for (_, at) in &mut recipe.solids {
@@ -353,7 +353,7 @@ fn solid(n: &mut Numbers) -> RandomSolid {
 fn surface(n: &mut Numbers) -> Surface {
     let mut normal = point(n, 1.0);
     if n.once_in(4) {
-        // Along an axis: through faces, edges and vertices of cells.
+        // View along an axis: rays pass through faces, edges and vertices of cells.
         normal = [0.0; 3];
         normal[n.below(3) as usize] = if n.once_in(2) { 1.0 } else { -1.0 };
     }

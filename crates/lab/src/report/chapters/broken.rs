@@ -1,4 +1,4 @@
-//! Broken meshes: which strategy is least wrong, and how many of the wrong pixels it marks.
+//! Broken meshes: which strategy is least wrong, and how many of its wrong pixels it marks.
 
 use super::figures::{counts, ranged, shares};
 use super::point::RecordedPoint;
@@ -6,7 +6,7 @@ use crate::experiment::Record;
 use crate::report::derived::{harms, has_defect, usage};
 use crate::report::document::{Cell, Grid, Tone};
 
-/// A table with a row for each defect and strategy; `None` if no point has another scene as its truth.
+/// A table with a row for each defect and strategy; `None` if no point is judged by another scene.
 pub(super) fn grid(points: &[RecordedPoint<'_>]) -> Option<Grid> {
     let mut grid = Grid::new(
         "broken meshes",
@@ -43,7 +43,7 @@ pub(super) fn grid(points: &[RecordedPoint<'_>]) -> Option<Grid> {
             let count = |n: usize| Cell::number(n.to_string(), n as f64);
             let (word, tone) = match (harm.is_usable(), usage(&totals.name)) {
                 (true, _) if used == Some(place) => ("use", Tone::Good),
-                (true, None) if place == 0 => ("least wrong, by compare alone", Tone::Good),
+                (true, None) if place == 0 => ("least wrong, only in compare", Tone::Good),
                 (false, _) if totals.refused() == 0 => ("too much is lost", Tone::Faint),
                 _ => ("", Tone::Plain),
             };

@@ -1,4 +1,4 @@
-//! Hard cases and the search through random scenes: every case by every strategy, with its expected and its found result.
+//! Hard cases and the search through random scenes: the expected and the measured result of every strategy for every case.
 
 use super::expectations::missed_notice;
 use super::figures::counted;
@@ -14,8 +14,8 @@ pub(super) fn chapter(recorded: &RecordedFolders) -> Vec<ReportBlock> {
             for cases in &experiment.cases {
                 if blocks.is_empty() {
                     blocks.push(ReportBlock::Text(
-                        "Scenes with a known answer. A cell says what came of the expectation of that method: `✓`, reached; `declared`, a failure or a bound that was \
-                         stated beforehand with its reason, and occurred as stated; or `missed`, which a declared failure that passes is too. Cases with something missed come first."
+                        "Scenes with a known answer. Each cell shows whether that method met its expectation: `✓`, met; `declared`, a failure or a bound that was \
+                         stated beforehand with its reason, and occurred as stated; or `missed`, not met, which includes declared failures that pass. Cases with missed expectations come first."
                             .to_owned(),
                     ));
                 }
@@ -38,7 +38,7 @@ pub(super) fn chapter(recorded: &RecordedFolders) -> Vec<ReportBlock> {
     blocks
 }
 
-/// Question and analysis of an experiment that are shown in no other section.
+/// Question and analysis of an experiment without other records, which no other section shows.
 fn asked(experiment: &Experiment) -> Vec<ReportBlock> {
     let synopsis = &experiment.synopsis;
     if !experiment.records.is_empty() {
@@ -92,7 +92,7 @@ fn table(cases: &CaseRecords) -> Grid {
     let heading = ["case", "what it is"]
         .into_iter()
         .chain(strategies.iter().copied());
-    let mut grid = Grid::new("hard cases", heading.chain(["held by"]));
+    let mut grid = Grid::new("hard cases", heading.chain(["checked by"]));
     let mut sorted: Vec<&CaseRecord> = cases.cases.iter().collect();
     let is_clean = |c: &CaseRecord| c.expectations.iter().all(|r| r.holds);
     sorted.sort_by(|a, b| is_clean(a).cmp(&is_clean(b)).then(natural(&a.id, &b.id)));
@@ -113,7 +113,7 @@ fn table(cases: &CaseRecords) -> Grid {
     grid
 }
 
-/// The worst result among a strategy's expectations at one case.
+/// Cell with the worst result among a strategy's expectations for one case.
 fn cell(reached: &[&Reached]) -> Cell {
     let story: Vec<String> = reached
         .iter()

@@ -1,7 +1,7 @@
-//! The charts that an experiment asks for.
+//! The charts that an experiment requests.
 //!
-//! A chart with a front compares strategies at one point, so each point has its own; any other chart has all points of a setup. The
-//! marks of one strategy with a swept parameter form one series, in the order of the parameter.
+//! A chart with a Pareto front compares strategies at one point, so each point has its own chart. Any other chart shows all points of a
+//! setup. If a parameter of a strategy is swept, the strategy's marks form one series in the order of the parameter.
 
 use super::figures::label;
 use super::point::{Points, RecordedPoint};
@@ -12,7 +12,7 @@ use crate::report::document::{Chart, ChartAxis, Mark, Panel, ReportBlock, Series
 use crate::report::look::{Look, look};
 use crate::report::number::figure;
 
-/// All charts of a definition, from the points of its experiment.
+/// The requested charts of an experiment, drawn from the experiment's points.
 pub(super) fn blocks(
     charts: &[ChartSynopsis],
     points: &Points<'_>,
@@ -66,11 +66,11 @@ pub(super) struct PlottedStrategy<'a> {
     pub(super) row: Row<'a>,
     pub(super) at: [f64; 2],
     pub(super) series: String,
-    /// Values of the other varied parameters: each combination has its own drawing.
+    /// Values of the other varied parameters; each combination of values has its own drawing.
     pub(super) panel: String,
 }
 
-/// All strategies of some points that have both figures of a chart, and the categories of its x axis if its values are not numbers.
+/// All strategies of some points that have both figures of a chart, and the categories of the x axis if its values are not numbers.
 fn placed<'a>(
     asked: &ChartSynopsis,
     points: &[RecordedPoint<'a>],
@@ -134,7 +134,7 @@ fn draw_chart(
             },
             y: ChartAxis {
                 label: label(&asked.y),
-                // Errors span decades.
+                // Errors span several decades, so a chart with a front has a logarithmic y axis.
                 is_log: is_log("y") || asked.pareto,
                 categories: Vec::new(),
             },
@@ -145,7 +145,7 @@ fn draw_chart(
     blocks
 }
 
-/// The note of a chart, with the points it shows: each run with its values on the sweep axes.
+/// The note of a chart, which also names the points shown: each run with its values on the sweep axes.
 fn note(asked: &ChartSynopsis, placed: &[PlottedStrategy<'_>]) -> String {
     let mut runs: NamedValues<'_, NamedValues<'_, Vec<String>>> = Vec::new();
     for record in placed.iter().map(|p| p.row.record) {
@@ -176,7 +176,7 @@ fn note(asked: &ChartSynopsis, placed: &[PlottedStrategy<'_>]) -> String {
 /// A list of named values, in order.
 type NamedValues<'n, T> = Vec<(&'n str, T)>;
 
-/// The value with a name in a list, added if there is none.
+/// The value with this name in a list; a default value is added if there is none.
 fn place_of<'l, 'n, T: Default>(list: &'l mut NamedValues<'n, T>, name: &'n str) -> &'l mut T {
     let place = list.iter().position(|(n, _)| *n == name);
     let place = place.unwrap_or_else(|| {
@@ -214,7 +214,7 @@ pub(super) fn spread(row: &Row<'_>, figure: &str) -> f64 {
     row.figures.get(&name).copied().unwrap_or_default()
 }
 
-/// The drawings of a chart, one for each combination of values varied in addition to the strategies.
+/// The drawings of a chart: one for each combination of the values that vary besides the strategies.
 fn panels(asked: &ChartSynopsis, placed: &[PlottedStrategy<'_>], front: &[[f64; 2]]) -> Vec<Panel> {
     let mut titles: Vec<&str> = Vec::new();
     for p in placed {
@@ -260,7 +260,7 @@ fn series_of(asked: &ChartSynopsis, placed: &[&PlottedStrategy<'_>]) -> Vec<Seri
         .collect()
 }
 
-/// Orders marks by the strategy's own parameters if x is a figure, else along x.
+/// Orders marks by the strategy's own parameters if x is a figure; otherwise by x.
 fn in_order(
     asked: &ChartSynopsis,
     a: &PlottedStrategy<'_>,

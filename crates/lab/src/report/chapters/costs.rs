@@ -28,15 +28,15 @@ const HEADING: [&str; 11] = [
 /// Columns before those of [`HEADING`]: the name, the outcome, and the errors.
 const COLUMNS_BEFORE: usize = 2 + ERRORS.len();
 
-/// Index of the first ratio column among all columns; the uncut scene has a value there too.
+/// Index of the first ratio column among all columns; the row of the uncut scene has a value in it.
 const RATIO: usize = COLUMNS_BEFORE + 2;
 const RATIO_UNCUT: usize = COLUMNS_BEFORE + 3;
 const FRAME: usize = COLUMNS_BEFORE + 5;
 
-/// The label of a point, shown next to the method (empty if there is no other point), and its record.
+/// A point's label and record. The label is shown next to the method; it is empty if there is no other point.
 pub(super) type Labelled<'a> = (String, &'a Record);
 
-/// Error and cost of each strategy at some points. Columns with only zeros are left out, and listed below the table.
+/// Error and cost of each strategy at some points. Columns that contain only zeros are left out and listed below the table.
 pub(super) fn table(points: &[Labelled<'_>]) -> Vec<ReportBlock> {
     let named = |name: &str, label: &str| match label {
         "" => name.to_owned(),
@@ -71,7 +71,7 @@ pub(super) fn of_method(name: &str, points: &[Labelled<'_>]) -> Vec<ReportBlock>
         let strategies = record.measurement.strategies.iter();
         if let Some(index) = strategies.into_iter().position(|s| s.name == name) {
             let mut cells = cells(points, record, index);
-            // Reasons have their own table.
+            // The reasons for refusals have their own table.
             if let Some((outcome, reason)) = cells[0].text.split_once(": ") {
                 let short = Cell::from(outcome).toned(cells[0].tone);
                 cells[0] = short.titled(reason.to_owned());
@@ -83,7 +83,7 @@ pub(super) fn of_method(name: &str, points: &[Labelled<'_>]) -> Vec<ReportBlock>
     finished(grid)
 }
 
-/// Names of figures that only some records have.
+/// Names of the additional figures that only some records have.
 fn more<'a>(points: &[Labelled<'a>]) -> BTreeSet<&'a String> {
     let all = points.iter().flat_map(|(_, record)| &record.figures);
     all.flat_map(|figures| figures.keys()).collect()
@@ -108,7 +108,7 @@ fn finished(mut grid: Grid) -> Vec<ReportBlock> {
         .collect()
 }
 
-/// The cells of the uncut scene, after the first.
+/// The cells of the uncut scene's row, except the first.
 fn uncut(ratio: Cell, uncut: Cell, time: &Samples) -> Vec<Cell> {
     let mut plain = vec![Cell::default(); COLUMNS_BEFORE + HEADING.len() - 1];
     plain[RATIO - 1] = ratio;
@@ -117,7 +117,7 @@ fn uncut(ratio: Cell, uncut: Cell, time: &Samples) -> Vec<Cell> {
     plain
 }
 
-/// The cells of a strategy, after the first.
+/// The cells of a strategy's row, except the first.
 fn cells(points: &[Labelled<'_>], record: &Record, index: usize) -> Vec<Cell> {
     let own = &record.figures[index];
     let more = more(points).into_iter().map(|name| {
@@ -167,7 +167,7 @@ fn strategy(found: &StrategyMeasurement, warnings: &[Warning]) -> Vec<Cell> {
     cells
 }
 
-/// Adds to a figure the warnings that concern it.
+/// Adds the warnings that concern a figure to its cell.
 fn warned(cell: Cell, found: &StrategyMeasurement, warnings: &[Warning]) -> Cell {
     let of_it = warnings
         .iter()

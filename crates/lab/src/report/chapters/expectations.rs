@@ -1,20 +1,20 @@
-//! Expectations, and their outcomes.
+//! Expectations and their results.
 
 use super::figures::counted;
 use crate::experiment::{Reached, Record};
 use crate::report::document::{Cell, Grid, ReportBlock, Tone};
 
-/// Missed expectations of a point.
+/// Notices of a point's missed expectations.
 pub(super) fn missed(expectations: &[Reached]) -> impl Iterator<Item = ReportBlock> {
     expectations.iter().filter(|r| !r.holds).map(missed_notice)
 }
 
-/// An expectation of a strategy that several points of a run share.
+/// A strategy's expectation that several points of a run have in common.
 struct SharedExpectation<'a> {
     first: &'a Reached,
     reached: usize,
     missed: usize,
-    /// Distinct outcomes.
+    /// Distinct measured results.
     found: Vec<&'a str>,
 }
 
@@ -80,7 +80,7 @@ pub(super) fn of_run(records: &[&Record], only: Option<&str>) -> Option<ReportBl
     })
 }
 
-/// Outcomes at several points; the tooltip has all of them.
+/// Cell with the results at several points; the tooltip lists all of them.
 fn found(all: &[&str]) -> Cell {
     const MOST: usize = 3;
     match all.len() {

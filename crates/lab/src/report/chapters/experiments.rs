@@ -1,4 +1,4 @@
-//! The experiments: question, answer, pictures, charts; and, folded away, the analysis and every point of every run.
+//! The experiments: question, answer, pictures and charts. The analysis and every point of every run are in sections shown on demand.
 
 use cutaway_io::document::Document;
 
@@ -56,7 +56,7 @@ pub(super) fn chapter(
     blocks
 }
 
-/// The answer of an experiment for each setup; there is none where no methods are compared.
+/// The answer of an experiment for each setup; a setup in which neither methods nor variants are compared has none.
 fn answers(points: &Points<'_>, of_it: &[RecordedPoint<'_>]) -> Vec<ReportBlock> {
     let answer = |setup| {
         let on_it = points.on(setup);
@@ -77,7 +77,7 @@ fn answers(points: &Points<'_>, of_it: &[RecordedPoint<'_>]) -> Vec<ReportBlock>
     points.setups().filter_map(answer).collect()
 }
 
-/// Every point of every run, and what was expected.
+/// Every point of every run, with its expectations.
 fn measurements(
     points: &Points<'_>,
     of_it: &[RecordedPoint<'_>],
@@ -168,7 +168,7 @@ fn one(
     blocks
 }
 
-/// The scene of a point, and its truth scene if that is another.
+/// The scene of a point, and its truth scene if that is another scene.
 fn scenes(record: &Record) -> Vec<ReportBlock> {
     let truth = record.truth.as_ref();
     let truth = truth.map(|truth| ("The scene whose exact image is the truth:", truth));
@@ -190,7 +190,7 @@ fn facts(record: &Record) -> String {
         crate::experiment::Timing::Wall => "wall time",
     };
     format!(
-        "{}, {} triangles, {} × {} pixels on {}; {} by {}, over which ± is the spread (another run may differ by more). The reference has {} cap, {} surface and {} undecided pixels ({} ms on the CPU).",
+        "{}, {} triangles, {} × {} pixels on {}; {} by {}, over which ± is the spread (another run may differ by more). The reference has {} cap pixels, {} surface pixels and {} undecided pixels ({} ms on the CPU).",
         m.scene,
         m.triangles,
         m.resolution[0],

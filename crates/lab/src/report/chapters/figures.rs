@@ -1,4 +1,4 @@
-//! Figures in words: the same in every table and chart.
+//! Labels and formats of figures, the same in every table and chart.
 
 use crate::experiment::Samples;
 use crate::report::derived::Spread;
@@ -6,7 +6,7 @@ use crate::report::document::{Cell, Tone};
 use crate::report::number::milliseconds;
 pub(super) use crate::report::number::{percent, times};
 
-/// `1 point`, `2 points`.
+/// A count with its noun in singular or plural: `1 point`, `2 points`.
 pub(super) fn counted(count: usize, what: &str) -> String {
     match count {
         1 => format!("1 {what}"),
@@ -14,7 +14,7 @@ pub(super) fn counted(count: usize, what: &str) -> String {
     }
 }
 
-/// The readable name of a figure; the figure's own name if there is no better one.
+/// The readable label of a figure; the figure's own name if it has no label.
 pub(super) fn label(name: &str) -> String {
     let meaning = match name {
         "decided_wrong_px" => "decided wrong px",
@@ -88,7 +88,7 @@ pub(super) fn ratio(ratio: Option<f64>, mad: Option<f64>) -> Cell {
     }
 }
 
-/// The median of ratios, with their range.
+/// The median of some ratios, with their range.
 pub(super) fn ranged(spread: Option<Spread>) -> Cell {
     spread.map_or_else(Cell::default, |s| {
         let cell = Cell::number(times(s.median), s.median);
@@ -96,7 +96,7 @@ pub(super) fn ranged(spread: Option<Spread>) -> Cell {
     })
 }
 
-/// The median and the maximum of shares, in percent.
+/// The median and the maximum of some shares, in percent.
 pub(super) fn shares(spread: Option<Spread>) -> Cell {
     spread.map_or_else(Cell::default, |s| {
         let text = format!("{} (up to {})", percent(s.median), percent(s.most));
@@ -104,7 +104,7 @@ pub(super) fn shares(spread: Option<Spread>) -> Cell {
     })
 }
 
-/// The median and the maximum of counts.
+/// The median and the maximum of some counts.
 pub(super) fn counts(spread: Option<Spread>) -> Cell {
     spread.map_or_else(Cell::default, |s| {
         let text = format!("{:.0} (up to {:.0})", s.median, s.most);

@@ -1,4 +1,4 @@
-//! Additions to a chart of error against cost: the price of accuracy along the front, and a list if nearly all errors are 0.
+//! Additions to a chart of error against cost: the price of accuracy along the front, and a list used instead if nearly all errors are 0.
 
 use super::charts::{PlottedStrategy, spread};
 use super::figures::{label, times};
@@ -8,7 +8,7 @@ use crate::report::document::{Cell, Grid, Line, Ranking, ReportBlock, Tone};
 use crate::report::look::look;
 use crate::report::number::figure;
 
-/// The points of the front, the cheapest first, and the table of its prices.
+/// The points of the front, the cheapest first, and the table of prices along the front.
 pub(super) fn front_of(
     asked: &ChartSynopsis,
     placed: &[PlottedStrategy<'_>],
@@ -23,7 +23,7 @@ pub(super) fn front_of(
     (on_front.iter().map(|i| placed[*i].at).collect(), prices)
 }
 
-/// Returns true if nearly all marks would lie on the line of zero error, so that a list is more informative.
+/// Returns true if nearly all marks have an error of 0, so that a list is more informative than a chart.
 pub(super) fn is_mostly_without_error(
     asked: &ChartSynopsis,
     placed: &[PlottedStrategy<'_>],
@@ -33,7 +33,7 @@ pub(super) fn is_mostly_without_error(
     asked.pareto && placed.len() >= 2 * FEW && wrong <= FEW
 }
 
-/// The strategies of a point by cost, with their errors as text.
+/// The strategies of a point, sorted by cost, with their errors as text.
 pub(super) fn ranking(
     asked: &ChartSynopsis,
     title: String,
@@ -85,7 +85,7 @@ fn offer(asked: &ChartSynopsis, placed: &PlottedStrategy<'_>) -> Offer {
 /// Minimum number of rounds for a meaningful spread.
 const LEAST_ROUNDS: usize = 5;
 
-/// The spread of a figure, 0 if it has none; `None` if there were too few rounds.
+/// The spread of a figure; 0 if the figure has no spread, `None` if there were too few rounds.
 fn known_spread(row: &Row<'_>, figure: &str) -> Option<f64> {
     match row.figures.get(&format!("{figure}.mad")) {
         None => Some(0.0),
@@ -98,8 +98,8 @@ fn price_table(placed: &[PlottedStrategy<'_>], offers: &[Offer], on_front: &[usi
         "on the front",
         "error",
         "cost",
-        "cost over the one before",
-        "price of each tenfold of accuracy",
+        "cost over the previous one",
+        "price of each tenfold gain in accuracy",
     ];
     let mut grid = Grid::new("the price of accuracy", heading);
     let steps = steps(offers, on_front);

@@ -1,4 +1,4 @@
-//! Glossary of the words in the tables, as one short table.
+//! Glossary of the words used in the tables.
 
 use super::figures::percent;
 use super::pictures;
@@ -9,7 +9,7 @@ use crate::report::recorded::RecordedFolders;
 const WORDS: [[&str; 2]; 14] = [
     [
         "undecided",
-        "a pixel where sampling is ambiguous within the error of f32: no answer there can be called wrong",
+        "a pixel where sampling is ambiguous within f32 rounding errors, so that no result there can be called wrong",
     ],
     [
         "decided wrong",
@@ -29,11 +29,11 @@ const WORDS: [[&str; 2]; 14] = [
     ],
     [
         "crack",
-        "a hole: a back face where the reference is sure of a surface or a cap, or background where none is within a pixel of it",
+        "a hole: where the reference is sure of a surface or a cap, the strategy has a back face, or has background although the reference has none within a pixel",
     ],
     [
         "outline",
-        "background where the reference is sure of a surface or a cap and has background within a pixel: a border that moved",
+        "a border that moved: the strategy has background where the reference is sure of a surface or a cap, and the reference has background within a pixel",
     ],
     [
         "interior",
@@ -53,15 +53,15 @@ const WORDS: [[&str; 2]; 14] = [
     ],
     [
         "sums",
-        "missed, leaked, wrong part, interior and edge count all pixels, undecided ones too, so that they may exceed `decided wrong`; cracks and outlines leave undecided ones out",
+        "missed, leaked, wrong part, interior and edge also count undecided pixels, so that they may exceed `decided wrong`; crack and outline do not count undecided pixels",
     ],
     [
         "ratio, ×",
-        "time over that of drawing the uncut scene, the median over the rounds",
+        "time divided by the time to draw the uncut scene, as the median over the rounds",
     ],
     [
         "MAD, ±",
-        "median absolute deviation: the median of the distances of the rounds of one point from their median, in one run",
+        "median absolute deviation: the median distance of a point's rounds from their median, within one run",
     ],
 ];
 
@@ -78,14 +78,14 @@ pub(super) fn chapter(recorded: &RecordedFolders) -> Vec<ReportBlock> {
     grid.row([
         "what ± does not cover".to_owned(),
         format!(
-            "how another run differs: by the load, the clock rate and the caches of the machine, by the order of the points. Two runs of the curated \
-             experiments on one machine differed by up to {} in a ratio, where the deviation within each run was 5 %",
+            "how another run differs, through the load, clock rate and caches of the machine and the order of the points. Two runs of the curated \
+             experiments on one machine differed by up to {} in a ratio, although the deviation within each run was 5 %",
             percent(BETWEEN_RUNS)
         ),
     ]);
     vec![
         ReportBlock::Grid(grid),
-        ReportBlock::Text("Colours of pictures of errors:".to_owned()),
+        ReportBlock::Text("Colours of heat maps:".to_owned()),
         ReportBlock::Swatches(pictures::colors()),
     ]
 }

@@ -1,4 +1,4 @@
-//! Notices about the whole report, placed at its beginning; and the list of runs with their machines.
+//! Notices about the whole report, placed at its beginning, and the list of runs with their machines.
 
 use super::figures::counted;
 use super::point::Points;
@@ -7,7 +7,7 @@ use crate::experiment::Run;
 use crate::report::document::{Cell, Grid, ReportBlock, Tone};
 use crate::report::recorded::{Experiment, Folder, RecordedFolders};
 
-/// Number of measurements, missing points, missed expectations, and warnings on all figures.
+/// The number of measurements, missing points, missed expectations, and warnings that concern all figures.
 pub(super) fn notices(
     recorded: &RecordedFolders,
     points: &Points<'_>,
@@ -20,15 +20,15 @@ pub(super) fn notices(
     if points.all.is_empty() && recorded.folders.iter().all(|f| f.run.is_none()) {
         let peers = recorded.folders.iter().map(|f| f.peers.len()).sum();
         let mut blocks = vec![ReportBlock::Text(format!(
-            "{} with other tools, and no measurement of ours beside what they hold.",
+            "{} with other tools. The report has no measurements of our own other than those in the comparisons.",
             counted(peers, "comparison")
         ))];
         blocks.extend(reached(recorded));
         return blocks;
     }
     let mut blocks = vec![ReportBlock::Text(format!(
-        "{} with {}; {} of strategies, each judged for every pixel against an exact reference in double precision, \
-         and timed in turns with the plain drawing of the uncut scene (\"draw only\"), to which all ratios refer.",
+        "{} with {}; {} of strategies, each compared at every pixel with an exact reference in double precision, \
+         and timed in the same rounds as the plain drawing of the uncut scene (\"draw only\"), to which all ratios refer.",
         counted(experiments, "experiment"),
         counted(points.all.len(), "point"),
         counted(strategies, "measurement"),
@@ -49,7 +49,7 @@ pub(super) fn notices(
             Tone::Fair,
             format!(
                 "{} with `--quick`: fewer pixels, values and rounds. Errors are those of the smaller pictures, and times scatter more.",
-                if are_quick == runs.len() { "Measured" } else { "Measured in part" }
+                if are_quick == runs.len() { "Measured" } else { "Partly measured" }
             ),
         ));
     }
@@ -70,7 +70,7 @@ pub(super) fn notices(
     blocks
 }
 
-/// Machine and commands that measured each folder.
+/// For each folder, the machine and the commands that produced its measurements.
 pub(super) fn chapter(recorded: &RecordedFolders) -> Vec<ReportBlock> {
     if recorded.folders.iter().all(|f| f.run.is_none()) {
         return Vec::new();
@@ -78,7 +78,7 @@ pub(super) fn chapter(recorded: &RecordedFolders) -> Vec<ReportBlock> {
     vec![
         ReportBlock::Grid(facts(recorded)),
         ReportBlock::Text(
-            "Each record names the command that measured it; those of hard cases do not. The last command may have kept all points that it asked for."
+            "Points are counted for the command that measured them; hard cases are not counted. The last command may have found all its points measured already."
                 .to_owned(),
         ),
         ReportBlock::Grid(commands(recorded)),
@@ -88,7 +88,7 @@ pub(super) fn chapter(recorded: &RecordedFolders) -> Vec<ReportBlock> {
 /// A row for each command of each folder.
 fn commands(recorded: &RecordedFolders) -> Grid {
     let heading = ["folder", "began", "load before", "points", "command"];
-    let mut grid = Grid::new("the commands that measured", heading);
+    let mut grid = Grid::new("the commands that made the measurements", heading);
     for folder in &recorded.folders {
         for (invocation, points) in folder.invocations() {
             let load = invocation
@@ -106,8 +106,8 @@ fn commands(recorded: &RecordedFolders) -> Grid {
     grid
 }
 
-/// Number of expectations reached at points, in cases, and for areas of outside baselines; `None` if those with expectations are not
-/// measured yet.
+/// Notice of how many expectations were reached: at points, in hard cases, and for areas of outside baselines. `None` if there are none
+/// so far and points are still missing.
 fn reached(recorded: &RecordedFolders) -> Option<ReportBlock> {
     let experiments = || recorded.folders.iter().flat_map(|f| &f.experiments);
     let of_points = experiments().flat_map(|e| e.records.iter().flat_map(|r| &r.expectations));
@@ -136,14 +136,14 @@ fn reached(recorded: &RecordedFolders) -> Option<ReportBlock> {
         (all, missed) => ReportBlock::Notice(
             Tone::Bad,
             format!(
-                "{missed} of {all} expectations were missed: they are marked where they belong."
+                "{missed} of {all} expectations were missed; each is marked at its point or case."
             ),
         ),
     };
     Some(block)
 }
 
-/// Points of a folder that are not measured yet, and the commands that continue; empty if all are measured.
+/// The points of an experiment in a folder that are not measured yet, and the commands that measure them; empty if all are measured.
 pub(super) fn missing(folder: &Folder, experiment: &Experiment) -> Vec<ReportBlock> {
     let lacking = &experiment.missing;
     if lacking.is_empty() {
@@ -151,7 +151,7 @@ pub(super) fn missing(folder: &Folder, experiment: &Experiment) -> Vec<ReportBlo
     }
     let asked = experiment.synopsis.points.len();
     let text = format!(
-        "{} of {} of {} missing in {}: {}. The figures here are therefore incomplete. To go on:",
+        "{} of {} of {} missing in {}: {}. The figures here are therefore incomplete. To measure the rest:",
         lacking.len(),
         counted(asked, "point"),
         match lacking.len() {
@@ -168,7 +168,7 @@ pub(super) fn missing(folder: &Folder, experiment: &Experiment) -> Vec<ReportBlo
         .collect()
 }
 
-/// A column for each folder.
+/// Table of the runs' machines and settings, with a column for each folder.
 fn facts(recorded: &RecordedFolders) -> Grid {
     type Fact = (&'static str, fn(&Run) -> String);
     const FACTS: [Fact; 11] = [

@@ -7,11 +7,11 @@ use crate::report::recorded::RecordedFolders;
 /// Biases to consider before trusting a figure.
 const BIAS: &str = "\
 - Errors are counted at pixel centres of the views that were chosen; a strategy that is exact there may be wrong in another view. Hard cases and the property search look for such views.
-- `decided` leaves out pixels where sampling is ambiguous within the error of f32: no answer can be called wrong there.
+- `decided` leaves out pixels where sampling is ambiguous within f32 rounding errors: no result there can be called wrong.
 - Ratios refer to drawing the uncut scene by the GPU's own rasteriser on the same adapter. On a software adapter that rasteriser is slow, which flatters every ratio.
-- All strategies are ours. The paper's path is built after its text, not its authors' code; what they tuned and did not write down is missing.
-- The spread beside a time or a ratio is that of the rounds of one run. It does not cover how runs differ: compare two runs before a small difference counts.
-- Medians of interleaved rounds do not see rare hitches. Times of clocks are added where several run; what a driver overlaps is counted twice.
+- All strategies are ours. The paper's method is implemented from the paper's text, not from its authors' code; any tuning that the paper does not describe is missing.
+- The spread of a time or a ratio is that over the rounds of one run. It does not cover how runs differ: compare two runs before relying on a small difference.
+- Medians of interleaved rounds hide rare hitches. If several clocks run, their times are added; work that a driver overlaps is counted twice.
 - The shapes are few and most are our own. Real meshes enter only where an experiment names their files.
 ";
 
@@ -30,10 +30,7 @@ pub(super) fn chapter(recorded: &RecordedFolders, pictures: &Galleries) -> Vec<R
         )));
         let commands = folder.invocations().into_iter();
         blocks.extend(commands.map(|(invocation, _)| ReportBlock::Command(invocation.command)));
-        let mut limits = Grid::new(
-            "limits",
-            ["limit of the device that plans are made for", "value"],
-        );
+        let mut limits = Grid::new("limits", ["device limit that plans must respect", "value"]);
         for (name, value) in &run.limits {
             let value = Cell::number(value.to_string(), *value as f64);
             limits.row([Cell::from(name.as_str()), value]);

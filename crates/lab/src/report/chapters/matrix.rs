@@ -1,4 +1,4 @@
-//! Scenes by methods: one cell for each method over the points of a run.
+//! Table of runs by methods: each cell summarises a method over the points of a run.
 
 use super::figures::{times, tone_of};
 use super::point::{Points, RecordedPoint};
@@ -7,13 +7,13 @@ use crate::report::derived::{StrategyTotals, totals_of_strategies};
 use crate::report::document::{Cell, Grid, ReportBlock, Tone};
 
 pub(super) fn chapter(points: &Points<'_>) -> Vec<ReportBlock> {
-    // A single point has its own table.
+    // A single point has its own table elsewhere.
     if points.all.len() < 2 {
         return Vec::new();
     }
     let mut blocks = vec![ReportBlock::Text(
-        "A row for each run of an experiment, a column for each method. A cell has the median of the time of a frame over that of drawing uncut, and the \
-         most decided wrong pixels of a point where there are some; `!` marks a bounded buffer that overflowed. The range over the points is in the tooltip of a cell."
+        "One row for each run of an experiment, one column for each method. A cell has the median of the frame time divided by the time of drawing uncut, and, if \
+         any point has decided wrong pixels, their maximum; `!` marks a bounded buffer that overflowed. The tooltip of a cell has the range over the points."
             .to_owned(),
     )];
     for setup in points.setups() {

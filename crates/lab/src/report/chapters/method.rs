@@ -1,4 +1,4 @@
-//! Page of one method at all points of a report: its answer, its errors, its costs and its refusals.
+//! Page on one method at all points of a report: a summary, its errors, its costs and its refusals.
 
 use cutaway::error::{Error, Result, did_you_mean};
 
@@ -12,7 +12,7 @@ use crate::report::look::look;
 use crate::report::number::{mebibytes, milliseconds};
 use crate::report::recorded::RecordedFolders;
 
-/// The page of a method.
+/// Makes the page on a method.
 ///
 /// # Errors
 ///
@@ -25,7 +25,7 @@ pub(in crate::report) fn method_document(
     let records: Vec<&Record> = points.all.iter().map(|p| p.record).collect();
     let known = names(&records);
     if !known.contains(&name) {
-        let what = "no point of these records was drawn by this method";
+        let what = "none of these records has a point with this method";
         return Err(Error::input(
             format!("--method {name}"),
             what,
@@ -101,7 +101,7 @@ fn of<'a>(record: &'a Record, name: &str) -> Option<&'a StrategyMeasurement> {
         .find(|s| s.name == name)
 }
 
-/// The answer in a few sentences.
+/// The summary in a few sentences.
 fn short(name: &str, records: &[&Record]) -> Vec<ReportBlock> {
     let sound: Vec<&Record> = records
         .iter()
@@ -139,7 +139,7 @@ fn short(name: &str, records: &[&Record]) -> Vec<ReportBlock> {
         ];
         let memory = median(|s| (s.bytes.solid + s.bytes.cut + s.bytes.frame) as f64);
         blocks.push(ReportBlock::Text(format!(
-            "A frame takes {} of drawing uncut in the median ({} to {}): {} ms. When the cut changes {} ms come on top, when the mesh changes {} ms. \
+            "A frame takes {} of drawing uncut in the median ({} to {}): {} ms. A change of the cut adds {} ms, a change of the mesh {} ms. \
              It takes {} MiB in the median, {} MiB at most.{}",
             times(ratio.median),
             times(ratio.least),
@@ -163,7 +163,7 @@ fn short(name: &str, records: &[&Record]) -> Vec<ReportBlock> {
     });
     if let Some(share) = Spread::of(shares.collect()) {
         blocks.push(ReportBlock::Text(format!(
-            "On {} judged by the exact image of another scene, as broken meshes are by that of the whole one, it gets {} of the cap wrong in the median, \
+            "On {} judged by the exact image of another scene (for a broken mesh, that of the intact mesh), it gets {} of the cap wrong in the median, \
              {} at most.",
             counted(broken.len(), "point"),
             percent(share.median),
@@ -171,7 +171,7 @@ fn short(name: &str, records: &[&Record]) -> Vec<ReportBlock> {
         )));
     }
     if let Some(usage) = usage {
-        blocks.push(ReportBlock::Text("To draw a picture by it:".to_owned()));
+        blocks.push(ReportBlock::Text("To draw a picture with it:".to_owned()));
         blocks.push(ReportBlock::Command(format!(
             "cutaway render MODEL --section x=50% --strategy {} -o picture.png",
             usage.words
@@ -180,7 +180,7 @@ fn short(name: &str, records: &[&Record]) -> Vec<ReportBlock> {
     blocks
 }
 
-/// Ratio to the fastest exact method of each point, as a sentence.
+/// Sentence with the method's time relative to the fastest exact method of each point.
 fn over_fastest(name: &str, records: &[&Record]) -> String {
     let factors = records.iter().filter_map(|record| {
         let own = Situation::View.ratio(record, of(record, name)?)?;
@@ -230,7 +230,7 @@ fn by_run(name: &str, records: &[&Record]) -> Ranking {
     Ranking {
         title: format!("{name} by run"),
         names: "run",
-        axis: "time over drawing uncut".to_owned(),
+        axis: "time relative to drawing uncut".to_owned(),
         is_factor: true,
         heading: "wrong px, at most".to_owned(),
         range: ends.fold([1.0, 1.0], |[least, most], s| {
@@ -240,7 +240,7 @@ fn by_run(name: &str, records: &[&Record]) -> Ranking {
     }
 }
 
-/// A row for each reason, with the points that it concerns.
+/// Table with a row for each reason for a refusal, and the points that it concerns.
 fn refusals(name: &str, records: &[&Record]) -> Grid {
     let mut reasons: Vec<(&str, Vec<String>)> = Vec::new();
     for record in records {

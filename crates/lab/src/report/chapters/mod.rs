@@ -27,7 +27,7 @@ use super::document::{ReportBlock, ReportDocument};
 use super::recorded::RecordedFolders;
 use point::Points;
 
-/// The report of some folders.
+/// Makes the content of the report on some folders.
 pub(super) fn document(recorded: &RecordedFolders, options: &PictureOptions) -> ReportDocument {
     let points = Points::of(recorded);
     let pictures = pictures::Galleries::of(&points, options);

@@ -1,7 +1,7 @@
 //! Choice of the pictures that are embedded in the page, linked, or left out.
 //!
-//! A page with embedded pictures opens from anywhere, but browsers struggle with very large pages. There is a budget of bytes; each
-//! point gets an equal share of the rest: exact first, then the strategies in the order of the record, each with its heat map.
+//! A page with embedded pictures can be opened from anywhere, but browsers struggle with very large pages. So there is a budget of bytes;
+//! each point gets an equal share of what is left: exact first, then the strategies in the order of the record, each with its heat map.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -20,25 +20,25 @@ use crate::report::look::look;
 /// Options for the pictures of the page.
 #[derive(Clone, Debug)]
 pub struct PictureOptions {
-    /// Folder that the report is written to: links are relative to it.
+    /// Folder to which the report is written; links are relative to this folder.
     pub out: PathBuf,
     /// True to link picture files instead of embedding them.
     pub link: bool,
-    /// Maximum bytes of embedded pictures, before their encoding as text, which turns three bytes into four.
+    /// Maximum total size of embedded pictures in bytes. Encoding them as text later makes four bytes of three.
     pub most_bytes: u64,
 }
 
 impl PictureOptions {
-    /// Bytes of pictures that give a page of about 24 MB.
+    /// Total size of pictures, in bytes, that gives a page of about 24 MB.
     pub const MOST_BYTES: u64 = 17_000_000;
 }
 
 /// The galleries of all points.
 pub(super) struct Galleries {
     galleries: Vec<Gallery>,
-    /// Identity of each gallery's point: run folder, experiment, identity of the record.
+    /// Identifies the point of each gallery: run folder, experiment, and identity of the record.
     of: Vec<(PathBuf, String, String)>,
-    /// Number of pictures without a file, per gallery.
+    /// Number of pictures in each gallery whose file is missing.
     gone: Vec<usize>,
 }
 
@@ -47,9 +47,9 @@ struct PictureCandidate {
     name: String,
     caption: Cell,
     path: PathBuf,
-    /// Heat map of its errors.
+    /// File of the heat map of the picture's errors.
     errors: Option<PathBuf>,
-    /// Decided wrong pixels in it; `None` for the reference.
+    /// Number of decided wrong pixels in the picture; `None` for the reference.
     wrong_px: Option<usize>,
 }
 
@@ -57,7 +57,7 @@ struct PictureCandidate {
 enum Lack {
     /// There is no such file.
     Gone,
-    /// It exceeds the budget.
+    /// The file exceeds the budget.
     TooLarge,
 }
 
@@ -82,7 +82,7 @@ impl Galleries {
         chosen
     }
 
-    /// The pictures of a point, with what was left out.
+    /// The pictures of a point, and a note on those that were left out.
     pub(super) fn gallery(&self, point: &RecordedPoint<'_>) -> Vec<ReportBlock> {
         let Some(index) = self.of.iter().position(|k| *k == key(point)) else {
             return Vec::new();
@@ -107,7 +107,7 @@ impl Galleries {
         index.is_some_and(|index| !self.galleries[index].shots.is_empty())
     }
 
-    /// Number of pictures without a file, and how to make them; `None` if no file is missing.
+    /// Notice of how many picture files are missing, and how to make them; `None` if none is missing.
     pub(super) fn gone(&self) -> Option<ReportBlock> {
         let gone: usize = self.gone.iter().sum();
         let points = self.gone.iter().filter(|gone| **gone > 0).count();
@@ -115,7 +115,7 @@ impl Galleries {
             ReportBlock::Notice(
                 Tone::Plain,
                 format!(
-                    "{} of {} not beside the records, and not in this page. The commands that measured make them in a folder of their own: give another \
+                    "{} of {} not beside the records, and not in this page. To make them, repeat the commands that made the measurements with another \
                      --out. For one point, add `--heatmaps DIR` to its `cutaway compare`.",
                     counted(gone, "picture"),
                     match points {
@@ -127,7 +127,7 @@ impl Galleries {
         })
     }
 
-    /// Number of pictures in the page or linked, and number left out.
+    /// Number of pictures that are embedded or linked, and number of pictures left out.
     pub(super) fn counts(&self) -> [usize; 2] {
         let files = |s: &Shot| 1 + usize::from(s.errors.is_some());
         let shown = self
@@ -152,7 +152,7 @@ fn key(point: &RecordedPoint<'_>) -> (PathBuf, String, String) {
     (point.folder.path.clone(), record.experiment.clone(), name)
 }
 
-/// The pictures of a point within a share of the budget, the bytes they use, and the number without a file.
+/// The pictures of a point that fit into its share of the budget, the bytes they use, and the number of missing files.
 fn gallery(
     points: &Points<'_>,
     point: &RecordedPoint<'_>,
@@ -212,7 +212,7 @@ fn gallery(
     (gallery, used, gone)
 }
 
-/// The two pictures that a slider opens with: the first, which is the reference if present, and the one with most wrong pixels.
+/// The two pictures that a slider shows initially: the first, which is the reference if present, and the one with the most wrong pixels.
 fn opens_at(wrong_px: &[Option<usize>]) -> [usize; 2] {
     let strategies = wrong_px.iter().enumerate().skip(1);
     let worst = strategies
@@ -247,7 +247,7 @@ fn wanted(point: &RecordedPoint<'_>) -> Vec<PictureCandidate> {
     point.record.pictures.iter().map(of).collect()
 }
 
-/// A picture, and the number of bytes it takes from the rest of the budget.
+/// A picture, and the number of bytes of the budget that it uses.
 fn image(path: &Path, options: &PictureOptions, left: u64) -> Result<(GalleryImage, u64), Lack> {
     let bytes = fs::metadata(path).map_err(|_| Lack::Gone)?.len();
     let image = |source| GalleryImage {
@@ -264,7 +264,7 @@ fn image(path: &Path, options: &PictureOptions, left: u64) -> Result<(GalleryIma
     Ok((image(PictureLocation::Inside(png)), bytes))
 }
 
-/// A path relative to a folder.
+/// Makes a path relative to a folder.
 fn relative(from: &Path, to: &Path) -> String {
     let (from, to) = (place_of(from), place_of(to));
     let common = from.components().zip(to.components());
@@ -294,7 +294,7 @@ mod tests {
 
     #[test]
     fn a_slider_opens_on_what_differs_most() {
-        // The reference, an exact strategy, a wrong one, another picture of the reference, one that is more wrong, one that is as wrong.
+        // The reference, an exact strategy, a wrong one, another picture of the reference, and two strategies that are more wrong.
         let all = [None, Some(0), Some(7), None, Some(90), Some(90)];
         assert_eq!(opens_at(&all), [0, 4]);
         assert_eq!(opens_at(&all[..2]), [0, 1], "all are exact");

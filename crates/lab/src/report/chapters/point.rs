@@ -14,7 +14,7 @@ pub(super) struct RecordedPoint<'a> {
 }
 
 impl RecordedPoint<'_> {
-    /// Its parameters: `amplitude = 1%, size = 2 k`.
+    /// The point's parameters as text: `amplitude = 1%, size = 2 k`.
     pub(super) fn parameters(&self) -> String {
         let words: Vec<String> = (self.record.parameters.iter())
             .map(|(name, value)| format!("{name} = {value}"))
@@ -22,13 +22,13 @@ impl RecordedPoint<'_> {
         words.join(", ")
     }
 
-    /// Run of the point, as the experiment defines it.
+    /// Definition of the point's run in the experiment.
     pub(super) fn run(&self) -> Option<&RunSynopsis> {
         let mut runs = self.experiment.synopsis.runs.iter();
         runs.find(|r| r.name == self.record.run)
     }
 
-    /// Run and parameters.
+    /// Name of the point: its run and its parameters.
     pub(super) fn name(&self) -> String {
         match self.record.parameters.is_empty() {
             true => self.record.run.clone(),
@@ -37,7 +37,7 @@ impl RecordedPoint<'_> {
     }
 }
 
-/// Properties that figures must share to be compared: the folder of a run, the adapter, and whether it was measured with `--quick`.
+/// Properties that figures must have in common to be comparable: the folder, the adapter, and whether `--quick` was used.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Setup<'a> {
     folder: &'a Folder,
@@ -53,12 +53,12 @@ impl Setup<'_> {
     }
 }
 
-/// All points, and where they were measured.
+/// All points, and the setups in which they were measured.
 #[derive(Clone, Debug)]
 pub(super) struct Points<'a> {
     pub(super) all: Vec<RecordedPoint<'a>>,
     setups: Vec<Setup<'a>>,
-    /// Warnings that every point of a folder has.
+    /// For each folder, the warnings that all its points have.
     common: Vec<(&'a Folder, Vec<Warning>)>,
 }
 
@@ -105,8 +105,8 @@ impl<'a> Points<'a> {
         all.filter(|p| setup.has(p)).copied().collect()
     }
 
-    /// A unique name for a setup: its folder if there are several, its adapter, and whether it was quick if only some setups
-    /// were.
+    /// A unique name for a setup: its adapter, its folder if there are several folders, and whether it was quick if only some
+    /// setups were.
     pub(super) fn label(&self, setup: &Setup<'_>) -> String {
         let differ = |is_same: &dyn Fn(&Setup<'_>) -> bool| !self.setups.iter().all(is_same);
         let adapter = setup.adapter;
@@ -125,7 +125,7 @@ impl<'a> Points<'a> {
         words.join(", ")
     }
 
-    /// The name of a point's setup after a separator, where there are several.
+    /// The name of a point's setup, preceded by a separator; empty if there is only one setup.
     pub(super) fn on_whom(&self, point: &RecordedPoint<'_>) -> String {
         match self.setups.iter().find(|b| b.has(point)) {
             Some(setup) if self.setups.len() > 1 => format!(" · {}", self.label(setup)),
@@ -133,7 +133,7 @@ impl<'a> Points<'a> {
         }
     }
 
-    /// Warnings that concern all of a folder.
+    /// Warnings that concern a whole folder.
     pub(super) fn common(&self, folder: &Folder) -> &[Warning] {
         let found = self.common.iter().find(|(f, _)| std::ptr::eq(*f, folder));
         found.map_or(&[], |(_, warnings)| warnings)
@@ -159,7 +159,7 @@ fn name_of<'a>(point: &RecordedPoint<'a>) -> &'a str {
     &point.experiment.synopsis.name
 }
 
-/// Warnings about no particular strategy that all points have in identical form.
+/// Warnings that all points have identically and that concern no particular strategy.
 fn common_warnings(points: &[RecordedPoint<'_>]) -> Vec<Warning> {
     let Some((first, others)) = points.split_first() else {
         return Vec::new();

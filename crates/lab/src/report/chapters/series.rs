@@ -1,15 +1,15 @@
-//! Grouping of the marks of a chart into series, and their names.
+//! Groups the marks of a chart into series, and names the series.
 
 use super::charts::PlottedStrategy;
 use crate::experiment::ChartSynopsis;
 use crate::report::derived::Row;
 
-/// Figures of the scene: parameters of the scene that vary show along x.
+/// Figures of the scene. Along such an x axis, varied scene parameters do not separate series, as they already change x.
 const OF_SCENE: [&str; 2] = ["triangles", "pixels"];
 
-/// A series has one strategy and one value of each varied parameter except the one along x: where x is a parameter,
-/// all other parameters separate series; where x is a figure, the strategy's own parameters run along the series. Strategies share a
-/// drawing, and each value of the rest has one of its own; where there is one strategy alone, the values of what is varied last share one.
+/// A series has one strategy and one value of each varied parameter, except those that vary along the series: the parameter on the x axis,
+/// or the strategy's own parameters if x is a figure. All strategies share a drawing; each combination of the other values has its own.
+/// If there is only one strategy, the values of the last varied parameter share a drawing, with a series for each.
 pub(super) fn name_series(asked: &ChartSynopsis, placed: &mut [PlottedStrategy<'_>]) {
     let is_of_scene = OF_SCENE.contains(&asked.x.as_str());
     let mut names: Vec<&String> = placed
@@ -50,7 +50,7 @@ pub(super) fn name_series(asked: &ChartSynopsis, placed: &mut [PlottedStrategy<'
     }
 }
 
-/// Name of a strategy in a series.
+/// Name of a series' strategy.
 fn method_of(asked: &ChartSynopsis, row: &Row<'_>, is_of_scene: bool) -> String {
     let own = &row.member.parameters;
     let runs_along = own.contains_key(&asked.x);
@@ -67,7 +67,7 @@ fn method_of(asked: &ChartSynopsis, row: &Row<'_>, is_of_scene: bool) -> String 
     }
 }
 
-/// A family as people write it: `grid:cells+vds:1024`.
+/// A strategy text without braces: `grid:cells+vds:1024`.
 fn unbraced(family: &str) -> String {
     family.replace(['{', '}'], "")
 }

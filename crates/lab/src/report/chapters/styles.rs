@@ -8,7 +8,7 @@ use crate::report::derived::{Situation, Variants, variants};
 use crate::report::document::{Cell, Grid, ReportBlock};
 use crate::report::number::milliseconds;
 
-/// A question with its answer and its table for each run whose points are variants of one picture.
+/// For each run whose points are variants of one picture: the question, the answer and the table.
 pub(super) fn blocks(points: &Points<'_>) -> Vec<ReportBlock> {
     let mut blocks = Vec::new();
     for setup in points.setups() {
@@ -24,7 +24,7 @@ pub(super) fn blocks(points: &Points<'_>) -> Vec<ReportBlock> {
             let records = on_it.iter().map(|p| p.record);
             let of_run = records.filter(|r| r.experiment == experiment && r.run == run);
             let records: Vec<&Record> = of_run.collect();
-            // A run with figures of its own has another question, such as whether frames flicker.
+            // A run with additional figures answers another question, such as whether frames flicker.
             let asks_else = records
                 .iter()
                 .any(|r| r.figures.iter().any(|f| !f.is_empty()));
@@ -32,8 +32,8 @@ pub(super) fn blocks(points: &Points<'_>) -> Vec<ReportBlock> {
                 continue;
             };
             let question = match found.axis {
-                "cutaway" => "What does a cutaway cost over the picture without one?",
-                _ => "What does a style cost over plain light?",
+                "cutaway" => "What does a cutaway cost relative to the same picture without one?",
+                _ => "What does a style cost relative to plain light?",
             };
             let is_asked =
                 |b: &ReportBlock| matches!(b, ReportBlock::Heading(_, text) if text == question);
@@ -58,7 +58,7 @@ pub(super) fn blocks(points: &Points<'_>) -> Vec<ReportBlock> {
     blocks
 }
 
-/// A table with a column for each value if there are several pictures, else with a row for each.
+/// A table of the variants: if there are several pictures, it has a column for each value; otherwise a row for each value.
 fn table(found: &Variants) -> Grid {
     let factor =
         |ratio: &Option<f64>| ratio.map_or_else(Cell::default, |r| Cell::number(times(r), r));

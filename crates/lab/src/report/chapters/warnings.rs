@@ -1,9 +1,9 @@
-//! Warnings on figures: each once, with everything that it concerns.
+//! Warnings on figures: each warning appears once, with everything that it concerns.
 
 use crate::experiment::Warning;
 use crate::report::document::{ReportBlock, Tone};
 
-/// Warnings as notices, those with one remedy together.
+/// Warnings as notices; warnings with the same remedy share a notice.
 pub(super) fn notices<'a>(warnings: impl IntoIterator<Item = &'a Warning>) -> Vec<ReportBlock> {
     let mut groups: Vec<(&str, Vec<&Warning>)> = Vec::new();
     for warning in warnings {

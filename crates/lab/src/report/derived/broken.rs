@@ -1,8 +1,8 @@
-//! Points judged by the exact image of another scene: broken meshes, judged by that of the intact mesh.
+//! Points that are judged by the exact image of another scene: broken meshes, judged by the exact image of the intact mesh.
 //!
-//! No strategy can be expected to be exact there, so that counts of exact points leave them out. The questions are how many pixels are
-//! wrong, relative to the exact cap, and how many of these the strategy marks as unreliable. Marks are a cost too: a marked pixel is
-//! useless, wrong or not. A strategy that loses more than [`TOO_MUCH`] in this way is not usable.
+//! No strategy can be expected to be exact at these points, so counts of exact points leave them out. The questions are how many pixels
+//! are wrong, relative to the exact cap, and how many wrong pixels the strategy marks as unreliable. Marks are a cost too: a marked pixel
+//! is useless, wrong or not. A strategy is not usable if its lost pixels, marked or wrong, are [`TOO_MUCH`] of the cap or more.
 
 use cutaway_io::document::Node;
 
@@ -16,7 +16,7 @@ pub(crate) fn has_other_truth(record: &Record) -> bool {
     record.truth.is_some()
 }
 
-/// Returns true if the scene has a defect: a sweep may begin with a defect of amount 0.
+/// Returns true if the scene has a defect. A defect of amount 0, with which a sweep may begin, is none.
 pub(crate) fn has_defect(record: &Record) -> bool {
     let amounts = |part: &Node| -> Vec<Option<f64>> {
         let defects = part.get("defects").map_or(&[] as &[_], Node::items);
@@ -29,39 +29,39 @@ pub(crate) fn has_defect(record: &Record) -> bool {
         .get("part")
         .map_or(&[] as &[_], Node::items);
     let mut amounts = parts.iter().flat_map(amounts);
-    // A defect without an amount has its usual amount.
+    // A defect without an amount has its default amount, which is not 0.
     has_other_truth(record) && amounts.any(|a| a != Some(0.0))
 }
 
 /// Errors and marks of a strategy on broken meshes.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Harm {
-    /// Points requested and drawn, and the cost of a frame.
+    /// Numbers of points requested and drawn, and the cost of a frame.
     pub totals: StrategyTotals,
-    /// Wrong pixels per pixel of the exact cap.
+    /// Number of wrong pixels divided by the number of pixels of the exact cap.
     pub wrong: Option<Spread>,
     /// Number of wrong pixels that are not marked.
     pub unmarked_px: Option<Spread>,
-    /// Wrong pixels that are not marked, per pixel of the exact cap.
+    /// Number of unmarked wrong pixels divided by the number of pixels of the exact cap.
     pub unmarked: Option<Spread>,
-    /// Marked pixels, wrong or not, per pixel of the exact cap.
+    /// Number of marked pixels, wrong or not, divided by the number of pixels of the exact cap.
     pub marked: Option<Spread>,
-    /// Pixels that are marked or wrong, per pixel of the exact cap.
+    /// Number of pixels that are marked or wrong, divided by the number of pixels of the exact cap.
     pub lost: Option<Spread>,
 }
 
-/// Median share of the exact cap that must not be lost.
+/// A strategy is not usable if the median share of the exact cap that it loses is this or more.
 pub(crate) const TOO_MUCH: f64 = 0.5;
 
 impl Harm {
-    /// Returns true if it drew at all points and leaves enough to be used.
+    /// Returns true if the strategy drew at all points and its lost share is below [`TOO_MUCH`].
     pub(crate) fn is_usable(&self) -> bool {
         self.totals.refused() == 0 && self.lost.is_some_and(|l| l.median < TOO_MUCH)
     }
 }
 
-/// Each strategy over some points: usable ones come first, sorted by the number of wrong pixels, then of unmarked wrong
-/// pixels, then by cost.
+/// The result of each strategy over some points. Usable strategies come first, sorted by their wrong pixels, then by their
+/// unmarked wrong pixels, then by cost.
 pub(crate) fn harms(records: &[&Record]) -> Vec<Harm> {
     let all = names(records).into_iter();
     let mut all: Vec<Harm> = all.map(|name| harm(name, records)).collect();

@@ -1,4 +1,4 @@
-//! All methods requested at some points, with their costs there: the exact ones first.
+//! All methods requested at some points, with their costs at these points, exact methods first.
 
 use super::totals::{names, self_standing};
 use super::{Situation, Spread, StrategyTotals};
@@ -7,14 +7,14 @@ use crate::experiment::Record;
 /// A method at some points.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Candidate {
-    /// Points requested, drawn and exact, and reasons of refusals.
+    /// Numbers of points requested, drawn and exact, and the reasons for refusals.
     pub totals: StrategyTotals,
-    /// Time over drawing the uncut scene, in the requested situation; none where nothing was drawn.
+    /// Time in the requested situation divided by the time to draw the uncut scene; `None` if nothing was drawn.
     pub ratio: Option<Spread>,
 }
 
-/// The methods of some points: the exact ones, the wrong ones, those that drew nothing; in each group the cheapest first. If some
-/// methods are requested by name, those from sweeps over strategy parameters are left out.
+/// The methods of some points: first the exact methods, then the wrong ones, then those that drew nothing, each group sorted by cost.
+/// If any method is requested by name, methods that only come from sweeps over strategy parameters are left out.
 pub(crate) fn candidates(records: &[&Record], situation: Situation) -> Vec<Candidate> {
     let named = match self_standing(records) {
         none if none.is_empty() => names(records),

@@ -1,11 +1,11 @@
-//! The Pareto front of error against cost, and the price of each tenfold of accuracy along it.
+//! The Pareto front of error against cost, and the price of each tenfold gain in accuracy along the front.
 //!
-//! An offer is on the front if no other offer has at most its error at no more than its cost. From one offer of the front to the next,
-//! error falls by some decades and cost rises by some factor; the price of a tenfold is this factor per decade, so that steps of any
-//! length can be compared: `(c1 / c0) ^ (1 / log10(e0 / e1))`. A step to an error of 0 has no number of decades: only its factor is given.
+//! An offer (a strategy's error and cost) is on the front if no other offer is as good or better in both. From one offer of the front to
+//! the next, the error falls by some decades and the cost rises by a factor. The price of a tenfold gain is the cost factor per decade,
+//! so that steps of any length can be compared: `(c1 / c0) ^ (1 / log10(e0 / e1))`. If the error falls to 0, only the cost factor is given.
 //!
-//! Over a short step the root amplifies the scatter, and a cost difference within the spreads may be no difference: neither has a price.
-//! A strategy that did not draw all of a frame has fewer errors and less cost for the wrong reason, and is on no front.
+//! Two kinds of steps have no price: short steps, over which the root amplifies the scatter, and steps whose cost difference is within the
+//! spreads. A strategy that did not draw the whole frame has fewer errors and less cost for that reason alone, so it is on no front.
 
 /// Error and cost of one strategy.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -14,36 +14,36 @@ pub(crate) struct Offer {
     pub error: f64,
     /// Cost, greater than 0.
     pub cost: f64,
-    /// Median absolute deviation of the cost; none where it is not known.
+    /// Median absolute deviation of the cost; `None` if unknown.
     pub spread: Option<f64>,
-    /// True if all of the frame was drawn.
+    /// True if the whole frame was drawn.
     pub is_complete: bool,
 }
 
 /// Price of a tenfold smaller error along a step of a front.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum StepPrice {
-    /// Factor on the cost.
+    /// Factor by which the cost rises for each tenfold smaller error.
     Factor(f64),
-    /// There is no error left: no number of tenfolds.
+    /// The error falls to 0, which is no finite number of tenfold steps.
     ToNoError,
-    /// Error falls by less than [`LEAST_DECADES`].
+    /// The error falls by less than [`LEAST_DECADES`].
     TooShort,
-    /// The two costs lie within the sum of their spreads: the step may be free.
+    /// The costs differ by no more than the sum of their spreads, so the step may cost nothing.
     WithinSpread,
 }
 
-/// Minimum decades of error in a step that has a price: at a third, a scatter of 10 % in cost gives a third in price.
+/// Minimum number of decades by which the error must fall for a step to have a price: at 1/3, 10 % scatter in cost is 33 % in price.
 const LEAST_DECADES: f64 = 1.0 / 3.0;
 
-/// From one offer of a front to the next.
+/// The step from one offer of a front to the next.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct FrontStep {
     /// Index of the cheaper offer.
     pub from: usize,
     /// Index of the more accurate offer.
     pub to: usize,
-    /// Cost of the second over that of the first.
+    /// Cost of the more accurate offer divided by that of the cheaper one.
     pub cost_ratio: f64,
     /// Price of a tenfold smaller error.
     pub price: StepPrice,
@@ -51,7 +51,7 @@ pub(crate) struct FrontStep {
     pub is_spread_known: bool,
 }
 
-/// Indices of the complete offers on the front, the cheapest first. Of equal offers the first is taken.
+/// Indices of the complete offers on the front, the cheapest first. If offers are equal, the first of them is used.
 pub(crate) fn front(offers: &[Offer]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..offers.len())
         .filter(|i| offers[*i].is_complete)
@@ -117,7 +117,7 @@ mod tests {
 
     #[test]
     fn the_front_leaves_out_what_another_beats() {
-        // Error falls as the square of cost; the third is beaten by the second, the last is the second again.
+        // The error falls with the square of the cost. The third offer is worse than the second; the last is equal to the second.
         let all = offers(&[
             (100.0, 1.0),
             (1.0, 10.0),
@@ -127,13 +127,13 @@ mod tests {
         ]);
         assert_eq!(front(&all), [0, 1, 3]);
         assert_eq!(front(&[]), [0usize; 0]);
-        // One that is both cheapest and best is alone.
+        // An offer that is both the cheapest and the most accurate is alone on the front.
         assert_eq!(front(&offers(&[(5.0, 2.0), (0.0, 1.0)])), [1]);
     }
 
     #[test]
     fn the_price_of_a_tenfold_does_not_hang_on_the_length_of_the_step() {
-        // cost = error ^ -0.5: a tenfold costs the square root of 10, whatever is sampled.
+        // cost = error ^ -0.5: a tenfold gain costs the square root of 10, whichever errors are sampled.
         for errors in [[1000.0, 10.0, 1.0], [700.0, 90.0, 0.3]] {
             let pairs = errors.map(|e: f64| (e, e.powf(-0.5)));
             let all = offers(&pairs);

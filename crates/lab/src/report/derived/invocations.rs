@@ -1,11 +1,11 @@
-//! The commands that measured a run: each record names its own, and `run.json` the last.
+//! The commands that measured a run: each record names the command that measured it, and `run.json` names the last command.
 
 use crate::experiment::{Invocation, Record, Run};
 
-/// The invocations of a run, the earliest first, each with the number of points whose records name it.
+/// The invocations of a run, the earliest first, each with the number of points whose records name that invocation.
 ///
-/// The command that `run.json` names may have kept all of its points. It is last then, and has the points whose records name
-/// no command, as those of older versions do not.
+/// No record may name the command of `run.json`, for example if it found all points measured already. The command is then
+/// listed last, and is credited with the points whose records name no command, as records of older versions do not.
 pub(crate) fn invocations<'a>(
     run: &Run,
     records: impl IntoIterator<Item = &'a Record>,

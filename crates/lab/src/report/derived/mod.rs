@@ -1,18 +1,18 @@
-//! Every number of a report that is in no record: each is computed in one place, and tested against closed forms.
+//! Computes every number of a report that no record holds. Each is computed in one place, and tested against closed-form results.
 //!
-//! | what | where |
+//! | value | computed by |
 //! |---|---|
-//! | figures of a strategy at a point by name | [`Row`] |
-//! | the front of error against cost, and the price of each tenfold | [`front`], [`steps`] |
+//! | the figures of a strategy at a point, by name | [`Row`] |
+//! | the front of error against cost, and the price of each tenfold gain in accuracy | [`front`], [`steps`] |
 //! | what a strategy costs in each situation | [`Situation`] |
-//! | which strategies are exact wherever they drew, and which of them is the cheapest | [`ranked`] |
-//! | what all methods at some points cost, the wrong ones too | [`candidates`] |
-//! | what a cutaway costs over the picture without one, and a style over plain light | [`variants`] |
+//! | which strategies are exact wherever they drew, from the cheapest to the dearest | [`ranked`] |
+//! | what all methods at some points cost, including wrong methods | [`candidates`] |
+//! | the cost of a cutaway relative to the same picture without one, and of a style relative to plain light | [`variants`] |
 //! | command line of a strategy, and its limits | [`usage`] |
-//! | how wrong broken meshes are drawn, and how much of that is marked | [`Harm`] |
+//! | how wrong broken meshes are drawn, and how many wrong pixels are marked | [`Harm`] |
 //! | which commands measured a run | [`invocations`] |
-//! | which strategies are the paper's path | [`papers`] |
-//! | how often a strategy is exact, refused, overflowed | [`StrategyTotals`] |
+//! | which strategies follow the paper's method | [`papers`] |
+//! | how often a strategy is exact, refuses, or overflows | [`StrategyTotals`] |
 
 mod broken;
 mod candidates;

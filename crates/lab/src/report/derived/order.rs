@@ -1,4 +1,4 @@
-//! Values of parameters as numbers, where they can be read as such: `4%`, `20 k`, `1024,768`.
+//! Reads parameter values as numbers where possible: `4%`, `20 k`, `1024,768`.
 
 use std::cmp::Ordering;
 
@@ -14,7 +14,7 @@ const SUFFIXES: [(&str, f64); 8] = [
     ("G", 1e9),
 ];
 
-/// The number that a value stands for; a pair, as of pixels, stands for its product.
+/// The number that a value stands for. A pair, such as a size in pixels, stands for its product.
 fn number_of(text: &str) -> Option<f64> {
     let side = |t: &str| t.trim().parse::<u32>().ok().map(f64::from);
     let pair = text.split_once([',', 'x']);
@@ -32,7 +32,7 @@ fn number_of(text: &str) -> Option<f64> {
     (number.is_finite()).then_some(number * factor)
 }
 
-/// Order of values: numbers by size, before words; words alphabetically.
+/// Order of values: numbers come before words, numbers sorted by size and words alphabetically.
 pub(crate) fn natural(a: &str, b: &str) -> Ordering {
     match (number_of(a), number_of(b)) {
         (Some(x), Some(y)) => x.total_cmp(&y).then_with(|| a.cmp(b)),

@@ -1,12 +1,12 @@
-//! Strategies on the paper's path: any grid with any depth sprite, drawn with the usual options.
+//! Strategies that follow the paper's method: a grid with a depth sprite, of any sizes, drawn with the default options.
 //!
-//! A point that asks the paper's own parameters is named by them; one that sweeps them has several, and a range of figures.
+//! If a point has the strategy with the paper's own parameters, only that one counts. Otherwise all sizes count, which gives a range.
 
 use cutaway::strategies::Strategy;
 
 use crate::experiment::Record;
 
-/// Indices of the strategies of a point that are the paper's path: the one with the paper's parameters, else all.
+/// Indices of a point's strategies that follow the paper's method: the one with the paper's parameters, or else all of that kind.
 pub(crate) fn papers(record: &Record) -> Vec<usize> {
     let of = |is_it: fn(Strategy) -> bool| -> Vec<usize> {
         let all = record.measurement.strategies.iter().enumerate();

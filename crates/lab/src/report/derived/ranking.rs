@@ -1,19 +1,19 @@
-//! Choice of a strategy at some points: the one ranking of a report.
+//! Ranks the strategies at some points; all of a report's recommendations use this ranking.
 //!
-//! It holds the strategies that `cutaway render` takes and that are exact wherever they drew; a refusal is no picture, and does not count
-//! against them. At each point a strategy has a factor over the fastest of them there, and the least median of these factors comes first,
-//! so that strategies measured at different points can be compared; of equal ones, the least median of the ratio. Strategies
-//! that were exact at half of the points or fewer come last: any two of the others share a point.
+//! The ranking holds the strategies that `cutaway render` accepts and that are exact wherever they drew; refusals do not count against
+//! them. At each point, the time of a strategy is divided by that of the point's fastest strategy. Strategies are sorted by the median of
+//! these factors, so that strategies measured at different points can be compared; ties are sorted by the median ratio. Strategies that
+//! were exact at half of the points or fewer come last, because only strategies exact at more than half are sure to share a point.
 //!
-//! A strategy that is not the first is a draw with it unless the first is faster at more than half of the points where both are exact:
-//! faster by more than both median absolute deviations together, and by more than [`BETWEEN_RUNS`].
+//! Another strategy is a draw with the first unless the first is faster at more than half of the points where both are exact. Faster
+//! means by more than the sum of both median absolute deviations, and by more than [`BETWEEN_RUNS`].
 
 use super::totals::names;
 use super::{Situation, Spread, StrategyTotals, Usage, usage};
 use crate::experiment::{Record, Samples};
 
-/// Difference between the ratios of two runs of the same experiments on one machine, where the deviation within each run was a
-/// twentieth: strategies that differ by less cannot be told apart.
+/// Relative difference seen between the ratios of two runs of the same experiments on one machine, although the deviation within each
+/// run was only 5 %. Strategies that differ by less cannot be told apart.
 pub(crate) const BETWEEN_RUNS: f64 = 0.12;
 
 /// A strategy in the ranking.
@@ -23,15 +23,15 @@ pub(crate) struct Ranked {
     pub name: String,
     /// Command line of the strategy.
     pub usage: Usage,
-    /// Points where it was exact.
+    /// Number of points where the strategy was exact.
     pub exact: usize,
-    /// Time over drawing the uncut scene, in the requested situation.
+    /// Time in the requested situation divided by the time to draw the uncut scene.
     pub ratio: Spread,
-    /// True if the first of the ranking is not faster than this one.
+    /// True if the first strategy of the ranking is not faster than this one.
     pub is_draw: bool,
 }
 
-/// The strategies that may be used at some points, the best first.
+/// The ranking of the strategies at some points, the best first.
 pub(crate) fn ranked(records: &[&Record], situation: Situation) -> Vec<Ranked> {
     let all = names(records).into_iter();
     let mut all: Vec<(Ranked, Ratios)> = all
@@ -56,7 +56,7 @@ pub(crate) fn ranked(records: &[&Record], situation: Situation) -> Vec<Ranked> {
     ranking
 }
 
-/// Ratios of a strategy, point by point.
+/// Ratios of a strategy, one entry per point.
 type Ratios = Vec<Option<Samples>>;
 
 fn entry(name: &str, records: &[&Record], situation: Situation) -> Option<(Ranked, Ratios)> {
@@ -81,14 +81,14 @@ fn entry(name: &str, records: &[&Record], situation: Situation) -> Option<(Ranke
     Some((ranked, ratios))
 }
 
-/// Median of a strategy's ratios over the least at the same points.
+/// Median, over the points, of a strategy's ratio divided by the smallest ratio at the same point.
 fn factor(ratios: &Ratios, least: &[f64]) -> f64 {
     let pairs = ratios.iter().zip(least);
     let factors = pairs.filter_map(|(ratio, least)| Some(ratio.as_ref()?.median / least));
     Samples::new(factors.collect()).median
 }
 
-/// Returns true if one strategy is faster than another at more than half of the points that both have.
+/// Returns true if one strategy is faster than another at more than half of the points where both have times.
 fn is_faster(one: &Ratios, other: &Ratios) -> bool {
     let both = one.iter().zip(other);
     let both: Vec<(&Samples, &Samples)> = both
@@ -106,7 +106,7 @@ mod tests {
     use crate::experiment::{PerClock, example};
     use crate::report::derived::totals::tests::record_of;
 
-    /// A strategy with its times on solid and frame, and its wrong pixels.
+    /// Name of a strategy, its times on the clocks solid and frame, and its number of wrong pixels.
     type TimedStrategy<'a> = (&'a str, f64, f64, usize);
 
     const PEELED: TimedStrategy<'_> = ("raycast+vds:64", 50.0, 4.0, 0);
@@ -167,7 +167,7 @@ mod tests {
         let alone = record(&[("raycast+mask", 0.0, 20.0, 0)]);
         let records = [&cheap, &cheap, &dear, &dear, &alone, &alone, &alone];
         let ranking = ranked(&records, Situation::View);
-        // The stencil has the lesser median: it was not measured at the dearest points. Where it was, it is the slower one.
+        // The stencil has the smaller median only because it was not measured at the dearest points. Where it was measured, it is slower.
         let found: Vec<(&str, f64)> = (ranking.iter())
             .map(|s| (s.name.as_str(), s.ratio.median))
             .collect();
@@ -190,7 +190,7 @@ mod tests {
         assert!(is_draw(&[&won, &lost]), "one point each");
         assert!(is_draw(&[&won, &near]), "half is not most");
         assert!(is_draw(&[&near]), "within what runs differ by");
-        // A median of 20 that scatters by 11 on either side is not distinguished from 10.
+        // A median of 20 that scatters by 11 to either side cannot be distinguished from 10.
         let mut noisy = won.clone();
         noisy.measurement.draw_only_ms = Samples::new(vec![2.0; 3]);
         for (found, frame) in

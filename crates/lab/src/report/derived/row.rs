@@ -1,7 +1,7 @@
-//! Row of a strategy at a point: all its figures, by name.
+//! All figures of a strategy at a point, by name: one row of the CSV file.
 //!
-//! Names of figures are those of charts and of the columns of the CSV: those of [`crate::experiment::figures`], and for each situation the
-//! time relative to drawing the uncut scene. Figures that were not measured are absent.
+//! Charts and CSV columns use the same figure names: those of [`crate::experiment::figures`], and for each situation one name for the
+//! time divided by the time to draw the uncut scene. Figures that were not measured are absent.
 
 use std::collections::BTreeMap;
 
@@ -29,7 +29,7 @@ pub(crate) fn rows(record: &Record) -> Vec<Row<'_>> {
         .collect()
 }
 
-/// All strategies of a point, each once for every strategy text of the experiment that produced it.
+/// The strategies of a point, with one row for each strategy text of the experiment that produced the strategy.
 pub(crate) fn rows_by_family(record: &Record) -> Vec<Row<'_>> {
     (record.families.iter().enumerate())
         .flat_map(|(index, families)| families.iter().map(move |m| Row::of(record, index, m)))

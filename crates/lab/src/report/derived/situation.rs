@@ -1,7 +1,7 @@
-//! Work that a change of the view, the cut or the mesh requires, and its cost.
+//! The work that is required when the view, the cut or the mesh changes, and its cost.
 //!
-//! Structures are redone on their own clocks. When only the view moves, a frame costs the clock of the frame; when the cut moves, the
-//! clock of the cut comes on top; when the mesh moves, all three. Clocks are added round by round.
+//! Structures are rebuilt on their own clocks. If only the view moves, a frame costs the time of the frame clock. If the cut moves, the
+//! time of the cut clock is added; if the mesh moves, all three clocks are added. Times are added round by round.
 
 use cutaway_io::document::Node;
 
@@ -13,9 +13,9 @@ use crate::experiment::{Ending, Record, Samples, StrategyMeasurement};
 pub(crate) enum Situation {
     /// Only the view.
     View,
-    /// The cut, and maybe the view.
+    /// The cut, and possibly the view.
     Cut,
-    /// The mesh, and maybe the rest.
+    /// The mesh, and possibly the cut and the view.
     Mesh,
 }
 
@@ -30,7 +30,7 @@ impl From<Moves> for Situation {
 }
 
 impl Situation {
-    /// All, the least work first.
+    /// All situations, the one with the least work first.
     pub(crate) const ALL: [Self; 3] = [Self::View, Self::Cut, Self::Mesh];
 
     /// Description of the value.
@@ -42,7 +42,7 @@ impl Situation {
         }
     }
 
-    /// The name of its ratio among the figures.
+    /// Name of the figure that holds the ratio in this situation.
     pub(crate) fn figure(self) -> &'static str {
         match self {
             Self::View => "ratio.view_moves",
@@ -51,7 +51,7 @@ impl Situation {
         }
     }
 
-    /// Time of a strategy's frame, round by round; none where none was taken.
+    /// Time of a strategy's frame in this situation, per round; `None` if no time was taken.
     fn samples(self, found: &StrategyMeasurement) -> Option<Samples> {
         let time = &found.time_ms;
         if !found.was_drawn() || time.frame.samples.is_empty() {
@@ -72,13 +72,13 @@ impl Situation {
         ))
     }
 
-    /// Ratios of that time to drawing the uncut scene, round by round.
+    /// The frame time in this situation divided by the time to draw the uncut scene, per round.
     pub(crate) fn ratios(self, record: &Record, found: &StrategyMeasurement) -> Option<Samples> {
         let ratios = self.samples(found)?.over(&record.measurement.draw_only_ms);
         (ratios.median.is_finite() && ratios.median > 0.0).then_some(ratios)
     }
 
-    /// The median ratio.
+    /// Median of [`Self::ratios`].
     pub(crate) fn ratio(self, record: &Record, found: &StrategyMeasurement) -> Option<f64> {
         self.ratios(record, found).map(|r| r.median)
     }
@@ -89,12 +89,12 @@ pub(crate) fn is_exact(found: &StrategyMeasurement) -> bool {
     found.outcome == Ending::Complete && found.comparison.is_some_and(|c| c.decided_wrong_px == 0)
 }
 
-/// Kind of the cuts of a scene.
+/// Kind of a scene's cuts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum CutSetKind {
-    /// One plane alone.
+    /// A single plane.
     Plane,
-    /// Several planes, or what is made of planes.
+    /// Several planes, or cuts that are made of planes.
     Planes,
     /// At least one relief.
     Relief,
@@ -110,7 +110,7 @@ impl CutSetKind {
         let regions = |cut: &'_ Node| -> Vec<Node> {
             let keys = ["box", "wedge", "volume"].iter();
             let held = keys.filter_map(|key| cut.get(key));
-            // One or several.
+            // The entry holds one item or a list of items.
             held.flat_map(|node| match node.items() {
                 [] => vec![node.clone()],
                 several => several.to_vec(),
@@ -146,7 +146,7 @@ mod tests {
     use crate::experiment::{PerClock, Samples, example};
     use cutaway_io::document::Value;
 
-    /// A strategy that has something to do on each clock.
+    /// A record of a strategy that has work on each clock.
     fn record() -> Record {
         let mut measurement = example();
         let [solid, cut, frame] = [50.0, 3.0, 4.0].map(|ms| Samples::new(vec![ms]));

@@ -10,7 +10,7 @@ use crate::experiment::{Ending, Record, Samples, StrategyMeasurement};
 pub(crate) struct Spread {
     pub least: f64,
     pub median: f64,
-    /// Greatest.
+    /// Maximum.
     pub most: f64,
 }
 
@@ -32,19 +32,19 @@ impl Spread {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct StrategyTotals {
     pub name: String,
-    /// Points that it was requested to draw.
+    /// Number of points that the strategy was requested to draw.
     pub asked: usize,
-    /// Points that it drew, overflowed or not.
+    /// Number of points that it drew, with or without overflow.
     pub drawn: usize,
-    /// Points that it drew completely and without a decided wrong pixel.
+    /// Number of points that it drew completely and without a decided wrong pixel.
     pub exact: usize,
-    /// Points where a bounded buffer was too small.
+    /// Number of points where a bounded buffer was too small.
     pub overflowed: usize,
     /// Reasons for its refusals, each with its number of occurrences.
     pub refusals: BTreeMap<String, usize>,
     /// Maximum number of decided wrong pixels at a point.
     pub worst_px: usize,
-    /// Frame time over drawing the uncut scene.
+    /// Frame time divided by the time to draw the uncut scene.
     pub ratio: Option<Spread>,
 }
 
@@ -55,7 +55,7 @@ impl StrategyTotals {
         Self::over(name, all.filter(|found| found.name == name))
     }
 
-    /// Totals of several strategies as one, each counted at the points that request it.
+    /// Totals of several strategies together, each counted at the points that request it.
     pub(crate) fn over<'a>(
         name: &str,
         all: impl IntoIterator<Item = &'a StrategyMeasurement>,
@@ -89,7 +89,7 @@ impl StrategyTotals {
         }
     }
 
-    /// Points that it refused.
+    /// Number of points that it refused.
     pub(crate) fn refused(&self) -> usize {
         self.asked - self.drawn
     }
@@ -100,7 +100,7 @@ impl StrategyTotals {
     }
 }
 
-/// Names of all strategies of some points, each once.
+/// Distinct names of all strategies of some points.
 pub(super) fn names<'a>(records: &[&'a Record]) -> Vec<&'a str> {
     let mut names: Vec<&str> = Vec::new();
     for found in records.iter().flat_map(|r| &r.measurement.strategies) {
@@ -111,7 +111,7 @@ pub(super) fn names<'a>(records: &[&'a Record]) -> Vec<&'a str> {
     names
 }
 
-/// Names of self-standing strategies: those that some point requests by name rather than by a sweep over their
+/// Names of self-standing strategies: those that at least one point requests by name rather than by a sweep over their
 /// parameters.
 pub(super) fn self_standing<'a>(records: &[&'a Record]) -> Vec<&'a str> {
     let mut names: Vec<&str> = Vec::new();
@@ -127,8 +127,8 @@ pub(super) fn self_standing<'a>(records: &[&'a Record]) -> Vec<&'a str> {
     names
 }
 
-/// The strategies that stand for themselves. The exact ones come first, then the least wrong, then the cheapest; those that never drew are
-/// last.
+/// Totals of the self-standing strategies. Exact strategies come first, then the rest by how wrong they are; ties are sorted by cost.
+/// Strategies that never drew come last.
 pub(crate) fn totals_of_strategies(records: &[&Record]) -> Vec<StrategyTotals> {
     let mut found: Vec<StrategyTotals> = self_standing(records)
         .iter()

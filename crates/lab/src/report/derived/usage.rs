@@ -7,18 +7,18 @@ use cutaway::passes::{Rasteriser, ReliefWalk};
 use cutaway::scene::HeightFilter;
 use cutaway::strategies::Method;
 
-/// Arguments of `cutaway render --strategy`, and a remark on them.
+/// What follows `cutaway render --strategy` to select a strategy, and the strategy's limit.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Usage {
-    /// The name, and its draw options.
+    /// The strategy's name, and its draw options as further options.
     pub words: String,
     /// Limit of the strategy.
     pub limit: Option<&'static str>,
 }
 
-/// The usage of a strategy by the name that records have for it; none where `cutaway render` cannot draw it.
+/// The usage of a strategy, given its name in records; `None` if `cutaway render` cannot draw with it.
 ///
-/// The walk of rays through a relief is no option of `cutaway render`, which chooses it: the limit names it.
+/// How rays walk through a relief is not an option of `cutaway render`, which chooses it automatically; so the limit names it.
 pub(crate) fn usage(name: &str) -> Option<Usage> {
     let Ok(Method { strategy, options }) = name.parse() else {
         return None;
@@ -34,8 +34,10 @@ pub(crate) fn usage(name: &str) -> Option<Usage> {
         words.push_str(" --height-filter hardware");
     }
     let limit = match options.relief_walk {
-        Some(ReliefWalk::Cells) => Some("cell by cell, as it does by itself where that pays"),
-        Some(ReliefWalk::Pyramid) => Some("over the pyramid, as it does by itself where that pays"),
+        Some(ReliefWalk::Cells) => Some("cell by cell, chosen automatically where that pays off"),
+        Some(ReliefWalk::Pyramid) => {
+            Some("over the pyramid, chosen automatically where that pays off")
+        }
         None => Some(strategy.limit()).filter(|limit| !limit.is_empty()),
     };
     Some(Usage { words, limit })
@@ -59,7 +61,7 @@ mod tests {
             (
                 "raycast+mask@pyramid",
                 "raycast+mask",
-                Some("over the pyramid, as it does by itself where that pays"),
+                Some("over the pyramid, chosen automatically where that pays off"),
             ),
             (
                 "grid:64+vds:512@hardware-filter",

@@ -1,12 +1,12 @@
-//! Runs that draw one scene by one method in several ways: what a cutaway costs over the same picture without one, what a style costs
-//! over plain light.
+//! Runs that draw one scene with one method in several ways. They show the cost of a cutaway relative to the same picture without one,
+//! and of a style relative to plain light.
 //!
 //! The varied axis is `cutaway` or, if there is none, `style`; the other values of the axis are compared with its first value,
-//! at the same values of all other axes. The time is that of all clocks, as such a picture is redrawn for every eye position.
+//! at the same values of all other axes. The time is the sum of all clocks, as such a picture is redrawn for every eye position.
 
 use crate::experiment::{Record, Samples};
 
-/// Axes that may be varied: the first one that a run has is used.
+/// Axes whose values are compared; if a run has both, the first is used.
 const AXES: [&str; 2] = ["cutaway", "style"];
 
 /// A run whose points are variants of each other.
@@ -14,22 +14,22 @@ const AXES: [&str; 2] = ["cutaway", "style"];
 pub(crate) struct Variants {
     /// The name of the axis.
     pub axis: &'static str,
-    /// The value that all are compared with.
+    /// The value with which all other values are compared.
     pub base: String,
-    /// The other values, in order.
+    /// The other values of the axis, in order.
     pub values: Vec<String>,
-    /// One for each combination of the other axes.
+    /// One row for each combination of values of the other axes.
     pub rows: Vec<VariantRow>,
 }
 
-/// All variants at the same values of the other axes.
+/// The variants that share the same values of the other axes.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct VariantRow {
-    /// The other axes: `size = 512, style = ink`; empty where there are none.
+    /// Values of the other axes: `size = 512, style = ink`; empty if there are no other axes.
     pub of: String,
     /// Time of the base value, in milliseconds.
     pub base_ms: f64,
-    /// Time relative to the base, for each of the values; `None` if not measured.
+    /// Time divided by that of the base value, for each of the other values; `None` if not measured.
     pub ratios: Vec<Option<f64>>,
 }
 
@@ -143,7 +143,7 @@ mod tests {
         let found = variants(&all.iter().collect::<Vec<_>>()).unwrap();
         assert_eq!(found.axis, "style");
         assert_eq!(found.rows[0].ratios, [Some(2.5)]);
-        // Where methods are compared, nothing else is.
+        // A run that compares several methods has no variants.
         let several = record_of(example());
         assert_eq!(variants(&[&several]), None);
     }

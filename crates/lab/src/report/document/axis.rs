@@ -1,10 +1,10 @@
-//! Layout of values along an axis, and choice of the labelled ones.
+//! Layout of values along an axis, and choice of the values that are labelled.
 //!
 //! A logarithmic axis has no position for 0. If some value is 0, a strip with its own tick is added beyond the axis's lower end.
 
 use crate::report::number::tick;
 
-/// Pixels between a strip for 0 and the rest.
+/// Distance in pixels between the strip for 0 and the rest of the axis.
 const ZERO_STRIP: f64 = 26.0;
 
 /// Minimum margin on either side of the values, as a share of the axis.
@@ -14,16 +14,16 @@ const AXIS_MARGIN: f64 = 0.05;
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Scale {
     is_log: bool,
-    /// Least and greatest value, logarithms on a logarithmic axis.
+    /// Minimum and maximum value; their logarithms on a logarithmic axis.
     range: [f64; 2],
-    /// Pixel positions of both.
+    /// Pixel positions of the minimum and the maximum.
     px: [f64; 2],
     /// Pixel position of 0, if it has its own strip.
     pub(super) zero_px: Option<f64>,
 }
 
 impl Scale {
-    /// An axis for some values, from one end to the other in pixels. A linear one begins at 0 if `from_zero`.
+    /// Lays out an axis for some values between two pixel positions. With `from_zero`, a linear axis begins at 0.
     pub(super) fn of(values: &[f64], is_log: bool, from_zero: bool, px: [f64; 2]) -> Self {
         let has_zero = is_log && values.iter().any(|v| *v <= 0.0);
         let shown: Vec<f64> = values
@@ -41,7 +41,7 @@ impl Scale {
         if starts_at_zero {
             least = 0.0;
         }
-        // A lone value has room around it.
+        // If there is only one value, leave room on both sides of it.
         let short = if is_log {
             0.2
         } else {
@@ -75,7 +75,7 @@ impl Scale {
         self.px[0] + share.clamp(0.0, 1.0) * (self.px[1] - self.px[0])
     }
 
-    /// Labelled values of the axis, with their labels.
+    /// The values that are labelled on the axis, with their labels.
     pub(super) fn ticks(&self) -> Vec<(f64, String)> {
         let values = if self.is_log {
             self.log_ticks()
@@ -113,7 +113,7 @@ impl Scale {
     }
 }
 
-/// Round values, about `count` of them.
+/// About `count` round values within the range.
 fn linear_ticks([least, most]: [f64; 2], count: f64) -> Vec<f64> {
     let rough = (most - least) / count;
     let unit = 10_f64.powf(rough.log10().floor());
@@ -129,7 +129,7 @@ fn linear_ticks([least, most]: [f64; 2], count: f64) -> Vec<f64> {
         .collect()
 }
 
-/// Selects ticks whose labels do not touch.
+/// Leaves out ticks so that no two labels touch.
 pub(super) fn apart(
     ticks: Vec<(f64, String)>,
     place: impl Fn(f64) -> f64,

@@ -1,4 +1,4 @@
-//! Bars of time: for each strategy a bar on each clock, divided by passes, and every time that was taken.
+//! Bars of time: for each strategy and clock, a bar that is divided into passes, and every time that was measured.
 //!
 //! Each clock has its own scale: building a structure once can take as long as a thousand frames.
 
@@ -7,28 +7,28 @@ use maud::{Markup, html};
 use super::{Cell, Grid};
 use crate::report::number::milliseconds;
 
-/// A table of bars.
+/// A table with a bar for each strategy and clock.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Bars {
     /// Description of the bars.
     pub label: String,
     /// Names of the clocks.
     pub clocks: Vec<String>,
-    /// Strategies.
+    /// One entry per strategy.
     pub bars: Vec<Bar>,
 }
 
-/// A strategy.
+/// The bars of a strategy.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Bar {
     pub name: String,
-    /// For each clock its passes.
+    /// The passes of each clock.
     pub segments: Vec<Vec<Segment>>,
-    /// For each clock every time that was taken, in milliseconds, in order.
+    /// All measured times of each clock in milliseconds, in the order in which they were measured.
     pub samples: Vec<Vec<f64>>,
 }
 
-/// A pass.
+/// The part of a bar that shows one pass.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Segment {
     pub name: String,
@@ -36,7 +36,7 @@ pub(crate) struct Segment {
     pub ms: f64,
 }
 
-/// Hues that segments take in turn.
+/// Number of hues, which segments use in rotation.
 const HUES: usize = 6;
 
 fn total(segments: &[Segment]) -> f64 {
@@ -100,7 +100,7 @@ impl Bars {
         }
     }
 
-    /// The same as a table of text.
+    /// The same content as a table of text.
     pub(super) fn grid(&self) -> Grid {
         let mut grid = Grid::new(&self.label, ["strategy", "clock", "pass", "ms"]);
         for bar in &self.bars {
@@ -113,7 +113,7 @@ impl Bars {
                     grid.row(row(&s.name, Cell::number(milliseconds(s.ms), s.ms)));
                 }
                 if let Some(samples) = bar.samples.get(index).filter(|s| !s.is_empty()) {
-                    grid.row(row("all of it, every sample", Cell::from(listed(samples))));
+                    grid.row(row("all passes, every sample", Cell::from(listed(samples))));
                 }
             }
         }

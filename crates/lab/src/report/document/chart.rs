@@ -1,8 +1,8 @@
-//! A chart as SVG: marks with their spread, lines, a front, axes with ticks.
+//! A chart as SVG: marks with their spreads, lines, a Pareto front, and axes with ticks.
 //!
-//! Series that are too many for one drawing are split into several small ones with the same axes. A series has the colour and marker of
-//! its method, as everywhere in a report; in a single drawing its name is at its end if there is room, else in a list
-//! below. Each mark has a tooltip, and a text for assistive technology.
+//! If there are too many series for one drawing, they are split over several small drawings with the same axes. A series has the colour and
+//! marker of its method, as everywhere in a report. In a single drawing, the name of a series is at its end if there is room, otherwise in
+//! a list below. Each mark has a tooltip, and a text for assistive technology.
 
 use std::collections::BTreeSet;
 
@@ -18,7 +18,7 @@ use crate::report::look::Look;
 pub(crate) struct Chart {
     /// Subject of the chart.
     pub title: String,
-    /// One line under it.
+    /// One line of text under the chart.
     pub note: Option<String>,
     /// The horizontal axis.
     pub x: ChartAxis,
@@ -31,31 +31,31 @@ pub(crate) struct Chart {
 /// One drawing.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Panel {
-    /// Difference from the other drawings of the chart.
+    /// What distinguishes this drawing from the chart's other drawings.
     pub title: String,
     /// Series in the drawing.
     pub series: Vec<Series>,
-    /// Points of the front, the cheapest first.
+    /// Points of the Pareto front, the cheapest first.
     pub front: Vec<[f64; 2]>,
 }
 
 /// An axis of a chart.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct ChartAxis {
-    /// Measured quantity, with its unit.
+    /// The quantity along the axis, with its unit.
     pub label: String,
     /// True if the axis is logarithmic.
     pub is_log: bool,
-    /// Labels at 0, 1, 2, ... if values are not numbers.
+    /// Labels at the positions 0, 1, 2, ...; empty if the values are numbers.
     pub categories: Vec<String>,
 }
 
-/// Marks of one kind.
+/// Marks that share a name, a colour and a marker.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Series {
     pub name: String,
     pub look: Look,
-    /// In the order in which they are joined.
+    /// The marks, in the order in which a line joins them.
     pub marks: Vec<Mark>,
 }
 
@@ -64,7 +64,7 @@ pub(crate) struct Series {
 pub(crate) struct Mark {
     /// Position of the mark.
     pub at: [f64; 2],
-    /// Scatter of its coordinates to either side.
+    /// Spread of each coordinate to either side.
     pub spread: [f64; 2],
     /// Tooltip of the mark.
     pub title: String,
@@ -82,21 +82,21 @@ pub(super) struct ChartFrame {
     between_ticks: f64,
 }
 
-/// A drawing that is alone, with room for names on the right.
+/// Layout of a single drawing, with room for names on the right.
 const LARGE: ChartFrame = ChartFrame {
     size: [720.0, 400.0],
     sides: [64.0, 706.0, 14.0, 346.0],
     between_ticks: 34.0,
 };
 
-/// One of several.
+/// Layout of one of several drawings.
 const SMALL: ChartFrame = ChartFrame {
     size: [360.0, 250.0],
     sides: [58.0, 350.0, 12.0, 204.0],
     between_ticks: 44.0,
 };
 
-/// Width of a letter of a name at the end of a line.
+/// Width of a letter in a name at the end of a line, in pixels.
 const NAME_LETTER: f64 = 7.0;
 
 impl Chart {
@@ -105,7 +105,7 @@ impl Chart {
         series.flat_map(|s| &s.marks)
     }
 
-    /// Names of all series with their looks, each once.
+    /// The distinct names of all series, with their looks.
     fn names(&self) -> Vec<(&str, Look)> {
         let mut names: Vec<(&str, Look)> = Vec::new();
         for series in self.panels.iter().flat_map(|p| &p.series) {
@@ -119,7 +119,7 @@ impl Chart {
     fn scales(&self, [left, right, top, bottom]: [f64; 4]) -> [Scale; 2] {
         let scale = |i: usize, axis: &ChartAxis, px: [f64; 2]| {
             let values: Vec<f64> = if axis.categories.is_empty() {
-                // Ends of spreads too, but none that would squeeze the rest.
+                // The axis includes the ends of spreads, but limits them so that they do not squeeze the rest of the chart.
                 let ends = |m: &Mark| {
                     let (at, spread) = (m.at[i], m.spread[i].min(m.at[i] * 0.5));
                     [at, at - spread, at + spread]
@@ -136,7 +136,7 @@ impl Chart {
         ]
     }
 
-    /// The drawings, and a legend of the series that are not named in them.
+    /// The drawings, and a legend for the series whose names are not in a drawing.
     pub(super) fn html(&self) -> Markup {
         let names = self.names();
         let [panel] = self.panels.as_slice() else {
@@ -152,7 +152,7 @@ impl Chart {
                 (legend(&names, &BTreeSet::new()))
             };
         };
-        // Lines along a parameter end on the right; marks in a plane have their names wherever there is room.
+        // Lines along a parameter end on the right; the names of other marks are wherever there is room.
         let longest = names.iter().map(|(name, _)| name.chars().count()).max();
         let [left, mut right, top, bottom] = LARGE.sides;
         if names.len() > 1 {
@@ -179,7 +179,7 @@ impl Chart {
         let series = panel.series.iter();
         let placed = series.map(|s| (s.name.as_str(), s.marks.iter().map(place).collect()));
         let [left, _, _, bottom] = frame.sides;
-        // Not over the words of the axes.
+        // Names must not cover the axis labels.
         let within = [left, frame.size[0], 0.0, bottom + 3.0];
         ends::placed(&placed.collect::<Vec<_>>(), within, NAME_LETTER)
     }
@@ -237,7 +237,7 @@ impl Chart {
         let along_x = ticks(0, &self.x);
         let widest = along_x.iter().map(|(_, word)| word.chars().count()).max();
         let room = (right - left) / along_x.len().max(1) as f64;
-        // Words that are longer than their room are slanted.
+        // Labels that are wider than the room between them are slanted.
         let is_slanted = !self.x.categories.is_empty()
             && widest.unwrap_or(0) as f64 * NAME_LETTER > room.max(frame.between_ticks);
         let middle = (top + bottom) * 0.5;
@@ -272,7 +272,7 @@ impl Chart {
     }
 }
 
-/// Names of the series with their marks, without those that are named where they end.
+/// The legend: the series names with their markers, except names that are already in the drawing.
 fn legend(names: &[(&str, Look)], named: &BTreeSet<usize>) -> Markup {
     let left = names.iter().enumerate();
     let left: Vec<_> = left.filter(|(index, _)| !named.contains(index)).collect();
@@ -375,7 +375,7 @@ mod tests {
         for name in [">one<", ">&lt;two&gt;<"] {
             assert_eq!(alone.matches(name).count(), 1, "{name} in {alone}");
         }
-        // Several drawings share one list.
+        // Several drawings share one legend.
         let several = chart(vec![panel(), panel()]).html().into_string();
         assert_eq!(several.matches("<svg viewBox=\"0 0 360").count(), 2);
         assert_eq!(several.matches("<li data-series").count(), 2);

@@ -1,16 +1,16 @@
-//! Placement of series names in a drawing: next to their last mark, where no other name and no mark is.
+//! Places the name of each series in a drawing: next to the series' last mark, where no other name and no mark is.
 //!
-//! Greedy, from the first series on: next to the mark, above, below, then farther away with a leader line. A series without a free
-//! position has no name in the drawing. Time is quadratic in the number of marks, of which there are some hundred.
+//! Names are placed greedily in the order of the series: next to the mark, above, below, then farther away with a leader line. A series
+//! without a free position has no name in the drawing. Time is quadratic in the number of marks, of which there are a few hundred.
 
-/// A name in a drawing.
+/// The placed name of a series.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct SeriesLabel {
     /// Index of the series.
     pub series: usize,
-    /// Start of the text, on its base line.
+    /// Position of the start of the text, on its baseline.
     pub at: [f64; 2],
-    /// The mark, if a leader line starts from it.
+    /// Position of the mark from which a leader line starts, if there is one.
     pub lead: Option<[f64; 2]>,
 }
 
@@ -19,7 +19,7 @@ const LINE: f64 = 14.0;
 /// Distance from a mark to the name next to it.
 const GAP: f64 = 8.0;
 
-/// Left, right, top and bottom.
+/// Left, right, top and bottom of a rectangle.
 pub(super) type Area = [f64; 4];
 
 fn meet(a: &Area, b: &Area) -> bool {

@@ -1,5 +1,5 @@
-//! Pictures of one frame: a grid of methods with a switch between their pictures and their heat maps and, if scripts can run, two of them
-//! under a slider. The switch needs no script.
+//! Pictures of one frame: a grid with a picture per method, and a switch between pictures and heat maps, which needs no script. If scripts
+//! can run, a slider compares two of the pictures.
 
 use base64::prelude::{BASE64_STANDARD, Engine as _};
 use maud::{Markup, html};
@@ -14,9 +14,9 @@ use crate::report::look::Look;
 pub(crate) struct Gallery {
     /// Description of the pictures.
     pub label: String,
-    /// One for each method, exact first.
+    /// One picture for each method, exact first.
     pub shots: Vec<Shot>,
-    /// Indices of the two pictures under the slider at first, left and right.
+    /// Indices of the left and right picture that the slider shows initially.
     pub opens_at: [usize; 2],
     /// Legend of the heat map colours.
     pub legend: Vec<Swatch>,
@@ -24,10 +24,10 @@ pub(crate) struct Gallery {
     pub left_out: Vec<String>,
 }
 
-/// A colour of heat maps.
+/// Legend entry of a heat map colour.
 #[derive(Clone, Debug)]
 pub(crate) struct Swatch {
-    /// `#rrggbb`.
+    /// The colour as `#rrggbb`.
     pub color: String,
     pub name: String,
     /// Meaning of a pixel of this colour.
@@ -39,12 +39,12 @@ pub(crate) struct Swatch {
 pub(crate) struct Shot {
     /// The method.
     pub name: String,
-    /// Look of the method in charts; `None` for the reference, which is in no chart.
+    /// Look of the method in charts; `None` for the reference, which no chart shows.
     pub look: Option<Look>,
     /// Caption of the picture.
     pub caption: Cell,
     pub picture: GalleryImage,
-    /// Heat map of its errors.
+    /// Heat map of the picture's errors.
     pub errors: Option<GalleryImage>,
 }
 
@@ -52,16 +52,16 @@ pub(crate) struct Shot {
 #[derive(Clone, Debug)]
 pub(crate) struct GalleryImage {
     pub source: PictureLocation,
-    /// The file, as seen from the report.
+    /// Path of the file relative to the report.
     pub link: String,
 }
 
 /// Location of a picture.
 #[derive(Clone, Debug)]
 pub(crate) enum PictureLocation {
-    /// In the page.
+    /// Embedded in the page: the bytes of the file.
     Inside(Vec<u8>),
-    /// In its file.
+    /// Linked as a file outside the page.
     Beside,
 }
 
@@ -76,7 +76,7 @@ impl GalleryImage {
     }
 }
 
-/// Bytes of a path that are percent-encoded in a link.
+/// Bytes that are percent-encoded when a path becomes a link.
 const PLAIN: &AsciiSet = &NON_ALPHANUMERIC
     .remove(b'/')
     .remove(b'.')
@@ -84,12 +84,12 @@ const PLAIN: &AsciiSet = &NON_ALPHANUMERIC
     .remove(b'_')
     .remove(b'~');
 
-/// A path as the address of a link.
+/// Percent-encodes a path as the address of a link.
 pub(super) fn encoded(path: &str) -> String {
     utf8_percent_encode(path, PLAIN).to_string()
 }
 
-/// Colours with their names and what they mean.
+/// The legend of some colours: each with its name and meaning.
 pub(super) fn swatches(all: &[Swatch]) -> Markup {
     html! {
         ul.swatches aria-label="colours of heat maps" {
@@ -101,7 +101,7 @@ pub(super) fn swatches(all: &[Swatch]) -> Markup {
 }
 
 impl Gallery {
-    /// The pictures in a grid. The number tells the switches of a page apart.
+    /// The pictures in a grid. The number makes the switch's name unique in the page.
     pub(super) fn html(&self, number: usize) -> Markup {
         let [left, right] = self.opens_at;
         let has_errors = self.shots.iter().any(|s| s.errors.is_some());

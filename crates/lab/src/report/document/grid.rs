@@ -1,18 +1,18 @@
 //! A table whose cells have a tone, a tooltip, and a sort key.
 
-/// Severity of something.
+/// Severity of a cell or a notice.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum Tone {
     /// Neutral.
     #[default]
     Plain,
-    /// As good as can be.
+    /// As good as possible.
     Good,
     /// Slightly wrong, or worth knowing.
     Fair,
     /// Wrong.
     Bad,
-    /// Absent: refused or not measured.
+    /// No value: refused or not measured.
     Faint,
 }
 
@@ -38,12 +38,12 @@ pub(crate) struct Cell {
     pub title: Option<String>,
     /// Severity.
     pub tone: Tone,
-    /// Sort key, if it is not the text.
+    /// Numeric sort key; `None` sorts by the text.
     pub key: Option<f64>,
 }
 
 impl Cell {
-    /// A cell that sorts by a number.
+    /// A cell that is sorted by a number, its key.
     pub(crate) fn number(text: impl Into<String>, key: f64) -> Self {
         Self {
             text: text.into(),
@@ -80,7 +80,7 @@ pub(crate) struct Grid {
     pub label: String,
     /// Headings of the columns.
     pub heading: Vec<Cell>,
-    /// Rows of as many cells.
+    /// Rows, each with as many cells as there are headings.
     pub rows: Vec<Vec<Cell>>,
 }
 
@@ -94,15 +94,15 @@ impl Grid {
         }
     }
 
-    /// Adds a row; cells that are missing stay empty.
+    /// Adds a row; missing cells are left empty.
     pub(crate) fn row<C: Into<Cell>>(&mut self, cells: impl IntoIterator<Item = C>) {
         let mut cells: Vec<Cell> = cells.into_iter().map(Into::into).collect();
         cells.resize(self.heading.len(), Cell::default());
         self.rows.push(cells);
     }
 
-    /// Removes columns without text and columns of zeros, except the first and those in `kept`; returns the headings of the removed
-    /// columns of zeros.
+    /// Removes columns without text and columns that contain only zeros, except the first column and those named in `kept`. Returns the
+    /// headings of the removed columns of zeros.
     pub(crate) fn without_zeros(&mut self, kept: &[&str]) -> Vec<String> {
         let is_zero = |column: usize| {
             let cells = || self.rows.iter().map(|row| &row[column]);

@@ -1,7 +1,7 @@
 //! A report as one HTML file: it contains style, script and pictures, and fetches nothing.
 //!
-//! All content is visible without the script, which adds sorting, copying and the slider. The template escapes all text; markup that is
-//! inserted unescaped was made by a template, or sanitised by [`super::prose`].
+//! All content is visible without the script, which adds sorting, copying and the slider. The template escapes all text. Markup is inserted
+//! unescaped only if a template produced it or [`super::prose`] sanitised it.
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
@@ -81,9 +81,9 @@ fn anchors(blocks: &[ReportBlock], found: &mut Vec<Anchor>) {
 struct HtmlWriter {
     /// Anchors of all headings.
     anchors: Vec<Anchor>,
-    /// Headings that are written.
+    /// Number of headings written so far.
     headings: usize,
-    /// Galleries that are written.
+    /// Number of galleries written so far.
     galleries: usize,
 }
 
@@ -98,7 +98,7 @@ impl HtmlWriter {
         }
     }
 
-    /// Links to the sections, and back to where they are.
+    /// Links to the top of the page and to the sections.
     fn sections(&self) -> Markup {
         html! {
             a href="#top" { "↑ top" } "\n"
@@ -163,7 +163,7 @@ impl HtmlWriter {
     }
 }
 
-/// Writes a block that contains no others and needs no number.
+/// Writes a block that contains no other blocks and needs no number.
 fn plain(block: &ReportBlock) -> Markup {
     match block {
         ReportBlock::Text(text) => html! { p { (inline(text)) } },
@@ -192,7 +192,7 @@ fn plain(block: &ReportBlock) -> Markup {
     }
 }
 
-/// Words with code between backticks.
+/// Plain text in which stretches between backticks are code.
 fn inline(text: &str) -> Markup {
     html! {
         @for (is_code, piece) in stretches(text) {
@@ -202,7 +202,7 @@ fn inline(text: &str) -> Markup {
 }
 
 fn grid(grid: &Grid) -> Markup {
-    // A column of numbers is aligned as such, heading and gaps included.
+    // In a column with numbers, all cells are aligned like numbers, including the heading and empty cells.
     let is_number = |column: usize| grid.rows.iter().any(|row| row[column].key.is_some());
     html! {
         div.scroll tabindex="0" role="region" aria-label=(grid.label) {
@@ -223,7 +223,7 @@ fn grid(grid: &Grid) -> Markup {
     }
 }
 
-/// Words that may be broken where a method has a sign.
+/// Text that may break into lines after a `+`, `@` or `,`, as in method names.
 pub(super) fn breakable(text: &str) -> Markup {
     html! {
         @for (index, piece) in width::breaks(text).enumerate() {

@@ -1,4 +1,4 @@
-//! A report as Markdown, as code forges show it.
+//! A report as Markdown, in the dialect of code hosting sites.
 
 use super::{Cell, Gallery, Grid, ReportBlock, ReportDocument, Swatch, gallery, stretches, width};
 
@@ -76,7 +76,7 @@ fn write(text: &mut String, blocks: &[ReportBlock]) {
     }
 }
 
-/// Words in which nothing is markup but the code between backticks.
+/// Escapes text so that nothing in it is markup except the code between backticks.
 fn words(text: &str) -> String {
     stretches(text)
         .map(|(is_code, piece)| match is_code {
@@ -103,7 +103,7 @@ fn escaped(text: &str) -> String {
     escaped
 }
 
-/// A table of GitHub's Markdown: the first column to the left, the others to the right.
+/// A table in GitHub's Markdown: the first column is aligned left, the others right.
 fn table(grid: &Grid) -> String {
     let line = |cells: &[Cell]| {
         let cells = cells.iter().map(|c| words(&c.text).replace('|', "\\|"));

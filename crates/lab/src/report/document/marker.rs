@@ -1,4 +1,4 @@
-//! Markers of methods, alone and next to their names.
+//! Markers of methods, in drawings and in text.
 
 use maud::{Markup, html};
 
@@ -7,12 +7,12 @@ use crate::report::look::{Look, Marker};
 /// Radius of a marker.
 const RADIUS: f64 = 4.5;
 
-/// A coordinate, to a tenth of a pixel.
+/// A coordinate as text, rounded to a tenth of a pixel.
 pub(super) fn px(at: f64) -> String {
     format!("{at:.1}")
 }
 
-/// The marker around a place; hollow where something about it is doubtful.
+/// The marker centred at a position; hollow if its value is doubtful.
 pub(super) fn marker([x, y]: [f64; 2], marker: Marker, is_hollow: bool) -> Markup {
     let r = RADIUS;
     let class = is_hollow.then_some("hollow");
@@ -49,12 +49,12 @@ pub(super) fn marker([x, y]: [f64; 2], marker: Marker, is_hollow: bool) -> Marku
     html! { path class=[class] d=(path) {} }
 }
 
-/// The class of a colour.
+/// CSS class of a look's colour.
 pub(super) fn color(look: Look) -> String {
     format!("c{}", look.color)
 }
 
-/// The marker in a line of text.
+/// A marker for use in a line of text.
 pub(super) fn badge(look: Look) -> Markup {
     html! {
         svg class={ "badge " (color(look)) } viewBox="0 0 14 14" aria-hidden="true" { (marker([7.0, 7.0], look.marker, false)) }

@@ -1,10 +1,10 @@
-//! A report as a list of blocks, and the two forms it is written in.
+//! A report as a list of blocks, and the two formats in which it is written.
 //!
-//! Sections define the content; [`html`] and [`markdown`] define its form. Both are made from the same blocks, so that they have the same
-//! content, except what text cannot show: there the tables around a chart replace it.
+//! Sections define the content; [`html`] and [`markdown`] define its format. Both formats are made from the same blocks, so that they have
+//! the same content, except where text cannot show it: in Markdown, the tables around a chart replace the chart.
 //!
-//! Words of a block are plain: each output form escapes the text of records in one place, where it is written. A stretch
-//! between backticks is code.
+//! The text of blocks is plain: each output format escapes it in one place, where it is written. A stretch between
+//! backticks is code.
 
 mod axis;
 mod bars;
@@ -29,8 +29,8 @@ pub(super) use ranking::{Line, Ranking};
 
 /// A report.
 ///
-/// Its sections are headings of level 2, in a row of links that stays visible; below them are headings of
-/// level 3, which each section lists at its beginning.
+/// Its sections begin with headings of level 2, to which a row of links, always visible, leads. Each section lists its
+/// headings of level 3 at its beginning.
 #[derive(Clone, Debug, Default)]
 pub(super) struct ReportDocument {
     pub title: String,
@@ -45,7 +45,7 @@ pub(super) enum ReportBlock {
     Heading(u8, String),
     /// A paragraph.
     Text(String),
-    /// Markdown that people wrote.
+    /// Markdown written by people, not generated.
     Prose(String),
     /// A table.
     Grid(Grid),
@@ -56,11 +56,11 @@ pub(super) enum ReportBlock {
     Chart(Chart),
     /// A list of methods with their costs.
     Ranking(Ranking),
-    /// Time of each strategy, by clock and pass.
+    /// Time of each strategy, broken down by clock and pass.
     Bars(Bars),
     /// Pictures of one frame.
     Gallery(Gallery),
-    /// Legend of the colours of pictures.
+    /// Legend of the heat map colours.
     Swatches(Vec<Swatch>),
     /// Blocks of equal width, side by side if there is room.
     Cards(Vec<Vec<Self>>),
@@ -68,16 +68,16 @@ pub(super) enum ReportBlock {
     Folded {
         /// The line that is always shown.
         summary: String,
-        /// True if it is open from the start.
+        /// True if the content is shown initially.
         open: bool,
         /// Content.
         blocks: Vec<Self>,
     },
 }
 
-/// Stretches of a text: code or not.
+/// Splits a text into stretches, each with a flag that is true for code.
 pub(super) fn stretches(text: &str) -> impl Iterator<Item = (bool, &str)> {
-    // A lone backtick is one.
+    // An unpaired backtick is an ordinary character.
     let is_paired = text.matches('`').count().is_multiple_of(2);
     let pieces: Vec<&str> = if is_paired {
         text.split('`').collect()

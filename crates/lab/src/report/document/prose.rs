@@ -1,9 +1,9 @@
-//! Markdown that people wrote, as HTML that can do nothing: no tags of its own, no pictures from elsewhere, no links but to the web; or as
-//! Markdown without HTML.
+//! Converts Markdown written by people to safe HTML: HTML tags in it become text, images are replaced by their descriptions, and only links
+//! to the web work. Alternatively, converts it to Markdown without HTML.
 
 use pulldown_cmark::{Event, HeadingLevel, Options, Parser, Tag, TagEnd, html};
 
-/// The prose as HTML. Headings become small ones, for the prose is inside a section.
+/// The prose as HTML. Its headings are given a low level, as the prose is inside a section.
 pub(super) fn prose(text: &str) -> String {
     let events = Parser::new_ext(text, Options::ENABLE_TABLES).filter_map(tame);
     let mut page = String::new();
@@ -11,7 +11,7 @@ pub(super) fn prose(text: &str) -> String {
     page
 }
 
-/// The prose as it is, but that tags in it are text.
+/// The prose unchanged, except that HTML tags in it are escaped as text.
 pub(super) fn without_html(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     let mut end = 0;
@@ -36,7 +36,7 @@ fn tame(event: Event<'_>) -> Option<Event<'_>> {
             attrs: Vec::new(),
         }),
         Event::End(TagEnd::Heading(_)) => Event::End(TagEnd::Heading(level)),
-        // Its words stay.
+        // The alternative text of the image is kept.
         Event::Start(Tag::Image { .. }) | Event::End(TagEnd::Image) => return None,
         Event::Start(Tag::Link {
             link_type,

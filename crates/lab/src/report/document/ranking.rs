@@ -1,6 +1,6 @@
-//! A list of methods with their costs along one axis: a chart with a labelled line for each method.
+//! A list of methods with their costs: a chart with a labelled line for each method, all along one axis.
 //!
-//! The axis is logarithmic. A mark is the median, the bar under it the range; a method that did not draw has neither, but a reason.
+//! The axis is logarithmic. A mark shows the median, the bar under it the range. A method that did not draw has no mark, but a reason.
 
 use maud::{Markup, html};
 
@@ -20,26 +20,26 @@ const BETWEEN_TICKS: f64 = 18.0;
 pub(crate) struct Ranking {
     /// Subject of the comparison.
     pub title: String,
-    /// Kind of the lines: methods, or runs of one.
+    /// What the lines stand for: methods, or the runs of one method.
     pub names: &'static str,
     /// Quantity along the axis.
     pub axis: String,
-    /// True if the numbers are factors, and not times or bytes.
+    /// True if the numbers are factors; false if they are times or bytes.
     pub is_factor: bool,
-    /// Heading of the words next to them.
+    /// Heading of the remarks next to the numbers.
     pub heading: String,
-    /// The ends of the axis: those of several rankings may be the same, so that they can be compared.
+    /// Minimum and maximum of the axis; several rankings may use the same range, so that they can be compared.
     pub range: [f64; 2],
-    /// The best first.
+    /// The lines, the best method first.
     pub lines: Vec<Line>,
 }
 
-/// A method.
+/// The line of a method.
 #[derive(Clone, Debug)]
 pub(crate) struct Line {
     pub name: String,
     pub look: Look,
-    /// Cost; none where it was not drawn.
+    /// The method's cost; `None` if it did not draw.
     pub cost: Option<Spread>,
     /// Remarks on the method.
     pub words: Cell,
@@ -88,7 +88,7 @@ impl Ranking {
         }
     }
 
-    /// The same as a table of text.
+    /// The same content as a table of text.
     pub(super) fn grid(&self) -> Grid {
         let heading = [self.names, "median", "from", "to", &self.heading];
         let mut grid = Grid::new(&self.title, heading);

@@ -1,5 +1,5 @@
-// What the page can do besides being read: tables sort, commands are copied, charts single out a series, pictures lie under a slider.
-// Without it everything can still be read. It fetches nothing and stores nothing.
+// Interactive features of the page: sorting tables, copying commands, highlighting a chart's series, and comparing pictures with a slider.
+// Without this script, all content can still be read. The script fetches nothing and stores nothing.
 "use strict";
 (() => {
   const make = (tag, properties = {}, ...children) => {
@@ -22,7 +22,7 @@
           const cell = row.cells[column];
           return cell.dataset.key === undefined ? cell.textContent : Number(cell.dataset.key);
         };
-        // Numbers come before words, however they are sorted.
+        // Numbers come before words in both sort orders.
         const compare = (a, b) => {
           const [x, y] = [key(a), key(b)];
           if (typeof x !== typeof y) return typeof x === "number" ? -1 : 1;
@@ -43,7 +43,7 @@
         await navigator.clipboard.writeText(text.textContent);
         button.textContent = "copied";
       } catch {
-        // Where the clipboard is out of reach the text is selected, ready for the keyboard.
+        // If the clipboard is not accessible, the text is selected, so that it can be copied with the keyboard.
         getSelection().selectAllChildren(text);
         button.textContent = "selected";
       }
@@ -109,7 +109,7 @@
     const switched = gallery.querySelector(".switch");
     const picks = make("div", { className: "picks" }, leftLabel, rightLabel);
     (switched ?? gallery.firstElementChild)[switched ? "after" : "before"](picks, compare);
-    // Pictures are decoded when they come into view, for a report has hundreds.
+    // A report has hundreds of pictures, so they are decoded only when they come into view.
     new IntersectionObserver((entries, observer) => {
       if (entries.some((e) => e.isIntersecting)) {
         observer.disconnect();

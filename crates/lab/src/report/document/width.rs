@@ -1,27 +1,27 @@
-//! Tables that are no wider than a page.
+//! Splits tables so that none is wider than a page.
 //!
-//! A table with more columns than fit is laid out as several under each other, each with the first column of all. How wide a column must
-//! be is estimated from its longest words, for the letters of a usual sans-serif: what may be broken into lines is as wide as its longest
-//! word, numbers and code are not broken.
+//! A table with more columns than fit is laid out as several tables under each other, each beginning with the first column. The minimum
+//! width of a column is estimated for the letters of a usual sans-serif font: text that may be broken into lines is as wide as its longest
+//! word; numbers and code are not broken.
 
 use super::{Cell, Grid};
 
-/// Width of the text of a page on a screen of 1280 pixels.
+/// Width of a page's text area on a screen 1280 pixels wide.
 pub(super) const PAGE: f64 = 1200.0;
 
-/// Width of a letter.
+/// Estimated width of a letter, in pixels.
 const LETTER: f64 = 7.8;
 
 /// Padding on the left and right of a cell, together.
 const PADDING: f64 = 17.0;
 
-/// Room for the mark of a sorted column.
+/// Room for the arrow that marks a sorted column.
 const SORT_MARK: f64 = 12.0;
 
-/// Least width of a column of sentences, so that they are not set word under word.
+/// Minimum width of a column of sentences, so that no line holds only one word.
 const SENTENCE: f64 = 190.0;
 
-/// As many letters make a sentence.
+/// Number of letters from which a text counts as a sentence.
 const SENTENCE_LETTERS: usize = 60;
 
 fn width_of_cell(cell: &Cell) -> f64 {
@@ -38,14 +38,14 @@ fn width_of_cell(cell: &Cell) -> f64 {
     }
 }
 
-/// A heading is broken where a method has a sign, too.
+/// Width of a heading, which may also be broken after a `+`, `@` or `,`.
 fn width_of_heading(cell: &Cell) -> f64 {
     let words = cell.text.split(' ').flat_map(breaks);
     let longest = words.map(|word| word.chars().count()).max();
     longest.unwrap_or(0) as f64 * LETTER + SORT_MARK
 }
 
-/// The pieces of words that may stand in lines of their own, each with the sign that ends it. Code is left whole.
+/// Splits text after each `+`, `@` and `,`, where lines may break. A text that contains code is left whole.
 pub(super) fn breaks(words: &str) -> impl Iterator<Item = &str> {
     let is_code = words.contains('`');
     words.split_inclusive(move |c| !is_code && matches!(c, '+' | '@' | ','))
@@ -57,14 +57,14 @@ fn width_of_column(grid: &Grid, column: usize) -> f64 {
     cells.fold(heading, f64::max) + PADDING
 }
 
-/// Least width of a table.
+/// Minimum width of a table.
 #[cfg(test)]
 pub(super) fn width(grid: &Grid) -> f64 {
     let columns = 0..grid.heading.len();
     columns.map(|column| width_of_column(grid, column)).sum()
 }
 
-/// The table in pieces that fit on a page; itself where it does.
+/// Splits a table into pieces that fit on a page; a table that fits is returned as one piece.
 pub(super) fn pieces(grid: &Grid) -> Vec<Grid> {
     let widths: Vec<f64> = (0..grid.heading.len())
         .map(|column| width_of_column(grid, column))
@@ -88,7 +88,7 @@ pub(super) fn pieces(grid: &Grid) -> Vec<Grid> {
         }
         pieces
     };
-    // Pieces of about one width read better than full ones and a rest.
+    // Pieces of about equal width read better than several full pieces and a narrow rest.
     let count = split(PAGE).len() as f64;
     let pieces = split(others.iter().sum::<f64>() / count + first);
     let of = |columns: &Vec<usize>| Grid {
@@ -119,7 +119,7 @@ mod tests {
         assert!(width(&wide) > PAGE, "the control");
         let pieces = pieces(&wide);
         assert!(pieces.iter().all(|p| width(p) <= PAGE));
-        // Every column is in one piece, the first in all.
+        // Every column is in exactly one piece, except the first, which is in all pieces.
         let columns: usize = pieces.iter().map(|p| p.heading.len() - 1).sum();
         assert_eq!(columns, 39);
         assert!(pieces.iter().all(|p| p.rows[0][0] == wide.rows[0][0]));

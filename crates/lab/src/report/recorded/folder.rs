@@ -1,4 +1,4 @@
-//! One folder of a run, or of shares of one, or of outside baselines alone.
+//! A folder that holds a whole run, shards of a run, or only outside baselines.
 
 use std::path::{Path, PathBuf};
 
@@ -14,11 +14,11 @@ use crate::report::derived::{invocations, natural};
 pub struct Folder {
     /// Path of the folder.
     pub path: PathBuf,
-    /// Machine and program that made the run; `None` if there are outside baselines alone.
+    /// Machine and program of the run; `None` if the folder holds only outside baselines.
     pub run: Option<Run>,
-    /// By name.
+    /// The experiments, sorted by name.
     pub experiments: Vec<Experiment>,
-    /// Outside baselines, by file name.
+    /// Outside baselines, sorted by file name.
     pub peers: Vec<PeerRecord>,
 }
 
@@ -27,23 +27,23 @@ pub struct Folder {
 pub struct Experiment {
     /// Definition of the experiment.
     pub synopsis: Synopsis,
-    /// Its points: runs in the order of the definition, and in them as it lists its points; those that it does not list come after, by
-    /// their parameters.
+    /// Its points, in the order in which the definition lists the runs and the points of each run. In each run, points that the definition
+    /// does not list come last, sorted by their parameters.
     pub records: Vec<Record>,
-    /// Hard cases and searches.
+    /// Results of hard cases and searches.
     pub cases: Vec<CaseRecords>,
-    /// Names of the points in the definition that have no record.
+    /// Names of points that the definition lists but that have no record.
     pub missing: Vec<String>,
 }
 
-/// The file that says that a folder holds an experiment.
+/// File whose presence marks a folder as that of an experiment.
 const EXPERIMENT_FILE: &str = "experiment.json";
 /// The folder of outside baselines.
 const PEERS_FOLDER: &str = "peers";
 
 impl Folder {
-    /// Reads a folder into one [`Folder`] for each device and each program that measured it: shards may have run on several devices and
-    /// by several programs.
+    /// Reads a folder into one [`Folder`] for each combination of device and program that measured it, as its shards may have run on
+    /// several devices and with several programs.
     pub(super) fn read(path: &Path) -> Result<Vec<Self>> {
         if path.is_file() {
             return Err(Error::file(path, "it is a file, not a folder", MISSING));
@@ -75,7 +75,7 @@ impl Folder {
                 peers.extend(peers_in(&entry)?);
                 continue;
             }
-            // Others are of something else, as of another report.
+            // Other folders hold something else, such as another report.
             if !entry.join(EXPERIMENT_FILE).is_file() {
                 continue;
             }
@@ -113,7 +113,7 @@ impl Folder {
         Ok(runs.into_iter().enumerate().map(folder).collect())
     }
 
-    /// The commands that measured it, the earliest first, each with the number of its points.
+    /// The commands that measured the folder, the earliest first, each with the number of points it measured.
     pub(in crate::report) fn invocations(&self) -> Vec<(Invocation, usize)> {
         let records = self.experiments.iter().flat_map(|e| &e.records);
         let run = self.run.as_ref();
@@ -126,7 +126,7 @@ impl Folder {
     }
 }
 
-/// Device and program that made figures: figures of different makers are never combined.
+/// Device and program that measured figures; figures of different makers are never combined.
 #[derive(PartialEq)]
 struct Maker<'a> {
     adapter: &'a AdapterReport,
@@ -143,7 +143,7 @@ impl<'a> Maker<'a> {
         }
     }
 
-    /// `None` for records older than the fields that hold it.
+    /// The device and program of a command; `None` if its record is older than the fields that hold them.
     fn of_invocation(invocation: &'a Invocation) -> Option<Self> {
         Some(Self {
             adapter: invocation.adapter.as_ref()?,
@@ -153,15 +153,15 @@ impl<'a> Maker<'a> {
     }
 }
 
-/// The outside baselines in a folder of them.
+/// Reads all outside baselines in a folder.
 fn peers_in(folder: &Path) -> Result<Vec<PeerRecord>> {
     let files = json_files(folder)?;
     let read = files.iter().map(|f| read_numbered(f, PeerRecord::FORMAT));
     read.collect()
 }
 
-/// The outside baselines of a folder without a run: those in its folder `peers`, or in itself, where it is such a folder. Points whose run
-/// is lost are not passed over.
+/// The outside baselines of a folder without a run: those in its subfolder `peers`, or else those in the folder itself. If the folder has
+/// experiments, `run.json` is lost: then nothing is returned, so that the missing run is reported.
 fn peers_alone(path: &Path) -> Result<Vec<PeerRecord>> {
     let has_points = |entry: &PathBuf| entry.join(EXPERIMENT_FILE).is_file();
     if entries(path)?.iter().any(has_points) {
@@ -181,7 +181,7 @@ fn peers_alone(path: &Path) -> Result<Vec<PeerRecord>> {
         .collect()
 }
 
-/// The runs of a folder, merged by device and program: from the command that measured all points, or from each shard.
+/// The runs of a folder, read from `run.json` or from the file of each shard. Runs with the same device and program are merged.
 fn runs(path: &Path) -> Result<Vec<Run>> {
     let mut runs: Vec<Run> = Vec::new();
     for file in json_files(path)?.iter().filter(|file| Run::is_file(file)) {
@@ -204,8 +204,8 @@ fn runs(path: &Path) -> Result<Vec<Run>> {
 }
 
 impl Experiment {
-    /// Reads it as far as it is of some runs. Of several each has its own points, and points of others, whose run was written over, are
-    /// missing.
+    /// Reads the part of an experiment that the given runs measured. If there are several runs, points that none of them measured count
+    /// as missing, for example because the file of their run was overwritten.
     fn read(path: &Path, runs: &[Run]) -> Result<Self> {
         let is_of_a_run = |invocation: &Option<Invocation>| {
             let maker = invocation.as_ref().and_then(Maker::of_invocation);
@@ -245,11 +245,11 @@ impl Experiment {
                 return Err(Error::file(
                     &file,
                     format!(
-                        "it is of experiment `{}`, in the folder of `{}`",
+                        "it belongs to experiment `{}`, but is in the folder of `{}`",
                         experiment.map_or("", String::as_str),
                         synopsis.name
                     ),
-                    "move it to where it belongs, or measure again",
+                    "move it to its experiment's folder, or measure again",
                 ));
             }
         }
@@ -272,15 +272,12 @@ impl Experiment {
     }
 }
 
-/// Checks that a record has one entry per strategy in each list, and its pictures in its own folder.
+/// Checks that each list of a record has one entry per strategy, and that its pictures are in the record's folder.
 fn is_at_one(file: &Path, record: &Record) -> Result<()> {
     if let Some(stray) = record.pictures.iter().find(|p| !p.is_beside()) {
         return Err(Error::file(
             file,
-            format!(
-                "the picture `{}` is not in the folder of the record",
-                stray.file
-            ),
+            format!("the picture `{}` is not in the record's folder", stray.file),
             "remove the file and measure again: points that are whole are kept",
         ));
     }
@@ -303,7 +300,7 @@ fn is_at_one(file: &Path, record: &Record) -> Result<()> {
     Ok(())
 }
 
-/// Entries of a folder, by name, without hidden files: unfinished files are hidden.
+/// Entries of a folder, sorted by name. Hidden files are left out, as unfinished files are hidden.
 fn entries(folder: &Path) -> Result<Vec<PathBuf>> {
     let unreadable = |e: std::io::Error| {
         Error::file(

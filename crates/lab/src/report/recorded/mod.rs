@@ -1,8 +1,8 @@
-//! Reads folders of runs whole, and checks them before they are used.
+//! Reads complete folders of runs, and checks them before they are used.
 //!
 //! `cutaway measure` and the outside baselines write such a folder: `run.json`, a folder for each experiment with `experiment.json` and
 //! one file for each point, and `peers/*.json`. Folders in it without `experiment.json` are skipped, and so are files that are not JSON.
-//! A half-written file, an unknown form and inconsistent contents are errors that name the file. Nothing is derived here.
+//! Incomplete files, unknown formats and inconsistent contents are rejected with an error that names the file. Nothing is derived here.
 
 mod folder;
 mod peers;
@@ -17,7 +17,7 @@ use cutaway::{Error, Result};
 /// The folders of a report.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RecordedFolders {
-    /// As they were named, each once for each device that measured in it.
+    /// The folders in the order given; a folder has one entry for each combination of device and program that measured it.
     pub folders: Vec<Folder>,
 }
 
@@ -26,7 +26,7 @@ impl RecordedFolders {
     ///
     /// # Errors
     ///
-    /// Names the file that is missing, half-written, or of a form that is not known.
+    /// Fails if a file is missing, incomplete, or in an unknown format; the error names the file.
     pub fn read(folders: &[PathBuf]) -> Result<Self> {
         let mut seen: Vec<PathBuf> = Vec::new();
         let mut read = Vec::new();
@@ -40,7 +40,7 @@ impl RecordedFolders {
         Ok(Self { folders: read })
     }
 
-    /// Number of points measured, number of points in the experiments, and the names of the missing ones, by experiment.
+    /// Number of measured points, number of all points of the experiments, and the missing points as `experiment/point`.
     pub fn completeness(&self) -> (usize, usize, Vec<String>) {
         let mut seen: Vec<(&Path, &str)> = Vec::new();
         let (mut asked, mut missing) = (0, Vec::new());
@@ -58,7 +58,7 @@ impl RecordedFolders {
     }
 }
 
-/// A JSON file of a form that has a number.
+/// Reads a JSON file whose format has a version number, which must be `known`.
 fn read_numbered<T: serde::de::DeserializeOwned>(path: &Path, known: u32) -> Result<T> {
     let value: serde_json::Value = read_json(path)?;
     match value.get("format").and_then(serde_json::Value::as_u64) {
@@ -66,15 +66,15 @@ fn read_numbered<T: serde::de::DeserializeOwned>(path: &Path, known: u32) -> Res
         Some(format) => {
             return Err(Error::file(
                 path,
-                format!("it has form {format}, and this version reads form {known}"),
-                "make the report with the version that measured, or measure again with this one",
+                format!("it has format {format}, and this version reads format {known}"),
+                "make the report with the version that measured it, or measure again with this version",
             ));
         }
         None => {
             return Err(Error::file(
                 path,
-                "it does not say which form it has (`format`)",
-                "take files that are no records out of the folder, or measure again",
+                "it does not state which format it has (`format`)",
+                "move files that are not records out of the folder, or measure again",
             ));
         }
     }
@@ -92,7 +92,7 @@ const MISSING: &str =
 
 fn misread(path: &Path, e: &serde_json::Error) -> Error {
     let help = "remove the file and measure again: points that are whole are kept";
-    let what = format!("it is no whole record: {e}");
+    let what = format!("it is incomplete or invalid: {e}");
     match e.line() {
         0 => Error::file(path, what, help),
         line => Error::file_line(path, line, what, help),

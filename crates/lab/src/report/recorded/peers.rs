@@ -1,4 +1,4 @@
-//! Results of other tools on the same cuts, next to ours: `peers/*.json`.
+//! Results of other tools on the same cuts, together with ours: `peers/*.json`.
 
 use std::collections::BTreeMap;
 
@@ -9,11 +9,11 @@ use crate::experiment::Samples;
 /// One comparison with other tools.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PeerRecord {
-    /// Version of this form, [`PeerRecord::FORMAT`].
+    /// Version of this format, [`PeerRecord::FORMAT`].
     pub format: u32,
-    /// `planar` or `relief`.
+    /// Kind of the cuts: `planar` or `relief`.
     pub what: String,
-    /// The machine, in whatever words the script has for it.
+    /// The machine, as the measuring script describes it.
     #[serde(default)]
     pub machine: serde_json::Value,
     /// Versions of the other tools, by name.
@@ -22,7 +22,7 @@ pub struct PeerRecord {
     /// Version and commit of cutaway.
     #[serde(default)]
     pub cutaway: BTreeMap<String, Option<String>>,
-    /// The command line.
+    /// The command line that made this file.
     #[serde(default)]
     pub command: String,
     /// Results, one row per cut and tool.
@@ -33,11 +33,11 @@ pub struct PeerRecord {
 }
 
 impl PeerRecord {
-    /// The version that is read.
+    /// The format version that this program reads.
     pub const FORMAT: u32 = 1;
 }
 
-/// An area, what it had to be, and whether it was.
+/// Check of an area: its error, the allowed error, and the result.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PeerCheck {
     /// Name of the mesh.
@@ -46,11 +46,11 @@ pub struct PeerCheck {
     pub cut: String,
     /// Tool that computed the area.
     pub tool: String,
-    /// Error of the area, in its unit.
+    /// Error of the area, in the area's unit.
     pub off: f64,
     /// Largest error allowed.
     pub bound: f64,
-    /// Origin of the bound.
+    /// How the bound was determined.
     #[serde(default)]
     pub bound_is: String,
     /// True if the error is within the bound.
@@ -62,20 +62,20 @@ pub struct PeerCheck {
 pub struct PeerRow {
     /// Name of the mesh.
     pub mesh: String,
-    /// Its triangles.
+    /// Number of triangles of the mesh.
     #[serde(default)]
     pub triangles: Option<u64>,
     /// The cut in words.
     pub cut: String,
     /// Tool that made the cut.
     pub tool: String,
-    /// Area of the section or of the cap, where there is one.
+    /// Area of the section or of the cap, if there is one.
     #[serde(default)]
     pub area: Option<f64>,
     /// Unit of the area.
     #[serde(default)]
     pub area_unit: Option<String>,
-    /// Time, where it was taken.
+    /// Time, if it was measured.
     #[serde(default)]
     pub time_ms: Option<Samples>,
     /// Work that the time covers.
@@ -83,10 +83,10 @@ pub struct PeerRow {
     pub clock: Option<String>,
     /// `done`, `refused` or `failed`.
     pub outcome: String,
-    /// The tool's own words, where it did not do it.
+    /// The tool's own message if it did not make the cut.
     #[serde(default)]
     pub reason: Option<String>,
-    /// The command that repeats it.
+    /// The command that repeats the cut.
     #[serde(default)]
     pub command: Option<String>,
 }

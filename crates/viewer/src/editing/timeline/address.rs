@@ -1,8 +1,8 @@
 //! Resolution of key paths: a path identifies a list entry by its name, its model or its number. Among several matching entries,
 //! the document uses the first in which the path resolves.
 //!
-//! A number identifies another entry when an earlier one is removed, and a name shared by two entries means the first: paths
-//! written here match one entry only, and follow it.
+//! A number identifies another entry once an earlier entry is removed, and a name shared by two entries means the first. The paths
+//! written here therefore match only one entry, and are updated when its number changes.
 //!
 //! Cost: one traversal of the tree below each matching entry.
 
@@ -49,7 +49,7 @@ pub(super) fn by_number(document: &Document, path: &str) -> String {
 ///
 /// # Errors
 ///
-/// An entry that does not exist, or whose name and number are both names of others.
+/// The entry does not exist, or its name and its number are both names of other entries.
 pub fn path_of(document: &Document, list: &str, index: usize) -> Result<String> {
     let entries = entries(document, list);
     let culprit = || format!("{list} {index}");
@@ -61,18 +61,18 @@ pub fn path_of(document: &Document, list: &str, index: usize) -> Result<String> 
     let is_own = |name: &String| !others().any(|(other, entry)| names(other, entry).contains(name));
     let own = names(index, entry).into_iter().find(is_own);
     own.map(|name| format!("{list}.{name}")).ok_or_else(|| {
-        let help = "give it a name of its own in the scene file";
+        let help = "give it a unique name in the scene file";
         let what =
-            format!("no key can name it: its name and its number are those of another {list}");
+            format!("no key can name it: its name and its number are both names of other {list}s");
         Error::input(culprit(), what, help)
     })
 }
 
-/// Removes a cut, with its rows. Rows of other cuts keep their targets.
+/// Removes a cut and the rows of its keys. Rows of other cuts still have the same targets.
 ///
 /// # Errors
 ///
-/// A document that cannot be changed, or a cut that no key path can identify any more.
+/// The document cannot be changed, or no key path could identify one of the remaining cuts any more.
 pub fn take_out_cut(document: &mut Document, removed: usize) -> Result<()> {
     let path = format!("cut.{removed}");
     remove_below(document, &path)?;

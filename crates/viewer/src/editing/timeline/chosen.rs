@@ -13,12 +13,12 @@ use crate::picture::camera;
 
 use super::path_of;
 
-/// Converts the selection's position in the document to numbers, which keys can move: a section becomes a normal and an
+/// Converts the selection's position in the document to numbers that keys can animate: a section becomes a normal and an
 /// origin, percentages become units.
 ///
 /// # Errors
 ///
-/// A surface in the paper's form without an origin, a part positioned by a matrix, or a document that cannot be changed.
+/// A surface in the paper's form has no origin, a part is positioned by a matrix, or the document cannot be changed.
 pub fn prepare(
     document: &mut Document,
     selection: Selection,
@@ -33,8 +33,8 @@ pub fn prepare(
         Selection::Part(index) => {
             let part = document.get(&format!("part.{index}"))?;
             if part.get("matrix").is_some() {
-                let help = "write it as `translate`, `rotate_deg` and `scale` in the scene file";
-                let what = "a matrix places it";
+                let help = "position it by `translate`, `rotate_deg` and `scale` in the scene file";
+                let what = "it is positioned by a matrix";
                 return Err(Error::input(format!("part {index}"), what, help));
             }
             or_else(document, &format!("part.{index}.translate"), vec![0.0; 3])
@@ -60,7 +60,7 @@ fn prepare_cut(document: &mut Document, index: usize, bounds: &Bounds) -> Result
         CutKind::Box => {
             let regions = regions::regions(document, index, bounds);
             let Some(Region::Block { path, block }) = regions.first() else {
-                return Err(unkeyed("the box is not said in numbers"));
+                return Err(unkeyed("the box is not given in numbers"));
             };
             let numbers = |corner: [Option<f64>; 3]| {
                 let all: Option<Vec<f64>> = corner.into_iter().collect();
@@ -119,7 +119,7 @@ pub fn targets(
                 CutKind::Box => {
                     let regions = regions::regions(document, index, bounds);
                     let Some(Region::Block { path, .. }) = regions.first() else {
-                        return Err(unkeyed("the box is not said in numbers"));
+                        return Err(unkeyed("the box is not given in numbers"));
                     };
                     match path.ends_with(".0") {
                         true => &["box.0.min", "box.0.max", "box.0.centre", "box.0.size"],
@@ -144,13 +144,13 @@ pub fn targets(
     });
     let found: Vec<_> = found.collect();
     match found.is_empty() {
-        true => Err(unkeyed("nothing of it is a number that the file has")),
+        true => Err(unkeyed("the file gives no number that keys can move")),
         false => Ok(found),
     }
 }
 
 fn unkeyed(what: &str) -> Error {
-    let help = "write its place in numbers in the scene file";
+    let help = "give its position in numbers in the scene file";
     Error::input("the key", what, help)
 }
 

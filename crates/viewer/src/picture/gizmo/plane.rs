@@ -9,7 +9,7 @@ use super::region::edges_of;
 use super::{Gizmo, Grip, Handle, RailScale};
 use crate::picture::world_view::WorldView;
 
-/// Length of the arrow and radius of the arcs, as a share of the diagonal of the model.
+/// Length of the arrow and radius of the arcs, as a fraction of the model's diagonal.
 const REACH_SHARE: f64 = 0.15;
 
 /// Half of an arc's angle, in radians.
@@ -84,7 +84,7 @@ pub(super) fn add(
     }
 }
 
-/// Adds the arc that rotates a plane within itself about a direction, from its present angle in degrees.
+/// Adds the arc that rotates a relief within its plane; it starts at the present angle, in degrees.
 pub(super) fn add_spin(
     gizmo: &mut Gizmo,
     (normal, origin): (DVec3, DVec3),
@@ -118,7 +118,7 @@ pub(super) fn add_spin(
     );
 }
 
-/// Pivot of the handles of a plane: its origin, or the mean of the corners where the origin is outside the box of the model.
+/// Pivot of a plane's handles: the plane's origin or, if that is outside the model's bounding box, the mean of the section's corners.
 fn pivot_of(corners: &[DVec3], origin: DVec3, bounds: &Bounds) -> DVec3 {
     let is_within = origin.cmpge(bounds.min).all() && origin.cmple(bounds.max).all();
     match corners.is_empty() || is_within {
@@ -135,7 +135,7 @@ fn extent(bounds: &Bounds, along: DVec3) -> [f64; 2] {
     [least, most]
 }
 
-/// Corners of the section of a box by a plane, in order around it.
+/// Corners of the polygon in which a plane intersects a box, in order.
 fn section_of(bounds: &Bounds, normal: DVec3, origin: DVec3) -> Vec<DVec3> {
     let height = |p: DVec3| (p - origin).dot(normal);
     let mut found: Vec<DVec3> = Vec::new();

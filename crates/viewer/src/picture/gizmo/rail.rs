@@ -1,7 +1,7 @@
 //! Rails of handles in space, and the motion of a handle with the pointer.
 //!
-//! A rail maps an amount to a point: world units along a line, radians about an axis. A pointer motion in pixels moves the
-//! handle by its component along the projected rail at the handle: nothing across it, and nothing if the rail is seen end-on.
+//! A rail maps an amount, in world units along a line or in radians about an axis, to a point. A pointer motion in pixels moves the
+//! handle only by its component along the projected rail at the handle, and not at all if the rail is seen end-on.
 
 use glam::{DQuat, DVec2, DVec3};
 
@@ -10,15 +10,15 @@ use crate::picture::world_view::WorldView;
 /// A rail with a shorter projected length than this, in pixels, counts as seen end-on.
 const END_ON_PX: f64 = 6.0;
 
-/// Distance between the two points whose projections give the rail's direction, as a share of its length.
+/// Two points this far apart, as a fraction of the rail's length, are projected to find the rail's direction in the picture.
 const STEP: f64 = 1e-3;
 
-/// Rail of a handle, in world space.
+/// Path along which a handle moves, in world space.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Rail {
     /// A line.
     Line {
-        /// At amount 0.
+        /// Point at amount 0.
         from: DVec3,
         /// Direction, of length 1.
         along: DVec3,
@@ -31,7 +31,7 @@ pub(super) enum Rail {
         centre: DVec3,
         /// Axis, of length 1.
         axis: DVec3,
-        /// Vector from the centre to amount 0.
+        /// Vector from the centre to the point at amount 0.
         arm: DVec3,
     },
 }
@@ -47,14 +47,14 @@ impl Rail {
         }
     }
 
-    /// Points between two amounts.
+    /// `count + 1` points at equal steps between two amounts.
     pub(super) fn between(&self, [from, to]: [f64; 2], count: u32) -> Vec<DVec3> {
         let share = |i: u32| f64::from(i) / f64::from(count.max(1));
         let points = (0..=count).map(|i| self.at(from + (to - from) * share(i)));
         points.collect()
     }
 
-    /// New amount of a handle after the pointer has moved by some pixels.
+    /// The handle's new amount after a pointer motion in pixels.
     pub(super) fn follow(&self, amount: f64, by_px: DVec2, view: &WorldView) -> f64 {
         let length = match self {
             Self::Line { length, .. } => *length,

@@ -7,20 +7,20 @@ use super::rail::Rail;
 use super::{Gizmo, Grip, Handle, RailScale};
 use crate::picture::world_view::WorldView;
 
-/// Length of the line that shows a knob's direction, as a share of the model's diagonal.
+/// Length of the line that shows in which direction a knob moves, as a fraction of the model's diagonal.
 const STUB_SHARE: f64 = 0.06;
 
-/// Faces of a box stay apart by this share of the model.
+/// Minimum distance between opposite faces of a box, as a fraction of the model's size.
 const LEAST_SHARE: f64 = 1e-3;
 
-/// Half-planes of a wedge stay apart by this, in degrees.
+/// Minimum angle between the half-planes of a wedge, in degrees.
 const LEAST_DEG: f64 = 1.0;
 
-/// Line segments of an arc, and its extent to each side in radians.
+/// Line segments of a knob's arc, and the arc's extent to each side of the knob in radians.
 const ARC_LINES: u32 = 6;
 const HALF_ARC: f64 = 0.12;
 
-/// Adds a box.
+/// Adds the outlines and handles of a box.
 pub(super) fn add_block(
     gizmo: &mut Gizmo,
     (region, block): (usize, &Block),
@@ -87,7 +87,7 @@ pub(super) fn add_block(
     }
 }
 
-/// Adds a wedge.
+/// Adds the outlines and handles of a wedge.
 pub(super) fn add_wedge(
     gizmo: &mut Gizmo,
     (region, wedge): (usize, &Wedge),
@@ -153,7 +153,7 @@ pub(super) fn edges_of(bounds: &Bounds) -> Vec<[DVec3; 2]> {
     for a in 0..8 {
         for b in a + 1..8 {
             let [p, q] = [corners[a], corners[b]];
-            // An edge goes along one axis.
+            // The ends of an edge differ along exactly one axis.
             if (p - q).to_array().iter().filter(|d| d.abs() > 0.0).count() == 1 {
                 edges.push([p, q]);
             }

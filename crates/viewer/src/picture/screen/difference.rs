@@ -1,4 +1,4 @@
-//! Colour difference between two pictures, amplified by 4, so that a difference of 1 in 64 is visible.
+//! The colour difference between two pictures, amplified by 4 so that a difference of 1/64 of the range is visible.
 
 use cutaway::gpu::wgpu;
 use eframe::egui::TextureId;
@@ -29,7 +29,7 @@ impl Difference {
         self.picture.as_ref().map(|picture| picture.id)
     }
 
-    /// Draws the difference of two pictures at the requested size; with fewer pictures there is none.
+    /// Draws the difference of two pictures at the requested size, or removes it if there are fewer than two pictures.
     pub(super) fn encode(
         &mut self,
         host: &RenderState,

@@ -7,7 +7,7 @@ use egui_wgpu::{RenderState, wgpu};
 /// Format of user textures in egui: sRGB values without conversion.
 pub(super) const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
-/// An attachment of [`FORMAT`] as sessions want it: covered by the frame.
+/// Render target of [`FORMAT`] for a session, whose frame overwrites it completely.
 pub(super) fn covered(color: &wgpu::TextureView) -> Target<'_> {
     Target {
         color,
@@ -52,12 +52,12 @@ impl ShownTexture {
         Self { id, texture, view }
     }
 
-    /// The attachment for a session: completely overwritten by the frame.
+    /// The render target for a session, whose frame overwrites it completely.
     pub(super) fn target(&self) -> Target<'_> {
         covered(&self.view)
     }
 
-    /// Releases its device memory.
+    /// Releases the texture's device memory.
     pub(super) fn free(self, host: &RenderState) {
         host.renderer.write().free_texture(&self.id);
         self.texture.destroy();

@@ -1,7 +1,7 @@
-//! The samples of a picture: frames with shifted sample positions within the pixels, drawn one after the other while nothing moves, and
-//! combined when all are complete.
+//! The samples of a picture: frames whose sample positions are shifted within the pixels. While nothing moves they are drawn in turn, and
+//! combined when all are complete, which smooths edges.
 //!
-//! Costs one frame per sample, and 4 bytes per pixel and sample until they are combined.
+//! Cost: one frame per sample, and 4 bytes per pixel and sample until the samples are combined.
 
 use std::collections::BTreeMap;
 
@@ -16,19 +16,19 @@ use crate::picture::slot::SlotSide;
 /// A sample of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sample {
-    /// Index of the sample.
+    /// Index of the sample within the pixel.
     pub index: u32,
-    /// Samples along each side of a pixel.
+    /// Number of samples along each side of a pixel.
     pub per_side: u32,
 }
 
 impl Sample {
-    /// Samples in a pixel.
+    /// Number of samples per pixel.
     pub fn count(self) -> u32 {
         self.per_side * self.per_side
     }
 
-    /// The view of this sample.
+    /// The picture's view, shifted to this sample's position.
     pub(super) fn of(self, view: &View) -> View {
         let mut samples = view.samples(self.per_side);
         samples
@@ -36,7 +36,7 @@ impl Sample {
             .map_or(*view, |(_, view)| view)
     }
 
-    /// Returns true if it is the last sample of a pixel.
+    /// Returns true if this is the last sample of a pixel.
     pub fn is_last(self) -> bool {
         self.index + 1 == self.count()
     }
@@ -64,7 +64,7 @@ impl SlotSamples {
         }
     }
 
-    /// Allocates the samples of a slot.
+    /// Allocates the textures for a slot's samples.
     pub(super) fn make_room(
         &mut self,
         host: &RenderState,

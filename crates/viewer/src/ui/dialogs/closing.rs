@@ -1,4 +1,4 @@
-//! Unsaved changes: a dialog asks before the window closes or another scene is opened. Also maintains the list of recent files.
+//! Unsaved changes: a dialog asks before the window closes or another scene is opened. This module also maintains the list of recent files.
 
 use std::path::PathBuf;
 
@@ -10,13 +10,13 @@ use crate::storage::files::{self, FileKind};
 use crate::storage::recent::Recent;
 use crate::ui::Viewer;
 
-/// Progress of closing a window, or of leaving a scene for another.
+/// Progress of closing the window, or of opening another scene in place of the present one.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(in crate::ui) enum CloseProgress {
-    /// Not closing.
+    /// Neither is in progress.
     #[default]
     Stays,
-    /// The dialog asks about the changes.
+    /// The dialog asks about the unsaved changes.
     Asks,
     /// The window closes once the scene is saved under the requested name.
     Saves,
@@ -30,7 +30,7 @@ impl Viewer {
         self.recent = Some(recent);
     }
 
-    /// Carries out an action; if it replaces a scene with unsaved changes, a dialog asks first.
+    /// Carries out an action. If the action would replace a scene with unsaved changes, a dialog asks first.
     pub(in crate::ui) fn apply_or_ask(&mut self, action: Action) {
         let is_scene = |path: &PathBuf| files::kind(path).is_ok_and(|kind| kind == FileKind::Scene);
         let leaves = matches!(&action, Action::Take(paths) if paths.iter().any(is_scene));
@@ -88,7 +88,7 @@ impl Viewer {
         }
         self.state.apply(Action::Save(path));
         match self.state.has_unsaved_changes() {
-            // The reason of the refusal is already in a notice.
+            // Saving was refused, and a notice already gives the reason.
             true => self.closing = CloseProgress::Stays,
             false => self.close(ctx),
         }
@@ -138,7 +138,7 @@ impl Viewer {
     }
 
     fn forget(&mut self, ctx: &Context, path: &std::path::Path) {
-        let help = "it is taken off the list of recent files";
+        let help = "it was removed from the list of recent files";
         let error = Error::file(path, "it is not there any more", help);
         self.toasts.add(ctx, error.into());
         if let Some(Err(error)) = self.recent.as_mut().map(|recent| recent.forget(path)) {

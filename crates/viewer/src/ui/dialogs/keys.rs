@@ -1,4 +1,4 @@
-//! Table of keyboard shortcuts, with their effects and their help for `?`.
+//! The table of keyboard shortcuts, with their effects and the help texts that `?` shows.
 
 use cutaway::scene::STANDARD_VIEWS;
 use eframe::egui::{Context, Key, KeyboardShortcut, Modifiers};
@@ -19,7 +19,7 @@ pub(in crate::ui) enum Does {
     CopyCommand,
     /// Saves the scene.
     Save,
-    /// Shows the second slot while it is held.
+    /// Shows the second slot while the key is held.
     Flicker,
     /// Switches between perspective and parallel projection.
     Projection,
@@ -29,7 +29,7 @@ pub(in crate::ui) enum Does {
     Play,
 }
 
-/// A key and what it does.
+/// A key and its effect.
 pub(in crate::ui) struct KeyBinding {
     /// The key, with its modifiers.
     pub(in crate::ui) key: KeyboardShortcut,
@@ -39,10 +39,10 @@ pub(in crate::ui) struct KeyBinding {
     pub(in crate::ui) help: &'static str,
 }
 
-/// The key that shows the second slot while it is held.
+/// The key that shows the second slot while this key is held.
 pub(in crate::ui) const FLICKER: Key = Key::B;
 
-/// All keys.
+/// All keyboard shortcuts.
 pub(in crate::ui) fn bindings() -> Vec<KeyBinding> {
     let key = |key, does, help| KeyBinding {
         key: KeyboardShortcut::new(Modifiers::NONE, key),
@@ -65,34 +65,34 @@ pub(in crate::ui) fn bindings() -> Vec<KeyBinding> {
         key(
             Key::X,
             plane(PlaneMove::Across(0)),
-            "plane across x; again: the other side",
+            "plane perpendicular to x; press again to keep the other side",
         ),
         key(
             Key::Y,
             plane(PlaneMove::Across(1)),
-            "plane across y; again: the other side",
+            "plane perpendicular to y; press again to keep the other side",
         ),
         key(
             Key::Z,
             plane(PlaneMove::Across(2)),
-            "plane across z; again: the other side",
+            "plane perpendicular to z; press again to keep the other side",
         ),
         key(Key::V, plane(PlaneMove::Flip), "keep the other side"),
         key(
             Key::OpenBracket,
             plane(PlaneMove::Step(-0.01)),
-            "plane back by 1 %",
+            "move the plane back by 1 %",
         ),
         key(
             Key::CloseBracket,
             plane(PlaneMove::Step(0.01)),
-            "plane forth by 1 %",
+            "move the plane forward by 1 %",
         ),
-        key(Key::C, act(Action::FaceEye), "turn the plane to the eye"),
+        key(Key::C, act(Action::FaceEye), "turn the plane to face you"),
         key(
             Key::F,
             Does::CutHere,
-            "plane through the face under the pointer",
+            "move the plane through the face under the pointer",
         ),
         key(Key::Space, Does::Play, "play or pause"),
         key(Key::Num1, stand(0), "look from the front"),
@@ -102,7 +102,7 @@ pub(in crate::ui) fn bindings() -> Vec<KeyBinding> {
         key(
             Key::Home,
             act(Action::MoveCamera(CameraMove::Home)),
-            "show all of the model",
+            "show the whole model",
         ),
         key(
             Key::S,
@@ -119,15 +119,15 @@ pub(in crate::ui) fn bindings() -> Vec<KeyBinding> {
             act(Action::Arrange(SlotLayout::Difference)),
             "difference of A and B",
         ),
-        key(FLICKER, Does::Flicker, "hold: slot B in the place of A"),
-        key(Key::Questionmark, Does::Help, "these keys"),
-        command(Key::Z, act(Action::Undo), "take the last step back"),
-        command(Key::Y, act(Action::Redo), "do it again"),
+        key(FLICKER, Does::Flicker, "hold to show slot B instead of A"),
+        key(Key::Questionmark, Does::Help, "show or hide these keys"),
+        command(Key::Z, act(Action::Undo), "undo the last step"),
+        command(Key::Y, act(Action::Redo), "redo the step"),
         command(Key::S, Does::Save, "save the scene"),
         KeyBinding {
             key: KeyboardShortcut::new(Modifiers::COMMAND.plus(Modifiers::SHIFT), Key::Z),
             does: act(Action::Redo),
-            help: "do it again",
+            help: "redo the step",
         },
         KeyBinding {
             key: KeyboardShortcut::new(Modifiers::COMMAND.plus(Modifiers::SHIFT), Key::C),
@@ -137,13 +137,13 @@ pub(in crate::ui) fn bindings() -> Vec<KeyBinding> {
     ]
 }
 
-/// Effects of the keys pressed. Keys that are typed into a text field are ignored.
+/// Effects of the keys pressed in this frame. Keys typed into a text field are ignored.
 pub(in crate::ui) fn pressed(ctx: &Context) -> Vec<Does> {
     if ctx.egui_wants_keyboard_input() {
         return Vec::new();
     }
     let mut bound = bindings();
-    // Keys with most modifiers first: a consumed key is gone for the others.
+    // Bindings with the most modifiers first: a key press that one binding consumes is not seen by the others.
     bound.sort_by_key(|b| std::cmp::Reverse((b.key.modifiers.shift, b.key.modifiers.any())));
     let is_pressed = |b: &KeyBinding| ctx.input_mut(|input| input.consume_shortcut(&b.key));
     let pressed = bound.into_iter().filter(is_pressed);

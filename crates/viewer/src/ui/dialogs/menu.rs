@@ -59,7 +59,7 @@ impl Viewer {
                 }
             });
             ui.menu_button("Theme", |ui| {
-                // egui's own buttons have pictures that its fonts here lack.
+                // egui's own theme buttons use symbols that the fonts here lack.
                 let mut theme = ui.options(|options| options.theme_preference);
                 for (name, choice) in [
                     ("As the system", ThemePreference::System),

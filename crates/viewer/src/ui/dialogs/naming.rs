@@ -1,4 +1,4 @@
-//! The dialog for the name of a file to open, save or export. An existing file is replaced only after confirmation.
+//! The dialog that asks for the name of a file to open, save or export. An existing file is replaced only after confirmation.
 
 use std::path::{Path, PathBuf};
 
@@ -8,7 +8,7 @@ use crate::action::Action;
 use crate::storage::files::{self, FileKind};
 use crate::ui::Viewer;
 
-/// Purpose of a file name.
+/// What the named file is for.
 #[derive(Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(
     target_arch = "wasm32",
@@ -20,7 +20,7 @@ enum For {
     Export,
 }
 
-/// A file to be named, and the text typed so far.
+/// State of the dialog: the purpose of the file name, and the text typed so far.
 pub(in crate::ui) struct Asks {
     what_for: For,
     typed: String,
@@ -59,7 +59,7 @@ impl Asks {
         }
     }
 
-    /// The named file; for a scene always with the extension `.toml`.
+    /// Path of the named file; a scene always gets the extension `.toml`.
     fn path(&self) -> PathBuf {
         let path = PathBuf::from(self.typed.trim());
         let is_scene = files::kind(&path).is_ok_and(|kind| kind == FileKind::Scene);
@@ -80,7 +80,7 @@ impl Viewer {
         self.asks = Some(Asks::new(For::Export, "cut.png"));
     }
 
-    /// Shows the dialog, while a file is to be named.
+    /// Shows the dialog while it asks for a name.
     pub(in crate::ui) fn file_dialog(&mut self, ctx: &Context) {
         let Some(asks) = &mut self.asks else {
             return;
@@ -115,7 +115,7 @@ impl Viewer {
         }
     }
 
-    /// Uses the name, or keeps the dialog open to confirm replacing a file.
+    /// Uses the name that was typed, or keeps the dialog open to confirm that a file may be replaced.
     fn take_name(&mut self, ctx: &Context, mut asks: Asks) {
         let path = asks.path();
         let agreed = asks.replaces.as_deref() == Some(&*path);

@@ -1,4 +1,4 @@
-//! Display of background opening in the menu bar, with a cancel button.
+//! Shows in the menu bar which files are being opened, with a cancel button.
 
 use std::time::Duration;
 
@@ -16,7 +16,7 @@ impl Viewer {
         }
     }
 
-    /// Shows the opening in progress, with a cancel button.
+    /// Shows which files are being opened, with a cancel button.
     pub(in crate::ui) fn opening(&mut self, ui: &mut Ui) {
         let Some(what) = self.opening.what() else {
             return;

@@ -1,4 +1,4 @@
-//! Notices in a corner: notes disappear by themselves, warnings and errors stay until they are closed.
+//! Notices in a corner of the window. Notes disappear by themselves; warnings and errors stay until they are closed.
 
 use std::time::Duration;
 
@@ -9,7 +9,7 @@ use cutaway::error::{Diagnostic, Severity};
 /// Display time of a notice about a completed action.
 const SHOWN_FOR: Duration = Duration::from_secs(4);
 
-/// Notices that are shown, and since when, on egui's clock in seconds.
+/// The visible notices, each with the time of its appearance on egui's clock, in seconds.
 #[derive(Debug, Default)]
 pub(in crate::ui) struct Toasts(Vec<(Diagnostic, f64)>);
 
@@ -21,7 +21,7 @@ impl Toasts {
         self.0.push((notice, ctx.input(|input| input.time)));
     }
 
-    /// Draws them.
+    /// Shows the notices.
     pub(in crate::ui) fn show(&mut self, ctx: &egui::Context) {
         let now = ctx.input(|input| input.time);
         let is_there = |(notice, since): &(Diagnostic, f64)| {

@@ -1,4 +1,4 @@
-//! The strip below the picture: the renderer of each slot, the layout, and the errors.
+//! The strip below the picture, with each slot's renderer, the layout, and the errors.
 
 use cutaway::strategies::{AUTO, Strategy};
 use cutaway_lab::experiment::Renderer;
@@ -27,7 +27,7 @@ pub(in crate::ui) fn show(
                 ui.separator();
             }
             if let Some(took_ms) = screen.took_ms() {
-                // Browsers keep the name to themselves.
+                // Browsers do not reveal the adapter's name.
                 let on = match screen.gpu().name() {
                     "" => String::new(),
                     name => format!(" on {name}"),
@@ -60,7 +60,7 @@ fn controls(ui: &mut Ui, state: &State, actions: &mut Vec<Action>) {
         }
         ui.separator();
         let mut shows = state.shows_errors();
-        let help = "Compare the slots with the exact reference, and show what is wrong where";
+        let help = "Compare the slots with the exact reference, and mark the wrong pixels";
         if ui
             .checkbox(&mut shows, "Errors")
             .on_hover_text(help)
@@ -80,9 +80,9 @@ fn controls(ui: &mut Ui, state: &State, actions: &mut Vec<Action>) {
     });
 }
 
-/// Buttons for measurements: error and time of all methods, and the cost of the frames of the slots.
+/// Buttons for measurements: the error and time of all methods, and the cost of the slots' frames.
 fn measurements(ui: &mut Ui, state: &State, (asks_survey, shows_cost): (&mut bool, &mut bool)) {
-    // Times and lists need what a page does not offer.
+    // A page offers no measurements, because a browser's timers are too coarse.
     if cfg!(target_arch = "wasm32") {
         return;
     }
@@ -94,11 +94,11 @@ fn measurements(ui: &mut Ui, state: &State, (asks_survey, shows_cost): (&mut boo
         .clicked();
     *asks_survey |= is_clicked;
     ui.toggle_value(shows_cost, "Cost")
-        .on_hover_text("What the passes of a frame take, and the bytes that they hold");
+        .on_hover_text("The time of each pass of a frame, and the bytes that it writes");
     ui.separator();
 }
 
-/// Control for the renderer of a slot.
+/// The control that selects a slot's renderer.
 fn painter(ui: &mut Ui, state: &State, side: SlotSide, actions: &mut Vec<Action>) {
     let held = state.painter(side);
     let shown = ComboBox::new(("painter", side), format!("Slot {side}"));
@@ -119,7 +119,7 @@ fn painter(ui: &mut Ui, state: &State, side: SlotSide, actions: &mut Vec<Action>
     });
 }
 
-/// The names of a strategy by each rasteriser that it has.
+/// The names of a strategy's methods, one for each rasteriser that can draw it.
 fn names(strategy: Strategy) -> Vec<String> {
     let name = strategy.to_string();
     let by_compute = format!("{name}@compute");

@@ -1,6 +1,6 @@
-//! The cost of a frame of each slot that is seen: its passes as bars and as a table, and the bytes of each clock.
+//! The cost of a frame for each visible slot: its passes as bars and as a table, and the bytes of each clock.
 //!
-//! No question is sent while the window is closed; while it is open, one is sent for each picture that rests.
+//! While the cost window is open, one question is sent for each picture once nothing moves; while it is closed, none.
 
 use cutaway::plan::Clock;
 use cutaway_lab::experiment::Renderer;
@@ -17,10 +17,10 @@ use crate::ui::latest::Latest;
 /// Height of a stacked bar, in points.
 const BAR_POINTS: f32 = 18.0;
 
-/// Width of the bar of the longest pass, in points.
+/// Width of the longest pass's bar, in points.
 const LONGEST_POINTS: f32 = 120.0;
 
-/// Subject of a question.
+/// What a question is about; an equal one is not sent again.
 #[derive(Clone, Copy, PartialEq)]
 struct CostSubject {
     revision: u64,
@@ -33,12 +33,12 @@ struct CostSubject {
 pub(in crate::ui) struct Costs {
     pub(in crate::ui) is_open: bool,
     latest: Latest<CostSubject>,
-    /// Answer per slot, with the id of the question.
+    /// For each slot, the answer with the id of its question.
     answers: [Option<(u64, Result<Cost, String>)>; 2],
 }
 
 impl Costs {
-    /// Known cost of a slot.
+    /// Cost of a slot's frame; `None` until it is known.
     pub(in crate::ui) fn cost(&self, side: SlotSide) -> Option<&Cost> {
         self.answer(side)?.as_ref().ok()
     }
@@ -58,14 +58,14 @@ impl Costs {
         seen.any(|side| self.answer(side).is_none())
     }
 
-    /// Takes in an answer.
+    /// Receives an answer.
     pub(in crate::ui) fn take_in(&mut self, id: u64, side: SlotSide, cost: Result<Cost, String>) {
         self.answers[side.index()] = Some((id, cost));
     }
 }
 
 impl Viewer {
-    /// Asks for the costs of what is seen, while they are shown.
+    /// While costs are shown, asks for those of the visible picture.
     pub(in crate::ui) fn ask_costs(&mut self, ctx: &Context) {
         if !self.costs.is_open {
             self.costs.latest.forget();
@@ -146,7 +146,7 @@ fn color(clock: Clock) -> Color32 {
 fn contents(ui: &mut Ui, cost: &Cost) {
     ui.label(match cost.is_device_time {
         true => "Time on the device.",
-        false => "Wall time, each pass waited for: the device has no timestamps to trust.",
+        false => "Wall-clock time, with a wait after each pass: device timestamps are unreliable.",
     });
     for clock in Clock::ALL {
         let passes: Vec<&PassCost> = cost.passes.iter().filter(|p| p.clock == clock).collect();
@@ -169,13 +169,13 @@ fn contents(ui: &mut Ui, cost: &Cost) {
     if cost.bands > 1 {
         let bands = cost.bands;
         ui.label(format!(
-            "Drawn in {bands} bands of rows; what a pass writes is that of the first."
+            "Drawn in {bands} bands of rows; the bytes are those of the first band."
         ));
     }
     table(ui, &cost.passes);
 }
 
-/// The passes of a clock, one after the other.
+/// Shows the passes of a clock as one bar, divided in proportion to their times.
 fn stacked(ui: &mut Ui, passes: &[&PassCost], clock: Clock, all_ms: f64) {
     let width = ui.available_width().max(LONGEST_POINTS);
     let (rect, _) = ui.allocate_exact_size(vec2(width, BAR_POINTS), Sense::hover());
@@ -236,7 +236,7 @@ fn names(clocks: cutaway::gpu::ClockSet) -> String {
     ran.map(Clock::name).collect::<Vec<_>>().join(", ")
 }
 
-/// A count of bytes with a unit.
+/// A number of bytes as text, with a unit.
 fn size(bytes: u64) -> String {
     match bytes {
         0..1024 => format!("{bytes} B"),

@@ -1,4 +1,4 @@
-//! Defects of meshes, in the list of parts and over the picture.
+//! Shows mesh defects in the list of parts, and open edges over the picture.
 
 use std::collections::BTreeMap;
 
@@ -11,7 +11,7 @@ use crate::picture::shown::Shown;
 use crate::picture::world_view::WorldView;
 use crate::ui::Viewer;
 
-/// Maximum number of lines drawn.
+/// Maximum number of open edges drawn.
 const MOST_LINES: usize = 20_000;
 
 /// The colour of open edges.
@@ -20,7 +20,7 @@ pub(in crate::ui) const COLOR: Color32 = Color32::from_rgb(255, 0, 170);
 /// Defect counts per part of the document.
 #[derive(Debug, Default)]
 pub(in crate::ui) struct Badges {
-    /// Revision of the document they belong to.
+    /// Revision of the scene that the counts belong to.
     revision: Option<u64>,
     counts: Vec<Counts>,
 }
@@ -31,7 +31,7 @@ impl Badges {
         self.counts.get(index).copied().unwrap_or_default()
     }
 
-    /// Returns true if any part is open.
+    /// Returns true if any part has open edges.
     pub(in crate::ui) fn has_open(&self) -> bool {
         self.counts.iter().any(Counts::is_open)
     }
@@ -64,7 +64,7 @@ impl Viewer {
     }
 }
 
-/// Draws the open edges of all parts over a picture, cut away or hidden as they may be.
+/// Draws the open edges of all parts over a picture, including edges that are cut away or hidden.
 pub(in crate::ui) fn paint(
     painter: &Painter,
     picture: Rect,

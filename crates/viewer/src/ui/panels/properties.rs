@@ -1,4 +1,4 @@
-//! The right panel: the numbers of what is selected.
+//! The right panel: the values of the selected scene, cut or part.
 
 use cutaway::scene::relief::Procedure;
 use cutaway_io::document::{Value, hex, paths};
@@ -23,7 +23,7 @@ pub(in crate::ui) fn show(ui: &mut Ui, state: &State, actions: &mut Vec<Action>)
     });
 }
 
-/// A button that lets a scene without time begin to move.
+/// A button that adds first keys to a scene without animation.
 fn animate(ui: &mut Ui, state: &State, actions: &mut Vec<Action>) {
     if state.shown().is_none_or(|shown| shown.timeline.moves()) {
         return;
@@ -31,11 +31,11 @@ fn animate(ui: &mut Ui, state: &State, actions: &mut Vec<Action>) {
     ui.separator();
     let help = match state.selection() {
         Selection::Scene => {
-            "Keys of the eye at 0 s and at 2 s: go to a time, look elsewhere, and add a key"
+            "Add keys for the eye at 0 s and 2 s; then go to a time, move the eye and add a key"
         }
-        Selection::Cut(_) => "Keys of where the cut is at 0 s and at 2 s: go to a time and move it",
+        Selection::Cut(_) => "Add keys for the cut at 0 s and 2 s; then go to a time and move it",
         Selection::Part(_) => {
-            "Keys of where the part is at 0 s and at 2 s: go to a time and move it"
+            "Add keys for the part at 0 s and 2 s; then go to a time and move the part"
         }
     };
     if ui.button("Animate").on_hover_text(help).clicked() {
@@ -124,17 +124,17 @@ fn cut(ui: &mut Ui, state: &State, index: usize, actions: &mut Vec<Action>) {
 fn plane(ui: &mut Ui, state: &State, index: usize, actions: &mut Vec<Action>) {
     let bounds = state.bounds();
     let Ok((normal, origin)) = cuts::plane(state.posed(), index, &bounds) else {
-        ui.weak("This surface is changed by its numbers in the scene file.");
+        ui.weak("This surface can only be edited in the scene file.");
         return;
     };
     ui.separator();
     let ends = bounds.corners().map(|corner| corner.dot(normal));
     let least = ends.iter().copied().fold(f64::INFINITY, f64::min);
     let most = ends.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    // A model that is flat across the plane has no room for it to move.
+    // If the model has no extent along the normal, the plane cannot move.
     if most > least {
         let percent_at = (origin.dot(normal) - least) / (most - least) * 100.0;
-        // As the slider rounds it, or it would count as moved.
+        // Round as the slider does; otherwise the slider would report a change.
         let was = (percent_at.clamp(0.0, 100.0) * 100.0).round() / 100.0;
         let mut percent = was;
         let slider = Slider::new(&mut percent, 0.0..=100.0).text("Position %");
@@ -148,7 +148,7 @@ fn plane(ui: &mut Ui, state: &State, index: usize, actions: &mut Vec<Action>) {
         for (axis, letter) in ["X", "Y", "Z"].into_iter().enumerate() {
             let button = ui
                 .button(letter)
-                .on_hover_text("Put the plane across this axis; again: the other side");
+                .on_hover_text("Plane perpendicular to this axis; click again for the other side");
             if button.clicked() {
                 actions.push(Action::MovePlane(PlaneMove::Across(axis)));
             }
@@ -162,7 +162,7 @@ fn plane(ui: &mut Ui, state: &State, index: usize, actions: &mut Vec<Action>) {
         }
         if ui
             .button("Face me")
-            .on_hover_text("Turn the plane to the eye")
+            .on_hover_text("Turn the plane to face you")
             .clicked()
         {
             actions.push(Action::FaceEye);
@@ -240,7 +240,7 @@ fn relief(ui: &mut Ui, state: &State, index: usize, actions: &mut Vec<Action>) {
         });
 }
 
-/// Gives a surface another kind of relief: of its own, or a new one.
+/// Changes the kind of a surface's relief, or gives the surface a new relief if it has none.
 fn put_relief(
     state: &State,
     index: usize,
@@ -256,7 +256,7 @@ fn put_relief(
         false => kind.to_owned(),
     };
     let of = name.map_or(free, str::to_owned);
-    // What only the other kind has would be refused.
+    // The whole table is replaced, because values that only the other kind has would be refused.
     let table = Value::from([("kind", Value::from(kind))]);
     let mut changes = vec![(format!("relief.{of}"), Some(table))];
     if name.is_none() {

@@ -1,4 +1,4 @@
-//! The left panel: parts and cuts of the document, and cuts to be added.
+//! The left panel: the document's parts and cuts, and buttons that add cuts.
 
 use std::collections::BTreeSet;
 
@@ -11,36 +11,36 @@ use crate::editing::cuts::NewCut;
 use crate::editing::parts;
 use crate::state::State;
 
-/// Cuts that the panel adds.
+/// Cuts that the panel can add: label, help text, and the cut.
 const NEW: [(&str, &str, NewCut); 6] = [
     (
         "Plane",
-        "Remove what is on one side of a plane",
+        "Remove everything on one side of a plane",
         NewCut::Plane(0),
     ),
     (
         "Relief",
-        "Remove what is above a ragged surface",
+        "Remove everything above a ragged surface",
         NewCut::Relief(0),
     ),
     (
         "Box",
-        "Remove a box: the eighth that is nearest",
+        "Remove a box: the octant nearest to you",
         NewCut::Box,
     ),
     (
         "Wedge",
-        "Remove a slice of pie about the axis that is up",
+        "Remove a wedge of 90 degrees about the up axis",
         NewCut::Wedge,
     ),
     (
         "Cutout",
-        "Remove a wedge that places itself, open to the eye",
+        "Remove an automatically placed wedge that opens towards you",
         NewCut::Cutout,
     ),
     (
         "Breakaway",
-        "Open what hides the interior parts",
+        "Remove what hides the interior parts",
         NewCut::Breakaway,
     ),
 ];
@@ -62,7 +62,7 @@ pub(in crate::ui) fn show(ui: &mut Ui, state: &State, badges: &Badges, actions: 
                 let checkbox = ui.checkbox(&mut is_enabled, "");
                 let checkbox = checkbox.accessible_name(format!("Cut by {}", cut.name));
                 if checkbox
-                    .on_hover_text("Whether it removes anything")
+                    .on_hover_text("Enable or disable this cut")
                     .changed()
                 {
                     let path = format!("cut.{index}.enabled");
@@ -98,12 +98,12 @@ fn parts(ui: &mut Ui, state: &State, badges: &Badges, actions: &mut Vec<Action>)
     for (index, entry) in entries.iter().enumerate() {
         let name = &entry.name;
         let is_selected = state.selection() == Selection::Part(index);
-        // In lines that are broken: a wider panel would make another picture.
+        // Lines wrap, because a wider panel would change the size of the picture.
         ui.horizontal_wrapped(|ui| {
             let mut is_shown = entry.is_enabled;
             let eye = ui.add(Checkbox::without_text(&mut is_shown));
             let eye = eye.accessible_name(format!("Show {name}"));
-            let help = "Whether it is there; the scene is as if it had no such part";
+            let help = "Show or hide this part; a hidden part has no effect on the scene";
             if eye.on_hover_text(help).changed() {
                 actions.push(Action::ShowPart(index, is_shown));
             }
@@ -125,7 +125,7 @@ fn parts(ui: &mut Ui, state: &State, badges: &Badges, actions: &mut Vec<Action>)
     }
     if badges.has_open() || state.shows_open_edges() {
         let mut shows = state.shows_open_edges();
-        let help = "Edges with an odd number of faces: all of them, also those that a cut removes or a part hides";
+        let help = "Show edges with an odd number of faces, including cut away and hidden ones";
         if ui
             .checkbox(&mut shows, "Open edges")
             .on_hover_text(help)
@@ -148,7 +148,7 @@ fn parts(ui: &mut Ui, state: &State, badges: &Badges, actions: &mut Vec<Action>)
     }
 }
 
-/// Button that makes the selected cut spare all parts that match a name, or cut them again.
+/// Button that makes the selected cut leave the parts that match a name uncut, or cut them again.
 fn spared(
     ui: &mut Ui,
     state: &State,
@@ -167,7 +167,7 @@ fn spared(
     let is_listed = |part: &&str| globs.iter().any(|glob| glob == part);
     let is_spared = !parts.is_empty() && parts.iter().all(is_listed);
     let button = Button::selectable(is_spared, "spare").small();
-    let help = "Whether the selected cut leaves this part whole";
+    let help = "Exempt this part from the selected cut";
     let button = ui.add(button).on_hover_text(help);
     if button
         .accessible_name(format!("Spare {called} from this cut"))
@@ -187,7 +187,7 @@ fn spared(
     }
 }
 
-/// A plane is put across the axis that points to the eye most.
+/// Makes a new plane perpendicular to the axis that is closest to the viewing direction.
 fn across_the_eye(state: &State, new: NewCut) -> NewCut {
     let forward = state.shown().map(|shown| shown.view([64, 64]).forward);
     let axis = forward.map_or(0, |f| f.abs().max_position());

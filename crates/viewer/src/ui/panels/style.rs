@@ -1,4 +1,4 @@
-//! The style of the scene: its name, and its numbers, each with a button that resets it.
+//! The scene's style: its name, and its values, each with a button that resets the value.
 
 use cutaway_io::document::paths;
 use cutaway_io::document::{Node, Value, named_style, style_names};
@@ -10,7 +10,7 @@ use crate::editing::styles;
 use crate::picture::shown::Shown;
 use crate::state::State;
 
-/// Shows the name and the numbers.
+/// Shows the style's name and values.
 pub(in crate::ui) fn show(ui: &mut Ui, state: &State, actions: &mut Vec<Action>) {
     let held = state.document().root().get("style").cloned();
     let named = held.as_ref().and_then(|style| match &style.value {
@@ -39,7 +39,7 @@ pub(in crate::ui) fn show(ui: &mut Ui, state: &State, actions: &mut Vec<Action>)
     }
 }
 
-/// All that the style has, in the order of the table of paths: groups below headings.
+/// Shows all values of the style, in groups with headings, in the order of the table of paths.
 fn numbers(ui: &mut Ui, state: &State, shown: &Shown, actions: &mut Vec<Action>) {
     let values = styles::values(&shown.scene.style);
     let of_styles = || {
@@ -51,7 +51,7 @@ fn numbers(ui: &mut Ui, state: &State, shown: &Shown, actions: &mut Vec<Action>)
         .filter_map(|p| Some(p.split_once('.')?.0))
         .collect();
     groups.dedup();
-    // Groups are apart in the table where one is named twice.
+    // A group can occur twice in the table, with other groups in between.
     groups.sort_unstable();
     groups.dedup();
     let mut of_group = |ui: &mut Ui, group: &str| {
@@ -88,8 +88,8 @@ fn number(
     cells(ui, state, (path, path), (label, value), actions);
     let is_changed = state.document().get(path).is_ok();
     let button = ui.add_enabled(is_changed, Button::new("Back").small());
-    let button = button.accessible_name(format!("Take {path} back"));
-    if button.on_hover_text("What the style itself has").clicked() {
+    let button = button.accessible_name(format!("Reset {path}"));
+    if button.on_hover_text("Use the style's own value").clicked() {
         actions.push(Action::TakeBack(path.to_owned()));
     }
     ui.end_row();

@@ -18,19 +18,19 @@ use crate::picture::chart::{
 use crate::picture::slot::{Painter, SlotSide};
 use crate::ui::Viewer;
 
-/// Width of the mark of a method, in points.
+/// Width of a method's mark in the chart, in points.
 const MARK_POINTS: f32 = 12.0;
 
-/// The most points that the list of refusals is high.
+/// Maximum height of the list of refusals, in points.
 const LIST_POINTS: f32 = 120.0;
 
-/// A survey under way or finished.
+/// A survey that is in progress or has ended.
 struct SurveyRun {
-    /// The scene and the eye.
+    /// The document of the measured picture, with its eye.
     document: Document,
     time_s: Option<f64>,
     size_px: [u32; 2],
-    /// Number of methods, once the first is done.
+    /// Number of methods to measure; `None` until the first is done.
     total: Option<usize>,
     is_cancelled: bool,
     entries: Vec<(Method, Found)>,
@@ -63,7 +63,7 @@ impl ChartWindow {
         self.measured.as_ref().map_or(&[], |m| &m.entries)
     }
 
-    /// Takes in what was found of a method.
+    /// Receives the result for a method.
     pub(in crate::ui) fn take_in(&mut self, id: u64, surveyed: Surveyed) {
         let measured = self.measured.as_mut().filter(|_| id == self.asked);
         if let Some(measured) = measured.filter(|m| !m.is_cancelled) {
@@ -119,7 +119,7 @@ impl Viewer {
                     actions.extend(by.map(|by| Action::Choose(SlotSide::B, by)));
                 });
         }
-        // A survey whose window is closed ends.
+        // Closing the window ends the survey.
         ends |= self.chart.is_open && !is_open;
         self.chart.is_open = is_open;
         if let Some(measured) = (self.chart.measured.as_mut()).filter(|m| ends && m.is_running()) {
@@ -153,7 +153,7 @@ fn head(ui: &mut Ui, measured: &SurveyRun, adapter: &str, is_old: bool) -> bool 
     let mut clocks = points.map(|(_, point)| point.is_device_time);
     let clock = match clocks.next() {
         Some(true) => "time on the device",
-        Some(false) => "wall time, for its timestamps are not to be trusted",
+        Some(false) => "wall-clock time, as its timestamps are unreliable",
         None => "no time yet",
     };
     ui.label(format!("{width} x {height} on {adapter}; {clock}"));
@@ -170,7 +170,7 @@ fn point((method, found): &(Method, Found)) -> Option<(Method, &SurveyPoint)> {
     }
 }
 
-/// The chart and the list; which method was clicked.
+/// Shows the chart and the list of refusals. Returns the method whose mark was clicked.
 fn contents(ui: &mut Ui, measured: &SurveyRun) -> Option<Method> {
     let refused: Vec<(&Method, &String)> = (measured.entries.iter())
         .filter_map(|(method, found)| match found {
@@ -257,7 +257,7 @@ fn plot(ui: &mut Ui, points: &[(Method, &SurveyPoint)], height: f32) -> Option<M
         let label = said.clone();
         response.widget_info(|| WidgetInfo::labeled(Role::Button, true, label.clone()));
         if response
-            .on_hover_text(format!("{said}\nclick: into slot B"))
+            .on_hover_text(format!("{said}\nclick: show in slot B"))
             .clicked()
         {
             chosen = Some(*method);

@@ -1,4 +1,4 @@
-//! The strip of a scene that moves: the moment, which is played or chosen, and above it the keys of the document, a row for each target.
+//! The timeline strip of a scene with animation: a slider for the time, and above it the document's keys, with one row per target.
 
 use cutaway_io::document::Value;
 use eframe::egui::{
@@ -13,24 +13,24 @@ use crate::state::State;
 /// Height of a row of keys, in points.
 const ROW: f32 = 16.0;
 
-/// So many rows are seen at once.
+/// Maximum number of rows visible at once.
 const MOST_ROWS: usize = 5;
 
-/// Width of what is left of the line of time, in points.
+/// Width of the area to the left of the time axis, in points.
 const GUTTER: f32 = 310.0;
 
-/// Width of the area to the right of the line of time, in points.
+/// Width of the area to the right of the time axis, in points.
 const BEHIND: f32 = 110.0;
 
-/// Half of the height of a key, in points.
+/// Half the height of a key's mark, in points.
 const HALF_KEY: f32 = 5.0;
 
 /// State of the strip.
 #[derive(Debug, Default)]
 pub(in crate::ui) struct Strip {
-    /// The key that was last clicked or dragged: its row, and its place there.
+    /// Row and index of the key that was last clicked or dragged.
     chosen: Option<[usize; 2]>,
-    /// Duration of the line of time while a key is dragged, independent of changes to the end of the scene, in seconds.
+    /// Duration that the time axis shows while a key is dragged, in seconds; it stays fixed even if the scene's end moves.
     held_duration_s: Option<f64>,
 }
 
@@ -59,7 +59,7 @@ pub(in crate::ui) fn show(
     strip.chosen = strip.chosen.filter(|key| is_there(*key));
     let slider_width = (ui.available_width() - GUTTER - BEHIND).max(80.0);
     let left = ui.min_rect().left() + GUTTER;
-    // Where the knob of a slider can be.
+    // The time axis covers the range of the slider's knob.
     let inset = ui.spacing().interact_size.y / 2.5;
     let line = [left + inset, left + slider_width - inset];
     let shown_s = strip.held_duration_s.unwrap_or(duration_s);
@@ -72,7 +72,7 @@ pub(in crate::ui) fn show(
             }
         });
     }
-    // The line does not change its length under what is held.
+    // The time axis keeps its duration while the pointer is pressed.
     if !ui.input(|input| input.pointer.any_down()) {
         strip.held_duration_s = None;
     }
@@ -80,7 +80,7 @@ pub(in crate::ui) fn show(
         if ui.button(if *plays { "Pause" } else { "Play" }).clicked() {
             *plays = !*plays;
         }
-        let help = "A key of what is selected, at this moment and as it is now";
+        let help = "Add a key for the selection at this time, with its present values";
         if ui.button("Add key here").on_hover_text(help).clicked() {
             *plays = false;
             actions.push(Action::AddKey);
@@ -92,7 +92,7 @@ pub(in crate::ui) fn show(
         let slider = Slider::new(&mut time_s, 0.0..=duration_s)
             .text("Time")
             .suffix(" s");
-        // Shown with few digits and kept with all: a slider that rounds what it is given counts as moved.
+        // Few digits are shown but the value is not rounded: a slider that rounds its value would report a change.
         let slider = slider.custom_formatter(|time_s, _| format!("{time_s:.3}"));
         if ui.add(slider).changed() {
             *plays = false;
@@ -101,7 +101,7 @@ pub(in crate::ui) fn show(
     });
 }
 
-/// The time of the chosen key, and a button that takes it away.
+/// Controls for the chosen key: its time, and a button that deletes the key.
 fn chosen_key(ui: &mut Ui, tracks: &[TimelineTrack], strip: &mut Strip, actions: &mut Vec<Action>) {
     let [track, key] = strip.chosen.unwrap_or_default();
     let mut time_s = strip.chosen.map_or(0.0, |_| tracks[track].times_s[key]);
@@ -109,18 +109,18 @@ fn chosen_key(ui: &mut Ui, tracks: &[TimelineTrack], strip: &mut Strip, actions:
         let drag = DragValue::new(&mut time_s).speed(0.01).suffix(" s");
         let drag = drag.custom_formatter(|time_s, _| format!("{time_s:.3}"));
         let response = ui.add(drag).accessible_name("Time of the key");
-        if response.on_hover_text("When the chosen key is").changed() {
+        if response.on_hover_text("Time of the chosen key").changed() {
             actions.push(Action::MoveKey([track, key], time_s));
         }
         let button = ui.add(Button::new("Delete key").small());
-        if button.on_hover_text("Take the chosen key away").clicked() {
+        if button.on_hover_text("Delete the chosen key").clicked() {
             actions.push(Action::RemoveKey([track, key]));
             strip.chosen = None;
         }
     });
 }
 
-/// The keys of a target, with its name.
+/// Shows a row: the target's name and its keys.
 fn row(
     ui: &mut Ui,
     (index, track): (usize, &TimelineTrack),
@@ -189,7 +189,7 @@ fn paint(ui: &Ui, at: Pos2, response: &Response, is_chosen: bool) {
     painter.add(Shape::convex_polygon(points.to_vec(), color, rim));
 }
 
-/// A value with few digits.
+/// A value as text with few digits.
 fn short(value: &Value) -> String {
     match value {
         Value::List(list) => {

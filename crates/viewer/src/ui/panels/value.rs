@@ -1,5 +1,5 @@
-//! Controls for values of a document, made from the table of paths: what a value takes decides which control it gets, and the table's words
-//! are its help.
+//! Controls for document values, made from the table of paths. A value's type in the table decides which control it gets, and the table's
+//! description is its help text.
 
 use std::ops::RangeInclusive;
 
@@ -11,8 +11,8 @@ use eframe::egui::{Checkbox, ComboBox, DragValue, TextEdit, Ui};
 use crate::action::Action;
 use crate::state::State;
 
-/// A control for a value, with a label before it. `path` is that of the document, `pattern` that of the table, whose entries have no names.
-/// Without a value the control shows `usual`, which is set only when it is changed.
+/// A labelled control for the value at `path` in the document. `pattern` is the path's entry in the table, with `*` for names and numbers.
+/// If the document has no value there, the control shows `usual`. The document is only set when the user changes the value.
 pub(in crate::ui) fn control(
     ui: &mut Ui,
     state: &State,
@@ -24,7 +24,7 @@ pub(in crate::ui) fn control(
     ui.end_row();
 }
 
-/// The label and the control of [`control`], in a row that goes on.
+/// The label and the control of [`control`], without ending the grid row.
 pub(in crate::ui) fn cells(
     ui: &mut Ui,
     state: &State,
@@ -104,7 +104,7 @@ fn edited(ui: &mut Ui, entry: &Path, value: &Value, name: &str) -> Option<Value>
     }
 }
 
-/// A choice among words.
+/// A control that selects one of some words.
 fn choice(ui: &mut Ui, words: &[&str], value: &Value, name: &str) -> Option<Value> {
     let held = Node::new(value.clone());
     let held = held.text().unwrap_or_default().to_owned();
@@ -121,7 +121,7 @@ fn choice(ui: &mut Ui, words: &[&str], value: &Value, name: &str) -> Option<Valu
     chosen
 }
 
-/// A number, or a percentage, which stays one.
+/// A control for a number or a percentage; a percentage remains a percentage.
 fn amount(
     ui: &mut Ui,
     entry: &Path,
@@ -149,7 +149,7 @@ fn amount(
     })
 }
 
-/// A text, which counts when it is left or Enter is pressed.
+/// A text field. The text is returned when the field loses focus or Enter is pressed.
 pub(in crate::ui) fn text_edited(ui: &mut Ui, text: &str, name: &str) -> Option<Value> {
     let id = ui.make_persistent_id(name);
     let mut typed = ui
@@ -161,7 +161,7 @@ pub(in crate::ui) fn text_edited(ui: &mut Ui, text: &str, name: &str) -> Option<
         ui.data_mut(|data| data.remove::<String>(id));
         return (typed != text).then(|| typed.into());
     }
-    // Queried before, because a query within the context's own lock would deadlock.
+    // Queried here, because a query inside `data_mut`, which locks the context, would deadlock.
     let has_focus = response.has_focus();
     ui.data_mut(|data| match has_focus {
         true => _ = data.insert_temp(id, typed),
@@ -170,12 +170,12 @@ pub(in crate::ui) fn text_edited(ui: &mut Ui, text: &str, name: &str) -> Option<
     None
 }
 
-/// Least number of a drag: what must be above 0 stays writable.
+/// Minimum of a drag control. For a range that begins above 0 it is at least 1e-6, so that the value can be written.
 fn shown(least: f64) -> f64 {
     if least > 0.0 { least.max(1e-6) } else { least }
 }
 
-/// Change of a number per point of a drag.
+/// Change of a number per point that the pointer is dragged.
 fn speed(value: f64, least: f64, most: f64) -> f64 {
     match (most - least).is_finite() {
         true => (most - least) / 300.0,

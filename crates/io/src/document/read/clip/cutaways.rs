@@ -7,7 +7,7 @@
 //! breakaway = { distance = "3%", bevel_deg = 0, clusters = "one", view = "first" }
 //! ```
 //!
-//! A cutout is placed by the axes of the unanimated exteriors, and turned to the camera at that time; both stay as the scene moves.
+//! A cutout is placed by the axes of the unanimated exterior parts and turned to the camera at time 0. It stays there as the scene moves.
 
 use cutaway::error::Result;
 use cutaway::scene::describe::OrWord;
@@ -24,7 +24,7 @@ use crate::document::read::reader::{Entry, Table};
 static CUTOUT: Keys = Keys::below("cut.*.cutout");
 static BREAKAWAY: Keys = Keys::below("cut.*.breakaway");
 
-/// Opens and reads the table of a cutout.
+/// Opens the table of a cutout and reads its description.
 fn opened<'a>(entry: &Entry<'a>) -> Result<(Table<'a>, CutoutDesc)> {
     let table = entry.table(CUTOUT.all())?;
     let desc = described::read(&table)?;
@@ -55,7 +55,7 @@ pub(in crate::document) fn cutouts(root: &Table<'_>) -> Result<Vec<(usize, AxisR
     Ok(rules)
 }
 
-/// Reads a cutout. While its frame is unknown, the region is empty and its position arbitrary.
+/// Reads a cutout. While its frame is unknown, the region is empty and has an arbitrary position.
 pub(in crate::document::read) fn cutout(
     entry: &Entry<'_>,
     frame: Option<&CutoutFrame>,

@@ -1,9 +1,9 @@
 //! `[[cut]]`: clip-surfaces in three forms, boxes and wedges, and the parts they cut.
 //!
-//! `{ origin, u, v, scale }` is the paper's own parametrisation; `{ section = "z=50%" }` and `{ normal, origin }` are
-//! `wedge` ([`regions`]), or lists of them, replace `surfaces` or are combined with them, and so does a closed mesh ([`cutters`]): their
-//! intersection is removed. `cutout` and `breakaway` ([`cutaways`]) are placed automatically.
-//! intersection is removed. `cutout` and `breakaway` ([`cutaways`]) place themselves.
+//! A surface is `{ origin, u, v, scale }`, the paper's own parametrisation, or a plane: `{ section = "z=50%" }` or `{ normal, origin }`,
+//! whose relief is placed by `amplitude` and `period`. `flip = true` keeps the other side. A cut removes the intersection of its
+//! `surfaces`, `box` and `wedge` ([`regions`]), or lists of boxes and wedges, and a closed mesh ([`cutters`]). `cutout` and `breakaway`
+//! ([`cutaways`]) are placed automatically.
 
 use std::sync::Arc;
 
@@ -47,7 +47,7 @@ const NORMAL: &[&str] = &[
     "flip",
 ];
 
-/// Context for the references in a cut.
+/// Everything outside a cut's table that its values refer to.
 pub(in crate::document::read) struct Context<'a> {
     pub(in crate::document::read) parts: &'a [Part],
     /// Names of all parts that exist at any time.
@@ -97,7 +97,7 @@ pub(in crate::document::read) fn read(
     if let Some(offsets) = table.get("offset") {
         if has_volume {
             let help = "a mesh cannot be offset: scale it in a separate cut for these parts";
-            return Err(offsets.fault("the cut has a cutter, which cannot be offset", help));
+            return Err(offsets.fault("the cut has a `volume`, which cannot be offset", help));
         }
         cut.offsets = offsets_of(&offsets, &cut, context, notes)?;
     }
@@ -109,7 +109,7 @@ pub(in crate::document::read) fn read(
     Ok(region.alternatives.into_iter().map(of_surfaces).collect())
 }
 
-/// Region of a cut: the intersection of `surfaces`, `box` and `wedge`; all of space is only valid together with a cutter.
+/// Region of a cut, the intersection of `surfaces`, `box` and `wedge`. It may be all of space only if the cut has a cutter.
 fn region(
     table: &Table<'_>,
     has_volume: bool,
@@ -141,19 +141,20 @@ fn region(
     }
     if region.is_everywhere() && !has_volume {
         if let Some(wedge) = wedges.first() {
-            let help = "let it turn by less than 360 degrees, or give it an end: `min` or `max`";
-            let what = "it turns all the way round and has no end along its axis: it would remove everything";
+            let help = "let it turn by less than 360 degrees, or bound it by `min` or `max`";
+            let what = "the wedge turns all the way round and has no end along its axis, so it would remove everything";
             return Err(wedge.fault(what, help));
         }
         let help = "add for example `surfaces = [{ section = \"z=50%\" }]`, a `box`, a `wedge`, a `cutout`, a `breakaway` or a `volume`";
-        return Err(table
-            .entry
-            .fault("it has no clip-surface, and would remove everything", help));
+        return Err(table.entry.fault(
+            "it has no clip-surface, so it would remove everything",
+            help,
+        ));
     }
     Ok(region)
 }
 
-/// The table at a key, or the tables of a list there.
+/// Returns the table at a key, or all tables if the value is a list.
 fn one_or_several<'a>(table: &Table<'a>, key: &str) -> Result<Vec<Entry<'a>>> {
     match table.get(key) {
         None => Ok(Vec::new()),
@@ -162,8 +163,7 @@ fn one_or_several<'a>(table: &Table<'a>, key: &str) -> Result<Vec<Entry<'a>>> {
     }
 }
 
-/// Reads offsets by glob. Globs have no order in a file: only one may match a part, besides its exact
-/// name.
+/// Reads offsets by glob. Globs have no order in a file, so only one may match a part, unless an entry has the part's exact name.
 fn offsets_of(
     entry: &Entry<'_>,
     cut: &Cut,
@@ -205,7 +205,7 @@ fn offsets_of(
     Ok(offsets)
 }
 
-/// Reads globs; one without a wildcard must be the name of a part, because anything else is a mistake.
+/// Reads globs. A glob without a wildcard must be the name of a part, because anything else is a mistake.
 fn globs_of(entry: &Entry<'_>, context: &Context<'_>) -> Result<Vec<String>> {
     let globs = entry.list()?.into_iter().map(|glob| {
         must_name_a_part(&glob, glob.text()?, context)?;
@@ -278,7 +278,7 @@ pub(in crate::document::read) fn sound(
     }
 }
 
-/// Reads the paper's parametrisation, as given.
+/// Reads a surface in the paper's parametrisation, without converting it.
 fn in_full(table: &Table<'_>, desc: &SurfaceDesc, context: &Context<'_>) -> Result<ClipSurface> {
     table.need("u", "[1, 0, 0]")?;
     table.need("v", "[0, 1, 0]")?;
@@ -292,7 +292,7 @@ fn in_full(table: &Table<'_>, desc: &SurfaceDesc, context: &Context<'_>) -> Resu
     })
 }
 
-/// A plane with the relief in its table, if it has one.
+/// Adds the relief named in a plane's table, if there is one.
 pub(in crate::document::read) fn on_plane(
     plane: ClipSurface,
     (table, desc): (&Table<'_>, &ReliefUse),

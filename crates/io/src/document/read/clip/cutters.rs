@@ -1,7 +1,7 @@
 //! `volume = "FILE"` in a `[[cut]]`: a closed mesh as cutter, with the same placement keys as parts.
 //!
-//! As with parts, names are resolved once, when the document is opened, and an open mesh is refused then;
-//! the placement is read at every time.
+//! As with parts, names are resolved once, when the document is opened. An open mesh is refused then. The placement is read again for every
+//! time.
 
 use cutaway::error::Result;
 use cutaway::scene::{Bounds, Cutter, too_far};
@@ -16,7 +16,7 @@ use crate::document::read::reader::{Entry, Table};
 #[derive(Clone, Debug)]
 pub(in crate::document::read) struct CutterSource {
     cutter: Cutter,
-    /// Bounds as placed in the file.
+    /// Bounds of the mesh as the file places it.
     rest: Bounds,
 }
 
@@ -48,7 +48,7 @@ fn open_one(entry: &Entry<'_>, opening: &mut LoadContext<'_>) -> Result<CutterSo
     })
 }
 
-/// The cutter of a cut, placed as in the current text, if it has one; `model` are the bounds of the parts that it cuts.
+/// The cutter of a cut, if it has one, with its placement at the current time. The bounds of the cut parts are `model`.
 pub(in crate::document::read) fn read(
     (table, desc): (&Table<'_>, &CutDesc),
     held: Option<&CutterSource>,
@@ -58,7 +58,7 @@ pub(in crate::document::read) fn read(
         let of_volume = keys_of(PlacementDesc::FIELDS).into_iter().chain(["flip"]);
         if let Some(entry) = of_volume.filter_map(|key| table.get(key)).next() {
             let help = "add `volume = \"FILE\"`, or place and flip the surfaces themselves";
-            return Err(entry.fault("only a cutter has it", help));
+            return Err(entry.fault("it belongs to a `volume`, and the cut has none", help));
         }
         return Ok(None);
     };

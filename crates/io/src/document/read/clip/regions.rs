@@ -7,11 +7,11 @@
 //! wedge = { axis = [1, 1, 0], from_deg = -30, to_deg = 200, min = "10%", max = "90%" }
 //! ```
 //!
-//! Angles are counter-clockwise when looking against the axis; 0 is the next axis: x for z, y for x, z for y. A wedge of
-//! more than 180 degrees becomes two cuts with the same name. `min` and `max` of a wedge are coordinates along its axis.
+//! Angles are counter-clockwise when looking against the axis. Angle 0 is at the next axis: x for z, y for x, z for y. A wedge of more than
+//! 180 degrees becomes two cuts with the same name. `min` and `max` of a wedge are coordinates along its axis.
 //!
-//! `relief`, `amplitude`, `period` and `wrap` apply a relief to all faces as in a section, or to listed ones: `faces = ["from", "to"]`;
-//! faces of a box are named `-x` to `+z`, those of a wedge `from`, `to`, `min` and `max`.
+//! The keys `relief`, `amplitude`, `period` and `wrap` work as in a section. They apply to all faces, or to those in a list such as `faces
+//! = ["from", "to"]`. A box has the faces `-x` to `+z`, and a wedge `from`, `to`, `min` and `max`.
 
 use cutaway::error::Result;
 use cutaway::scene::describe::OrWord;
@@ -46,7 +46,7 @@ impl Union {
         }
     }
 
-    /// The region that is all of space.
+    /// Returns the region that is all of space.
     pub(in crate::document::read) fn everywhere() -> Self {
         Self::of(Vec::new())
     }
@@ -72,7 +72,7 @@ pub(in crate::document::read) fn block(entry: &Entry<'_>, context: &Context<'_>)
     let block = if is_centred {
         if let Some(corner) = CORNERS.iter().find_map(|key| table.get(key)) {
             let help = "keep `min` and `max`, or `centre` and `size`";
-            return Err(corner.fault("the box has a centre or a size too", help));
+            return Err(corner.fault("the box also has a centre or a size", help));
         }
         centred(&table, &desc, bounds)?
     } else {
@@ -86,14 +86,17 @@ pub(in crate::document::read) fn block(entry: &Entry<'_>, context: &Context<'_>)
         }
     };
     if let Some(axis) = block.inverted_axis() {
-        let what = format!("it ends before it begins along {}", ["x", "y", "z"][axis]);
-        let help = "let every number of `min` be at most that of `max`, and no size be below 0";
+        let what = format!(
+            "its `max` is below its `min` along {}",
+            ["x", "y", "z"][axis]
+        );
+        let help = "let no number of `min` exceed that of `max`, and no size be below 0";
         return Err(entry.fault(what, help));
     }
     let faces = block.faces(bounds.centre(), context.up);
     if faces.is_empty() {
         let help = "add for example `min = [0, 0, 0]`, or `centre` and `size`";
-        return Err(entry.fault("it has no side", help));
+        return Err(entry.fault("it has no corner, centre or size", help));
     }
     let present: Vec<_> = faces.iter().map(|f| f.name).collect();
     Ok(Union {
@@ -160,9 +163,9 @@ pub(in crate::document::read) fn wedge(entry: &Entry<'_>, context: &Context<'_>)
     };
     if matches!((wedge.min, wedge.max), (Some(a), Some(b)) if a > b) {
         let help = "let `min` be at most `max`: both are coordinates along the axis";
-        return Err(entry.fault("it ends before it begins along its axis", help));
+        return Err(entry.fault("its `max` is below its `min` along its axis", help));
     }
-    // A full turn has no such faces, but may be one moment of an animated wedge.
+    // A full turn has neither of these faces. It is allowed, because an animated wedge may pass through a full turn.
     let mut present = vec!["from", "to"];
     present.extend(wedge.min.map(|_| "min"));
     present.extend(wedge.max.map(|_| "max"));
@@ -177,14 +180,14 @@ pub(in crate::document::read) fn wedge(entry: &Entry<'_>, context: &Context<'_>)
     })
 }
 
-/// A point given in coordinates, or in percentages of the bounds.
+/// A point whose coordinates are numbers, or percentages of the bounds.
 fn point(amounts: [Amount; 3], bounds: &Bounds) -> DVec3 {
     DVec3::from(std::array::from_fn(|i| {
         amounts[i].between(bounds.min[i], bounds.max[i])
     }))
 }
 
-/// Flags the faces that have the table's relief; `present` are the names of the existing faces.
+/// Returns the names of the faces that have the table's relief. `present` are the names of all faces.
 pub(in crate::document::read) fn listed(
     present: &[&'static str],
     table: &Table<'_>,
@@ -195,7 +198,7 @@ pub(in crate::document::read) fn listed(
         None => Ok(Vec::new()),
         Some(list) if !has_relief => {
             let help = "add `relief = \"NAME\"`, or remove the key";
-            Err(list.fault("there is no relief for them", help))
+            Err(list.fault("there is no relief for these faces", help))
         }
         Some(list) => {
             let choices: Vec<_> = present.iter().map(|name| (*name, *name)).collect();
@@ -205,7 +208,7 @@ pub(in crate::document::read) fn listed(
     }
 }
 
-/// The clip-surfaces of faces, with the table's relief on the listed ones.
+/// The clip-surfaces of faces. The listed faces have the table's relief.
 pub(in crate::document::read) fn ruffled(
     faces: Vec<RegionFace>,
     listed: &[&'static str],

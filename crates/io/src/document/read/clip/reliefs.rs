@@ -12,7 +12,7 @@
 //! wrap = "repeat"
 //! ```
 //!
-//! Images are read when the document is opened; animated reliefs are computed from them again.
+//! Images are read once, when the document is opened. Animated reliefs are computed from these images again at each time.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -37,10 +37,10 @@ const LAYERS_KEYS: &[&str] = &["kind", "of", "images", "first", "at", "wrap"];
 /// Offset maps by name.
 pub(in crate::document::read) type Maps = BTreeMap<String, Arc<OffsetMap>>;
 
-/// The images of reliefs, read once: opened files do not change while a scene is played.
+/// The images of reliefs. They are read once, because opened files do not change while a scene is played.
 #[derive(Debug, Default)]
 pub(crate) struct ReliefImages {
-    /// One image, or several in order, by the name of the relief.
+    /// The image of each relief, or its images in order, by the relief's name.
     by_relief: BTreeMap<String, Vec<Image>>,
 }
 
@@ -50,7 +50,7 @@ impl ReliefImages {
     }
 }
 
-/// Reliefs as last computed.
+/// Reliefs as computed for the last time of the scene.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Resolved {
     described: BTreeMap<String, Relief>,
@@ -68,7 +68,7 @@ impl Resolved {
     }
 }
 
-/// Reads all reliefs of `[relief]` and computes those that have changed; the maps of the others are kept.
+/// Reads all reliefs of `[relief]` and recomputes the changed ones. Unchanged reliefs keep their maps.
 pub(in crate::document::read) fn read(
     entry: &Entry<'_>,
     images: &ReliefImages,
@@ -83,7 +83,7 @@ pub(in crate::document::read) fn read(
             .map_or(&[] as &[_], Vec::as_slice);
         let read = describe(&relief, images)?;
         if let Relief::Layers { .. } = read {
-            // Image layers are reliefs too.
+            // Each image used as a layer counts as a relief, too.
             let layers = images.iter();
             described.extend(layers.map(|i| (name_of_image(&i.path), Relief::Image(i.clone()))));
         }
@@ -121,7 +121,7 @@ pub(in crate::document::read) fn open(
                 let path = folder.join(image.text()?);
                 (image, vec![path])
             }
-            // Naming layers in both ways is refused when the relief is read.
+            // A relief that names layers by both `of` and `images` is refused later, when it is read.
             (None, Some(images)) if table.get("of").is_none() => {
                 let paths = listed(&images, table.get("first"), folder, assets)?;
                 (images, paths)
@@ -139,7 +139,7 @@ pub(in crate::document::read) fn open(
     Ok(opened)
 }
 
-/// Name of an image in the list of reliefs. It begins with a character that keys can only contain as an escape sequence.
+/// Name of an image in the list of reliefs. Its first character can occur in keys only as an escape sequence.
 fn name_of_image(path: &Path) -> String {
     format!("\u{7f}{}", path.display())
 }
@@ -148,7 +148,7 @@ fn describe(entry: &Entry<'_>, images: &[Image]) -> Result<Relief> {
     let open = entry.open_table()?;
     let sources = ["image", "blend"].map(|key| open.get(key));
     if let [Some(_), Some(blend)] = sources {
-        return Err(blend.fault("the relief is an image too", "keep one of the two"));
+        return Err(blend.fault("the relief also has an `image`", "keep one of the two"));
     }
     let kind = match (open.get("kind"), &sources) {
         (Some(kind), _) => kind.text()?,
@@ -156,7 +156,7 @@ fn describe(entry: &Entry<'_>, images: &[Image]) -> Result<Relief> {
         (None, [_, Some(_)]) => "blend",
         (None, _) => {
             let help = "add `kind = \"fractal\"`, `image = \"FILE\"` or `blend = [\"a\", \"b\"]`";
-            return Err(entry.fault("it does not say where its heights come from", help));
+            return Err(entry.fault("it has no source of heights", help));
         }
     };
     match (kind, Procedure::named(kind)) {
@@ -164,7 +164,7 @@ fn describe(entry: &Entry<'_>, images: &[Image]) -> Result<Relief> {
         ("image", _) => {
             let image = entry.table(IMAGE_KEYS)?.need("image", "\"rock.png\"")?;
             let read = images.first().cloned().map(Relief::Image);
-            read.ok_or_else(|| image.fault("it was not read", "open the document again"))
+            read.ok_or_else(|| image.fault("its image was not read", "open the document again"))
         }
         ("blend", _) => blended(&entry.table(BLEND_KEYS)?),
         ("profile", _) => profile(&entry.table(PROFILE_KEYS)?),
@@ -173,7 +173,7 @@ fn describe(entry: &Entry<'_>, images: &[Image]) -> Result<Relief> {
             let known = described::choices(ReliefDesc::FIELDS, "kind");
             let help = did_you_mean(kind, known.iter().copied());
             let kind_entry = open.get("kind").unwrap_or_else(|| entry.clone());
-            Err(kind_entry.fault(format_args!("{kind:?} is no kind of relief"), help))
+            Err(kind_entry.fault(format_args!("{kind:?} is not a kind of relief"), help))
         }
     }
 }
@@ -193,8 +193,8 @@ fn blended(table: &Table<'_>) -> Result<Relief> {
     let blend = table.need("blend", "[\"a\", \"b\"]")?;
     let of = desc.blend;
     if of.len() < 2 {
-        let help = "name at least two: `blend = [\"a\", \"b\"]`";
-        return Err(blend.fault("a blend is of two reliefs or more", help));
+        let help = "name them, for example `blend = [\"a\", \"b\"]`";
+        return Err(blend.fault("a blend needs at least two reliefs", help));
     }
     let op = table.need("op", "\"add\"")?;
     let name = op.text()?;
@@ -204,7 +204,7 @@ fn blended(table: &Table<'_>) -> Result<Relief> {
     })?;
     if let Some(entry) = table.get("share") {
         let BlendOp::Mix { share } = &mut operation else {
-            return Err(entry.fault("only op = \"mix\" has a share", "remove it"));
+            return Err(entry.fault("`share` is only valid with op = \"mix\"", "remove it"));
         };
         *share = desc.share.unwrap_or(*share);
     }
@@ -230,7 +230,7 @@ fn layers(table: &Table<'_>, images: &[Image]) -> Result<Relief> {
     let desc: ReliefDesc = described::read(table)?;
     let of = match (table.get("of"), table.get("images")) {
         (Some(_), Some(images)) => {
-            return Err(images.fault("the layers are named by `of` too", "keep one of the two"));
+            return Err(images.fault("the layers are also named by `of`", "keep one of the two"));
         }
         (Some(of), None) => {
             if let Some(first) = table.get("first") {
@@ -257,7 +257,7 @@ fn layers(table: &Table<'_>, images: &[Image]) -> Result<Relief> {
     })
 }
 
-/// The images of a pattern, counting up from `first`, or from 0 or 1.
+/// The images of a pattern, numbered upwards from `first`, or by default from 0 or 1.
 fn listed(
     entry: &Entry<'_>,
     first: Option<Entry<'_>>,

@@ -1,9 +1,9 @@
-//! The attribute codec, mode 0, versions 0 and 1: each byte of an element is coded as a difference to the previous element's.
+//! The attribute codec (mode 0), versions 0 and 1. It codes each byte of an element as a difference from the previous element.
 //!
-//! Elements are stored in blocks, and each block by byte position, in groups of 16 differences: all zero, 1, 2 or 4 bits each with
-//! longer ones appended, or whole bytes. In version 1 each byte position of a block selects one of two sets of these bit counts, all
-//! zeros, or whole bytes. Each word of an element selects differences of bytes, of 16-bit halves or of all bits. The first element is
-//! relative to one in the tail of the stream.
+//! Elements are stored in blocks. A block is stored by byte position, in groups of 16 differences. The differences of a group are all zero,
+//! have 1, 2 or 4 bits each with longer ones appended, or are whole bytes. In version 1 each byte position of a block selects one of two
+//! sets of these bit counts, all zeros, or whole bytes. Each word of an element selects differences of bytes, 16-bit halves or single bits.
+//! The first element is relative to one in the stream's tail.
 
 use super::{cut_off, parted, too_long};
 
@@ -16,20 +16,20 @@ const VERSION_1: u8 = 0xa1;
 /// Number of differences in a group.
 const GROUP: usize = 16;
 
-/// Bits per difference, by the group's mode.
+/// Number of bits per difference, by the group's mode.
 const BITS_0: [u8; 4] = [0, 2, 4, 8];
 
-/// The same in version 1, by the packing of the byte position.
+/// Number of bits per difference in version 1, by the packing of the byte position and the group's mode.
 const BITS_1: [[u8; 4]; 2] = [[0, 1, 2, 4], [1, 2, 4, 8]];
 
-/// Delta coding of a word of an element, relative to the element before.
+/// How a word of an element is coded relative to the previous element.
 #[derive(Clone, Copy, Debug)]
 enum Change {
-    /// A difference per byte.
+    /// One difference for each byte.
     Bytes,
-    /// A difference per 16-bit half.
+    /// One difference for each 16-bit half.
     Halves,
-    /// Flipped bits (XOR), rotated to the left by this count.
+    /// XOR of the two words, rotated to the left by this number of bits.
     Bits(u32),
 }
 
@@ -39,7 +39,7 @@ impl Change {
             0 => Ok(Self::Bytes),
             1 => Ok(Self::Halves),
             2 => Ok(Self::Bits(u32::from(channel >> 4))),
-            _ => Err(format!("its stream has the channel {channel:#04x}")),
+            _ => Err(format!("its stream has the unknown channel {channel:#04x}")),
         }
     }
 
@@ -69,12 +69,12 @@ fn block_elements(stride: usize) -> usize {
     ((8192 / stride) & !(GROUP - 1)).min(256)
 }
 
-/// Unpacks elements of `stride` bytes, a multiple of 4 from 4 to 256.
+/// Unpacks elements of `stride` bytes. The stride is a multiple of 4 from 4 to 256.
 pub(super) fn unpack(stream: &[u8], count: usize, stride: usize) -> Result<Vec<u8>, String> {
     let is_second = stream.first() == Some(&VERSION_1);
     let words = stride / 4;
     let of_block = block_elements(stride);
-    // Every stream has at least two bits per group, or one byte per word and block.
+    // Every stream has at least two bits for each group, or one byte for each word of each block.
     let (header, tail_bytes, least_tail, least) = match is_second {
         false => (
             VERSION_0,
@@ -132,7 +132,7 @@ pub(super) fn unpack(stream: &[u8], count: usize, stride: usize) -> Result<Vec<u
     }
 }
 
-/// Decodes one byte position of a block, in groups whose modes select one of the bit counts `bits`.
+/// Decodes one byte position of a block. The mode of each group selects one of the bit counts in `bits`.
 fn grouped(body: &mut &[u8], bits: [u8; 4], into: &mut [u8]) -> Result<(), String> {
     let modes = take(body, into.len().div_ceil(4 * GROUP))?;
     for (group, into) in into.chunks_mut(GROUP).enumerate() {
@@ -143,7 +143,7 @@ fn grouped(body: &mut &[u8], bits: [u8; 4], into: &mut [u8]) -> Result<(), Strin
     Ok(())
 }
 
-/// Decodes the differences of a group, of `bits` bits each.
+/// Decodes the differences of a group. Each has `bits` bits.
 fn differences(body: &mut &[u8], bits: u8) -> Result<[u8; GROUP], String> {
     let mut all = [0; GROUP];
     if bits == 0 {
@@ -157,7 +157,7 @@ fn differences(body: &mut &[u8], bits: u8) -> Result<[u8; GROUP], String> {
     let per_byte = usize::from(8 / bits);
     let most = (1 << bits) - 1;
     for (i, difference) in all.iter_mut().enumerate() {
-        // The first difference is in the highest bits, except for 1-bit differences, where it is in the lowest.
+        // The first difference is in the highest bits of a byte. Only 1-bit differences begin in the lowest bit.
         let shift = match bits {
             1 => i % per_byte,
             _ => 8 - usize::from(bits) * (i % per_byte + 1),

@@ -1,11 +1,11 @@
-//! The filters: unit vectors in octahedral coding, unit quaternions by their three smaller components, floating-point numbers with an
-//! explicit exponent, and colours by luma and two differences from it.
+//! The filters. They decode unit vectors in octahedral coding, unit quaternions from their three smaller components, floating-point numbers
+//! with an explicit exponent, and colours from luma and two colour differences.
 //!
-//! Arithmetic is in f64; results are within half a unit, where the specification allows one.
+//! Arithmetic is in f64. Results are off by at most half a unit, and the specification allows one unit.
 
 use std::f64::consts::FRAC_1_SQRT_2;
 
-/// Decodes unit vectors in octahedral coding, in four components of one or two bytes; the fourth is unchanged.
+/// Decodes unit vectors in octahedral coding, with four components of one or two bytes. The fourth component is not changed.
 pub(super) fn octahedral(bytes: &mut [u8], stride: usize) {
     if stride == 4 {
         for element in bytes.chunks_exact_mut(4) {
@@ -33,7 +33,7 @@ fn unit(x: f64, y: f64) -> [f64; 3] {
     [x, y, z].map(|c| c / length)
 }
 
-/// Decodes unit quaternions in four components of two bytes: three components and a scale whose lowest bits give the missing component.
+/// Decodes unit quaternions from three components and a scale, of two bytes each. The scale's lowest bits tell which component is missing.
 pub(super) fn quaternion(bytes: &mut [u8]) {
     for element in bytes.chunks_exact_mut(8) {
         let [x, y, z, scale] = words(element);
@@ -48,7 +48,7 @@ pub(super) fn quaternion(bytes: &mut [u8]) {
     }
 }
 
-/// Decodes floating-point numbers with 8 bits of exponent and 24 of mantissa, both signed.
+/// Decodes floating-point numbers with an 8-bit exponent and a 24-bit mantissa, both signed.
 pub(super) fn exponential(bytes: &mut [u8]) {
     for word in bytes.as_chunks_mut::<4>().0 {
         let packed = i32::from_le_bytes(*word);
@@ -58,8 +58,8 @@ pub(super) fn exponential(bytes: &mut [u8]) {
     }
 }
 
-/// Decodes colours with alpha in four components of one or two bytes: luma, the orange and green differences, and alpha, whose highest
-/// set bit marks the bit depth of all four.
+/// Decodes colours with alpha from four components of one or two bytes: luma, the orange and green differences, and alpha. The highest set
+/// bit of alpha gives the bit depth of all four components.
 pub(super) fn colour(bytes: &mut [u8], stride: usize) {
     if stride == 4 {
         for element in bytes.as_chunks_mut::<4>().0 {
@@ -85,7 +85,7 @@ fn red_green_blue(luma: i32, [orange, green]: [i32; 2], alpha: i32, most: i32) -
     let below_mark = alpha.checked_ilog2().map_or(0, |bit| (1 << bit) - 1);
     let one = 2 * below_mark + 1;
     let short = alpha & below_mark;
-    // Alpha has one bit less than the other components.
+    // Alpha has one bit less than the other components, so its lowest bit is repeated.
     let alpha = short << 1 | short & 1;
     let colour = [
         luma + orange - green,
@@ -110,7 +110,7 @@ mod tests {
 
     #[test]
     fn octants_fold_to_unit_vectors() {
-        // 8-bit components with 7 bits in use: 63 is 1.
+        // In 8-bit components of which 7 bits are used, 63 stands for 1.
         let mut bytes = [0, 0, 63, 5, 63_i8 as u8, 0, 63, 0, -63_i8 as u8, 63, 63, 0];
         octahedral(&mut bytes, 4);
         let found = bytes.map(|b| b as i8);

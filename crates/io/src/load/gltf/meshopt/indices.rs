@@ -1,4 +1,4 @@
-//! The index codecs: mode 1, triangles coded by recent edges and vertices, and mode 2, indices coded as differences.
+//! The index codecs. Mode 1 codes triangles by recent edges and vertices, and mode 2 codes indices as differences.
 
 use super::{cut_off, parted, too_long};
 
@@ -42,7 +42,7 @@ impl<T: Copy + Default> RingBuffer<T> {
 /// State of the triangle decoder.
 struct TriangleDecoder<'a> {
     data: &'a [u8],
-    /// Lowest index not used by any triangle so far.
+    /// Lowest index that no triangle has used so far.
     next: u32,
     /// The last explicitly coded index.
     last: u32,
@@ -57,14 +57,14 @@ impl TriangleDecoder<'_> {
         fresh
     }
 
-    /// Reads an explicit index, coded as its difference to the previous explicit one.
+    /// Reads an explicit index, which is coded as its difference from the previous explicit index.
     fn written(&mut self) -> Result<u32, String> {
         let folded = varint(&mut self.data)?;
         self.last = self.last.wrapping_add(unfolded(folded));
         Ok(self.last)
     }
 
-    /// Decodes a half byte: a fresh index, or one of the recent vertices.
+    /// Decodes a half byte to a new index or one of the recent vertices.
     fn by_half_byte(&mut self, half: u8) -> u32 {
         match half {
             0 => self.fresh(),
@@ -72,7 +72,7 @@ impl TriangleDecoder<'_> {
         }
     }
 
-    /// Decodes a triangle at a recent edge.
+    /// Decodes a triangle that contains a recent edge.
     fn at_edge(&mut self, [a, b]: [u32; 2], half: u8) -> Result<[u32; 3], String> {
         let c = match half {
             0 => self.fresh(),
@@ -92,7 +92,7 @@ impl TriangleDecoder<'_> {
         Ok([a, b, c])
     }
 
-    /// Decodes a triangle without a recent edge: `is_fresh` applies to its first index, `halves` code the others; 15 may mean explicit.
+    /// Decodes a triangle without a recent edge. `is_fresh` means that index 0 is new. In `halves`, 15 may mean an explicit index.
     fn alone(
         &mut self,
         is_fresh: bool,
@@ -100,7 +100,7 @@ impl TriangleDecoder<'_> {
         may_be_written: bool,
     ) -> Result<[u32; 3], String> {
         let (of_b, of_c) = (halves >> 4, halves & 15);
-        // Fresh indices are counted before the explicit ones are read.
+        // New indices are counted before explicit indices are read.
         let a = if is_fresh { Some(self.fresh()) } else { None };
         let mut others = [None; 2];
         for (other, half) in others.iter_mut().zip([of_b, of_c]) {
@@ -168,7 +168,7 @@ pub(super) fn indices(stream: &[u8], count: usize) -> Result<Vec<u32>, String> {
     if data.len() < count {
         return Err(cut_off());
     }
-    // Each index is a difference to the last index of one of two sequences.
+    // Each index is coded as a difference from the last index of one of two sequences.
     let mut last = [0_u32; 2];
     let mut indices = Vec::with_capacity(count);
     for _ in 0..count {
@@ -192,10 +192,10 @@ fn varint(data: &mut &[u8]) -> Result<u32, String> {
         number |= u64::from(byte & 0x7f) << shift;
         if byte & 0x80 == 0 {
             let number = u32::try_from(number);
-            return number.map_err(|_| "it holds an index of more than 4 bytes".to_owned());
+            return number.map_err(|_| "it contains an index of more than 4 bytes".to_owned());
         }
     }
-    Err("it holds an index that does not end".to_owned())
+    Err("it contains an index that does not end".to_owned())
 }
 
 /// Decodes a difference whose sign is in its lowest bit.

@@ -1,12 +1,12 @@
-//! Decompression of buffer views packed by `EXT_meshopt_compression` or `KHR_meshopt_compression`: attributes, triangles
-//! and indices, and the filters octahedral, quaternion, exponential and colour. The second extension adds a version of the attribute codec
-//! and the colour filter; both are accepted under either name.
+//! Decompression of buffer views packed by `EXT_meshopt_compression` or `KHR_meshopt_compression`: attributes, triangles and indices, and
+//! the filters octahedral, quaternion, exponential and colour. The second extension adds a version of the attribute codec and the colour
+//! filter. Both are accepted under either extension name.
 //!
-//! A stream has no length field: the extension gives the count and the byte size of the elements, which must use up the stream
-//! exactly. Each element takes a minimum number of bits in the stream, which is checked before memory is allocated: a short stream
-//! that states gigabytes is refused.
+//! A stream has no length field. The extension gives the count and the byte size of the elements, which must use up the stream exactly.
+//! Each element takes a minimum number of bits in the stream. This is checked before memory is allocated, so that a short stream that
+//! states gigabytes is refused.
 //!
-//! Cost: one pass over the output, some hundred megabytes a second.
+//! Cost: one pass over the output, at some hundred megabytes per second.
 
 mod attributes;
 mod filters;
@@ -28,7 +28,7 @@ impl Mode {
     ];
 }
 
-/// Filter from unpacked attributes to those that accessors read.
+/// Filter that converts unpacked bytes to the attributes that accessors read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Filter {
     None,
@@ -48,7 +48,7 @@ impl Filter {
     ];
 }
 
-/// Packing of a view.
+/// How a buffer view is packed.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Packing {
     pub(super) mode: Mode,
@@ -76,7 +76,7 @@ impl Packing {
         if !is_stride_right || !is_filtered {
             let (mode, filter) = (self.mode, self.filter);
             return Err(format!(
-                "{mode:?} with the filter {filter:?} are not packed in elements of {stride} bytes"
+                "{mode:?} with the filter {filter:?} cannot have elements of {stride} bytes"
             ));
         }
         match self.mode {
@@ -105,13 +105,13 @@ fn to_bytes(indices: &[u32], stride: usize) -> Result<Vec<u8>, String> {
     let mut bytes = Vec::with_capacity(indices.len() * stride);
     for index in indices {
         let index = u16::try_from(*index)
-            .map_err(|_| format!("it holds the index {index}, which has more than 2 bytes"))?;
+            .map_err(|_| format!("it contains the index {index}, which needs more than 2 bytes"))?;
         bytes.extend(index.to_le_bytes());
     }
     Ok(bytes)
 }
 
-/// Splits a stream into data and tail, after checking that its first byte is `header`; the tail has `tail` bytes.
+/// Splits a stream into data and a tail of `tail` bytes, after checking that its first byte is `header`.
 fn parted(stream: &[u8], header: u8, tail: usize) -> Result<(&[u8], &[u8]), String> {
     match stream.split_first() {
         Some((first, _)) if *first != header => Err(format!(
@@ -146,8 +146,8 @@ mod tests {
     const TRIANGLES: &str = "4f4OEgPwBAB2h1ZneKmGZYlomAFpAAA=";
     const INDICES: &str = "0QAIAgIECAYEBAoMAgAAAAA=";
 
-    // Output of the same program's second version at its highest level, for elements from a function below: one word by bits, one by
-    // halves and two by bytes, with each of the four packings of a byte position. Then colours of 8 bits, and of 12 bits in 16.
+    // Output of the same program's second codec version at its highest level, for elements from a function below. One word is coded by
+    // bits, one by halves and two by bytes, in all four packings of a byte position. Colours of 8 bits, and of 12 bits in 16, follow.
     const WORDS: &str = "oZpXqP8aATFxMfExcTEP8TFxMfExcTEfD93dAAA/AwcDAFhYWFhYWFhYWFhYWFhYWFhYWFhYWFhYWFhYWFhYWFhYWFhYWFhYWBUqqqqqqqqqqqqqAAAVFVVVVVVVVVVVVQAAFSqqqqqqqqqqqqoAAAQQAAIAnZ2dnZ2dnZ2dnZ2dnZ2dnZ2dnZ2dnZ2dnZ2dnZ2dnZ2dnZ2dnZ2dAPL09PL09PL09PL09PL09PTy9PTy9PTy9PTy9PT08vT08vT08vT08gBubnBucG5wbnBucG5wbnBucG5wbm5wbnBucG5wbnBucG5wbnBucG4Aw8PDw8HDw8PDwcPDw8HDw8PDwcPDw8PBw8PDwcPDw8PBw8PDwcPDAAAAAAAAgD8AAHARBwAAAAAAAAAyAQAA";
     const COLOURS_8: &str = "of8AHhwcHoMeHBwcgRweHB6DHB4cHoUeHhwcgx4cHhyBHBwcHoMeHBweADc5Nzn7Nzk3Ofs3OTc3+zk3Nzn7OTc3Ofs3OTc3+zk5Nzf7OTc5NwApKSkndikpKSl4KycpKXYpKSkndCcpKSl2KSknK3gpKSkpdicrJykAgH79gH79gH79gH79gH79gH79gH79gH79gH79gH79gH79gH79gH79AAAAAAAAAAAAAAAAAAAAAAAAAH8Af4AA";
     const COLOURS_12: &str = "oXdXADMzNTMzMzM1MzM1MzMzNTMzMzM1MzMzMzUzMzM1MzMzNTMzMzUzMxUquq6rBwkHquq6rgkHCauqAAAHAGpoampmampqaGhoampqZmpqamhoaGpqamZqaGxoaGhqampmamhqaioDMz8zM/MzPxISEjMz8zM/MzPzEhISMz8zMQAAAAASAJ2bnZ2bnZ2dm52dnZudnZ2dm5ufm52bnZ2dm52dnZudnZ2bnZ2bnRoBETgTEWEROBMRYRMYExFhd9UAAAMIAxUGGGGGGGGGGGGGAAAqCG2G2G2G2G2G2G2G2G2G2G2G2G0AAAAAAAAAAAAAAAAAAAAAAAD/BwAA/wcACAAA";
@@ -350,7 +350,7 @@ mod tests {
                 for change in [0x01, 0x80, 0xff] {
                     let mut changed = stream.clone();
                     changed[at] ^= change;
-                    // Decoding must not panic; it either fails or returns all bytes.
+                    // Decoding must not panic: either it fails, or it returns all bytes.
                     let bytes = packing.unpack(&changed);
                     assert!(bytes.is_err() || bytes.is_ok_and(|b| b.len() == stride * count));
                 }

@@ -41,19 +41,19 @@ pub(in crate::report::chapters) fn chapter(points: &Points<'_>) -> Vec<ReportBlo
         ));
     }
     blocks.push(heading(
-        "What does the paper's path cost, and what does it miss?",
+        "What does the paper's method cost, and what does it miss?",
     ));
     blocks.extend(points.setups().map(|setup| {
         let records: Vec<&Record> = (sound(points.on(setup)).iter()).map(|p| p.record).collect();
         ReportBlock::Text(papers_path(&points.label(setup), &records))
     }));
-    // Over a single point they would repeat the answer above.
+    // With a single point, these tables would repeat the answer above.
     let are_several = points.all.len() > 1;
     if are_several {
-        blocks.push(heading("Which one for what moves?"));
+        blocks.push(heading("Which strategy for which moving input?"));
         blocks.push(ReportBlock::Text(
-        "The same ranking as for inputs, over all points of one kind of cut. When only the view moves, the clock of the frame is paid; when the cut moves, \
-         frame and cut; when the mesh moves, all clocks. `exact at` counts the points that have an exact strategy."
+        "The same ranking as for inputs, over all points of one kind of cut. If only the view moves, a frame costs the time of the frame clock; if the cut moves, \
+         that of the frame and cut clocks; if the mesh moves, that of all clocks. `exact at` counts the points that have an exact strategy."
             .to_owned(),
     ));
         for setup in points.setups() {
@@ -71,10 +71,10 @@ pub(in crate::report::chapters) fn chapter(points: &Points<'_>) -> Vec<ReportBlo
             let broken = on_it.iter().map(|p| p.record).filter(|r| has_defect(r));
             let broken: Vec<&Record> = broken.collect();
             blocks.push(ReportBlock::Text(cards::sentence(&broken, Situation::View)));
-            let how = "A row for each defect and method: decided wrong pixels as a share of the cap of the whole mesh, median and worst over the points where \
-                 something is broken; how many of them are not marked as unreliable; and how many pixels are marked, wrong or not.";
+            let how = "One row for each defect and method: the decided wrong pixels as a share of the intact mesh's cap, as median and maximum over the points \
+                 with a defect; how many wrong pixels are not marked as unreliable; and how many pixels are marked, wrong or not.";
             blocks.push(folded(
-                "Each defect by each method",
+                "All defects and methods",
                 [ReportBlock::Text(how.to_owned()), ReportBlock::Grid(grid)],
             ));
         }
@@ -99,25 +99,25 @@ fn folded(summary: &str, blocks: impl IntoIterator<Item = ReportBlock>) -> Repor
     }
 }
 
-/// Notes on what the table of exactness counts, and what it leaves out.
+/// Notes on what the exactness table counts and leaves out.
 fn exactness_notes(others: usize) -> impl Iterator<Item = ReportBlock> {
     let counts = ReportBlock::Text(
         "A strategy is exact at a point if it drew the whole frame and has no wrong pixel where the reference is sure. \
-         The ratio is the time of a frame over that of drawing the same scene with nothing cut: the median, with the range in its tooltip. \
+         The ratio is the frame time divided by the time to draw the same scene uncut: the median, with the range in its tooltip. \
          Strategies that only occur in sweeps over their own parameter are in the charts of their experiment."
             .to_owned(),
     );
     let left_out = (others > 0).then(|| {
         ReportBlock::Text(format!(
-            "Left out here, in what the paper's path costs, and in what moves: {} judged by the exact image of another scene, as broken meshes are \
-             by that of the whole one. They have a table of their own below.",
+            "Left out here, and in the sections on the paper's method and on moving inputs: {} judged by the exact image of another scene. Broken meshes, \
+             for example, are judged by the image of the intact mesh. They have a separate table below.",
             counted(others, "point")
         ))
     });
     std::iter::once(counts).chain(left_out)
 }
 
-/// Methods that are exact wherever they drew, in a sentence.
+/// Sentence that lists the methods that are exact wherever they drew.
 fn exact_ones(totals: &[StrategyTotals]) -> String {
     let named = |is_it: fn(&StrategyTotals) -> bool| -> Vec<String> {
         let of_it = totals.iter().filter(|s| s.drawn > 0 && is_it(s));
@@ -136,8 +136,8 @@ fn exact_ones(totals: &[StrategyTotals]) -> String {
         ([], _) => "None is exact at every point that it drew.".to_owned(),
         (_, []) => format!("Exact at every point that they drew: {}.", exact.join(", ")),
         _ => format!(
-            "Exact at every point that they drew: {}. Wrong at some point: {}. The factor is the time of a frame over that of drawing uncut, the median \
-             over all points of a method; methods were not asked at the same points, so that it ranks none.",
+            "Exact at every point that they drew: {}. Wrong at some point: {}. The factor is the frame time divided by the time of drawing uncut, as the median \
+             over all points of a method. As methods were measured at different points, these factors are no ranking.",
             exact.join(", "),
             wrong.join(", ")
         ),
@@ -148,7 +148,7 @@ fn heading(text: &str) -> ReportBlock {
     ReportBlock::Heading(4, text.to_owned())
 }
 
-/// Names the setup of the figures that follow, if there are several.
+/// Heading that names the setup of the figures below it, if there are several setups.
 fn whose(points: &Points<'_>, setup: &Setup<'_>) -> Option<ReportBlock> {
     (points.setups().count() > 1).then(|| ReportBlock::Heading(5, points.label(setup)))
 }
@@ -205,7 +205,7 @@ fn exactness(totals_of_strategies: &[StrategyTotals]) -> Grid {
     grid
 }
 
-/// Totals of the paper's path at some points as one strategy: with the paper's parameters if measured, else with all measured ones.
+/// Totals of the paper's method at some points, as one strategy: with the paper's parameters where measured, else with all measured sizes.
 fn totals_of_paper(records: &[&Record]) -> StrategyTotals {
     let all = records.iter().flat_map(|r| {
         let own = papers(r).into_iter();
@@ -214,12 +214,12 @@ fn totals_of_paper(records: &[&Record]) -> StrategyTotals {
     StrategyTotals::over(&Strategy::PAPER.to_string(), all)
 }
 
-/// The paper's path over all points, in a sentence or two.
+/// One or two sentences on the paper's method over all points.
 fn papers_path(setup: &str, records: &[&Record]) -> String {
     let name = Strategy::PAPER.to_string();
     let paper = totals_of_paper(records);
     let Some(ratio) = paper.ratio else {
-        return format!("On {setup}: `{name}` was not timed on any point.");
+        return format!("On {setup}: `{name}` was not timed at any point.");
     };
     let own = records.iter().flat_map(|r| {
         let all = &r.measurement.strategies;
@@ -233,7 +233,7 @@ fn papers_path(setup: &str, records: &[&Record]) -> String {
         })
     };
     format!(
-        "On {setup}: `{name}`, or where it was not asked the grids and sprites of other sizes that were, costs {} draw only in the median ({} to {}) over {}, and is exact in {} of them. \
+        "On {setup}: `{name}` (at points without it, grids and sprites of other sizes) costs {} of draw only in the median ({} to {}) over {}, and is exact in {} of them. \
          Median and range of its decided wrong pixels: {}; of missed cap: {}; of leaked cap: {}; of cracks: {}.",
         times(ratio.median),
         times(ratio.least),
@@ -277,7 +277,7 @@ fn by_situation(points: &[RecordedPoint<'_>]) -> Grid {
     grid
 }
 
-/// Situation of an experiment: the one that all its runs share, else a moving view.
+/// Situation of an experiment: that of its runs if they all have the same; otherwise only the view moves.
 pub(in crate::report::chapters) fn situation_of(points: &[RecordedPoint<'_>]) -> Situation {
     let mut all = points
         .iter()

@@ -10,7 +10,7 @@ use crate::report::document::{Cell, Tone};
 /// Headings of the three cells.
 pub(in crate::report::chapters) const COLUMNS: [&str; 3] = ["use", "× draw only", "or"];
 
-/// The cells for some points: for those judged by their own exact image, if there are any; else for broken meshes.
+/// The cells for some points. If any points are judged by their own exact image, only these count; otherwise broken meshes do.
 pub(in crate::report::chapters) fn cells(records: &[&Record], situation: Situation) -> [Cell; 3] {
     let (others, sound): (Vec<&Record>, Vec<&Record>) =
         records.iter().partition(|r| has_other_truth(r));
@@ -31,7 +31,7 @@ fn noted(name: &str, notes: &[String]) -> String {
     }
 }
 
-/// In brackets: the limit of a ranked method, and the number of points where it is exact if not all; empty if there is neither.
+/// Remarks in brackets: the limit of a ranked method, and the number of points where it is exact, if not all. Empty without remarks.
 pub(in crate::report::chapters) fn limited(ranked: &Ranked, points: usize) -> String {
     let notes = notes(ranked, points);
     match notes.is_empty() {
@@ -46,7 +46,7 @@ fn notes(ranked: &Ranked, points: usize) -> Vec<String> {
     limit.into_iter().chain(rare).collect()
 }
 
-/// The first method of the ranking, its cost, and the next one.
+/// The first method of the ranking, its cost, and the second method.
 fn of_sound(ranking: &[Ranked], points: usize) -> [Cell; 3] {
     let name = |s: &Ranked| noted(&s.usage.words, &notes(s, points));
     let Some(first) = ranking.first() else {
@@ -65,7 +65,7 @@ fn of_sound(ranking: &[Ranked], points: usize) -> [Cell; 3] {
     ]
 }
 
-/// The least wrong method that `render` supports, its cost, and the next; before these, methods that are less wrong but only in `compare`.
+/// The least wrong method that `render` supports, its cost, and the runner-up, or instead a less wrong method that only `compare` runs.
 pub(in crate::report::chapters) fn of_broken(harms: &[Harm]) -> [Cell; 3] {
     let usable = harms.iter().filter(|h| h.is_usable());
     let (drawn, compared): (Vec<&Harm>, Vec<&Harm>) =
@@ -80,7 +80,7 @@ pub(in crate::report::chapters) fn of_broken(harms: &[Harm]) -> [Cell; 3] {
     let found = |h: &Harm| format!("{} wrong, {} unmarked", share(h.wrong), share(h.unmarked));
     let Some(first) = drawn.first() else {
         let none = Cell::from(format!(
-            "none draws all points with less than {} of the cap lost",
+            "no method draws all points and loses less than {} of the cap",
             percent(TOO_MUCH)
         ));
         return [
@@ -104,13 +104,13 @@ pub(in crate::report::chapters) fn of_broken(harms: &[Harm]) -> [Cell; 3] {
     ]
 }
 
-/// Best method that draws no picture, with the command that runs it.
+/// Cell for the best method that only `compare` runs, with the command.
 fn compared_cell(compared: &[&Harm]) -> Cell {
     compared.first().map_or_else(Cell::default, |h| {
         let wrong = h.wrong.map_or_else(String::new, |s| percent(s.median));
         let name = &h.totals.name;
         Cell::from(format!(
-            "{name}: {wrong} wrong; draws no picture, ask by `cutaway compare --strategies {name}`"
+            "{name}: {wrong} wrong; draws no picture; run `cutaway compare --strategies {name}`"
         ))
     })
 }

@@ -23,7 +23,7 @@ pub(in crate::report::chapters) fn sentence(records: &[&Record], situation: Situ
     }
     let ranking = ranked(&sound, situation);
     let Some(first) = ranking.first() else {
-        return "No method that `cutaway render` takes is exact here.".to_owned();
+        return "No method that `cutaway render` accepts is exact here.".to_owned();
     };
     let mut text = format!(
         "Use `{}`{}: {} of drawing uncut{}.",
@@ -84,7 +84,7 @@ fn of_broken(broken: &[&Record]) -> String {
     }
 }
 
-/// Costs of the variants of one picture, where the points are variants.
+/// Sentence with the costs of a picture's variants; `None` if the points are not variants.
 fn of_variants(records: &[&Record]) -> Option<String> {
     let found = variants(records)?;
     let values = found
@@ -106,14 +106,14 @@ fn of_variants(records: &[&Record]) -> Option<String> {
         });
     let values: Vec<String> = values.collect();
     Some(format!(
-        "Over `{} = {}` in the same picture: {}.",
+        "Relative to `{} = {}` in the same picture: {}.",
         found.axis,
         found.base,
         values.join(", ")
     ))
 }
 
-/// The chart of all methods requested at some points; none where that is only one.
+/// The chart of all methods requested at some points; `None` if there is only one method.
 pub(in crate::report::chapters) fn ranking(
     title: &str,
     records: &[&Record],
@@ -154,7 +154,7 @@ pub(in crate::report::chapters) fn ranking(
         ReportBlock::Ranking(Ranking {
             title: title.to_owned(),
             names: "method",
-            axis: "time over drawing uncut".to_owned(),
+            axis: "time relative to drawing uncut".to_owned(),
             is_factor: true,
             heading: "wrong px, at most".to_owned(),
             range,
@@ -163,7 +163,7 @@ pub(in crate::report::chapters) fn ranking(
     })
 }
 
-/// Minimum and maximum ratio of all requested methods, so that several charts can have the same axis.
+/// Minimum and maximum ratio over all requested methods, so that several charts can use the same axis.
 pub(in crate::report::chapters) fn range_of<'a>(
     all: impl Iterator<Item = (Vec<&'a Record>, Situation)>,
 ) -> [f64; 2] {
@@ -183,7 +183,7 @@ fn line(name: &str, cost: Option<Spread>, words: Cell) -> Line {
     }
 }
 
-/// Remarks on a method in addition to its time.
+/// Cell with the remarks on a method that are shown next to its time.
 fn words(candidate: &Candidate, points: usize) -> Cell {
     let totals = &candidate.totals;
     let all: Vec<String> = totals.refusals.keys().cloned().collect();

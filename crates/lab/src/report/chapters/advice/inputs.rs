@@ -1,4 +1,4 @@
-//! Advice by input: a row for each input that runs of the experiments represent.
+//! Advice by kind of input: a row for each kind that the experiments' runs represent.
 
 use super::{best, cards};
 use crate::experiment::{Record, StrategyMeasurement};
@@ -13,22 +13,22 @@ use crate::report::document::{Cell, Grid, ReportBlock, Tone};
 fn how_to_read() -> String {
     let (between_runs, too_much) = (percent(BETWEEN_RUNS), percent(TOO_MUCH));
     format!(
-        "Each row is a kind of input that some run stands for.
+        "Each row is a kind of input that at least one run represents.
 
 - `use` is the cheapest of the methods that are exact wherever they drew, at more than half of the points. The time is that of the clocks that run
-  when what is named under `what moves` moves. The cheapest has the least median of its time over that of the fastest method at each point. It is
-  written as `cutaway render --strategy` takes it, with its limits in brackets; `×` is its own time over that of drawing the uncut scene, in the median.
-- `or` is the next. It is a draw unless the first is faster at more than half of the points that both drew, by more than the deviations of both over
-  the rounds and by more than {between_runs}, by which two runs were seen to differ.
-- On a broken mesh no method is exact: there `use` is the method with the least wrong pixels, as a share of the cap there should be. A method that loses
-  {too_much} of the cap or more, as pixels that are marked or wrong and unmarked, is left out.
-- `paper` is the method of Trapp and Döllner (2013), `grid:256+vds:1024`: its time over that of drawing uncut, and its decided wrong pixels.
+  when the input under `what moves` changes. At each point it is divided by the time of the fastest method; the cheapest method has the smallest median.
+  `use` is written as for `cutaway render --strategy`, with limits in brackets; `×` is the method's median time relative to drawing the uncut scene.
+- `or` is the second method. It is a draw unless the first is faster at more than half of the points that both drew, by more than the sum of both
+  methods' deviations over the rounds and by more than {between_runs}, by which two runs were seen to differ.
+- On a broken mesh no method is exact. There, `use` is the method with the fewest wrong pixels, as a share of the exact cap. A method that loses
+  {too_much} of the cap or more, as pixels that are marked or are wrong and unmarked, is left out.
+- `paper` is the method of Trapp and Döllner (2013), `grid:256+vds:1024`: its time relative to drawing uncut, and its decided wrong pixels.
 
 In the charts a filled marker is an exact method, a hollow one has wrong pixels; the bar is the range over the points."
     )
 }
 
-/// Points that represent one input.
+/// Points that represent one kind of input.
 struct InputRecords<'a> {
     name: &'a str,
     situation: Situation,
@@ -36,7 +36,7 @@ struct InputRecords<'a> {
     records: Vec<&'a Record>,
 }
 
-/// The table of a setup and its explanation; empty if no run represents an input.
+/// The table of a setup and its explanation; empty if no run represents a kind of input.
 pub(in crate::report::chapters) fn blocks(
     points: &Points<'_>,
     setup: &Setup<'_>,

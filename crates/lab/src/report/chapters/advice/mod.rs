@@ -1,4 +1,4 @@
-//! Choice of a strategy: by need, by input, and at some points.
+//! Recommendations of strategies: by question, by kind of input, and for given points.
 
 pub(super) mod answers;
 mod best;

@@ -1,6 +1,6 @@
-//! Other tools on the same cuts: their areas and times next to ours.
+//! Compares the areas and times of other tools on the same cuts with ours.
 //!
-//! Times of different tools cover different work, as each row says: no ratio is made of them.
+//! Times of different tools cover different work, which each row states, so no ratio of times is computed.
 
 use crate::report::chapters::figures::timed;
 use crate::report::document::{Cell, Grid, ReportBlock, Tone};
@@ -43,8 +43,8 @@ pub(in crate::report::chapters) fn chapter(recorded: &RecordedFolders) -> Vec<Re
         blocks.insert(
             0,
             ReportBlock::Text(
-                "The same cuts by other tools on the same machine. Each time covers what its row says, which is not the same work for all: \
-                 areas can be compared, times only with that in mind. The difference is to the first of our rows on the same mesh and cut."
+                "The same cuts by other tools on the same machine. Each row states what its time covers, which is not the same work for all tools: \
+                 areas can be compared, times only with care. The difference is relative to our first row for the same mesh and cut."
                     .to_owned(),
             ),
         );
@@ -124,7 +124,7 @@ fn table(record: &PeerRecord) -> Grid {
     grid
 }
 
-/// Error of an area, in words.
+/// Describes the error of an area in words.
 fn describe(check: &PeerCheck) -> String {
     let PeerCheck {
         off,
@@ -143,7 +143,7 @@ fn is_ours(row: &PeerRow) -> bool {
     row.tool.starts_with("cutaway")
 }
 
-/// Relative difference of an area from that of our first row of the same cut; `None` for that row itself.
+/// Relative difference of a row's area from the area in our first row for the same cut; `None` for our first row itself.
 fn difference(row: &PeerRow, rows: &[PeerRow]) -> Option<f64> {
     let ours = rows
         .iter()
