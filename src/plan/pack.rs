@@ -46,7 +46,7 @@ macro_rules! shared {
     };
 }
 
-// After the macro, which they use.
+// These modules follow the macro because they use it.
 mod cap_materials;
 mod composite;
 mod cutter;
@@ -125,27 +125,27 @@ shared! {
         lane_shift: u32,
         /// Index in the scene.
         part: u32,
-        /// sRGB.
+        /// Surface colour, sRGB.
         color: [f32; 4],
-        /// sRGB.
+        /// Cap colour, sRGB.
         cap_color: [f32; 4],
-        /// Independent of this row's part: table position of the part whose index in the scene is the number of this row.
+        /// Not about this row's part: table position of the part whose index in the scene is this row's number.
         place: u32,
+        /// Address of the tree of its closing triangles, or `NO_TREE`.
+        tree: u32,
+        /// 1 if the part is filled by the nonzero rule.
+        is_nonzero: u32,
         /// Unused.
-        padding_a: u32,
-        /// Unused.
-        padding_b: u32,
-        /// Unused.
-        padding_c: u32,
+        padding: u32,
     }
 }
 
 shared! {
     /// A value that is linear in pixel position and depth: `shaders/lib/along_ray/rays.wgsl`.
     RayRow {
-        /// At depth 0: constant, change per pixel right, change per pixel down.
+        /// Value at depth 0 and pixel (0, 0), change per pixel right, change per pixel down.
         origin: [f32; 4],
-        /// Per unit of depth, likewise.
+        /// The same three numbers for the change per unit of depth.
         direction: [f32; 4],
     }
 }
@@ -181,13 +181,13 @@ shared! {
     Sweep {
         /// Number of triangles of all drawn parts.
         triangle_count: u32,
-        /// Number of vertices from the first to the last of these parts.
+        /// Number of vertices from the first to the last vertex of the drawn parts.
         vertex_count: u32,
         /// Steps of the binary search for a triangle's part.
         search_steps: u32,
         /// 0 in the first sweep over a screen, 1 in a later sweep.
         again: u32,
-        /// Number of the first of these vertices.
+        /// Number of the first vertex of the drawn parts.
         first_vertex: u32,
         /// First row of preclassified groups in the table of parts.
         first_group: u32,
@@ -199,22 +199,22 @@ shared! {
     PreclassifiedGroup {
         /// Position of the part in the part table.
         place: u32,
-        /// Bits of the clip-surfaces that preclassify them.
+        /// Bits of the clip-surfaces that preclassify the triangles.
         surfaces: u32,
-        /// Subset of `surfaces` on whose removed side they lie.
+        /// Subset of `surfaces` on whose removed side the triangles lie.
         removed: u32,
-        /// Subset of `surfaces` that they lie in.
+        /// Subset of `surfaces` in which the triangles lie.
         flush: u32,
         /// 1 if each triangle coincides with another one.
         doubled: u32,
-        /// Bits of the cutters in whose faces they lie.
+        /// Bits of the cutters in whose faces the triangles lie.
         cutters: u32,
         /// Padding to 16 bytes.
         padding: [u32; 2],
-        /// Normal of these faces, up to sign; then 0.
+        /// Normal of the cutter faces, up to sign; then 0.
         normal: [f32; 4],
-        /// Depth-buffer value of the plane that they share with other parts: change per pixel right, change per pixel down, value in the
-        /// middle of the first pixel; then the part's position among the parts of the plane, where the last has 1; 0 without such a plane.
+        /// Depth-buffer value of the plane shared with other parts: change per pixel right, change per pixel down, value at the centre of
+        /// the first pixel; then the part's position among the plane's parts, of which the last has 1. All 0 if there is no such plane.
         plane: [f32; 4],
     }
 }
@@ -251,6 +251,9 @@ pub const MAX_SURFACES: usize = 32;
 pub const MAX_CUTS: usize = 32;
 /// `first_texel` of a plane.
 pub const NO_RELIEF: u32 = u32::MAX;
+
+/// Address of the tree of a part without closing triangles; `NO_TREE` in `shaders/lib/inside/open.wgsl`.
+pub const NO_TREE: u32 = u32::MAX;
 
 /// A clip-surface as functions of a point. `first_texel` is [`NO_RELIEF`] for planes; `reach` is the longest distance along which a ray
 /// is followed.

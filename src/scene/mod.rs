@@ -26,6 +26,8 @@ pub mod relief;
 pub mod style;
 pub(crate) mod units;
 mod viewing;
+#[doc(hidden)]
+pub mod winding;
 
 pub use bodies::Bodies;
 #[doc(hidden)]

@@ -17,6 +17,7 @@ pub static CAP_SURFACES: &[&CapSurfaceRow] = &[
 /// All inside tests.
 pub static INSIDE_TESTS: &[&InsideTestRow] = &[
     &inside::mask::ROW,
+    &inside::winding::ROW,
     &inside::stencil::ROW,
     &inside::abuffer::ROW,
     &inside::kbuffer::ROW,

@@ -1,5 +1,5 @@
-// The common first step of both kinds of sweeps that count the crossings in front of a sample. After it only the list of crossings and the
-// sample's own depth matter.
+// First step of both kinds of sweeps that count the crossings in front of a sample. All later steps depend only on the list of crossings
+// and the sample's own depth.
 
 #define_import_path cutaway::counting
 
@@ -11,7 +11,7 @@
 #import cutaway::store::store
 #import cutaway::sweep::{NO_LANE, Sample}
 
-// Whether a sample lies on a side that its part keeps.
+// True if the cuts of its part keep a sample.
 fn is_kept(sample: Sample) -> bool {
     let sides = crossings_before(sample.z, sample.at).sides;
     return !is_removed(sides, sample.part.cuts) && !is_passed(sample.front);

@@ -1,7 +1,7 @@
-// The cuts: which sides of which clip-surfaces are removed from which part. Bound as @group(0) @binding(1) and (2).
+// The cuts: for each part, the sides of clip-surfaces that are removed. Bound as @group(0) @binding(1) and (2).
 //
 // A point's *sides* are one bit per clip-surface, set where the point lies on the removed side. A cut removes the points
-// that are on the removed side of all its clip-surfaces; a part loses what any of its cuts removes.
+// that are on the removed side of all its clip-surfaces. A point of a part is removed if any cut of the part removes it.
 
 #define_import_path cutaway::cuts
 
@@ -27,7 +27,7 @@ struct ClipSurface {
     map_size: vec2<u32>,
     // Greatest number of map cells that a ray crosses inside the box.
     cell_limit: u32,
-    // Number of the clip-surface in the scene.
+    // Number of this clip-surface in the scene.
     surface: u32,
 }
 
@@ -39,30 +39,32 @@ const NO_RELIEF: u32 = 0xffffffffu;
 struct CutTable {
     surface_count: u32,
     cut_count: u32,
-    // 1 if crossings with some clip-surface carry a normal.
+    // 1 if the crossings with at least one clip-surface store a normal.
     has_normals: u32,
     padding: u32,
-    // Bits of the clip-surfaces of cut 4 i + j in [i][j].
+    // [i][j] has one bit per clip-surface of cut 4 i + j.
     surfaces_of_cut: array<vec4<u32>, 8>,
     surfaces: array<ClipSurface, 32>,
 }
 
 struct Part {
-    // Bits of the cuts that apply.
+    // One bit per cut that applies to the part.
     cuts: u32,
     // Location of this part's bits or counts in the inside mask: word, and shift or WINDING.
     lane_word: u32,
     lane_shift: u32,
     // Index of the part in the scene.
     part: u32,
-    // sRGB.
+    // Colour in sRGB.
     color: vec4<f32>,
     cap_color: vec4<f32>,
-    // Unrelated to this part: the table index of the part whose scene index is this row's number.
+    // Not a property of this part: the table index of the part whose scene index equals this row's number.
     place: u32,
-    padding_a: u32,
-    padding_b: u32,
-    padding_c: u32,
+    // Address of the tree of its closing triangles, or NO_TREE.
+    tree: u32,
+    // 1 if the part is filled by the nonzero rule.
+    is_nonzero: u32,
+    padding: u32,
 }
 
 @group(0) @binding(1) var<uniform> cut_table: CutTable;
@@ -77,7 +79,7 @@ fn surfaces_of_cut(cut: u32) -> u32 {
     return cut_table.surfaces_of_cut[cut / 4u][cut % 4u];
 }
 
-// Whether a point with these sides is removed from a part to which these cuts apply.
+// True if these cuts remove a point with these sides.
 fn is_removed(sides: u32, cuts: u32) -> bool {
     var rest = cuts;
     for (var i = 0u; i < 32u && rest != 0u; i++) {

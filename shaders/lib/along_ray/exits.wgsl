@@ -1,5 +1,5 @@
-// Walls that a ray passes through unseen. Without a near-plane cap, a ray that begins inside a solid shows nothing of the solid until it
-// enters something: the exit wall is skipped. It shows its back face, unlike any wall first met by a ray from outside.
+// Exit walls, which are invisible. Without a near-plane cap, a ray that begins inside a solid shows nothing of the solid until the ray
+// enters a solid: the wall through which it leaves is skipped. That wall shows its back face, unlike the first wall of a ray from outside.
 
 #define_import_path cutaway::exits
 

@@ -1,5 +1,5 @@
-// The crossing of a pixel's ray with the only clip-surface of a frame, a plane: recomputed on each use, always in the same way, so a
-// fragment's side and the cap's depth agree.
+// The crossing of a pixel's ray with a plane that is the only clip-surface of the frame. It is recomputed on each use, always in the same
+// way, so that the side of a fragment and the depth of the cap agree.
 
 #define_import_path cutaway::lone_plane
 
@@ -7,9 +7,9 @@
 #import cutaway::rays::{along_ray, ray_table}
 
 struct LonePlane {
-    // Depth-buffer value; 0, behind which nothing lies, if the ray does not cross the plane.
+    // Depth-buffer value of the crossing; 0 if the ray does not cross the plane, because nothing lies behind 0.
     z: f32,
-    // The ray starts on the removed side.
+    // True if the ray starts on the removed side.
     begins_removed: bool,
 }
 
@@ -26,14 +26,14 @@ fn lone_plane_at(at_px: vec2<f32>) -> LonePlane {
     return LonePlane(buffer_from_depth(depth), rises);
 }
 
-// Returns true if the ray crosses the plane where a cap is possible: in the box of the cut solids, as in a list of crossings.
+// Returns true if a cap is possible at the crossing, because it lies in the box of the cut solids; lists of crossings use the same box.
 fn is_in_box(plane: LonePlane, at_px: vec2<f32>) -> bool {
     let interval = box_interval(ray_through(at_px));
     let depth = depth_from_buffer(plane.z);
     return plane.z > 0.0 && depth > interval.x && depth < interval.y;
 }
 
-// Whether a fragment of the pixel is kept.
+// Returns true if a fragment of the pixel is kept.
 fn is_kept(plane: LonePlane, z: f32) -> bool {
     return plane.begins_removed == is_behind(z, plane.z);
 }

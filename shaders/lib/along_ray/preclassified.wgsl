@@ -1,25 +1,25 @@
-// Triangles whose side of some clip-surfaces is known, or that coincide with others, grouped alike. Bound as @group(0) @binding(12).
+// Groups of triangles whose side of some clip-surfaces is known, or that coincide with other triangles. Bound as @group(0) @binding(12).
 
 #define_import_path cutaway::preclassified
 
 struct PreclassifiedGroup {
     // Index of the part in the part table.
     place: u32,
-    // Bits of the clip-surfaces that the triangles are preclassified by.
+    // Bits of the clip-surfaces for which the side of the triangles is known.
     surfaces: u32,
-    // Those of them whose removed side the triangles lie on.
+    // The subset of `surfaces` for which the triangles lie on the removed side.
     removed: u32,
-    // Those of them that the triangles are coplanar with.
+    // The subset of `surfaces` that are coplanar with the triangles.
     flush: u32,
     // 1 if each triangle coincides with another one.
     doubled: u32,
-    // Bits of the cutters with a face that they are coplanar with.
+    // Bits of the cutters that have a face coplanar with the triangles.
     cutters: u32,
     padding: vec2<u32>,
     // Normal of these faces, in either orientation.
     normal: vec4<f32>,
-    // Plane in which they are coplanar with other parts: change of its depth-buffer value per pixel to the right and down, and its value in
-    // the middle of the first pixel; then the part's rank in it, from 1 for the last; 0 if there is no such plane.
+    // Plane that the triangles share with other parts: change of its depth-buffer value per pixel to the right and down; its value at the
+    // centre of the first pixel; and the part's rank in the plane, from 1 for the last part, 0 if there is no such plane.
     plane: vec4<f32>,
 }
 
@@ -39,21 +39,21 @@ fn of_shared(found: f32, at: vec2<u32>, plane: vec4<f32>) -> f32 {
     return bitcast<f32>(bitcast<u32>(z) + u32(plane.w));
 }
 
-// Of coincident triangles the one that faces the eye is visible: it is nearer by the smallest possible step.
+// Among coincident triangles the one that faces the eye must be visible, so it is moved nearer by the smallest possible step.
 fn of_doubled(found: f32, at: vec2<u32>, group: u32, front: bool) -> f32 {
     let z = of_shared(found, at, preclassified.groups[group].plane);
     return select(z, bitcast<f32>(bitcast<u32>(z) + 1u), preclassified.groups[group].doubled != 0u && front);
 }
 
-// Depth-buffer value of a fragment at `z` that is known to lie in front of a crossing, or behind it: moved to the crossing's value or the
-// one next to it if it was found on the other side.
+// Depth-buffer value of a fragment at `z` that is known to lie in front of a crossing, or behind it. If `z` is on the wrong side, it is
+// moved to the crossing's value or the one next to it.
 fn beside(z: f32, crossing: f32, is_before: bool) -> f32 {
     let behind = bitcast<f32>(max(bitcast<u32>(crossing), 1u) - 1u);
     return select(min(z, behind), max(z, crossing), is_before);
 }
 
-// The same for a triangle that may be coplanar with the crossing's surface: then its depth equals the crossing's, bit for bit, even for a
-// needle triangle.
+// The same for a triangle that may be coplanar with the crossing's surface: if it is, its depth equals the crossing's bit for bit, even for
+// a needle triangle.
 fn preclassified_at(z: f32, crossing: f32, is_before: bool, is_flush: bool) -> f32 {
     return beside(select(z, crossing, is_flush), crossing, is_before);
 }

@@ -1,8 +1,8 @@
-// Depth of fragments whose triangles are preclassified, in a frame with a list of crossings.
+// Depth of fragments of preclassified triangles, in a frame with a list of crossings.
 //
-// The depth of a face in or close to a clip-surface equals that of the surface except for rounding. So depth cannot order its fragments
-// relative to the crossing: they are moved in front of the crossing or behind it, if necessary. All other decisions use the moved depth, so
-// every decision of a pixel still compares the same numbers.
+// A face in or close to a clip-surface has the depth of the surface, except for rounding. So depth alone cannot order its fragments and
+// the crossing: if necessary, a fragment is moved in front of the crossing or behind it. All other decisions use the moved depth, so all
+// decisions of a pixel still compare the same numbers.
 
 #define_import_path cutaway::preclassified_depth
 
@@ -33,8 +33,8 @@ fn reach_of_face(z: f32, at: vec2<u32>, normal: vec3<f32>) -> f32 {
     return NEAR_FACE * z + min(z - moved, STEEPEST_FACE * z);
 }
 
-// A fragment coplanar with faces of some cutters: behind the crossing where the ray enters the solid through the face, in front where it
-// leaves. The crossing is the nearest one with such a cutter in the same plane: a cutter's face ends where the next begins.
+// Depth of a fragment coplanar with cutter faces: behind the crossing if the ray enters the solid through the fragment's face, in front if
+// it leaves. The crossing is the nearest one with such a cutter in the same plane: a cutter's face ends where the next begins.
 fn in_cutters(z: f32, at: vec2<u32>, group: u32, front: bool) -> f32 {
     let cutters = preclassified.groups[group].cutters;
     let normal = preclassified.groups[group].normal.xyz;
@@ -55,7 +55,7 @@ fn in_cutters(z: f32, at: vec2<u32>, group: u32, front: bool) -> f32 {
     return select(z, beside(z, crossing, !front), crossing > 0.0);
 }
 
-// Final depth-buffer value of a fragment of a group, which was rasterised at `found`.
+// Final depth-buffer value of a group's fragment that was rasterised at `found`.
 fn preclassified_z(found: f32, at: vec2<u32>, group: u32, front: bool) -> f32 {
     let z = of_doubled(found, at, group, front);
     let surfaces = preclassified.groups[group].surfaces;

@@ -1,4 +1,4 @@
-// Roots of a s^2 + b s + c in 0..length, found by signs and located by the citardauq form.
+// Roots of a s^2 + b s + c in 0..length: signs determine their number, the citardauq form their positions.
 //
 // The textbook form divides by 2a and fails on every flat cell (a = 0); this form divides by a value without cancellation.
 
@@ -6,12 +6,12 @@
 
 struct Roots {
     count: u32,
-    // In ascending order; y only where count is 2.
+    // The roots in ascending order; y is valid only if count is 2.
     at: vec2<f32>,
 }
 
-// `kept` and `kept_at_exit` are the signs at 0 and at `length`, which decide: different signs give one root, equal signs two if the vertex
-// lies inside the range and on the other side, else none.
+// `kept` and `kept_at_exit` are the signs at 0 and at `length`. Different signs give one root; equal signs give two if the vertex of the
+// parabola lies inside the range and has the opposite sign, else none.
 fn roots_in(a: f32, b: f32, c: f32, length: f32, kept: bool, kept_at_exit: bool) -> Roots {
     let q = -0.5 * (b + select(-1.0, 1.0, b >= 0.0) * sqrt(max(b * b - 4.0 * a * c, 0.0)));
     let first = clamp(select(c / q, 0.0, q == 0.0), 0.0, length);

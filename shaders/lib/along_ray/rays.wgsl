@@ -1,4 +1,4 @@
-// The clip-surfaces as a ray sees them. Bound as @group(0) @binding(4).
+// The clip-surfaces in coordinates along a ray. Bound as @group(0) @binding(4).
 //
 // Height over the plane and texel coordinates are linear in the pixel and in the depth: value = origin(x, y) + depth
 // direction(x, y). The coefficients come from the CPU in f64, so that the cancellation between eye and plane happens there.

@@ -1,4 +1,4 @@
-// On which side of the clip-surfaces a point lies, by the relief height over it: one map lookup per relief (the open module
+// The sides of the clip-surfaces on which a point lies, from the height of the relief there: one map lookup per relief (the open module
 // `height_filter`). Used by tests at points, not along rays.
 
 #define_import_path cutaway::sides
@@ -6,7 +6,7 @@
 #import cutaway::cuts::{MAX_SURFACES, NO_RELIEF, cut_table}
 #import cutaway::height_filter::filtered_height
 
-// Distance of a point on the kept side: height over the plane plus the relief's; negative where removed.
+// Height of a point above the relief: its height over the plane plus the relief's. Positive if kept, negative if removed.
 fn kept_height(surface: u32, point: vec3<f32>) -> f32 {
     let p = vec4<f32>(point, 1.0);
     let over_plane = dot(cut_table.surfaces[surface].height_row, p);

@@ -11,7 +11,7 @@ use crate::scene::{linear_from_srgb, map_channels};
 pub(crate) struct Layered {
     /// Three words per pixel.
     pub layers: ResourceId,
-    /// The picture, if the passes that completed the layers have already coloured it.
+    /// The picture, if the passes that completed the layers also coloured the picture.
     pub picture: Option<ResourceId>,
 }
 

@@ -1,4 +1,4 @@
-//! From triangles to layers: passes over the mesh with either rasteriser, and the decision what each pixel shows.
+//! From triangles to layers: passes over the mesh with either rasteriser, and the decision about what each pixel shows.
 
 pub(crate) mod layers;
 pub(crate) mod pieces;

@@ -17,7 +17,7 @@ impl ScreenMesh {
         Work::ComputeIndirect { arguments }
     }
 
-    /// Records the passes that count the pieces of the queued triangles, once all are queued.
+    /// Records the passes that count the pieces of the queued triangles; the passes that queue triangles must be recorded before.
     pub(crate) fn count_pieces(&self, plan: &mut Plan) {
         if self.may_clip {
             let mut bindings = self.bindings();

@@ -1,7 +1,7 @@
 //! Probing: fills the inside mask by sampling an image of each part's volume at the points that matter.
 //!
-//! One invocation per pixel, one answer per crossing at which a part goes from removed to kept, and one for the near plane where
-//! it may be inside a solid. As exact as the image; resolving is the same as for every other inside test.
+//! One invocation per pixel tests each crossing at which a part goes from removed to kept, and the near plane where it may lie inside a
+//! solid. The answers are as exact as the image; resolving is the same as for every other inside test.
 
 use std::ops::Range;
 

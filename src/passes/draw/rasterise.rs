@@ -1,4 +1,4 @@
-//! A frame by the compute rasteriser: candidates, one pass over the mesh, one decision per pixel, and painting of covered pixels.
+//! Draws a frame with the compute rasteriser: finds touched tiles, sweeps the mesh, decides each pixel, and paints covered pixels.
 //!
 //! Every sample stores what the inside test needs and keeps the nearest kept triangle. With 64-bit atomics that is
 //! one sweep over the triangles. Core WebGPU lacks them: there a first sweep finds the greatest depth-buffer value and a second
@@ -6,7 +6,7 @@
 //!
 //! Only pixels in touched tiles are processed ([`Touched`]).
 //!
-//! Cost per frame: that of the screen and the sweeps, and 12 bytes per pixel in addition to the inside test's storage.
+//! Cost per frame: transforming the mesh, the sweeps, and 12 bytes per pixel in addition to the inside test's storage.
 
 use super::layers::{Layered, layers, overlap, picture};
 use super::resolve::{Inside, cap_normal, constants_of_decision};
@@ -25,9 +25,9 @@ use crate::plan::{Access, Binding, Clock, Pass, Plan, Resource, ResourceId, Work
 use crate::shader::Shader;
 
 impl<'a> SceneBuffers<'a> {
-    /// Transforms the mesh to the screen before crossings are computed, so that only touched tiles compute them; also prepares pixels
-    /// for fragments. `to_come` are the crossings as they will be listed. Does nothing for the GPU's own rasteriser, and where lists
-    /// must cover all pixels, as for hosts. Returns the reason if there are too many parts.
+    /// Transforms the mesh to the screen before crossings are computed, so that only touched tiles compute them; also prepares pixels for
+    /// fragments. `to_come` describes the crossing lists made later. Does nothing for the GPU's own rasteriser, or where lists must cover
+    /// all pixels, as they must for hosts. Returns the reason if there are too many parts.
     pub(crate) fn on_screen_first(
         mut self,
         plan: &mut Plan,
@@ -48,17 +48,17 @@ impl<'a> SceneBuffers<'a> {
 pub(crate) struct Swept {
     /// The nearest kept triangle of each pixel.
     nearest: ResourceId,
-    /// The layers, and the picture if it is made along with them; only background so far.
+    /// The layers, and the picture if it is made along with them. Both hold only background at this point.
     layers: ResourceId,
     picture: Option<ResourceId>,
     touched: Touched,
-    /// File that fills `cutaway::rows`, then the sweep parameters of the frame's screen, and the table of the screen's parts.
+    /// File that fills `cutaway::rows`; then the frame screen's sweep parameters, and its table of drawn parts.
     rows: &'static str,
     sweep: ResourceId,
     drawn_parts: ResourceId,
 }
 
-/// Transforms all parts to the frame's screen. `store` is the store for fragments if no other pass prepares its pixels.
+/// Transforms all parts to the frame's screen. `store` is given if no other pass prepares the pixels of that fragment store.
 fn take_to_screen(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,
@@ -92,7 +92,7 @@ fn take_to_screen(
     };
     plan.add_pass(Pass::new(
         "blank",
-        "tiles touched by the previous frame are reset to background; the others still are background",
+        "resets the tiles touched by the previous frame to background; all other tiles are still background",
         shader,
         bindings,
         touched.shared(),
@@ -127,7 +127,7 @@ fn take_to_screen(
     })
 }
 
-/// Finds the tiles touched by small triangles one by one, then by the pieces of the others, which are queued in the first step.
+/// Finds the touched tiles: one pass takes each small triangle whole and queues the large ones, another takes their pieces.
 fn find_tiles(plan: &mut Plan, screen: &ScreenMesh, touched: Touched) {
     let bindings = |queue_access| {
         let mut all = screen.bindings();
@@ -139,7 +139,7 @@ fn find_tiles(plan: &mut Plan, screen: &ScreenMesh, touched: Touched) {
     };
     let pass = Pass::new(
         "tiles",
-        "finds the touched tiles and the depth range of the cut parts in each; only these are processed",
+        "finds the touched tiles and the depth range of the cut parts in each; only touched tiles are processed",
         Shader::from("passes/rasterise/tiles.wgsl").with(screen.rows()),
         bindings(Access::ReadWrite),
         Work::Compute {
@@ -150,15 +150,15 @@ fn find_tiles(plan: &mut Plan, screen: &ScreenMesh, touched: Touched) {
     screen.count_pieces(plan);
     plan.add_pass(Pass::new(
         "large tiles",
-        "the same for triangles of many samples",
+        "the same for triangles with many samples",
         Shader::from("passes/rasterise/large_tiles.wgsl").with(screen.rows()),
         bindings(Access::Read),
         screen.over_pieces(),
     ));
 }
 
-/// Rasterises all parts into the inside test's store, and into the nearest kept triangle of each pixel; returns the reason if there
-/// are too many parts.
+/// Rasterises all parts: fills the inside test's store, and finds the nearest kept triangle of each pixel. Returns the reason if there are
+/// too many parts.
 pub(crate) fn rasterise(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,
@@ -181,7 +181,7 @@ pub(crate) fn rasterise(
     };
     let marking = SweepPasses {
         name: "mark",
-        reason: "each sample marks the crossings in front of it, and stores its triangle if it is the nearest kept",
+        reason: "each sample marks the crossings in front of it, and stores its triangle if that is the nearest kept one",
         sample: "lib/sample/fused.wgsl",
         store: Some(store),
         crossings: Some(crossings),
@@ -193,7 +193,7 @@ pub(crate) fn rasterise(
         marking.record(plan, scene, &screen);
     } else {
         let marking = SweepPasses {
-            reason: "each sample marks the crossings in front of it, and raises its pixel's depth if it is kept",
+            reason: "each sample marks the crossings in front of it, and raises its pixel's depth if the sample is kept",
             sample: "lib/sample/raised.wgsl",
             ..marking
         };
@@ -249,7 +249,7 @@ pub(crate) fn decide_and_paint(
     paint(plan, scene, swept, crossings)
 }
 
-/// Completes the layers of non-background pixels, and also colours them if the style needs nothing else.
+/// Completes the layers of non-background pixels, and also colours these pixels if the style needs no other pass.
 fn paint(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,
@@ -274,10 +274,10 @@ fn paint(
         .with(crossings.surfaces_file)
         .with(cap_normal);
     let mut reason =
-        "the triangle that claimed a pixel gives it part, side and normal; a cap has its own";
+        "part, side and normal come from the triangle that claimed the pixel, or from a cap";
     shader = match swept.picture {
         Some(picture) => {
-            reason = "the triangle that claimed a pixel gives it part, side and normal; a cap has its own; lit shading colours both";
+            reason = "part, side and normal come from the triangle that claimed the pixel, or from a cap; lit shading colours both";
             bindings.push(scene.parts.clone());
             bindings.push(Binding::update("picture", picture));
             let overlap = overlap(plan, scene.input, &mut bindings);

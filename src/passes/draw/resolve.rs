@@ -1,8 +1,8 @@
 //! Resolving: what each pixel shows, decided from its crossings, the inside test and the nearest kept surface.
 //!
-//! The decision is the same for every inside test and both rasterisers; the differences fill open modules. Time is proportional to pixels
-//! and, where they have crossings, to cut parts. After the GPU's own rasteriser it is one pass; the compute rasteriser uses
-//! `decide` and `paint` instead.
+//! The decision is the same for every inside test and both rasterisers; files that fill open modules supply what differs. Time is
+//! proportional to pixels and, where they have crossings, to cut parts. After the GPU's own rasteriser it is one pass; the compute
+//! rasteriser uses `decide` and `paint` instead.
 
 use super::layers::{Layered, layers};
 use super::rasterise::decide_and_paint;
@@ -23,7 +23,7 @@ pub(crate) struct Inside {
 }
 
 impl Inside {
-    /// Inside test for frames without cut parts, which is never evaluated.
+    /// Placeholder inside test for frames without cut parts; it is never evaluated.
     pub(crate) fn unasked() -> Self {
         Self {
             file: "lib/inside/nothing.wgsl",
@@ -31,7 +31,7 @@ impl Inside {
         }
     }
 
-    /// Answers stored in the lanes of a mask, all of them bits.
+    /// Inside test that reads a mask in which every lane holds bits.
     pub(crate) fn mask(mask: ResourceId) -> Self {
         Self {
             file: "lib/inside/mask.wgsl",
@@ -39,7 +39,17 @@ impl Inside {
         }
     }
 
-    /// Answers stored in the lanes of a mask, some of them counts.
+    /// Answers from the lanes of a mask, and for open parts from their closing triangles.
+    pub(crate) fn open(mask: ResourceId, closings: Binding) -> Self {
+        let mut bindings = Self::mask(mask).bindings;
+        bindings.push(closings);
+        Self {
+            file: "lib/inside/open.wgsl",
+            bindings,
+        }
+    }
+
+    /// Inside test that reads a mask in which some lanes hold counts.
     pub(crate) fn winding(mask: ResourceId) -> Self {
         Self {
             file: "lib/inside/winding.wgsl",

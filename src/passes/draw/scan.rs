@@ -9,7 +9,7 @@
 
 use crate::plan::{Binding, Clock, Pass, Plan, Resource, ResourceId, Work};
 
-/// Words summed by one workgroup: `shaders/lib/rasterise/scan.wgsl`.
+/// Number of words summed by one workgroup; must match `shaders/lib/rasterise/scan.wgsl`.
 pub const BLOCK_WORDS: u32 = 2048;
 
 /// A prefix sum to record.
@@ -34,7 +34,7 @@ pub struct Scan<'a> {
 pub struct ScanRange {
     /// Index of the first word.
     pub first: u32,
-    /// Maximum number of words. Passes are dispatched for all of them; blocks beyond the count end at once.
+    /// Maximum number of words. Passes are dispatched for this many; workgroups beyond the actual count return at once.
     pub length: u32,
     /// Index of the buffer's word that holds the count, if the count is computed on the device.
     pub count_at: Option<u32>,
@@ -104,7 +104,7 @@ impl Scan<'_> {
         };
         let pass = self.pass(
             "scan".to_owned(),
-            "the start of each, and the total",
+            "the start of each block, and the total",
             "passes/scan/top.wgsl",
             vec![
                 Binding::update("items", top.0),

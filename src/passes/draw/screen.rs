@@ -13,6 +13,7 @@ use glam::DVec2;
 
 use super::share::{Share, first_piece_at};
 use crate::passes::frame::buffers::SceneBuffers;
+use crate::passes::frame::closings::ClosedPart;
 use crate::passes::frame::dispatch::groups_along;
 use crate::passes::frame::input::Input;
 use crate::passes::frame::lanes::Lanes;
@@ -26,26 +27,26 @@ use crate::plan::{
 use crate::scene::View;
 use crate::shader::Shader;
 
-/// Points within this distance of the upper left corner are inside the guard band of `screen.wgsl`, which extends 16,000 px to the right
-/// and below, and that much less the picture's size to the left and above.
+/// The guard band of `screen.wgsl` extends 16,000 px to the right and down, and 16,000 px minus the picture's size to the left and up.
+/// Points within this distance of the upper left corner are inside the guard band.
 const SAFE_PX: f64 = 7000.0;
 
-/// Table position for a part that needs no inside test: `NO_LANE` in `shaders/lib/rasterise/sweep.wgsl`.
+/// Table position of a part that needs no inside test; must match `NO_LANE` in `shaders/lib/rasterise/sweep.wgsl`.
 pub const NO_LANE: u32 = u32::MAX;
 
-/// Inputs of a screen.
+/// Inputs for transforming the mesh to a screen.
 #[derive(Clone, Debug)]
 pub(crate) struct ScreenOf<'a> {
     /// Prefix of the names of its passes and resources; empty for the frame's own view.
     pub name: &'a str,
     pub view: &'a View,
-    /// The view as the shaders read it, under the name `frame`; its size is that of the frame's view.
+    /// The view as the shaders read it, bound as `frame`; its picture size is that of the frame's view.
     pub frame: Binding,
     /// Clock on which the screen is made again.
     pub clock: Clock,
     /// Ranks of the parts, in the order of the part table.
     pub ranks: &'a [usize],
-    /// True if groups of preclassified triangles have rows of their own.
+    /// True if groups of preclassified triangles have their own rows in the table of drawn parts.
     pub classifies: bool,
     /// Distribution of samples among invocations.
     pub share: Share,
@@ -65,7 +66,7 @@ pub(crate) struct Fresh {
 }
 
 impl Fresh {
-    /// Nothing.
+    /// Nothing to reset.
     pub(crate) fn nothing() -> Self {
         Self {
             files: vec!["lib/fresh/nothing.wgsl"],
@@ -131,11 +132,15 @@ impl ScreenMesh {
     ) -> Result<Self, Refusal> {
         let input = scene.input;
         let preclassified = scene.preclassified.as_ref().filter(|_| of.classifies);
-        let groups = preclassified.map_or(0, |_| input.preclassified_groups().len());
-        let rows = of.ranks.len() + groups;
-        if rows > MOST_DRAWN_PARTS {
+        let closed = match of.clock {
+            Clock::Frame => input.closed_parts(),
+            Clock::Solid | Clock::Cut => &[],
+        };
+        let rows = input.rows(of.ranks, closed, preclassified.is_some());
+        if rows.len() > MOST_DRAWN_PARTS {
             return Err(Refusal::amount(format!(
-                "the compute rasteriser draws at most {MOST_DRAWN_PARTS} parts and groups of faces in clip-surfaces; there are {rows}"
+                "the compute rasteriser draws at most {MOST_DRAWN_PARTS} parts and groups of faces in clip-surfaces; there are {}",
+                rows.len()
             )));
         }
         // Vertices from the first to the last that any part needs.
@@ -145,20 +150,15 @@ impl ScreenMesh {
                 (first.min(range.start), end.max(range.end))
             });
         let first_vertex = first_vertex.min(end_vertex);
-        let (table, triangle_count) = input.drawn_parts(
-            of.ranks,
-            &scene.lanes,
-            preclassified.is_some(),
-            first_vertex,
-        );
+        let (table, triangle_count) = input.drawn_parts(&rows, &scene.lanes, first_vertex);
         let vertex_count = end_vertex - first_vertex;
         let sweep = Sweep {
             triangle_count,
             vertex_count,
-            search_steps: rows.next_power_of_two().ilog2(),
+            search_steps: rows.len().next_power_of_two().ilog2(),
             again: 0,
             first_vertex,
-            first_group: of.ranks.len() as u32,
+            first_group: (of.ranks.len() + closed.len()) as u32,
         };
         let [vertices, indices] = scene.mesh_in_storage(of.clock);
         let mut made = |what, words: u64| {
@@ -171,7 +171,7 @@ impl ScreenMesh {
         let name = named(of.name, "pieces");
         let pieces =
             plan.add_resource(Resource::arguments(name, DISPATCH_ARGUMENT_BYTES, of.clock));
-        // Tables that change with the cuts, unless the passes that read them run on a slower clock.
+        // These tables are uploaded when a cut changes, or less often if the passes that read them run on a slower clock.
         let mut table_of = |variable, what, contents| {
             let (name, clock) = (named(of.name, what), of.clock.min(Clock::Cut));
             let table = Resource::upload(name, BufferRole::Uniform, contents, clock);
@@ -193,7 +193,7 @@ impl ScreenMesh {
             sweep: table_of("sweep", "sweep", Contents::from_values(&[sweep])),
             sweep_again: table_of("sweep", "sweep again", Contents::from_values(&[again])),
             triangle_count,
-            has_one_row: rows == 1,
+            has_one_row: rows.len() == 1,
             may_clip: of.ranks.iter().any(|rank| input.may_clip(of.view, *rank)),
         };
         let mut bindings = vec![
@@ -218,39 +218,61 @@ impl ScreenMesh {
     }
 }
 
+/// A row of the table of drawn parts.
+struct DrawnRow {
+    rank: usize,
+    indices: Range<u32>,
+    /// Bits of the cuts that apply.
+    cuts: u32,
+}
+
 impl Input<'_> {
-    /// The table of drawn parts, with preclassified groups at its end, and the total number of triangles.
-    fn drawn_parts(
-        &self,
-        ranks: &[usize],
-        lanes: &Lanes,
-        classifies: bool,
-        first_vertex: u32,
-    ) -> (Vec<DrawnPart>, u32) {
+    /// The rows of the table of drawn parts: parts, closing triangles, then groups of preclassified triangles.
+    fn rows(&self, ranks: &[usize], closed: &[ClosedPart], classifies: bool) -> Vec<DrawnRow> {
         let groups = match classifies {
             true => self.preclassified_groups(),
             false => &[],
         };
-        let of_rank = |rank: &usize| {
-            let mut indices = self.model.ranges[*rank].indices.clone();
-            if classifies {
-                indices.end = self.end_of_rest(*rank);
-            }
-            (*rank, indices)
+        let row = |rank: usize, indices: &Range<u32>| DrawnRow {
+            rank,
+            indices: indices.clone(),
+            cuts: self.active_cuts.cuts_of(rank),
         };
-        let of_groups = groups.iter().map(|(rank, g)| (*rank, g.indices.clone()));
-        let rows: Vec<_> = ranks.iter().map(of_rank).chain(of_groups).collect();
+        let of_rank = |rank: &usize| {
+            let mut whole = row(*rank, &self.model.ranges[*rank].indices);
+            if classifies {
+                whole.indices.end = self.end_of_rest(*rank);
+            }
+            whole
+        };
+        let of_closed = |part: &ClosedPart| DrawnRow {
+            cuts: self.cut_of_everything(),
+            ..row(part.rank, &part.indices)
+        };
+        (ranks.iter().map(of_rank))
+            .chain(closed.iter().map(of_closed))
+            .chain(groups.iter().map(|(rank, g)| row(*rank, &g.indices)))
+            .collect()
+    }
+
+    /// The table of drawn parts, and the total number of triangles.
+    fn drawn_parts(
+        &self,
+        rows: &[DrawnRow],
+        lanes: &Lanes,
+        first_vertex: u32,
+    ) -> (Vec<DrawnPart>, u32) {
         let mut table = vec![DrawnPart::zeroed(); MOST_DRAWN_PARTS];
         let mut triangle_count = 0;
-        for (row, (rank, indices)) in table.iter_mut().zip(&rows) {
-            let range = &self.model.ranges[*rank];
-            let place = self.active_cuts.place_of(*rank);
+        for (row, drawn) in table.iter_mut().zip(rows) {
+            let range = &self.model.ranges[drawn.rank];
+            let place = self.active_cuts.place_of(drawn.rank);
             let [lane_word, lane_shift] = lanes.of_place(place);
             *row = DrawnPart {
                 first_triangle: triangle_count,
-                first_index: indices.start,
+                first_index: drawn.indices.start,
                 base_vertex: range.base_vertex.cast_unsigned() - first_vertex,
-                cuts: self.active_cuts.cuts_of(*rank),
+                cuts: drawn.cuts,
                 lane_word,
                 lane_shift,
                 place: if place < self.active_cuts.lanes {
@@ -258,9 +280,9 @@ impl Input<'_> {
                 } else {
                     NO_LANE
                 },
-                part: self.model.prepared.parts[*rank].part as u32,
+                part: self.model.prepared.parts[drawn.rank].part as u32,
             };
-            triangle_count += (indices.end - indices.start) / 3;
+            triangle_count += (drawn.indices.end - drawn.indices.start) / 3;
         }
         for row in &mut table[rows.len()..] {
             row.first_triangle = u32::MAX;
@@ -280,7 +302,7 @@ impl Input<'_> {
         let corners = self.model.prepared.parts[rank].bounds.corners();
         corners.into_iter().any(|corner| {
             let (at, depth) = view.project(corner);
-            // Conservative against rounding: clipping needlessly costs only an empty pass.
+            // The margin covers rounding errors: clipping needlessly costs only an empty pass.
             depth < view.near * 1.001 || !at.abs().cmplt(DVec2::splat(SAFE_PX)).all()
         })
     }

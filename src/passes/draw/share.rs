@@ -1,42 +1,42 @@
 //! Distribution of triangle samples among invocations.
 //!
-//! **Bounded work.** Drivers end loops: llvmpipe after 65,535 rounds of all loops of an invocation together, cards by a watchdog. A covered
-//! sample's rounds depend on its crossings, its lane and its preclassified faces; this limits how many samples an invocation may cover
-//! ([`Share`]), and nothing else grows with mesh or picture. Larger triangles are queued by whichever pass is first to visit the triangles;
-//! a prefix sum over the queue counts the pieces, and one workgroup is dispatched for each (`shaders/lib/rasterise/pieces.wgsl`).
+//! **Bounded work.** Drivers stop long loops: llvmpipe when an invocation's loops have taken 65,535 rounds in total, GPUs by a watchdog. A
+//! covered sample's rounds depend on its crossings, its lane and its preclassified faces, so the samples that an invocation covers are
+//! limited ([`Share`]); no other loop grows with mesh or picture. The first pass to visit the triangles queues the larger ones; a prefix
+//! sum over the queue counts the pieces, and one workgroup is dispatched for each (`shaders/lib/rasterise/pieces.wgsl`).
 //!
-//! Cannot: stay below llvmpipe's limit where a single sample takes more than 700 rounds, as with lists of that many crossings with
-//! several clip-surfaces; a triangle with 64 samples in a row is then cut off, which the parity bit shows.
+//! Cannot: stay below llvmpipe's limit where a single sample takes more than 700 rounds (a list of that many crossings with several
+//! clip-surfaces). A triangle with 64 samples in a row is then cut off, which the parity bit shows.
 
 use super::store::Store;
 use crate::passes::frame::buffers::SceneBuffers;
 use crate::passes::frame::crossings::CrossingSource;
 
-/// Loop rounds that the samples of one invocation may take: below those 65,535, with a margin for everything else.
+/// Loop rounds available to the samples of one invocation: fewer than llvmpipe's 65,535, because other loops need rounds too.
 const ROUNDS_OF_SAMPLES: u32 = 48_000;
 
 /// Distribution of samples among invocations.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Share {
-    /// Longest side, in pixels, of a triangle's box that one invocation covers whole.
+    /// A triangle whose bounding box has no side longer than this, in pixels, is covered by one invocation.
     small_px: u32,
     /// Samples in a row that one invocation covers of a larger triangle, plus up to three tiles of 64; below 1, one tile.
     piece_px: f64,
 }
 
 impl Share {
-    /// For fragments that write to a store and count no crossings.
+    /// Share for fragments that write to a store and count no crossings.
     pub(crate) fn of_store(store: &Store) -> Self {
         Self::of_rounds(store.rounds)
     }
 
-    /// For fragments that also count the crossings in front of them.
+    /// Share for fragments that also count the crossings in front of them.
     pub(crate) fn of_crossings(
         scene: &SceneBuffers<'_>,
         store: &Store,
         crossings: &CrossingSource,
     ) -> Self {
-        // A preclassified face is moved to its side of each crossing, then of each crossing with a cutter.
+        // One loop moves a preclassified face to its side of each crossing, another to its side of each crossing with a cutter.
         let preclassified = match scene.preclassified {
             Some(_) => 2 * crossings.capacity,
             None => 0,
@@ -55,7 +55,7 @@ impl Share {
         }
     }
 
-    /// As override constants.
+    /// The share as override constants.
     pub(crate) fn constants(self) -> [(&'static str, f64); 2] {
         [
             ("small_px", f64::from(self.small_px)),
@@ -64,7 +64,7 @@ impl Share {
     }
 }
 
-/// Index of the queue word that holds the first queued triangle's first piece: `shaders/lib/rasterise/queue.wgsl`.
+/// Index of the queue word that holds the first queued triangle's first piece; must match `shaders/lib/rasterise/queue.wgsl`.
 pub(crate) fn first_piece_at(triangle_count: u32) -> u32 {
     2 + 2 * triangle_count
 }

@@ -43,22 +43,22 @@ pub(crate) struct SheetDraw {
     pub draws: Vec<Draw>,
 }
 
-/// The sheets of a frame. Sets of clip-surfaces are bits, by index in the table.
+/// The sheets of a frame. Each set of clip-surfaces is a bit set; bits are positions in the clip-surface table.
 #[derive(Clone, Debug)]
 pub(crate) struct Sheets {
     /// Draws of their triangles.
     pub draws: Vec<SheetDraw>,
     /// Sheets whose triangles face the kept side.
     pub by_facing: u32,
-    /// Sheets that bound a solid, the removed side: any line crosses them an even number of times.
+    /// Sheets that bound a solid, usually the removed side: any line crosses such a sheet an even number of times.
     pub by_parity: u32,
-    /// Subset of `by_parity` whose outside is the removed side.
+    /// Subset of `by_parity` whose removed side is the outside of the solid.
     pub keeps_inside: u32,
     /// Subset of `by_parity` that does not meet the near plane: an odd number of fragments marks the pixel.
     pub closed: u32,
-    /// File that fills `cutaway::sheet_side`, the side of a `by_facing` sheet on which a ray begins and ends, and its dependencies.
+    /// File that finds the side of a `by_facing` sheet on which a ray begins and ends (`cutaway::sheet_side`), and the files it needs.
     pub side: Vec<&'static str>,
-    /// Error of that answer, in scene units: nearer to a sheet, the facing of its crossings decides instead.
+    /// Uncertainty of that side, in scene units. For a point closer to a sheet than this, the facing of the crossings decides.
     pub beside: f64,
     /// Bindings of `side`.
     pub side_bindings: Vec<Binding>,
@@ -150,15 +150,15 @@ impl Sheets {
     }
 }
 
-/// The lists of sheet fragments of a frame: `shaders/lib/lists/sheet_pool.wgsl`.
+/// The lists of sheet fragments of a frame (`shaders/lib/lists/sheet_pool.wgsl`).
 struct SheetLists {
     buffer: ResourceId,
     pool: Binding,
 }
 
 impl SheetLists {
-    /// One list per pixel, with as many fragments in total as the last frame needed; at first one per pixel. Returns the reason if there
-    /// are more pixels than 32-bit words can count.
+    /// One list per pixel. Together they hold as many fragments as the last frame needed; at first, one per pixel. Returns the reason if
+    /// there are more pixels than 32-bit words can count.
     fn new(plan: &mut Plan, scene: &SceneBuffers<'_>) -> Result<Self, Refusal> {
         let pixels = scene.input.pixel_count();
         let lists = u32::try_from(pixels).map_err(|_| {

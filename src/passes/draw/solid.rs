@@ -1,8 +1,8 @@
 //! The pass over the mesh: every fragment counts the crossings in front of it, stores what the inside test needs,
 //! and survives if it is kept.
 //!
-//! One pass draws the cut parts with the GPU's own rasteriser and another draws the rest plainly; or the sweeps of the compute
-//! rasteriser draw all parts. What an inside test stores per fragment is a file that fills the open module `cutaway::store`.
+//! The GPU's own rasteriser draws the cut parts in one pass and all other parts plainly in another; the compute rasteriser's sweeps draw
+//! all parts. A file that fills the open module `cutaway::store` defines what a fragment stores for the inside test.
 
 use super::rasterise::{Swept, rasterise};
 use super::store::Store;
@@ -15,7 +15,7 @@ use crate::passes::frame::refusal::Refusal;
 use crate::plan::Plan;
 use crate::shader::Shader;
 
-/// The nearest kept surface of each pixel, by whichever rasteriser.
+/// The nearest kept surface of each pixel, found by either rasteriser.
 #[derive(Debug)]
 pub(crate) enum NearestKept {
     /// Drawn by the GPU's own rasteriser.
@@ -66,12 +66,14 @@ fn draw_solids(
         constants: vec![scene.lanes.constant()],
         vertices,
         indices,
-        draws: input.draws_of_rest(ranks),
+        draws: (input.draws_of_rest(ranks).into_iter())
+            .chain(input.draws_of_closings())
+            .collect(),
     };
     let preclassified = scene.preclassified.as_ref().map(|preclassified| {
         let mut pass = DrawPass {
             name: "solid preclassified".to_owned(),
-            reason: "the same for faces that lie in or right next to a clip-surface, whose side is known beforehand"
+            reason: "the same for faces in or right next to a clip-surface; the side on which they lie is known beforehand"
                 .to_owned(),
             shader: Shader::from("passes/preclassified.wgsl")
                 .with(store.file)

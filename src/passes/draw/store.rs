@@ -14,7 +14,7 @@ pub(crate) struct Store {
 }
 
 impl Store {
-    /// Fragments store nothing: the inside test gets its data elsewhere, or draws the mesh again. The bound data begins empty.
+    /// No store, for an inside test that gets its data elsewhere or draws the mesh again. The bound data begins empty.
     pub(crate) fn nothing(bindings: Vec<Binding>) -> Self {
         Self {
             file: "lib/store/nothing.wgsl",

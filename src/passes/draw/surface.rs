@@ -1,6 +1,6 @@
 //! Drawing surfaces with the GPU's own rasteriser: the targets, and the parts that no cut reaches, which are drawn unclipped.
 //!
-//! One pass for all of those parts, and one for their coincident faces, if there are any.
+//! One pass draws all parts that no cut reaches, and another draws their coincident faces, if there are any.
 
 use crate::passes::frame::buffers::SceneBuffers;
 use crate::passes::frame::input::counted;
@@ -10,7 +10,7 @@ use crate::plan::{
 };
 use crate::shader::Shader;
 
-/// Crossing count of a surface drawn without a crossing list; `UNCOUNTED` in `shaders/lib/layers.wgsl`.
+/// Crossing count of a surface drawn without a crossing list; must match `UNCOUNTED` in `shaders/lib/layers.wgsl`.
 const UNCOUNTED: f64 = 254.0;
 
 /// The nearest surface of each pixel, as render targets: the first pass clears them.
@@ -28,10 +28,10 @@ pub(crate) struct Surfaces {
 pub(crate) struct DrawPass {
     /// Unique name.
     pub name: String,
-    /// Why it is there.
+    /// Why the pass is there.
     pub reason: String,
     pub shader: Shader,
-    /// Resources by name.
+    /// Resources by the names of the shader's variables.
     pub bindings: Vec<Binding>,
     /// Override constants.
     pub constants: Vec<(&'static str, f64)>,
@@ -43,7 +43,7 @@ pub(crate) struct DrawPass {
 }
 
 impl Surfaces {
-    /// Targets with nothing drawn yet, with a stencil in addition to the depth.
+    /// Empty targets whose depth texture also has a stencil.
     pub(crate) fn with_stencil(plan: &mut Plan, scene: &SceneBuffers<'_>) -> Self {
         let depth = &mut plan.resources[scene.depth.0];
         let format = Format::Depth32FloatStencil8;
@@ -52,7 +52,7 @@ impl Surfaces {
         Self::new(plan, scene)
     }
 
-    /// Targets with nothing drawn yet.
+    /// Empty targets.
     pub(crate) fn new(plan: &mut Plan, scene: &SceneBuffers<'_>) -> Self {
         let size = scene.input.view.size_px;
         let words = Resource::texture("surface_words", size, 1, Format::Rg32Uint, Clock::Frame);
@@ -63,7 +63,7 @@ impl Surfaces {
         }
     }
 
-    /// Further targets with nothing drawn yet, in addition to the frame's own, with given names for words and depth.
+    /// Additional empty targets besides the frame's own, with given names for words and depth.
     pub(crate) fn named(
         plan: &mut Plan,
         scene: &SceneBuffers<'_>,
@@ -93,7 +93,7 @@ impl Surfaces {
         self.draw_with(plan, pass, None);
     }
 
-    /// As [`Self::draw`], with a stencil, for which the targets must have been made with one.
+    /// As [`Self::draw`], with a stencil; the targets must have been made by [`Self::with_stencil`].
     pub(crate) fn draw_with(&mut self, plan: &mut Plan, pass: DrawPass, stencil: Option<Stencil>) {
         let clear = !std::mem::replace(&mut self.is_cleared, true);
         let work = Work::Draw {
@@ -159,7 +159,7 @@ impl Surfaces {
         };
         let doubled = scene.preclassified.as_ref().map(|preclassified| DrawPass {
             name: "surface doubled".to_owned(),
-            reason: "of coincident faces draws the one facing the eye; in planes shared by parts, that of the first in rank".to_owned(),
+            reason: "draws the coincident face that faces the eye; in a plane shared by parts, the face of the part first in rank".to_owned(),
             shader: "passes/doubled.wgsl".into(),
             bindings: vec![scene.frame.clone(), scene.parts.clone(), preclassified.clone()],
             draws: input.draws_of_groups(ranks),

@@ -4,10 +4,10 @@
 //! that of the GPU's own rasteriser, even on devices with few raster units. A file that fills `cutaway::sample` defines what a sample
 //! does when covered; if it stores fragments for an inside test, a file that fills `cutaway::store` defines how.
 //!
-//! The first sweep over a screen queues the triangles that are not small, and lists the small ones of which a sample requested another
+//! The first sweep over a screen queues the triangles that are not small, and lists the small ones with a sample that requests another
 //! sweep; later sweeps use these lists. A prefix sum counts the pieces of queued triangles, and a workgroup is dispatched for each
-//! ([`Share`](super::share::Share)). Sweeps over one screen with the same sample run the same pipelines: their depths are bitwise equal.
-//! After Laine & Karras, *High-performance software rasterization on GPUs* (2011).
+//! ([`Share`](super::share::Share)). Sweeps over one screen that use the same sample file run the same pipelines: their depths are bitwise
+//! equal. After Laine & Karras, *High-performance software rasterization on GPUs* (2011).
 
 use super::store::Store;
 use crate::passes::frame::buffers::SceneBuffers;
@@ -23,7 +23,7 @@ use crate::shader::Shader;
 pub(crate) struct SweepPasses<'a> {
     /// Prefix of the pass names: "mark" makes "mark small" and "mark large".
     pub name: &'a str,
-    /// Why it is there: what a sample does.
+    /// What a sample does: the reason for the passes.
     pub reason: &'a str,
     /// File that fills `cutaway::sample`.
     pub sample: &'static str,
@@ -126,7 +126,7 @@ impl<'a> SweepPasses<'a> {
         };
         let pass = Pass::new(
             name("large"),
-            "the same for triangles of many samples, and for clipped ones",
+            "the same for triangles with many samples, and for clipped triangles",
             shader("passes/rasterise/large.wgsl").with(polygon),
             bindings,
             screen.over_pieces(),

@@ -14,7 +14,7 @@ const MOST_PARTS: usize = 1 << 16;
 const MOST_NAMED_SURFACES: usize = 255;
 /// Distance from an origin, in texels, up to which f32 has two bits left for the position within a texel.
 const MOST_TEXELS: f64 = (1 << 22) as f64;
-/// Largest relief height times texels per unit: its square, in the discriminant of a crossing, must still fit an f32.
+/// Largest product of relief height and texels per unit. Its square, a term of a crossing's discriminant, must fit an f32.
 const STEEPEST: f64 = 1e18;
 
 /// Draw mode of a part.
@@ -24,33 +24,33 @@ pub enum PartDrawMode {
     Plain,
     /// A cut removes the whole part.
     Removed,
-    /// These cuts may remove some of the part (bits of [`ActiveCuts::cuts`]), and it needs an inside test. Without bits, only the near
-    /// plane opens it.
+    /// These cuts (bits of [`ActiveCuts::cuts`]) may remove some of the part, which therefore needs an inside test. If no bit is set, only
+    /// the near plane opens it.
     Cut(u32),
 }
 
 /// The cuts that can affect a frame, and how each part is drawn.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ActiveCuts {
-    /// Clip-surfaces of these cuts, by their numbers in the scene.
+    /// Scene numbers of the clip-surfaces that these cuts use.
     pub surfaces: Vec<usize>,
-    /// The cuts, each as bits that index `surfaces`.
+    /// One bit set per cut; its bits are indices into `surfaces`.
     pub cuts: Vec<u32>,
-    /// Draw mode of each part, by rank.
+    /// Draw mode of each part, indexed by rank.
     pub parts: Vec<PartDrawMode>,
-    /// Parts in the order of the part table: those that need an inside test first, each group by rank.
+    /// Ranks in the order of the part table: first the parts that need an inside test, then the others, each sorted by rank.
     pub order: Vec<usize>,
-    /// Position of each part in `order`, by rank.
+    /// Position of each part in `order`, indexed by rank.
     places: Vec<usize>,
     /// Number of parts that need an inside test.
     pub lanes: usize,
     /// True if the near plane meets a part that needs an inside test.
     pub near_inside: bool,
-    /// Box around the parts that cuts reach, or, if cuts reach none, around those that the near plane opens.
+    /// Box around the parts that cuts reach; if cuts reach no part, box around the parts that the near plane opens.
     pub cut_box: Bounds,
 }
 
-/// Contact within this tolerance counts as crossing: the crossing list then decides.
+/// A box that comes closer than this to a clip-surface counts as crossed by it: the crossing list then decides.
 const TOUCHING: f64 = 1e-5;
 
 /// Side of a clip-surface that a box lies on.
@@ -62,7 +62,7 @@ enum BoxSide {
 }
 
 impl ActiveCuts {
-    /// The cuts that affect a view of a scene; returns the reason if the scene has more than a frame can distinguish.
+    /// The cuts that affect a view of a scene; returns the reason if a frame cannot number all parts, cuts or clip-surfaces.
     pub fn new(prepared: &Prepared, view: &View) -> Result<Self, Refusal> {
         if prepared.parts.len() > MOST_PARTS {
             return Err(Refusal::amount(format!(
@@ -125,7 +125,7 @@ impl ActiveCuts {
         let mut order = of_kind(|t| matches!(t, PartDrawMode::Cut(_)));
         let lanes = order.len();
         order.extend(of_kind(|t| *t == PartDrawMode::Plain));
-        // If any cut is active, a part opened only by the near plane uses no crossings. It must not enlarge the box, because values
+        // If any cut is active, a part opened only by the near plane uses no crossings. That part must not enlarge the box, because values
         // derived from the box would then change with the camera.
         let asks = |i: &&usize| surfaces.is_empty() || parts[**i] != PartDrawMode::Cut(0);
         let cut_box = (order[..lanes].iter().filter(asks))
@@ -155,7 +155,7 @@ impl ActiveCuts {
         })
     }
 
-    /// Bits of the cuts that reach a part, by rank.
+    /// Bits of the cuts that reach the part with the given rank.
     pub fn cuts_of(&self, rank: usize) -> u32 {
         match self.parts[rank] {
             PartDrawMode::Cut(bits) => bits,
@@ -163,7 +163,7 @@ impl ActiveCuts {
         }
     }
 
-    /// Clip-surfaces of the cuts that reach a part, by rank: their indices in the table.
+    /// Table indices of the clip-surfaces whose cuts reach the part with the given rank.
     pub fn surfaces_of(&self, rank: usize) -> impl Iterator<Item = usize> {
         let cuts = self.cuts_of(rank);
         let bits = (self.cuts.iter().enumerate())
@@ -172,7 +172,7 @@ impl ActiveCuts {
         (0..self.surfaces.len()).filter(move |slot| bits >> slot & 1 == 1)
     }
 
-    /// Per part, by its index in the scene: the bits of the cuts that reach it, and true if a cut removes the whole part.
+    /// For each part, by its index in the scene: the bits of the cuts that reach it, and whether a cut removes the whole part.
     pub(crate) fn clips_of_parts(&self, prepared: &Prepared) -> Vec<(u32, bool)> {
         let mut clips = vec![(0, false); prepared.parts.len()];
         for (rank, part) in prepared.parts.iter().enumerate() {
@@ -200,7 +200,7 @@ impl ActiveCuts {
             .map(|(rank, _)| rank)
     }
 
-    /// Position of a part in the part table, by rank; 0 for parts that are not drawn.
+    /// Position in the part table of the part with the given rank; 0 for parts that are not drawn.
     pub fn place_of(&self, rank: usize) -> usize {
         self.places[rank]
     }
@@ -228,8 +228,8 @@ fn beyond_words(number: usize, surface: &PreparedSurface, cut_box: &Bounds) -> O
             .fold(0.0, f64::max);
         if reach > MOST_TEXELS {
             return Some(format!(
-                "the relief of clip-surface {number} reaches {reach:.1e} texels across the parts; f32 tells \
-                 {MOST_TEXELS:.1e} apart"
+                "the relief of clip-surface {number} reaches {reach:.1e} texels across the parts; f32 distinguishes \
+                 at most {MOST_TEXELS:.1e}"
             ));
         }
         steepest = steepest.max(per_unit);

@@ -1,8 +1,8 @@
-//! The scene of a frame on the device: handles of the uploads that passes share.
+//! A frame's scene on the device: handles of the uploads that passes share.
 //!
-//! All uploads are described, and those that no pass uses are dropped from the plan ([`Plan::without_unused`]): describing one only copies
-//! a few rows, or shares bytes that the model already holds. Passes take these handles, so the scene, including its
-//! moving parts, must be described before any pass is recorded.
+//! All uploads are described, and those that no pass uses are dropped from the plan ([`Plan::without_unused`]). Describing an upload only
+//! copies a few rows, or shares bytes that the model already holds. Passes take these handles, so the scene, including its moving parts,
+//! must be described before any pass is recorded.
 
 use bytemuck::Zeroable;
 
@@ -11,10 +11,11 @@ use super::lanes::{Lanes, MOST_LANE_WORDS};
 use super::on_screen::OnScreen;
 use super::pose::pose_parts;
 use super::refusal::Refusal;
-use crate::plan::pack::{self, CutTable, MAX_SURFACES, Part};
+use crate::plan::pack::{self, CutTable, MAX_SURFACES, NO_TREE, Part};
 use crate::plan::{
     Binding, BufferRole, Clock, Contents, Format, Plan, Resource, ResourceId, Vertices,
 };
+use crate::scene::Fill;
 
 /// Scene buffers that passes bind.
 #[derive(Clone, Debug)]
@@ -35,13 +36,15 @@ pub(crate) struct SceneBuffers<'a> {
     pub vertices: ResourceId,
     /// Indices of all parts in this frame, each part's preclassified triangles last.
     pub indices: ResourceId,
-    /// Indices of all parts in their original order, whatever cuts them.
+    /// Indices of all parts in their original order, independent of cuts.
     pub solid_indices: ResourceId,
     /// The groups of preclassified triangles, if there are any.
     pub preclassified: Option<Binding>,
+    /// Trees of the closing triangles of open parts, if the inside test closes them.
+    pub closings: Option<Binding>,
     /// The heights of all reliefs.
     pub heights: Binding,
-    /// Point samples of a height map, optionally through the hardware sampler.
+    /// Bindings for reading heights at points, through the hardware sampler if that is selected.
     pub filtered_heights: Vec<Binding>,
     /// Depths at the resolution of the view.
     pub depth: ResourceId,
@@ -69,7 +72,7 @@ impl<'a> SceneBuffers<'a> {
         Ok(scene)
     }
 
-    /// The same for passes that read no vertices.
+    /// As [`Self::upload`], for passes that read no vertices: moving parts are not posed.
     pub(crate) fn unposed(plan: &mut Plan, input: &'a Input<'a>, lanes: Lanes) -> Self {
         let model = input.model;
         let mut upload = |name: &'static str, role, clock, contents| {
@@ -88,14 +91,14 @@ impl<'a> SceneBuffers<'a> {
             "indices",
             BufferRole::Index,
             Clock::Solid,
-            model.indices.clone(),
+            input.with_closings(&model.indices),
         );
         let sorted = input.sorted_indices().map(|sorted| {
             let sorted = upload(
                 "sorted indices",
                 BufferRole::Index,
                 Clock::Cut,
-                sorted.clone(),
+                input.with_closings(sorted),
             );
             sorted.resource
         });
@@ -125,6 +128,14 @@ impl<'a> SceneBuffers<'a> {
                 input.preclassified_table(),
             )
         });
+        let closings = input.closings.as_ref().map(|closings| {
+            upload(
+                "closings",
+                BufferRole::Storage,
+                Clock::Solid,
+                closings.trees.clone(),
+            )
+        });
         let heights = upload(
             "heights",
             BufferRole::Storage,
@@ -152,6 +163,7 @@ impl<'a> SceneBuffers<'a> {
             indices: sorted.unwrap_or(indices.resource),
             solid_indices: indices.resource,
             preclassified,
+            closings,
             heights,
             filtered_heights,
             depth,
@@ -215,11 +227,14 @@ fn parts(input: &Input<'_>, lanes: &Lanes) -> Contents {
         .map(|(place, rank)| {
             let part = &prepared[*rank];
             let [lane_word, lane_shift] = lanes.of_place(place);
+            let closed = input.closed_parts().iter().find(|c| c.rank == *rank);
             Part {
                 cuts: active_cuts.cuts_of(*rank),
                 lane_word,
                 lane_shift,
                 part: part.part as u32,
+                tree: closed.map_or(NO_TREE, |c| c.tree),
+                is_nonzero: u32::from(part.fill == Fill::Nonzero),
                 color: style.surface_color(&part.material).extend(1.0).to_array(),
                 cap_color: style.cap_color(&part.material).extend(1.0).to_array(),
                 ..Part::zeroed()
@@ -231,6 +246,11 @@ fn parts(input: &Input<'_>, lanes: &Lanes) -> Contents {
     for (place, rank) in active_cuts.order.iter().enumerate() {
         rows[prepared[*rank].part].place = place as u32;
     }
+    let of_closed = input.closed_parts().iter().map(|closed| Part {
+        cuts: input.cut_of_everything(),
+        ..rows[active_cuts.place_of(closed.rank)]
+    });
+    rows.extend(of_closed.collect::<Vec<_>>());
     Contents::from_values(&or_one(rows))
 }
 

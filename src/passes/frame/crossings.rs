@@ -10,9 +10,9 @@ use crate::plan::{Binding, ResourceId};
 pub(crate) struct Crossings {
     /// Count and starting sides, 8 bytes per pixel.
     pub heads: ResourceId,
-    /// Depth-buffer values.
+    /// Depth-buffer value of each crossing.
     pub z: ResourceId,
-    /// Clip-surfaces.
+    /// Clip-surface of each crossing.
     pub surfaces: ResourceId,
     /// Capacity per pixel, in crossings.
     pub capacity: u32,
@@ -52,7 +52,7 @@ impl Crossings {
 }
 
 impl CrossingSource {
-    /// Lists of `capacity` crossings that do not exist yet, for estimating the cost of fragments.
+    /// Describes lists of `capacity` crossings that are not made yet, to estimate the cost of fragments.
     pub(crate) fn to_come(input: &Input<'_>, capacity: u32) -> Self {
         let surfaces_file = match input.has_one_surface() {
             true => ONE_SURFACE,
@@ -106,7 +106,7 @@ impl CrossingSource {
     }
 }
 
-/// Lists up to this length are searched linearly: `shaders/lib/crossings/list.wgsl`.
+/// Lists up to this length are searched linearly; must match `shaders/lib/crossings/list.wgsl`.
 const SHORT_LIST: u32 = 8;
 
 /// The file that reads the list.

@@ -1,6 +1,6 @@
 //! Dispatches with one invocation per item, for the maximum number of items.
 
-/// Invocations along x of a dispatch folded into two dimensions: `shaders/lib/rasterise/sweep.wgsl`.
+/// Invocations along x of a dispatch folded into two dimensions; must match `shaders/lib/rasterise/sweep.wgsl`.
 pub const INVOCATIONS_PER_ROW: u32 = 1 << 21;
 /// Invocations of a workgroup in which each invocation handles one triangle or vertex.
 pub(crate) const GROUP: u32 = 64;

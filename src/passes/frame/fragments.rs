@@ -80,7 +80,7 @@ impl FragmentLists {
         self.layout.lists
     }
 
-    /// `lists` empty lists with as many fragments in total as the last frame needed; at first one per list. Returns the reason if
+    /// `lists` empty lists. Together they hold as many fragments as the last frame needed; at first, one per list. Returns the reason if
     /// there are more lists than 32-bit words can count.
     pub(crate) fn of_mesh(
         plan: &mut Plan,
@@ -153,8 +153,8 @@ fn pool(plan: &mut Plan, name: &str, layout: FragmentPool) -> Binding {
     Binding::read("pool", plan.add_resource(pool))
 }
 
-/// Makes the cut parts' fragments store what an inside test needs, without drawing the parts; returns the reason if the compute
-/// rasteriser cannot. It transforms the mesh to a separate screen, whose queue of large triangles no other pass fills.
+/// Stores what an inside test needs from the cut parts' fragments, without drawing the parts; returns the reason if the compute rasteriser
+/// cannot do this. That rasteriser uses a separate screen, whose queue of large triangles no other pass fills.
 pub(crate) fn leave_fragments(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,

@@ -1,12 +1,12 @@
 //! Reading relief heights: from four texels, or through the GPU's sampler.
 //!
-//! By definition a height is interpolated from four texels in f32, read from the buffer that holds all maps. A sampler takes one fetch and
-//! keeps the position within a cell in few bits. Passes that need heights at points (the clip test of the paper's rule and grid vertices)
-//! may read them through the sampler; all such passes of a frame use the same way, and normals stay exact.
+//! By definition a height is interpolated from four texels in f32, read from the buffer that holds all maps. A sampler takes one fetch, but
+//! resolves the position within a cell to few bits. Passes that need heights at points (the clip test of the paper's rule and grid
+//! vertices) may use the sampler; all such passes of a frame use the same method, and normals stay exact.
 //!
 //! The maps are layers of a 32-bit float texture, so that only the filter weights are inexact: 16-bit texels, which every device filters,
-//! would add errors of their own that are larger on smooth reliefs. Cannot: maps of several sizes in one texture, several wrap
-//! modes in one sampler, or a device that does not filter 32-bit floats.
+//! would add errors of their own that are larger on smooth reliefs. Not supported: maps of several sizes in one texture, several wrap modes
+//! in one sampler, or a device that does not filter 32-bit floats.
 
 use super::input::Input;
 use crate::plan::{Binding, Clock, Contents, Format, Plan, Resource};

@@ -1,6 +1,7 @@
 //! Input from which a frame is recorded. It does not change while a plan is made; the handles of pass resources are kept separately.
 
 use super::active_cuts::ActiveCuts;
+use super::closings::Closings;
 use super::preclassified::GroupOfPart;
 use super::rasteriser::Rasteriser;
 use super::refusal::Refusal;
@@ -32,6 +33,8 @@ pub(crate) struct Input<'a> {
     pub height_filter: HeightFilter,
     /// The groups of preclassified triangles; none if the frame classifies nothing.
     pub preclassified: Option<Vec<GroupOfPart<'a>>>,
+    /// Open parts that are closed for counting, if the inside test closes them.
+    pub closings: Option<Closings>,
 }
 
 impl<'a> Input<'a> {
@@ -52,6 +55,7 @@ impl<'a> Input<'a> {
             keeps_list: false,
             height_filter: HeightFilter::Exact,
             preclassified: None,
+            closings: None,
         };
         input.preclassified = input.find_preclassified();
         Ok(input)
@@ -101,11 +105,11 @@ impl<'a> Input<'a> {
         ranks.any(|r| parts[*r].fill == Fill::Nonzero)
     }
 
-    /// A part that needs an inside test and whose box meets the near plane, which extends beyond the picture.
+    /// The first part that needs an inside test and whose box meets the near plane. The near plane is not limited to the picture.
     pub(crate) fn cut_part_in_near_plane(&self) -> Option<&PreparedPart> {
         let meets = |rank: usize| {
             let part = &self.model.prepared.parts[rank];
-            // A posed part's box is conservative: finding the tight one takes its vertices.
+            // A posed part's box is conservative: the tight box can only be computed from its vertices.
             let is_met = self.view.near_plane_meets(&part.bounds)
                 && (self.view).near_plane_meets(&self.model.sliced(rank).bounds(part));
             is_met.then_some(part)

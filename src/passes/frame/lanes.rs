@@ -1,7 +1,7 @@
 //! Layout of the parts' words within a pixel, for inside tests that store such words; and the mask made from them.
 //!
-//! Even-odd parts have lanes of bits: as many lanes to a word as fit, or several words per lane if lists are long. Nonzero
-//! parts have separate words after all of those, if the inside test provides them.
+//! Even-odd parts have lanes of bits: as many lanes to a word as fit, or several words per lane if lists are long. If the inside test
+//! supports the nonzero rule, nonzero parts have separate words after all lanes of bits.
 //!
 //! The mask is either written by fragments, or made from what they stored. A mask made from a bounded buffer has one more
 //! word per pixel, which marks the pixels that lost fragments.
@@ -10,10 +10,10 @@ use super::input::Input;
 use crate::plan::{Clock, Plan, Resource, ResourceId};
 use crate::scene::Fill;
 
-/// `lane_shift` of a part whose lane holds counts; `WINDING` in `shaders/lib/inside_tests/lanes.wgsl`.
+/// `lane_shift` of a part whose lane holds counts; must match `WINDING` in `shaders/lib/inside_tests/lanes.wgsl`.
 const COUNTS: u32 = 32;
 
-/// Maximum number of words per pixel: `shaders/lib/inside_tests/lanes.wgsl`. Passes that loop over a pixel's words take as many rounds.
+/// Maximum words per pixel, and thus rounds of a loop over them; must match `shaders/lib/inside_tests/lanes.wgsl`.
 pub(crate) const MOST_LANE_WORDS: u32 = 1024;
 
 /// The lanes of all parts that need an inside test.
@@ -21,7 +21,7 @@ pub(crate) const MOST_LANE_WORDS: u32 = 1024;
 pub(crate) struct Lanes {
     /// Width in bits of a lane of bits.
     pub bits: u32,
-    /// First word and shift, in table order.
+    /// First word and shift of each part, in table order.
     places: Vec<[u32; 2]>,
     /// Number of words per pixel.
     pub words: u32,
@@ -37,13 +37,13 @@ impl Lanes {
         }
     }
 
-    /// Lanes wide enough for lists of `crossings` crossings, all of bits. Widths up to 32 bits are powers of two, larger ones whole words,
-    /// so that none straddles a word.
+    /// Lanes of bits for all parts, wide enough for lists of `crossings` crossings. Widths up to 32 bits are powers of two, larger ones
+    /// whole words, so that none straddles a word.
     pub(crate) fn of_bits(input: &Input<'_>, crossings: u32) -> Self {
         Self::with_counts(input, crossings, 0)
     }
 
-    /// The same, except that nonzero parts have `words_of_counts` words each.
+    /// As [`Self::of_bits`], except that nonzero parts have `words_of_counts` words each.
     pub(crate) fn with_counts(input: &Input<'_>, crossings: u32, words_of_counts: u32) -> Self {
         let bits = crossings + 1;
         let bits = if bits > 32 {
@@ -52,7 +52,9 @@ impl Lanes {
             bits.next_power_of_two().max(2)
         };
         let parts = &input.model.prepared.parts;
-        let counts = |rank: &usize| words_of_counts > 0 && parts[*rank].fill == Fill::Nonzero;
+        let counts = |rank: &usize| {
+            words_of_counts > 0 && (parts[*rank].fill == Fill::Nonzero || input.closes(*rank))
+        };
         let ranks = input.active_cuts.cut_parts();
         let of_bits = ranks.iter().filter(|r| !counts(r)).count() as u32;
         let mut lane = 0;

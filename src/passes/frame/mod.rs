@@ -2,6 +2,7 @@
 
 pub(crate) mod active_cuts;
 pub(crate) mod buffers;
+pub(crate) mod closings;
 pub(crate) mod crossings;
 pub(crate) mod dispatch;
 pub(crate) mod fragments;

@@ -5,7 +5,7 @@ use crate::plan::{Clock, Plan, Resource, ResourceId};
 
 /// Word for crossings per pixel: `shaders/lib/lists/crossing_list.wgsl`.
 pub const NEED_OF_CROSSINGS: u32 = 0;
-/// Word for the cells of a relief along a ray: `shaders/lib/relief_crossing/`.
+/// Word for the number of relief cells along a ray: `shaders/lib/relief_crossing/`.
 pub(crate) const NEED_OF_CELLS: u32 = 1;
 /// Word for fragments.
 pub const NEED_OF_FRAGMENTS: u32 = 2;

@@ -32,7 +32,7 @@ pub(crate) struct ScreenMesh {
     pub(crate) may_clip: bool,
 }
 
-/// The mesh on the screen of a frame, before anything is swept.
+/// The mesh on a frame's screen, before the first sweep.
 #[derive(Clone, Debug)]
 pub(crate) struct OnScreen {
     pub(crate) screen: ScreenMesh,

@@ -28,7 +28,7 @@ impl<'a> Input<'a> {
         {
             return None;
         }
-        // A part has all its groups or none; parts and groups together fit the compute rasteriser's rows.
+        // Either all groups of a part are included or none; parts and groups together fit the compute rasteriser's rows.
         let most = MOST_PRECLASSIFIED_GROUPS.saturating_sub(order.len());
         let mut all = Vec::new();
         for rank in order {
@@ -118,7 +118,7 @@ impl<'a> Input<'a> {
             .map(|s| &s.indices)
     }
 
-    /// The draws of the parts with given ranks, without their groups; the instance is the part's position in the table.
+    /// Draws of the triangles that are in no group, for the parts with given ranks; the instance is the part's position in the table.
     pub(crate) fn draws_of_rest(&self, ranks: &[usize]) -> Vec<Draw> {
         let mut draws = self.draws_of(ranks);
         for (draw, rank) in draws.iter_mut().zip(ranks) {
@@ -130,7 +130,7 @@ impl<'a> Input<'a> {
         draws
     }
 
-    /// The end of a part's indices without its groups, by rank.
+    /// End of the index range of a part's triangles that are in no group; `rank` identifies the part.
     pub(crate) fn end_of_rest(&self, rank: usize) -> u32 {
         let mut groups = self.preclassified_groups().iter();
         let first = groups.find(|(r, _)| *r == rank);

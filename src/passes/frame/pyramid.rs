@@ -37,7 +37,7 @@ fn levels_of(size: [u32; 2]) -> u32 {
 }
 
 impl Input<'_> {
-    /// The pyramids of the active reliefs, by clip-surface, and their total number of nodes.
+    /// The pyramids of the active reliefs, one row per clip-surface, and the total number of nodes.
     fn pyramid_rows(&self) -> (Vec<Pyramid>, u64) {
         let mut rows: Vec<Pyramid> = Vec::new();
         let mut nodes = 0_u64;

@@ -27,7 +27,7 @@ pub(crate) struct Sections {
     pub indices: ResourceId,
     /// One draw per section; the instance is the part's position in the table times [`MAX_SURFACES`], plus the clip-surface's position.
     pub draws: Vec<Draw>,
-    /// Draws like `draws`, of everything the plane can meet of a part whose section is incomplete.
+    /// One draw per incomplete section, with instances as in `draws`: covers everything in which the plane can meet the part.
     pub doubts: Vec<Draw>,
 }
 
@@ -45,7 +45,7 @@ impl SliceTask {
     }
 }
 
-/// One of the wanted sections per part.
+/// One wanted section for each part.
 fn of_each_part<'a>(wanted: impl IntoIterator<Item = &'a SliceTask>) -> Vec<&'a SliceTask> {
     let mut of_each: Vec<&SliceTask> = wanted.into_iter().collect();
     of_each.dedup_by(|a, b| Arc::ptr_eq(&a.sliced, &b.sliced));
@@ -53,8 +53,8 @@ fn of_each_part<'a>(wanted: impl IntoIterator<Item = &'a SliceTask>) -> Vec<&'a 
 }
 
 impl Sections {
-    /// The sections of the cut parts by the planes that cut them, none if all planes miss; and the work behind the plan's CPU steps for
-    /// them. All clip-surfaces must be planes.
+    /// The sections of the cut parts by the planes that cut them, or none if all planes miss; and the work done for the plan's CPU steps.
+    /// All clip-surfaces must be planes.
     pub(crate) fn slice(plan: &mut Plan, input: &Input<'_>) -> (Option<Self>, Vec<CpuWork>) {
         let wanted = wanted(input);
         let known: Vec<_> = (wanted
@@ -116,7 +116,7 @@ impl Sections {
     }
 }
 
-/// The work of making slicers, and of slicing: the time of each, if its results were not known before.
+/// The work of making slicers and the work of slicing, each with the time it took; no time if all results were cached.
 fn work(wanted: Vec<SliceTask>, slicers_ms: Option<f64>, took_ms: Option<f64>) -> [CpuWork; 2] {
     let wanted = Arc::new(wanted);
     let of_slicers = wanted.clone();
@@ -181,13 +181,13 @@ fn upload(plan: &mut Plan, met: &[(&SliceTask, &Arc<PackedSection>)]) -> [Resour
     })
 }
 
-/// Makes the slicers that the unknown sections need; returns the time it took, if any was made.
+/// Makes the slicers that the unknown sections need; returns the time taken, or `None` if no slicer was missing.
 fn make_slicers(wanted: &[SliceTask], known: &[Option<Arc<PackedSection>>]) -> Option<f64> {
     let started = now();
     let missing = (wanted.iter().zip(known))
         .filter(|(w, known)| known.is_none() && !w.sliced.has_slicer())
         .map(|(w, _)| w);
-    // Each only once: a thread that makes one must not meet the same one again while it waits for others.
+    // Each slicer only once: a thread that makes one and waits for others must not pick up a task for the same slicer.
     let missing = of_each_part(missing);
     missing.par_iter().for_each(|w| w.sliced.prepare(&w.part));
     (!missing.is_empty()).then(|| started.elapsed().as_secs_f64() * 1e3)

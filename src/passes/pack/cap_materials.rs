@@ -97,7 +97,7 @@ impl CapMaterials {
         self.has_materials
     }
 
-    /// Material of each part, by its number in the scene.
+    /// Material of each part, indexed by part number in the scene.
     pub(crate) fn materials(&self) -> Contents {
         Contents::from_values(&self.materials)
     }
@@ -206,14 +206,14 @@ fn row_of(
     }
 }
 
-/// From scene space to the part's solid: in repeats of a given size around the part's middle, the third axis along its longest side; or,
-/// without a size, once through its box, with image rows downwards.
+/// Map from scene space to solid-texture coordinates. With a size: repeats of that size around the part's middle, the third axis along its
+/// longest side. Without one: a single repeat that fills the part's box, with image rows downwards.
 fn solid_from_scene(part: &Part, space: &SceneSpace, size: Option<f64>) -> DAffine3 {
     let part_from_scene = (space.from_world() * part.world_from_part).inverse();
     let bounds = part.mesh.bounds();
     let solid_from_part = match size {
         Some(size) => {
-            // In world units, whatever scales the part.
+            // The size is in world units, however the part is scaled.
             let m = part.world_from_part.matrix3;
             let lengths = DVec3::from([0, 1, 2].map(|i| m.col(i).length()));
             let sides = (bounds.size() * lengths).to_array();

@@ -53,13 +53,13 @@ pub(crate) const NORMAL_STEPS: f32 = 4096.0;
 /// Position of triangles relative to the surfaces that classify them.
 #[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Lie {
-    /// Side of each clip-surface, by its number.
+    /// Numbers of clip-surfaces, each with the side on which the triangles lie.
     pub(crate) sides: Vec<(u16, Side)>,
     /// Numbers of the clip-surfaces in which the triangles lie.
     pub(crate) flush: Vec<u16>,
     /// Numbers of the cutters in whose faces the triangles lie.
     pub(crate) in_cutters: Vec<u16>,
-    /// Normal of those faces, up to sign, in steps of 1 / [`NORMAL_STEPS`].
+    /// Normal of the cutter faces, up to sign, in steps of 1 / [`NORMAL_STEPS`].
     pub(crate) normal: [i32; 3],
     /// True if they coincide with other triangles.
     pub(crate) is_doubled: bool,
@@ -84,7 +84,7 @@ pub(crate) struct Sorted {
 
 impl Sorted {
     /// Sorts the triangles of a part; `None` if none is preclassified. `indices` are the triangles as they are drawn, in the same order;
-    /// `doubled` are those that coincide with another one.
+    /// `doubled` are the triangles that coincide with another triangle.
     pub(crate) fn of(
         by: &Classifiers,
         (positions, triangles): (&[Vec3], &[[u32; 3]]),

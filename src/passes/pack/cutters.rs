@@ -24,11 +24,11 @@ const FACE_BYTES: u64 = size_of::<CutterFace>() as u64;
 pub struct Cutters {
     /// Vertices of all cutters.
     pub vertices: Contents,
-    /// The triangle that begins with each vertex, a [`CutterFace`].
+    /// For each vertex, the triangle that begins with it, as a [`CutterFace`].
     pub faces: Contents,
     /// Indices of all cutters.
     pub indices: Contents,
-    /// Range of each cutter, by number of the clip-surface.
+    /// Range of each cutter, indexed by clip-surface number.
     ranges: Vec<Option<MeshRange>>,
     packed: Vec<PackedCutter>,
 }
@@ -84,7 +84,7 @@ impl Cutters {
             let now =
                 Contents::in_pieces(len, pieces.clone(), before.is_some_and(Contents::changes));
             match before {
-                // Only now is it known that it changes.
+                // Only at this point is it known that the contents change.
                 Some(before) if *before != now => Contents::in_pieces(len, pieces, true),
                 Some(before) => before.clone(),
                 None => now,

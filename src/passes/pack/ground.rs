@@ -138,7 +138,7 @@ fn level(prepared: &Prepared) -> f64 {
     }
 }
 
-/// How far the shadow of a point at a given height reaches from the point's foot.
+/// Distance that the shadow of a point at a given height reaches from the point on the ground directly below.
 fn reach(shadow: &Shadow, height: f64) -> f64 {
     height * f64::from(shadow.spread_deg).to_radians().tan()
 }

@@ -64,7 +64,7 @@ impl Heights {
         };
         let contents = match before {
             Some((contents, old)) if alike(old) => contents.clone(),
-            // Contents made by a concurrent call stay in use: only now is it known that the maps change.
+            // Contents that a concurrent call has made stay in use, because only at this point is it known that the maps change.
             before => contents(&maps, &starts, before.is_some()),
         };
         Self {

@@ -7,6 +7,7 @@ pub(crate) mod ground;
 pub(crate) mod heights;
 pub(crate) mod model;
 pub(crate) mod packed;
+pub(crate) mod packed_closing;
 pub(crate) mod packed_pose;
 pub(crate) mod packed_vertex_paint;
 pub(crate) mod preclassified;

@@ -13,6 +13,7 @@ use super::cutters::Cutters;
 use super::ground::GroundShadow;
 use super::heights::{Heights, PackedMap};
 use super::packed::{self, Packed, Room};
+use super::packed_closing::PackedClosing;
 use super::packed_pose::{Moving, PackedPose};
 use super::preclassified::PreclassifiedTriangles;
 use super::relief_sky::ReliefSky;
@@ -35,9 +36,9 @@ pub struct Model {
     pub vertices: Contents,
     /// Indices of all parts.
     pub indices: Contents,
-    /// Range of each part, by rank.
+    /// Range of each part, indexed by rank.
     pub ranges: Vec<MeshRange>,
-    /// The parts that the pose pass places, by rank.
+    /// For each rank, the part as input of the pose pass; `None` if that pass does not place it.
     pub moving: Vec<Option<Moving>>,
     /// Heights of all reliefs, one after the other; parts that share a map share its texels.
     pub heights: Contents,
@@ -46,7 +47,7 @@ pub struct Model {
     pub cutters: Cutters,
     /// The maps that `heights` holds.
     maps: Vec<PackedMap>,
-    /// The packed parts, by index in the scene.
+    /// The packed parts, indexed as in the scene.
     packed: Arc<Vec<Packed>>,
     rooms: Vec<Room>,
     /// Triangles whose sides of clip-surfaces are known in advance; `None` if there are none.
@@ -61,7 +62,7 @@ pub struct Model {
     pub(crate) cap_materials: Option<Arc<CapMaterials>>,
     /// The ground shadow, if there is one.
     pub(crate) ground: Option<Arc<GroundShadow>>,
-    /// Motion of each part since the rest pose, by index in the scene.
+    /// Motion of each part since the rest pose, indexed as in the scene.
     pub(crate) moved: Vec<Option<Moved>>,
     lineage: Arc<()>,
     /// Identity that this model shares only with its copies.
@@ -121,7 +122,7 @@ impl Model {
             before.is_some_and(|b| b.vertices.changes()) || packed.iter().any(|p| p.rest.is_some());
         let [mut vertices, mut indices] = packed::contents(&packed, &rooms, changes);
         if let Some(before) = before {
-            // Contents made by a concurrent call stay in use: only now is it known that a mesh changed.
+            // Contents that a concurrent call has made stay in use, because only at this point is it known that a mesh changed.
             if vertices != before.vertices || indices != before.indices {
                 [vertices, indices] = packed::contents(&packed, &rooms, true);
             } else {
@@ -235,9 +236,20 @@ impl Model {
         styled
     }
 
-    /// Reusable slicing data of a part, by rank.
+    /// Reusable slicing data of the part with the given rank.
     pub(crate) fn sliced(&self, rank: usize) -> Arc<Sliced> {
         self.packed[self.prepared.parts[rank].part].sliced.clone()
+    }
+
+    /// The triangles that close a part, by rank; `None` if it is closed.
+    pub(crate) fn closing(&self, rank: usize) -> Option<Arc<PackedClosing>> {
+        self.packed[self.prepared.parts[rank].part].closing()
+    }
+
+    /// The tree of a part's closing triangles, by rank, where the part is now.
+    pub(crate) fn closing_tree(&self, rank: usize, closing: &PackedClosing) -> Arc<[u8]> {
+        self.sliced(rank)
+            .closing_tree(&self.prepared.parts[rank], closing)
     }
 
     /// Returns true if a clip-surface is a true relief rather than a plane, a flat map or a cutter.

@@ -5,11 +5,12 @@
 //! that part is packed again: reserved ranges stay where they are as long as everything fits, and those of parts whose
 //! mesh has changed before have a quarter to spare.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use glam::DAffine3;
 
 use super::classifiers::{Classifiers, Sorted};
+use super::packed_closing::PackedClosing;
 use super::packed_vertex_paint::PackedVertexPaint;
 use super::rest_part::RestPart;
 use super::sliced::Sliced;
@@ -38,11 +39,13 @@ pub(crate) struct Packed {
     pub(crate) rest: Option<Arc<RestPart>>,
     /// Its vertex paint, if its mesh has one.
     pub(crate) vertex_paint: Option<Arc<PackedVertexPaint>>,
-    /// Triangles that coincide with another one.
+    /// Triangles that coincide with another triangle.
     doubled: Arc<Vec<u32>>,
     /// Reusable slicing data.
     pub(crate) sliced: Arc<Sliced>,
-    /// True if its mesh has changed before.
+    /// Its closing triangles, found on first use; `None` in it if the mesh is closed.
+    closing: Arc<OnceLock<Option<Arc<PackedClosing>>>>,
+    /// True if the part's mesh has changed before.
     is_other: bool,
 }
 
@@ -144,6 +147,13 @@ impl Packed {
                 Some(k) if k.sliced.stands_as(part, space) => k.sliced.clone(),
                 _ => Arc::new(Sliced::posed(part, space)),
             },
+            closing: match known {
+                // A placement that starts or ends to mirror turns the triangles.
+                Some(known) if known.rest.as_ref().is_some_and(|k| k.mirrored == mirrored) => {
+                    known.closing.clone()
+                }
+                _ => Arc::default(),
+            },
             ..Self::unpacked(part, space, placed)
         }
     }
@@ -162,8 +172,22 @@ impl Packed {
             vertex_paint: None,
             doubled: Arc::default(),
             sliced: Arc::default(),
+            closing: Arc::default(),
             is_other: false,
         }
+    }
+
+    /// The triangles that close the part; `None` if it is closed.
+    pub(crate) fn closing(&self) -> Option<Arc<PackedClosing>> {
+        let find = || match &self.rest {
+            Some(rest) => rest.closing(),
+            None => {
+                let (part, shading) = (&self.part, &self.part.shading);
+                let vertices = &shading.positions_of_vertex;
+                PackedClosing::of(&part.triangles, vertices, |p| part.positions[p as usize])
+            }
+        };
+        self.closing.get_or_init(|| find().map(Arc::new)).clone()
     }
 
     /// The indices, preclassified triangles last; `None` if no triangle is preclassified.

@@ -7,11 +7,11 @@
 //! its own, or a row in the compute rasteriser's table; all other triangles are drawn as usual. Without preclassified triangles
 //! there is no group, no pass and no binding.
 //!
-//! Per cut: one test of every vertex of the parts that a flat clip-surface passes through, and, if a triangle is preclassified, a copy of
-//! the part's indices. For this, parts that the device places without bending are also placed here.
+//! Cost per cut: one test of every vertex of the parts that a flat clip-surface passes through, and, if a triangle is preclassified, a copy
+//! of the part's indices. For this, parts that the device places without bending are also placed here.
 //!
 //! Cannot: distinguish more than [`MOST_PRECLASSIFIED_GROUPS`](crate::plan::pack::MOST_PRECLASSIFIED_GROUPS) parts and groups (others keep
-//! their depths). A part's face beside and coplanar with a face of a thin cutter may be taken for a face in it.
+//! their depths). A part's face that is coplanar with a thin cutter's face and next to it may be mistaken for one that lies in it.
 
 use super::classifiers::{ClassifiedBy, ClassifiedGroup, Classifiers, NumberedSurface};
 use super::packed::{Packed, Room};

@@ -6,15 +6,16 @@
 
 use std::sync::Arc;
 
-use glam::{DAffine3, DMat3, DVec3};
+use glam::{DAffine3, DMat3, DVec3, Vec3};
 
+use super::packed_closing::PackedClosing;
 use super::packed_vertex_paint::PackedVertexPaint;
 use super::vertex::{Vertex, packed_triangles};
 use crate::plan::Contents;
 use crate::plan::pack::pack_normal;
 use crate::scene::{Bounds, Motion, Part, Prepared, Scene, SceneSpace, facing_out};
 
-/// Index of the matrix for positions without joint influences: the placement alone.
+/// Index of the matrix for positions without joint influences; it holds only the placement.
 pub(crate) const UNPULLED: u32 = 0;
 /// Index of the matrix that maps every point to the image of part space's origin.
 pub(crate) const ORIGIN: u32 = 1;
@@ -37,7 +38,7 @@ pub(crate) struct RestPart {
     pub(crate) vertex_paint: Option<Arc<PackedVertexPaint>>,
     /// The triangles as they are cut, by position index.
     pub(crate) triangles: Arc<Vec<[u32; 3]>>,
-    /// True if they are reversed for a placement that mirrors.
+    /// True if the triangles are reversed because the placement mirrors.
     pub(crate) mirrored: bool,
     /// Bounds in part space.
     pub(crate) bounds: Bounds,
@@ -52,7 +53,7 @@ pub(crate) struct RestPart {
 }
 
 impl RestPart {
-    /// Packs a part, whatever its pose.
+    /// Packs a part; its pose does not matter.
     pub(crate) fn of(part: &Part, mirrored: bool) -> Self {
         let space = SceneSpace::new(&part.mesh.bounds());
         let mut still = Part::new(part.name.clone(), part.mesh.clone());
@@ -112,6 +113,20 @@ impl RestPart {
         )
     }
 
+    /// The triangles that close it, facing as it is placed; `None` if it is closed.
+    pub(crate) fn closing(&self) -> Option<PackedClosing> {
+        let turned = self.triangles.iter().map(|t| facing_out(*t, self.mirrored));
+        let position_of_vertex = self.position_of_vertex.bytes();
+        let vertices: Vec<Vertex> = bytemuck::pod_collect_to_vec(&self.vertices.bytes());
+        let position_of_vertex: Vec<u32> = bytemuck::pod_collect_to_vec(&position_of_vertex);
+        let mut positions = vec![Vec3::ZERO; self.position_count as usize];
+        for (vertex, position) in vertices.iter().zip(&position_of_vertex) {
+            positions[*position as usize] = vertex.position.into();
+        }
+        let position = |p: u32| positions[p as usize];
+        PackedClosing::of(&turned.collect::<Vec<_>>(), &position_of_vertex, position)
+    }
+
     /// Rest units per unit of part space.
     pub(crate) fn scale(&self) -> f64 {
         self.space.scale
@@ -128,7 +143,7 @@ fn displacements(motion: &Motion, positions: usize, scale: f64) -> Option<Conten
     (!numbers.is_empty()).then(|| Contents::from_values(&numbers))
 }
 
-/// First index of each position's influences, then the influences. Weight missing from 1 goes to the origin of part space, as
+/// First index of each position's influences, then the influences. If weights add up to less than 1, the rest goes to the origin, as
 /// the sum in the f64 path does.
 fn pulls(motion: &Motion, positions: usize) -> Option<Contents> {
     if motion.pulls.is_empty() {

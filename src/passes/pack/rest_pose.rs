@@ -1,5 +1,5 @@
-//! Rest-pose inputs of hatching, captured when the scene is first packed: contacts between parts, their thickness, and the picture's
-//! size in the world. A hatch that followed the camera or a motion would swim.
+//! Rest-pose inputs of hatching, captured when the scene is first packed: contacts between parts, part thicknesses, and the picture's size
+//! in the world. A hatch that followed the camera or a motion would swim.
 //!
 //! Kept by all [updates](super::model::Model::updated) of a model that have the same number of parts, however these change. Thicknesses and
 //! contacts are computed on first request.
@@ -13,7 +13,7 @@ use crate::scene::{Mesh, Prepared, Scene, classes, contacts};
 
 /// Cells along the scene's diagonal, in the grid that finds contacts between parts.
 const CELLS: f64 = 150.0;
-/// Size of the picture from which the scene's size is derived: its shape matters little.
+/// Size of the picture from which the scene's size is derived; the aspect ratio matters little.
 const FRAMED_PX: [u32; 2] = [1024, 768];
 
 /// Motion of a part as a whole, in scene space.
@@ -73,7 +73,7 @@ impl RestPose {
         }
     }
 
-    /// A class for each part, by its index in the scene: touching parts have different classes.
+    /// A class for each part, indexed as in the scene: touching parts have different classes.
     pub(crate) fn classes(&self) -> &[u16] {
         self.classes.get_or_init(|| {
             let cell = self.diagonal / CELLS;
@@ -87,7 +87,7 @@ impl RestPose {
         })
     }
 
-    /// Mean thickness of each part in world units, by its index in the scene: twice its volume over its area.
+    /// Mean thickness of each part in world units (twice its volume over its area), indexed as in the scene.
     pub(crate) fn thicknesses(&self) -> &[f64] {
         self.thicknesses.get_or_init(|| {
             let parts = self.parts.par_iter();
@@ -99,7 +99,7 @@ impl RestPose {
         })
     }
 
-    /// Motion of each part of the scene since the rest pose, by its index: none if it stands still, bends or is stretched.
+    /// Motion of each part since the rest pose, indexed as in the scene; `None` if the part stands still, bends or is stretched.
     pub(crate) fn moved(&self, scene: &Scene, prepared: &Prepared) -> Vec<Option<Moved>> {
         let to_scene = |p: DVec3| (p - prepared.centre_in_world) * prepared.scale;
         let parts = scene.parts.iter().zip(&self.parts);

@@ -13,6 +13,7 @@ use glam::{DVec2, DVec3, Vec3};
 use rayon::prelude::*;
 
 use super::classifiers::{Classifiers, Sorted};
+use super::packed_closing::PackedClosing;
 use super::vertex::Vertex;
 use crate::plan::Piece;
 use crate::plan::pack::MAX_SURFACES;
@@ -35,12 +36,11 @@ pub(crate) struct PackedSection {
     /// In the format of [`Vertices::Mesh`](crate::plan::Vertices::Mesh), in scene space; no shader reads their normals.
     pub(crate) vertices: Arc<[u8]>,
     pub(crate) vertex_count: u32,
-    /// Three per triangle: those of the section, then those of everything that its plane can meet of the part.
+    /// Three per triangle: first the section's triangles, then triangles that cover everything in which its plane can meet the part.
     pub(crate) indices: Arc<[u8]>,
     /// Number of indices of the section.
     pub(crate) index_count: u32,
-    /// Number of indices of everything that the plane can meet of the part; 0 unless some of that may lack a cap, or have one where there
-    /// should be none.
+    /// Number of indices after those of the section; 0 unless a cap may be missing somewhere, or may be drawn where there should be none.
     pub(crate) doubt_count: u32,
 }
 
@@ -54,6 +54,8 @@ pub(crate) struct Sliced {
     /// Sections by plane and rule.
     pub(crate) sections: Memo<(SlicePlane, Fill), Arc<PackedSection>>,
     sorted: Memo<Classifiers, Option<Arc<Sorted>>>,
+    /// Tree of the closing triangles, if the part is open.
+    closing_tree: OnceLock<Arc<[u8]>>,
 }
 
 impl Default for Sliced {
@@ -64,6 +66,7 @@ impl Default for Sliced {
             slicer: OnceLock::new(),
             sections: Memo::with_capacity(MOST_KNOWN),
             sorted: Memo::with_capacity(1),
+            closing_tree: OnceLock::new(),
         }
     }
 }
@@ -118,6 +121,19 @@ impl Sliced {
             };
             sorted.map(Arc::new)
         })
+    }
+
+    /// The tree of the part's closing triangles.
+    pub(crate) fn closing_tree(&self, part: &PreparedPart, closing: &PackedClosing) -> Arc<[u8]> {
+        let tree = || match &self.posed {
+            Some((of, space)) => {
+                let positions = positions_of(of, space);
+                let positions: Vec<Vec3> = positions.iter().map(|p| p.as_vec3()).collect();
+                closing.tree(&positions)
+            }
+            None => closing.tree(&part.positions),
+        };
+        self.closing_tree.get_or_init(tree).clone()
     }
 
     /// Returns true if the slicer has been made.

@@ -30,7 +30,7 @@ pub(crate) fn shown(part: &Part) -> Option<&VertexPaint> {
 }
 
 impl VertexPaints {
-    /// Vertex paints of the parts that show one; none if no part does. Their textures begin at `first_image`, in the order of parts. Index
+    /// Vertex paints of the parts that show one; `None` if none does. Their textures begin at `first_image`, in the order of parts. Index
     /// lists are reused from before if they have the same length.
     pub(crate) fn of(
         scene: &Scene,
@@ -47,7 +47,7 @@ impl VertexPaints {
             let (Some(vertex_paint), Some(words)) = (shown(of), &packed.vertex_paint) else {
                 continue;
             };
-            // Their textures are numbered nevertheless.
+            // The textures of a part that is left out are numbered nevertheless.
             let first_image = next.first_image;
             next.first_image += vertex_paint.images.len() as u32;
             let end =

@@ -10,7 +10,7 @@
 //! `mask` is; depths keep full precision. Advantage over `mask`: the fragments themselves, for other queries.
 //!
 //! Cannot: predict the number of fragments of a frame. A frame that needs more than the previous one is drawn twice; if the fragments
-//! exceed a storage binding, in bands of rows.
+//! exceed a storage binding, the frame is drawn in bands of rows.
 
 use crate::effects::{FrameOutput, finish};
 use crate::passes::{
@@ -25,7 +25,7 @@ use crate::strategies::surface;
 /// Name of the bounded buffer, reported when a frame needs more.
 const FRAGMENTS_OF_PIXELS: &str = "fragments of the A-buffer";
 
-/// The row of the table.
+/// The inside test's row in the strategy table.
 pub(crate) static ROW: InsideTestRow = InsideTestRow {
     facts: StrategyInfo {
         name: "abuffer",

@@ -24,7 +24,7 @@ use crate::strategies::row::{
 };
 use crate::strategies::surface;
 
-/// The row of the table.
+/// The inside test's row in the strategy table.
 pub(crate) static ROW: InsideTestRow = InsideTestRow {
     facts: StrategyInfo {
         name: "kbuffer",

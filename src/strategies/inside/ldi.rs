@@ -10,8 +10,8 @@
 //! Per frame: two mesh passes at RES x RES, a prefix sum of three to five passes, one load per query for each depth in the texel; 4 bytes
 //! per texel of each part and 4 per fragment. Error: that of `vds`, in proportion to 1/RES along silhouettes.
 //!
-//! Cannot: predict the number of fragments, as `abuffer`; hold more texels and fragments than fit in a storage binding, 128 MiB in core
-//! WebGPU.
+//! Cannot: predict the number of fragments (nor can `abuffer`); hold more texels and fragments than fit in a storage binding, 128 MiB in
+//! core WebGPU.
 
 use super::vds;
 use crate::passes::{
@@ -31,7 +31,7 @@ use crate::strategies::row::{
 /// Name of the bounded buffer, reported when a frame needs more.
 const FRAGMENTS_OF_TEXELS: &str = "fragments of the layered depth images";
 
-/// The row of the table.
+/// The inside test's row in the strategy table.
 pub(crate) static ROW: InsideTestRow = InsideTestRow {
     facts: StrategyInfo {
         name: "ldi",
@@ -68,7 +68,7 @@ fn record(plan: &mut Plan, scene: &SceneBuffers<'_>, resolution: u32) -> Result<
     let need = need(plan, input, Clock::Frame);
     plan.add_pass(Pass::new(
         "image clear",
-        "the lists of all texels are counted from zero",
+        "the fragment counts of all texels start at zero",
         "strategies/inside/ldi/clear.wgsl",
         lists.emptied().to_vec(),
         Work::Compute {
@@ -120,7 +120,7 @@ fn record(plan: &mut Plan, scene: &SceneBuffers<'_>, resolution: u32) -> Result<
     })
 }
 
-/// The boxes of the parts, by index in the part table.
+/// The boxes of the parts, indexed as in the part table.
 fn table(plan: &mut Plan, scene: &SceneBuffers<'_>, resolution: u32) -> Binding {
     let parts = &scene.input.model.prepared.parts;
     let ranks = scene.input.active_cuts.cut_parts().iter().zip(0_u32..);

@@ -18,9 +18,9 @@
 //! and after it, it would have entered by a fragment, which would be kept and nearer; or by leaving the removed region, at a cap that is
 //! nearer; or at the near plane, which has its own cap.
 //!
-//! Per frame: one mesh pass, one resolve; 2 to 32 bits per pixel and cut part, 8 to 36 bytes if it is filled nonzero, and more where a
-//! pixel has more than 31 crossings. Exact for closed meshes up to ties of f32. The resolve reads every lane of a pixel, so its time grows
-//! with the number of cut parts.
+//! Per frame: one mesh pass, one resolve; 2 to 32 bits per pixel and cut part, 8 to 36 bytes if the part is filled nonzero, and more where
+//! a pixel has more than 31 crossings. Exact for closed meshes up to ties of f32. The resolve reads every lane of a pixel, so its time
+//! grows with the number of cut parts.
 //!
 //! Cannot: repair an open mesh; it marks the pixels where the total is odd or, under the nonzero rule, not 0, which inconsistently oriented
 //! faces also cause. Where the near plane meets a part's box an odd total may also mean that the ray starts inside, so nothing is marked
@@ -34,7 +34,7 @@ use crate::plan::{Binding, Plan};
 use crate::strategies::row::{Abilities, CapSurface, InsideTestKind, InsideTestRow, StrategyInfo};
 use crate::strategies::surface;
 
-/// The row of the table.
+/// The inside test's row in the strategy table.
 pub(crate) static ROW: InsideTestRow = InsideTestRow {
     facts: StrategyInfo {
         name: "mask",
@@ -53,16 +53,16 @@ pub(crate) static ROW: InsideTestRow = InsideTestRow {
     answers: InsideTestKind::Rays(record),
 };
 
-/// Records the frame of a cap surface with `mask`.
-fn record(
+/// Records the frame of a cap surface with `mask`, or with `winding` if the input closes open parts.
+pub(super) fn record(
     plan: &mut Plan,
     input: &Input<'_>,
     surface: CapSurface,
     _: u32,
 ) -> Result<FrameOutput, Refusal> {
     let capacity = surface::capacity(input);
-    let nonzero = input.has_nonzero();
-    let (lanes, file, rounds) = match nonzero {
+    let counts = input.has_nonzero() || input.closings.is_some();
+    let (lanes, file, rounds) = match counts {
         true => {
             let words = 1 + capacity.div_ceil(4);
             let lanes = Lanes::with_counts(input, capacity, words);
@@ -90,9 +90,10 @@ fn record(
         None => surface::list(plan, &scene, surface, capacity, &store)?.asked(),
     };
     let nearest = over_mesh(plan, &scene, &store, &crossings)?;
-    let inside = match nonzero {
-        true => Inside::winding(mask),
-        false => Inside::mask(mask),
+    let inside = match (&scene.closings, counts) {
+        (Some(closings), _) => Inside::open(mask, closings.clone()),
+        (None, true) => Inside::winding(mask),
+        (None, false) => Inside::mask(mask),
     };
     let layered = resolve(plan, &scene, nearest, inside, &crossings);
     Ok(finish(plan, &scene, layered))

@@ -9,6 +9,7 @@ pub(crate) mod ldi;
 pub(crate) mod mask;
 pub(crate) mod stencil;
 pub(crate) mod vds;
+pub(crate) mod winding;
 
 use std::ops::Range;
 

@@ -13,7 +13,7 @@
 //! true in gaps outside the solid, while the parity in its listing is right.
 //!
 //! With `raycast` instead of the paper's grid, the crossings of each pixel are looked up in the sprites of one part after the other, and
-//! the answers become mask words: its caps lie at the right depth, and only their rims are inexact.
+//! the answers become mask words: the caps have the right depth, and only their rims are inexact.
 
 use glam::{DVec2, DVec3};
 
@@ -28,7 +28,7 @@ use crate::strategies::row::{
     Abilities, InsideTestKind, InsideTestRow, StrategyInfo, StrategyParameter,
 };
 
-/// The row of the table.
+/// The inside test's row in the strategy table.
 pub(crate) static ROW: InsideTestRow = InsideTestRow {
     facts: StrategyInfo {
         name: "vds",
@@ -64,10 +64,10 @@ pub(crate) static ROW: InsideTestRow = InsideTestRow {
     }),
 };
 
-/// Most layers of a sprite: a texture has no more.
+/// Maximum number of layers of a sprite: the layer limit of a texture.
 pub(crate) const MOST_LAYERS: u32 = 256;
 
-/// Records the sprite of a part, by rank.
+/// Records the sprite of the part with the given rank.
 fn record(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,
@@ -95,7 +95,7 @@ fn record(
 
     let clear = Pass::new(
         format!("sprite clear {number}"),
-        format!("`{name}` is counted from zero"),
+        format!("the layer count of `{name}` starts at zero"),
         "strategies/inside/vds/clear.wgsl",
         vec![
             sprite.clone(),
@@ -137,7 +137,7 @@ fn record(
         };
         let peel = Pass::new(
             format!("sprite peel {number}.{layer}"),
-            format!("layer {layer} of `{name}`, behind the layer before"),
+            format!("layer {layer} of `{name}`, behind the previous layer"),
             shader,
             bindings,
             draw_into(DepthTarget {
@@ -163,8 +163,8 @@ fn record(
     }
 }
 
-/// Axes of a sprite, s, t and depth, and the scale from scene space to the sprite: depth is along the shortest side of the box, with a
-/// margin of two texels.
+/// Axes of a sprite (s, t and depth), and the scale from scene space to the sprite. The depth axis is along the shortest side of the box,
+/// and there is a margin of two texels.
 fn axes(bounds: &Bounds, resolution: u32) -> ([DVec3; 3], f64) {
     let size = bounds.size();
     let all = [DVec3::X, DVec3::Y, DVec3::Z];

@@ -5,5 +5,6 @@
 use crate::common::command;
 
 mod closed;
+mod device;
 mod open;
 mod renderer;

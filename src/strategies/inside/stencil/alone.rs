@@ -1,10 +1,10 @@
 //! `stencil` by itself: the classic way to cap a plane, back faces minus front faces (Gradinari, *Advanced clipping techniques*).
 //!
-//! One plane, no list of crossings: each solid is drawn without what the plane removes, and every kept fragment counts in the stencil, back
-//! faces up and front faces down, hidden or not. Seen from the removed side these are the fragments behind the plane, so the stencil ends
-//! with the section's winding number at each pixel. Then the plane is drawn where that is inside, by the part's fill rule, and resets the
-//! stencil for the next part. Seen from the kept side the plane shows its back, and nothing is drawn. The side of a fragment and the
-//! plane's depth come from the same few operations, so no crack can open between them.
+//! One plane, no list of crossings: each solid is drawn without what the plane removes, and every kept fragment changes the stencil, hidden
+//! or not: back faces add 1, front faces subtract 1. Seen from the removed side these are the fragments behind the plane, so the stencil
+//! ends with the section's winding number at each pixel. Then the plane is drawn where the part's fill rule counts that number as inside,
+//! and resets the stencil for the next part. Seen from the kept side the plane shows its back, and nothing is drawn. The side of a fragment
+//! and the plane's depth come from the same few operations, so no crack can open between them.
 //!
 //! Per frame: each cut part once and the picture once per cut part; 5 bytes a pixel for depth and stencil, no mask, no list. Where it
 //! applies, it is the cheapest method with the hardware rasteriser in most measurements.
@@ -19,7 +19,7 @@ use crate::plan::{CpuWork, Draw, Plan, Stencil, StencilStep, Vertices};
 use crate::scene::Fill;
 use crate::strategies::row::{Abilities, CapSurfaceRow, Caps, StrategyInfo};
 
-/// The row of the table.
+/// The cap surface's row in the strategy table.
 pub(crate) static ROW: CapSurfaceRow = CapSurfaceRow {
     facts: StrategyInfo {
         name: "stencil",
@@ -64,7 +64,7 @@ fn draw_part(plan: &mut Plan, scene: &SceneBuffers<'_>, surfaces: &mut Surfaces,
     let (vertices, indices) = scene.mesh();
     let solid = DrawPass {
         name: format!("solid {place}"),
-        reason: format!("what the plane leaves of `{name}`; back faces minus front faces"),
+        reason: format!("kept part of `{name}`: back faces add 1, front faces subtract 1"),
         shader: "strategies/inside/stencil/solid.wgsl".into(),
         bindings: vec![
             scene.frame.clone(),

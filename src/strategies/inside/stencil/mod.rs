@@ -12,7 +12,7 @@
 //! On the test adapter the mask equals that of `mask` bit for bit. Elsewhere the depth test may round a depth differently from the shader
 //! that draws the surfaces; then samples within such a rounding error of a crossing may differ.
 //!
-//! Cannot: count more than 255 shells of a part filled nonzero, where the stencil overflows undetected; draw by the compute rasteriser.
+//! Cannot: count more than 255 shells of a part filled nonzero, where the stencil overflows undetected; work with the compute rasteriser.
 //! `stencil` without a cap surface is [`alone`].
 
 pub(crate) mod alone;
@@ -30,18 +30,18 @@ use crate::strategies::surface;
 
 /// Pairs of part and crossing that fit in the stencil.
 const BITS: usize = 8;
-/// Most passes per frame, above which it is refused: a device records times for this many at once.
+/// Maximum stencil passes per frame; a frame that needs more is refused. A device records the times of this many at once.
 const MOST_PASSES: usize = 2000;
 
 /// One draw of one part.
 #[derive(Clone, Copy)]
 struct StencilDraw {
     rank: usize,
-    /// The crossing behind which fragments count; none to count all fragments.
+    /// The crossing behind which fragments count; `None` to count all fragments.
     crossing: Option<u32>,
 }
 
-/// The row of the table.
+/// The inside test's row in the strategy table.
 pub(crate) static ROW: InsideTestRow = InsideTestRow {
     facts: StrategyInfo {
         name: "stencil",
@@ -66,7 +66,7 @@ fn record(
     _: u32,
 ) -> Result<FrameOutput, Refusal> {
     let parts = input.active_cuts.lanes;
-    // With one-word lists, too many passes refuse the frame; longer lists are shortened.
+    // Longer lists are shortened to reduce the passes; if one-word lists still need too many, the frame is refused.
     let most = (MOST_PASSES / (parts + 2)) as u32;
     let most = most.saturating_sub(1).max(Capacities::CROSSINGS_OF_A_WORD);
     let capacity = surface::capacity(input).min(most);
@@ -120,7 +120,7 @@ struct Marks<'a> {
     stencil: ResourceId,
     mask: ResourceId,
     crossings: Crossings,
-    /// The crossing whose depth lies in the buffer.
+    /// The crossing whose depth the depth buffer holds.
     laid: Option<u32>,
     batches: u32,
 }
@@ -144,12 +144,12 @@ impl Marks<'_> {
                 Some(i) => (
                     i,
                     format!("crossing {i}"),
-                    format!("what of `{name}` is behind crossing {i} counts in the stencil"),
+                    format!("fragments of `{name}` behind crossing {i} count in the stencil"),
                 ),
                 None => (
                     scene.lanes.bits - 1,
                     "in all".to_owned(),
-                    format!("all of `{name}` counts: whether the mesh is closed along the ray"),
+                    format!("all fragments of `{name}` count, to find where the mesh is open"),
                 ),
             };
             let [word, shift] = scene.lanes.of_place(place);
@@ -195,7 +195,7 @@ impl Marks<'_> {
         }
         let take = Pass::new(
             format!("take {}", self.batches),
-            "the stencil becomes bits of the mask, and is free for others",
+            "the stencil becomes bits of the mask, and is free for other pairs",
             "strategies/inside/stencil/take.wgsl",
             vec![
                 scene.frame.clone(),
@@ -214,7 +214,7 @@ impl Marks<'_> {
         let table = (self.scene.preclassified.as_ref()).filter(|_| !groups.is_empty())?;
         let mut preclassified = pass.clone();
         preclassified.name = format!("{} preclassified", pass.name);
-        preclassified.reason = "the same for faces in a clip-surface or just beside it".to_owned();
+        preclassified.reason = "the same for faces in or right next to a clip-surface".to_owned();
         preclassified.shader =
             Shader::from("strategies/inside/stencil/mark_preclassified.wgsl").with_all(&LISTED);
         preclassified.bindings.push(table.clone());

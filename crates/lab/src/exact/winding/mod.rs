@@ -2,41 +2,42 @@
 //!
 //! Counting crossings along one ray goes wrong wherever that ray passes through a hole. The generalised winding number of a point
 //! (Jacobson, Kavan, Sorkine-Hornung 2013) uses the whole mesh instead: it is the signed solid angle of all faces as seen from the
-//! point, over 4 pi. It equals the winding number where the mesh is closed, and varies smoothly where it is not. A candidate for a
-//! cap is inside if the part's [`Fill`](cutaway::scene::Fill) counts the nearest whole number as inside: in a mesh with holes, as
-//! long as these cover less than half of the view from the point.
+//! point, over 4 pi. It equals the winding number if the mesh is closed, and varies smoothly if it is not. A candidate for a
+//! cap is inside if the part's [`Fill`](cutaway::scene::Fill) counts the nearest whole number as inside. In a mesh with holes, this is
+//! right as long as the holes cover less than half of the view from the point.
 //!
-//! What is drawn: clip-surfaces are crossed where the exact reference crosses them. Where that frees a part, and the point is
-//! inside it, there is a cap; where the mesh is crossed and not removed, its surface shows, front or back: a hole in the mesh stays a
-//! hole in the picture, but caps have none. On a closed, consistently oriented mesh, all decided pixels equal
+//! Clip-surfaces are crossed where the exact reference crosses them. If no cut removes a part beyond such a crossing, and the crossing
+//! is inside the part, a cap is drawn. If the mesh is crossed and not removed, its surface is drawn, front or back: a hole in the mesh
+//! stays a hole in the picture, but caps have no holes. On a closed, consistently oriented mesh, all decided pixels equal
 //! those of [`super::evaluate`].
 //!
-//! A pixel is marked where a winding number evaluated for it is nearer to a half than to a whole number, and where the mesh shows its inner
-//! side although the number just before that point puts the ray inside the solid: no closed mesh does both.
+//! A pixel is marked if a winding number evaluated for it is nearer to a half than to a whole number. It is also marked if the mesh shows
+//! its inner side although the number just before that point puts the ray inside the solid: a closed mesh does not do that.
 //!
 //! Cost: a tree over the faces, once per mesh ([`Windings::new`]); per pixel, the crossings, and one traversal of the tree per candidate:
-//! some hundred faces and balls. Limit: numbers from the tree have an error of about 0.01, which matters only where they are that near
-//! to a half. Inverted faces count against the solid: with half of the faces inverted, nothing is inside.
-
-mod tree;
+//! some hundred faces and balls. Limit: numbers from the tree have an error of about 0.0001, which matters only for numbers that near
+//! to a half. Inverted faces are subtracted: with half of the faces inverted, nothing is inside.
 
 use cutaway::layers::{Layer, Layers};
+use cutaway::scene::winding::WindingTree;
 use cutaway::scene::{Bounds, Prepared, View};
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 
-use self::tree::WindingTree;
 use super::clip::Ray;
 use super::raster::{self, BAND_ROWS, Crossing};
 use super::ray_scratch::RayScratch;
 use super::walk::{Cause, Event, VisiblePoint, pass_clips};
 use super::{BandedScene, Outlining};
 
-/// The winding number is evaluated this far before a clip-surface, in scene units: a face in the surface is then behind the point,
-/// as it is for the exact reference. Half of the last bit of a scene coordinate.
+/// Distance before a clip-surface at which the winding number is evaluated, in scene units: a face in the surface is then behind the
+/// point, as for the exact reference. Equals half of the last bit of a scene coordinate.
 const BEFORE: f64 = 1.0 / (1 << 24) as f64;
 
-/// A number farther than this from a whole number is a guess.
+/// A ball of the tree is opened where the bound of its error is greater.
+const TOLERANCE: f64 = 1e-5;
+
+/// A winding number farther than this from a whole number is unreliable.
 const SURE: f64 = 0.25;
 
 /// The meshes of a scene, prepared for winding-number queries.
@@ -46,7 +47,7 @@ pub struct Windings {
 }
 
 impl Windings {
-    /// Builds the trees of a scene. It must be whole: [`Prepared::must_be_whole`].
+    /// Builds the trees of a scene, which must be whole: [`Prepared::must_be_whole`].
     pub fn new(prepared: &Prepared) -> Self {
         prepared.must_be_whole();
         let trees = prepared.parts.par_iter();
@@ -59,10 +60,10 @@ impl Windings {
 
     /// The generalised winding number of a part's mesh, by rank, around a point of the scene.
     pub fn around(&self, rank: usize, point: DVec3) -> f64 {
-        self.trees[rank].winding(point)
+        self.trees[rank].winding(point, TOLERANCE).0
     }
 
-    /// Bytes of the trees.
+    /// Memory of the trees, in bytes.
     pub fn bytes(&self) -> u64 {
         self.trees.iter().map(WindingTree::bytes).sum()
     }
@@ -128,7 +129,7 @@ impl Windings {
         lines.meet_clips(&ray, range, of_cutters, bench);
         lines.classify(at, &ray, bench);
         bench.merge_events();
-        // The removed state at the start of the range; winding numbers are evaluated where they are needed.
+        // Which surfaces remove the start of the range. Winding numbers are evaluated only where they are needed.
         bench.start.winding.fill(0);
         bench.state.set(&bench.start);
         let mut ask = Ask {
@@ -138,7 +139,7 @@ impl Windings {
         };
         if let Some(sight) = ask.walk(lines, bench) {
             lines.show(&ray, &sight, bench, layer);
-            // The wall of a void shows its inner side too, but there is no solid before it.
+            // The wall of a void also shows its inner side, but the space before the wall is not solid.
             layer.unreliable = layer.back_face
                 && sight.event.is_some()
                 && (prepared.parts[usize::from(sight.rank)].fill)
@@ -152,7 +153,7 @@ impl Windings {
 struct Ask<'a> {
     windings: &'a Windings,
     ray: Ray,
-    /// All numbers so far were near to whole ones.
+    /// True if all numbers so far were close to whole numbers.
     is_sure: bool,
 }
 
@@ -166,7 +167,7 @@ impl Ask<'_> {
         number.round() as i32
     }
 
-    /// First visible point, like [`super::walk::walk`], but winding numbers are evaluated instead of counted.
+    /// First visible point, as in [`super::walk::walk`], but with winding numbers evaluated instead of counted along the ray.
     fn walk(&mut self, lines: &BandedScene<'_>, bench: &mut RayScratch) -> Option<VisiblePoint> {
         let (prepared, view) = (lines.prepared, lines.view);
         let RayScratch {
@@ -175,7 +176,7 @@ impl Ask<'_> {
             state,
             ..
         } = bench;
-        // Parts that contain the eye: the ray stays inside them until crossings lead out.
+        // Parts that contain the eye: the ray stays inside such a part until crossings lead out of it.
         let mut within = Vec::new();
         for rank in ranks.iter().copied() {
             let eye = self.ray.origin + self.ray.direction * view.near;
@@ -269,7 +270,7 @@ fn within(ray: &Ray, bounds: &Bounds) -> Option<[f64; 2]> {
     for axis in 0..3 {
         let (from, along) = (ray.origin[axis], ray.direction[axis]);
         let ends = [bounds.min[axis], bounds.max[axis]].map(|b| (b - from) / along);
-        // A ray in a face of the box gives NaN, and still counts as in the box.
+        // A ray within a face of the box gives NaN, and still counts as inside the box.
         range[0] = range[0].max(ends[0].min(ends[1]));
         range[1] = range[1].min(ends[0].max(ends[1]));
     }

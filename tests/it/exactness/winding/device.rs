@@ -1,0 +1,127 @@
+//! `winding` on the device shows what winding numbers on the CPU show, which sum over all faces; closed meshes have the plan of `mask`.
+
+use cutaway::Model;
+use cutaway::generate::defects::break_parts;
+use cutaway::layers::{Kind, Layers};
+use cutaway::passes::Rasteriser;
+use cutaway::plan::Capacities;
+use cutaway::scene::{Cut, Prepared, Scene};
+use cutaway::session::Outcome;
+use cutaway::strategies::{DrawOptions, Method, Strategy, plan};
+use cutaway_io::document::{self, parse_defect};
+use cutaway_lab::exact::Windings;
+
+use crate::common::real::{cut, files};
+use crate::common::{scenes, session, strategy};
+
+const SIZE_PX: [u32; 2] = [200, 150];
+
+/// Decided by a whole number that differs from the other: what a pixel shows, without depths.
+fn class(layers: &Layers, pixel: usize) -> (Kind, u16, u8) {
+    let layer = &layers.pixels[pixel];
+    (layer.kind, layer.part, layer.clip_surface)
+}
+
+/// Pixels whose neighbours all show the same: the rest depend on how outlines are rounded.
+fn is_inner(layers: &Layers, pixel: usize) -> bool {
+    let [width, height] = SIZE_PX.map(|size| size as usize);
+    let (x, y) = (pixel % width, pixel / width);
+    let near = |at: usize, most: usize| at.saturating_sub(1)..=(at + 1).min(most - 1);
+    let of = class(layers, pixel);
+    near(y, height).all(|y| near(x, width).all(|x| class(layers, y * width + x) == of))
+}
+
+/// Cap pixels on the CPU, inner unmarked pixels that differ from it on the device, and marked ones.
+fn compared(scene: &Scene, method: Method) -> [usize; 3] {
+    let prepared = Prepared::new(scene);
+    let view = prepared.view(SIZE_PX);
+    let expected = Windings::new(&prepared).layers(&prepared, &view);
+    let model = Model::new(scene);
+    let mut session = session();
+    let drawn = session.draw(&model, &view, method).unwrap();
+    assert_eq!(drawn.outcome, Outcome::Complete);
+    let found = session.layers(method).unwrap();
+    let pixels = 0..found.pixels.len();
+    let is_marked = |p: &usize| found.pixels[*p].unreliable;
+    let differs = |p: &usize| class(&expected, *p) != class(&found, *p);
+    let wrong = (pixels.clone()).filter(|p| differs(p) && !is_marked(p) && is_inner(&expected, *p));
+    [
+        expected.count(Kind::Cap),
+        wrong.count(),
+        pixels.filter(is_marked).count(),
+    ]
+}
+
+fn methods() -> [Method; 2] {
+    [Rasteriser::Hardware, Rasteriser::Compute]
+        .map(|rasteriser| Method::new(strategy("raycast+winding"), DrawOptions::by(rasteriser)))
+}
+
+fn must_agree(scene: &Scene, name: &str) -> [usize; 2] {
+    let mut sums = [0; 2];
+    for method in methods() {
+        let [caps, wrong, marked] = compared(scene, method);
+        assert_eq!(
+            wrong, 0,
+            "{name} by {method}: {caps} cap px, {marked} marked"
+        );
+        sums = [sums[0] + caps, sums[1] + marked];
+    }
+    sums
+}
+
+#[test]
+fn broken_shapes_are_capped_as_by_the_sum_over_all_faces() {
+    let (mut caps, mut marked) = (0, 0);
+    for spec in [
+        "sphere?subdivisions=4",
+        "knot?segments=120&sides=16",
+        "crank",
+    ] {
+        for section in ["-z=50%", "-1,-2,-1.5@50%,45%,60%"] {
+            for defect in [
+                "holes:amount=5%,patch=1",
+                "holes:amount=5%,patch=12",
+                "flipped:amount=3%",
+            ] {
+                let mut scene = scenes::sectioned(spec, &[section]);
+                break_parts(&mut scene.parts, &[parse_defect(defect).unwrap()]).unwrap();
+                let [more, unsure] = must_agree(&scene, &format!("{spec} {section} {defect}"));
+                (caps, marked) = (caps + more, marked + unsure);
+            }
+        }
+    }
+    assert!(caps > 50_000, "{caps} cap pixels prove too little");
+    assert!(marked * 50 < caps, "{marked} of {caps} are marked");
+}
+
+#[test]
+fn real_open_meshes_are_capped_as_by_the_sum_over_all_faces() {
+    let mut caps = 0;
+    for file in files(&["open"]) {
+        for section in ["x=50%", "-z=50%"] {
+            let mut scene = cut(&file, None);
+            let plane = document::section(section).on(&scene.bounds()).unwrap();
+            scene.cuts = vec![Cut::new("cut", vec![plane])];
+            caps += must_agree(&scene, &format!("{} {section}", file.display()))[0];
+        }
+    }
+    assert!(files(&["open"]).is_empty() || caps > 10_000, "{caps}");
+}
+
+#[test]
+fn closed_meshes_have_the_plan_of_the_mask() {
+    let scene = scenes::sectioned("crank", &["-z=50%"]);
+    let model = Model::new(&scene);
+    let view = model.prepared.view(SIZE_PX);
+    for method in methods() {
+        let of = |strategy: Strategy| {
+            let method = Method::new(strategy, method.options);
+            plan(&model, &view, method, &Capacities::UNKNOWN).unwrap()
+        };
+        assert!(
+            of(method.strategy) == of(Strategy::RAYCAST_MASK),
+            "{method}"
+        );
+    }
+}
