@@ -60,8 +60,8 @@ struct Part {
     cap_color: vec4<f32>,
     // Not a property of this part: the table index of the part whose scene index equals this row's number.
     place: u32,
-    // Address of the tree of its closing triangles, or NO_TREE.
-    tree: u32,
+    // Number of the grid of its closing triangles, or NO_GRID.
+    grid: u32,
     // 1 if the part is filled by the nonzero rule.
     is_nonzero: u32,
     padding: u32,

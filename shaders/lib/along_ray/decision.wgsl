@@ -1,6 +1,6 @@
-// Decides what a pixel shows: the nearest surviving surface, or the nearest crossing at which some part goes from removed to kept and the
-// inside test of the part is true, whichever comes first in the order of the list. Cap normals are left to the shader that uses this,
-// because only reliefs need heights for them.
+// Decides what a pixel shows: the nearest crossing at which some part goes from removed to kept and the inside test is true for it, or the
+// surviving surface, whichever comes first in the list's own order. Cap normals are left to the shader, since only reliefs need heights for
+// them.
 //
 // Bound as @group(1) @binding(3). The code that drew the surfaces supplies them as `Drawn`; the open module `inside` does the inside test.
 
@@ -26,7 +26,7 @@ struct Decision {
     word: u32,
     normal: u32,
     depth: f32,
-    // Word of the crossing whose normal is still needed; NONE, which is never a word, if no normal is needed.
+    // Word of the crossing whose normal is still needed, or NONE, which no word equals.
     crossing: u32,
 }
 
@@ -36,12 +36,12 @@ struct Cap {
     found: bool,
     place: u32,
     crossing: u32,
-    // True if the ray is also inside other parts that begin to be kept there.
+    // Other parts begin to be kept inside there too.
     overlap: bool,
 }
 
-// The first cap among the crossings before `limit`. Parts are tested in order, and the first match owns the cap. A second part that shares
-// the cap is searched for only if shared caps are displayed.
+// The first cap among the crossings before `limit`. Parts are tested in order, and the first match wins; a second part that shares the cap
+// is searched for only if shared caps are displayed.
 fn first_cap(lanes: Lanes, at: vec2<u32>, limit: u32, start: u32) -> Cap {
     var sides = start;
     var cap = Cap(false, 0u, 0u, false);
@@ -49,7 +49,7 @@ fn first_cap(lanes: Lanes, at: vec2<u32>, limit: u32, start: u32) -> Cap {
         let after = sides ^ (1u << surface_at(i, at));
         var place = 0u;
         for (var n = 0u; n < min(lanes.count, MOST_LANES); n++) {
-            place = next_inside(lanes, place, pixel_index(at), i, sides, after);
+            place = next_inside(lanes, place, pixel_index(at), i);
             if place >= lanes.count {
                 break;
             }

@@ -5,23 +5,23 @@
 #import cutaway::lanes::Lanes
 #import cutaway::parity::{is_doubted, is_zero, next_odd}
 
-// True if no crossing of the pixel is inside a solid, and none is in doubt.
+// Whether no crossing of a pixel is inside anything, and nothing is in doubt.
 fn is_blank(pixel: u32) -> bool {
     return is_zero(pixel);
 }
 
 // The first part-table index, from `place` on, of a part that a crossing of a pixel is inside, or the number of parts.
-fn next_inside(lanes: Lanes, place: u32, pixel: u32, crossing: u32, sides: u32, after: u32) -> u32 {
+fn next_inside(lanes: Lanes, place: u32, pixel: u32, crossing: u32) -> u32 {
     return next_odd(lanes, place, pixel, crossing);
 }
 
-// The first part-table index, from `place` on, of a part in which the pixel's ray starts, because the part has an odd number of fragments.
-// If the ray cannot start in a part, an odd number means that the mesh is open.
+// The first part-table index, from `place` on, of a part in which the pixel's ray starts, judged by its fragments: an odd total. If the ray
+// cannot start in a part, an odd total means that the mesh is open.
 fn next_starting(lanes: Lanes, place: u32, pixel: u32) -> u32 {
     return next_odd(lanes, place, pixel, lanes.bits - 1u);
 }
 
-// True if the results for a pixel may be wrong because a buffer overflowed.
+// Whether the answers for a pixel may be wrong because a buffer overflowed.
 fn in_doubt(lanes: Lanes, pixel: u32) -> bool {
     return is_doubted(lanes, pixel);
 }

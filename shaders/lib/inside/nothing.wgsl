@@ -1,4 +1,4 @@
-// No part is cut, so there is no inside test.
+// No part is cut: no test is made.
 
 #define_import_path cutaway::inside
 
@@ -8,7 +8,7 @@ fn is_blank(pixel: u32) -> bool {
     return true;
 }
 
-fn next_inside(lanes: Lanes, place: u32, pixel: u32, crossing: u32, sides: u32, after: u32) -> u32 {
+fn next_inside(lanes: Lanes, place: u32, pixel: u32, crossing: u32) -> u32 {
     return lanes.count;
 }
 

@@ -39,16 +39,6 @@ impl Inside {
         }
     }
 
-    /// Answers from the lanes of a mask, and for open parts from their closing triangles.
-    pub(crate) fn open(mask: ResourceId, closings: Binding) -> Self {
-        let mut bindings = Self::mask(mask).bindings;
-        bindings.push(closings);
-        Self {
-            file: "lib/inside/open.wgsl",
-            bindings,
-        }
-    }
-
     /// Inside test that reads a mask in which some lanes hold counts.
     pub(crate) fn winding(mask: ResourceId) -> Self {
         Self {

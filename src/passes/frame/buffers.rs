@@ -11,7 +11,7 @@ use super::lanes::{Lanes, MOST_LANE_WORDS};
 use super::on_screen::OnScreen;
 use super::pose::pose_parts;
 use super::refusal::Refusal;
-use crate::plan::pack::{self, CutTable, MAX_SURFACES, NO_TREE, Part};
+use crate::plan::pack::{self, CutTable, MAX_SURFACES, NO_GRID, Part};
 use crate::plan::{
     Binding, BufferRole, Clock, Contents, Format, Plan, Resource, ResourceId, Vertices,
 };
@@ -40,8 +40,8 @@ pub(crate) struct SceneBuffers<'a> {
     pub solid_indices: ResourceId,
     /// The groups of preclassified triangles, if there are any.
     pub preclassified: Option<Binding>,
-    /// Trees of the closing triangles of open parts, if the inside test closes them.
-    pub closings: Option<Binding>,
+    /// Trees of the closing triangles of open parts, and their cells, if the inside test closes them.
+    pub closings: Option<[Binding; 2]>,
     /// The heights of all reliefs.
     pub heights: Binding,
     /// Bindings for reading heights at points, through the hardware sampler if that is selected.
@@ -129,12 +129,13 @@ impl<'a> SceneBuffers<'a> {
             )
         });
         let closings = input.closings.as_ref().map(|closings| {
-            upload(
+            let trees = upload(
                 "closings",
                 BufferRole::Storage,
                 Clock::Solid,
                 closings.trees.clone(),
-            )
+            );
+            (closings, trees)
         });
         let heights = upload(
             "heights",
@@ -163,10 +164,13 @@ impl<'a> SceneBuffers<'a> {
             indices: sorted.unwrap_or(indices.resource),
             solid_indices: indices.resource,
             preclassified,
-            closings,
             heights,
             filtered_heights,
             depth,
+            closings: closings.map(|(closings, trees)| {
+                let cells = closings.fill_cells(plan, &trees);
+                [trees, cells]
+            }),
             screen_indices: plan.add_resource(triangle),
             on_screen: None,
         }
@@ -227,13 +231,12 @@ fn parts(input: &Input<'_>, lanes: &Lanes) -> Contents {
         .map(|(place, rank)| {
             let part = &prepared[*rank];
             let [lane_word, lane_shift] = lanes.of_place(place);
-            let closed = input.closed_parts().iter().find(|c| c.rank == *rank);
             Part {
                 cuts: active_cuts.cuts_of(*rank),
                 lane_word,
                 lane_shift,
                 part: part.part as u32,
-                tree: closed.map_or(NO_TREE, |c| c.tree),
+                grid: input.closing_grid(*rank).unwrap_or(NO_GRID),
                 is_nonzero: u32::from(part.fill == Fill::Nonzero),
                 color: style.surface_color(&part.material).extend(1.0).to_array(),
                 cap_color: style.cap_color(&part.material).extend(1.0).to_array(),
@@ -246,7 +249,7 @@ fn parts(input: &Input<'_>, lanes: &Lanes) -> Contents {
     for (place, rank) in active_cuts.order.iter().enumerate() {
         rows[prepared[*rank].part].place = place as u32;
     }
-    let of_closed = input.closed_parts().iter().map(|closed| Part {
+    let of_closed = input.closed_parts().map(|closed| Part {
         cuts: input.cut_of_everything(),
         ..rows[active_cuts.place_of(closed.rank)]
     });

@@ -53,7 +53,8 @@ impl Lanes {
         };
         let parts = &input.model.prepared.parts;
         let counts = |rank: &usize| {
-            words_of_counts > 0 && (parts[*rank].fill == Fill::Nonzero || input.closes(*rank))
+            words_of_counts > 0
+                && (parts[*rank].fill == Fill::Nonzero || input.closing_grid(*rank).is_some())
         };
         let ranks = input.active_cuts.cut_parts();
         let of_bits = ranks.iter().filter(|r| !counts(r)).count() as u32;

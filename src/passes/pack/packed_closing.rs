@@ -1,7 +1,7 @@
 //! The triangles that close an open part for counting, and the tree of their solid angles, as uploads.
 //!
 //! Closing triangles use vertices of the part, so that fragments on a shared edge are the same for both, in every pose. They are found once
-//! per mesh, when an inside test first asks for them; the tree is built once per pose. Layout of a node: `shaders/lib/inside/open.wgsl`.
+//! per mesh, when an inside test first asks for them; the tree is built once per pose. Layout of a node: `shaders/lib/inside_tests/closings.wgsl`.
 //!
 //! Cannot: pose the vertices of the tree on the device. A moving open part is posed here once more, in f64.
 
@@ -27,6 +27,32 @@ pub(crate) struct PackedClosing {
     triangles: Vec<[u32; 3]>,
     /// Vertex indices of the triangles.
     pub(crate) indices: Arc<[u8]>,
+    /// True if the mesh lies in one plane, and so has no inside.
+    pub(crate) is_flat: bool,
+}
+
+/// Greatest distance of a flat mesh's vertices from its plane, as a share of its size.
+const FLAT: f32 = 1e-6;
+
+/// Returns true if all triangles lie in the plane of the largest one.
+fn is_flat(triangles: &[[u32; 3]], position: impl Fn(u32) -> Vec3) -> bool {
+    let corners = |t: &[u32; 3]| t.map(&position);
+    let area = |[a, b, c]: [Vec3; 3]| (b - a).cross(c - a);
+    let by_size = |t: &[Vec3; 3], u: &[Vec3; 3]| {
+        let [t, u] = [t, u].map(|t| area(*t).length_squared());
+        t.total_cmp(&u)
+    };
+    let Some(largest) = triangles.iter().map(corners).max_by(by_size) else {
+        return true;
+    };
+    let normal = area(largest).normalize_or_zero();
+    let all = triangles.iter().flat_map(corners);
+    let (mut off, mut size) = (0.0_f32, 0.0_f32);
+    for offset in all.map(|p| p - largest[0]) {
+        off = off.max(offset.dot(normal).abs());
+        size = size.max(offset.length());
+    }
+    off <= FLAT * size
 }
 
 impl PackedClosing {
@@ -52,7 +78,9 @@ impl PackedClosing {
         let indices = packed_triangles(closing.triangles.iter().map(vertices), |v| {
             position(position_of_vertex[v as usize])
         });
+        let is_flat = is_flat(triangles, &position);
         Some(Self {
+            is_flat,
             indices,
             triangles: closing.triangles,
         })
@@ -70,7 +98,7 @@ impl PackedClosing {
         let first_triangle = tree.nodes.len() as u32 * NODE_VECTORS;
         let words = |node: &BallNode| {
             let next = node.next * NODE_VECTORS;
-            let [x, y, z] = [node.moment.x_axis, node.moment.y_axis, node.moment.z_axis];
+            let [x, y] = [node.moment.x_axis, node.moment.y_axis];
             let count = node.end - node.first;
             let is_leaf = count < 1 << COUNT_BITS;
             let leaf = first_triangle + node.first * TRIANGLE_VECTORS;
@@ -82,7 +110,7 @@ impl PackedClosing {
             let floats = |v: [f64; 3]| v.map(|v| (v as f32).to_bits());
             let [a, b] = [floats(node.centre.to_array()), floats(node.area.to_array())];
             let [c, d] = [
-                floats([x.x, y.y, z.z]),
+                floats([x.x, y.y, node.size]),
                 floats([2.0 * x.y, 2.0 * x.z, 2.0 * y.z]),
             ];
             // Rounded up, so that the ball holds its triangles.

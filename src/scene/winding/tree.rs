@@ -2,9 +2,9 @@
 //!
 //! A triangle contributes its signed solid angle over 4 pi (van Oosterom & Strackee 1983). Triangles that are far away for their size are
 //! approximated together, by the dipole and the quadrupole of their area about a common centre (Barill, Dickson, Schmidt, Levin, Jacobson,
-//! *Fast winding numbers for soups and clouds*, 2018). The next term of the expansion bounds what is left out: the third derivatives of 1/r
-//! are at most 6/r^4, so triangles of total area A in a ball of radius R at a distance of d from its centre leave at most
-//! 3 A R^2 / (d - R)^4 out of the solid angle. A ball is opened where that is more than a tolerance.
+//! *Fast winding numbers for soups and clouds*, 2018). The next term of the expansion bounds what is left out: third derivatives of 1/r are
+//! at most 6/r^4, so area at offsets of at most R from the centre of a ball leaves at most 3 I / (d - R)^4 out of its solid angle from a
+//! distance of d, where I is the integral of the squared offset over the area. A ball is opened if that exceeds a tolerance.
 //!
 //! Cost: building sorts the triangles along an axis at each level; a query takes time proportional to the logarithm of their number.
 
@@ -24,8 +24,11 @@ pub struct BallNode {
     pub radius: f64,
     /// Sum of the area vectors.
     pub area: DVec3,
-    /// First moment of the area vectors about the centre, made symmetric: the sum of offset times area vector.
+    /// First moment of the area vectors about the centre, the sum of offset times area vector, made symmetric and traceless: the rest has no
+    /// effect at a distance, where 1/r is harmonic.
     pub moment: DMat3,
+    /// Sum of the areas.
+    pub size: f64,
     /// Bound of the error as a share of 4 pi, times the fourth power of the distance from the ball.
     pub error: f64,
     /// First of its triangles, in the order of the tree.
@@ -137,12 +140,22 @@ impl BallNode {
             DMat3::from_cols(offset * of_one.x, offset * of_one.y, offset * of_one.z)
         });
         let moment: DMat3 = moments.sum();
+        let symmetric = (moment + moment.transpose()) * 0.5;
+        let trace = symmetric.x_axis.x + symmetric.y_axis.y + symmetric.z_axis.z;
+        let inertia = triangles.iter().map(|t| {
+            let corners = t.map(|p| p.as_dvec3() - centre);
+            let squares: f64 = corners.iter().map(|c| c.length_squared()).sum();
+            let sum: DVec3 = corners.iter().sum();
+            area_and_centre(t).0.length() * (squares + sum.length_squared()) / 12.0
+        });
+        let inertia: f64 = inertia.sum();
         Self {
             centre,
             radius,
             area,
-            moment: (moment + moment.transpose()) * 0.5,
-            error: 3.0 * sizes * radius * radius / (4.0 * PI),
+            moment: symmetric - DMat3::from_diagonal(DVec3::splat(trace / 3.0)),
+            size: sizes,
+            error: 3.0 * inertia / (4.0 * PI),
             first: 0,
             end: 0,
             next: 0,
@@ -152,8 +165,7 @@ impl BallNode {
     /// Solid angle of its triangles from a point far away; `away` leads from the point to the centre.
     fn solid_angle(&self, away: DVec3) -> f64 {
         let square = away.length_squared();
-        let trace = self.moment.x_axis.x + self.moment.y_axis.y + self.moment.z_axis.z;
-        let quadrupole = trace - 3.0 * away.dot(self.moment * away) / square;
+        let quadrupole = -3.0 * away.dot(self.moment * away) / square;
         (self.area.dot(away) + quadrupole) / (square * square.sqrt())
     }
 }

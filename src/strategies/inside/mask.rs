@@ -31,6 +31,7 @@ use crate::passes::{
     CrossingSource, Input, Inside, Lanes, Refusal, SceneBuffers, Store, over_mesh, resolve,
 };
 use crate::plan::{Binding, Plan};
+use crate::strategies::inside::winding;
 use crate::strategies::row::{Abilities, CapSurface, InsideTestKind, InsideTestRow, StrategyInfo};
 use crate::strategies::surface;
 
@@ -90,10 +91,10 @@ pub(super) fn record(
         None => surface::list(plan, &scene, surface, capacity, &store)?.asked(),
     };
     let nearest = over_mesh(plan, &scene, &store, &crossings)?;
-    let inside = match (&scene.closings, counts) {
-        (Some(closings), _) => Inside::open(mask, closings.clone()),
-        (None, true) => Inside::winding(mask),
-        (None, false) => Inside::mask(mask),
+    winding::reduce(plan, &scene, mask, &crossings);
+    let inside = match counts {
+        true => Inside::winding(mask),
+        false => Inside::mask(mask),
     };
     let layered = resolve(plan, &scene, nearest, inside, &crossings);
     Ok(finish(plan, &scene, layered))

@@ -14,8 +14,9 @@
 
 use super::mask;
 use crate::effects::FrameOutput;
-use crate::passes::{Input, Refusal};
-use crate::plan::Plan;
+use crate::passes::{CrossingSource, Input, Refusal, SceneBuffers};
+use crate::plan::{Access, Binding, Pass, Plan, ResourceId, Work};
+use crate::shader::Shader;
 use crate::strategies::row::{Abilities, CapSurface, InsideTestKind, InsideTestRow, StrategyInfo};
 
 /// The row of the table.
@@ -43,4 +44,49 @@ fn record(
     parameter: u32,
 ) -> Result<FrameOutput, Refusal> {
     mask::record(plan, &input.closed()?, surface, parameter)
+}
+
+/// Records the pass that decides by winding numbers which crossings are inside open parts, if the input closes any. `mask` holds the counts.
+pub(super) fn reduce(
+    plan: &mut Plan,
+    scene: &SceneBuffers<'_>,
+    mask: ResourceId,
+    crossings: &CrossingSource,
+) {
+    let Some([trees, cells]) = scene.closings.clone() else {
+        return;
+    };
+    let mut bindings = vec![
+        scene.frame.clone(),
+        scene.cut_table.clone(),
+        scene.parts.clone(),
+        Binding::update("mask", mask),
+        trees,
+        cells,
+    ];
+    bindings.extend(crossings.bindings.iter().cloned());
+    let (share, work) = match &scene.on_screen {
+        Some(on_screen) => {
+            bindings.push(on_screen.touched.binding(Access::Read));
+            ("lib/share/touched.wgsl", on_screen.touched.shared())
+        }
+        None => {
+            let picture = Work::over(scene.input.view.size_px);
+            ("lib/share/picture.wgsl", picture)
+        }
+    };
+    let active_cuts = &scene.input.active_cuts;
+    let pass = Pass::new(
+        "reduce",
+        "winding numbers decide which crossings are inside open parts",
+        Shader::from("strategies/inside/winding/reduce.wgsl")
+            .with(share)
+            .with_all(&crossings.files()),
+        bindings,
+        work,
+    );
+    plan.add_pass(pass.with_constants(vec![
+        ("lane_count", active_cuts.lanes as f64),
+        ("near_inside", f64::from(u8::from(active_cuts.near_inside))),
+    ]));
 }

@@ -185,7 +185,7 @@ fn the_papers_path_is_told_where_it_is_swept() {
         describe(&folder, &[record("2%", all)], &json!({}))
     };
     let none = swept(["grid:64+mask", "raycast+vds:512"]);
-    assert!(none.contains("was not timed on any point"), "the control");
+    assert!(none.contains("was not timed at any point"), "the control");
     let page = swept(["grid:32+vds:1024", "grid:64+vds:512"]);
     assert!(
         page.contains("in the median (×2.00 to ×5.00) over 2 frames, and is exact in 0 of them")

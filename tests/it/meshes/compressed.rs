@@ -242,13 +242,13 @@ fn what_a_document_says_of_streams_is_held_against_them() {
             &packed,
             r#""count":4,"mode""#,
             r#""count":5,"mode""#,
-            "not the 48 bytes",
+            "do not give the 48 bytes",
         ),
         (
             &packed,
             r#""byteStride":12"#,
             r#""byteStride":16"#,
-            "not the 48 bytes",
+            "do not give the 48 bytes",
         ),
         (
             &packed,

@@ -48,6 +48,8 @@ const LOOKS: [(&str, Look); 20] = [
     ("raycast+mask@compute,32-bit", Look::new(5, Marker::Down)),
     ("raycast+mask@cells", Look::new(0, Marker::Square)),
     ("raycast+mask@pyramid", Look::new(0, Marker::Up)),
+    ("raycast+winding", Look::new(5, Marker::Diamond)),
+    ("raycast+winding@compute", Look::new(5, Marker::Circle)),
     ("raycast+stencil", Look::new(0, Marker::Diamond)),
     ("raycast+abuffer", Look::new(7, Marker::Square)),
     ("raycast+abuffer@compute", Look::new(7, Marker::Circle)),

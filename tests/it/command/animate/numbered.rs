@@ -27,7 +27,7 @@ fn the_same_command_goes_on_where_it_stopped() {
     let first = fs::read(folder.path("out/2.png")).unwrap();
     assert_eq!(kept(&folder, line), [true; 3]);
     let ran = folder.run(line).exits(0);
-    assert!(ran.stderr.contains("3 were there"), "{}", ran.stderr);
+    assert!(ran.stderr.contains("3 already existed"), "{}", ran.stderr);
     // One that is gone, one that is cut off, one of something else.
     fs::remove_file(folder.path("out/2.png")).unwrap();
     assert_eq!(kept(&folder, line), [true, false, true]);

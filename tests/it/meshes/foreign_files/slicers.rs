@@ -63,7 +63,7 @@ fn volumes_of_one_mesh_are_left_out_by_their_triangles() {
     assert!((volume(&broken) - 2.0).abs() < 1e-9);
     must_say(
         &broken,
-        "Slic3r_PE_model.config is not read",
+        "Slic3r_PE_model.config cannot be read",
         "a broken file",
     );
 }

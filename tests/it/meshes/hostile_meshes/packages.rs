@@ -64,7 +64,7 @@ fn changed_models_are_refused_with_their_line() {
             &[":23: ", "flat"],
         ),
         ("</mesh>", "</mash>", &[":18: ", "XML"]),
-        ("</build>\n</model>", "", &["within 2 elements"]),
+        ("</build>\n</model>", "", &["while 2 elements are open"]),
         ("</model>", "</model><model/>", &[":25: ", "second root"]),
         (
             "<resources>",

@@ -98,7 +98,7 @@ const CLIPS: &[Fault] = &[
     (
         "no such node",
         |d| set(d, "/animations/0/channels/0/target/node", json!(9)),
-        &["channel 0", "node 9, there are 3"],
+        &["channel 0", "node 9, but there are only 3"],
     ),
     (
         "no such sampler",

@@ -1,0 +1,129 @@
+// Winding numbers of the triangles that close open parts: their solid angles over 4 pi, summed over a tree of balls in depth-first order. A
+// ball that is far away for its size counts by its dipole and quadrupole, and adds the bound of its error; a leaf counts triangle by
+// triangle. Derivation and bounds: `src/scene/winding`. Bound as @group(1) @binding(5).
+
+#define_import_path cutaway::closings
+
+// Grids of all open parts, then their trees, of nodes of four vectors: centre and radius; area vector and bound of the error; two elements of
+// the diagonal of the traceless moment, the sum of areas, and the address of the next node that is not below this one; doubled other elements
+// of the moment, and for a leaf the address and number of its triangles, of three vectors each. Addresses count vectors from the start of a
+// tree.
+@group(1) @binding(5) var<storage, read> closings: array<vec4<u32>>;
+
+// Number of the grid of a part without closing triangles.
+const NO_GRID: u32 = 0xffffffffu;
+const VECTORS_OF_GRID: u32 = 3u;
+const LEAF_COUNT_BITS: u32 = 3u;
+const MOST_LEAF_TRIANGLES: u32 = 7u;
+// Most nodes that one query visits; a number that would need more is in doubt.
+const MOST_BALLS: u32 = 4096u;
+// Bound of the error of sums in f32.
+const ROUNDING: f32 = 1e-4;
+// Bound of the error of a volume, as a share of the product of its edges.
+const VOLUME_ROUNDING: f32 = 1e-6;
+const FOUR_PI: f32 = 12.566370614;
+
+// A grid of cells around an open part.
+struct Grid {
+    origin: vec3<f32>,
+    cell: f32,
+    counts: vec3<u32>,
+    first_cell: u32,
+    tree: u32,
+}
+
+// In place of a number: the winding number is not the same throughout the cell.
+const VARIES: i32 = 0x7fffffff;
+
+fn grid_of(number: u32) -> Grid {
+    let at = VECTORS_OF_GRID * number;
+    let counts = closings[at + 1u];
+    return Grid(floats(at).xyz, floats(at).w, counts.xyz, counts.w, closings[at + 2u].x);
+}
+
+struct Cell {
+    is_in: bool,
+    number: u32,
+}
+
+// The cell of a point, if it lies in the grid.
+fn cell_at(grid: Grid, point: vec3<f32>) -> Cell {
+    let at = floor((point - grid.origin) / grid.cell);
+    let is_in = all(at >= vec3<f32>(0.0)) && all(at < vec3<f32>(grid.counts));
+    let cell = vec3<u32>(max(at, vec3<f32>(0.0)));
+    return Cell(is_in, grid.first_cell + cell.x + grid.counts.x * (cell.y + grid.counts.y * cell.z));
+}
+
+// Winding number of some triangles around a point.
+struct Winding {
+    number: f32,
+    // Bound of its error.
+    error: f32,
+    // True if the point is so near to a triangle that it may be on either side, or too many nodes would have to be visited.
+    is_unsure: bool,
+}
+
+fn floats(at: u32) -> vec4<f32> {
+    return bitcast<vec4<f32>>(closings[at]);
+}
+
+// Solid angle of a triangle, positive from inside (van Oosterom & Strackee 1983), and 1 if the point is nearer than `near` to its inside.
+fn solid_angle(first: u32, point: vec3<f32>, near: f32) -> vec2<f32> {
+    let a = floats(first).xyz - point;
+    let b = floats(first + 1u).xyz - point;
+    let c = floats(first + 2u).xyz - point;
+    let la = length(a);
+    let lb = length(b);
+    let lc = length(c);
+    let volume = dot(a, cross(b, c));
+    let reach = la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb;
+    let least = max(near * length(cross(b - a, c - a)), VOLUME_ROUNDING * la * lb * lc);
+    let is_near = reach < 0.0 && abs(volume) < least;
+    return vec2<f32>(2.0 * atan2(volume, reach), select(0.0, 1.0, is_near));
+}
+
+// Solid angle of the triangles of a ball from far away: its dipole and its quadrupole.
+fn far_angle(area: vec3<f32>, diagonal: vec4<u32>, others: vec4<u32>, away: vec3<f32>, distance: f32) -> f32 {
+    let on = bitcast<vec2<f32>>(diagonal.xy);
+    let off = bitcast<vec3<f32>>(others.xyz);
+    let along = away / distance;
+    let squares = along * along;
+    let moment = on.x * (squares.x - squares.z) + on.y * (squares.y - squares.z) + dot(off, along.xxy * along.yzz);
+    return (dot(area, along) - 3.0 * moment / distance) / (distance * distance);
+}
+
+// Winding number of the triangles of a tree. `near` is a distance within which a point may be on either side of a
+// triangle. A ball is opened where the bound of its error is greater than `ball_error`.
+fn winding_of(tree: u32, point: vec3<f32>, near: f32, ball_error: f32) -> Winding {
+    let end = tree + closings[tree + 2u].w;
+    var angle = 0.0;
+    var error = ROUNDING;
+    var is_unsure = false;
+    var at = tree;
+    for (var n = 0u; n < MOST_BALLS && at < end; n++) {
+        let ball = floats(at);
+        let flux = floats(at + 1u);
+        let diagonal = closings[at + 2u];
+        let others = closings[at + 3u];
+        let away = ball.xyz - point;
+        let distance = length(away);
+        let gap = distance - ball.w;
+        let of_ball = flux.w / (gap * gap * gap * gap);
+        if gap > 0.0 && of_ball <= ball_error {
+            angle += far_angle(flux.xyz, diagonal, others, away, distance);
+            error += of_ball;
+            at = tree + diagonal.w;
+        } else if others.w != 0u {
+            let first = tree + (others.w >> LEAF_COUNT_BITS);
+            for (var i = 0u; i < min(others.w & MOST_LEAF_TRIANGLES, MOST_LEAF_TRIANGLES); i++) {
+                let of_triangle = solid_angle(first + 3u * i, point, near);
+                angle += of_triangle.x;
+                is_unsure |= of_triangle.y > 0.0;
+            }
+            at = tree + diagonal.w;
+        } else {
+            at += 4u;
+        }
+    }
+    return Winding(angle / FOUR_PI, error, is_unsure || at < end);
+}
