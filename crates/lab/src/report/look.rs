@@ -42,7 +42,7 @@ impl Look {
 }
 
 /// Kinds of methods with their looks.
-const LOOKS: [(&str, Look); 20] = [
+const LOOKS: [(&str, Look); 22] = [
     ("raycast+mask", Look::new(0, Marker::Circle)),
     ("raycast+mask@compute", Look::new(5, Marker::Up)),
     ("raycast+mask@compute,32-bit", Look::new(5, Marker::Down)),
