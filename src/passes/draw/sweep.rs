@@ -1,4 +1,4 @@
-//! Sweeps: passes over all triangles of a screen; each small triangle takes one invocation, the rest are split into pieces for workgroups.
+//! Sweeps: passes over all triangles of a mesh on a screen; each small triangle takes one invocation, the rest are split into pieces for workgroups.
 //!
 //! Edge functions are exact integers and the top-left rule assigns a sample on a shared edge to exactly one triangle: coverage equals
 //! that of the GPU's own rasteriser, even on devices with few raster units. A file that fills `cutaway::sample` defines what a sample

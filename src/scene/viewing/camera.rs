@@ -80,8 +80,8 @@ pub struct Camera {
     /// Shift of the picture to the right and up, in picture heights. The eye does not move, so occlusion does not change.
     pub pan: DVec2,
     /// Draw a cap where the near plane cuts a solid. Without it, a ray that starts inside a solid shows the surface or cap that it *enters*
-    /// next, not the near plane's section or the wall where it leaves. Strategies recognise that wall as back-facing, `exact` by counting;
-    /// they agree if faces point outward and no mesh overlaps itself.
+    /// next, not the near plane's section or the wall where it leaves. Strategies recognise that wall by its back faces, and `exact`
+    /// recognises it by counting crossings; they agree if faces point outward and no mesh overlaps itself.
     pub near_cap: bool,
 }
 

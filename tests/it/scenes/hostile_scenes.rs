@@ -221,7 +221,7 @@ fn sections_that_make_no_sense_are_refused() {
         ("0,0,1", "has 4 numbers, not 3"),
         ("0,0,1,2,3", "not 5"),
         ("0,0,1,50%", "percentage"),
-        ("0,0%,1,5", "without %"),
+        ("0,0%,1,5", "not percentages"),
         ("0,1@1,2,3", "3 numbers"),
         ("0,0,1@1,2", "2 coordinates"),
         ("0,0,1@", "not a number"),

@@ -31,7 +31,7 @@ pub trait Files: fmt::Debug + Send + Sync {
     /// Returns true if a file of this name exists.
     fn is_file(&self, path: &Path) -> bool;
 
-    /// Returns true if links lead `path` out of the folder of the file `from`, although the name of `path` is in or below that folder. A
+    /// Returns true if `path` is by its text within the folder of the file `from`, but symbolic links lead out of that folder. A
     /// store without links keeps the default.
     fn leads_out(&self, _path: &Path, _from: &Path) -> bool {
         false

@@ -19,7 +19,7 @@ pub struct Solid<'a> {
     pub cap_color: Vec3,
     /// Mesh of the solid, in which the faces come before the caps.
     pub mesh: &'a Mesh,
-    /// Number of triangles that are faces.
+    /// Number of triangles of the part's own surface; the remaining ones are caps.
     pub faces: usize,
 }
 

@@ -212,7 +212,7 @@ pub struct CaseRecords {
     pub invocation: Option<Invocation>,
 }
 
-/// Warning about a figure. The kinds of warnings are fixed, so that each has a remedy.
+/// Warning about a figure. Warnings come from a closed set of kinds, so that each kind can have a remedy.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "kind", rename_all = "kebab-case")]
 pub enum Warning {

@@ -1,7 +1,7 @@
 //! Expected results of a strategy in a case, and how the results found are compared with them.
 //!
-//! Bounds were found with 8 sub-pixel bits. With fewer bits, exact decides fewer pixels along outlines, where tessellations and
-//! depth images are wrong: on such an adapter, the number of wrong pixels may be below the lower bound.
+//! Bounds were found with 8 sub-pixel bits. With fewer bits, the exact reference decides fewer of the pixels along outlines,
+//! which tessellations and depth images get wrong: on such an adapter, the number of wrong pixels may be below the lower bound.
 //!
 //! An expectation covers all pictures of a case. Each picture is judged by itself. If a failure is declared, some picture must be wrong; if
 //! a refusal is declared, some must be refused. A declared failure that passes is a fault too: then the table is wrong and misleading.
@@ -105,8 +105,8 @@ impl fmt::Display for Expected {
         match self {
             Self::Exact => f.write_str("0 decided wrong, no crack, none odd"),
             Self::Marked => f.write_str("odd pixels marked, exactly those, and no other wrong"),
-            Self::Doubted => f.write_str("whatever is wrong is marked"),
-            Self::Overflows(_) => f.write_str("overflow reported, whatever is wrong is marked"),
+            Self::Doubted => f.write_str("all wrong pixels marked"),
+            Self::Overflows(_) => f.write_str("overflow reported, and all wrong pixels marked"),
             Self::Band => f.write_str("wrong within reach of a texel alone"),
             Self::Share(most) | Self::Within(most, _) => {
                 write!(f, "at most {most} wrong per boundary pixel")

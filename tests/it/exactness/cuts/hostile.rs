@@ -33,7 +33,7 @@ fn a_gap_between_images_is_told() {
     folder.scene(LAYERS);
     image::GrayImage::new(3, 2).save(&path).expect("a picture");
     let message = folder.load(LAYERS).expect_err("two sizes").to_string();
-    assert!(message.contains("3 x 2 of number 2"), "{message}");
+    assert!(message.contains("layer 2 has 3 x 2"), "{message}");
     // Images that are layers are no names to choose from.
     image::GrayImage::new(2, 2).save(&path).expect("a picture");
     let text = format!("{LAYERS}[relief.odd]\nkind = \"layers\"\nof = [\"qqqqq\"]\n");

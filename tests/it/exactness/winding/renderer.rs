@@ -100,7 +100,7 @@ fn a_truth_in_another_frame_is_refused() {
     let message = errors(&mut session(), &question, &[], &mut |_| ());
     let message = message.err().unwrap().to_string();
     assert!(
-        message.contains("another box") && message.contains("help"),
+        message.contains("bounds differ") && message.contains("help"),
         "{message}"
     );
 }

@@ -75,7 +75,7 @@ pub(crate) struct WedgeDesc {
 /// A cutout as stored in a file.
 #[derive(Clone, Debug, PartialEq, Described)]
 pub(crate) struct CutoutDesc {
-    /// Axis of the wedge: a direction, or one found from the faces: automatic, their main axis of inertia or their axis of symmetry.
+    /// Axis of the wedge: a direction, or one found from the faces: automatic, their principal axis of inertia or their axis of symmetry.
     #[value(words = CUTOUT_AXES, fixed, example = "auto")]
     pub(crate) axis: Option<OrWord<DVec3>>,
     /// Angle between the two faces, less than a full turn because that would remove everything.

@@ -78,7 +78,7 @@ pub(super) fn chapter(recorded: &RecordedFolders) -> Vec<ReportBlock> {
     vec![
         ReportBlock::Grid(facts(recorded)),
         ReportBlock::Text(
-            "Points are counted for the command that measured them; hard cases are not counted. The last command may have found all its points measured already."
+            "Points are counted for the command that measured them; hard cases are not counted. The last command may show 0 because all of its points had already been measured."
                 .to_owned(),
         ),
         ReportBlock::Grid(commands(recorded)),
