@@ -21,6 +21,8 @@ const MOST_BALLS: u32 = 4096u;
 const ROUNDING: f32 = 1e-4;
 // Bound of the error of a volume, as a share of the product of its edges.
 const VOLUME_ROUNDING: f32 = 1e-6;
+// Greatest reach, as a share of the product of the edges, of a point that counts as above a triangle.
+const BESIDE: f32 = 0.02;
 const FOUR_PI: f32 = 12.566370614;
 
 // A grid of cells around an open part.
@@ -63,11 +65,14 @@ struct Winding {
     is_unsure: bool,
 }
 
+// Nodes and triangles that this invocation may still visit: work is bounded, whatever the scene. When none is left, all numbers are in doubt.
+var<private> visits_left: u32 = 40000u;
+
 fn floats(at: u32) -> vec4<f32> {
     return bitcast<vec4<f32>>(closings[at]);
 }
 
-// Solid angle of a triangle, positive from inside (van Oosterom & Strackee 1983), and 1 if the point is nearer than `near` to its inside.
+// Solid angle of a triangle, positive from inside (van Oosterom & Strackee 1983), and 1 if the point is within `near` of it.
 fn solid_angle(first: u32, point: vec3<f32>, near: f32) -> vec2<f32> {
     let a = floats(first).xyz - point;
     let b = floats(first + 1u).xyz - point;
@@ -78,7 +83,8 @@ fn solid_angle(first: u32, point: vec3<f32>, near: f32) -> vec2<f32> {
     let volume = dot(a, cross(b, c));
     let reach = la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb;
     let least = max(near * length(cross(b - a, c - a)), VOLUME_ROUNDING * la * lb * lc);
-    let is_near = reach < 0.0 && abs(volume) < least;
+    // An angle of about pi or more: the point is above the triangle or right beside it.
+    let is_near = reach < BESIDE * la * lb * lc + 1e-30 && abs(volume) <= least;
     return vec2<f32>(2.0 * atan2(volume, reach), select(0.0, 1.0, is_near));
 }
 
@@ -100,7 +106,8 @@ fn winding_of(tree: u32, point: vec3<f32>, near: f32, ball_error: f32) -> Windin
     var error = ROUNDING;
     var is_unsure = false;
     var at = tree;
-    for (var n = 0u; n < MOST_BALLS && at < end; n++) {
+    for (var n = 0u; n < MOST_BALLS && at < end && visits_left > 0u; n++) {
+        visits_left--;
         let ball = floats(at);
         let flux = floats(at + 1u);
         let diagonal = closings[at + 2u];
@@ -120,6 +127,7 @@ fn winding_of(tree: u32, point: vec3<f32>, near: f32, ball_error: f32) -> Windin
                 angle += of_triangle.x;
                 is_unsure |= of_triangle.y > 0.0;
             }
+            visits_left -= min(visits_left, MOST_LEAF_TRIANGLES);
             at = tree + diagonal.w;
         } else {
             at += 4u;

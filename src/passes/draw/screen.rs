@@ -132,11 +132,11 @@ impl ScreenMesh {
     ) -> Result<Self, Refusal> {
         let input = scene.input;
         let preclassified = scene.preclassified.as_ref().filter(|_| of.classifies);
-        let closed: Vec<&ClosedPart> = match of.clock {
-            Clock::Frame => input.closed_parts().collect(),
-            Clock::Solid | Clock::Cut => Vec::new(),
+        let closed = match of.clock {
+            Clock::Frame => input.closed_parts(),
+            Clock::Solid | Clock::Cut => &[],
         };
-        let rows = input.rows(of.ranks, &closed, preclassified.is_some());
+        let rows = input.rows(of.ranks, closed, preclassified.is_some());
         if rows.len() > MOST_DRAWN_PARTS {
             return Err(Refusal::amount(format!(
                 "the compute rasteriser draws at most {MOST_DRAWN_PARTS} parts and groups of faces in clip-surfaces; there are {}",
@@ -228,7 +228,7 @@ struct DrawnRow {
 
 impl Input<'_> {
     /// The rows of the table of drawn parts: parts, closing triangles, then groups of preclassified triangles.
-    fn rows(&self, ranks: &[usize], closed: &[&ClosedPart], classifies: bool) -> Vec<DrawnRow> {
+    fn rows(&self, ranks: &[usize], closed: &[ClosedPart], classifies: bool) -> Vec<DrawnRow> {
         let groups = match classifies {
             true => self.preclassified_groups(),
             false => &[],
@@ -245,7 +245,7 @@ impl Input<'_> {
             }
             whole
         };
-        let of_closed = |part: &&ClosedPart| DrawnRow {
+        let of_closed = |part: &ClosedPart| DrawnRow {
             cuts: self.cut_of_everything(),
             ..row(part.rank, &part.indices)
         };

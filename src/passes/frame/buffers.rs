@@ -249,7 +249,7 @@ fn parts(input: &Input<'_>, lanes: &Lanes) -> Contents {
     for (place, rank) in active_cuts.order.iter().enumerate() {
         rows[prepared[*rank].part].place = place as u32;
     }
-    let of_closed = input.closed_parts().map(|closed| Part {
+    let of_closed = input.closed_parts().iter().map(|closed| Part {
         cuts: input.cut_of_everything(),
         ..rows[active_cuts.place_of(closed.rank)]
     });

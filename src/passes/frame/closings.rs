@@ -4,10 +4,12 @@
 //! The winding number of the closing triangles is needed at many points, and nearly everywhere only to the nearest whole number. A grid of
 //! cells around each open part stores it where one number serves a whole cell; a pass on the clock of the solid fills it.
 
+use rayon::prelude::*;
+
 use super::input::Input;
 use super::refusal::Refusal;
 use crate::passes::pack::model::Model;
-use crate::plan::pack::MAX_SURFACES;
+use crate::plan::pack::MAX_SURFACES as MOST_CUTS;
 use crate::plan::{Binding, Clock, Contents, Draw, INDEX_BYTES, Pass, Piece, Plan, Resource, Work};
 
 /// Bytes of four words, in which trees are addressed.
@@ -32,13 +34,12 @@ pub(crate) struct ClosedPart {
     pub rank: usize,
     /// First index of its closing triangles, and the end of them.
     pub indices: std::ops::Range<u32>,
-    /// Number of its grid.
-    pub grid: u32,
 }
 
 /// The open parts of a scene.
 #[derive(Clone, Debug)]
 pub(crate) struct Closings {
+    /// By rank; the number of a part is that of its grid.
     parts: Vec<ClosedPart>,
     /// Indices of all closing triangles.
     indices: Vec<Piece>,
@@ -54,27 +55,31 @@ impl Input<'_> {
     /// open parts, the input is unchanged.
     pub(crate) fn closed(&self) -> Result<Self, Refusal> {
         let mut closed = self.clone();
-        closed.closings = Closings::of(self.model);
-        if closed.closed_parts().next().is_none() {
-            closed.closings = None;
-        } else if self.active_cuts.cuts.len() >= MAX_SURFACES {
-            return Err(Refusal::amount(format!(
-                "open parts are closed by one more cut, and a frame has at most {MAX_SURFACES}"
-            )));
+        closed.closings = Closings::of(self.model, self.active_cuts.cut_parts());
+        if closed.closings.is_some() {
+            if self.active_cuts.cuts.len() >= MOST_CUTS {
+                return Err(Refusal::amount(format!(
+                    "open parts are closed by one more cut, and a frame has at most {MOST_CUTS}"
+                )));
+            }
+            // Closing triangles need rows of the same table.
+            closed.preclassified = closed.find_preclassified();
         }
         Ok(closed)
     }
 
     /// The open parts that are closed for counting.
-    pub(crate) fn closed_parts(&self) -> impl Iterator<Item = &ClosedPart> {
-        let all = self.closings.iter().flat_map(|closings| &closings.parts);
-        all.filter(|part| self.active_cuts.cut_parts().contains(&part.rank))
+    pub(crate) fn closed_parts(&self) -> &[ClosedPart] {
+        self.closings
+            .as_ref()
+            .map_or(&[], |closings| &closings.parts)
     }
 
     /// The grid of the part with a given rank, if it is closed for counting.
     pub(crate) fn closing_grid(&self, rank: usize) -> Option<u32> {
-        let mut parts = self.closed_parts();
-        parts.find(|part| part.rank == rank).map(|part| part.grid)
+        let parts = self.closed_parts();
+        let found = parts.binary_search_by_key(&rank, |part| part.rank);
+        found.ok().map(|grid| grid as u32)
     }
 
     /// Bits of a cut without clip-surfaces, which removes everything.
@@ -103,7 +108,7 @@ impl Input<'_> {
     /// The draws of the closing triangles; the instance is their row of the part table.
     pub(crate) fn draws_of_closings(&self) -> impl Iterator<Item = Draw> {
         let first = self.first_closing_row();
-        (self.closed_parts().enumerate()).map(move |(number, part)| Draw {
+        (self.closed_parts().iter().enumerate()).map(move |(number, part)| Draw {
             indices: part.indices.clone(),
             instance: (first + number) as u32,
             ..self.draws_of(&[part.rank]).remove(0)
@@ -112,35 +117,37 @@ impl Input<'_> {
 }
 
 impl Closings {
-    /// The open parts of a scene; `None` if all are closed.
-    fn of(model: &Model) -> Option<Self> {
+    /// The open ones among the parts with given ranks; `None` if all are closed.
+    fn of(model: &Model, ranks: &[usize]) -> Option<Self> {
         let parts = &model.prepared.parts;
-        let open = parts
-            .iter()
-            .enumerate()
-            .filter(|(_, part)| !part.cuts.is_empty());
-        let open = open.filter_map(|(rank, _)| Some((rank, model.closing(rank)?)));
-        let open: Vec<_> = open.collect();
+        let open = ranks.par_iter().filter_map(|rank| {
+            let closing = model.closing(*rank)?;
+            Some((*rank, model.closing_tree(*rank, &closing), closing))
+        });
+        let mut open: Vec<_> = open.collect();
+        open.sort_by_key(|(rank, ..)| *rank);
         let (mut closed, mut indices, mut trees) = (Vec::new(), Vec::new(), Vec::new());
         let mut grids: Vec<[u32; 4]> = Vec::new();
         let mut first_index = model.indices.len() / INDEX_BYTES;
-        let mut tree = open.len() as u64 * VECTORS_OF_GRID * VECTOR_BYTES;
+        let count_of_open = open.len();
+        let mut tree = count_of_open as u64 * VECTORS_OF_GRID * VECTOR_BYTES;
         let (mut cells, mut most_cells) = (0, 0);
-        for (rank, closing) in &open {
-            let along = (MOST_GRID_CELLS / open.len() as f64).cbrt();
-            let along = along.min(match model.moving[*rank] {
+        for (rank, bytes, closing) in open {
+            let along = (MOST_GRID_CELLS / count_of_open as f64).cbrt();
+            let along = along.min(match model.moving[rank] {
                 Some(_) => MOST_CELLS_ALONG_MOVING,
                 None => MOST_CELLS_ALONG,
             });
-            let bounds = &parts[*rank].bounds;
+            let bounds = &parts[rank].bounds;
             let cell = (bounds.size().max_element() / along.floor().max(1.0)).max(1e-6);
             let counts = (bounds.size() / cell).ceil().max(glam::DVec3::ONE);
             // A grid without cells: nothing is inside.
-            let counts = counts.to_array().map(|count| match closing.is_flat {
-                true => 0,
-                false => count as u32,
+            let counts = counts.to_array().map(|count| {
+                match closing.is_flat && model.moving[rank].is_none() {
+                    true => 0,
+                    false => count as u32,
+                }
             });
-            let bytes = model.closing_tree(*rank, closing);
             let [x, y, z] = bounds.min.as_vec3().to_array().map(f32::to_bits);
             let [along_x, along_y, along_z] = counts;
             grids.extend([
@@ -152,9 +159,8 @@ impl Closings {
             (cells, most_cells) = (cells + count, count.max(most_cells));
             let end = first_index + u64::from(closing.index_count());
             closed.push(ClosedPart {
-                rank: *rank,
+                rank,
                 indices: first_index as u32..end as u32,
-                grid: closed.len() as u32,
             });
             indices.push(Piece {
                 offset: first_index * INDEX_BYTES,

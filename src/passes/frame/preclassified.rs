@@ -29,7 +29,8 @@ impl<'a> Input<'a> {
             return None;
         }
         // Either all groups of a part are included or none; parts and groups together fit the compute rasteriser's rows.
-        let most = MOST_PRECLASSIFIED_GROUPS.saturating_sub(order.len());
+        let most =
+            MOST_PRECLASSIFIED_GROUPS.saturating_sub(order.len() + self.closed_parts().len());
         let mut all = Vec::new();
         for rank in order {
             let groups = &of_parts[*rank];

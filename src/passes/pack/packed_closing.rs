@@ -94,7 +94,23 @@ impl PackedClosing {
     /// The tree in words, for positions of the part in scene space: nodes in depth-first order, then triangles. Addresses in it count
     /// vectors from its start.
     pub(crate) fn tree(&self, positions: &[Vec3]) -> Arc<[u8]> {
-        let tree = WindingTree::of(positions, &self.triangles);
+        // Those without area have no solid angle, and no point is on either side of them.
+        let has_area = |t: &&[u32; 3]| {
+            let [a, b, c] = t.map(|i| positions[i as usize]);
+            (b - a).cross(c - a) != Vec3::ZERO
+        };
+        let triangles: Vec<[u32; 3]> = self.triangles.iter().filter(has_area).copied().collect();
+        let tree = WindingTree::of(positions, &triangles);
+        if tree.nodes.is_empty() {
+            // A leaf without triangles.
+            let leaf = [
+                [0; 4],
+                [0; 4],
+                [0, 0, 0, NODE_VECTORS],
+                [0, 0, 0, NODE_VECTORS << COUNT_BITS],
+            ];
+            return Piece::from_values(0, &leaf).bytes;
+        }
         let first_triangle = tree.nodes.len() as u32 * NODE_VECTORS;
         let words = |node: &BallNode| {
             let next = node.next * NODE_VECTORS;
@@ -113,7 +129,7 @@ impl PackedClosing {
                 floats([x.x, y.y, node.size]),
                 floats([2.0 * x.y, 2.0 * x.z, 2.0 * y.z]),
             ];
-            // Rounded up, so that the ball holds its triangles.
+            // Rounded up; the centre is rounded to f32 as the triangles are.
             let [radius, error] = [node.radius, node.error].map(|v| (v as f32).next_up().to_bits());
             [
                 [a[0], a[1], a[2], radius],

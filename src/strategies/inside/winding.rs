@@ -19,6 +19,9 @@ use crate::plan::{Access, Binding, Pass, Plan, ResourceId, Work};
 use crate::shader::Shader;
 use crate::strategies::row::{Abilities, CapSurface, InsideTestKind, InsideTestRow, StrategyInfo};
 
+/// Distance from a closing triangle within which a crossing is marked, in pixels: rasterisers snap vertices to 1/16 px or finer.
+const SNAPPED_PX: f64 = 0.0625;
+
 /// The row of the table.
 pub(crate) static ROW: InsideTestRow = InsideTestRow {
     facts: StrategyInfo {
@@ -88,5 +91,6 @@ pub(super) fn reduce(
     plan.add_pass(pass.with_constants(vec![
         ("lane_count", active_cuts.lanes as f64),
         ("near_inside", f64::from(u8::from(active_cuts.near_inside))),
+        ("snapped_px", scene.input.view.doubt_px().max(SNAPPED_PX)),
     ]));
 }

@@ -13,6 +13,8 @@
 // A ball is opened where the bound of its remainder, as a share of 4 pi, is greater.
 const CELL_ERROR: f32 = 0.002;
 const HALF_DIAGONAL: f32 = 0.8660254;
+// Points this far outside of a cell have its number too: `AROUND_CELL` in `reduce`, with the diagonal.
+const WIDENED: f32 = 1.05;
 // Margin for the rounding of points at the sides of a cell.
 const MARGIN: f32 = 4e-6;
 
@@ -56,7 +58,7 @@ fn change_of_triangle(first: u32, point: vec3<f32>, around: f32) -> vec4<f32> {
     let ca = field_of_edge(c, a, around);
     // The foot of the point on the plane lies on the inner side of all edges.
     let sides = vec3<f32>(dot(cross(a, b), normal), dot(cross(b, c), normal), dot(cross(c, a), normal));
-    let crosses = abs(dot(a, normal)) <= around * length(normal) && all(sides >= vec3<f32>(0.0));
+    let crosses = abs(dot(a, normal)) < around * length(normal) && all(sides >= vec3<f32>(0.0));
     let touches = crosses || min(ab.w, min(bc.w, ca.w)) < 0.0;
     return select(ab + bc + ca, vec4<f32>(0.0, 0.0, 0.0, -1.0), touches);
 }
@@ -110,5 +112,5 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
     }
     let cell = vec3<u32>(id.x % counts.x, id.x / counts.x % counts.y, id.x / (counts.x * counts.y));
     let point = grid.origin + (vec3<f32>(cell) + 0.5) * grid.cell;
-    closing_cells[grid.first_cell + id.x] = number_in(grid.tree, point, HALF_DIAGONAL * grid.cell + MARGIN);
+    closing_cells[grid.first_cell + id.x] = number_in(grid.tree, point, WIDENED * HALF_DIAGONAL * grid.cell + MARGIN);
 }

@@ -3,8 +3,8 @@
 // were filled by the nonzero rule.
 //
 // A pixel is marked, by a number of fragments that no byte can count, where a number that decides is as near to a half as its error, and
-// where a crossing lies in a closing triangle. An invocation owns a pixel. Cost per crossing at which an open part begins to be kept: some
-// ten nodes, more among many closing triangles.
+// where a crossing lies in a closing triangle. An invocation owns a pixel. Cost per crossing at which an open part begins to be kept:
+// nothing in cells with one number, otherwise some hundred nodes and triangles, more among many.
 
 #import cutaway::closings::{NO_GRID, VARIES, cell_at, grid_of, winding_of}
 #import cutaway::crossings::{cappable, depth_at, head_of, surface_at}
@@ -12,7 +12,7 @@
 #import cutaway::frame::{centre_of, frame, pixel_count, pixel_index, ray_through}
 #import cutaway::lanes::{MOST_CROSSINGS, MOST_LANES}
 #import cutaway::share::{pixel_at, turns}
-#import cutaway::winding::{count_at, sum_and_number}
+#import cutaway::winding::{count_at, may_exceed, sum_and_number}
 
 @group(1) @binding(4) var<storage, read_write> mask: array<u32>;
 @group(1) @binding(6) var<storage, read> closing_cells: array<i32>;
@@ -20,10 +20,13 @@
 override lane_count: u32 = 1u;
 override near_inside: bool = false;
 
-// A crossing nearer to a closing triangle than this part of a pixel may be on either side of its fragment: rasterisers snap vertices.
-const SNAPPED_PX: f32 = 0.0625;
-// The same in scene units, for rounding.
+// A crossing nearer to a closing triangle than this may be on either side of its fragment, in pixels: rasterisers snap vertices.
+override snapped_px: f32 = 0.0625;
+// The same in scene units, for rounding, and as a share of the depth.
 const ROUNDED_AWAY: f32 = 4e-6;
+const ROUNDED_DEPTH: f32 = 2.4e-7;
+// The same as a share of a cell: cells are filled for points that far outside of them.
+const AROUND_CELL: f32 = 0.04;
 // Bounds of the error of a ball, as shares of 4 pi: in the first round, and from one to the next.
 const COARSEST: f32 = 0.003;
 const FINER: f32 = 0.0666;
@@ -49,11 +52,12 @@ fn holds(place: u32, count: i32, at: vec2<u32>, depth: f32) -> Answer {
     let step = length(frame.ray_step[0].xyz) * select(depth, 1.0, frame.orthographic != 0u);
     let grid = grid_of(parts[place].grid);
     if grid.counts.x == 0u {
-        // A mesh that lies in a plane has no inside.
+        // A mesh that lies in a plane encloses nothing.
         return Answer(false, false);
     }
+    let near = ROUNDED_AWAY + ROUNDED_DEPTH * depth + snapped_px * step;
     let cell = cell_at(grid, point);
-    if cell.is_in {
+    if cell.is_in && near < AROUND_CELL * grid.cell {
         let whole = closing_cells[cell.number];
         if whole != VARIES {
             return Answer(is_filled(place, count - whole), false);
@@ -62,11 +66,14 @@ fn holds(place: u32, count: i32, at: vec2<u32>, depth: f32) -> Answer {
     var answer = Answer(false, true);
     var ball_error = COARSEST;
     for (var round_of = 0u; round_of < MOST_QUERIES && answer.is_unsure; round_of++) {
-        let closing = winding_of(grid.tree, point, ROUNDED_AWAY + SNAPPED_PX * step, ball_error);
+        let closing = winding_of(grid.tree, point, near, ball_error);
         let number = f32(count) - closing.number;
         let whole = round(number);
         answer.is_inside = is_filled(place, i32(whole));
-        answer.is_unsure = 0.5 - abs(number - whole) <= closing.error;
+        // The number on the other side of the nearest half; a comparison with NaN is false, which is a doubt.
+        let other = i32(whole) + select(-1, 1, number > whole);
+        let is_clear = 0.5 - abs(number - whole) > closing.error || answer.is_inside == is_filled(place, other);
+        answer.is_unsure = !is_clear;
         if closing.is_unsure {
             answer.is_unsure = true;
             break;
@@ -102,6 +109,7 @@ fn reduce(place: u32, at: vec2<u32>) {
         }
         sides = after;
     }
+    is_unsure |= may_exceed(sum);
     if near_inside {
         let answer = holds(place, sum.x, at, frame.near);
         sum.x = select(0, 1, answer.is_inside);

@@ -5,18 +5,19 @@ use cutaway::generate::defects::break_parts;
 use cutaway::layers::{Kind, Layers};
 use cutaway::passes::Rasteriser;
 use cutaway::plan::Capacities;
-use cutaway::scene::{Cut, Prepared, PreparedPart, Scene};
+use cutaway::scene::{Axis, Cut, Deformer, Fill, Prepared, PreparedPart, Scene, Viewpoint};
 use cutaway::session::Outcome;
 use cutaway::strategies::{DrawOptions, Method, Strategy, plan};
 use cutaway_io::document::{self, parse_defect};
 use cutaway_lab::exact::Windings;
+use glam::{DAffine3, DVec3};
 
 use crate::common::real::{cut, files};
 use crate::common::{coarseness, scenes, session, strategy};
 
 const SIZE_PX: [u32; 2] = [200, 150];
 
-/// Decided by a whole number that differs from the other: what a pixel shows, without depths.
+/// What a pixel shows, without depths.
 fn class(layers: &Layers, pixel: usize) -> (Kind, u16, u8) {
     let layer = &layers.pixels[pixel];
     (layer.kind, layer.part, layer.clip_surface)
@@ -112,6 +113,64 @@ fn broken_shapes_are_capped_as_by_the_sum_over_all_faces() {
     }
     assert!(caps > 25_000, "{caps} cap pixels prove too little");
     assert!(marked * 50 < caps, "{marked} of {caps} are marked");
+}
+
+/// A ball with holes, cut through the middle.
+fn holed(spec: &str) -> Scene {
+    let mut scene = scenes::sectioned(spec, &["-z=50%"]);
+    let holes = parse_defect("holes:amount=5%,patch=6").unwrap();
+    break_parts(&mut scene.parts, &[holes]).unwrap();
+    scene
+}
+
+#[test]
+fn placed_moving_nonzero_and_several_open_parts_are_capped_alike() {
+    let spec = "sphere?subdivisions=3";
+    let mut mirrored = holed(spec);
+    mirrored.parts[0].world_from_part = DAffine3::from_scale(DVec3::new(-1.0, 1.5, 0.7));
+    let mut nonzero = holed(spec);
+    nonzero.parts[0].fill = Fill::Nonzero;
+    // Two placements of one mesh and a closed part.
+    let mut several = holed(spec);
+    let mut second = several.parts[0].clone();
+    second.name = "second".to_owned();
+    second.world_from_part = DAffine3::from_translation(DVec3::X * 1.4);
+    let mut closed = scenes::sectioned("cube", &["-z=50%"]).parts.remove(0);
+    closed.world_from_part = DAffine3::from_translation(DVec3::Y * 1.6);
+    several.parts.extend([second, closed]);
+    let mut waved = holed(spec);
+    let wave = Deformer::Wave {
+        axis: Axis {
+            centre: DVec3::ZERO,
+            along: DVec3::X,
+            across: DVec3::Z,
+        },
+        amplitude: 0.2,
+        period: 1.3,
+        phase: 0.4,
+    };
+    waved.parts[0].deform(vec![wave]);
+    let scenes = [mirrored, nonzero, several, waved];
+    for (scene, name) in scenes
+        .iter()
+        .zip(["mirrored", "nonzero", "several", "waved"])
+    {
+        let [caps, _] = must_agree(scene, name);
+        assert!(caps > 500, "{name}: {caps}");
+    }
+}
+
+#[test]
+fn the_near_plane_within_an_open_part_is_capped_alike() {
+    let mut scene = holed("sphere?subdivisions=4");
+    scene.cuts.clear();
+    scene.camera.viewpoint = Viewpoint::Explicit {
+        position: DVec3::new(0.1, 0.05, 0.2),
+        focal_point: DVec3::new(0.0, 0.6, -0.3),
+        view_up: Some(DVec3::Z),
+    };
+    let [caps, _] = must_agree(&scene, "eye inside");
+    assert!(caps > 10_000, "{caps}");
 }
 
 #[test]
