@@ -51,9 +51,8 @@ pub struct FilePosition {
 /// As compilers write it: `scene.toml:12:5`.
 impl fmt::Display for FilePosition {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}", self.path.display())?;
-        let numbers = [self.line, self.column];
-        numbers.iter().flatten().try_for_each(|n| write!(f, ":{n}"))
+        let [line, column] = [self.line, self.column].map(super::number);
+        write!(f, "{}{line}{column}", self.path.display())
     }
 }
 

@@ -88,47 +88,85 @@ fn solid_angle(first: u32, point: vec3<f32>, near: f32) -> vec2<f32> {
     return vec2<f32>(2.0 * atan2(volume, reach), select(0.0, 1.0, is_near));
 }
 
+// A node of a tree.
+struct Ball {
+    centre: vec3<f32>,
+    radius: f32,
+    area: vec3<f32>,
+    error: f32,
+    // Two elements of the diagonal of the traceless moment, and doubled other elements.
+    diagonal: vec2<f32>,
+    others: vec3<f32>,
+    // Sum of areas.
+    size: f32,
+    // Address of the next node that is not below this one.
+    next: u32,
+    // For a leaf, the address and number of its triangles.
+    is_leaf: bool,
+    first: u32,
+    count: u32,
+}
+
+fn ball_at(tree: u32, at: u32) -> Ball {
+    let ball = floats(at);
+    let flux = floats(at + 1u);
+    let diagonal = closings[at + 2u];
+    let others = closings[at + 3u];
+    return Ball(
+        ball.xyz,
+        ball.w,
+        flux.xyz,
+        flux.w,
+        bitcast<vec2<f32>>(diagonal.xy),
+        bitcast<vec3<f32>>(others.xyz),
+        bitcast<f32>(diagonal.z),
+        tree + diagonal.w,
+        others.w != 0u,
+        tree + (others.w >> LEAF_COUNT_BITS),
+        others.w & MOST_LEAF_TRIANGLES,
+    );
+}
+
+// Address after the last node of a tree.
+fn end_of(tree: u32) -> u32 {
+    return tree + closings[tree + 2u].w;
+}
+
 // Solid angle of the triangles of a ball from far away: its dipole and its quadrupole.
-fn far_angle(area: vec3<f32>, diagonal: vec4<u32>, others: vec4<u32>, away: vec3<f32>, distance: f32) -> f32 {
-    let on = bitcast<vec2<f32>>(diagonal.xy);
-    let off = bitcast<vec3<f32>>(others.xyz);
+fn far_angle(ball: Ball, away: vec3<f32>, distance: f32) -> f32 {
     let along = away / distance;
     let squares = along * along;
-    let moment = on.x * (squares.x - squares.z) + on.y * (squares.y - squares.z) + dot(off, along.xxy * along.yzz);
-    return (dot(area, along) - 3.0 * moment / distance) / (distance * distance);
+    let moment = dot(ball.diagonal, squares.xy - squares.z) + dot(ball.others, along.xxy * along.yzz);
+    return (dot(ball.area, along) - 3.0 * moment / distance) / (distance * distance);
 }
 
 // Winding number of the triangles of a tree. `near` is a distance within which a point may be on either side of a
 // triangle. A ball is opened where the bound of its error is greater than `ball_error`.
 fn winding_of(tree: u32, point: vec3<f32>, near: f32, ball_error: f32) -> Winding {
-    let end = tree + closings[tree + 2u].w;
+    let end = end_of(tree);
     var angle = 0.0;
     var error = ROUNDING;
     var is_unsure = false;
     var at = tree;
     for (var n = 0u; n < MOST_BALLS && at < end && visits_left > 0u; n++) {
         visits_left--;
-        let ball = floats(at);
-        let flux = floats(at + 1u);
-        let diagonal = closings[at + 2u];
-        let others = closings[at + 3u];
-        let away = ball.xyz - point;
+        let ball = ball_at(tree, at);
+        let away = ball.centre - point;
         let distance = length(away);
-        let gap = distance - ball.w;
-        let of_ball = flux.w / (gap * gap * gap * gap);
+        let gap = distance - ball.radius;
+        let of_ball = ball.error / (gap * gap * gap * gap);
         if gap > 0.0 && of_ball <= ball_error {
-            angle += far_angle(flux.xyz, diagonal, others, away, distance);
+            angle += far_angle(ball, away, distance);
             error += of_ball;
-            at = tree + diagonal.w;
-        } else if others.w != 0u {
-            let first = tree + (others.w >> LEAF_COUNT_BITS);
-            for (var i = 0u; i < min(others.w & MOST_LEAF_TRIANGLES, MOST_LEAF_TRIANGLES); i++) {
-                let of_triangle = solid_angle(first + 3u * i, point, near);
+            at = ball.next;
+        } else if ball.is_leaf {
+            for (var i = 0u; i < min(ball.count, MOST_LEAF_TRIANGLES); i++) {
+                let of_triangle = solid_angle(ball.first + 3u * i, point, near);
                 angle += of_triangle.x;
                 is_unsure |= of_triangle.y > 0.0;
             }
             visits_left -= min(visits_left, MOST_LEAF_TRIANGLES);
-            at = tree + diagonal.w;
+            at = ball.next;
         } else {
             at += 4u;
         }

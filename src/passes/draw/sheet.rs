@@ -18,7 +18,7 @@ use crate::passes::frame::need::{NEED_OF_SHEETS, need};
 use crate::passes::frame::refusal::Refusal;
 use crate::plan::pack::SheetPool;
 use crate::plan::{
-    Access, Binding, Bounded, BufferRole, Capacity, Clock, Contents, DepthTarget, Draw, Pass, Plan,
+    Binding, Bounded, BufferRole, Capacity, Clock, Contents, DepthTarget, Draw, Pass, Plan,
     Resource, ResourceId, Vertices, Work,
 };
 use crate::shader::Shader;
@@ -88,17 +88,7 @@ impl Sheets {
         crossings: &Crossings,
     ) -> Result<(), Refusal> {
         let lists = SheetLists::new(plan, scene)?;
-        let (share, work, tiles) = match &scene.on_screen {
-            Some(on_screen) => {
-                let touched = on_screen.touched;
-                let tiles = Some(touched.binding(Access::Read));
-                ("lib/share/touched.wgsl", touched.shared(), tiles)
-            }
-            None => {
-                let picture = Work::over(scene.input.view.size_px);
-                ("lib/share/picture.wgsl", picture, None)
-            }
-        };
+        let (share, work, tiles) = scene.pixels();
         let mut bindings = vec![
             scene.frame.clone(),
             lists.pool.clone(),

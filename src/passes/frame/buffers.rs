@@ -13,7 +13,8 @@ use super::pose::pose_parts;
 use super::refusal::Refusal;
 use crate::plan::pack::{self, CutTable, MAX_SURFACES, NO_GRID, Part};
 use crate::plan::{
-    Binding, BufferRole, Clock, Contents, Format, Plan, Resource, ResourceId, Vertices,
+    Access, Binding, BufferRole, Clock, Contents, Format, Plan, Resource, ResourceId, Vertices,
+    Work,
 };
 use crate::scene::Fill;
 
@@ -173,6 +174,22 @@ impl<'a> SceneBuffers<'a> {
             }),
             screen_indices: plan.add_resource(triangle),
             on_screen: None,
+        }
+    }
+
+    /// The pixels that a pass over the frame's pixels processes: the file that fills `cutaway::share`, the dispatch, and the list of
+    /// touched tiles if only these are processed.
+    pub(crate) fn pixels(&self) -> (&'static str, Work, Option<Binding>) {
+        match &self.on_screen {
+            Some(on_screen) => {
+                let touched = on_screen.touched;
+                let tiles = Some(touched.binding(Access::Read));
+                ("lib/share/touched.wgsl", touched.shared(), tiles)
+            }
+            None => {
+                let picture = Work::over(self.input.view.size_px);
+                ("lib/share/picture.wgsl", picture, None)
+            }
         }
     }
 

@@ -9,7 +9,7 @@ use rayon::prelude::*;
 use super::input::Input;
 use super::refusal::Refusal;
 use crate::passes::pack::model::Model;
-use crate::plan::pack::MAX_SURFACES as MOST_CUTS;
+use crate::plan::pack::MAX_CUTS;
 use crate::plan::{Binding, Clock, Contents, Draw, INDEX_BYTES, Pass, Piece, Plan, Resource, Work};
 
 /// Bytes of four words, in which trees are addressed.
@@ -57,9 +57,9 @@ impl Input<'_> {
         let mut closed = self.clone();
         closed.closings = Closings::of(self.model, self.active_cuts.cut_parts());
         if closed.closings.is_some() {
-            if self.active_cuts.cuts.len() >= MOST_CUTS {
+            if self.active_cuts.cuts.len() >= MAX_CUTS {
                 return Err(Refusal::amount(format!(
-                    "open parts are closed by one more cut, and a frame has at most {MOST_CUTS}"
+                    "open parts are closed by one more cut, and a frame has at most {MAX_CUTS}"
                 )));
             }
             // Closing triangles need rows of the same table.

@@ -1,7 +1,8 @@
 //! The triangles that close an open part for counting, and the tree of their solid angles, as uploads.
 //!
-//! Closing triangles use vertices of the part, so that fragments on a shared edge are the same for both, in every pose. They are found once
-//! per mesh, when an inside test first asks for them; the tree is built once per pose. Layout of a node: `shaders/lib/inside_tests/closings.wgsl`.
+//! Closing triangles use vertices of the part, so that fragments on a shared edge are the same for both, in every pose. They are found when
+//! a frame first needs them, and again only if the mesh of the part changes; the tree is built once per pose.
+//! Layout of a node: `shaders/lib/inside_tests/closings.wgsl`.
 //!
 //! Cannot: pose the vertices of the tree on the device. A moving open part is posed here once more, in f64.
 
@@ -112,16 +113,15 @@ impl PackedClosing {
             return Piece::from_values(0, &leaf).bytes;
         }
         let first_triangle = tree.nodes.len() as u32 * NODE_VECTORS;
-        let words = |node: &BallNode| {
+        let words = |(number, node): (usize, &BallNode)| {
             let next = node.next * NODE_VECTORS;
             let [x, y] = [node.moment.x_axis, node.moment.y_axis];
-            let count = node.end - node.first;
-            let is_leaf = count < 1 << COUNT_BITS;
-            let leaf = first_triangle + node.first * TRIANGLE_VECTORS;
-            let leaf = if is_leaf {
-                (leaf << COUNT_BITS) | count
-            } else {
-                0
+            let leaf = match node.next as usize == number + 1 {
+                true => {
+                    let first = first_triangle + node.first * TRIANGLE_VECTORS;
+                    (first << COUNT_BITS) | (node.end - node.first)
+                }
+                false => 0,
             };
             let floats = |v: [f64; 3]| v.map(|v| (v as f32).to_bits());
             let [a, b] = [floats(node.centre.to_array()), floats(node.area.to_array())];
@@ -139,7 +139,7 @@ impl PackedClosing {
             ]
         };
         let corners = tree.triangles.iter().flatten();
-        let nodes = tree.nodes.iter().flat_map(words);
+        let nodes = tree.nodes.iter().enumerate().flat_map(words);
         let triangles = corners.map(|p| [p.x.to_bits(), p.y.to_bits(), p.z.to_bits(), 0]);
         let vectors: Vec<[u32; 4]> = nodes.chain(triangles).collect();
         Piece::from_values(0, &vectors).bytes

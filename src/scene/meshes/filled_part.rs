@@ -15,7 +15,7 @@ pub(crate) struct FilledPart {
     mesh: Arc<Mesh>,
     motion: Option<Arc<Motion>>,
     /// The bind-pose mesh without the added triangles, the same with them, and the rest-pose mesh with them.
-    bound: Option<(Arc<BoundMesh>, Arc<BoundMesh>, Arc<Mesh>)>,
+    bound: Option<(Arc<BoundMesh>, Arc<Mesh>)>,
 }
 
 impl FilledPart {
@@ -39,13 +39,13 @@ impl FilledPart {
                 true => Arc::clone(&grown.mesh),
                 false => Arc::new(own(driver.rest_mesh())),
             };
-            (Arc::clone(bound), grown, rest)
+            (grown, rest)
         });
         Self {
             motion: part.motion.as_ref().map(|m| Arc::new(of_motion(m))),
             // If the part used its file's rest mesh before, both are the same mesh again.
             mesh: match &bound {
-                Some((_, _, rest)) if **rest == *mesh => Arc::clone(rest),
+                Some((_, rest)) if **rest == *mesh => Arc::clone(rest),
                 _ => mesh,
             },
             bound,
@@ -56,7 +56,7 @@ impl FilledPart {
     pub(crate) fn apply(&self, part: &mut Part) {
         part.mesh = Arc::clone(&self.mesh);
         part.motion.clone_from(&self.motion);
-        if let (Some(driver), Some((_, bound, rest))) = (&part.driver, &self.bound) {
+        if let (Some(driver), Some((bound, rest))) = (&part.driver, &self.bound) {
             part.driver = Some(Arc::new(driver.of_piece(bound, rest)));
         }
     }

@@ -96,11 +96,9 @@ fn for_each_loop(chain: &[[u32; 2]], mut found: impl FnMut(&[u32])) {
     for (index, edge) in chain.iter().enumerate().rev() {
         next.insert(edge[0], index);
     }
-    let mut is_walked = vec![false; chain.len()];
     let mut step = |from: u32| {
         let place = next.get_mut(&from)?;
         let edge = chain.get(*place).filter(|edge| edge[0] == from)?;
-        is_walked[*place] = true;
         *place += 1;
         Some(edge[1])
     };

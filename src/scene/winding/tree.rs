@@ -13,8 +13,8 @@ use std::ops::Range;
 
 use glam::{DMat3, DVec3, Vec3};
 
-/// Maximum number of triangles in a leaf.
-const LEAF_TRIANGLES: usize = 4;
+/// Maximum number of triangles in a leaf; `MOST_LEAF_TRIANGLES` in `shaders/lib/inside_tests/closings.wgsl`.
+const LEAF_TRIANGLES: usize = 7;
 
 /// A ball around some triangles.
 #[derive(Clone, Copy, Debug)]

@@ -15,7 +15,7 @@
 use super::mask;
 use crate::effects::FrameOutput;
 use crate::passes::{CrossingSource, Input, Refusal, SceneBuffers};
-use crate::plan::{Access, Binding, Pass, Plan, ResourceId, Work};
+use crate::plan::{Binding, Pass, Plan, ResourceId};
 use crate::shader::Shader;
 use crate::strategies::row::{Abilities, CapSurface, InsideTestKind, InsideTestRow, StrategyInfo};
 
@@ -68,16 +68,8 @@ pub(super) fn reduce(
         cells,
     ];
     bindings.extend(crossings.bindings.iter().cloned());
-    let (share, work) = match &scene.on_screen {
-        Some(on_screen) => {
-            bindings.push(on_screen.touched.binding(Access::Read));
-            ("lib/share/touched.wgsl", on_screen.touched.shared())
-        }
-        None => {
-            let picture = Work::over(scene.input.view.size_px);
-            ("lib/share/picture.wgsl", picture)
-        }
-    };
+    let (share, work, tiles) = scene.pixels();
+    bindings.extend(tiles);
     let active_cuts = &scene.input.active_cuts;
     let pass = Pass::new(
         "reduce",

@@ -74,6 +74,9 @@ impl From<Vec<Part>> for Loaded {
     }
 }
 
+/// Code of the note on open edges.
+pub(crate) const OPEN_EDGES: &str = "open-edges";
+
 /// Extensions of the readable mesh formats.
 #[doc(hidden)]
 pub const MESH_FORMATS: [&str; 6] = ["obj", "stl", "ply", "glb", "gltf", "3mf"];
@@ -137,8 +140,7 @@ pub fn load_mesh_file_from(path: &Path, store: &dyn Files) -> Result<Loaded> {
 }
 
 /// Reports open edges, which make inside and outside ambiguous. Gives their count and, if only one part is open, the position of one.
-pub(crate) fn doubt(parts: &[Part]) -> Option<Diagnostic> {
-    const OPEN_EDGES: &str = "open-edges";
+fn doubt(parts: &[Part]) -> Option<Diagnostic> {
     const DOUBT: &str = "for rays through a hole, inside and outside are ambiguous, and such pixels are marked as unreliable";
     let edges = parts
         .iter()

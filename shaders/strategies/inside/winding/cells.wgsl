@@ -6,7 +6,7 @@
 // bounds the remainder. Where a triangle touches the cell, the number varies. An invocation owns a cell, a row of workgroups a grid. Cost per
 // cell: as a query for a point, cut short where the number varies.
 
-#import cutaway::closings::{FOUR_PI, LEAF_COUNT_BITS, MOST_BALLS, MOST_LEAF_TRIANGLES, ROUNDING, VARIES, closings, far_angle, floats, grid_of, solid_angle}
+#import cutaway::closings::{FOUR_PI, MOST_BALLS, MOST_LEAF_TRIANGLES, ROUNDING, VARIES, ball_at, end_of, far_angle, floats, grid_of, solid_angle}
 
 @group(1) @binding(6) var<storage, read_write> closing_cells: array<i32>;
 
@@ -64,35 +64,31 @@ fn change_of_triangle(first: u32, point: vec3<f32>, around: f32) -> vec4<f32> {
 }
 
 fn number_in(tree: u32, point: vec3<f32>, around: f32) -> i32 {
-    let end = tree + closings[tree + 2u].w;
+    let end = end_of(tree);
     var angle = 0.0;
     var gradient = vec3<f32>(0.0);
     var error = ROUNDING;
     var at = tree;
     for (var n = 0u; n < MOST_BALLS && at < end && error < 0.5; n++) {
-        let ball = floats(at);
-        let flux = floats(at + 1u);
-        let diagonal = closings[at + 2u];
-        let others = closings[at + 3u];
-        let away = ball.xyz - point;
+        let ball = ball_at(tree, at);
+        let away = ball.centre - point;
         let distance = length(away);
-        let gap = distance - ball.w - around;
-        let spread = sqrt(flux.w) + around * sqrt(3.0 * bitcast<f32>(diagonal.z) / FOUR_PI);
+        let gap = distance - ball.radius - around;
+        let spread = sqrt(ball.error) + around * sqrt(3.0 * ball.size / FOUR_PI);
         let remainder = spread * spread / (gap * gap * gap * gap);
         if gap > 0.0 && remainder <= CELL_ERROR {
-            angle += far_angle(flux.xyz, diagonal, others, away, distance);
-            gradient += gradient_of_dipole(flux.xyz, away, distance);
+            angle += far_angle(ball, away, distance);
+            gradient += gradient_of_dipole(ball.area, away, distance);
             error += remainder;
-            at = tree + diagonal.w;
-        } else if others.w != 0u {
-            let first = tree + (others.w >> LEAF_COUNT_BITS);
-            for (var i = 0u; i < min(others.w & MOST_LEAF_TRIANGLES, MOST_LEAF_TRIANGLES); i++) {
-                let change = change_of_triangle(first + 3u * i, point, around);
-                angle += solid_angle(first + 3u * i, point, 0.0).x;
+            at = ball.next;
+        } else if ball.is_leaf {
+            for (var i = 0u; i < min(ball.count, MOST_LEAF_TRIANGLES); i++) {
+                let change = change_of_triangle(ball.first + 3u * i, point, around);
+                angle += solid_angle(ball.first + 3u * i, point, 0.0).x;
                 gradient += change.xyz;
                 error += select(change.w, 1.0, change.w < 0.0);
             }
-            at = tree + diagonal.w;
+            at = ball.next;
         } else {
             at += 4u;
         }

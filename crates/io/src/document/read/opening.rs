@@ -15,7 +15,7 @@ use super::solids::{BodySplits, SourceSolid, chosen};
 use crate::document::Origin;
 use crate::document::describe::PartDesc;
 use crate::load::frames::{Pattern, Sequence, USUAL_FPS};
-use crate::load::{Assets, doubt};
+use crate::load::{Assets, OPEN_EDGES};
 
 /// Context for opening the files that a document names.
 pub(super) struct LoadContext<'a> {
@@ -106,9 +106,8 @@ impl LoadContext<'_> {
         let loaded = self.assets.mesh(&path)?;
         let parts = loaded.parts.clone();
         self.files.extend(loaded.files.iter().cloned());
-        let doubt = closes_holes.then(|| doubt(&parts)).flatten();
-        let doubt = doubt.map(|note| note.in_file(&path));
-        let is_new = |n: &&Diagnostic| !self.notes.contains(n) && Some(*n) != doubt.as_ref();
+        let is_deferred = |n: &Diagnostic| closes_holes && n.code == OPEN_EDGES;
+        let is_new = |n: &&Diagnostic| !self.notes.contains(n) && !is_deferred(n);
         let new = loaded.notes.iter().filter(is_new);
         let new: Vec<Diagnostic> = new.cloned().collect();
         self.notes.extend(new);
