@@ -131,8 +131,8 @@ shared! {
         cap_color: [f32; 4],
         /// Not about this row's part: table position of the part whose index in the scene is this row's number.
         place: u32,
-        /// Number of the grid of its closing triangles, or `NO_GRID`.
-        grid: u32,
+        /// Number of its closing, or `NO_CLOSING`.
+        closing: u32,
         /// 1 if the part is filled by the nonzero rule.
         is_nonzero: u32,
         /// Unused.
@@ -252,8 +252,8 @@ pub const MAX_CUTS: usize = 32;
 /// `first_texel` of a plane.
 pub const NO_RELIEF: u32 = u32::MAX;
 
-/// Number of the grid of a part without closing triangles; `NO_GRID` in `shaders/lib/inside_tests/closings.wgsl`.
-pub const NO_GRID: u32 = u32::MAX;
+/// Number of the closing of a part that is closed; `NO_CLOSING` in `shaders/lib/inside_tests/closings.wgsl`.
+pub const NO_CLOSING: u32 = u32::MAX;
 
 /// A clip-surface as functions of a point. `first_texel` is [`NO_RELIEF`] for planes; `reach` is the longest distance along which a ray
 /// is followed.

@@ -60,8 +60,8 @@ struct Part {
     cap_color: vec4<f32>,
     // Not a property of this part: the table index of the part whose scene index equals this row's number.
     place: u32,
-    // Number of the grid of its closing triangles, or NO_GRID.
-    grid: u32,
+    // Number of its closing, or NO_CLOSING.
+    closing: u32,
     // 1 if the part is filled by the nonzero rule.
     is_nonzero: u32,
     padding: u32,

@@ -4,15 +4,14 @@
 
 #define_import_path cutaway::closings
 
-// Grids of all open parts, then their trees, of nodes of four vectors: centre and radius; area vector and bound of the error; two elements of
+// Heads of all open parts, then their trees, of nodes of four vectors: centre and radius; area vector and bound of the error; two elements of
 // the diagonal of the traceless moment, the sum of areas, and the address of the next node that is not below this one; doubled other elements
 // of the moment, and for a leaf the address and number of its triangles, of three vectors each. Addresses count vectors from the start of a
 // tree.
 @group(1) @binding(5) var<storage, read> closings: array<vec4<u32>>;
 
-// Number of the grid of a part without closing triangles.
-const NO_GRID: u32 = 0xffffffffu;
-const VECTORS_OF_GRID: u32 = 3u;
+// Number of the closing of a part that is closed.
+const NO_CLOSING: u32 = 0xffffffffu;
 const LEAF_COUNT_BITS: u32 = 3u;
 const MOST_LEAF_TRIANGLES: u32 = 7u;
 // Most nodes that one query visits; a number that would need more is in doubt.
@@ -25,35 +24,15 @@ const VOLUME_ROUNDING: f32 = 1e-6;
 const BESIDE: f32 = 0.02;
 const FOUR_PI: f32 = 12.566370614;
 
-// A grid of cells around an open part.
-struct Grid {
-    origin: vec3<f32>,
-    cell: f32,
-    counts: vec3<u32>,
-    first_cell: u32,
+// An open part: the address of its tree, and whether its mesh lies in a plane and so encloses nothing.
+struct Closing {
     tree: u32,
+    is_flat: bool,
 }
 
-// In place of a number: the winding number is not the same throughout the cell.
-const VARIES: i32 = 0x7fffffff;
-
-fn grid_of(number: u32) -> Grid {
-    let at = VECTORS_OF_GRID * number;
-    let counts = closings[at + 1u];
-    return Grid(floats(at).xyz, floats(at).w, counts.xyz, counts.w, closings[at + 2u].x);
-}
-
-struct Cell {
-    is_in: bool,
-    number: u32,
-}
-
-// The cell of a point, if it lies in the grid.
-fn cell_at(grid: Grid, point: vec3<f32>) -> Cell {
-    let at = floor((point - grid.origin) / grid.cell);
-    let is_in = all(at >= vec3<f32>(0.0)) && all(at < vec3<f32>(grid.counts));
-    let cell = vec3<u32>(max(at, vec3<f32>(0.0)));
-    return Cell(is_in, grid.first_cell + cell.x + grid.counts.x * (cell.y + grid.counts.y * cell.z));
+fn closing_of(number: u32) -> Closing {
+    let head = closings[number];
+    return Closing(head.x, head.y != 0u);
 }
 
 // Winding number of some triangles around a point.

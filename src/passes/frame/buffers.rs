@@ -11,7 +11,7 @@ use super::lanes::{Lanes, MOST_LANE_WORDS};
 use super::on_screen::OnScreen;
 use super::pose::pose_parts;
 use super::refusal::Refusal;
-use crate::plan::pack::{self, CutTable, MAX_SURFACES, NO_GRID, Part};
+use crate::plan::pack::{self, CutTable, MAX_SURFACES, NO_CLOSING, Part};
 use crate::plan::{
     Access, Binding, BufferRole, Clock, Contents, Format, Plan, Resource, ResourceId, Vertices,
     Work,
@@ -41,8 +41,8 @@ pub(crate) struct SceneBuffers<'a> {
     pub solid_indices: ResourceId,
     /// The groups of preclassified triangles, if there are any.
     pub preclassified: Option<Binding>,
-    /// Trees of the closing triangles of open parts, and their cells, if the inside test closes them.
-    pub closings: Option<[Binding; 2]>,
+    /// Trees of the closing triangles of open parts, if the inside test closes them.
+    pub closings: Option<Binding>,
     /// The heights of all reliefs.
     pub heights: Binding,
     /// Bindings for reading heights at points, through the hardware sampler if that is selected.
@@ -130,13 +130,12 @@ impl<'a> SceneBuffers<'a> {
             )
         });
         let closings = input.closings.as_ref().map(|closings| {
-            let trees = upload(
+            upload(
                 "closings",
                 BufferRole::Storage,
                 Clock::Solid,
                 closings.trees.clone(),
-            );
-            (closings, trees)
+            )
         });
         let heights = upload(
             "heights",
@@ -168,10 +167,7 @@ impl<'a> SceneBuffers<'a> {
             heights,
             filtered_heights,
             depth,
-            closings: closings.map(|(closings, trees)| {
-                let cells = closings.fill_cells(plan, &trees);
-                [trees, cells]
-            }),
+            closings,
             screen_indices: plan.add_resource(triangle),
             on_screen: None,
         }
@@ -253,7 +249,7 @@ fn parts(input: &Input<'_>, lanes: &Lanes) -> Contents {
                 lane_word,
                 lane_shift,
                 part: part.part as u32,
-                grid: input.closing_grid(*rank).unwrap_or(NO_GRID),
+                closing: input.closing_of(*rank).unwrap_or(NO_CLOSING),
                 is_nonzero: u32::from(part.fill == Fill::Nonzero),
                 color: style.surface_color(&part.material).extend(1.0).to_array(),
                 cap_color: style.cap_color(&part.material).extend(1.0).to_array(),

@@ -54,7 +54,7 @@ impl Lanes {
         let parts = &input.model.prepared.parts;
         let counts = |rank: &usize| {
             words_of_counts > 0
-                && (parts[*rank].fill == Fill::Nonzero || input.closing_grid(*rank).is_some())
+                && (parts[*rank].fill == Fill::Nonzero || input.closing_of(*rank).is_some())
         };
         let ranks = input.active_cuts.cut_parts();
         let of_bits = ranks.iter().filter(|r| !counts(r)).count() as u32;

@@ -15,12 +15,16 @@
 use super::mask;
 use crate::effects::FrameOutput;
 use crate::passes::{CrossingSource, Input, Refusal, SceneBuffers};
-use crate::plan::{Binding, Pass, Plan, ResourceId};
+use crate::plan::{Binding, Clock, Pass, Plan, Resource, ResourceId};
 use crate::shader::Shader;
 use crate::strategies::row::{Abilities, CapSurface, InsideTestKind, InsideTestRow, StrategyInfo};
 
 /// Distance from a closing triangle within which a crossing is marked, in pixels: rasterisers snap vertices to 1/16 px or finer.
 const SNAPPED_PX: f64 = 0.0625;
+
+/// Side in pixels of the squares that share an expansion, and its bytes; `shaders/lib/inside_tests/local_winding.wgsl`.
+const SQUARE_PX: u32 = 8;
+const EXPANSION_BYTES: u64 = 256;
 
 /// The row of the table.
 pub(crate) static ROW: InsideTestRow = InsideTestRow {
@@ -49,40 +53,59 @@ fn record(
     mask::record(plan, &input.closed()?, surface, parameter)
 }
 
-/// Records the pass that decides by winding numbers which crossings are inside open parts, if the input closes any. `mask` holds the counts.
+/// Records the passes that decide by winding numbers which crossings are inside open parts, if the input closes any. `mask` holds the counts.
 pub(super) fn reduce(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,
     mask: ResourceId,
     crossings: &CrossingSource,
 ) {
-    let Some([trees, cells]) = scene.closings.clone() else {
+    let Some(trees) = scene.closings.clone() else {
         return;
     };
-    let mut bindings = vec![
-        scene.frame.clone(),
-        scene.cut_table.clone(),
-        scene.parts.clone(),
-        Binding::update("mask", mask),
-        trees,
-        cells,
-    ];
-    bindings.extend(crossings.bindings.iter().cloned());
-    let (share, work, tiles) = scene.pixels();
-    bindings.extend(tiles);
     let active_cuts = &scene.input.active_cuts;
-    let pass = Pass::new(
+    let closing_count = scene.input.closed_parts().len() as u64;
+    let [width, height] = scene.input.view.size_px.map(|px| px.div_ceil(SQUARE_PX));
+    let squares = u64::from(width) * u64::from(height) * closing_count;
+    let kinds = 1 + u64::from(active_cuts.near_inside);
+    let expansions = plan.add_resource(Resource::storage(
+        "expansions",
+        squares * kinds * EXPANSION_BYTES,
+        Clock::Frame,
+    ));
+    let (share, work, tiles) = scene.pixels();
+    let mut add = |name, about, file: &'static str, own: Vec<Binding>| {
+        let mut bindings = vec![
+            scene.frame.clone(),
+            scene.cut_table.clone(),
+            scene.parts.clone(),
+            trees.clone(),
+        ];
+        bindings.extend(own);
+        bindings.extend(crossings.bindings.iter().cloned());
+        bindings.extend(tiles.clone());
+        let shader = Shader::from(file).with(share).with_all(&crossings.files());
+        let pass = Pass::new(name, about, shader, bindings, work.clone());
+        plan.add_pass(pass.with_constants(vec![
+            ("lane_count", active_cuts.lanes as f64),
+            ("near_inside", f64::from(u8::from(active_cuts.near_inside))),
+            ("closing_count", closing_count as f64),
+            ("snapped_px", scene.input.view.doubt_px().max(SNAPPED_PX)),
+        ]));
+    };
+    add(
+        "expand",
+        "the winding number of each open part's closing triangles, near the crossings in a square of pixels",
+        "strategies/inside/winding/expand.wgsl",
+        vec![Binding::write("expansions", expansions)],
+    );
+    add(
         "reduce",
         "winding numbers decide which crossings are inside open parts",
-        Shader::from("strategies/inside/winding/reduce.wgsl")
-            .with(share)
-            .with_all(&crossings.files()),
-        bindings,
-        work,
+        "strategies/inside/winding/reduce.wgsl",
+        vec![
+            Binding::update("mask", mask),
+            Binding::read("expansions", expansions),
+        ],
     );
-    plan.add_pass(pass.with_constants(vec![
-        ("lane_count", active_cuts.lanes as f64),
-        ("near_inside", f64::from(u8::from(active_cuts.near_inside))),
-        ("snapped_px", scene.input.view.doubt_px().max(SNAPPED_PX)),
-    ]));
 }

@@ -2,38 +2,38 @@
 // triangles among them; each byte becomes 1 where the part begins to be kept at the crossing and is inside it, otherwise 0, as if the part
 // were filled by the nonzero rule.
 //
+// Most numbers are found from the expansion of their square (`expand`). Where its error leaves a doubt, or there is none, the tree is
+// traversed for a crossing alone.
+//
 // A pixel is marked, by a number of fragments that no byte can count, where a number that decides is as near to a half as its error, and
-// where a crossing lies in a closing triangle. An invocation owns a pixel. Cost per crossing at which an open part begins to be kept:
-// nothing in cells with one number, otherwise some hundred nodes and triangles, more among many.
+// where a crossing lies in a closing triangle. An invocation owns a pixel. Cost per crossing at which an open part begins to be kept: the
+// closing triangles nearby; in doubt, some hundred nodes and triangles.
 
-#import cutaway::closings::{NO_GRID, VARIES, cell_at, grid_of, winding_of}
+#import cutaway::closings::{Closing, FOUR_PI, NO_CLOSING, ROUNDING, Winding, closing_of, solid_angle, winding_of}
 #import cutaway::crossings::{cappable, depth_at, head_of, surface_at}
 #import cutaway::cuts::{is_removed, parts}
 #import cutaway::frame::{centre_of, frame, pixel_count, pixel_index, ray_through}
 #import cutaway::lanes::{MOST_CROSSINGS, MOST_LANES}
+#import cutaway::local_winding::{MOST_OF_RUN, MOST_RUNS, NO_EXPANSION, RUN_BITS, VECTORS_OF_POLYNOMIAL, doubt_at, expansion_at}
 #import cutaway::share::{pixel_at, turns}
 #import cutaway::winding::{count_at, may_exceed, sum_and_number}
 
 @group(1) @binding(4) var<storage, read_write> mask: array<u32>;
-@group(1) @binding(6) var<storage, read> closing_cells: array<i32>;
+@group(1) @binding(6) var<storage, read> expansions: array<vec4<u32>>;
 
 override lane_count: u32 = 1u;
 override near_inside: bool = false;
-
-// A crossing nearer to a closing triangle than this may be on either side of its fragment, in pixels: rasterisers snap vertices.
+// Number of open parts.
+override closing_count: u32 = 1u;
+// Distance to which rasterisers snap vertices, in pixels.
 override snapped_px: f32 = 0.0625;
-// The same in scene units, for rounding, and as a share of the depth.
-const ROUNDED_AWAY: f32 = 4e-6;
-const ROUNDED_DEPTH: f32 = 2.4e-7;
-// The same as a share of a cell: cells are filled for points that far outside of them.
-const AROUND_CELL: f32 = 0.04;
-// Bounds of the error of a ball, as shares of 4 pi: in the first round, and from one to the next.
-const COARSEST: f32 = 0.003;
-const FINER: f32 = 0.0666;
+
+// Bounds of the error of a ball for a crossing alone, as shares of 4 pi: first, and where that or an expansion leaves a doubt.
+const COARSE: f32 = 0.003;
+const FINE: f32 = 0.0002;
 const MOST_QUERIES: u32 = 2u;
 // A number of fragments for which a count may have overflowed.
 const OVERFLOWING_COUNT: u32 = 255u;
-
 struct Answer {
     is_inside: bool,
     is_unsure: bool,
@@ -44,48 +44,63 @@ fn is_filled(place: u32, number: i32) -> bool {
     return select((number & 1) != 0, number != 0, parts[place].is_nonzero != 0u);
 }
 
-// Whether a part holds the point of a pixel's ray at a depth. `count` sums the fragments behind it. Most points lie in a
-// cell with one number, and most others are decided by a coarse number; only where its error leaves a doubt is a finer one found.
-fn holds(place: u32, count: i32, at: vec2<u32>, depth: f32) -> Answer {
+// Number of a part's closing triangles around a point near the centre of an expansion.
+fn number_near(address: u32, runs: u32, point: vec3<f32>, near: f32) -> Winding {
+    let first = bitcast<vec4<f32>>(expansions[address]);
+    let second = bitcast<vec4<f32>>(expansions[address + 1u]);
+    let diagonal = bitcast<vec2<f32>>(expansions[address + 2u].xy);
+    let x = point - bitcast<vec3<f32>>(expansions[address + 3u].xyz);
+    let squares = x * x;
+    let bent = dot(diagonal, squares.xy - squares.z) + dot(second.xyz, x.xxy * x.yzz);
+    var angle = first.w + dot(first.xyz, x) + 0.5 * bent;
+    var is_unsure = false;
+    for (var i = 0u; i < min(runs, MOST_RUNS); i++) {
+        let run = expansions[address + VECTORS_OF_POLYNOMIAL + i / 4u][i % 4u];
+        for (var j = 0u; j < (run & MOST_OF_RUN); j++) {
+            let of_triangle = solid_angle((run >> RUN_BITS) + 3u * j, point, near);
+            angle += of_triangle.x;
+            is_unsure |= of_triangle.y > 0.0;
+        }
+    }
+    return Winding(angle / FOUR_PI, second.w + ROUNDING, is_unsure);
+}
+
+// Whether a part holds a point, whose count sums the fragments behind it.
+fn answer_of(place: u32, count: i32, closing: Winding) -> Answer {
+    let number = f32(count) - closing.number;
+    let whole = round(number);
+    let is_inside = is_filled(place, i32(whole));
+    // The number on the other side of the nearest half; a comparison with NaN is false, which is a doubt.
+    let other = i32(whole) + select(-1, 1, number > whole);
+    let is_clear = 0.5 - abs(number - whole) > closing.error || is_inside == is_filled(place, other);
+    return Answer(is_inside, closing.is_unsure || !is_clear);
+}
+
+// Whether a part holds the point of a pixel's ray at a depth, in the square of an expansion.
+fn holds(place: u32, closing: Closing, count: i32, at: vec2<u32>, depth: f32, address: u32) -> Answer {
     let ray = ray_through(centre_of(at));
     let point = ray.origin + depth * ray.direction;
-    let step = length(frame.ray_step[0].xyz) * select(depth, 1.0, frame.orthographic != 0u);
-    let grid = grid_of(parts[place].grid);
-    if grid.counts.x == 0u {
-        // A mesh that lies in a plane encloses nothing.
-        return Answer(false, false);
+    let near = doubt_at(depth, snapped_px);
+    let runs = expansions[address + 2u].z;
+    let is_expanded = runs != NO_EXPANSION;
+    var number = Winding(0.0, 1.0, false);
+    if is_expanded {
+        number = number_near(address, runs, point, near);
     }
-    let near = ROUNDED_AWAY + ROUNDED_DEPTH * depth + snapped_px * step;
-    let cell = cell_at(grid, point);
-    if cell.is_in && near < AROUND_CELL * grid.cell {
-        let whole = closing_cells[cell.number];
-        if whole != VARIES {
-            return Answer(is_filled(place, count - whole), false);
-        }
-    }
-    var answer = Answer(false, true);
-    var ball_error = COARSEST;
-    for (var round_of = 0u; round_of < MOST_QUERIES && answer.is_unsure; round_of++) {
-        let closing = winding_of(grid.tree, point, near, ball_error);
-        let number = f32(count) - closing.number;
-        let whole = round(number);
-        answer.is_inside = is_filled(place, i32(whole));
-        // The number on the other side of the nearest half; a comparison with NaN is false, which is a doubt.
-        let other = i32(whole) + select(-1, 1, number > whole);
-        let is_clear = 0.5 - abs(number - whole) > closing.error || answer.is_inside == is_filled(place, other);
-        answer.is_unsure = !is_clear;
-        if closing.is_unsure {
-            answer.is_unsure = true;
-            break;
-        }
-        ball_error *= FINER;
+    var answer = answer_of(place, count, number);
+    // A finer number does not help where a triangle is too near.
+    for (var n = select(0u, 1u, is_expanded); n < MOST_QUERIES && answer.is_unsure && !number.is_unsure; n++) {
+        number = winding_of(closing.tree, point, near, select(FINE, COARSE, n == 0u));
+        answer = answer_of(place, count, number);
     }
     return answer;
 }
 
 fn reduce(place: u32, at: vec2<u32>) {
     let part = parts[place];
+    let closing = closing_of(part.closing);
     let first = part.lane_word * pixel_count() + pixel_index(at);
+    let expansion = expansion_at(part.closing, closing_count, at, false);
     var sum = sum_and_number(mask[first]);
     var is_unsure = false;
     var sides = head_of(at).y;
@@ -99,8 +114,9 @@ fn reduce(place: u32, at: vec2<u32>) {
             inside = 0u;
         }
         let after = sides ^ (1u << surface_at(i, at));
-        if is_removed(sides, part.cuts) && !is_removed(after, part.cuts) {
-            let answer = holds(place, count_at(counts, i % 4u), at, depth_at(i, at));
+        // A mesh that lies in a plane encloses nothing.
+        if !closing.is_flat && is_removed(sides, part.cuts) && !is_removed(after, part.cuts) {
+            let answer = holds(place, closing, count_at(counts, i % 4u), at, depth_at(i, at), expansion);
             inside |= select(0u, 1u, answer.is_inside) << (8u * (i % 4u));
             is_unsure |= answer.is_unsure;
         }
@@ -111,7 +127,10 @@ fn reduce(place: u32, at: vec2<u32>) {
     }
     is_unsure |= may_exceed(sum);
     if near_inside {
-        let answer = holds(place, sum.x, at, frame.near);
+        var answer = Answer(false, false);
+        if !closing.is_flat {
+            answer = holds(place, closing, sum.x, at, frame.near, expansion_at(part.closing, closing_count, at, true));
+        }
         sum.x = select(0, 1, answer.is_inside);
         is_unsure |= answer.is_unsure;
     }
@@ -130,7 +149,7 @@ fn main(
         let at = pixel_at(turn, group, groups, local);
         if all(at < frame.size_px) {
             for (var place = 0u; place < min(lane_count, MOST_LANES); place++) {
-                if parts[place].grid != NO_GRID {
+                if parts[place].closing != NO_CLOSING {
                     reduce(place, at);
                 }
             }
