@@ -241,9 +241,11 @@ impl Model {
         self.packed[self.prepared.parts[rank].part].sliced.clone()
     }
 
-    /// The triangles that close a part, by rank; `None` if it is closed.
+    /// The triangles that close a part, by rank; `None` if it is closed as its fill rule counts.
     pub(crate) fn closing(&self, rank: usize) -> Option<Arc<PackedClosing>> {
-        self.packed[self.prepared.parts[rank].part].closing()
+        let part = &self.prepared.parts[rank];
+        let found = self.packed[part.part].closing();
+        found.filter(|found| found.closing.is_needed(part.fill))
     }
 
     /// The tree of a part's closing triangles, by rank, where the part is now.

@@ -25,7 +25,7 @@ const COUNT_BITS: u32 = 3;
 #[derive(Debug)]
 pub(crate) struct PackedClosing {
     /// By position index, facing as the part's triangles do.
-    triangles: Vec<[u32; 3]>,
+    pub(crate) closing: Closing,
     /// Vertex indices of the triangles.
     pub(crate) indices: Arc<[u8]>,
     /// True if the mesh lies in one plane, and so has no inside.
@@ -83,13 +83,13 @@ impl PackedClosing {
         Some(Self {
             is_flat,
             indices,
-            triangles: closing.triangles,
+            closing,
         })
     }
 
     /// Number of indices.
     pub(crate) fn index_count(&self) -> u32 {
-        self.triangles.len() as u32 * 3
+        self.closing.triangles.len() as u32 * 3
     }
 
     /// The tree in words, for positions of the part in scene space: nodes in depth-first order, then triangles. Addresses in it count
@@ -100,7 +100,13 @@ impl PackedClosing {
             let [a, b, c] = t.map(|i| positions[i as usize]);
             (b - a).cross(c - a) != Vec3::ZERO
         };
-        let triangles: Vec<[u32; 3]> = self.triangles.iter().filter(has_area).copied().collect();
+        let triangles: Vec<[u32; 3]> = self
+            .closing
+            .triangles
+            .iter()
+            .filter(has_area)
+            .copied()
+            .collect();
         let tree = WindingTree::of(positions, &triangles);
         if tree.nodes.is_empty() {
             // A leaf without triangles.

@@ -11,6 +11,8 @@ use std::collections::HashMap;
 
 use rayon::prelude::*;
 
+use crate::scene::Fill;
+
 /// The triangles that close a mesh.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Closing {
@@ -20,14 +22,17 @@ pub struct Closing {
     pub chain_edges: usize,
     /// Number of loops of the chain.
     pub loops: usize,
+    /// Number of edges, whatever their direction, at which an odd number of faces meet.
+    pub odd_edges: usize,
 }
 
 impl Closing {
     /// Closes a mesh; without triangles if the mesh needs none.
     pub fn of(triangles: &[[u32; 3]]) -> Self {
-        let chain = chain(triangles);
+        let (chain, odd_edges) = chain(triangles);
         let mut closing = Self {
             chain_edges: chain.len(),
+            odd_edges,
             ..Self::default()
         };
         for_each_loop(&chain, |corners| {
@@ -40,6 +45,15 @@ impl Closing {
     /// Returns true if the mesh is closed and consistently oriented without any.
     pub fn is_empty(&self) -> bool {
         self.triangles.is_empty()
+    }
+
+    /// Returns true if a mesh with this fill rule is open. For the even-odd rule, it is closed if an even number of faces meet at each edge,
+    /// however they are oriented: then all rays from a point cross it equally often, modulo 2.
+    pub fn is_needed(&self, fill: Fill) -> bool {
+        match fill {
+            Fill::EvenOdd => self.odd_edges > 0,
+            Fill::Nonzero => !self.is_empty(),
+        }
     }
 
     /// Fills a loop, against its direction.
@@ -58,8 +72,9 @@ impl Closing {
     }
 }
 
-/// The directed edges that remain when opposite ones cancel, sorted, each as often as it remains.
-fn chain(triangles: &[[u32; 3]]) -> Vec<[u32; 2]> {
+/// The directed edges that remain when opposite ones cancel, sorted, each as often as it remains; and the number of edges used an odd number
+/// of times.
+fn chain(triangles: &[[u32; 3]]) -> (Vec<[u32; 2]>, usize) {
     let directed = |[a, b, c]: &[u32; 3]| [[*a, *b], [*b, *c], [*c, *a]];
     // Equal ends and a sign in the lowest bit: opposite edges are neighbours.
     let keyed = |[a, b]: [u32; 2]| {
@@ -73,9 +88,11 @@ fn chain(triangles: &[[u32; 3]]) -> Vec<[u32; 2]> {
         .collect();
     keys.par_sort_unstable();
     let mut chain = Vec::new();
+    let mut odd_edges = 0;
     for uses in keys.chunk_by(|a, b| a >> 1 == b >> 1) {
         let turned = uses.iter().filter(|key| **key & 1 == 1).count();
         let along = uses.len() - turned;
+        odd_edges += uses.len() % 2;
         let ends = [uses[0] >> 33, (uses[0] >> 1) & 0xffff_ffff].map(|end| end as u32);
         let [low, high] = ends;
         let edge = if along > turned {
@@ -86,7 +103,7 @@ fn chain(triangles: &[[u32; 3]]) -> Vec<[u32; 2]> {
         chain.extend(std::iter::repeat_n(edge, along.abs_diff(turned)));
     }
     chain.sort_unstable();
-    chain
+    (chain, odd_edges)
 }
 
 /// Calls `found` with the vertices of each simple loop of a chain, in which as many edges enter a vertex as leave it.
@@ -135,7 +152,7 @@ mod tests {
     /// Uses of each directed edge, minus those of its reverse.
     fn left_over(triangles: impl Iterator<Item = [u32; 3]>) -> usize {
         let all: Vec<[u32; 3]> = triangles.collect();
-        chain(&all).len()
+        chain(&all).0.len()
     }
 
     fn closed(triangles: &[[u32; 3]]) -> Closing {
@@ -159,11 +176,14 @@ mod tests {
         let sphere = shape("sphere?subdivisions=3").unwrap().remove(0).mesh;
         let all = sphere.triangles.clone();
         let hole = closed(&all[..all.len() - 1]);
-        assert_eq!((hole.chain_edges, hole.loops), (3, 1));
+        assert_eq!((hole.chain_edges, hole.loops, hole.odd_edges), (3, 1, 3));
+        assert!(hole.is_needed(Fill::EvenOdd) && hole.is_needed(Fill::Nonzero));
         let mut flipped = all.clone();
         flipped[7].swap(0, 1);
         // Each edge of the flipped face is used twice in one direction.
-        assert_eq!(closed(&flipped).chain_edges, 6);
+        let of_flipped = closed(&flipped);
+        assert_eq!((of_flipped.chain_edges, of_flipped.odd_edges), (6, 0));
+        assert!(!of_flipped.is_needed(Fill::EvenOdd) && of_flipped.is_needed(Fill::Nonzero));
         let doubled = [all.as_slice(), &all[..1]].concat();
         assert_eq!(closed(&doubled).chain_edges, 3);
         let every_other: Vec<_> = all.iter().step_by(2).copied().collect();

@@ -115,11 +115,22 @@ impl RayCase<'_> {
         if self.brushed(scratch) || self.bitten() {
             return Openness::All;
         }
-        let grazed = self.grazed(scratch);
+        let grazed = self.grazed(scratch).max(self.unsure_inside(scratch));
         if grazed == Openness::All || self.events.is_empty() {
             return grazed;
         }
         grazed.max(self.disordered(scratch))
+    }
+
+    /// Openness from rounding the winding number of an open part the other way, at one crossing with a clip-surface.
+    fn unsure_inside(&self, scratch: &mut Scratch) -> Openness {
+        let numbers = &self.start.at_clips;
+        let unsure = numbers.iter().enumerate();
+        let unsure = unsure.filter_map(|(place, at_clip)| Some((place, at_clip.other?)));
+        Openness::worst(unsure.map(|(place, other)| {
+            scratch.begin(self.events);
+            self.change_from(scratch, 0.0, |start| start.at_clips[place].number = other)
+        }))
     }
 
     pub(super) fn seen_depth(&self) -> f64 {
@@ -295,9 +306,20 @@ impl RayCase<'_> {
 
     /// Repeats the walk with the events in `scratch`; `reach` is how far they were moved.
     pub(super) fn change(&self, scratch: &mut Scratch, reach: f64) -> Openness {
+        self.change_from(scratch, reach, |_| ())
+    }
+
+    /// As [`Self::change`], from a start that is changed.
+    fn change_from(
+        &self,
+        scratch: &mut Scratch,
+        reach: f64,
+        changed: impl FnOnce(&mut RayState),
+    ) -> Openness {
         let Scratch { events, state, .. } = scratch;
         restore_order(events);
         state.set(self.start);
+        changed(state);
         let other = walk(
             self.prepared,
             (self.view.near, self.view.near_cap),

@@ -21,6 +21,8 @@ const PAD_PX: f64 = 4.0;
 pub(super) struct Followed {
     pub(super) layer: Layer,
     pub(super) sight: Option<VisiblePoint>,
+    /// True if the line crosses some part or cutter as no closed mesh is crossed.
+    pub(super) is_odd: bool,
     /// True if there is a crossing or an outline beyond the near plane.
     pub(super) meets_something: bool,
 }
@@ -40,19 +42,17 @@ impl<'a> BandedScene<'a> {
         let (found, of_cutters) = found.split_at(self.cutters.split(found, |c| c.rank));
         // Start a little before the near plane, so that an event just before the plane is found and counted as close.
         let before_near = view.before_near(self.pad(view.near));
-        let odd = bench.sort_crossings(found, brushes, before_near);
-        bench.end_open_parts(found);
+        let mut is_odd = bench.sort_crossings(found, brushes, before_near);
+        let in_boxes = self.open_parts.meet(prepared, ray, bench);
         let depths = (bench.crossings.iter().map(|c| c.depth))
             .chain(
                 brushes
                     .iter()
                     .flat_map(|b| [b.depth - b.margin, b.depth + b.margin]),
             )
-            .fold([f64::INFINITY, f64::NEG_INFINITY], |[lo, hi], d| {
-                [lo.min(d), hi.max(d)]
-            });
+            .fold(in_boxes, |[lo, hi], d| [lo.min(d), hi.max(d)]);
         let mut layer = Layer {
-            unreliable: odd,
+            unreliable: is_odd && !self.open_parts.explain(bench),
             depth: f64::INFINITY,
             ..Layer::default()
         };
@@ -60,9 +60,11 @@ impl<'a> BandedScene<'a> {
             return Followed {
                 layer,
                 sight: None,
+                is_odd,
                 meets_something: false,
             };
         }
+        self.open_parts.start(prepared, ray, before_near, bench);
         let inside_at_near = bench.ranks.iter().any(|r| bench.start.is_inside(*r));
         let from = if inside_at_near {
             before_near
@@ -70,8 +72,11 @@ impl<'a> BandedScene<'a> {
             (depths[0] - self.pad(depths[0])).max(before_near)
         };
         let range = [from, depths[1] + self.pad(depths[1])];
-        layer.unreliable |= self.meet_clips(ray, range, of_cutters, bench);
+        let is_cutter_odd = self.meet_clips(ray, range, of_cutters, bench);
+        is_odd |= is_cutter_odd;
+        layer.unreliable |= is_cutter_odd;
         self.classify(at, ray, bench);
+        self.open_parts.list(prepared, ray, bench);
         bench.merge_events();
         bench.state.set(&bench.start);
         let sight = walk(
@@ -87,6 +92,7 @@ impl<'a> BandedScene<'a> {
         Followed {
             layer,
             sight,
+            is_odd,
             meets_something: true,
         }
     }

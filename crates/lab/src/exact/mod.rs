@@ -8,10 +8,10 @@
 //! the detection of coplanar faces.
 //!
 //! The part's [`Fill`](cutaway::scene::Fill) decides what is *inside*. All crossings of the line count, also those behind the eye: the
-//! crossings before the near plane decide whether the near plane is inside. An open part has pixels where the line still ends inside: the
-//! number of crossings is odd or, for the nonzero rule, their sum is not 0. Such pixels are marked ([`Exact::odd_parity`]) and drawn as
-//! if the line started outside, and ended where it last crosses the part. An eye exactly on a mesh is neither inside nor
-//! outside, and its pixels are marked too.
+//! crossings before the near plane decide whether the near plane is inside. In an open part, generalised winding numbers decide, which the
+//! crossings and the holes make up together (`open_parts`). Pixels where the line ends inside a part are listed ([`Exact::odd_parity`]):
+//! methods that count crossings alone are unreliable there. An eye exactly on a mesh is neither inside nor outside, and its pixels
+//! are marked.
 //!
 //! Cost: time and memory proportional to the crossings, plus one step per texel border near the relief between the first and the
 //! last crossing of a ray. Rows are processed in bands, each with its own lists, on all threads.
@@ -23,6 +23,7 @@ mod clip;
 mod cutter;
 mod facet;
 mod follow;
+mod open_parts;
 mod order;
 mod outline;
 mod quadratic;
@@ -47,6 +48,7 @@ use self::classify::PreclassifiedFaces;
 use self::clip::{Ray, RayClipSurface};
 use self::cutter::CutterMeshes;
 use self::follow::Followed;
+use self::open_parts::OpenParts;
 use self::outline::{Brush, SilhouetteEdge};
 use self::raster::{BAND_ROWS, Bands, Crossing, Projected};
 use self::ray_scratch::RayScratch;
@@ -126,7 +128,7 @@ pub fn evaluate(prepared: &Prepared, view: &View) -> Exact {
                     undecided[pixel] = answer.open == Openness::All;
                     depth_open[pixel] = answer.open == Openness::Depth;
                     overlap[pixel] = matches!(answer.open, Openness::Depth | Openness::Overlap);
-                    odd[pixel] = answer.layer.unreliable;
+                    odd[pixel] = answer.is_odd;
                 });
             },
         );
@@ -146,6 +148,7 @@ struct BandedScene<'a> {
     preclassified: Vec<PreclassifiedFaces>,
     /// Planes shared by several parts, by number, as functions for the view's depth-buffer values; none for a plane seen edge-on.
     shared_in_view: Vec<Option<[f64; 3]>>,
+    open_parts: OpenParts,
     triangles: Bands,
     outlines: Vec<Vec<SilhouetteEdge>>,
     outline_bands: Bands,
@@ -153,6 +156,7 @@ struct BandedScene<'a> {
 
 struct PixelResult {
     layer: Layer,
+    is_odd: bool,
     open: Openness,
 }
 
@@ -205,6 +209,7 @@ impl<'a> BandedScene<'a> {
             triangles: Bands::of(view.size_px[1], &triangle_rows),
             outline_bands: Bands::of(view.size_px[1], &outline_rows),
             cutters: CutterMeshes::of(prepared),
+            open_parts: OpenParts::of(prepared),
             parts,
             outlines,
         }
@@ -227,7 +232,7 @@ impl<'a> BandedScene<'a> {
         for pixel in 0..pixels {
             let crossings = &crossings[starts[pixel]..starts[pixel + 1]];
             let brushes = &brushes[brush_starts[pixel]..brush_starts[pixel + 1]];
-            if crossings.is_empty() && brushes.is_empty() {
+            if crossings.is_empty() && brushes.is_empty() && self.open_parts.is_empty() {
                 continue;
             }
             let at = DVec2::new(
@@ -250,6 +255,7 @@ impl<'a> BandedScene<'a> {
         let Followed {
             layer,
             sight,
+            is_odd,
             meets_something,
         } = self.follow(at, &ray, found, brushes, bench);
         let open = match meets_something {
@@ -277,6 +283,10 @@ impl<'a> BandedScene<'a> {
             }
         };
         bench.clear();
-        PixelResult { layer, open }
+        PixelResult {
+            layer,
+            is_odd,
+            open,
+        }
     }
 }

@@ -50,7 +50,7 @@ impl RayScratch {
         }
     }
 
-    /// Keeps the crossings beyond a depth and counts the crossings before it. Returns true if some part is open.
+    /// Keeps the crossings beyond a depth and counts the crossings before it. Returns true if the line ends inside some part.
     pub(super) fn sort_crossings(
         &mut self,
         found: &[Crossing],
@@ -72,14 +72,6 @@ impl RayScratch {
             }
         }
         self.ranks.iter().any(|r| self.end.is_inside(*r))
-    }
-
-    /// Ends each part that is open along the line at its last crossing: a clip-surface beyond that crossing makes no cap of the part.
-    pub(super) fn end_open_parts(&mut self, found: &[Crossing]) {
-        for rank in self.ranks.iter().filter(|r| self.end.is_inside(**r)) {
-            let depths = found.iter().filter(|c| c.rank == *rank).map(|c| c.depth);
-            self.start.ends[usize::from(*rank)] = depths.fold(f64::NEG_INFINITY, f64::max);
-        }
     }
 
     pub(super) fn merge_events(&mut self) {
@@ -109,9 +101,11 @@ impl RayScratch {
     pub(super) fn clear(&mut self) {
         for rank in self.ranks.drain(..) {
             self.start.winding[rank as usize] = 0;
-            self.start.ends[rank as usize] = f64::INFINITY;
+            self.start.through_holes[rank as usize] = 0;
+            self.start.is_open[rank as usize] = false;
             self.end.winding[rank as usize] = 0;
         }
+        self.start.at_clips.clear();
         self.crossings.clear();
         self.roots.clear();
         self.grazes.clear();

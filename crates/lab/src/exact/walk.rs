@@ -1,9 +1,11 @@
 //! The definition itself: walk the events along a ray in order of depth, and stop where the ray first enters a kept solid.
 //!
-//! State: per part, the winding number, from which the part's fill rule decides inside or outside; per clip-surface, whether the
+//! State: per part, the winding number, from which the part's fill rule decides inside or outside, and which for an open part includes what
+//! its holes add ([`super::open_parts`]); per clip-surface, whether the
 //! ray is on its removed or its kept side. A point is removed by a cut if it is on the removed side of all the cut's surfaces,
 //! and by a part's cuts if any of them removes it. A part *shows* where the ray is inside it and no cut removes it. The visible
-//! point is the first point beyond the near plane at which some part begins to show.
+//! point is the first point beyond the near plane at which some part begins to show. Of an open part, a face that is not removed is seen
+//! from either side, unless the ray has been inside the part since the near plane.
 //!
 //! Ties. A solid is taken without its boundary: a mesh event whose triangle lies in a clip-surface comes before the clip event if the
 //! ray leaves the solid there, and after it if the ray enters ([`super::classify`]); so a cut leaves no sheet of zero thickness.
@@ -89,9 +91,27 @@ pub(super) struct RayState {
     pub(super) fill: Vec<Fill>,
     /// Per clip-surface: true on its removed side.
     pub(super) removed: Vec<bool>,
-    /// Per rank: the depth beyond which the ray is no longer inside the part. For an open part this is its last crossing, whatever the
-    /// winding number is there; for a closed part it has no effect.
-    pub(super) ends: Vec<f64>,
+    /// Per rank: what the holes of an open part add to the crossings counted in `winding`; 0 for closed parts.
+    pub(super) through_holes: Vec<i32>,
+    /// Per rank: true if the part is open.
+    pub(super) is_open: Vec<bool>,
+    /// Per rank: true if the part is open and the ray has been inside it since the near plane.
+    pub(super) is_from_near: Vec<bool>,
+    /// What holes add at crossings with clip-surfaces, in any order.
+    pub(super) at_clips: Vec<HoleNumber>,
+}
+
+/// What the holes of an open part add to the crossings that a ray counts, where it crosses a clip-surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct HoleNumber {
+    /// Index of the root that stands for the crossing with the clip-surface.
+    pub(super) source: u32,
+    /// Rank of the part.
+    pub(super) rank: u16,
+    /// The nearest whole number.
+    pub(super) number: i32,
+    /// The second nearest, if rounding may lead to it.
+    pub(super) other: Option<i32>,
 }
 
 impl RayState {
@@ -101,7 +121,10 @@ impl RayState {
             winding: vec![0; prepared.parts.len()],
             fill: prepared.parts.iter().map(|p| p.fill).collect(),
             removed: vec![false; prepared.surfaces.len()],
-            ends: vec![f64::INFINITY; prepared.parts.len()],
+            through_holes: vec![0; prepared.parts.len()],
+            is_open: vec![false; prepared.parts.len()],
+            is_from_near: vec![false; prepared.parts.len()],
+            at_clips: Vec::new(),
         }
     }
 
@@ -109,12 +132,16 @@ impl RayState {
     pub(super) fn set(&mut self, other: &Self) {
         self.winding.copy_from_slice(&other.winding);
         self.removed.copy_from_slice(&other.removed);
-        self.ends.copy_from_slice(&other.ends);
+        self.through_holes.copy_from_slice(&other.through_holes);
+        self.is_open.copy_from_slice(&other.is_open);
+        self.is_from_near.copy_from_slice(&other.is_from_near);
+        self.at_clips.clone_from(&other.at_clips);
     }
 
     /// Returns true if the ray is inside a part here.
     pub(super) fn is_inside(&self, rank: u16) -> bool {
-        self.fill[rank as usize].holds(self.winding[rank as usize])
+        let rank = usize::from(rank);
+        self.fill[rank].holds(self.winding[rank] + self.through_holes[rank])
     }
 
     fn cut_removes(&self, prepared: &Prepared, cut: usize) -> bool {
@@ -139,7 +166,17 @@ impl RayState {
     pub(super) fn apply(&mut self, event: &Event) {
         match event.cause {
             Cause::Mesh { rank, step } => self.winding[rank as usize] += i32::from(step),
-            Cause::Clip { surface, .. } => self.removed[surface as usize] ^= true,
+            Cause::Clip { surface, .. } => {
+                self.reach(event);
+                self.removed[surface as usize] ^= true;
+            }
+        }
+    }
+
+    /// Becomes the state just before a crossing with a clip-surface: what holes add changes between crossings.
+    fn reach(&mut self, clip: &Event) {
+        for at_clip in self.at_clips.iter().filter(|h| h.source == clip.source) {
+            self.through_holes[usize::from(at_clip.rank)] = at_clip.number;
         }
     }
 }
@@ -194,6 +231,9 @@ pub(super) fn walk(
             });
         }
     }
+    for rank in ranks.iter().filter(|r| state.is_open[usize::from(**r)]) {
+        state.is_from_near[usize::from(*rank)] = state.shows(prepared, *rank);
+    }
     let mut rest = &events[first..];
     while let Some(event) = rest.first() {
         let count = match event.cause {
@@ -210,8 +250,14 @@ pub(super) fn walk(
                 // Where the ray enters an inner shell, the part may already show.
                 let showed = state.shows(prepared, rank);
                 state.apply(event);
-                let enters = !showed && state.shows(prepared, rank);
-                enters.then_some((rank, *event, false))
+                let place = usize::from(rank);
+                let is_seen = match state.is_open[place] {
+                    false => !showed && state.shows(prepared, rank),
+                    // Through a hole, faces are seen from both sides.
+                    true => !state.is_from_near[place] && !state.removes(prepared, rank),
+                };
+                state.is_from_near[place] &= state.is_inside(rank);
+                is_seen.then_some((rank, *event, false))
             }
             Cause::Clip { .. } => pass_clips(prepared, ranks, now, state),
         };
@@ -244,15 +290,11 @@ pub(super) fn pass_clips(
             prepared.parts[rank as usize].cuts.contains(&cut) && state.cut_removes(prepared, cut)
         })
     };
+    events.iter().for_each(|event| state.reach(event));
     // Usually the ray is inside no removed part, or no event ends the removal.
     let candidates: Vec<(u16, Event)> = ranks
         .iter()
         .filter(|r| state.is_inside(**r))
-        .filter(|r| {
-            events
-                .iter()
-                .any(|e| e.depth <= state.ends[usize::from(**r)])
-        })
         .filter_map(|r| freed(state, *r).map(|e| (*r, e)))
         .collect();
     for event in events {

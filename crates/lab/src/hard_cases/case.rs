@@ -13,7 +13,7 @@ use cutaway_io::load::Assets;
 
 use super::Judged;
 use super::expected::Expected::{
-    self, Band, Doubted, Exact, Fails, FailsWithin, Listed, Marked, Overflows, Refuses,
+    self, Band, Doubted, Exact, Fails, FailsWithin, Leaks, Listed, Marked, Overflows, Refuses,
     RefusesSome, Share,
 };
 use super::files::Embedded;
@@ -197,11 +197,11 @@ impl Case {
             return self.paper.clone();
         }
         match &self.exact {
-            Marked if *strategy == Strategy::STENCIL => {
+            Marked | Leaks(_) if *strategy == Strategy::STENCIL => {
                 Fails("it cannot tell an open mesh, and draws streaks of it unmarked".into())
             }
-            Marked if *strategy == Strategy::PLANAR => Doubted,
-            Marked if strategy.resolution().is_some() => {
+            Marked | Leaks(_) if *strategy == Strategy::PLANAR => Doubted,
+            Marked | Leaks(_) if strategy.resolution().is_some() => {
                 Fails("depth images cannot tell that a mesh is open".into())
             }
             Exact if strategy.resolution().is_some() => Band,

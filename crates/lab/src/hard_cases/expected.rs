@@ -23,6 +23,8 @@ pub enum Expected {
     Exact,
     /// The mesh is open: exactly the odd pixels are marked, and no other pixel is wrong.
     Marked,
+    /// As `Marked`, and there are at most this many unmarked wrong pixels per boundary pixel: a ray through two holes is not odd.
+    Leaks(f64),
     /// The mesh is open: all wrong pixels are marked, and right pixels may be marked too.
     Doubted,
     /// Some picture overflows a buffer, with a reason that contains these words and all wrong pixels marked. The other pictures are exact.
@@ -50,6 +52,7 @@ impl Expected {
     pub fn why(&self) -> Option<String> {
         let why = match self {
             Self::Exact | Self::Marked => return None,
+            Self::Leaks(_) => "a ray that enters and leaves through holes is not odd",
             Self::Doubted => "it cannot tell which of the pixels it marks are right",
             Self::Overflows(_) => "its buffer is bounded",
             Self::Band => "a point is tested up to half a texel's diagonal away from its position",
@@ -86,6 +89,13 @@ impl Expected {
         match self {
             Self::Exact | Self::Overflows(_) => judged.fault_of_exact(),
             Self::Marked => mismarked_fault(judged).or_else(|| unmarked_fault(judged)),
+            Self::Leaks(most) => mismarked_fault(judged).or_else(|| {
+                let (leaked, boundary) =
+                    (judged.comparison.unmarked_wrong_px, question.boundary_px());
+                (leaked as f64 > most * boundary as f64 + 1.0).then(|| {
+                    format!("{leaked} wrong and not marked along {boundary} boundary pixels")
+                })
+            }),
             Self::Doubted => unmarked_fault(judged),
             Self::Band => band::fault(question, judged, method.strategy.resolution()?),
             Self::Share(most) | Self::Within(most, _) => share_fault(question, judged, *most),
@@ -105,6 +115,10 @@ impl fmt::Display for Expected {
         match self {
             Self::Exact => f.write_str("0 decided wrong, no crack, none odd"),
             Self::Marked => f.write_str("odd pixels marked, exactly those, and no other wrong"),
+            Self::Leaks(most) => write!(
+                f,
+                "odd pixels marked, exactly those, and at most {most} other wrong per boundary pixel"
+            ),
             Self::Doubted => f.write_str("all wrong pixels marked"),
             Self::Overflows(_) => f.write_str("overflow reported, and all wrong pixels marked"),
             Self::Band => f.write_str("wrong within reach of a texel alone"),

@@ -21,8 +21,8 @@
 //! ```
 //!
 //! `half_pixel = true` next to an `is` moves an orthographic camera so that the middle of a picture of even size is the centre of a pixel.
-//! An expectation is a word (`exact`, `marked`, `doubted`, `band`) or a table: `{ share = S }` or `{ listed = S }` with the share found
-//! (`share` also takes a `why` if the reason is not the usual one), `{ fails = "WHY" }`, `{ refuses = FEATURE }`,
+//! An expectation is a word (`exact`, `marked`, `doubted`, `band`) or a table: `{ share = S }`, `{ listed = S }` or `{ leaks = S }` with the share
+//! found (`share` also takes a `why` if the reason is not the usual one), `{ fails = "WHY" }`, `{ refuses = FEATURE }`,
 //! `{ refuses_some = FEATURE }` or `{ overflows = "WORDS" }`.
 //!
 //! The files are embedded in the program. Reading all of them takes some milliseconds and happens once.
@@ -136,6 +136,7 @@ fn expected(entry: &Entry<'_>) -> Result<Expected> {
     let table = entry.table(&[
         "share",
         "listed",
+        "leaks",
         "why",
         "fails",
         "refuses",
@@ -153,6 +154,7 @@ fn expected(entry: &Entry<'_>) -> Result<Expected> {
             None => Expected::Share(found * FACTOR),
         }),
         number("listed")?.map(|found| Expected::Listed(found * FACTOR)),
+        number("leaks")?.map(|found| Expected::Leaks(found * FACTOR)),
         words("fails")?.map(Expected::Fails),
         unsupported("refuses")?.map(Expected::Refuses),
         unsupported("refuses_some")?.map(Expected::RefusesSome),

@@ -94,6 +94,7 @@ fn every_expectation_can_be_missed() {
         Expected::Share(0.0),
         Expected::Listed(0.0),
         Expected::Marked,
+        Expected::Leaks(0.0),
         Expected::Doubted,
         Expected::Overflows("anything".into()),
         Expected::Refuses(Unsupported::Limit),

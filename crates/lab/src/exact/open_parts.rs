@@ -1,0 +1,188 @@
+//! Open parts: what their holes add to the crossings that a ray counts.
+//!
+//! Whether a point is inside an open part is decided by its generalised winding number (Jacobson, Kavan, Sorkine-Hornung 2013): the signed
+//! solid angle of all faces as seen from the point, over 4 pi, rounded to the nearest whole number, which the fill rule judges. Along a ray,
+//! this number jumps by 1 where the ray crosses a face, exactly as the count of crossings does. The difference of the two is therefore
+//! smooth; it is the solid angle of the holes. Rounded, it is added to the count where the ray crosses a clip-surface.
+//!
+//! Cost: a tree over all faces of each open part per picture; per crossing of such a part's clip-surfaces, one traversal, and a finer
+//! one near a half. Closed parts cost a sort of their edges. Limit: numbers nearer to a half than [`ROUNDED`] are undecided.
+
+use cutaway::scene::winding::{Closing, WindingTree};
+use cutaway::scene::{Bounds, Prepared};
+use glam::DVec3;
+use rayon::prelude::*;
+
+use super::clip::Ray;
+use super::raster::Crossing;
+use super::ray_scratch::RayScratch;
+use super::walk::HoleNumber;
+
+/// A ball of the tree is opened where the bound of its error is greater: at first, and where that leaves open which whole number is nearest.
+const TOLERANCES: [f64; 3] = [1e-3, 1e-5, 0.0];
+
+/// A number this near to a half may be rounded either way: an implementation evaluates it in f32, at a point rounded to f32.
+const ROUNDED: f64 = 1e-3;
+
+/// Distances before a point at which numbers are evaluated, in scene units: at least half of the last bit of a coordinate, so that a face
+/// in a clip-surface is behind the point. The one farthest from all faces is taken.
+const BEFORE: [f64; 3] = [1.0, 2.0, 3.0];
+const STEP: f64 = 1.0 / (1 << 24) as f64;
+
+/// The open parts of a scene.
+pub(super) struct OpenParts {
+    /// Trees of their faces, by rank; none for a part that is closed.
+    trees: Vec<Option<WindingTree>>,
+}
+
+impl OpenParts {
+    /// Finds the open parts among those that a cut may open.
+    pub(super) fn of(prepared: &Prepared) -> Self {
+        let trees = prepared.parts.par_iter().map(|part| {
+            let is_open = !part.is_removed && Closing::of(&part.triangles).is_needed(part.fill);
+            is_open.then(|| WindingTree::of(&part.positions, &part.triangles))
+        });
+        Self {
+            trees: trees.collect(),
+        }
+    }
+
+    /// Returns true if a part is open.
+    pub(super) fn contains(&self, rank: usize) -> bool {
+        self.trees[rank].is_some()
+    }
+
+    /// Returns true if there are none.
+    pub(super) fn is_empty(&self) -> bool {
+        self.trees.iter().all(Option::is_none)
+    }
+
+    /// Adds the open parts that the ray may enter through a hole to those it meets. Returns the range of depths within their boxes, empty
+    /// if there are none.
+    pub(super) fn meet(&self, prepared: &Prepared, ray: &Ray, bench: &mut RayScratch) -> [f64; 2] {
+        let mut reach = [f64::INFINITY, f64::NEG_INFINITY];
+        for (rank, part) in prepared.parts.iter().enumerate() {
+            if self.contains(rank)
+                && let Some([from, to]) = depths_within(ray, &part.bounds)
+            {
+                bench.ranks.push(rank as u16);
+                reach = [reach[0].min(from), reach[1].max(to)];
+            }
+        }
+        bench.ranks.sort_unstable();
+        bench.ranks.dedup();
+        for rank in &bench.ranks {
+            bench.start.is_open[usize::from(*rank)] = self.contains(usize::from(*rank));
+        }
+        reach
+    }
+
+    /// Returns true if all parts in which the line of `bench` ends are open.
+    pub(super) fn explain(&self, bench: &RayScratch) -> bool {
+        let mut ranks = bench.ranks.iter().filter(|r| bench.end.is_inside(**r));
+        ranks.all(|rank| self.contains(usize::from(*rank)))
+    }
+
+    /// Sets the state of the ray's open parts at its start, at a depth.
+    pub(super) fn start(&self, prepared: &Prepared, ray: &Ray, depth: f64, bench: &mut RayScratch) {
+        let eye = ray.origin + ray.direction * depth;
+        for rank in bench.ranks.iter().copied().map(usize::from) {
+            if !self.contains(rank) {
+                continue;
+            }
+            bench.start.through_holes[rank] = match holds(&prepared.parts[rank].bounds, eye) {
+                true => self.number(prepared, rank, ray, depth, bench).0,
+                false => -bench.start.winding[rank],
+            };
+        }
+    }
+
+    /// Lists what holes add at the crossings with clip-surfaces. `found` holds all crossings of the line.
+    pub(super) fn list(&self, prepared: &Prepared, ray: &Ray, bench: &mut RayScratch) {
+        for rank in bench.ranks.iter().copied() {
+            let place = usize::from(rank);
+            if !self.contains(place) {
+                continue;
+            }
+            for (source, root) in bench.roots.iter().enumerate() {
+                let cut = prepared.surfaces[usize::from(root.surface)].cut;
+                if prepared.parts[place].cuts.contains(&cut) {
+                    let (number, other) = self.number(prepared, place, ray, root.depth, bench);
+                    bench.start.at_clips.push(HoleNumber {
+                        source: source as u32,
+                        rank,
+                        number,
+                        other,
+                    });
+                }
+            }
+        }
+    }
+
+    /// What the holes of a part add at a depth, and the other whole number that it may be.
+    fn number(
+        &self,
+        prepared: &Prepared,
+        rank: usize,
+        ray: &Ray,
+        depth: f64,
+        bench: &RayScratch,
+    ) -> (i32, Option<i32>) {
+        let tree = self.trees[rank].as_ref().expect("an open part");
+        let own = |c: &&Crossing| usize::from(c.rank) == rank;
+        let per_unit = 1.0 / ray.direction.length();
+        let gap = |at: f64| {
+            let gaps = bench
+                .crossings
+                .iter()
+                .filter(own)
+                .map(|c| (c.depth - at).abs());
+            gaps.fold(f64::INFINITY, f64::min)
+        };
+        let depths = BEFORE.map(|steps| depth - steps * STEP * per_unit);
+        let at = depths
+            .into_iter()
+            .max_by(|a, b| gap(*a).total_cmp(&gap(*b)));
+        let at = at.unwrap_or(depth);
+        let before = bench.crossings.iter().filter(own).filter(|c| c.depth <= at);
+        let counted: i32 =
+            before.map(|c| i32::from(c.step())).sum::<i32>() + bench.start.winding[rank];
+        let point = ray.origin + ray.direction * at;
+        let mut number = 0.0;
+        for tolerance in TOLERANCES {
+            let (winding, error) = tree.winding(point, tolerance);
+            number = winding - f64::from(counted);
+            let from_half = 0.5 - (number - number.round()).abs();
+            if from_half > error + ROUNDED {
+                return (number.round() as i32, None);
+            }
+        }
+        let nearest = number.round() as i32;
+        let other = nearest + if number > number.round() { 1 } else { -1 };
+        if 0.5 - (number - number.round()).abs() > ROUNDED {
+            return (nearest, None);
+        }
+        // At a half, a point is outside: a mesh that lies in a plane encloses nothing.
+        match prepared.parts[rank].fill.holds(counted + nearest) {
+            true => (other, Some(nearest)),
+            false => (nearest, Some(other)),
+        }
+    }
+}
+
+fn holds(bounds: &Bounds, point: DVec3) -> bool {
+    point.cmpge(bounds.min).all() && point.cmple(bounds.max).all()
+}
+
+/// The range of depths in which a ray is in a box.
+fn depths_within(ray: &Ray, bounds: &Bounds) -> Option<[f64; 2]> {
+    let mut range = [f64::NEG_INFINITY, f64::INFINITY];
+    for axis in 0..3 {
+        let (from, along) = (ray.origin[axis], ray.direction[axis]);
+        let ends = [bounds.min[axis], bounds.max[axis]].map(|b| (b - from) / along);
+        // A ray within a face of the box gives NaN, and still counts as inside the box.
+        range[0] = range[0].max(ends[0].min(ends[1]));
+        range[1] = range[1].min(ends[0].max(ends[1]));
+    }
+    (range[0] <= range[1]).then_some(range)
+}
