@@ -144,10 +144,12 @@ def test_doubts_are_warnings():
     scene = cutaway.Scene()
     scene.add("open", vertices, faces[2:])
     scene.cut("x=50%")
-    with pytest.warns(cutaway.CutawayWarning, match="may be wrong(.|\n)*help:") as caught:
-        _, layers = scene.render(size=SIZE, view="cut")
-    assert layers.may_be_wrong.any() and layers.unreliable.any()
+    with pytest.warns(cutaway.CutawayWarning, match="not closed(.|\n)*help:") as caught:
+        scene.render(size=SIZE, view="cut")
     assert caught[0].filename == __file__, "it is said of the line that asked"
+    with pytest.warns(cutaway.CutawayWarning, match="may be wrong(.|\n)*help:"):
+        _, layers = scene.render(size=SIZE, view="cut", strategy="raycast+mask")
+    assert layers.may_be_wrong.any() and layers.unreliable.any()
     closed = cutaway.Scene()
     closed.add("closed", vertices, faces)
     closed.cut("x=50%")

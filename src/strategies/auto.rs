@@ -1,10 +1,10 @@
 //! `auto`: the method used where none is named.
 //!
-//! A candidate must be exact on closed meshes, mark most possible errors on other meshes, and refuse only scenes with more clip-surfaces
-//! than a word has bits. Only `raycast+mask` qualifies, so the choice is that of the mesh rasteriser. For one plane, `stencil` and `planar`
-//! take about as long, but `stencil` marks no errors and `planar` rebuilds moving parts.
+//! A candidate must be exact, mark most possible errors, and refuse only scenes with more clip-surfaces than a word has bits. On closed
+//! meshes only `raycast+mask` qualifies. For one plane, `stencil` and `planar` take about as long, but `stencil` marks no errors and `planar`
+//! rebuilds moving parts. If a cut applies to a part that is not closed, `raycast+winding` is chosen, which draws the other parts alike.
 //!
-//! The rule:
+//! The rule for the rasteriser:
 //!
 //! 1. A requested rasteriser is used.
 //! 2. A software adapter runs fixed functions on the CPU like any other code: there the compute rasteriser, which cuts, caps and finds the
@@ -15,11 +15,12 @@
 //!    sub-pixel bits: the compute rasteriser is used there too.
 //! 5. On other adapters the hardware rasteriser draws: no measurement so far favours the compute rasteriser there.
 //!
-//! Costs one additional recording of a plan.
+//! Costs one additional recording of a plan, and once per mesh a sort of its edges.
 
 use super::{DrawOptions, Method, Rasteriser, Strategy, plan};
 use crate::Error;
-use crate::passes::Model;
+use crate::passes::{Model, counted};
+use crate::plan::pack::MAX_CUTS;
 use crate::plan::{Capacities, Limits};
 use crate::scene::{USUAL_SUB_PIXEL_BITS, View};
 
@@ -46,6 +47,20 @@ pub struct AdapterTraits<'a> {
     pub sub_pixel_bits: Option<u32>,
 }
 
+/// `2 of 3 parts are not closed: winding numbers decide what is inside them`; `None` if all parts that are cut are closed.
+pub fn open_parts_in_words(model: &Model) -> Option<String> {
+    let open = model.open_parts().len();
+    let (are, them) = match open {
+        0 => return None,
+        1 => ("is", "it"),
+        _ => ("are", "them"),
+    };
+    let all = counted(model.prepared.parts.len(), "part");
+    Some(format!(
+        "{open} of {all} {are} not closed: winding numbers decide what is inside {them}"
+    ))
+}
+
 /// Chooses the method for a scene in a view, with the options that are already fixed and the adapter that will draw.
 pub fn choose(
     model: &Model,
@@ -53,12 +68,21 @@ pub fn choose(
     asked: DrawOptions,
     adapter: Option<AdapterTraits<'_>>,
 ) -> Choice {
+    // Open parts take one more cut.
+    let can_close = model.prepared.cuts.len() < MAX_CUTS;
+    let open = can_close.then(|| open_parts_in_words(model)).flatten();
     let by = |rasteriser, reason: &str| Choice {
         method: Method::new(
-            Strategy::RAYCAST_MASK,
+            match &open {
+                Some(_) => Strategy::RAYCAST_WINDING,
+                None => Strategy::RAYCAST_MASK,
+            },
             asked.or(DrawOptions::by(rasteriser)),
         ),
-        reason: reason.to_owned(),
+        reason: match &open {
+            Some(open) => format!("{open}, and {reason}"),
+            None => reason.to_owned(),
+        },
     };
     if let Some(rasteriser) = asked.rasteriser {
         return by(

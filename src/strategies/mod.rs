@@ -13,7 +13,7 @@ mod name;
 mod row;
 
 pub use crate::passes::{Rasteriser, Refusal, ReliefWalk, Unsupported};
-pub use auto::{AUTO, AdapterTraits, Choice, choose};
+pub use auto::{AUTO, AdapterTraits, Choice, choose, open_parts_in_words};
 pub use method::{DrawOptions, Method};
 pub use name::Strategy;
 use row::unpaired;

@@ -34,6 +34,8 @@ impl CapSurface {
 impl InsideTest {
     /// Parity bits per crossing, written by a single pass over the mesh.
     pub const MASK: Self = Self::new(&inside::mask::ROW, 0);
+    /// Generalised winding numbers of parts that are not closed; other parts as by [`Self::MASK`].
+    pub const WINDING: Self = Self::new(&inside::winding::ROW, 0);
     /// Parity in the stencil buffer, a draw of the mesh for each crossing.
     pub const STENCIL: Self = Self::new(&inside::stencil::ROW, 0);
 
@@ -65,6 +67,8 @@ pub struct Strategy {
 impl Strategy {
     /// The exact strategy.
     pub const RAYCAST_MASK: Self = Self::new(CapSurface::RAYCAST, InsideTest::MASK);
+    /// `raycast+winding`: as `raycast+mask`, and right for meshes that are not closed.
+    pub const RAYCAST_WINDING: Self = Self::new(CapSurface::RAYCAST, InsideTest::WINDING);
     /// The exact strategy by fixed-function hardware.
     pub const RAYCAST_STENCIL: Self = Self::new(CapSurface::RAYCAST, InsideTest::STENCIL);
     /// The section of the mesh, triangulated.

@@ -1,9 +1,11 @@
 //! Notes about unexpected properties of a frame.
 
+use cutaway::Model;
 use cutaway::gpu::Gpu;
 use cutaway::layers::{Kind, Layers};
 use cutaway::passes::Rasteriser;
 use cutaway::scene::{Fill, Scene, Topology, empty_picture, misses};
+use cutaway::strategies::{InsideTest, open_parts_in_words};
 use cutaway_lab::experiment::Renderer;
 
 use super::console::Console;
@@ -38,15 +40,33 @@ fn is_own_fault(renderer: Renderer, scene: &Scene) -> bool {
         && Topology::from_parts(&scene.parts).closed
 }
 
+/// Reports open parts whose inside winding numbers decide.
+fn note_open_parts(count_px: usize, model: &Model, console: &Console) {
+    let Some(open) = open_parts_in_words(model) else {
+        return;
+    };
+    match count_px {
+        0 => console.note(&open),
+        _ => console.warn(format!(
+            "{open}; {count_px} px may be wrong, as about half of the view from there is open\n  help: --close-holes closes planar and \
+             small holes (`cutaway inspect` shows where holes are)"
+        )),
+    }
+}
+
 /// Warns of pixels that may be wrong because the mesh is open along their rays. With a closed mesh, such pixels are a fault of the program
 /// or of the driver, and the frame has failed.
 pub(super) fn warn_of_doubt(
     may_be_wrong: &[bool],
     renderer: Renderer,
-    scene: &Scene,
+    (scene, model): (&Scene, &Model),
     console: &Console,
 ) -> Verdict {
     let count = may_be_wrong.iter().filter(|w| **w).count();
+    if matches!(renderer, Renderer::Method(m) if m.strategy.inside == Some(InsideTest::WINDING)) {
+        note_open_parts(count, model, console);
+        return Verdict::Done;
+    }
     if count == 0 {
         return Verdict::Done;
     }

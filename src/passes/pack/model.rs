@@ -254,6 +254,18 @@ impl Model {
             .closing_tree(&self.prepared.parts[rank], closing)
     }
 
+    /// The parts, by index in the scene, to which a cut applies and whose mesh is not closed as their fill rule counts: an odd number of
+    /// faces meets at some edge or, under the nonzero rule, the directions of the faces at some edge do not cancel.
+    ///
+    /// The first call for a mesh takes a sort of its edges.
+    pub fn open_parts(&self) -> Vec<usize> {
+        let parts = self.prepared.parts.par_iter().enumerate();
+        let open = parts.filter(|(rank, p)| {
+            !p.cuts.is_empty() && !p.is_removed && self.closing(*rank).is_some()
+        });
+        open.map(|(_, part)| part.part).collect()
+    }
+
     /// Returns true if a clip-surface is a true relief rather than a plane, a flat map or a cutter.
     pub fn is_relief(&self, surface: usize) -> bool {
         self.first_texel[surface] != NO_RELIEF

@@ -47,7 +47,7 @@ pub(crate) struct PlanArgs {
 
 fn strategy_help() -> String {
     format!(
-        "Whose passes: {AUTO}, raycast+mask by the rasteriser that suits the adapter; {} [default: that of the scene, or {AUTO}]",
+        "Whose passes: {AUTO}, raycast+mask (raycast+winding for parts that are not closed) by the rasteriser that suits the adapter; {} [default: that of the scene, or {AUTO}]",
         table::names()
     )
 }

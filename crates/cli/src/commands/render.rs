@@ -111,7 +111,8 @@ pub(crate) fn run(args: &RenderArgs) -> Result<Verdict> {
     if let Some(layers) = &facts.layers {
         // Pixels dropped by a full buffer are reported below; they do not mean that the mesh is defective.
         if facts.outcome == Outcome::Complete {
-            verdict = warn_of_doubt(&facts.may_be_wrong, renderer, &subject.scene, &console);
+            let drawn = (&subject.scene, &shown.model);
+            verdict = warn_of_doubt(&facts.may_be_wrong, renderer, drawn, &console);
         }
         note_what_is_not_seen(layers, &subject.scene, &console);
     }

@@ -101,7 +101,7 @@ fn style_help() -> String {
 
 fn strategy_help() -> String {
     format!(
-        "How caps are drawn: {AUTO}, raycast+mask by the rasteriser that suits the adapter; {}; or, on the CPU, exact for the reference, \
+        "How caps are drawn: {AUTO}, raycast+mask (raycast+winding for parts that are not closed) by the rasteriser that suits the adapter; {}; or, on the CPU, exact for the reference, \
          winding for open meshes [default: that of the scene, or {AUTO}]",
         table::names(),
     )

@@ -139,9 +139,9 @@ pub fn load_mesh_file_from(path: &Path, store: &dyn Files) -> Result<Loaded> {
     })
 }
 
-/// Reports open edges, which make inside and outside ambiguous. Gives their count and, if only one part is open, the position of one.
+/// Reports open edges, which make the inside a matter of definition. Gives their count and, if only one part is open, the position of one.
 fn doubt(parts: &[Part]) -> Option<Diagnostic> {
-    const DOUBT: &str = "for rays through a hole, inside and outside are ambiguous, and such pixels are marked as unreliable";
+    const DOUBT: &str = "winding numbers decide what is inside; strategies that count crossings mark pixels that may be wrong";
     let edges = parts
         .iter()
         .map(|part| (part, Edges::of(&part.mesh.triangles)));

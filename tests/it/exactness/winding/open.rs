@@ -31,7 +31,7 @@ fn drawn(scene: &Scene) -> (View, Layers, Layers) {
     let mut session = session();
     let mask = Method::from(Strategy::RAYCAST_MASK);
     let drawn = session.draw(&Model::new(scene), &view, mask).unwrap();
-    assert_eq!(drawn.outcome, Outcome::Complete);
+    assert_eq!(drawn.outcome, Outcome::Complete, "mask");
     let counted = session.layers(mask).unwrap();
     (view, wound, counted)
 }

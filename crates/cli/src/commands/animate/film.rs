@@ -89,7 +89,8 @@ impl Film<'_> {
         ) {
             let layers = session.layers(method)?;
             let doubted = may_be_wrong(&layers, &self.shown.model.prepared, &view);
-            let verdict = warn_of_doubt(&doubted, self.chosen.renderer, &self.scene, console);
+            let drawn = (&self.scene, &self.shown.model);
+            let verdict = warn_of_doubt(&doubted, self.chosen.renderer, drawn, console);
             self.has_failed |= matches!(verdict, Verdict::Failed);
         }
         Ok((drawn.image, report))
