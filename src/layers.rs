@@ -32,7 +32,7 @@ pub struct Layer {
     pub clip_surface: u8,
     /// True if the visible side is the inner one: the triangle hit faces away from the camera.
     pub back_face: bool,
-    /// The strategy marks this pixel as unreliable: odd crossing count, or a buffer that overflowed.
+    /// The strategy marks this pixel as unreliable: an odd crossing count, a winding number near a half, or a buffer that overflowed.
     pub unreliable: bool,
     /// True for a cap where the part shown overlaps other solids that the same cut opens. Strategies report it on
     /// request; the exact reference always does.

@@ -15,12 +15,11 @@
 //!    sub-pixel bits: the compute rasteriser is used there too.
 //! 5. On other adapters the hardware rasteriser draws: no measurement so far favours the compute rasteriser there.
 //!
-//! Costs one additional recording of a plan, and once per mesh a sort of its edges.
+//! Costs one additional recording of a plan, one more for open parts, and once per mesh a sort of its edges.
 
 use super::{DrawOptions, Method, Rasteriser, Strategy, plan};
 use crate::Error;
 use crate::passes::{Model, counted};
-use crate::plan::pack::MAX_CUTS;
 use crate::plan::{Capacities, Limits};
 use crate::scene::{USUAL_SUB_PIXEL_BITS, View};
 
@@ -68,9 +67,15 @@ pub fn choose(
     asked: DrawOptions,
     adapter: Option<AdapterTraits<'_>>,
 ) -> Choice {
-    // Open parts take one more cut.
-    let can_close = model.prepared.cuts.len() < MAX_CUTS;
-    let open = can_close.then(|| open_parts_in_words(model)).flatten();
+    // Larger pictures are drawn in bands.
+    let band = view.rows(0, view.size_px[1].min(Capacities::FEWEST_ROWS));
+    // Open parts take one more cut, and bytes in place of bits: a scene may have too many.
+    let winding = Method::new(
+        Strategy::RAYCAST_WINDING,
+        DrawOptions::by(Rasteriser::Hardware),
+    );
+    let open = open_parts_in_words(model)
+        .filter(|_| plan(model, &band, winding, &Capacities::UNKNOWN).is_ok());
     let by = |rasteriser, reason: &str| Choice {
         method: Method::new(
             match &open {
@@ -111,8 +116,6 @@ pub fn choose(
         }
     };
     let compute = by(Rasteriser::Compute, &reason);
-    // Larger pictures are drawn in bands.
-    let band = view.rows(0, view.size_px[1].min(Capacities::FEWEST_ROWS));
     match plan(model, &band, compute.method, &Capacities::UNKNOWN) {
         Ok(plan) => match plan.check_sizes(limits) {
             Err(Error::Limit(lack)) => by(

@@ -27,7 +27,12 @@ pub(super) fn unreliable_px(layers: &Layers) -> usize {
 }
 
 /// Strategies that mark no pixel of a closed mesh. If one does, it is a fault of the program or of the driver.
-const MARK_OPEN_MESHES_ALONE: [&str; 3] = ["raycast+mask", "raycast+abuffer", "raycast+stencil"];
+const MARK_OPEN_MESHES_ALONE: [&str; 4] = [
+    "raycast+mask",
+    "raycast+winding",
+    "raycast+abuffer",
+    "raycast+stencil",
+];
 
 /// Returns true if the mesh cannot cause marked pixels: all parts are closed and filled even-odd.
 fn is_own_fault(renderer: Renderer, scene: &Scene) -> bool {
@@ -41,15 +46,12 @@ fn is_own_fault(renderer: Renderer, scene: &Scene) -> bool {
 }
 
 /// Reports open parts whose inside winding numbers decide.
-fn note_open_parts(count_px: usize, model: &Model, console: &Console) {
-    let Some(open) = open_parts_in_words(model) else {
-        return;
-    };
+fn note_open_parts(count_px: usize, open: &str, console: &Console) {
     match count_px {
-        0 => console.note(&open),
+        0 => console.note(open),
         _ => console.warn(format!(
-            "{open}; {count_px} px may be wrong, as about half of the view from there is open\n  help: --close-holes closes planar and \
-             small holes (`cutaway inspect` shows where holes are)"
+            "{open}; {count_px} px may be wrong: the number there is near a half\n  help: --close-holes closes planar and small holes \
+             (`cutaway inspect` shows where holes are)"
         )),
     }
 }
@@ -63,8 +65,10 @@ pub(super) fn warn_of_doubt(
     console: &Console,
 ) -> Verdict {
     let count = may_be_wrong.iter().filter(|w| **w).count();
-    if matches!(renderer, Renderer::Method(m) if m.strategy.inside == Some(InsideTest::WINDING)) {
-        note_open_parts(count, model, console);
+    let is_by_winding =
+        matches!(renderer, Renderer::Method(m) if m.strategy.inside == Some(InsideTest::WINDING));
+    if let Some(open) = open_parts_in_words(model).filter(|_| is_by_winding) {
+        note_open_parts(count, &open, console);
         return Verdict::Done;
     }
     if count == 0 {

@@ -24,15 +24,20 @@ const VOLUME_ROUNDING: f32 = 1e-6;
 const BESIDE: f32 = 0.02;
 const FOUR_PI: f32 = 12.566370614;
 
-// An open part: the address of its tree, and whether its mesh lies in a plane and so encloses nothing.
+const VECTORS_OF_HEAD: u32 = 2u;
+
+// An open part: its box, outside of which nothing is inside; the address of its tree, and whether its mesh lies in a plane and so encloses
+// nothing.
 struct Closing {
+    least: vec3<f32>,
+    greatest: vec3<f32>,
     tree: u32,
     is_flat: bool,
 }
 
 fn closing_of(number: u32) -> Closing {
-    let head = closings[number];
-    return Closing(head.x, head.y != 0u);
+    let head = VECTORS_OF_HEAD * number;
+    return Closing(floats(head).xyz, floats(head + 1u).xyz, closings[head].w, closings[head + 1u].w != 0u);
 }
 
 // Winding number of some triangles around a point.

@@ -1,6 +1,7 @@
 //! Open parts of a frame, closed for counting: their closing triangles follow the indices of all parts, and are drawn as parts that one more
 //! cut, without clip-surfaces, removes entirely. So their fragments count like all others, and are never kept.
 
+use glam::DVec3;
 use rayon::prelude::*;
 
 use super::input::Input;
@@ -9,8 +10,13 @@ use crate::passes::pack::model::Model;
 use crate::plan::pack::MAX_CUTS;
 use crate::plan::{Contents, Draw, INDEX_BYTES, Piece};
 
-/// Bytes of four words, in which trees are addressed.
+/// Bytes of four words, in which trees are addressed; and of the head of a part, in the layout of
+/// `shaders/lib/inside_tests/closings.wgsl`.
 const VECTOR_BYTES: u64 = 16;
+const HEAD_BYTES: u64 = 2 * VECTOR_BYTES;
+
+/// Most vectors that a list of triangles can address: six bits of a word count them.
+const MOST_VECTORS: u64 = 1 << 26;
 
 /// An open part.
 #[derive(Clone, Debug)]
@@ -27,7 +33,7 @@ pub(crate) struct Closings {
     parts: Vec<ClosedPart>,
     /// Indices of all closing triangles.
     indices: Vec<Piece>,
-    /// A vector for each part with the address of its tree, then the trees.
+    /// For each part its box and the address of its tree, then the trees.
     pub trees: Contents,
 }
 
@@ -41,6 +47,12 @@ impl Input<'_> {
             if self.active_cuts.cuts.len() >= MAX_CUTS {
                 return Err(Refusal::amount(format!(
                     "open parts are closed by one more cut, and a frame has at most {MAX_CUTS}"
+                )));
+            }
+            let vectors = closed.closings.as_ref().map_or(0, |c| c.trees.len()) / VECTOR_BYTES;
+            if vectors > MOST_VECTORS {
+                return Err(Refusal::amount(format!(
+                    "the closing triangles of open parts take {vectors} vectors, and at most {MOST_VECTORS} can be addressed"
                 )));
             }
             // Closing triangles need rows of the same table.
@@ -109,10 +121,16 @@ impl Closings {
         let (mut closed, mut indices, mut trees) = (Vec::new(), Vec::new(), Vec::new());
         let mut heads: Vec<[u32; 4]> = Vec::new();
         let mut first_index = model.indices.len() / INDEX_BYTES;
-        let mut tree = open.len() as u64 * VECTOR_BYTES;
+        let mut tree = open.len() as u64 * HEAD_BYTES;
         for (rank, bytes, closing) in open {
             let is_flat = closing.is_flat && model.moving[rank].is_none();
-            heads.push([(tree / VECTOR_BYTES) as u32, u32::from(is_flat), 0, 0]);
+            let bounds = &model.prepared.parts[rank].bounds;
+            let corner = |corner: DVec3| corner.as_vec3().to_array().map(f32::to_bits);
+            let ([a, b, c], [d, e, f]) = (corner(bounds.min), corner(bounds.max));
+            heads.extend([
+                [a, b, c, (tree / VECTOR_BYTES) as u32],
+                [d, e, f, u32::from(is_flat)],
+            ]);
             let end = first_index + u64::from(closing.index_count());
             closed.push(ClosedPart {
                 rank,

@@ -260,9 +260,7 @@ impl Model {
     /// The first call for a mesh takes a sort of its edges.
     pub fn open_parts(&self) -> Vec<usize> {
         let parts = self.prepared.parts.par_iter().enumerate();
-        let open = parts.filter(|(rank, p)| {
-            !p.cuts.is_empty() && !p.is_removed && self.closing(*rank).is_some()
-        });
+        let open = parts.filter(|(rank, p)| !p.cuts.is_empty() && self.closing(*rank).is_some());
         open.map(|(_, part)| part.part).collect()
     }
 

@@ -15,6 +15,7 @@ pub use edges::{EdgeCount, Edges, Sets};
 pub(crate) use edges::{EdgeUse, EdgeUses};
 use rays::Rays;
 
+use crate::scene::winding::Closing;
 use crate::scene::{Bounds, Mesh, Part};
 
 /// Number of open edges kept as examples.
@@ -36,6 +37,8 @@ pub struct Topology {
     pub coincident_faces: usize,
     /// Edges with one use.
     pub boundary_edges: usize,
+    /// Loops of directed edges that do not cancel: rims of holes, and outlines of faces with inconsistent orientation.
+    pub boundary_loops: usize,
     /// Edges with more than two uses.
     pub non_manifold_edges: usize,
     /// Edges whose two uses run in the same direction: the triangles disagree on which side is outside.
@@ -99,6 +102,10 @@ impl Topology {
             closed: count.open == 0,
             coincident_faces: crate::scene::doubled_faces(mesh).len(),
             boundary_edges: count.boundary,
+            boundary_loops: match count.boundary + count.inconsistent + count.non_manifold {
+                0 => 0,
+                _ => Closing::of(&mesh.triangles).loops,
+            },
             non_manifold_edges: count.non_manifold,
             inconsistent_edges: count.inconsistent,
             components,
@@ -148,6 +155,7 @@ impl Topology {
             sum.faces += t.faces;
             sum.coincident_faces += t.coincident_faces;
             sum.boundary_edges += t.boundary_edges;
+            sum.boundary_loops += t.boundary_loops;
             sum.non_manifold_edges += t.non_manifold_edges;
             sum.inconsistent_edges += t.inconsistent_edges;
             sum.components += t.components;
@@ -330,6 +338,7 @@ mod tests {
         let t = Topology::new(&mesh);
         assert!(!t.closed);
         assert_eq!((t.boundary_edges, t.non_manifold_edges), (3, 0));
+        assert_eq!(t.boundary_loops, 1);
         assert_eq!(t.where_open().len(), 3);
         assert!(
             t.where_open().iter().all(|p| p.x == 1.0),

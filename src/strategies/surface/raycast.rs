@@ -77,11 +77,12 @@ pub(crate) fn capacity(input: &Input<'_>) -> u32 {
 fn most_that_fit(input: &Input<'_>) -> u32 {
     let parts = &input.model.prepared.parts;
     let cut = input.active_cuts.cut_parts();
-    let nonzero = (cut.iter())
-        .filter(|r| parts[**r].fill == Fill::Nonzero)
-        .count() as u64;
+    let has_counts =
+        |rank: &&usize| parts[**rank].fill == Fill::Nonzero || input.closing_of(**rank).is_some();
+    let with_counts = cut.iter().filter(has_counts).count() as u64;
     // A crossing takes a word of a list, a bit of each lane of bits, a byte of each lane of counts.
-    let words = ((cut.len() as u64 - nonzero).div_ceil(32) + nonzero.div_ceil(4)).max(1);
+    let with_bits = cut.len() as u64 - with_counts;
+    let words = (with_bits.div_ceil(32) + with_counts.div_ceil(4)).max(1);
     let [width, _] = input.view.size_px;
     let in_band = Limits::CORE.storage_binding_bytes / pixels([width, Capacities::FEWEST_ROWS]);
     let in_picture = MOST_BYTES / pixels([width, input.view.band[1]]).max(1);

@@ -514,6 +514,7 @@ fn constants_have_one_value_on_both_sides() {
         ("MOST_CELLS", pack::MOST_CELLS),
         // Trees of closing triangles: `passes::pack::packed_closing` packs them.
         ("NO_CLOSING", pack::NO_CLOSING),
+        ("VECTORS_OF_HEAD", 2),
         ("LEAF_COUNT_BITS", 3),
         ("MOST_LEAF_TRIANGLES", 7),
         ("MOST_BALLS", 4096),
@@ -521,6 +522,7 @@ fn constants_have_one_value_on_both_sides() {
         ("MOST_RUNS", 48),
         ("RUN_BITS", 6),
         ("MOST_OF_RUN", 63),
+        ("MOST_LISTED", 256),
         ("MOST_QUERIES", 2),
         ("VECTORS_OF_POLYNOMIAL", 4),
         ("VECTORS_OF_EXPANSION", 16),

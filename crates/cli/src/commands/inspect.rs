@@ -204,8 +204,12 @@ fn to_text(facts: &[MeshSummary<'_>], total: &MeshSummary<'_>) -> String {
     } in facts
     {
         if let Some(at) = facts.where_open().first() {
+            let loops = match facts.boundary_loops {
+                1 => "1 loop".to_owned(),
+                loops => format!("{loops} loops"),
+            };
             text.push_str(&format!(
-                "{name} is open: {} boundary edges, one at {},{},{}\n",
+                "{name} is open: {} boundary edges in {loops}, one at {},{},{}\n",
                 facts.boundary_edges,
                 round(at.x),
                 round(at.y),

@@ -18,7 +18,7 @@ use super::clip::{Graze, Ray, Root};
 use super::cutter::{self, CutterMeshes};
 use super::outline::{Brush, OutlineEdge};
 use super::raster::{Crossing, Projected};
-use super::walk::{Cause, Event, RayState, VisiblePoint, restore_order, walk};
+use super::walk::{Cause, Event, HoleNumber, RayState, VisiblePoint, restore_order, walk};
 
 /// Four ulp of f32 at a depth. Scene space has a radius of about 1, and its coordinates are rounded to ulps of 1, so depths
 /// below 1 are not more precise than 1. An orthographic depth buffer has the same resolution over its whole depth range.
@@ -122,14 +122,20 @@ impl RayCase<'_> {
         grazed.max(self.disordered(scratch))
     }
 
-    /// Openness from rounding the winding number of an open part the other way, at one crossing with a clip-surface.
+    /// Openness from rounding the winding number of an open part the other way, at one crossing with a clip-surface or the near plane.
     fn unsure_inside(&self, scratch: &mut Scratch) -> Openness {
         let numbers = &self.start.at_clips;
         let unsure = numbers.iter().enumerate();
         let unsure = unsure.filter_map(|(place, at_clip)| Some((place, at_clip.other?)));
         Openness::worst(unsure.map(|(place, other)| {
             scratch.begin(self.events);
-            self.change_from(scratch, 0.0, |start| start.at_clips[place].number = other)
+            self.change_from(scratch, 0.0, |start| {
+                let number = &mut start.at_clips[place];
+                number.number = other;
+                if number.source == HoleNumber::AT_NEAR_PLANE {
+                    start.through_holes[usize::from(number.rank)] = other;
+                }
+            })
         }))
     }
 
@@ -300,7 +306,15 @@ impl RayCase<'_> {
                     });
                 }
             }
-            self.change(scratch, rounding(self.view, graze.depth))
+            let changed = self.change(scratch, rounding(self.view, graze.depth));
+            // What is inside an open part is not evaluated there.
+            let cut = self.prepared.surfaces[usize::from(graze.surface)].cut;
+            let may_open = (self.ranks.iter().map(|r| usize::from(*r)))
+                .any(|rank| self.start.is_open[rank] && self.prepared.parts[rank].cuts.contains(&cut));
+            match may_open {
+                true => Openness::All,
+                false => changed,
+            }
         }))
     }
 

@@ -160,7 +160,8 @@ pub(super) fn bites<'a>(
         let cuts = &prepared.parts[*rank as usize].cuts;
         let mesh_is_close =
             (close.iter()).any(|c| matches!(c, Cause::Mesh { rank: of, .. } if of == rank));
-        if !cuts.contains(&cut) || !(state.is_inside(*rank) || mesh_is_close) {
+        let may_be_inside = state.is_inside(*rank) || state.is_open[usize::from(*rank)];
+        if !cuts.contains(&cut) || !(may_be_inside || mesh_is_close) {
             return false;
         }
         let other_is_close = close.iter().any(|c| {

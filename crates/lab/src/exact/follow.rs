@@ -64,7 +64,7 @@ impl<'a> BandedScene<'a> {
                 meets_something: false,
             };
         }
-        self.open_parts.start(prepared, ray, before_near, bench);
+        self.open_parts.start(prepared, ray, view.near, bench);
         let inside_at_near = bench.ranks.iter().any(|r| bench.start.is_inside(*r));
         let from = if inside_at_near {
             before_near
@@ -75,8 +75,8 @@ impl<'a> BandedScene<'a> {
         let is_cutter_odd = self.meet_clips(ray, range, of_cutters, bench);
         is_odd |= is_cutter_odd;
         layer.unreliable |= is_cutter_odd;
-        self.classify(at, ray, bench);
         self.open_parts.list(prepared, ray, bench);
+        self.classify(at, ray, bench);
         bench.merge_events();
         bench.state.set(&bench.start);
         let sight = walk(

@@ -3,7 +3,8 @@
 //! Whether a point is inside an open part is decided by its generalised winding number (Jacobson, Kavan, Sorkine-Hornung 2013): the signed
 //! solid angle of all faces as seen from the point, over 4 pi, rounded to the nearest whole number, which the fill rule judges. Along a ray,
 //! this number jumps by 1 where the ray crosses a face, exactly as the count of crossings does. The difference of the two is therefore
-//! smooth; it is the solid angle of the holes. Rounded, it is added to the count where the ray crosses a clip-surface.
+//! smooth; it is the solid angle of the holes. Rounded, it is added to the count where the ray crosses a clip-surface. Nothing is inside a
+//! part outside of its box.
 //!
 //! Cost: a tree over all faces of each open part per picture; per crossing of such a part's clip-surfaces, one traversal, and a finer
 //! one near a half. Closed parts cost a sort of their edges. Limit: numbers nearer to a half than [`ROUNDED`] are undecided.
@@ -36,7 +37,7 @@ pub(super) struct OpenParts {
 }
 
 impl OpenParts {
-    /// Finds the open parts among those that a cut may open.
+    /// Finds the open parts of a scene.
     pub(super) fn of(prepared: &Prepared) -> Self {
         let trees = prepared.parts.par_iter().map(|part| {
             let is_open = !part.is_removed && Closing::of(&part.triangles).is_needed(part.fill);
@@ -83,21 +84,27 @@ impl OpenParts {
         ranks.all(|rank| self.contains(usize::from(*rank)))
     }
 
-    /// Sets the state of the ray's open parts at its start, at a depth.
-    pub(super) fn start(&self, prepared: &Prepared, ray: &Ray, depth: f64, bench: &mut RayScratch) {
-        let eye = ray.origin + ray.direction * depth;
-        for rank in bench.ranks.iter().copied().map(usize::from) {
-            if !self.contains(rank) {
+    /// Sets the state of the ray's open parts at its start: what holes add at the near plane.
+    pub(super) fn start(&self, prepared: &Prepared, ray: &Ray, near: f64, bench: &mut RayScratch) {
+        for rank in bench.ranks.iter().copied() {
+            let place = usize::from(rank);
+            if !self.contains(place) {
                 continue;
             }
-            bench.start.through_holes[rank] = match holds(&prepared.parts[rank].bounds, eye) {
-                true => self.number(prepared, rank, ray, depth, bench).0,
-                false => -bench.start.winding[rank],
-            };
+            let (number, other) = self.number(prepared, place, ray, near, bench);
+            bench.start.through_holes[place] = number;
+            if other.is_some() {
+                bench.start.at_clips.push(HoleNumber {
+                    source: HoleNumber::AT_NEAR_PLANE,
+                    rank,
+                    number,
+                    other,
+                });
+            }
         }
     }
 
-    /// Lists what holes add at the crossings with clip-surfaces. `found` holds all crossings of the line.
+    /// Lists what holes add at the crossings with clip-surfaces. Crossings with meshes must not have been moved to clip-surfaces yet.
     pub(super) fn list(&self, prepared: &Prepared, ray: &Ray, bench: &mut RayScratch) {
         for rank in bench.ranks.iter().copied() {
             let place = usize::from(rank);
@@ -148,6 +155,15 @@ impl OpenParts {
         let counted: i32 =
             before.map(|c| i32::from(c.step())).sum::<i32>() + bench.start.winding[rank];
         let point = ray.origin + ray.direction * at;
+        // Faces in the sides of the box are near the point on either side.
+        let Bounds { min, max } = prepared.parts[rank].bounds;
+        let bounds = Bounds {
+            min: min - 4.0 * STEP,
+            max: max + 4.0 * STEP,
+        };
+        if !holds(&bounds, point) {
+            return (-counted, None);
+        }
         let mut number = 0.0;
         for tolerance in TOLERANCES {
             let (winding, error) = tree.winding(point, tolerance);

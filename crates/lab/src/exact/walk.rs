@@ -97,14 +97,14 @@ pub(super) struct RayState {
     pub(super) is_open: Vec<bool>,
     /// Per rank: true if the part is open and the ray has been inside it since the near plane.
     pub(super) is_from_near: Vec<bool>,
-    /// What holes add at crossings with clip-surfaces, in any order.
+    /// What holes add at crossings with clip-surfaces, and where it is near a half, at the near plane; in any order.
     pub(super) at_clips: Vec<HoleNumber>,
 }
 
-/// What the holes of an open part add to the crossings that a ray counts, where it crosses a clip-surface.
+/// What the holes of an open part add to the crossings that a ray counts, where it crosses a clip-surface or the near plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct HoleNumber {
-    /// Index of the root that stands for the crossing with the clip-surface.
+    /// Index of the root that stands for the crossing with the clip-surface, or [`Self::AT_NEAR_PLANE`].
     pub(super) source: u32,
     /// Rank of the part.
     pub(super) rank: u16,
@@ -112,6 +112,11 @@ pub(super) struct HoleNumber {
     pub(super) number: i32,
     /// The second nearest, if rounding may lead to it.
     pub(super) other: Option<i32>,
+}
+
+impl HoleNumber {
+    /// In place of the index of a root.
+    pub(super) const AT_NEAR_PLANE: u32 = u32::MAX - 1;
 }
 
 impl RayState {
@@ -246,15 +251,19 @@ pub(super) fn walk(
         let (now, later) = rest.split_at(count);
         rest = later;
         let seen = match event.cause {
-            Cause::Mesh { rank, .. } => {
+            Cause::Mesh { rank, step } => {
                 // Where the ray enters an inner shell, the part may already show.
                 let showed = state.shows(prepared, rank);
                 state.apply(event);
                 let place = usize::from(rank);
                 let is_seen = match state.is_open[place] {
                     false => !showed && state.shows(prepared, rank),
-                    // Through a hole, faces are seen from both sides.
-                    true => !state.is_from_near[place] && !state.removes(prepared, rank),
+                    // Through a hole, faces are seen from both sides; without caps of the near plane, from outside alone.
+                    true => {
+                        (near_cap || step > 0)
+                            && !state.is_from_near[place]
+                            && !state.removes(prepared, rank)
+                    }
                 };
                 state.is_from_near[place] &= state.is_inside(rank);
                 is_seen.then_some((rank, *event, false))

@@ -27,6 +27,8 @@ override snapped_px: f32 = 0.0625;
 
 // A ball or triangle is expanded where the bound of what is left out, as a share of 4 pi, is at most this.
 const FAR_ERROR: f32 = 0.001;
+// Most triangles that are listed: beyond, a traversal for each crossing takes less time.
+const MOST_LISTED: u32 = 256u;
 // Squares of a tile.
 const SQUARES: u32 = 4u;
 
@@ -49,6 +51,8 @@ var<private> expansion: Expansion;
 // Runs of triangles that are not expanded, and their number.
 var<private> runs: array<u32, MOST_RUNS>;
 var<private> run_count: u32;
+// Number of triangles in the runs.
+var<private> listed: u32;
 
 fn bound_of_rest(size: f32, inertia: f32, radius: f32, distance: f32, around: f32) -> f32 {
     let gap = distance - radius - around;
@@ -86,6 +90,7 @@ fn expand_quadrupole(ball: Ball, along: vec3<f32>, distance: f32) {
 
 // Adds a triangle to the list.
 fn list_nearby(triangle: u32) {
+    listed++;
     if run_count > 0u && run_count <= MOST_RUNS {
         let run = runs[run_count - 1u];
         let count = run & MOST_OF_RUN;
@@ -143,9 +148,10 @@ fn visit_leaf(ball: Ball, sphere: Sphere) {
 fn expand(tree: u32, sphere: Sphere, address: u32) {
     expansion = Expansion(0.0, vec3<f32>(0.0), vec2<f32>(0.0), vec3<f32>(0.0), 0.0);
     run_count = 0u;
+    listed = 0u;
     let end = end_of(tree);
     var at = tree;
-    for (var n = 0u; n < MOST_BALLS && at < end && run_count <= MOST_RUNS; n++) {
+    for (var n = 0u; n < MOST_BALLS && at < end && run_count <= MOST_RUNS && listed <= MOST_LISTED; n++) {
         let ball = ball_at(tree, at);
         let away = ball.centre - sphere.centre;
         let distance = length(away);
@@ -162,7 +168,7 @@ fn expand(tree: u32, sphere: Sphere, address: u32) {
             at += 4u;
         }
     }
-    let is_whole = at >= end && run_count <= MOST_RUNS;
+    let is_whole = at >= end && run_count <= MOST_RUNS && listed <= MOST_LISTED;
     let count = select(NO_EXPANSION, run_count, is_whole);
     expansions[address] = bitcast<vec4<u32>>(vec4<f32>(expansion.gradient, expansion.constant));
     expansions[address + 1u] = bitcast<vec4<u32>>(vec4<f32>(expansion.others, expansion.error));

@@ -69,10 +69,13 @@ fn number_near(address: u32, runs: u32, point: vec3<f32>, near: f32) -> Winding 
 fn answer_of(place: u32, count: i32, closing: Winding) -> Answer {
     let number = f32(count) - closing.number;
     let whole = round(number);
+    let off = abs(number - whole);
     let is_inside = is_filled(place, i32(whole));
-    // The number on the other side of the nearest half; a comparison with NaN is false, which is a doubt.
+    // The number on the other side of the nearest half, which matters if the error reaches no other half. A comparison with NaN is false,
+    // which is a doubt.
     let other = i32(whole) + select(-1, 1, number > whole);
-    let is_clear = 0.5 - abs(number - whole) > closing.error || is_inside == is_filled(place, other);
+    let is_either = 0.5 + off > closing.error && is_inside == is_filled(place, other);
+    let is_clear = 0.5 - off > closing.error || is_either;
     return Answer(is_inside, closing.is_unsure || !is_clear);
 }
 
@@ -80,6 +83,9 @@ fn answer_of(place: u32, count: i32, closing: Winding) -> Answer {
 fn holds(place: u32, closing: Closing, count: i32, at: vec2<u32>, depth: f32, address: u32) -> Answer {
     let ray = ray_through(centre_of(at));
     let point = ray.origin + depth * ray.direction;
+    if any(point < closing.least) || any(point > closing.greatest) {
+        return Answer(false, false);
+    }
     let near = doubt_at(depth, snapped_px);
     let runs = expansions[address + 2u].z;
     let is_expanded = runs != NO_EXPANSION;

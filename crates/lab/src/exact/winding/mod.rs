@@ -15,8 +15,8 @@
 //! its inner side although the number just before that point puts the ray inside the solid: a closed mesh does not do that.
 //!
 //! Cost: a tree over the faces, once per mesh ([`Windings::new`]); per pixel, the crossings, and one traversal of the tree per candidate:
-//! some hundred faces and balls. Limit: numbers from the tree have an error of about 0.0001, which matters only for numbers that near
-//! to a half. Inverted faces are subtracted: with half of the faces inverted, nothing is inside.
+//! some hundred faces and balls, more near a half. Limit: numbers from the tree have an error of about 0.0001, which matters only for numbers
+//! that near to a half. Inverted faces are subtracted: with half of the faces inverted, nothing is inside.
 
 use cutaway::layers::{Layer, Layers};
 use cutaway::scene::winding::WindingTree;
@@ -34,8 +34,9 @@ use super::{BandedScene, Outlining};
 /// point, as for the exact reference. Equals half of the last bit of a scene coordinate.
 const BEFORE: f64 = 1.0 / (1 << 24) as f64;
 
-/// A ball of the tree is opened where the bound of its error is greater.
-const TOLERANCE: f64 = 1e-5;
+/// A ball of the tree is opened where the bound of its error is greater: at first, and where the sum of errors may change the answer.
+const COARSE: f64 = 1e-3;
+const FINE: f64 = 1e-5;
 
 /// A winding number farther than this from a whole number is unreliable.
 const SURE: f64 = 0.25;
@@ -60,7 +61,7 @@ impl Windings {
 
     /// The generalised winding number of a part's mesh, by rank, around a point of the scene.
     pub fn around(&self, rank: usize, point: DVec3) -> f64 {
-        self.trees[rank].winding(point, TOLERANCE).0
+        self.trees[rank].winding(point, FINE).0
     }
 
     /// Memory of the trees, in bytes.
@@ -134,6 +135,7 @@ impl Windings {
         bench.state.set(&bench.start);
         let mut ask = Ask {
             windings: self,
+            prepared,
             ray,
             is_sure: true,
         };
@@ -152,6 +154,7 @@ impl Windings {
 /// Evaluates winding numbers along a ray.
 struct Ask<'a> {
     windings: &'a Windings,
+    prepared: &'a Prepared,
     ray: Ray,
     /// True if all numbers so far were close to whole numbers.
     is_sure: bool,
@@ -162,8 +165,16 @@ impl Ask<'_> {
     fn at(&mut self, rank: u16, depth: f64) -> i32 {
         let point = self.ray.origin + self.ray.direction * depth;
         let before = self.ray.direction.normalize_or_zero() * BEFORE;
-        let number = self.windings.around(usize::from(rank), point - before);
-        self.is_sure &= (number - number.round()).abs() <= SURE;
+        if !holds(&self.prepared.parts[usize::from(rank)].bounds, point) {
+            return 0;
+        }
+        let tree = &self.windings.trees[usize::from(rank)];
+        let off = |number: f64| (number - number.round()).abs();
+        let (mut number, error) = tree.winding(point - before, COARSE);
+        if 0.5 - off(number) <= error || (off(number) - SURE).abs() <= error {
+            number = tree.winding(point - before, FINE).0;
+        }
+        self.is_sure &= off(number) <= SURE;
         number.round() as i32
     }
 
