@@ -6,8 +6,8 @@
 //! ([`crate::scene::winding`]), rounded to the nearest whole number, which its fill rule judges. Closed parts are tested as by `mask`, and
 //! a frame without open parts is that of `mask`.
 //!
-//! Per frame: what `mask` takes with counts, the closing triangles, and a query of a tree per crossing at which an open part begins to be
-//! kept. Per mesh: a sort of its edges; per pose: a tree of the closing triangles.
+//! Per frame: what `mask` takes with counts, the closing triangles, a traversal of a tree per square of pixels in which an open part begins to
+//! be kept, and the triangles nearby for each such crossing. Per mesh: a sort of its edges; per pose: a tree of the closing triangles.
 //!
 //! Marks a pixel where a number is as near to a half as the bound of its error, where a crossing lies in a closing triangle, and where counts
 //! may have overflowed. Cannot: tell a hole from an opening that is meant; what half of the view from a point sees as open is outside.

@@ -5,11 +5,14 @@ use cutaway::generate::defects::break_parts;
 use cutaway::layers::{Kind, Layers};
 use cutaway::passes::Rasteriser;
 use cutaway::plan::Capacities;
-use cutaway::scene::{Axis, Cut, Deformer, Fill, Prepared, PreparedPart, Scene, Viewpoint};
+use cutaway::scene::{
+    Axis, ClipSurface, Cut, Deformer, Fill, Mesh, Prepared, PreparedPart, Scene, Viewpoint,
+};
 use cutaway::session::Outcome;
 use cutaway::strategies::{DrawOptions, Method, Strategy, plan};
 use cutaway_io::document::{self, parse_defect};
 use cutaway_lab::exact::Windings;
+use cutaway_lab::hard_cases::Question;
 use glam::{DAffine3, DVec3};
 
 use crate::common::real::{cut, files};
@@ -191,6 +194,45 @@ fn real_open_meshes_are_capped_as_by_the_sum_over_all_faces() {
         }
     }
     assert!(files(&["open"]).is_empty() || caps > 5_000, "{caps}");
+}
+
+/// Wrong pixels that are decided and not marked, by both rasterisers.
+fn unmarked_px(scene: &Scene) -> Vec<usize> {
+    let question = Question::new(scene, SIZE_PX);
+    let judged = methods().into_iter().map(|method| {
+        let judged = question.answer(&mut session(), &method).unwrap();
+        judged.comparison.unmarked_wrong_px
+    });
+    judged.collect()
+}
+
+/// With more closing triangles nearby than an expansion lists, a count of -1 was taken for the number: caps leaked, unmarked.
+#[test]
+fn counts_alone_do_not_decide_among_many_closing_triangles() {
+    let mut scene = scenes::sectioned("crank", &["-1,-2,-1.5@50%,45%,60%"]);
+    break_parts(&mut scene.parts, &[parse_defect("gaps:amount=5%").unwrap()]).unwrap();
+    scene.parts[0].fill = Fill::Nonzero;
+    assert!(unmarked_px(&scene).iter().all(|px| *px == 0));
+}
+
+/// The box of a flat mesh has no depth: the reference took a point before it for outside, and counted the face twice.
+#[test]
+fn a_flat_mesh_in_a_clip_surface_has_no_cap() {
+    let mesh = Mesh {
+        positions: [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]
+            .map(|[x, y]| DVec3::new(x, y, 0.0))
+            .into(),
+        triangles: vec![[0, 1, 2], [0, 2, 3]],
+        ..Mesh::default()
+    };
+    for normal in [DVec3::Z, DVec3::NEG_Z] {
+        let plane = ClipSurface::plane(DVec3::ZERO, normal);
+        for azimuth_deg in [0.0, 180.0] {
+            let mut scene = scenes::scene("sheet", mesh.clone(), vec![plane.clone()]);
+            scene.camera = scenes::orbit(azimuth_deg, 10.0, false);
+            assert!(unmarked_px(&scene).iter().all(|px| *px == 0), "{normal}");
+        }
+    }
 }
 
 #[test]
