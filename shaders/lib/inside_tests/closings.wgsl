@@ -22,6 +22,8 @@ const ROUNDING: f32 = 1e-4;
 const VOLUME_ROUNDING: f32 = 1e-6;
 // Greatest reach, as a share of the product of the edges, of a point that counts as above a triangle.
 const BESIDE: f32 = 0.02;
+// Half of a solid angle that counts as 0.
+const LEAST_ANGLE: f32 = 1e-7;
 const FOUR_PI: f32 = 12.566370614;
 
 const VECTORS_OF_HEAD: u32 = 2u;
@@ -69,7 +71,9 @@ fn solid_angle(first: u32, point: vec3<f32>, near: f32) -> vec2<f32> {
     let least = max(near * length(cross(b - a, c - a)), VOLUME_ROUNDING * la * lb * lc);
     // An angle of about pi or more: the point is above the triangle or right beside it.
     let is_near = reach < BESIDE * la * lb * lc + 1e-30 && abs(volume) <= least;
-    return vec2<f32>(2.0 * atan2(volume, reach), select(0.0, 1.0, is_near));
+    // In the plane of the triangle, beside it, the angle is 0; one driver's atan2 gave pi there.
+    let angle = select(0.0, 2.0 * atan2(volume, reach), reach < 0.0 || abs(volume) > LEAST_ANGLE * reach);
+    return vec2<f32>(angle, select(0.0, 1.0, is_near));
 }
 
 // A node of a tree.
