@@ -13,7 +13,7 @@ use crate::plan::{Contents, Draw, INDEX_BYTES, Piece};
 /// Bytes of four words, in which trees are addressed; and of the head of a part, in the layout of
 /// `shaders/lib/inside_tests/closings.wgsl`.
 const VECTOR_BYTES: u64 = 16;
-const HEAD_BYTES: u64 = 2 * VECTOR_BYTES;
+const CLOSING_HEAD_BYTES: u64 = 2 * VECTOR_BYTES;
 
 /// Most vectors that a list of triangles can address: six bits of a word count them.
 const MOST_VECTORS: u64 = 1 << 26;
@@ -121,7 +121,7 @@ impl Closings {
         let (mut closed, mut indices, mut trees) = (Vec::new(), Vec::new(), Vec::new());
         let mut heads: Vec<[u32; 4]> = Vec::new();
         let mut first_index = model.indices.len() / INDEX_BYTES;
-        let mut tree = open.len() as u64 * HEAD_BYTES;
+        let mut tree = open.len() as u64 * CLOSING_HEAD_BYTES;
         for (rank, bytes, closing) in open {
             let is_flat = closing.is_flat && model.moving[rank].is_none();
             let bounds = &model.prepared.parts[rank].bounds;

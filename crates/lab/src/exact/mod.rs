@@ -9,7 +9,7 @@
 //!
 //! The part's [`Fill`](cutaway::scene::Fill) decides what is *inside*. All crossings of the line count, also those behind the eye: the
 //! crossings before the near plane decide whether the near plane is inside. In an open part, generalised winding numbers decide, which the
-//! crossings and the holes make up together (`open_parts`). Pixels where the line ends inside a part are listed ([`Exact::odd_parity`]):
+//! crossings and the holes make up together (`winding/open_parts`). Pixels where the line ends inside a part are listed ([`Exact::odd_parity`]):
 //! methods that count crossings alone are unreliable there. An eye exactly on a mesh is neither inside nor outside, and its pixels
 //! are marked.
 //!
@@ -23,7 +23,6 @@ mod clip;
 mod cutter;
 mod facet;
 mod follow;
-mod open_parts;
 mod order;
 mod outline;
 mod quadratic;
@@ -48,10 +47,10 @@ use self::classify::PreclassifiedFaces;
 use self::clip::{Ray, RayClipSurface};
 use self::cutter::CutterMeshes;
 use self::follow::Followed;
-use self::open_parts::OpenParts;
 use self::outline::{Brush, SilhouetteEdge};
 use self::raster::{BAND_ROWS, Bands, Crossing, Projected};
 use self::ray_scratch::RayScratch;
+use self::winding::open_parts::OpenParts;
 
 pub use trace::{Crossed, RayCrossing, Trace, trace};
 pub use truth::Truth;

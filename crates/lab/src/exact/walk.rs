@@ -1,7 +1,7 @@
 //! The definition itself: walk the events along a ray in order of depth, and stop where the ray first enters a kept solid.
 //!
 //! State: per part, the winding number, from which the part's fill rule decides inside or outside, and which for an open part includes what
-//! its holes add ([`super::open_parts`]); per clip-surface, whether the
+//! its holes add ([`super::winding::open_parts`]); per clip-surface, whether the
 //! ray is on its removed or its kept side. A point is removed by a cut if it is on the removed side of all the cut's surfaces,
 //! and by a part's cuts if any of them removes it. A part *shows* where the ray is inside it and no cut removes it. The visible
 //! point is the first point beyond the near plane at which some part begins to show. Of an open part, a face that is not removed is seen

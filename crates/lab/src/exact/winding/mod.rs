@@ -18,21 +18,20 @@
 //! some hundred faces and balls, more near a half. Limit: numbers from the tree have an error of about 0.0001, which matters only for numbers
 //! that near to a half. Inverted faces are subtracted: with half of the faces inverted, nothing is inside.
 
+pub(super) mod open_parts;
+
 use cutaway::layers::{Layer, Layers};
 use cutaway::scene::winding::WindingTree;
 use cutaway::scene::{Bounds, Prepared, View};
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 
+use self::open_parts::BEFORE;
 use super::clip::Ray;
 use super::raster::{self, BAND_ROWS, Crossing};
 use super::ray_scratch::RayScratch;
 use super::walk::{Cause, Event, VisiblePoint, pass_clips};
 use super::{BandedScene, Outlining};
-
-/// Distance before a clip-surface at which the winding number is evaluated, in scene units: a face in the surface is then behind the
-/// point, as for the exact reference. Equals half of the last bit of a scene coordinate.
-const BEFORE: f64 = 1.0 / (1 << 24) as f64;
 
 /// A ball of the tree is opened where the bound of its error is greater: at first, and where the sum of errors may change the answer.
 const COARSE: f64 = 1e-3;

@@ -14,10 +14,10 @@ use cutaway::scene::{Bounds, Prepared};
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::clip::Ray;
-use super::raster::Crossing;
-use super::ray_scratch::RayScratch;
-use super::walk::HoleNumber;
+use crate::exact::clip::Ray;
+use crate::exact::raster::Crossing;
+use crate::exact::ray_scratch::RayScratch;
+use crate::exact::walk::HoleNumber;
 
 /// A ball of the tree is opened where the bound of its error is greater: at first, and where that leaves open which whole number is nearest.
 const TOLERANCES: [f64; 3] = [1e-3, 1e-5, 0.0];
@@ -25,20 +25,22 @@ const TOLERANCES: [f64; 3] = [1e-3, 1e-5, 0.0];
 /// A number this near to a half may be rounded either way: an implementation evaluates it in f32, at a point rounded to f32.
 const ROUNDED: f64 = 1e-3;
 
-/// Distances before a point at which numbers are evaluated, in scene units: at least half of the last bit of a coordinate, so that a face
-/// in a clip-surface is behind the point. The one farthest from all faces is taken.
-const BEFORE: [f64; 3] = [1.0, 2.0, 3.0];
-const STEP: f64 = 1.0 / (1 << 24) as f64;
+/// Distance before a clip-surface at which the winding number is evaluated, in scene units: a face in the surface is then behind the
+/// point, as for the exact reference. Equals half of the last bit of a scene coordinate.
+pub(super) const BEFORE: f64 = 1.0 / (1 << 24) as f64;
+
+/// Distances before a point at which numbers are evaluated, in units of [`BEFORE`]. The one farthest from all faces is taken.
+const STEPS_BEFORE: [f64; 3] = [1.0, 2.0, 3.0];
 
 /// The open parts of a scene.
-pub(super) struct OpenParts {
+pub(in crate::exact) struct OpenParts {
     /// Trees of their faces, by rank; none for a part that is closed.
     trees: Vec<Option<WindingTree>>,
 }
 
 impl OpenParts {
     /// Finds the open parts of a scene.
-    pub(super) fn of(prepared: &Prepared) -> Self {
+    pub(in crate::exact) fn of(prepared: &Prepared) -> Self {
         let trees = prepared.parts.par_iter().map(|part| {
             let is_open = !part.is_removed && Closing::of(&part.triangles).is_needed(part.fill);
             is_open.then(|| WindingTree::of(&part.positions, &part.triangles))
@@ -49,18 +51,23 @@ impl OpenParts {
     }
 
     /// Returns true if a part is open.
-    pub(super) fn contains(&self, rank: usize) -> bool {
+    pub(in crate::exact) fn contains(&self, rank: usize) -> bool {
         self.trees[rank].is_some()
     }
 
     /// Returns true if there are none.
-    pub(super) fn is_empty(&self) -> bool {
+    pub(in crate::exact) fn is_empty(&self) -> bool {
         self.trees.iter().all(Option::is_none)
     }
 
     /// Adds the open parts that the ray may enter through a hole to those it meets. Returns the range of depths within their boxes, empty
     /// if there are none.
-    pub(super) fn meet(&self, prepared: &Prepared, ray: &Ray, bench: &mut RayScratch) -> [f64; 2] {
+    pub(in crate::exact) fn meet(
+        &self,
+        prepared: &Prepared,
+        ray: &Ray,
+        bench: &mut RayScratch,
+    ) -> [f64; 2] {
         let mut reach = [f64::INFINITY, f64::NEG_INFINITY];
         for (rank, part) in prepared.parts.iter().enumerate() {
             if self.contains(rank)
@@ -79,13 +86,19 @@ impl OpenParts {
     }
 
     /// Returns true if all parts in which the line of `bench` ends are open.
-    pub(super) fn explain(&self, bench: &RayScratch) -> bool {
+    pub(in crate::exact) fn explain(&self, bench: &RayScratch) -> bool {
         let mut ranks = bench.ranks.iter().filter(|r| bench.end.is_inside(**r));
         ranks.all(|rank| self.contains(usize::from(*rank)))
     }
 
     /// Sets the state of the ray's open parts at its start: what holes add at the near plane.
-    pub(super) fn start(&self, prepared: &Prepared, ray: &Ray, near: f64, bench: &mut RayScratch) {
+    pub(in crate::exact) fn start(
+        &self,
+        prepared: &Prepared,
+        ray: &Ray,
+        near: f64,
+        bench: &mut RayScratch,
+    ) {
         for rank in bench.ranks.iter().copied() {
             let place = usize::from(rank);
             if !self.contains(place) {
@@ -105,7 +118,7 @@ impl OpenParts {
     }
 
     /// Lists what holes add at the crossings with clip-surfaces. Crossings with meshes must not have been moved to clip-surfaces yet.
-    pub(super) fn list(&self, prepared: &Prepared, ray: &Ray, bench: &mut RayScratch) {
+    pub(in crate::exact) fn list(&self, prepared: &Prepared, ray: &Ray, bench: &mut RayScratch) {
         for rank in bench.ranks.iter().copied() {
             let place = usize::from(rank);
             if !self.contains(place) {
@@ -146,7 +159,7 @@ impl OpenParts {
                 .map(|c| (c.depth - at).abs());
             gaps.fold(f64::INFINITY, f64::min)
         };
-        let depths = BEFORE.map(|steps| depth - steps * STEP * per_unit);
+        let depths = STEPS_BEFORE.map(|steps| depth - steps * BEFORE * per_unit);
         let at = depths
             .into_iter()
             .max_by(|a, b| gap(*a).total_cmp(&gap(*b)));
@@ -158,8 +171,8 @@ impl OpenParts {
         // Faces in the sides of the box are near the point on either side.
         let Bounds { min, max } = prepared.parts[rank].bounds;
         let bounds = Bounds {
-            min: min - 4.0 * STEP,
-            max: max + 4.0 * STEP,
+            min: min - 4.0 * BEFORE,
+            max: max + 4.0 * BEFORE,
         };
         if !holds(&bounds, point) {
             return (-counted, None);
