@@ -5,7 +5,7 @@ use cutaway::error::Diagnostic;
 use cutaway::layers::{Kind, Layers};
 use cutaway::scene::doubts;
 use cutaway::session::Outcome;
-use cutaway::strategies::{AUTO, Choice, InsideTest, choose, open_parts_in_words};
+use cutaway::strategies::{AUTO, Choice, choose};
 use cutaway_lab::compare::may_be_wrong;
 use cutaway_lab::experiment::{Renderer, draw_options, picture};
 use image::RgbaImage;
@@ -157,12 +157,7 @@ fn draw(session: &mut Session, opened: &OpenedDocument) -> Result<RenderedFrame>
     let doubted_px = doubted.iter().filter(|w| **w).count();
     let mut said: Vec<String> = doubts(scene).iter().map(Diagnostic::to_string).collect();
     said.extend(shortfall(&outcome));
-    let is_by_winding = matches!(
-        renderer,
-        Renderer::Method(method) if method.strategy.inside == Some(InsideTest::WINDING)
-    );
-    let open = open_parts_in_words(&at.model).filter(|_| is_by_winding);
-    if let Some(open) = open {
+    if let Some(open) = renderer.open_parts_in_words(&at.model) {
         said.push(format!(
             "{open}; {doubted_px} px may be wrong\n  help: close the holes; layers.may_be_wrong says which pixels they are"
         ));

@@ -5,7 +5,6 @@ use cutaway::gpu::Gpu;
 use cutaway::layers::{Kind, Layers};
 use cutaway::passes::Rasteriser;
 use cutaway::scene::{Fill, Scene, Topology, empty_picture, misses};
-use cutaway::strategies::{InsideTest, open_parts_in_words};
 use cutaway_lab::experiment::Renderer;
 
 use super::console::Console;
@@ -65,9 +64,7 @@ pub(super) fn warn_of_doubt(
     console: &Console,
 ) -> Verdict {
     let count = may_be_wrong.iter().filter(|w| **w).count();
-    let is_by_winding =
-        matches!(renderer, Renderer::Method(m) if m.strategy.inside == Some(InsideTest::WINDING));
-    if let Some(open) = open_parts_in_words(model).filter(|_| is_by_winding) {
+    if let Some(open) = renderer.open_parts_in_words(model) {
         note_open_parts(count, &open, console);
         return Verdict::Done;
     }

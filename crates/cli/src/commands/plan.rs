@@ -11,7 +11,7 @@ use cutaway_lab::experiment::{Renderer, SceneAtTime};
 
 use crate::console::{Console, ConsoleArgs};
 use crate::input::args::{DrawOptionArgs, SceneArgs, say};
-use crate::input::look::Defaults;
+use crate::input::look::{AUTO_IN_WORDS, Defaults};
 use crate::input::when::TimeArgs;
 use crate::renderer_request::RendererRequest;
 use crate::verdict::Verdict;
@@ -47,7 +47,7 @@ pub(crate) struct PlanArgs {
 
 fn strategy_help() -> String {
     format!(
-        "Whose passes: {AUTO}, raycast+mask (raycast+winding for parts that are not closed) by the rasteriser that suits the adapter; {} [default: that of the scene, or {AUTO}]",
+        "Whose passes: {AUTO}, {AUTO_IN_WORDS}; {} [default: that of the scene, or {AUTO}]",
         table::names()
     )
 }

@@ -99,9 +99,13 @@ fn style_help() -> String {
     )
 }
 
+/// The choice of [`AUTO`], for help texts.
+pub(crate) const AUTO_IN_WORDS: &str = "raycast+mask (raycast+winding for parts that are not closed) by the rasteriser that suits the \
+    adapter";
+
 fn strategy_help() -> String {
     format!(
-        "How caps are drawn: {AUTO}, raycast+mask (raycast+winding for parts that are not closed) by the rasteriser that suits the adapter; {}; or, on the CPU, exact for the reference, \
+        "How caps are drawn: {AUTO}, {AUTO_IN_WORDS}; {}; or, on the CPU, exact for the reference, \
          winding for open meshes [default: that of the scene, or {AUTO}]",
         table::names(),
     )

@@ -94,10 +94,10 @@ pub(super) struct Scratch {
 }
 
 impl Scratch {
-    /// Buffers for a scene.
-    pub(super) fn of(prepared: &Prepared) -> Self {
+    /// Buffers for a scene, from a state outside everything.
+    pub(super) fn of(state: RayState) -> Self {
         Self {
-            state: RayState::of(prepared),
+            state,
             ..Self::default()
         }
     }

@@ -102,7 +102,7 @@ impl Exact {
 pub fn evaluate(prepared: &Prepared, view: &View) -> Exact {
     prepared.must_be_whole();
     let [width, height] = view.size_px;
-    let scene = BandedScene::with(prepared, view, Outlining::With);
+    let scene = BandedScene::with(prepared, view, OpenParts::of(prepared), Outlining::With);
     let mut exact = Exact {
         layers: Layers::background(view.size_px),
         undecided: vec![false; width as usize * height as usize],
@@ -167,7 +167,12 @@ enum Outlining {
 }
 
 impl<'a> BandedScene<'a> {
-    fn with(prepared: &'a Prepared, view: &'a View, outlining: Outlining) -> Self {
+    fn with(
+        prepared: &'a Prepared,
+        view: &'a View,
+        open_parts: OpenParts,
+        outlining: Outlining,
+    ) -> Self {
         let volumes = prepared.surfaces.iter().filter_map(|s| s.volume.as_deref());
         let solids = prepared.parts.iter().map(|p| Projected::of(view, p));
         let parts: Vec<Projected<'a>> = solids
@@ -208,7 +213,7 @@ impl<'a> BandedScene<'a> {
             triangles: Bands::of(view.size_px[1], &triangle_rows),
             outline_bands: Bands::of(view.size_px[1], &outline_rows),
             cutters: CutterMeshes::of(prepared),
-            open_parts: OpenParts::of(prepared),
+            open_parts,
             parts,
             outlines,
         }
@@ -227,7 +232,7 @@ impl<'a> BandedScene<'a> {
             self.outlines[*rank as usize][*index as usize].brush(self.view, rows, &mut brushes);
         }
         let (brushes, brush_starts) = raster::sort_by_pixel(&brushes, pixels, |b| b.pixel);
-        let mut bench = RayScratch::of(self.prepared);
+        let mut bench = RayScratch::of(self.prepared, &self.open_parts);
         for pixel in 0..pixels {
             let crossings = &crossings[starts[pixel]..starts[pixel + 1]];
             let brushes = &brushes[brush_starts[pixel]..brush_starts[pixel + 1]];

@@ -7,6 +7,7 @@ use super::clip::{Graze, Root};
 use super::outline::Brush;
 use super::raster::Crossing;
 use super::walk::{Cause, Event, RayState, by_depth};
+use super::winding::open_parts::OpenParts;
 
 /// Scratch memory for one ray; reused from ray to ray.
 pub(super) struct RayScratch {
@@ -32,7 +33,8 @@ pub(super) struct RayScratch {
 }
 
 impl RayScratch {
-    pub(super) fn of(prepared: &Prepared) -> Self {
+    pub(super) fn of(prepared: &Prepared, open_parts: &OpenParts) -> Self {
+        let state = RayState::of(prepared, open_parts.ranks());
         Self {
             crossings: Vec::new(),
             of_cutter: Vec::new(),
@@ -43,10 +45,10 @@ impl RayScratch {
             met: vec![false; prepared.surfaces.len()],
             preclassified: Vec::new(),
             shared: Vec::new(),
-            start: RayState::of(prepared),
-            state: RayState::of(prepared),
-            scratch: Scratch::of(prepared),
-            end: RayState::of(prepared),
+            start: state.clone(),
+            state: state.clone(),
+            scratch: Scratch::of(state.clone()),
+            end: state,
         }
     }
 
@@ -102,7 +104,6 @@ impl RayScratch {
         for rank in self.ranks.drain(..) {
             self.start.winding[rank as usize] = 0;
             self.start.through_holes[rank as usize] = 0;
-            self.start.is_open[rank as usize] = false;
             self.end.winding[rank as usize] = 0;
         }
         self.start.at_clips.clear();

@@ -10,6 +10,7 @@ use super::clip::Ray;
 use super::raster::{self, BAND_ROWS};
 use super::ray_scratch::RayScratch;
 use super::walk::{Cause, Event, RayState};
+use super::winding::open_parts::OpenParts;
 use super::{BandedScene, Outlining};
 
 /// Object that a ray crosses.
@@ -80,12 +81,12 @@ pub fn trace(prepared: &Prepared, view: &View, [x, y]: [u32; 2]) -> Trace {
         x < width && y < height,
         "pixel ({x}, {y}) of a picture of {width} x {height}"
     );
-    let lines = BandedScene::with(prepared, view, Outlining::Without);
+    let lines = BandedScene::with(prepared, view, OpenParts::of(prepared), Outlining::Without);
     let triangles = lines.triangles.items((y / BAND_ROWS) as usize);
     let (found, starts) = raster::crossings_of_band(view, &lines.parts, triangles, [y, y + 1]);
     let found = &found[starts[x as usize]..starts[x as usize + 1]];
     let at = DVec2::new(f64::from(x), f64::from(y)) + 0.5;
-    let mut bench = RayScratch::of(prepared);
+    let mut bench = RayScratch::of(prepared, &lines.open_parts);
     let followed = lines.follow(at, &Ray::through(view, at), found, &[], &mut bench);
     let near_cap = followed.sight.filter(|sight| sight.event.is_none());
     let mut crossings = Vec::new();

@@ -120,14 +120,16 @@ impl HoleNumber {
 }
 
 impl RayState {
-    /// A state outside everything.
-    pub(super) fn of(prepared: &Prepared) -> Self {
+    /// A state outside everything. `open` lists the ranks of open parts.
+    pub(super) fn of(prepared: &Prepared, open: impl Iterator<Item = u16>) -> Self {
+        let mut is_open = vec![false; prepared.parts.len()];
+        open.for_each(|rank| is_open[usize::from(rank)] = true);
         Self {
             winding: vec![0; prepared.parts.len()],
             fill: prepared.parts.iter().map(|p| p.fill).collect(),
             removed: vec![false; prepared.surfaces.len()],
             through_holes: vec![0; prepared.parts.len()],
-            is_open: vec![false; prepared.parts.len()],
+            is_open,
             is_from_near: vec![false; prepared.parts.len()],
             at_clips: Vec::new(),
         }
@@ -138,7 +140,6 @@ impl RayState {
         self.winding.copy_from_slice(&other.winding);
         self.removed.copy_from_slice(&other.removed);
         self.through_holes.copy_from_slice(&other.through_holes);
-        self.is_open.copy_from_slice(&other.is_open);
         self.is_from_near.copy_from_slice(&other.is_from_near);
         self.at_clips.clone_from(&other.at_clips);
     }

@@ -9,8 +9,8 @@ use std::str::FromStr;
 
 use cutaway::layers::Layers;
 use cutaway::scene::{Prepared, View};
-use cutaway::strategies::{DrawOptions, Method, Strategy};
-use cutaway::{Error, Result};
+use cutaway::strategies::{DrawOptions, InsideTest, Method, Strategy, open_parts_in_words};
+use cutaway::{Error, Model, Result};
 
 use super::Stopwatch;
 use crate::exact::{Windings, evaluate};
@@ -99,6 +99,13 @@ impl Renderer {
             Self::Method(method) => Some(*method),
             Self::Cpu(_) => None,
         }
+    }
+
+    /// Reports the open parts of a model whose inside this renderer decides by winding numbers.
+    pub fn open_parts_in_words(&self, model: &Model) -> Option<String> {
+        let method = self.method()?;
+        let is_by_winding = method.strategy.inside == Some(InsideTest::WINDING);
+        is_by_winding.then(|| open_parts_in_words(model)).flatten()
     }
 
     /// The renderer's draw options; the default ones if it runs on the CPU.

@@ -90,11 +90,8 @@ impl Expected {
             Self::Exact | Self::Overflows(_) => judged.fault_of_exact(),
             Self::Marked => mismarked_fault(judged).or_else(|| unmarked_fault(judged)),
             Self::Leaks(most) => mismarked_fault(judged).or_else(|| {
-                let (leaked, boundary) =
-                    (judged.comparison.unmarked_wrong_px, question.boundary_px());
-                (leaked as f64 > most * boundary as f64 + 1.0).then(|| {
-                    format!("{leaked} wrong and not marked along {boundary} boundary pixels")
-                })
+                let leaked = (judged.comparison.unmarked_wrong_px, "wrong and not marked");
+                excess(question, leaked, *most)
             }),
             Self::Doubted => unmarked_fault(judged),
             Self::Band => band::fault(question, judged, method.strategy.resolution()?),
@@ -162,9 +159,15 @@ pub(super) fn unmarked_fault(judged: &Judged) -> Option<String> {
 }
 
 fn share_fault(question: &Question, judged: &Judged, most: f64) -> Option<String> {
-    let (wrong, boundary) = (judged.comparison.decided_wrong_px, question.boundary_px());
-    (wrong as f64 > most * boundary as f64 + 1.0)
-        .then(|| format!("{wrong} decided wrong along {boundary} boundary pixels"))
+    let wrong = (judged.comparison.decided_wrong_px, "decided wrong");
+    excess(question, wrong, most)
+}
+
+/// Fault if there are more than `most` of some pixels per boundary pixel, and one more.
+fn excess(question: &Question, (px, what): (usize, &str), most: f64) -> Option<String> {
+    let boundary = question.boundary_px();
+    (px as f64 > most * boundary as f64 + 1.0)
+        .then(|| format!("{px} {what} along {boundary} boundary pixels"))
 }
 
 /// Number of background pixels in a tessellation's frame that are not counted as a hole: a kept solid may be thinner than the

@@ -22,11 +22,11 @@ pub(super) mod open_parts;
 
 use cutaway::layers::{Layer, Layers};
 use cutaway::scene::winding::WindingTree;
-use cutaway::scene::{Bounds, Prepared, View};
+use cutaway::scene::{Prepared, View};
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 
-use self::open_parts::BEFORE;
+use self::open_parts::{BEFORE, OpenParts, depths_within, holds};
 use super::clip::Ray;
 use super::raster::{self, BAND_ROWS, Crossing};
 use super::ray_scratch::RayScratch;
@@ -70,7 +70,9 @@ impl Windings {
 
     /// Layers of a view of the scene.
     pub fn layers(&self, prepared: &Prepared, view: &View) -> Layers {
-        let lines = BandedScene::with(prepared, view, Outlining::Without);
+        // Which parts are open does not matter: all numbers are sums over faces.
+        let open_parts = OpenParts::default();
+        let lines = BandedScene::with(prepared, view, open_parts, Outlining::Without);
         let mut layers = Layers::background(view.size_px);
         let band_pixels = (view.size_px[0] * BAND_ROWS) as usize;
         let bands = layers.pixels.par_chunks_mut(band_pixels).enumerate();
@@ -84,7 +86,7 @@ impl Windings {
         let rows = [first_row, first_row + pixels.len() as u32 / width];
         let (crossings, starts) =
             raster::crossings_of_band(lines.view, &lines.parts, lines.triangles.items(band), rows);
-        let mut bench = RayScratch::of(lines.prepared);
+        let mut bench = RayScratch::of(lines.prepared, &lines.open_parts);
         for (pixel, layer) in pixels.iter_mut().enumerate() {
             let at = DVec2::new(
                 f64::from(pixel as u32 % width) + 0.5,
@@ -110,7 +112,7 @@ impl Windings {
         // A ray may enter and leave a solid through holes, without crossing its mesh.
         let mut reach = [f64::INFINITY, f64::NEG_INFINITY];
         for (rank, part) in prepared.parts.iter().enumerate() {
-            if let Some([from, to]) = within(&ray, &part.bounds)
+            if let Some([from, to]) = depths_within(&ray, &part.bounds)
                 && !part.is_removed
                 && to >= view.near
             {
@@ -268,21 +270,4 @@ impl Ask<'_> {
         }
         None
     }
-}
-
-fn holds(bounds: &Bounds, point: DVec3) -> bool {
-    point.cmpge(bounds.min).all() && point.cmple(bounds.max).all()
-}
-
-/// The range of depths in which a ray is in a box.
-fn within(ray: &Ray, bounds: &Bounds) -> Option<[f64; 2]> {
-    let mut range = [f64::NEG_INFINITY, f64::INFINITY];
-    for axis in 0..3 {
-        let (from, along) = (ray.origin[axis], ray.direction[axis]);
-        let ends = [bounds.min[axis], bounds.max[axis]].map(|b| (b - from) / along);
-        // A ray within a face of the box gives NaN, and still counts as inside the box.
-        range[0] = range[0].max(ends[0].min(ends[1]));
-        range[1] = range[1].min(ends[0].max(ends[1]));
-    }
-    (range[0] <= range[1]).then_some(range)
 }
