@@ -42,7 +42,7 @@ pub use frame::rasteriser::Rasteriser;
 pub use frame::refusal::{Refusal, Unsupported};
 pub use frame::relief_walk::ReliefWalk;
 pub(crate) use frame::sections::Sections;
-pub(crate) use frame::touched::{TILE_PX, share_tiles, tiles_in};
+pub(crate) use frame::touched::{TILE_PX, groups_of_tiles, share_tiles, tiles_in};
 pub use pack::ground::GroundShadow;
 pub use pack::model::Model;
 pub(crate) use pack::rest_pose::Moved;

@@ -49,7 +49,7 @@ fn first_cap(lanes: Lanes, at: vec2<u32>, limit: u32, start: u32) -> Cap {
         let after = sides ^ (1u << surface_at(i, at));
         var place = 0u;
         for (var n = 0u; n < min(lanes.count, MOST_LANES); n++) {
-            place = next_inside(lanes, place, pixel_index(at), i);
+            place = next_inside(lanes, place, at, i);
             if place >= lanes.count {
                 break;
             }
@@ -76,11 +76,10 @@ fn first_cap(lanes: Lanes, at: vec2<u32>, limit: u32, start: u32) -> Cap {
 
 // Decides a pixel.
 fn decide(at: vec2<u32>, lanes: Lanes, drawn: Drawn) -> Decision {
-    let pixel = pixel_index(at);
     var word = drawn.word;
     var normal = drawn.normal;
     var depth = depth_from_buffer(drawn.z);
-    if kind_of(word) == BACKGROUND && is_blank(pixel) && !is_cut_short(at) {
+    if kind_of(word) == BACKGROUND && is_blank(lanes, at) && !is_cut_short(at) {
         // The common case in most pictures.
         return Decision(word, normal, depth, NONE);
     }
@@ -109,7 +108,7 @@ fn decide(at: vec2<u32>, lanes: Lanes, drawn: Drawn) -> Decision {
     var near_caps = 0u;
     var place = 0u;
     for (var n = 0u; n < min(lanes.count, MOST_LANES); n++) {
-        place = next_starting(lanes, place, pixel);
+        place = next_starting(lanes, place, at);
         if place >= lanes.count {
             break;
         }
@@ -127,7 +126,7 @@ fn decide(at: vec2<u32>, lanes: Lanes, drawn: Drawn) -> Decision {
         place++;
     }
     word |= select(0u, OVERLAP, lanes.overlaps && near_caps > 1u);
-    if is_cut_short(at) || in_doubt(lanes, pixel) || (odd && !lanes.near_inside) {
+    if is_cut_short(at) || in_doubt(lanes, at) || (odd && !lanes.near_inside) {
         word |= UNRELIABLE;
     }
     return Decision(word, normal, depth, wanted);

@@ -116,6 +116,7 @@ fn take_to_screen(
     let by_sweep = input.active_cuts.lanes == 0 || (store.is_some() && input.asks_plane());
     if !by_sweep {
         find_tiles(plan, &screen, touched);
+        find_closing_tiles(plan, scene, touched, true);
         screen.is_queued = true;
     }
     Ok(OnScreen {
@@ -155,6 +156,43 @@ fn find_tiles(plan: &mut Plan, screen: &ScreenMesh, touched: Touched) {
         bindings(Access::Read),
         screen.over_pieces(),
     ));
+}
+
+/// Finds the tiles in which open parts may hold a point of a clip-surface although no triangle covers them. `has_lists` states that crossings will
+/// be listed, in touched tiles and at their depths.
+fn find_closing_tiles(
+    plan: &mut Plan,
+    scene: &SceneBuffers<'_>,
+    touched: Touched,
+    has_lists: bool,
+) {
+    let Some(closings) = &scene.closings else {
+        return;
+    };
+    let bindings = vec![
+        scene.frame.clone(),
+        scene.cut_table.clone(),
+        closings.clone(),
+        touched.binding(Access::ReadWrite),
+    ];
+    let pass = Pass::new(
+        "closing tiles",
+        "touches the tiles in which winding numbers may be large although no triangle covers them",
+        Shader::from("passes/rasterise/closing_tiles.wgsl"),
+        bindings,
+        Work::Compute {
+            groups: groups_along(touched.tile_count()),
+        },
+    );
+    let closing_count = scene.input.closed_parts().len() as f64;
+    plan.add_pass(pass.with_constants(vec![
+        ("closing_count", closing_count),
+        ("has_lists", f64::from(u8::from(has_lists))),
+        (
+            "near_inside",
+            f64::from(u8::from(scene.input.active_cuts.near_inside)),
+        ),
+    ]));
 }
 
 /// Rasterises all parts: fills the inside test's store, and finds the nearest kept triangle of each pixel. Returns the reason if there are
@@ -206,6 +244,9 @@ pub(crate) fn rasterise(
         };
         claiming.record(plan, scene, &screen);
     }
+    if !screen.is_queued {
+        find_closing_tiles(plan, scene, touched, false);
+    }
     Ok(Swept {
         nearest,
         layers,
@@ -240,7 +281,7 @@ pub(crate) fn decide_and_paint(
         "the nearest crossing that is inside a part and enters it is a cap, unless a surface is in front of it",
         Shader::from("passes/rasterise/decide.wgsl")
             .with("lib/share/touched.wgsl")
-            .with(inside.file)
+            .with_all(&inside.files)
             .with_all(&crossings.files()),
         bindings,
         swept.touched.shared(),

@@ -10,15 +10,16 @@ use super::solid::NearestKept;
 use super::surface::Surfaces;
 use crate::passes::frame::buffers::SceneBuffers;
 use crate::passes::frame::crossings::CrossingSource;
+use crate::passes::frame::input::Input;
 use crate::plan::{Binding, Pass, Plan, ResourceId, Work};
 use crate::shader::Shader;
 
 /// Implementation of the inside test.
 #[derive(Clone, Debug)]
 pub(crate) struct Inside {
-    /// File that fills `cutaway::inside`.
-    pub file: &'static str,
-    /// Bindings of the file.
+    /// File that fills `cutaway::inside`, and those that it needs.
+    pub files: Vec<&'static str>,
+    /// Bindings of the files.
     pub bindings: Vec<Binding>,
 }
 
@@ -26,7 +27,7 @@ impl Inside {
     /// Placeholder inside test for frames without cut parts; it is never evaluated.
     pub(crate) fn unasked() -> Self {
         Self {
-            file: "lib/inside/nothing.wgsl",
+            files: vec!["lib/inside/nothing.wgsl"],
             bindings: Vec::new(),
         }
     }
@@ -34,15 +35,19 @@ impl Inside {
     /// Inside test that reads a mask in which every lane holds bits.
     pub(crate) fn mask(mask: ResourceId) -> Self {
         Self {
-            file: "lib/inside/mask.wgsl",
+            files: vec!["lib/inside/mask.wgsl"],
             bindings: vec![Binding::read("mask", mask)],
         }
     }
 
-    /// Inside test that reads a mask in which some lanes hold counts.
-    pub(crate) fn winding(mask: ResourceId) -> Self {
+    /// Inside test that reads a mask in which some lanes hold counts, and behind them the numbers of closing triangles if there are any.
+    pub(crate) fn winding(input: &Input<'_>, mask: ResourceId) -> Self {
+        let numbers = match input.closings {
+            Some(_) => "lib/closing_numbers/squares.wgsl",
+            None => "lib/closing_numbers/none.wgsl",
+        };
         Self {
-            file: "lib/inside/winding.wgsl",
+            files: vec!["lib/inside/winding.wgsl", numbers],
             ..Self::mask(mask)
         }
     }
@@ -84,7 +89,7 @@ fn resolve_drawn(
         "resolve",
         "the nearest crossing that is inside a part and enters it is a cap, unless a surface is in front of it",
         Shader::from("passes/resolve.wgsl")
-            .with(inside.file)
+            .with_all(&inside.files)
             .with_all(&crossings.files())
             .with(cap_normal),
         bindings,

@@ -90,18 +90,14 @@ impl Lanes {
         ("lane_bits", f64::from(self.bits))
     }
 
-    /// The mask that fragments write.
-    pub(crate) fn mask(&self, plan: &mut Plan, input: &Input<'_>) -> ResourceId {
-        self.planes(plan, input, u64::from(self.words))
+    /// The mask that fragments write, with `more_words` behind it.
+    pub(crate) fn mask(&self, plan: &mut Plan, input: &Input<'_>, more_words: u64) -> ResourceId {
+        let words = input.pixel_count() * u64::from(self.words) + more_words;
+        plan.add_resource(Resource::storage("mask", 4 * words, Clock::Frame))
     }
 
     /// The mask that is made from what fragments stored.
     pub(crate) fn reduced_mask(&self, plan: &mut Plan, input: &Input<'_>) -> ResourceId {
-        self.planes(plan, input, u64::from(self.words) + 1)
-    }
-
-    fn planes(&self, plan: &mut Plan, input: &Input<'_>, words: u64) -> ResourceId {
-        let bytes = input.pixel_count() * 4 * words;
-        plan.add_resource(Resource::storage("mask", bytes, Clock::Frame))
+        self.mask(plan, input, input.pixel_count())
     }
 }

@@ -65,8 +65,12 @@ pub(crate) fn tiles_in(size_px: [u32; 2]) -> u32 {
 
 /// A dispatch whose workgroups share a list of at most `tile_count` tiles.
 pub(crate) fn share_tiles(tile_count: u32) -> Work {
-    let groups = (tile_count / TILES_OF_GROUP).clamp(1, MOST_GROUPS);
     Work::Compute {
-        groups: [groups, 1, 1],
+        groups: [groups_of_tiles(tile_count), 1, 1],
     }
+}
+
+/// Number of workgroups that share a list of at most `tile_count` tiles.
+pub(crate) fn groups_of_tiles(tile_count: u32) -> u32 {
+    (tile_count / TILES_OF_GROUP).clamp(1, MOST_GROUPS)
 }

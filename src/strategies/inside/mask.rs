@@ -76,7 +76,7 @@ pub(super) fn record(
         }
     };
     let scene = SceneBuffers::upload(plan, input, lanes)?;
-    let mask = scene.lanes.mask(plan, input);
+    let mask = scene.lanes.mask(plan, input, winding::settled_words(input));
     let store = Store {
         file,
         bindings: vec![Binding::update("mask", mask)],
@@ -93,7 +93,7 @@ pub(super) fn record(
     let nearest = over_mesh(plan, &scene, &store, &crossings)?;
     winding::reduce(plan, &scene, mask, &crossings);
     let inside = match counts {
-        true => Inside::winding(mask),
+        true => Inside::winding(input, mask),
         false => Inside::mask(mask),
     };
     let layered = resolve(plan, &scene, nearest, inside, &crossings);

@@ -14,7 +14,9 @@
 
 use super::mask;
 use crate::effects::FrameOutput;
-use crate::passes::{CrossingSource, Input, Refusal, SceneBuffers};
+use crate::passes::{
+    CrossingSource, Input, Refusal, SceneBuffers, groups_of_tiles, share_tiles, tiles_in,
+};
 use crate::plan::{Binding, Clock, Pass, Plan, Resource, ResourceId};
 use crate::shader::Shader;
 use crate::strategies::row::{Abilities, CapSurface, InsideTestKind, InsideTestRow, StrategyInfo};
@@ -22,9 +24,11 @@ use crate::strategies::row::{Abilities, CapSurface, InsideTestKind, InsideTestRo
 /// Distance from a closing triangle within which a crossing is marked, in pixels: rasterisers snap vertices to 1/16 px or finer.
 const SNAPPED_PX: f64 = 0.0625;
 
-/// Side in pixels of the squares that share an expansion, and its bytes; `shaders/lib/inside_tests/local_winding.wgsl`.
+/// Side in pixels of the squares that share an expansion, bytes of an expansion, and of the list of a workgroup's squares:
+/// `shaders/lib/inside_tests/local_winding.wgsl`.
 const SQUARE_PX: u32 = 8;
 const EXPANSION_BYTES: u64 = 256;
+const LIST_BYTES: u64 = 272;
 
 /// The row of the table.
 pub(crate) static ROW: InsideTestRow = InsideTestRow {
@@ -53,6 +57,16 @@ fn record(
     mask::record(plan, &input.closed()?, surface, parameter)
 }
 
+fn squares(input: &Input<'_>) -> u64 {
+    let [width, height] = input.view.size_px.map(|px| px.div_ceil(SQUARE_PX));
+    u64::from(width) * u64::from(height)
+}
+
+/// Words behind the lanes of a mask, for whole numbers of closing triangles: around crossings and at the near plane.
+pub(super) fn settled_words(input: &Input<'_>) -> u64 {
+    2 * squares(input) * input.closed_parts().len() as u64
+}
+
 /// Records the passes that decide by winding numbers which crossings are inside open parts, if the input closes any. `mask` holds the counts.
 pub(super) fn reduce(
     plan: &mut Plan,
@@ -65,15 +79,18 @@ pub(super) fn reduce(
     };
     let active_cuts = &scene.input.active_cuts;
     let closing_count = scene.input.closed_parts().len() as u64;
-    let [width, height] = scene.input.view.size_px.map(|px| px.div_ceil(SQUARE_PX));
-    let squares = u64::from(width) * u64::from(height) * closing_count;
+    let tile_count = tiles_in(scene.input.view.size_px);
+    let (share, work, tiles) = match &scene.on_screen {
+        Some(_) => scene.pixels(),
+        None => ("lib/share/all_tiles.wgsl", share_tiles(tile_count), None),
+    };
     let kinds = 1 + u64::from(active_cuts.near_inside);
+    let bytes_of_squares = squares(scene.input) * closing_count * kinds * EXPANSION_BYTES;
     let expansions = plan.add_resource(Resource::storage(
         "expansions",
-        squares * kinds * EXPANSION_BYTES,
+        u64::from(groups_of_tiles(tile_count)) * LIST_BYTES + bytes_of_squares,
         Clock::Frame,
     ));
-    let (share, work, tiles) = scene.pixels();
     let mut add = |name, about, file: &'static str, own: Vec<Binding>| {
         let mut bindings = vec![
             scene.frame.clone(),
@@ -89,19 +106,21 @@ pub(super) fn reduce(
         plan.add_pass(pass.with_constants(vec![
             ("lane_count", active_cuts.lanes as f64),
             ("near_inside", f64::from(u8::from(active_cuts.near_inside))),
-            ("closing_count", closing_count as f64),
             ("snapped_px", scene.input.view.doubt_px().max(SNAPPED_PX)),
         ]));
     };
     add(
         "expand",
-        "the winding number of each open part's closing triangles, near the crossings in a square of pixels",
+        "the winding number of each open part's closing triangles in a square of pixels: one whole number, or an expansion",
         "strategies/inside/winding/expand.wgsl",
-        vec![Binding::write("expansions", expansions)],
+        vec![
+            Binding::update("mask", mask),
+            Binding::write("expansions", expansions),
+        ],
     );
     add(
         "reduce",
-        "winding numbers decide which crossings are inside open parts",
+        "winding numbers decide which crossings are inside open parts, in squares without a single whole number",
         "strategies/inside/winding/reduce.wgsl",
         vec![
             Binding::update("mask", mask),

@@ -65,7 +65,7 @@ fn record(plan: &mut Plan, input: &Input<'_>) -> Result<(FrameOutput, Vec<CpuWor
     let is_doubtful = sections.as_ref().is_some_and(|s| !s.doubts.is_empty());
     let mask = match is_doubtful {
         true => scene.lanes.reduced_mask(plan, input),
-        false => scene.lanes.mask(plan, input),
+        false => scene.lanes.mask(plan, input, 0),
     };
     let emptied = Store::nothing(vec![Binding::write("mask", mask)]);
     let crossings = surface::list(plan, &scene, CapSurface::RAYCAST, capacity, &emptied)?;

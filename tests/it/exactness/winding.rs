@@ -8,3 +8,4 @@ mod closed;
 mod device;
 mod open;
 mod renderer;
+mod uncovered;

@@ -77,7 +77,7 @@ fn record(
         )));
     }
     let scene = SceneBuffers::upload(plan, input, Lanes::of_bits(input, capacity))?;
-    let mask = scene.lanes.mask(plan, input);
+    let mask = scene.lanes.mask(plan, input, 0);
     let (crossings, nearest) = super::leaving_nothing(plan, &scene, surface, capacity, mask)?;
 
     let format = Format::Depth32FloatStencil8;

@@ -12,7 +12,7 @@ use cutaway::session::Outcome;
 use cutaway::strategies::{DrawOptions, Method, Strategy, plan};
 use cutaway_io::document::{self, parse_defect};
 use cutaway_lab::exact::Windings;
-use cutaway_lab::hard_cases::Question;
+use cutaway_lab::hard_cases::{Judged, Question};
 use glam::{DAffine3, DVec3};
 
 use crate::common::real::{cut, files};
@@ -196,14 +196,38 @@ fn real_open_meshes_are_capped_as_by_the_sum_over_all_faces() {
     assert!(files(&["open"]).is_empty() || caps > 5_000, "{caps}");
 }
 
+/// A scene as both rasterisers draw it.
+pub(super) fn judged(scene: &Scene) -> Vec<Judged> {
+    let question = Question::new(scene, SIZE_PX);
+    let judge = |method| question.answer(&mut session(), &method).unwrap();
+    methods().into_iter().map(judge).collect()
+}
+
 /// Wrong pixels that are decided and not marked, by both rasterisers.
 fn unmarked_px(scene: &Scene) -> Vec<usize> {
-    let question = Question::new(scene, SIZE_PX);
-    let judged = methods().into_iter().map(|method| {
-        let judged = question.answer(&mut session(), &method).unwrap();
-        judged.comparison.unmarked_wrong_px
-    });
-    judged.collect()
+    let judged = judged(scene).into_iter();
+    judged.map(|j| j.comparison.unmarked_wrong_px).collect()
+}
+
+/// Large holes, between whose loops and closing triangles there is room: where the number of a square at its centre was taken for all of it,
+/// 60 to 290 px were wrong.
+#[test]
+fn numbers_that_pass_a_half_within_a_square_are_found_for_each_pixel() {
+    for (spec, hole) in [
+        ("torus", "holes:amount=30%,patch=300"),
+        ("knot?segments=120&sides=16", "holes:amount=20%,patch=60"),
+        ("sphere?subdivisions=4", "holes:amount=30%,patch=300"),
+    ] {
+        for section in ["-z=50%", "-1,-2,-1.5@50%,45%,60%"] {
+            let mut scene = scenes::sectioned(spec, &[section]);
+            break_parts(&mut scene.parts, &[parse_defect(hole).unwrap()]).unwrap();
+            let unmarked = unmarked_px(&scene);
+            assert!(
+                unmarked.iter().all(|px| *px == 0),
+                "{spec} {section}: {unmarked:?}"
+            );
+        }
+    }
 }
 
 /// With more closing triangles nearby than an expansion lists, a count of -1 was taken for the number: caps leaked, unmarked.
