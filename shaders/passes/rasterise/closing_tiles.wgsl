@@ -64,7 +64,7 @@ fn depths_along(surface: u32, ray: Ray) -> Depths {
     let rise = dot(row.xyz, ray.direction);
     let depths = heights / rise;
     // Along the plane, the whole ray or nothing.
-    let is_along = abs(rise) * NEVER <= max(abs(heights.x), abs(heights.y)) || rise == 0.0;
+    let is_along = abs(rise) * NEVER <= max(abs(heights.x), abs(heights.y));
     return Depths(
         select(min(depths.x, depths.y), 0.0, is_along),
         select(max(depths.x, depths.y), NEVER, is_along),
@@ -140,7 +140,8 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) g
             continue;
         }
         let surface_count = min(cut_table.surface_count, MAX_SURFACES);
-        for (var s = 0u; s < surface_count + select(0u, 1u, near_inside); s++) {
+        let count = surface_count + select(0u, 1u, near_inside);
+        for (var s = 0u; s < min(count, MAX_SURFACES + 1u); s++) {
             var of_surface = Depths(frame.near, frame.near);
             if s < surface_count {
                 of_surface = depths_of_surface(s, place_of(tile) * TILE_PX);

@@ -17,7 +17,9 @@
 //! grows with the logarithm of the number of triangles.
 
 mod closing;
+mod stray;
 mod tree;
 
 pub use closing::Closing;
+pub use stray::Stray;
 pub use tree::{BallNode, WindingTree};

@@ -321,10 +321,18 @@ fn inspect_gives_each_part_and_the_total() {
     );
     let text = folder.run("inspect open.obj").exits(0);
     assert!(
-        text.text().contains("open is open: 3 boundary edges"),
+        text.text().contains("open is open: 3 boundary edges")
+            && text.text().contains("from a whole number on average"),
         "{}",
         text.text()
     );
+    let json = folder.run("inspect open.obj --json -").exits(0).json();
+    let stray = &json["parts"][0]["winding_stray"];
+    assert_eq!(stray["points"], 1728);
+    // Half of the box's points see the missing face under a large angle, and none under more than half of all directions.
+    let mean = stray["mean"].as_f64().unwrap();
+    assert!((0.1..0.3).contains(&mean), "{stray}");
+    assert!(stray["largest"].as_f64().unwrap() <= 0.5, "{stray}");
 
     // Each face twice, once turned: closed by parity, and nothing is inside.
     let faces = "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\nf 3 1 2\nf 2 1 4\nf 4 3 2\nf 1 4 3\n";

@@ -3,6 +3,7 @@
 use clap::Args;
 use cutaway::scene::numbers::{describe_bounds, round};
 use cutaway::scene::weld::thousands;
+use cutaway::scene::winding::Stray;
 use cutaway::scene::{Bodies, Clip, Part, Topology};
 use cutaway::{Error, Result};
 use cutaway_lab::report::TextTable;
@@ -35,7 +36,7 @@ Examples:
   cutaway inspect engine.glb --json - | jq '.parts[] | select(.closed | not) | .name'
 
 Components share no vertex. A body is a connected solid together with its cavities: --split makes each body a part.
-In a part that is not closed, the inside is not defined everywhere: caps can be wrong along rays through holes. Coincident
+In a part that is not closed, winding numbers decide what is inside: the nearer they are to whole numbers, the surer. Coincident
 faces have the same three positions as another face, in either orientation; the total also counts faces of different parts. Depth
 complexity is how often axis-parallel rays cross the surface.";
 
@@ -95,6 +96,7 @@ pub(crate) fn run(args: &InspectArgs) -> Result<Verdict> {
             name: "total",
             topology: Topology::from_parts(&parts),
             bodies: facts.iter().map(|f| f.bodies).sum(),
+            stray: None,
         },
     };
     let roles = args.roles.then(|| subject.timeline.roles()).transpose()?;
@@ -127,6 +129,8 @@ struct MeshSummary<'a> {
     topology: Topology,
     /// Number of parts that `--split` would produce.
     bodies: usize,
+    /// How far winding numbers are from whole ones, if the part is open.
+    stray: Option<Stray>,
 }
 
 impl<'a> MeshSummary<'a> {
@@ -135,6 +139,7 @@ impl<'a> MeshSummary<'a> {
             name: &part.name,
             topology: Topology::from_parts(std::slice::from_ref(part)),
             bodies: Bodies::of(&part.mesh).count(),
+            stray: Stray::of(&part.mesh),
         }
     }
 }
@@ -156,7 +161,10 @@ fn to_json(facts: &[MeshSummary<'_>], total: &MeshSummary<'_>, clips: &[Clip]) -
     };
     let mut parts = Vec::with_capacity(facts.len());
     for of in facts {
-        let mut part = json!({ "name": of.name });
+        let stray = of.stray.map(
+            |stray| json!({ "points": stray.points, "mean": stray.mean, "largest": stray.largest }),
+        );
+        let mut part = json!({ "name": of.name, "winding_stray": stray });
         if let (Some(part), Value::Object(facts)) = (part.as_object_mut(), value(of)?) {
             part.extend(facts);
         }
@@ -200,6 +208,7 @@ fn to_text(facts: &[MeshSummary<'_>], total: &MeshSummary<'_>) -> String {
     for MeshSummary {
         name,
         topology: facts,
+        stray,
         ..
     } in facts
     {
@@ -214,6 +223,14 @@ fn to_text(facts: &[MeshSummary<'_>], total: &MeshSummary<'_>) -> String {
                 round(at.x),
                 round(at.y),
                 round(at.z)
+            ));
+        }
+        if let Some(stray) = stray {
+            text.push_str(&format!(
+                "{name}: its winding number at {} points of its box is {:.3} from a whole number on average, {:.2} at most; the inside is in doubt near 0.5\n",
+                thousands(stray.points),
+                stray.mean,
+                stray.largest
             ));
         }
         if facts.coincident_faces > 0 {

@@ -33,7 +33,6 @@ const FINE: f32 = 0.0002;
 const MOST_QUERIES: u32 = 2u;
 // A number of fragments for which a count may have overflowed.
 const OVERFLOWING_COUNT: u32 = 255u;
-const PIXELS_OF_SQUARE: u32 = SQUARE_PX * SQUARE_PX;
 
 struct Answer {
     is_inside: bool,
