@@ -7,7 +7,8 @@
 //! a frame without open parts is that of `mask`.
 //!
 //! Per frame: what `mask` takes with counts, the closing triangles, a traversal of a tree per square of pixels in which an open part begins to
-//! be kept, and the triangles nearby for each such crossing. Per mesh: a sort of its edges; per pose: a tree of the closing triangles.
+//! be kept, and, where that finds no whole number for the square, the triangles nearby for each such crossing. Per mesh: a sort of its
+//! edges; per pose: a tree of the closing triangles.
 //!
 //! Marks a pixel where a number is as near to a half as the bound of its error, where a crossing lies in a closing triangle, and where counts
 //! may have overflowed. Cannot: tell a hole from an opening that is meant; what half of the view from a point sees as open is outside.
