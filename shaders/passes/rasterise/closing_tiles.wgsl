@@ -1,12 +1,12 @@
 // Touches the tiles in which an open part may hold a point of a clip-surface although neither its mesh nor its closing triangles cover any
 // pixel: the winding number may be large between triangles that are seen from the side. At such a pixel no fragment is counted, so the number is
-// that of the closing triangles alone. Where crossings are listed, later, the depths at which they are sought are widened likewise.
+// that of the closing triangles alone. If crossings are listed later, the depths at which they are sought are widened too.
 //
-// An invocation owns a tile. For each open part and clip-surface it steps through the depths that the surface has in the tile and in the box
-// around the closing triangles, in spheres that grow where bounds show that the number stays below a half, and shrink where they do not. Cost:
-// one or two spheres in most tiles; among cutters, whose depths are not known before they are drawn, more.
+// An invocation owns a tile. For each open part and clip-surface it steps through the depths that the surface has in the tile and in the part's
+// box, in spheres that grow where bounds show that the number stays below a half, and shrink elsewhere. Cost: one or two spheres in most tiles;
+// among cutters, whose depths are not known before they are drawn, more.
 
-#import cutaway::closings::{Closing, ball_at, closing_of}
+#import cutaway::closings::{Closing, closing_of}
 #import cutaway::cuts::{MAX_SURFACES, cut_table}
 #import cutaway::frame::{Ray, buffer_from_depth, centre_of, frame, ray_through}
 #import cutaway::lanes::MOST_LANES
@@ -31,16 +31,13 @@ struct Depths {
     farthest: f32,
 }
 
-// The depths in a tile of a box around the closing triangles and within the part's, outside of which nothing is inside.
+// The depths in a tile of a part's box, outside of which nothing is inside.
 fn depths_of_box(closing: Closing, first: vec2<u32>) -> Depths {
-    let ball = ball_at(closing.tree, closing.tree);
-    let least = max(closing.least, ball.centre - ball.radius);
-    let greatest = min(closing.greatest, ball.centre + ball.radius);
     var low = vec3<f32>(NEVER);
     var high = vec3<f32>(-NEVER);
     var is_clipped = false;
     for (var i = 0u; i < 8u; i++) {
-        let corner = select(least, greatest, vec3<bool>((i & 1u) != 0u, (i & 2u) != 0u, (i & 4u) != 0u));
+        let corner = select(closing.least, closing.greatest, vec3<bool>((i & 1u) != 0u, (i & 2u) != 0u, (i & 4u) != 0u));
         let clip = frame.clip_from_scene * vec4<f32>(corner, 1.0);
         let px = (0.5 + vec2<f32>(0.5, -0.5) * clip.xy / clip.w) * vec2<f32>(frame.size_px);
         let depth = dot(corner - frame.ray_origin[0].xyz, frame.forward.xyz);
@@ -81,10 +78,9 @@ fn depths_of_surface(surface: u32, first: vec2<u32>) -> Depths {
     for (var i = 0u; i < 4u; i++) {
         let corner = first + vec2<u32>(i & 1u, i >> 1u) * (TILE_PX - 1u);
         let here = depths_along(surface, ray_through(centre_of(corner)));
-        // A surface that is behind the eye at one corner may be at any distance between two.
-        let is_behind_eye = here.farthest < 0.0;
-        all.nearest = min(all.nearest, select(here.nearest, NEVER, is_behind_eye));
-        all.farthest = max(all.farthest, select(here.farthest, NEVER, is_behind_eye));
+        // A surface that is behind the eye at one corner, in part or whole, may be at any distance between two.
+        all.nearest = min(all.nearest, select(here.nearest, NEVER, here.farthest < 0.0));
+        all.farthest = max(all.farthest, select(here.farthest, NEVER, here.nearest < 0.0));
     }
     return all;
 }
@@ -130,7 +126,9 @@ fn search(closing: Closing, tile: u32, depths: Depths) {
 @compute @workgroup_size(64)
 fn main(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
     let tile = id.x + id.y * 64u * groups.x;
-    if tile >= tile_count() || atomicLoad(&touched.anywhere) != 0u {
+    // Where triangles may be in any tile, all tiles are processed, but the depths of some may be too few.
+    let is_anywhere = atomicLoad(&touched.anywhere) != 0u && !has_lists;
+    if tile >= tile_count() || is_anywhere {
         return;
     }
     for (var i = 0u; i < min(closing_count, MOST_LANES); i++) {
