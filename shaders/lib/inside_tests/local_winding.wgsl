@@ -28,8 +28,18 @@ const NO_EXPANSION: u32 = 0xffffffffu;
 const MOST_SQUARES: u32 = 64u;
 const VECTORS_OF_LIST: u32 = 17u;
 
-fn squares_of_picture() -> vec2<u32> {
-    return (frame.size_px + SQUARE_PX - 1u) / SQUARE_PX;
+// Number of squares in the picture, in rows of `squares_of_row`.
+fn square_count() -> u32 {
+    return squares_of_row() * ((frame.size_px.y + SQUARE_PX - 1u) / SQUARE_PX);
+}
+
+fn squares_of_row() -> u32 {
+    return (frame.size_px.x + SQUARE_PX - 1u) / SQUARE_PX;
+}
+
+// Number of the square of a pixel.
+fn square_of(at: vec2<u32>) -> u32 {
+    return at.y / SQUARE_PX * squares_of_row() + at.x / SQUARE_PX;
 }
 
 // First pixel of the square of an invocation of `expand`, in the tile of its turn.
@@ -40,10 +50,8 @@ fn corner_of(invocation: u32) -> vec2<u32> {
 // Address of an expansion in the square of a pixel, behind the lists of `groups` workgroups: around its crossings, or where `near_inside`
 // requires it, at the near plane.
 fn expansion_at(groups: u32, closing: u32, at: vec2<u32>, near_inside: bool, is_near: bool) -> u32 {
-    let squares = squares_of_picture();
-    let square = at.y / SQUARE_PX * squares.x + at.x / SQUARE_PX;
     let plane = select(closing, 2u * closing + select(0u, 1u, is_near), near_inside);
-    return groups * VECTORS_OF_LIST + (plane * squares.x * squares.y + square) * VECTORS_OF_EXPANSION;
+    return groups * VECTORS_OF_LIST + (plane * square_count() + square_of(at)) * VECTORS_OF_EXPANSION;
 }
 
 // A sphere around the points of a square of pixels between two depths.

@@ -4,7 +4,7 @@
 
 #define_import_path cutaway::settled
 
-#import cutaway::local_winding::{SQUARE_PX, squares_of_picture}
+#import cutaway::local_winding::{square_count, square_of}
 
 // In place of a number: the part encloses nothing there.
 const NOTHING: i32 = 0x7fffffff;
@@ -19,7 +19,5 @@ fn is_filled(is_nonzero: bool, count: i32, number: i32) -> bool {
 
 // Word of the number in a pixel's square, in a mask of `length` words: around its crossings, or at the near plane.
 fn settled_at(length: u32, closing: u32, at: vec2<u32>, is_near: bool) -> u32 {
-    let squares = squares_of_picture();
-    let square = at.y / SQUARE_PX * squares.x + at.x / SQUARE_PX;
-    return length - 2u * (closing + 1u) * squares.x * squares.y + 2u * square + select(0u, 1u, is_near);
+    return length - 2u * (closing + 1u) * square_count() + 2u * square_of(at) + select(0u, 1u, is_near);
 }

@@ -333,6 +333,8 @@ fn inspect_gives_each_part_and_the_total() {
     let mean = stray["mean"].as_f64().unwrap();
     assert!((0.1..0.3).contains(&mean), "{stray}");
     assert!(stray["largest"].as_f64().unwrap() <= 0.5, "{stray}");
+    let closed = folder.run("inspect shape:cube --json -").exits(0).json();
+    assert!(closed["parts"][0]["winding_stray"].is_null());
 
     // Each face twice, once turned: closed by parity, and nothing is inside.
     let faces = "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\nf 3 1 2\nf 2 1 4\nf 4 3 2\nf 1 4 3\n";

@@ -135,11 +135,12 @@ struct MeshSummary<'a> {
 
 impl<'a> MeshSummary<'a> {
     fn of(part: &'a Part) -> Self {
+        let topology = Topology::from_parts(std::slice::from_ref(part));
         Self {
             name: &part.name,
-            topology: Topology::from_parts(std::slice::from_ref(part)),
+            stray: (topology.boundary_loops > 0).then(|| Stray::of(&part.mesh)),
+            topology,
             bodies: Bodies::of(&part.mesh).count(),
-            stray: Stray::of(&part.mesh),
         }
     }
 }
@@ -161,10 +162,7 @@ fn to_json(facts: &[MeshSummary<'_>], total: &MeshSummary<'_>, clips: &[Clip]) -
     };
     let mut parts = Vec::with_capacity(facts.len());
     for of in facts {
-        let stray = of.stray.map(
-            |stray| json!({ "points": stray.points, "mean": stray.mean, "largest": stray.largest }),
-        );
-        let mut part = json!({ "name": of.name, "winding_stray": stray });
+        let mut part = json!({ "name": of.name, "winding_stray": of.stray });
         if let (Some(part), Value::Object(facts)) = (part.as_object_mut(), value(of)?) {
             part.extend(facts);
         }

@@ -113,8 +113,7 @@ fn broken_shapes_are_capped_as_by_the_sum_over_all_faces(share: Share) {
         .flat_map(|spec| defects.map(|defect| (spec, defect)));
     for (spec, defect) in share.part(all) {
         for section in ["-z=50%", "-1,-2,-1.5@50%,45%,60%"] {
-            let mut scene = scenes::sectioned(spec, &[section]);
-            break_parts(&mut scene.parts, &[parse_defect(defect).unwrap()]).unwrap();
+            let scene = broken(spec, section, defect);
             let [more, unsure] = must_agree(&scene, &format!("{spec} {section} {defect}"));
             (caps, marked) = (caps + more, marked + unsure);
         }
@@ -124,12 +123,16 @@ fn broken_shapes_are_capped_as_by_the_sum_over_all_faces(share: Share) {
     assert!(marked * 50 < caps, "{marked} of {caps} are marked");
 }
 
+/// A shape with a defect, cut by a plane.
+fn broken(spec: &str, section: &str, defect: &str) -> Scene {
+    let mut scene = scenes::sectioned(spec, &[section]);
+    break_parts(&mut scene.parts, &[parse_defect(defect).unwrap()]).unwrap();
+    scene
+}
+
 /// A ball with holes, cut through the middle.
 fn holed(spec: &str) -> Scene {
-    let mut scene = scenes::sectioned(spec, &["-z=50%"]);
-    let holes = parse_defect("holes:amount=5%,patch=6").unwrap();
-    break_parts(&mut scene.parts, &[holes]).unwrap();
-    scene
+    broken(spec, "-z=50%", "holes:amount=5%,patch=6")
 }
 
 #[test]
@@ -219,9 +222,7 @@ fn numbers_that_pass_a_half_within_a_square_are_found_for_each_pixel() {
         ("sphere?subdivisions=4", "holes:amount=30%,patch=300"),
     ] {
         for section in ["-z=50%", "-1,-2,-1.5@50%,45%,60%"] {
-            let mut scene = scenes::sectioned(spec, &[section]);
-            break_parts(&mut scene.parts, &[parse_defect(hole).unwrap()]).unwrap();
-            let unmarked = unmarked_px(&scene);
+            let unmarked = unmarked_px(&broken(spec, section, hole));
             assert!(
                 unmarked.iter().all(|px| *px == 0),
                 "{spec} {section}: {unmarked:?}"
@@ -233,8 +234,7 @@ fn numbers_that_pass_a_half_within_a_square_are_found_for_each_pixel() {
 /// With more closing triangles nearby than an expansion lists, a count of -1 was taken for the number: caps leaked, unmarked.
 #[test]
 fn counts_alone_do_not_decide_among_many_closing_triangles() {
-    let mut scene = scenes::sectioned("crank", &["-1,-2,-1.5@50%,45%,60%"]);
-    break_parts(&mut scene.parts, &[parse_defect("gaps:amount=5%").unwrap()]).unwrap();
+    let mut scene = broken("crank", "-1,-2,-1.5@50%,45%,60%", "gaps:amount=5%");
     scene.parts[0].fill = Fill::Nonzero;
     assert!(unmarked_px(&scene).iter().all(|px| *px == 0));
 }
