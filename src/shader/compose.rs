@@ -11,6 +11,7 @@ use std::sync::{Arc, LazyLock, Mutex, PoisonError};
 use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 
 use super::file::File;
+use super::hold::hold_uniforms;
 use super::join::join;
 use super::reflect::{ShaderBinding, bindings};
 use super::tree::{LIBRARY, NATIVE, SHADERS, source};
@@ -154,7 +155,7 @@ fn compose_source(
     let is_native = (files.iter()).any(|f| NATIVE.iter().any(|(listed, _)| *listed == f.path));
     let joined = join(&shader, &files).map_err(fault)?;
     let whole = &joined.text;
-    let module = naga::front::wgsl::parse_str(whole).map_err(|e| {
+    let mut module = naga::front::wgsl::parse_str(whole).map_err(|e| {
         let details = e.labels().map(|(_, label)| label).chain(e.notes());
         let said: Vec<&str> = [e.message()]
             .into_iter()
@@ -163,10 +164,16 @@ fn compose_source(
         let line = e.location(whole).map(|l| l.line_number);
         fault(joined.complaint(line, &said.join(": ")))
     })?;
-    let info = validator(is_native).validate(&module).map_err(|e| {
-        let line = e.location(whole).map(|l| l.line_number);
-        fault(joined.complaint(line, &chain(e.as_inner())))
-    })?;
+    let validated = |module: &naga::Module| {
+        validator(is_native).validate(module).map_err(|e| {
+            let line = e.location(whole).map(|l| l.line_number);
+            fault(joined.complaint(line, &chain(e.as_inner())))
+        })
+    };
+    let mut info = validated(&module)?;
+    if hold_uniforms(&mut module, &info, with) {
+        info = validated(&module)?;
+    }
     Ok((module, info, is_native))
 }
 

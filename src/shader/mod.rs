@@ -6,6 +6,7 @@
 mod bounds;
 mod compose;
 mod file;
+mod hold;
 mod join;
 mod lints;
 mod loops;
