@@ -91,9 +91,9 @@ fn members_of(
             let Expression::Access { base, .. } = *expression else {
                 continue;
             };
-            // The index of a row is the outermost of the array's own.
+            // An index into the member itself, not into one of its rows.
             let is_row = matches!(&function.expressions[base],
-                Expression::AccessIndex { base, .. } if is_mention(function, *base, uniform));
+                Expression::AccessIndex { base, .. } if is_mention(&function.expressions, *base, uniform));
             if let Some(member) = member_behind(function, base, uniform)
                 && !(is_row && found[member] == Member::OneRow)
             {
@@ -110,11 +110,11 @@ fn functions(module: &Module) -> impl Iterator<Item = &Function> {
 }
 
 fn is_mention(
-    function: &Function,
+    expressions: &Arena<Expression>,
     expression: Handle<Expression>,
     variable: Handle<GlobalVariable>,
 ) -> bool {
-    matches!(function.expressions[expression], Expression::GlobalVariable(found) if found == variable)
+    matches!(expressions[expression], Expression::GlobalVariable(found) if found == variable)
 }
 
 /// The member of a uniform that a pointer leads into.
@@ -127,7 +127,7 @@ fn member_behind(
         match function.expressions[pointer] {
             Expression::Access { base, .. } => pointer = base,
             Expression::AccessIndex { base, index } => {
-                if is_mention(function, base, uniform) {
+                if is_mention(&function.expressions, base, uniform) {
                     return Some(index as usize);
                 }
                 pointer = base;
@@ -148,16 +148,13 @@ fn hold(
     let Some(ty) = held_type(module, uniform, members) else {
         return false;
     };
-    let name = module.global_variables[uniform].name.as_ref();
+    let original = &module.global_variables[uniform];
     let private = GlobalVariable {
-        name: name.map(|name| format!("held_{name}")),
+        name: original.name.as_ref().map(|name| format!("held_{name}")),
         space: AddressSpace::Private,
-        ty,
-        ..module.global_variables[uniform].clone()
-    };
-    let private = GlobalVariable {
         binding: None,
-        ..private
+        ty,
+        ..original.clone()
     };
     let span = module.global_variables.get_span(uniform);
     let private = module.global_variables.append(private, span);
@@ -237,41 +234,39 @@ fn read_copies(
         .map(|(handle, _)| handle)
         .collect();
     for mention in mentions {
-        // A mention as a whole is a load of the struct.
-        let reads: Vec<(Handle<Expression>, Option<Member>)> = (expressions.iter())
-            .filter_map(|(handle, e)| match *e {
-                Expression::AccessIndex { base, index } if base == mention => {
-                    Some((handle, Some(members[index as usize])))
-                }
-                Expression::Access { base, .. } | Expression::Load { pointer: base }
-                    if base == mention =>
-                {
-                    Some((handle, None))
-                }
-                _ => None,
-            })
-            .collect();
-        if reads
-            .iter()
-            .any(|(_, member)| !matches!(member, Some(Member::Constant | Member::OneRow)))
-        {
+        let is_left = expressions.iter().any(|(_, e)| match *e {
+            Expression::AccessIndex { base, index } if base == mention => {
+                members[index as usize] == Member::Indexed
+            }
+            // The struct as a whole.
+            Expression::Load { pointer } => pointer == mention,
+            _ => false,
+        });
+        if is_left {
             continue;
         }
         expressions[mention] = Expression::GlobalVariable(private);
-        for (array, member) in reads {
-            if let Expression::AccessIndex { index, .. } = &mut expressions[array] {
-                *index = place_of(members, *index);
-            }
-            if member == Some(Member::OneRow) {
-                for (_, e) in expressions.iter_mut() {
-                    match *e {
-                        Expression::Access { base, .. } if base == array => {
-                            *e = Expression::AccessIndex { base, index: 0 };
-                        }
-                        _ => {}
-                    }
+        for (_, e) in expressions.iter_mut() {
+            match e {
+                Expression::AccessIndex { base, index } if *base == mention => {
+                    *index = place_of(members, *index);
                 }
+                _ => {}
             }
+        }
+    }
+    // The only index into a held member that is computed is that of a single row.
+    let is_row = |array: Handle<Expression>| {
+        matches!(expressions[array],
+        Expression::AccessIndex { base, .. } if is_mention(expressions, base, private))
+    };
+    let rows: Vec<Handle<Expression>> = (expressions.iter())
+        .filter(|(_, e)| matches!(e, Expression::Access { base, .. } if is_row(*base)))
+        .map(|(handle, _)| handle)
+        .collect();
+    for row in rows {
+        if let Expression::Access { base, .. } = expressions[row] {
+            expressions[row] = Expression::AccessIndex { base, index: 0 };
         }
     }
 }
