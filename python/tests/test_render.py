@@ -216,24 +216,30 @@ def test_the_adapter_has_a_name():
     assert about["name"] and about["backend"] and isinstance(about["software"], bool)
 
 
-def test_a_picture_after_the_first_is_there_within_a_second():
-    """What a cell of a notebook does, in a process that has drawn before."""
+def test_a_new_scene_draws_as_fast_as_one_that_was_drawn_before():
+    """A cell of a notebook makes its scene anew each time; what the device compiled for an earlier cell is used again."""
     vertices, faces = box()
+
+    def seconds(draw):
+        times = []
+        for _ in range(5):
+            begun = time.perf_counter()
+            draw()
+            times.append(time.perf_counter() - begun)
+        return min(times)
 
     def cell():
         scene = cutaway.Scene()
         scene.add("box", vertices, faces)
-        scene.cut("x=50%", relief="fractal:amplitude=4%")
-        return scene.render(size=(640, 480))._repr_png_()
+        scene.cut("x=50%", relief="fractal:amplitude=4%,size=64")
+        scene.render(size=(32, 24))
+        return scene
 
-    cell()
-    times = []
-    for _ in range(3):
-        begun = time.perf_counter()
-        cell()
-        times.append(time.perf_counter() - begun)
-    print(f"cell: {min(times):.3f} s")
-    assert min(times) < 1
+    drawn = cell()
+    # A ratio, because it holds on slow machines too; of small pictures, beside which compiling takes twenty times as long (0.5 s to 0.02 s).
+    new, again = seconds(cell), seconds(lambda: drawn.render(size=(32, 24)))
+    print(f"new scene: {new:.3f} s, the same scene again: {again:.3f} s")
+    assert new < 2 * again
 
 
 def test_an_interrupt_is_raised_within_a_second(scene):
