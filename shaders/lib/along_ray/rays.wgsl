@@ -22,6 +22,14 @@ struct RayTable {
 
 @group(0) @binding(4) var<uniform> ray_table: RayTable;
 
+// The sums of the magnitudes of what `along_ray` adds up: rounding is a fraction of these.
+fn along_ray_terms(row: RayRow, at_px: vec2<f32>) -> vec2<f32> {
+    return vec2<f32>(
+        abs(row.origin.x) + abs(at_px.x * row.origin.y) + abs(at_px.y * row.origin.z),
+        abs(row.direction.x) + abs(at_px.x * row.direction.y) + abs(at_px.y * row.direction.z),
+    );
+}
+
 // A value along one ray: x + depth * y.
 fn along_ray(row: RayRow, at_px: vec2<f32>) -> vec2<f32> {
     return vec2<f32>(

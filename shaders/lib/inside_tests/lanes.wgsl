@@ -9,6 +9,9 @@ const MOST_CROSSINGS: u32 = 1023u;
 const MOST_LANE_WORDS: u32 = 1024u;
 const MOST_LANES: u32 = 16384u;
 
+// Crossings that a lane within one word has bits for.
+const CROSSINGS_OF_A_WORD: u32 = 31u;
+
 // Value that replaces a shift if the part is filled by the nonzero rule, so that its lane consists of words of counts.
 const WINDING: u32 = 32u;
 
@@ -47,4 +50,9 @@ struct Lanes {
     count: u32,
     near_inside: bool,
     overlaps: bool,
+}
+
+// The lowest bit of every lane in a word, for lanes of at most 32 bits.
+fn lowest_bits(lane_bits: u32) -> u32 {
+    return select(0xffffffffu / ((1u << (lane_bits % 32u)) - 1u), 1u, lane_bits == 32u);
 }

@@ -6,7 +6,7 @@
 
 #import cutaway::cuts::parts
 #import cutaway::frame::pixel_count
-#import cutaway::lanes::{Lanes, MOST_LANES, MOST_LANE_WORDS}
+#import cutaway::lanes::{Lanes, MOST_LANES, MOST_LANE_WORDS, lowest_bits}
 
 @group(1) @binding(2) var<storage, read> mask: array<u32>;
 
@@ -15,14 +15,19 @@ fn word_at(word: u32, pixel: u32) -> u32 {
     return mask[word * pixel_count() + pixel];
 }
 
-// True if all words of a pixel are zero.
-fn is_zero(pixel: u32) -> bool {
+// The bits that any word of a pixel has.
+fn all_bits(pixel: u32) -> u32 {
     let words = min(arrayLength(&mask) / pixel_count(), MOST_LANE_WORDS + 1u);
     var any = 0u;
     for (var w = 0u; w < words; w++) {
         any |= word_at(w, pixel);
     }
-    return any == 0u;
+    return any;
+}
+
+// True if all words of a pixel are zero.
+fn is_zero(pixel: u32) -> bool {
+    return all_bits(pixel) == 0u;
 }
 
 // True if a bit of a part's lane is set.
@@ -49,7 +54,7 @@ fn next_odd(lanes: Lanes, place: u32, pixel: u32, bit: u32) -> u32 {
     }
     let of_word = 32u / lanes.bits;
     // The bit `bit` of every lane in a word.
-    let pattern = select(0xffffffffu / ((1u << lanes.bits) - 1u), 1u, lanes.bits == 32u) << bit;
+    let pattern = lowest_bits(lanes.bits) << bit;
     let end = min((lanes.count + of_word - 1u) / of_word, MOST_LANE_WORDS);
     let first = place / of_word;
     for (var w = first; w < end; w++) {

@@ -24,12 +24,19 @@ struct List {
     sides: u32,
     // True if crossings may be missing or wrong.
     cut_short: bool,
+    // True if no crossing after the first that enters the kept region is wanted.
+    is_first_enough: bool,
+}
+
+// An empty list.
+fn begin_list(pixel: u32, capacity: u32, is_first_enough: bool) -> List {
+    return List(pixel, capacity, 0u, 0u, false, is_first_enough);
 }
 
 // Reopens a finished list to add more crossings.
 fn resume(pixel: u32, capacity: u32) -> List {
     let head = crossing_heads[pixel];
-    return List(pixel, capacity, head.x & MOST_CROSSINGS, head.y, (head.x & 0x80000000u) != 0u);
+    return List(pixel, capacity, head.x & MOST_CROSSINGS, head.y, (head.x & 0x80000000u) != 0u, false);
 }
 
 fn put(at: u32, z: f32, word: u32) {

@@ -9,7 +9,7 @@
 #import cutaway::piece::{MOST_TILES, Piece, tiles_of}
 #import cutaway::sample::take
 #import cutaway::screen::{Point, first_pixel, last_pixel}
-#import cutaway::sweep::{Sample, drawn_parts}
+#import cutaway::sweep::{NO_LANE, Sample, drawn_parts}
 #import cutaway::tiles::{edge_value, reaches, row_inside, tile_edge}
 #import cutaway::touch::touch
 #import cutaway::wide::{wide_cross, wide_float, wide_is_negative}
@@ -57,7 +57,8 @@ fn cover(a: Point, second: Point, third: Point, at: Where) {
         row = row_inside(ca, at.line, row);
         row = row_inside(ab, at.line, row);
         if row.x <= row.y {
-            touch(from_px + vec2<i32>(row.x, at.line), from_px + vec2<i32>(row.y, at.line));
+            let z = vec3<f32>(a.z, b.z, c.z);
+            touch(from_px + vec2<i32>(row.x, at.line), from_px + vec2<i32>(row.y, at.line), z, part.place != NO_LANE);
         }
         for (var n = 0; n < min(row.y - row.x + 1, 64); n++) {
             let step = vec2<i32>(row.x + n, at.line);

@@ -26,8 +26,7 @@ fn cross_relief(list: ptr<function, List>, surface: u32, at_px: vec2<f32>, inter
         for (; walked < cell_limit && met.found.count == 0u && !met.is_last; walked++) {
             met = walk_cell(list, way, heading, &carried, &cell, &corners);
         }
-        add_found(list, way, met.found);
-        if met.is_last {
+        if add_found(list, way, met.found) || met.is_last {
             return;
         }
     }

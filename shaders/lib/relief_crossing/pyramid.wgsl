@@ -141,8 +141,7 @@ fn cross_relief(list: ptr<function, List>, surface: u32, at_px: vec2<f32>, inter
             level += select(0u, 1u, leaves && select(closes.y, closes.x, met.by_x));
             cells = select(cells - 1u, 0u, leaves);
         }
-        add_found(list, way, met.found);
-        if met.is_last {
+        if add_found(list, way, met.found) || met.is_last {
             return;
         }
     }

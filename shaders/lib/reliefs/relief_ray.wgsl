@@ -14,6 +14,7 @@
 #import cutaway::quadratic::roots_in
 #import cutaway::rays::{ray_table, along_ray}
 #import cutaway::relief::{Map, cell_between, corners_beside, height_in, map_of}
+#import cutaway::slab::slab_beside
 
 // A ray's way through the slab of a relief. Depths count from `start`, and values along the ray are x + depth * y.
 struct Way {
@@ -89,12 +90,9 @@ fn depth_at_border(border: i32, value: vec2<f32>) -> f32 {
 fn way_through(list: ptr<function, List>, surface: u32, at_px: vec2<f32>, asked: Interval) -> Way {
     let interval = asked.all;
     let height = along_ray(ray_table.surfaces[surface].height, at_px);
-    let slab = cut_table.surfaces[surface].slab;
-    // Above -slab.x the point is kept and below -slab.y removed, whatever the map holds; a margin of a few ulp lets the walk begin and end
-    // where that is certain.
-    let margin = 1e-6 * (abs(slab.x) + abs(slab.y) + abs(height.x) * 0.25);
-    let kept_above = -slab.x + margin;
-    let removed_below = -slab.y - margin;
+    let sides = slab_beside(surface, height.x);
+    let removed_below = sides.x;
+    let kept_above = sides.y;
     var walk = interval;
     let is_parallel = !(abs(height.y) > 0.0);
     if !is_parallel {
@@ -211,12 +209,13 @@ fn walk_cell(
     return CellStep(found, exit >= way.last, by_x);
 }
 
-// Adds a cell's crossings to the list.
-fn add_found(list: ptr<function, List>, way: Way, found: Found) {
+// Adds a cell's crossings to the list; returns true if no others are wanted.
+fn add_found(list: ptr<function, List>, way: Way, found: Found) -> bool {
     var kept = found.kept;
     for (var i = 0u; i < min(found.count, 2u); i++) {
         kept = !kept;
         let depth = way.start + select(found.at.y, found.at.x, i == 0u);
         add(list, buffer_from_depth(depth), way.surface, kept);
     }
+    return (*list).is_first_enough && ((found.count > 0u && kept) || found.count > 1u);
 }

@@ -4,7 +4,7 @@
 
 #import cutaway::touching::touch_box
 
-// Pixels from `first` to `last` may be covered.
-fn touch(first: vec2<i32>, last: vec2<i32>) {
+// Pixels from `first` to `last` may be covered by a triangle whose corners have depth-buffer values `z`.
+fn touch(first: vec2<i32>, last: vec2<i32>, z: vec3<f32>, is_cut: bool) {
     touch_box(first, last);
 }

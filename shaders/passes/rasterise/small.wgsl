@@ -11,7 +11,7 @@
 #import cutaway::sample::take
 #import cutaway::screen::{edge_bias, first_pixel, is_beside, is_clipped, last_pixel, point_of}
 #import cutaway::span::narrowed
-#import cutaway::sweep::{Sample, corners_of, drawn_parts, number_of, sweep}
+#import cutaway::sweep::{NO_LANE, Sample, corners_of, drawn_parts, number_of, sweep}
 #import cutaway::touch::touch
 
 override lane_bits: u32 = 32u;
@@ -74,7 +74,7 @@ fn visit(triangle: u32) {
     let ca = a.steps - c.steps;
     let ab = b.steps - a.steps;
     let bias = vec3<i32>(edge_bias(bc), edge_bias(ca), edge_bias(ab));
-    touch(first, last);
+    touch(first, last, vec3<f32>(a.z, b.z, c.z), part.place != NO_LANE);
     var row = bias + vec3<i32>(
         bc.x * (sample.y - b.steps.y) - bc.y * (sample.x - b.steps.x),
         ca.x * (sample.y - c.steps.y) - ca.y * (sample.x - c.steps.x),

@@ -9,6 +9,7 @@ pub(crate) mod scan;
 pub(crate) mod screen;
 pub(crate) mod share;
 pub(crate) mod sheet;
+pub(crate) mod slabs;
 pub(crate) mod solid;
 pub(crate) mod store;
 pub(crate) mod surface;

@@ -12,6 +12,7 @@ use super::layers::{Layered, layers, overlap, picture};
 use super::resolve::{Inside, cap_normal, constants_of_decision};
 use super::screen::{Fresh, ScreenOf};
 use super::share::Share;
+use super::slabs::PixelList;
 use super::store::Store;
 use super::sweep::SweepPasses;
 use crate::passes::frame::buffers::SceneBuffers;
@@ -37,7 +38,7 @@ impl<'a> SceneBuffers<'a> {
         let input = self.input;
         if input.rasteriser == Rasteriser::Compute && !input.keeps_list {
             let share = Share::of_crossings(&self, store, to_come);
-            self.on_screen = Some(take_to_screen(plan, &self, Some(store), share)?);
+            self.on_screen = Some(take_to_screen(plan, &self, Some(store), share, None)?);
         }
         Ok(self)
     }
@@ -56,14 +57,34 @@ pub(crate) struct Swept {
     rows: &'static str,
     sweep: ResourceId,
     drawn_parts: ResourceId,
+    /// The pixels that remain to be decided, if the others are settled.
+    undecided: Option<PixelList>,
 }
 
-/// Transforms all parts to the frame's screen. `store` is given if no other pass prepares the pixels of that fragment store.
-fn take_to_screen(
+impl Swept {
+    pub(super) fn of(on_screen: OnScreen, undecided: Option<PixelList>) -> Self {
+        let screen = &on_screen.screen;
+        Self {
+            rows: screen.rows(),
+            sweep: screen.sweep.resource,
+            drawn_parts: screen.drawn_parts.resource,
+            nearest: on_screen.nearest,
+            layers: on_screen.layers,
+            picture: on_screen.picture,
+            touched: on_screen.touched,
+            undecided,
+        }
+    }
+}
+
+/// Transforms all parts to the frame's screen. `store` is given if no other pass prepares the pixels of that fragment store; `slab_lists`
+/// if the first sweep marks by slabs: the bindings of its lists, to be emptied.
+pub(super) fn take_to_screen(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,
     store: Option<&Store>,
     share: Share,
+    slab_lists: Option<[Binding; 3]>,
 ) -> Result<OnScreen, Refusal> {
     let input = scene.input;
     let nearest = Resource::storage("nearest", input.pixel_count() * 8, Clock::Frame);
@@ -97,6 +118,9 @@ fn take_to_screen(
         bindings,
         touched.shared(),
     ));
+    let by_slabs = slab_lists.is_some();
+    let mut emptied = vec![touched.binding(Access::ReadWrite)];
+    emptied.extend(slab_lists.into_iter().flatten());
     let of = ScreenOf {
         name: "",
         view: input.view,
@@ -106,14 +130,18 @@ fn take_to_screen(
         classifies: true,
         share,
         fresh: Fresh {
-            files: vec!["lib/fresh/tiles.wgsl", kind],
-            bindings: vec![touched.binding(Access::ReadWrite)],
+            files: match by_slabs {
+                true => vec!["lib/fresh/slabs.wgsl", kind],
+                false => vec!["lib/fresh/tiles.wgsl", kind],
+            },
+            bindings: emptied,
             items: touched.tile_count(),
         },
     };
     let mut screen = ScreenMesh::record(plan, scene, of)?;
     // No pass reads pixels before the sweep.
-    let by_sweep = input.active_cuts.lanes == 0 || (store.is_some() && input.asks_plane());
+    let by_sweep =
+        input.active_cuts.lanes == 0 || by_slabs || (store.is_some() && input.asks_plane());
     if !by_sweep {
         find_tiles(plan, &screen, touched);
         find_closing_tiles(plan, scene, touched, true);
@@ -204,58 +232,52 @@ pub(crate) fn rasterise(
     crossings: &CrossingSource,
 ) -> Result<Swept, Refusal> {
     let input = scene.input;
-    let OnScreen {
-        screen,
-        nearest,
-        layers,
-        picture,
-        touched,
-    } = match &scene.on_screen {
+    let on_screen = match &scene.on_screen {
         Some(on_screen) => on_screen.clone(),
         None => {
             let share = Share::of_crossings(scene, store, crossings);
-            take_to_screen(plan, scene, None, share)?
+            take_to_screen(plan, scene, None, share, None)?
         }
     };
+    let OnScreen {
+        screen,
+        nearest,
+        touched,
+        ..
+    } = &on_screen;
     let marking = SweepPasses {
         name: "mark",
         reason: "each sample marks the crossings in front of it, and stores its triangle if that is the nearest kept one",
         sample: "lib/sample/fused.wgsl",
+        more_files: Vec::new(),
         store: Some(store),
         crossings: Some(crossings),
-        bindings: vec![Binding::update("nearest", nearest)],
-        touched: (!screen.is_queued).then_some(touched),
+        bindings: vec![Binding::update("nearest", *nearest)],
+        touched: (!screen.is_queued).then_some(*touched),
+        finds_depths: false,
         again: false,
     };
     if input.wide_atomics {
-        marking.record(plan, scene, &screen);
+        marking.record(plan, scene, screen);
     } else {
         let marking = SweepPasses {
             reason: "each sample marks the crossings in front of it, and raises its pixel's depth if the sample is kept",
             sample: "lib/sample/raised.wgsl",
             ..marking
         };
-        marking.record(plan, scene, &screen);
+        marking.record(plan, scene, screen);
         let claiming = SweepPasses {
             name: "claim",
             reason: "the first triangle at a pixel's depth claims the pixel",
             again: true,
             ..marking
         };
-        claiming.record(plan, scene, &screen);
+        claiming.record(plan, scene, screen);
     }
     if !screen.is_queued {
-        find_closing_tiles(plan, scene, touched, false);
+        find_closing_tiles(plan, scene, *touched, false);
     }
-    Ok(Swept {
-        nearest,
-        layers,
-        picture,
-        touched,
-        rows: screen.rows(),
-        sweep: screen.sweep.resource,
-        drawn_parts: screen.drawn_parts.resource,
-    })
+    Ok(Swept::of(on_screen, None))
 }
 
 /// Decides what each pixel shows, and paints the pixels that are not background.
@@ -272,19 +294,31 @@ pub(crate) fn decide_and_paint(
         scene.parts.clone(),
         Binding::read("nearest", swept.nearest),
         Binding::update("layers", swept.layers),
-        swept.touched.binding(Access::Read),
     ];
+    let (shader, of_pixels, work) = match swept.undecided {
+        Some(list) => {
+            let shader = Shader::from("passes/rasterise/decide_listed.wgsl");
+            (shader, list.binding(), list.shared())
+        }
+        None => {
+            let shader = Shader::from("passes/rasterise/decide.wgsl");
+            let tiles = swept.touched.binding(Access::Read);
+            (
+                shader.with("lib/share/touched.wgsl"),
+                tiles,
+                swept.touched.shared(),
+            )
+        }
+    };
+    bindings.push(of_pixels);
     bindings.extend(inside.bindings);
     bindings.extend(crossings.bindings.iter().cloned());
     let decide = Pass::new(
         "decide",
         "the nearest crossing that is inside a part and enters it is a cap, unless a surface is in front of it",
-        Shader::from("passes/rasterise/decide.wgsl")
-            .with("lib/share/touched.wgsl")
-            .with_all(&inside.files)
-            .with_all(&crossings.files()),
+        shader.with_all(&inside.files).with_all(&crossings.files()),
         bindings,
-        swept.touched.shared(),
+        work,
     );
     plan.add_pass(decide.with_constants(constants_of_decision(scene)));
     paint(plan, scene, swept, crossings)

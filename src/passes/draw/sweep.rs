@@ -27,6 +27,8 @@ pub(crate) struct SweepPasses<'a> {
     pub reason: &'a str,
     /// File that fills `cutaway::sample`.
     pub sample: &'static str,
+    /// Further files that the sample needs.
+    pub more_files: Vec<&'static str>,
     /// Store for fragments, if the sample writes fragments for an inside test.
     pub store: Option<&'a Store>,
     /// The crossings, if the sample counts those in front of it.
@@ -35,6 +37,8 @@ pub(crate) struct SweepPasses<'a> {
     pub bindings: Vec<Binding>,
     /// The touched tiles, if this sweep is to find them.
     pub touched: Option<Touched>,
+    /// True if this sweep is to find the depth range of the cut parts in each touched tile.
+    pub finds_depths: bool,
     /// True if the same screen was swept before.
     pub again: bool,
 }
@@ -46,10 +50,12 @@ impl<'a> SweepPasses<'a> {
             name,
             reason,
             sample: "lib/sample/bare.wgsl",
+            more_files: Vec::new(),
             store: Some(store),
             crossings: None,
             bindings: Vec::new(),
             touched: None,
+            finds_depths: false,
             again: false,
         }
     }
@@ -58,11 +64,13 @@ impl<'a> SweepPasses<'a> {
     pub(crate) fn record(&self, plan: &mut Plan, scene: &SceneBuffers<'_>, screen: &ScreenMesh) {
         let shader = |path: &'static str| {
             let touch = match self.touched {
+                Some(_) if self.finds_depths => "lib/touch/depths.wgsl",
                 Some(_) => "lib/touch/tiles.wgsl",
                 None => "lib/touch/nothing.wgsl",
             };
             let mut shader = Shader::from(path)
                 .with(self.sample)
+                .with_all(&self.more_files)
                 .with(touch)
                 .with(screen.rows());
             if let Some(crossings) = self.crossings {

@@ -54,11 +54,7 @@ impl Crossings {
 impl CrossingSource {
     /// Describes lists of `capacity` crossings that are not made yet, to estimate the cost of fragments.
     pub(crate) fn to_come(input: &Input<'_>, capacity: u32) -> Self {
-        let surfaces_file = match input.has_one_surface() {
-            true => ONE_SURFACE,
-            false => ANY_SURFACES,
-        };
-        Self::of_capacity(capacity, surfaces_file)
+        Self::of_capacity(capacity, surfaces_file(input))
     }
 
     fn of_capacity(capacity: u32, surfaces_file: &'static str) -> Self {
@@ -103,6 +99,14 @@ impl CrossingSource {
             bindings: vec![scene.ray_table.clone()],
             capacity: 0,
         }
+    }
+}
+
+/// File that fills `cutaway::surfaces` where crossings are listed.
+pub(crate) fn surfaces_file(input: &Input<'_>) -> &'static str {
+    match input.has_one_surface() {
+        true => ONE_SURFACE,
+        false => ANY_SURFACES,
     }
 }
 

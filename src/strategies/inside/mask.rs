@@ -1,6 +1,6 @@
 //! `mask`: parity without storage.
 //!
-//! The crossings of every pixel are known before the mesh is drawn. One pass over the mesh XORs into the pixel's lane one bit for each
+//! The crossings of every pixel are known before the mesh is drawn, except as stated below. One pass over the mesh XORs into the pixel's lane one bit for each
 //! crossing that the fragment lies behind; bit i ends as the parity of the fragments behind crossing i, that is, whether crossing i is
 //! inside the solid. XOR commutes: no order, no sort, no fragment list, no limit on depth complexity. Every fragment toggles the top bit of
 //! a lane, which ends at 0 wherever the mesh is closed. Ancestor: Eisemann & Décoret, *Single-pass GPU solid voxelization* (2008), with
@@ -10,6 +10,9 @@
 //! crossing that it lies behind, and crossing i is inside where its byte is not 0. One more word holds the sum over all fragments, which is
 //! 0 for a closed mesh, and their number, which shows whether a byte may have overflowed: pixels with more than 254 fragments are marked.
 //! The other parts of the scene keep their bits.
+//!
+//! If one relief is the only clip-surface, the compute rasteriser marks lanes by its slab first, and lists the crossings of those pixels alone
+//! in which they can matter (`mark_by_slabs`).
 //!
 //! If one plane is the only clip-surface, the compute rasteriser needs no list: each sample tests the plane. The results for a cut part do
 //! not depend on which pass tests, because each sample is judged once, and all kept samples lie on one side.
@@ -28,12 +31,14 @@
 
 use crate::effects::{FrameOutput, finish};
 use crate::passes::{
-    CrossingSource, Input, Inside, Lanes, Refusal, SceneBuffers, Store, over_mesh, resolve,
+    CrossingSource, Input, Inside, Lanes, Refusal, SceneBuffers, Store, capacity_for_slabs,
+    mark_by_slabs, over_mesh, resolve,
 };
 use crate::plan::{Binding, Plan};
 use crate::strategies::inside::winding;
 use crate::strategies::row::{Abilities, CapSurface, InsideTestKind, InsideTestRow, StrategyInfo};
 use crate::strategies::surface;
+use crate::strategies::surface::raycast::{self, WalkedPixels};
 
 /// The inside test's row in the strategy table.
 pub(crate) static ROW: InsideTestRow = InsideTestRow {
@@ -61,8 +66,13 @@ pub(super) fn record(
     surface: CapSurface,
     _: u32,
 ) -> Result<FrameOutput, Refusal> {
-    let capacity = surface::capacity(input);
+    let mut capacity = surface::capacity(input);
     let counts = input.has_nonzero() || input.closings.is_some();
+    let by_slabs = match surface == CapSurface::RAYCAST && !counts {
+        true => capacity_for_slabs(input, capacity),
+        false => None,
+    };
+    capacity = by_slabs.unwrap_or(capacity);
     let (lanes, file, rounds) = match counts {
         true => {
             let words = 1 + capacity.div_ceil(4);
@@ -82,6 +92,20 @@ pub(super) fn record(
         bindings: vec![Binding::update("mask", mask)],
         rounds,
     };
+    if by_slabs.is_some() {
+        let marks = mark_by_slabs(plan, &scene, &store, mask)?;
+        let pixels = WalkedPixels::Listed(marks.pixels, mask);
+        let crossings = raycast::record(plan, &scene, capacity, &pixels, 0);
+        let nearest = marks.finish(plan, &scene, &crossings);
+        let layered = resolve(
+            plan,
+            &scene,
+            nearest,
+            Inside::mask(mask),
+            &crossings.asked(),
+        );
+        return Ok(finish(plan, &scene, layered));
+    }
     // Planes are never drawn as sheets.
     let plane = input.asks_plane().then(|| CrossingSource::of_plane(&scene));
     let to_come = || CrossingSource::to_come(input, capacity);

@@ -10,7 +10,7 @@
 //!
 //! Cannot: tell on which side of a cutter a point lies unless it is on a ray of the picture. The paper's rule needs that.
 
-use super::raycast;
+use super::raycast::{self, WalkedPixels};
 use crate::passes::{Crossings, Input, Refusal, SceneBuffers, SheetDraw, Sheets, Store};
 use crate::plan::{Binding, BufferRole, Clock, Draw, Plan, Resource, Vertices};
 use crate::shader::Shader;
@@ -32,7 +32,7 @@ pub(super) fn list(
     store: &Store,
 ) -> Result<Crossings, Refusal> {
     let bits = bits(scene.input);
-    let crossings = raycast::record(plan, scene, capacity, store, bits);
+    let crossings = raycast::record(plan, scene, capacity, &WalkedPixels::All(store), bits);
     if bits != 0 {
         let mut sheets = Sheets::default();
         add(plan, scene, &mut sheets);

@@ -7,7 +7,7 @@
 //! box of the cut solids; 8 bytes per pixel and 4 (one clip-surface) or 8 per crossing of capacity.
 //!
 //! With the compute rasteriser, rays through reliefs are followed only between the depths of the cut parts in their picture tile
-//! ([`SceneBuffers::on_screen_first`]).
+//! ([`SceneBuffers::on_screen_first`]); with one relief, only those of listed pixels ([`WalkedPixels::Listed`]).
 //!
 //! Lists have the length of the longest one that a frame needed. Cannot: hold more than 1023 crossings per pixel, or lists of more than 2
 //! GiB in a picture: 512 crossings at 1024 x 768, 64 at 3840 x 2160. A list that overflows keeps the nearest crossings, marks the pixel and
@@ -17,12 +17,13 @@ mod choice;
 
 use super::cutter;
 use crate::passes::{
-    ANY_SURFACES, Crossings, Input, NEED_OF_CELLS, NEED_OF_CROSSINGS, ONE_SURFACE, ReliefWalk,
-    SceneBuffers, Store, need, pixels, pyramids,
+    Crossings, Input, NEED_OF_CELLS, NEED_OF_CROSSINGS, PixelList, ReliefWalk, SceneBuffers, Store,
+    need, pixels, pyramids, surfaces_file,
 };
 use crate::plan::pack;
 use crate::plan::{
-    Access, Binding, Bounded, Capacities, Capacity, Clock, Limits, Pass, Plan, Resource, Work,
+    Access, Binding, Bounded, Capacities, Capacity, Clock, Limits, Pass, Plan, Resource,
+    ResourceId, Work,
 };
 use crate::scene::Fill;
 use crate::shader::Shader;
@@ -91,13 +92,21 @@ fn most_that_fit(input: &Input<'_>) -> u32 {
     most.clamp(fewest, u64::from(Capacities::MOST_CROSSINGS)) as u32
 }
 
+/// The pixels whose crossings are listed.
+pub(crate) enum WalkedPixels<'a> {
+    /// All, or all in touched tiles if the mesh is on the screen; if it is not, the pass prepares them for the fragments of a store.
+    All(&'a Store),
+    /// Those in a list, with one relief; the pass turns the bits of slabs in the mask into bits of crossings.
+    Listed(PixelList, ResourceId),
+}
+
 /// Records the pass that writes the list, and prepares every pixel for its first fragment. Clip-surfaces with a bit in `sheets` are left to
 /// the passes that draw them as triangles.
-pub(super) fn record(
+pub(crate) fn record(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,
     capacity: u32,
-    store: &Store,
+    pixels: &WalkedPixels<'_>,
     sheets: u32,
 ) -> Crossings {
     let input = scene.input;
@@ -114,10 +123,7 @@ pub(super) fn record(
         z: buffer("crossing_z", words),
         surfaces: buffer("crossing_surface", if one_surface { 4 } else { words }),
         capacity,
-        surfaces_file: match one_surface {
-            true => ONE_SURFACE,
-            false => ANY_SURFACES,
-        },
+        surfaces_file: surfaces_file(input),
     };
     let need = need(plan, input, Clock::Frame);
     let mut bindings = vec![
@@ -129,30 +135,39 @@ pub(super) fn record(
         Binding::write("crossing_surface", crossings.surfaces),
         Binding::write("need", need),
     ];
-    let (files, work) = match &scene.on_screen {
-        Some(on_screen) => {
+    let mut constants = vec![("capacity", f64::from(capacity))];
+    let (files, work) = match (pixels, &scene.on_screen) {
+        (WalkedPixels::Listed(list, mask), _) => {
+            bindings.extend([list.binding(), Binding::update("mask", *mask)]);
+            constants.push(scene.lanes.constant());
+            (Vec::new(), list.shared())
+        }
+        (WalkedPixels::All(_), Some(on_screen)) => {
             bindings.push(on_screen.touched.binding(Access::Read));
             let touched = on_screen.touched.shared();
             let files = vec!["lib/begun/nothing.wgsl", "lib/share/touched.wgsl"];
             (files, touched)
         }
-        None => {
+        (WalkedPixels::All(store), None) => {
             bindings.extend(store.begun());
             let picture = Work::over(input.view.size_px);
             let files = vec!["lib/begun/store.wgsl", store.file, "lib/share/picture.wgsl"];
             (files, picture)
         }
     };
-    let mut constants = vec![("capacity", f64::from(capacity))];
     let (shader, how) = if reliefs {
         bindings.push(scene.heights.clone());
-        let interval = match scene.on_screen {
-            Some(_) => {
-                constants.push(("near_inside", f64::from(u8::from(active_cuts.near_inside))));
-                "lib/interval/tiles.wgsl"
+        let reliefs = Shader::from("strategies/surface/raycast/reliefs.wgsl");
+        let (shader, by_tiles) = match (pixels, &scene.on_screen) {
+            (WalkedPixels::Listed(..), _) => {
+                (Shader::from("strategies/surface/raycast/listed.wgsl"), true)
             }
-            None => "lib/interval/box.wgsl",
+            (WalkedPixels::All(_), Some(_)) => (reliefs.with("lib/interval/tiles.wgsl"), true),
+            (WalkedPixels::All(_), None) => (reliefs.with("lib/interval/box.wgsl"), false),
         };
+        if by_tiles {
+            constants.push(("near_inside", f64::from(u8::from(active_cuts.near_inside))));
+        }
         let choice = choice::of(input);
         let file = match choice.walk {
             ReliefWalk::Cells => "lib/relief_crossing/cells.wgsl",
@@ -161,8 +176,7 @@ pub(super) fn record(
                 "lib/relief_crossing/pyramid.wgsl"
             }
         };
-        let shader = Shader::from("strategies/surface/raycast/reliefs.wgsl");
-        (shader.with(file).with(interval), choice.reason)
+        (shader.with(file), choice.reason)
     } else {
         let how = match sheets {
             0 => "only planes, so no walk",

@@ -8,7 +8,8 @@ use std::ops::Range;
 
 use glam::DVec3;
 
-use super::{cutter, raycast};
+use super::cutter;
+use super::raycast::{self, WalkedPixels};
 use crate::passes::{Crossings, Input, Refusal, SceneBuffers, SheetDraw, Sheets, Store};
 use crate::plan::pack::most_box_margin;
 use crate::plan::{Arguments, Binding, Draw, Plan, ResourceId, Vertices};
@@ -170,7 +171,13 @@ pub(crate) fn list(
     // The tessellation comes first, because it may record passes on slower clocks.
     let tessellation = tessellate(plan, scene)?;
     let by_triangles = by_facing | cutter::bits(input);
-    let crossings = raycast::record(plan, scene, capacity, store, by_triangles);
+    let crossings = raycast::record(
+        plan,
+        scene,
+        capacity,
+        &WalkedPixels::All(store),
+        by_triangles,
+    );
     let instances: Vec<u32> = reliefs.iter().map(|s| instance(0, *s)).collect();
     let batches = tessellation.batches(&instances).into_iter().enumerate();
     let bindings = tessellation.bindings(scene);

@@ -5,6 +5,7 @@ mod coverage;
 mod long_triangles;
 mod plans;
 mod print_sizes;
+mod slabs;
 mod solids;
 mod touched;
 mod ways;

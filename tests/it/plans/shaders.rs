@@ -98,7 +98,11 @@ fn only_the_listed_files_are_more_than_core() {
         .collect();
     assert_eq!(
         native,
-        BTreeSet::from(["passes/rasterise/large.wgsl", "passes/rasterise/small.wgsl",]),
+        BTreeSet::from([
+            "passes/rasterise/large.wgsl",
+            "passes/rasterise/small.wgsl",
+            "passes/rasterise/within.wgsl",
+        ]),
         "shaders with atomics of 64 bits"
     );
     // The control: what a listed file does is refused in any other.
@@ -547,6 +551,14 @@ fn constants_have_one_value_on_both_sides() {
         ("MOST_TARGETS", 4096),
         ("MOST_JOINTS", 1024),
         ("MOST_DEFORMERS", MOST_DEFORMERS as u32),
+        // The bits of a lane while samples are classed by slabs, and the work of a workgroup over their lists: known to the shaders alone.
+        ("WITHIN_FROM_END", 2),
+        ("LOST_FROM_END", 3),
+        ("PIXELS_OF_TURN", 256),
+        ("PIXELS_OF_GROUP", 1024),
+        ("SAMPLES_OF_GROUP", 256),
+        ("MOST_GROUPS", 65_535),
+        ("CROSSINGS_OF_A_WORD", Capacities::CROSSINGS_OF_A_WORD),
         // How the queue of a screen is laid out, and dispatched: known to the shaders alone.
         ("HEAD", 2),
         ("CLIPPED", 1 << 31),

@@ -2,7 +2,7 @@
 // sheets are left to the pass that merges them.
 
 #import cutaway::begun::make_ready
-#import cutaway::crossing_list::{List, finish}
+#import cutaway::crossing_list::{begin_list, finish}
 #import cutaway::cuts::{MAX_SURFACES, cut_table}
 #import cutaway::frame::{frame, box_interval, centre_of, pixel_index, ray_through}
 #import cutaway::plane_crossing::cross_plane
@@ -16,7 +16,7 @@ override sheets: u32 = 0u;
 fn cross(xy: vec2<u32>) {
     let pixel = pixel_index(xy);
     make_ready(pixel);
-    var list = List(pixel, capacity, 0u, 0u, false);
+    var list = begin_list(pixel, capacity, false);
     let at = centre_of(xy);
     let interval = box_interval(ray_through(at));
     if interval.x < interval.y {

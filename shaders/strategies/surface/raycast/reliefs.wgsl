@@ -3,7 +3,7 @@
 // solids.
 
 #import cutaway::begun::make_ready
-#import cutaway::crossing_list::{List, finish}
+#import cutaway::crossing_list::{begin_list, finish}
 #import cutaway::cuts::{MAX_SURFACES, NO_RELIEF, cut_table}
 #import cutaway::frame::{frame, centre_of, pixel_index}
 #import cutaway::interval::interval_at
@@ -21,7 +21,7 @@ override near_inside: bool = false;
 fn cross(xy: vec2<u32>) {
     let pixel = pixel_index(xy);
     make_ready(pixel);
-    var list = List(pixel, capacity, 0u, 0u, false);
+    var list = begin_list(pixel, capacity, false);
     let at = centre_of(xy);
     let interval = interval_at(xy, near_inside);
     if interval.part.x < interval.part.y {

@@ -103,7 +103,7 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {{
     let pixel = id.x;
     if pixel >= pixel_count() {{ return; }}
     let capacity = cases[pixel][0];
-    var list = List(pixel, capacity, 0u, 0x80000001u, {cut_short});
+    var list = List(pixel, capacity, 0u, 0x80000001u, {cut_short}, false);
     for (var i = 0u; i < cases[pixel][1]; i++) {{
         let what = cases[pixel][3u + 3u * i];
         let enters = cases[pixel][4u + 3u * i] != 0u;

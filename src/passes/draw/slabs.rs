@@ -1,0 +1,291 @@
+//! Marks lanes by the slab of a relief before crossings are listed, so that rays are walked only in pixels where a crossing can matter.
+//!
+//! A relief lies in a slab: between the planes at its least and its greatest height. A sample outside of the slab is kept or removed by the
+//! side it is on, and lies in front of all crossings or behind all of them. So one sweep leaves for each pixel the parity of the samples
+//! behind the slab, the nearest sample that is kept for certain, and a list of the samples within the slab. A pixel is settled if no sample
+//! is within the slab and all parities are even, or if its nearest sample is in front of the slab. Only in the other pixels are crossings
+//! computed: each begins with the parity of the slab, and the samples within the slab are added. Layers and picture are those of the full
+//! lists, as long as these do not overflow: `docs/algorithm.md` has the proof.
+//!
+//! Cost: 4 bytes per pixel for the list of pixels, 16 per sample within the slab, for which there are 4 bytes per pixel at first. Only for
+//! one relief that is the only clip-surface. Not for parts with counts, nor for preclassified triangles.
+
+use super::rasterise::{Swept, take_to_screen};
+use super::share::Share;
+use super::solid::NearestKept;
+use super::store::Store;
+use super::sweep::SweepPasses;
+use crate::passes::frame::buffers::SceneBuffers;
+use crate::passes::frame::crossings::{Crossings, surfaces_file};
+use crate::passes::frame::dispatch::GROUP;
+use crate::passes::frame::input::Input;
+use crate::passes::frame::need::{NEED_OF_FRAGMENTS, need};
+use crate::passes::frame::on_screen::OnScreen;
+use crate::passes::frame::rasteriser::Rasteriser;
+use crate::passes::frame::refusal::Refusal;
+use crate::passes::frame::touched::tiles_in;
+use crate::plan::{
+    Access, Arguments, Binding, Bounded, Capacities, Capacity, Clock, DISPATCH_ARGUMENT_BYTES,
+    Pass, Plan, Resource, ResourceId, Work,
+};
+use crate::shader::Shader;
+
+/// Crossings for which a lane has room for the bits of a slab, besides the bit of the total: `shaders/lib/inside_tests/slab_bits.wgsl`.
+const FEWEST_CROSSINGS: u32 = 3;
+/// Bytes of a listed sample, and before the first: `shaders/lib/lists/within_list.wgsl`.
+const SAMPLE_BYTES: u64 = 16;
+/// Share of the height of the cut parts' box from which a slab is thick.
+const THICK: f64 = 0.25;
+/// Pixels for each sample that the list holds at first.
+const PIXELS_PER_SAMPLE: u64 = 4;
+/// Most samples of the list. If a frame needs more, the crossings of all pixels are listed.
+const MOST_SAMPLES: u32 = 1 << 22;
+
+/// Lanes that are marked by slabs, and the lists of what is left.
+#[derive(Clone, Debug)]
+pub(crate) struct SlabMarks {
+    on_screen: OnScreen,
+    mask: ResourceId,
+    within: ResourceId,
+    /// The pixels whose crossings matter.
+    pub(crate) pixels: PixelList,
+}
+
+/// A list of pixels whose crossings matter.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct PixelList {
+    list: ResourceId,
+    /// Numbers of workgroups, over the pixels and over the samples within slabs.
+    groups: ResourceId,
+}
+
+impl PixelList {
+    /// Binding for passes over the listed pixels.
+    pub(crate) fn binding(self) -> Binding {
+        Binding::read("pixel_list", self.list)
+    }
+
+    /// A dispatch whose workgroups share the listed pixels.
+    pub(crate) fn shared(self) -> Work {
+        over_listed(self.groups, 0)
+    }
+}
+
+fn over_listed(groups: ResourceId, which: u64) -> Work {
+    let arguments = Arguments {
+        resource: groups,
+        offset: which * DISPATCH_ARGUMENT_BYTES,
+    };
+    Work::ComputeIndirect { arguments }
+}
+
+/// Returns true if the slab holds a large part of the box of the cut parts, and thus many samples.
+fn has_thick_slab(input: &Input<'_>) -> bool {
+    let active_cuts = &input.active_cuts;
+    active_cuts.surfaces.iter().any(|number| {
+        let surface = &input.model.prepared.surfaces[*number];
+        let corners = active_cuts.cut_box.corners();
+        let heights = corners.map(|c| (c - surface.origin).dot(surface.frame.normal));
+        let [low, high] =
+            [f64::min, f64::max].map(|f| heights.into_iter().reduce(f).unwrap_or(0.0));
+        let [least, greatest] = surface.slab();
+        (high.min(-least) - low.max(-greatest)) > THICK * (high - low)
+    })
+}
+
+/// The capacity of lists of crossings, possibly raised so that lanes have room for the bits of the slab; `None` where lanes cannot be marked
+/// by a slab.
+pub(crate) fn capacity_for_slabs(input: &Input<'_>, capacity: u32) -> Option<u32> {
+    let capacity = capacity.max(FEWEST_CROSSINGS);
+    let samples = input.capacities.fragments.unwrap_or(0);
+    (input.rasteriser == Rasteriser::Compute
+        && !input.keeps_list
+        && input.preclassified.is_none()
+        // Several cost more: each sample is compared with each slab.
+        && input.active_cuts.surfaces.len() == 1
+        && input.has_reliefs()
+        && !has_thick_slab(input)
+        && capacity <= Capacities::CROSSINGS_OF_A_WORD
+        && samples <= MOST_SAMPLES)
+        .then_some(capacity)
+}
+
+/// Records the sweep that marks lanes by slabs, and the list of the pixels whose crossings matter.
+pub(crate) fn mark_by_slabs(
+    plan: &mut Plan,
+    scene: &SceneBuffers<'_>,
+    store: &Store,
+    mask: ResourceId,
+) -> Result<SlabMarks, Refusal> {
+    let input = scene.input;
+    let pixels = input.pixel_count();
+    // The number of samples varies from view to view: some room saves new buffers.
+    let needed = input.capacities.fragments.map(|n| n + n / 4);
+    let capacity = needed.unwrap_or((pixels / PIXELS_PER_SAMPLE) as u32);
+    let capacity = capacity.max(GROUP);
+    let bytes = (u64::from(capacity) + 1) * SAMPLE_BYTES;
+    let within = plan.add_resource(Resource::storage("within_list", bytes, Clock::Frame));
+    // A count, two words per tile, a word per pixel.
+    let words = 1 + 2 * u64::from(tiles_in(input.view.size_px)) + pixels;
+    let list = Resource::storage("pixel_list", 4 * words, Clock::Frame);
+    let list = plan.add_resource(list);
+    plan.bounded.push(Bounded {
+        what: "samples within the slab of a relief".to_owned(),
+        slot: NEED_OF_FRAGMENTS,
+        capacity,
+        resizes: Some(Capacity::Fragments),
+        exact: false,
+    });
+    let groups = Resource::arguments("listed_groups", 2 * DISPATCH_ARGUMENT_BYTES, Clock::Frame);
+    let groups = plan.add_resource(groups);
+    let lists = Some([
+        Binding::write("listed_groups", groups),
+        Binding::write("within_list", within),
+        Binding::write("pixel_list", list),
+    ]);
+    let on_screen = take_to_screen(plan, scene, Some(store), Share::of_store(store), lists)?;
+    let marks = SlabMarks {
+        pixels: PixelList { list, groups },
+        on_screen,
+        mask,
+        within,
+    };
+    let reason = "each sample marks its lane if it is behind the slab, and is listed if it is within; the nearest that is kept for certain stays";
+    let sweep = marks.sweep(scene, "mark", reason, false);
+    sweep.record(plan, scene, &marks.on_screen.screen);
+    marks.settle(plan, scene);
+    Ok(marks)
+}
+
+impl SlabMarks {
+    fn sweep<'a>(
+        &self,
+        scene: &SceneBuffers<'_>,
+        name: &'a str,
+        reason: &'a str,
+        again: bool,
+    ) -> SweepPasses<'a> {
+        SweepPasses {
+            name,
+            reason,
+            sample: match scene.input.wide_atomics {
+                true => "lib/sample/slabs_fused.wgsl",
+                false => "lib/sample/slabs_raised.wgsl",
+            },
+            more_files: vec![surfaces_file(scene.input)],
+            store: None,
+            crossings: None,
+            bindings: vec![
+                scene.cut_table.clone(),
+                scene.ray_table.clone(),
+                Binding::update("nearest", self.on_screen.nearest),
+                Binding::update("mask", self.mask),
+                Binding::update("within_list", self.within),
+            ],
+            touched: Some(self.on_screen.touched),
+            finds_depths: true,
+            again,
+        }
+    }
+
+    /// Writes the layers of the pixels in which no crossing matters, and lists the others.
+    fn settle(&self, plan: &mut Plan, scene: &SceneBuffers<'_>) {
+        let bindings = vec![
+            scene.frame.clone(),
+            scene.cut_table.clone(),
+            scene.ray_table.clone(),
+            Binding::read("mask", self.mask),
+            Binding::update("layers", self.on_screen.layers),
+            Binding::read("nearest", self.on_screen.nearest),
+            self.on_screen.touched.binding(Access::Read),
+            Binding::update("pixel_list", self.pixels.list),
+            Binding::update("listed_groups", self.pixels.groups),
+            Binding::read("within_list", self.within),
+        ];
+        let pass = Pass::new(
+            "settle",
+            "no crossing matters without a sample within the slab and with an even number behind it, or behind a nearer surface; \
+             the other pixels are listed",
+            Shader::from("passes/rasterise/settle.wgsl")
+                .with("lib/share/touched.wgsl")
+                .with(surfaces_file(scene.input)),
+            bindings,
+            self.on_screen.touched.shared(),
+        );
+        plan.add_pass(pass.with_constants(vec![scene.lanes.constant()]));
+    }
+
+    /// Records the passes that decide the samples within slabs by the crossings of the listed pixels.
+    pub(crate) fn finish(
+        self,
+        plan: &mut Plan,
+        scene: &SceneBuffers<'_>,
+        crossings: &Crossings,
+    ) -> NearestKept {
+        if scene.input.wide_atomics {
+            self.take_within(plan, scene, crossings, "lib/keeping/wide.wgsl", true);
+        } else {
+            self.take_within(plan, scene, crossings, "lib/keeping/raise.wgsl", true);
+            let reason = "the first triangle at a pixel's depth claims the pixel";
+            let sweep = self.sweep(scene, "claim", reason, true);
+            sweep.record(plan, scene, &self.on_screen.screen);
+            self.take_within(plan, scene, crossings, "lib/keeping/claim.wgsl", false);
+            self.add_triangles(plan, scene);
+        }
+        NearestKept::Swept(Swept::of(self.on_screen, Some(self.pixels)))
+    }
+
+    /// Adds the triangles that claimed settled pixels.
+    fn add_triangles(&self, plan: &mut Plan, scene: &SceneBuffers<'_>) {
+        let bindings = vec![
+            scene.frame.clone(),
+            Binding::update("layers", self.on_screen.layers),
+            Binding::read("nearest", self.on_screen.nearest),
+            self.on_screen.touched.binding(Access::Read),
+        ];
+        plan.add_pass(Pass::new(
+            "settled",
+            "settled pixels show the triangles that claimed them",
+            Shader::from("passes/rasterise/settled.wgsl").with("lib/share/touched.wgsl"),
+            bindings,
+            self.on_screen.touched.shared(),
+        ));
+    }
+
+    fn take_within(
+        &self,
+        plan: &mut Plan,
+        scene: &SceneBuffers<'_>,
+        crossings: &Crossings,
+        keeping: &'static str,
+        marks: bool,
+    ) {
+        let screen = &self.on_screen.screen;
+        let need = need(plan, scene.input, Clock::Frame);
+        let mut bindings = vec![
+            scene.frame.clone(),
+            scene.cut_table.clone(),
+            screen.drawn_parts.clone(),
+            Binding::read("layers", self.on_screen.layers),
+            Binding::update("mask", self.mask),
+            Binding::update("nearest", self.on_screen.nearest),
+            Binding::read("within_list", self.within),
+            Binding::update("need", need),
+        ];
+        let crossings = crossings.asked();
+        bindings.extend(crossings.bindings.iter().cloned());
+        let pass = Pass::new(
+            match marks {
+                true => "within",
+                false => "claim within",
+            },
+            "samples within the slab mark the crossings in front of them, and may be the nearest kept",
+            Shader::from("passes/rasterise/within.wgsl")
+                .with_all(&crossings.files())
+                .with(keeping),
+            bindings,
+            over_listed(self.pixels.groups, 1),
+        );
+        plan.add_pass(pass.with_constants(vec![("marks", f64::from(u8::from(marks)))]));
+    }
+}
