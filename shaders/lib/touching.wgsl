@@ -70,3 +70,19 @@ fn reach_of(z: vec3<f32>) -> vec2<u32> {
     let farthest = max(min(z.x, min(z.y, z.z)), 0.0);
     return vec2<u32>(bitcast<u32>(nearest), ~bitcast<u32>(farthest));
 }
+
+// Touches the tiles that the box of a triangle's pixels covers, and widens their depth ranges by the depth-buffer values `z` of its corners if
+// its part is cut. The box has at most 65 pixels a side.
+fn touch_box_at_depths(first: vec2<i32>, last: vec2<i32>, z: vec3<f32>, is_cut: bool) {
+    let box = box_of(first, last);
+    let reach = reach_of(z);
+    for (var y = 0u; y < box.size.y; y++) {
+        for (var x = 0u; x < box.size.x; x++) {
+            let tile = tile_at(box.first + vec2<u32>(x, y));
+            touch_tile(tile);
+            if is_cut {
+                widen(tile, reach.x, reach.y);
+            }
+        }
+    }
+}

@@ -8,8 +8,7 @@
 #import cutaway::rows::row_of_triangle
 #import cutaway::screen::{first_pixel, is_beside, is_clipped, last_pixel, point_of}
 #import cutaway::sweep::{NO_LANE, corners_of, drawn_parts, number_of, sweep}
-#import cutaway::touched::tile_at
-#import cutaway::touching::{box_of, reach_of, touch_box, touched, widen}
+#import cutaway::touching::{touch_box_at_depths, touched}
 
 @group(2) @binding(3) var<storage, read> screen: array<vec4<i32>>;
 
@@ -53,15 +52,5 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
         enqueue(triangle, a, b, c, low, high, piece_px);
         return;
     }
-    touch_box(first, last);
-    if !is_cut {
-        return;
-    }
-    let reach = reach_of(vec3<f32>(a.z, b.z, c.z));
-    let box = box_of(first, last);
-    for (var y = 0u; y < box.size.y; y++) {
-        for (var x = 0u; x < box.size.x; x++) {
-            widen(tile_at(box.first + vec2<u32>(x, y)), reach.x, reach.y);
-        }
-    }
+    touch_box_at_depths(first, last, vec3<f32>(a.z, b.z, c.z), is_cut);
 }

@@ -84,10 +84,7 @@ fn has_thick_slab(input: &Input<'_>) -> bool {
     let active_cuts = &input.active_cuts;
     active_cuts.surfaces.iter().any(|number| {
         let surface = &input.model.prepared.surfaces[*number];
-        let corners = active_cuts.cut_box.corners();
-        let heights = corners.map(|c| (c - surface.origin).dot(surface.frame.normal));
-        let [low, high] =
-            [f64::min, f64::max].map(|f| heights.into_iter().reduce(f).unwrap_or(0.0));
+        let [low, high] = surface.heights_of(&active_cuts.cut_box);
         let [least, greatest] = surface.slab();
         (high.min(-least) - low.max(-greatest)) > THICK * (high - low)
     })

@@ -264,15 +264,11 @@ fn side_of(surface: &PreparedSurface, bounds: &Bounds, touching: f64) -> BoxSide
             (true, true) => BoxSide::Removed,
         };
     }
-    let heights = bounds
-        .corners()
-        .map(|c| (c - surface.origin).dot(surface.frame.normal));
+    let [low, high] = surface.heights_of(bounds);
     let [lowest, highest] = surface.slab();
-    let low = heights.iter().copied().fold(f64::INFINITY, f64::min) + lowest;
-    let high = heights.iter().copied().fold(f64::NEG_INFINITY, f64::max) + highest;
-    if low > touching {
+    if low + lowest > touching {
         BoxSide::Kept
-    } else if high < -touching {
+    } else if high + highest < -touching {
         BoxSide::Removed
     } else {
         BoxSide::Across

@@ -178,6 +178,16 @@ impl PreparedSurface {
         [ends[0].min(ends[1]), ends[0].max(ends[1])]
     }
 
+    /// Least and greatest height of a box over the plane.
+    pub(crate) fn heights_of(&self, bounds: &Bounds) -> [f64; 2] {
+        let corners = bounds.corners();
+        let heights = corners.map(|c| (c - self.origin).dot(self.frame.normal));
+        [
+            heights.iter().copied().fold(f64::INFINITY, f64::min),
+            heights.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+        ]
+    }
+
     /// This clip-surface as a flat surface; `None` for a cutter, and for a relief that is not flat.
     pub fn flat(&self) -> Option<FlatSurface> {
         let lift = self.flat_height().filter(|_| self.volume.is_none())?;
