@@ -11,7 +11,11 @@
 use std::collections::BTreeMap;
 
 use glam::DVec3;
+use rayon::prelude::*;
 use robust::{Coord3D, orient3d};
+
+/// Fewest points that a thread takes at once.
+const SHARE: usize = 1 << 13;
 
 /// Points that protrude by less than this share of the total thickness are left out: 0.1 px in a picture of 1000 px.
 const ASIDE: f64 = 1e-4;
@@ -178,25 +182,31 @@ impl<'a> Hull<'a> {
     }
 
     /// Assigns each point to a facet that it lies in front of, among those from `first` on; points without such a facet are decided.
-    fn share_out(&mut self, points: impl Iterator<Item = usize>, first: usize) {
-        for point in points {
+    fn share_out<P>(&mut self, points: P, first: usize)
+    where
+        P: IntoParallelIterator<Item = usize, Iter: IndexedParallelIterator>,
+    {
+        let facet_of = |point: usize| {
             let mut all = first..self.facets.len();
             let before = all.find(|f| {
                 self.distance(*f, point) > self.aside
                     && self.side(self.facets[*f].corners, point) > 0.0
             });
-            if let Some(facet) = before {
-                self.facets[facet].before.push(point);
-            }
+            before.map(|facet| (facet, point))
+        };
+        let points = points.into_par_iter().with_min_len(SHARE);
+        let shared: Vec<(usize, usize)> = points.filter_map(facet_of).collect();
+        for (facet, point) in shared {
+            self.facets[facet].before.push(point);
         }
     }
 
     fn farthest_before(&self, facet: usize) -> Option<usize> {
-        let all = self.facets[facet].before.iter().copied();
-        all.max_by(|a, b| {
-            self.distance(facet, *a)
-                .total_cmp(&self.distance(facet, *b))
-        })
+        let all = self.facets[facet].before.par_iter().with_min_len(SHARE);
+        let all = all.map(|point| (self.distance(facet, *point), *point));
+        // Of points at the same distance the last, whatever the number of threads.
+        let farthest = all.max_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        farthest.map(|(_, point)| point)
     }
 
     /// Adds a point in front of the facet `seen_first` to the hull.
@@ -245,8 +255,9 @@ impl<'a> Hull<'a> {
             }
         }
         for facet in seen {
-            let orphans = std::mem::take(&mut self.facets[facet].before);
-            self.share_out(orphans.into_iter().filter(|o| *o != point), first);
+            let mut orphans = std::mem::take(&mut self.facets[facet].before);
+            orphans.retain(|orphan| *orphan != point);
+            self.share_out(orphans, first);
         }
     }
 }

@@ -38,17 +38,15 @@ fn base(parts: &[Part], bounds: &Bounds, axis: usize) -> f64 {
     let most = bounds.min[axis] + THIN * bounds.size().length();
     let mut area = 0.0;
     for part in parts {
-        let place = |i: u32| {
-            part.world_from_part
-                .transform_point3(part.mesh.positions[i as usize])
-        };
-        for triangle in &part.mesh.triangles {
-            let corners: [DVec3; 3] = triangle.map(place);
-            if corners.iter().all(|c| c[axis] <= most) {
-                let [a, b, c] = corners;
-                area += (-0.5 * (b - a).cross(c - a)[axis]).max(0.0);
+        area += part.mesh.sum_of_triangles(|corners| {
+            let place = |p: DVec3| part.world_from_part.transform_point3(p);
+            // Most triangles are not low, and of these one corner is enough.
+            if !corners.iter().all(|p| place(*p)[axis] <= most) {
+                return 0.0;
             }
-        }
+            let [a, b, c] = corners.map(place);
+            (-0.5 * (b - a).cross(c - a)[axis]).max(0.0)
+        });
     }
     let size = bounds.size();
     let across = size[(axis + 1) % 3] * size[(axis + 2) % 3];

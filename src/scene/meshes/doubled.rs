@@ -3,11 +3,12 @@
 //! Positions are compared, not indices, so vertices that were not welded count too. Of two coincident faces, the one that faces the eye is
 //! shown; rasterisers compute the same depth for both, so they need the list of these faces.
 //!
-//! Cost: one hash per position and a parallel sort of one hash per triangle; faces are compared only if their hashes are equal.
+//! Cost: one hash per position and a parallel sort of one hash per triangle, by ranges of hashes; faces are compared only if their hashes are equal.
 
 use glam::DVec3;
 use rayon::prelude::*;
 
+use super::buckets::{Buckets, bits_for};
 use crate::scene::Mesh;
 
 /// The triangles that coincide with another one, in order; both of a pair are listed.
@@ -15,17 +16,14 @@ pub(crate) fn doubled_faces(mesh: &Mesh) -> Vec<u32> {
     let names: Vec<u64> = (mesh.positions.par_iter().with_min_len(1 << 13))
         .map(|p| name_of(*p))
         .collect();
-    let mut order: Vec<(u64, u32)> = (mesh.triangles.par_iter().enumerate().with_min_len(1 << 13))
-        .map(|(index, t)| {
-            // Independent of the order of the corners.
-            let sum = t
-                .map(|i| names[i as usize])
-                .into_iter()
-                .reduce(u64::wrapping_add);
-            (sum.unwrap_or(0), index as u32)
-        })
-        .collect();
-    order.par_sort_unstable();
+    let bits = bits_for(mesh.triangles.len());
+    let buckets = Buckets::of(&mesh.triangles, 1 << bits, |index, t| {
+        // Independent of the order of the corners.
+        let [a, b, c] = t.map(|i| names[i as usize]);
+        let sum = a.wrapping_add(b).wrapping_add(c);
+        let bucket = sum.rotate_left(bits) as usize & ((1 << bits) - 1);
+        [(bucket, (sum, index as u32))]
+    });
     let corners = |index: u32| {
         let mut corners = mesh
             .corners(index as usize)
@@ -33,22 +31,24 @@ pub(crate) fn doubled_faces(mesh: &Mesh) -> Vec<u32> {
         corners.sort_by(|a, b| a.partial_cmp(b).unwrap_or(std::cmp::Ordering::Equal));
         corners
     };
-    let mut doubled: Vec<u32> = (order.chunk_by(|a, b| a.0 == b.0))
-        .filter(|alike| alike.len() > 1)
-        .flat_map(|alike| {
-            let is_on_another = |(_, t): &&(u64, u32)| {
-                let others = alike.iter().filter(|(_, other)| other != t);
-                others
-                    .into_iter()
-                    .any(|(_, other)| corners(*other) == corners(*t))
-            };
-            alike
-                .iter()
-                .filter(is_on_another)
-                .map(|(_, t)| *t)
-                .collect::<Vec<_>>()
-        })
-        .collect();
+    let doubled_in = |order: &[(u64, u32)]| -> Vec<u32> {
+        (order.chunk_by(|a, b| a.0 == b.0))
+            .filter(|alike| alike.len() > 1)
+            .flat_map(|alike| {
+                let is_on_another = |(_, t): &&(u64, u32)| {
+                    let mut others = alike.iter().filter(|(_, other)| other != t);
+                    others.any(|(_, other)| corners(*other) == corners(*t))
+                };
+                alike.iter().filter(is_on_another).map(|(_, t)| *t)
+            })
+            .collect()
+    };
+    let doubled = buckets.par_iter().flat_map_iter(|items| {
+        let mut order: Vec<(u64, u32)> = items.collect();
+        order.sort_unstable();
+        doubled_in(&order)
+    });
+    let mut doubled: Vec<u32> = doubled.collect();
     doubled.sort_unstable();
     doubled
 }

@@ -1,6 +1,7 @@
 //! Triangle meshes: their topology, welding and smoothing of vertices, and analyses made before cutting.
 
 pub(super) mod base;
+mod buckets;
 pub(super) mod doubled;
 pub(super) mod filled_part;
 pub(super) mod mesh;

@@ -5,11 +5,16 @@
 //! mean of its face normals weighted by the corner angles (Thürmer and Wüthrich 1998), which does not depend on how flat
 //! regions are triangulated. Normals from the file take precedence. Normals never move a position or an edge.
 //!
-//! Cost: one bucket sort of the corners, then every position on its own, in parallel; the result does not depend on the
-//! number of threads. Limit: a triangle without area gets the normal of some adjacent triangle, or `+Z`.
+//! Cost: the corners are distributed to runs of positions and sorted there, then every position is taken on its own, in parallel; the result
+//! does not depend on the number of threads. Limit: a triangle without area gets the normal of some adjacent triangle, or `+Z`.
+
+use std::ops::Range;
+use std::sync::atomic::{AtomicU32, Ordering};
 
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
+
+use super::buckets::Buckets;
 
 /// Default crease angle in degrees: edges that turn by more are drawn sharp.
 pub const DEFAULT_CREASE_DEG: f32 = 40.0;
@@ -39,11 +44,10 @@ pub struct ShadingMesh {
     pub triangles: Vec<[u32; 3]>,
 }
 
-/// Vertices for a run of positions, and the vertex of each corner in the run.
+/// Vertices for a run of positions.
 struct Chunk {
     positions_of_vertex: Vec<u32>,
     normals: Vec<Vec3>,
-    vertex_of_corner: Vec<u32>,
 }
 
 /// A triangle corner in its position's bucket.
@@ -65,65 +69,89 @@ impl ShadingMesh {
     /// Splits the vertices of triangles for shading. An edge that turns by at least `crease_deg` is sharp; this is ignored if the
     /// triangles have their own normals.
     pub fn new(of: Faces<'_>, crease_deg: f32) -> Self {
-        let buckets = Buckets::of(of);
+        let number = of.positions.len().div_ceil(CHUNK);
+        let buckets = Buckets::of(of.triangles, number, |index, t| {
+            [0, 1, 2].map(|k| (t[k] as usize / CHUNK, (3 * index + k) as u32))
+        });
         let normals: Vec<DVec3> = (of.triangles.par_iter())
             .map(|t| face_normal(t.map(|i| of.positions[i as usize])))
             .collect();
-        let least_cos = f64::from(crease_deg).to_radians().cos();
-        let chunks: Vec<Chunk> = (0..of.positions.len().div_ceil(CHUNK))
+        // Of each corner, by its place in the list of triangles, its vertex within the run.
+        let vertex_of_corner: Vec<AtomicU32> = (0..3 * of.triangles.len())
             .into_par_iter()
-            .map(|c| {
+            .map(|_| AtomicU32::new(0))
+            .collect();
+        let least_cos = f64::from(crease_deg).to_radians().cos();
+        let chunks: Vec<Chunk> = (buckets.par_iter().enumerate())
+            .map(|(c, corners)| {
                 let positions = c * CHUNK..((c + 1) * CHUNK).min(of.positions.len());
-                chunk(of, &buckets, &normals, positions, least_cos)
+                let corners = SortedCorners::of(of.triangles, corners, positions);
+                chunk(of, &corners, &normals, least_cos, &vertex_of_corner)
             })
             .collect();
 
+        let mut all = Self::default();
         let vertices = chunks.iter().map(|c| c.normals.len()).sum();
-        let mut all = Self {
-            positions_of_vertex: Vec::with_capacity(vertices),
-            normals: Vec::with_capacity(vertices),
-            triangles: vec![[0; 3]; of.triangles.len()],
-        };
-        let mut corners = buckets.corners.iter();
+        all.positions_of_vertex.reserve_exact(vertices);
+        all.normals.reserve_exact(vertices);
+        let mut first_vertex = Vec::with_capacity(number);
         for chunk in chunks {
-            let first = all.normals.len() as u32;
+            first_vertex.push(all.normals.len() as u32);
             all.positions_of_vertex.extend(chunk.positions_of_vertex);
             all.normals.extend(chunk.normals);
-            for (vertex, corner) in chunk.vertex_of_corner.iter().zip(corners.by_ref()) {
-                all.triangles[(corner / 3) as usize][(corner % 3) as usize] = first + vertex;
-            }
         }
+        let vertices = vertex_of_corner.par_chunks_exact(3).zip(of.triangles);
+        let vertices = vertices.map(|(within, t)| {
+            [0, 1, 2]
+                .map(|k| first_vertex[t[k] as usize / CHUNK] + within[k].load(Ordering::Relaxed))
+        });
+        all.triangles = vertices.collect();
         all
     }
 }
 
-/// Corners by position, in order; a corner's number is three times its triangle's index plus its index in the triangle.
-struct Buckets {
+/// Corners at a run of positions, by position, in order; a corner's number is three times its triangle's index plus its index in the
+/// triangle.
+struct SortedCorners {
+    positions: Range<usize>,
     start: Vec<u32>,
     corners: Vec<u32>,
 }
 
-impl Buckets {
-    fn of(faces: Faces<'_>) -> Self {
-        let mut start = vec![0_u32; faces.positions.len() + 1];
-        for i in faces.triangles.iter().flatten() {
-            start[*i as usize + 1] += 1;
+impl SortedCorners {
+    fn of(
+        triangles: &[[u32; 3]],
+        corners: impl Iterator<Item = u32>,
+        positions: Range<usize>,
+    ) -> Self {
+        let all: Vec<u32> = corners.collect();
+        let place = |corner: u32| {
+            triangles[corner as usize / 3][corner as usize % 3] as usize - positions.start
+        };
+        let mut start = vec![0_u32; positions.len() + 1];
+        for corner in &all {
+            start[place(*corner) + 1] += 1;
         }
         for i in 1..start.len() {
             start[i] += start[i - 1];
         }
         let mut next = start.clone();
-        let mut corners = vec![0; faces.triangles.len() * 3];
-        for (corner, i) in (0..).zip(faces.triangles.iter().flatten()) {
-            let slot = &mut next[*i as usize];
+        let mut corners = vec![0; all.len()];
+        for corner in all {
+            let slot = &mut next[place(corner)];
             corners[*slot as usize] = corner;
             *slot += 1;
         }
-        Self { start, corners }
+        Self {
+            positions,
+            start,
+            corners,
+        }
     }
 
     fn at(&self, position: usize) -> &[u32] {
-        &self.corners[self.start[position] as usize..self.start[position + 1] as usize]
+        let place = position - self.positions.start;
+        &self.corners[self.start[place] as usize..self.start[place + 1] as usize]
     }
 }
 
@@ -134,21 +162,22 @@ fn face_normal(corners: [Vec3; 3]) -> DVec3 {
 
 fn chunk(
     faces: Faces<'_>,
-    buckets: &Buckets,
+    corners: &SortedCorners,
     normals: &[DVec3],
-    positions: std::ops::Range<usize>,
     least_cos: f64,
+    vertex_of_corner: &[AtomicU32],
 ) -> Chunk {
+    let positions = corners.positions.clone();
     let mut out = Chunk {
         positions_of_vertex: Vec::with_capacity(positions.len()),
         normals: Vec::with_capacity(positions.len()),
-        vertex_of_corner: Vec::with_capacity(positions.len() * 6),
     };
     let mut around: Vec<TriangleCorner> = Vec::new();
     let mut ends: Vec<(u32, u32)> = Vec::new();
     for position in positions {
         around.clear();
-        around.extend(buckets.at(position).iter().zip(0..).map(|(corner, group)| {
+        let at_position = corners.at(position);
+        around.extend(at_position.iter().zip(0..).map(|(corner, group)| {
             let (t, k) = ((corner / 3) as usize, (corner % 3) as usize);
             let given = faces.corner_normals.map(|n| n[t][k].as_dvec3());
             let given = given.filter(|n| n.is_finite() && *n != DVec3::ZERO);
@@ -169,6 +198,11 @@ fn chunk(
             group(&mut around, &mut ends, least_cos);
         }
         append(&mut out, position as u32, &mut around);
+        for (corner, at) in at_position.iter().zip(&around) {
+            // The leader is the first corner of its group, so its vertex is known by now.
+            let vertex = around[at.group as usize].vertex;
+            vertex_of_corner[*corner as usize].store(vertex, Ordering::Relaxed);
+        }
     }
     out
 }
@@ -226,8 +260,6 @@ fn append(out: &mut Chunk, position: u32, around: &mut [TriangleCorner]) {
             let unit = around[i].pull.try_normalize().unwrap_or(fallback);
             around[i].vertex = vertex_of(out, first, position, unit.as_vec3());
         }
-        // The leader is the first corner of its group, so its vertex is known by now.
-        out.vertex_of_corner.push(around[leader].vertex);
     }
 }
 

@@ -5,6 +5,7 @@
 use std::sync::Arc;
 
 use glam::{DMat3, Vec3};
+use rayon::prelude::*;
 
 use super::SceneSpace;
 use crate::scene::{
@@ -60,10 +61,10 @@ impl PreparedPart {
             turned.normalize_or_zero().as_vec3()
         };
         let mesh = part.posed_mesh();
-        let positions: Vec<Vec3> = (mesh.positions.iter())
+        let positions: Vec<Vec3> = (mesh.positions.par_iter())
             .map(|p| space.vertex(m.transform_point3(*p)))
             .collect();
-        let triangles = mesh.triangles.iter();
+        let triangles = mesh.triangles.par_iter();
         let mut placed = Self {
             bounds: Bounds::from_points(positions.iter().map(|p| p.as_dvec3())),
             positions: Arc::new(positions),

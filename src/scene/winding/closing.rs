@@ -9,9 +9,7 @@
 
 use std::collections::HashMap;
 
-use rayon::prelude::*;
-
-use crate::scene::Fill;
+use crate::scene::{Edges, Fill};
 
 /// The triangles that close a mesh.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -75,34 +73,10 @@ impl Closing {
 /// The directed edges that remain when opposite ones cancel, sorted, each as often as it remains; and the number of edges used an odd number
 /// of times.
 fn chain(triangles: &[[u32; 3]]) -> (Vec<[u32; 2]>, usize) {
-    let directed = |[a, b, c]: &[u32; 3]| [[*a, *b], [*b, *c], [*c, *a]];
-    // Equal ends and a sign in the lowest bit: opposite edges are neighbours.
-    let keyed = |[a, b]: [u32; 2]| {
-        let (low, high, turned) = if a < b { (a, b, 0) } else { (b, a, 1) };
-        (u64::from(low) << 33) | (u64::from(high) << 1) | turned
-    };
-    let mut keys: Vec<u64> = (triangles.par_iter())
-        .flat_map_iter(directed)
-        .filter(|[a, b]| a != b)
-        .map(keyed)
-        .collect();
-    keys.par_sort_unstable();
-    let mut chain = Vec::new();
-    let mut odd_edges = 0;
-    for uses in keys.chunk_by(|a, b| a >> 1 == b >> 1) {
-        let turned = uses.iter().filter(|key| **key & 1 == 1).count();
-        let along = uses.len() - turned;
-        odd_edges += uses.len() % 2;
-        let ends = [uses[0] >> 33, (uses[0] >> 1) & 0xffff_ffff].map(|end| end as u32);
-        let [low, high] = ends;
-        let edge = if along > turned {
-            [low, high]
-        } else {
-            [high, low]
-        };
-        chain.extend(std::iter::repeat_n(edge, along.abs_diff(turned)));
-    }
+    let edges = Edges::of(triangles);
+    let mut chain = edges.left_over().to_vec();
     chain.sort_unstable();
+    let odd_edges = edges.open().filter(|[a, b]| a != b).count();
     (chain, odd_edges)
 }
 
