@@ -5,6 +5,7 @@
 //! groups stay apart. A closed group that is inside out is a cavity. It is joined with the smallest group that encloses it, so that both
 //! form one solid by parity.
 
+use std::mem::take;
 use std::path::Path;
 
 use cutaway::error::{Diagnostic, Error, Result};
@@ -13,6 +14,7 @@ use cutaway::scene::topology::Sets;
 use cutaway::scene::weld::{has_three, thousands, weld};
 use cutaway::scene::{Mesh, MeshDefect, Motion, VertexPaint, range};
 use glam::Vec3;
+use rayon::prelude::*;
 
 use super::welded;
 
@@ -30,6 +32,17 @@ pub(super) struct Draft {
     /// Index into `groups` for each triangle. Empty if there is at most one group.
     pub(super) group_of_triangle: Vec<u32>,
     pub(super) groups: Vec<Group>,
+    /// `None` if the mesh has not been welded.
+    pub(super) welding: Option<DraftWelding>,
+}
+
+/// Result of welding by the reader of a format.
+#[derive(Debug)]
+pub(super) struct DraftWelding {
+    /// Summary of the changes, if there are any.
+    pub(super) note: Option<String>,
+    /// Number of open edges.
+    pub(super) open: usize,
 }
 
 /// Properties that a file gives a group of triangles.
@@ -52,6 +65,8 @@ pub(super) struct DraftSolid {
     pub(super) materials: Vec<String>,
     /// True if the materials of all groups transmit light.
     pub(super) is_transparent: bool,
+    /// True if the mesh is known to have no open edges.
+    pub(super) is_closed: bool,
     pub(super) mesh: Mesh,
     pub(super) motion: Motion,
 }
@@ -74,13 +89,10 @@ impl Draft {
                 ),
             ));
         }
-        if let Some(welded) = weld(&self.mesh.positions, &self.mesh.triangles) {
-            self.motion = welded::motion(&self.mesh, &self.motion, &welded.new_from_old, notes);
-            self.mesh.positions = welded.positions;
-            for t in &mut self.mesh.triangles {
-                *t = t.map(|i| welded.new_from_old[i as usize]);
-            }
-            notes.push(Diagnostic::note("welded", welded.note));
+        let welding = self.welding.take();
+        let welding = welding.unwrap_or_else(|| self.weld(notes));
+        if let Some(note) = welding.note {
+            notes.push(Diagnostic::note("welded", note));
         }
         let faces = self.mesh.triangles.len();
         self.keep(has_three);
@@ -96,7 +108,22 @@ impl Draft {
             self.drop_unused();
         }
         refuse_defects(path, &self.mesh)?;
-        Ok(self.split(notes))
+        Ok(self.split(welding.open == 0, notes))
+    }
+
+    fn weld(&mut self, notes: &mut Vec<Diagnostic>) -> DraftWelding {
+        let welding = weld(&self.mesh.positions, &self.mesh.triangles);
+        let note = welding.weld.map(|welded| {
+            self.motion = welded::motion(&self.mesh, &self.motion, &welded.new_from_old, notes);
+            self.mesh.positions = welded.positions;
+            let new_from_old = |t: &mut [u32; 3]| *t = t.map(|i| welded.new_from_old[i as usize]);
+            self.mesh.triangles.par_iter_mut().for_each(new_from_old);
+            welded.note
+        });
+        DraftWelding {
+            note,
+            open: welding.open,
+        }
     }
 
     fn keep(&mut self, wanted: impl Fn(&[u32; 3]) -> bool) {
@@ -139,31 +166,32 @@ impl Draft {
         self.mesh.positions.len()
     }
 
-    fn split(self, notes: &mut Vec<Diagnostic>) -> Vec<DraftSolid> {
+    /// Splits the mesh into solids. If it is closed, so is each of them: the groups that use an edge an odd number of times are one solid.
+    fn split(mut self, is_closed: bool, notes: &mut Vec<Diagnostic>) -> Vec<DraftSolid> {
+        if self.groups.is_empty() {
+            self.groups.push(Group::default());
+        }
         let groups = self.groups.len();
+        let mut size = vec![0_usize; groups];
         let solid_of_group = if groups > 1 {
+            (self.group_of_triangle.iter()).for_each(|group| size[*group as usize] += 1);
             self.solid_of_group()
         } else {
-            vec![0; groups]
+            size[0] = self.mesh.triangles.len();
+            vec![0]
         };
-        let mut triangles_of: Vec<Vec<u32>> = vec![Vec::new(); groups.max(1)];
-        let mut size = vec![0_usize; groups];
-        for t in 0..self.mesh.triangles.len() {
-            let group = self.group_of_triangle.get(t).map_or(0, |g| *g as usize);
-            let solid = solid_of_group.get(group).map_or(0, |s| *s as usize);
-            triangles_of[solid].push(t as u32);
-            if let Some(size) = size.get_mut(group) {
-                *size += 1;
-            }
-        }
-        let has_triangles = |(group, of): (&Group, &usize)| group.is_transparent && *of > 0;
-        if self.groups.iter().zip(&size).any(has_triangles) {
+        let is_seen = |(group, of): (&Group, &usize)| group.is_transparent && *of > 0;
+        if self.groups.iter().zip(&size).any(is_seen) {
             notes.push(Diagnostic::note(
                 "transparency-left-out",
                 "drawn opaque, although its material transmits light",
             ));
         }
-        let count = triangles_of.iter().filter(|t| !t.is_empty()).count();
+        let mut has_triangles = vec![false; groups];
+        for (solid, size) in solid_of_group.iter().zip(&size) {
+            has_triangles[*solid as usize] |= *size > 0;
+        }
+        let count = has_triangles.iter().filter(|has| **has).count();
         let filled = size.iter().filter(|s| **s > 0).count();
         if count < filled {
             notes.push(Diagnostic::note(
@@ -176,18 +204,21 @@ impl Draft {
                 ),
             ));
         }
-        let mut solids = Vec::with_capacity(count);
-        for (solid, triangles) in triangles_of.iter().enumerate() {
-            if triangles.is_empty() {
-                continue;
+        let mut triangles_of: Vec<Vec<u32>> = vec![Vec::new(); groups];
+        if count > 1 {
+            for (t, group) in (0..).zip(&self.group_of_triangle) {
+                triangles_of[solid_of_group[*group as usize] as usize].push(t);
             }
+        }
+        let mut solids = Vec::with_capacity(count);
+        for solid in (0..groups).filter(|solid| has_triangles[*solid]) {
             let members = || (0..groups).filter(|g| solid_of_group[*g] as usize == solid);
             let by_size = |g: &usize| (size[*g], std::cmp::Reverse(*g));
             let colored = members().filter(|g| self.groups[*g].color.is_some());
             let (mut mesh, motion) = if count == 1 {
-                (self.mesh.clone(), self.motion.clone())
+                (take(&mut self.mesh), take(&mut self.motion))
             } else {
-                let (mesh, vertices) = self.mesh.picked(triangles);
+                let (mesh, vertices) = self.mesh.picked(&triangles_of[solid]);
                 (mesh, self.motion.of_positions(&vertices))
             };
             // If all vertices have one colour, the part gets it. White is ignored, because many exporters write it by default.
@@ -204,6 +235,7 @@ impl Draft {
             let mut filled = members().filter(|g| size[*g] > 0).peekable();
             solids.push(DraftSolid {
                 materials,
+                is_closed,
                 is_transparent: filled.peek().is_some()
                     && filled.all(|g| self.groups[g].is_transparent),
                 name: members().find_map(|g| self.groups[g].name.clone()),

@@ -7,7 +7,16 @@ pub(super) type Lines<'a> = Map<SplitTerminator<'a, char>, fn(&'a str) -> &'a st
 
 /// The lines of a text. CR ends a line only if the text contains no LF.
 pub(super) fn lines(text: &str) -> Lines<'_> {
-    let end = if text.contains('\n') { '\n' } else { '\r' };
+    lines_ending(text, line_end(text.as_bytes()))
+}
+
+/// The character that ends the lines of a text: LF, or CR if the text contains no LF.
+pub(super) fn line_end(text: &[u8]) -> char {
+    if text.contains(&b'\n') { '\n' } else { '\r' }
+}
+
+/// The lines of a text that end with this character. CR before LF is no part of a line.
+pub(super) fn lines_ending(text: &str, end: char) -> Lines<'_> {
     let bare: fn(&str) -> &str = |line| line.strip_suffix('\r').unwrap_or(line);
     text.split_terminator(end).map(bare)
 }

@@ -21,7 +21,6 @@ pub mod input_file;
 mod lines;
 mod mtl;
 mod obj;
-mod obj_vertex_paint;
 mod painted;
 mod pat;
 mod place;
@@ -38,7 +37,7 @@ use cutaway::scene::{Edges, LengthUnit, Part, Up, range};
 
 #[doc(hidden)]
 pub use content::mesh_format;
-use draft::{Draft, DraftSolid, Group};
+use draft::{Draft, DraftSolid, DraftWelding, Group};
 #[doc(hidden)]
 pub use files::MOST_BYTES;
 use lines::without_mark;
@@ -127,9 +126,10 @@ pub fn load_mesh_file_from(path: &Path, store: &dyn Files) -> Result<Loaded> {
         let solids = draft.into_solids(path, &mut notes)?;
         (solids.into_iter().map(Placed::of).collect(), None)
     };
+    let is_closed: Vec<bool> = placed.iter().map(|p| p.is_closed).collect();
     let parts = parts_of(placed, &stem);
     check_range(path, &parts)?;
-    notes.extend(doubt(&parts));
+    notes.extend(doubt(&parts, &is_closed));
     let notes = notes.into_iter().map(|note| note.in_file(path)).collect();
     Ok(Loaded {
         parts,
@@ -140,11 +140,11 @@ pub fn load_mesh_file_from(path: &Path, store: &dyn Files) -> Result<Loaded> {
 }
 
 /// Reports open edges, which make the inside a matter of definition. Gives their count and, if only one part is open, the position of one.
-fn doubt(parts: &[Part]) -> Option<Diagnostic> {
+/// Edges are not looked at again where a part is known to be closed.
+fn doubt(parts: &[Part], is_closed: &[bool]) -> Option<Diagnostic> {
     const DOUBT: &str = "winding numbers decide what is inside; strategies that count crossings mark pixels that may be wrong";
-    let edges = parts
-        .iter()
-        .map(|part| (part, Edges::of(&part.mesh.triangles)));
+    let unknown = (parts.iter().zip(is_closed)).filter(|(_, is_closed)| !**is_closed);
+    let edges = unknown.map(|(part, _)| (part, Edges::of(&part.mesh.triangles)));
     let open: Vec<(&Part, Edges)> = edges.filter(|(_, e)| e.open().next().is_some()).collect();
     let worst = (open.iter())
         .enumerate()
@@ -249,6 +249,7 @@ mod tests {
                 color: None,
                 materials: Vec::new(),
                 is_transparent: false,
+                is_closed: false,
                 mesh: Mesh::default(),
                 motion: Motion::default(),
             })

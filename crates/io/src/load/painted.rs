@@ -29,10 +29,15 @@ pub(super) struct PaintedTriangle {
     pub(super) colors: Option<[Vec3; 3]>,
 }
 
-/// Builds the vertex paint of a mesh. Returns `None` if all groups have the same plain colour.
-pub(super) fn vertex_paint(paints: &[Paint], triangles: &[PaintedTriangle]) -> Option<VertexPaint> {
+/// Builds the vertex paint of a mesh. Returns `None` if all groups have the same plain colour. If `may_have_colors` is false, no corner has
+/// a colour.
+pub(super) fn vertex_paint(
+    paints: &[Paint],
+    may_have_colors: bool,
+    triangles: impl Iterator<Item = PaintedTriangle> + Clone,
+) -> Option<VertexPaint> {
     let has_images = paints.iter().any(|paint| paint.image.is_some());
-    let has_colors = triangles.iter().any(|t| t.colors.is_some());
+    let has_colors = may_have_colors && triangles.clone().any(|t| t.colors.is_some());
     let is_colored = paints.windows(2).any(|pair| pair[0].color != pair[1].color);
     if !has_images && !has_colors && !is_colored {
         return None;
@@ -44,7 +49,7 @@ pub(super) fn vertex_paint(paints: &[Paint], triangles: &[PaintedTriangle]) -> O
             Some(Texture::number_among(&mut images, image) as u32)
         })
         .collect();
-    let textured = triangles.iter().map(|t| {
+    let textured = triangles.map(|t| {
         let paint = &paints[t.group as usize];
         let image = numbers[t.group as usize].filter(|_| t.uv.is_some());
         let plain = match image.is_some() || t.colors.is_some() {

@@ -16,6 +16,8 @@ pub(super) struct Placed {
     pub(super) is_transparent: bool,
     /// Role of the solid, if the file states one.
     pub(super) role: Option<Role>,
+    /// True if the mesh is known to have no open edges.
+    pub(super) is_closed: bool,
     pub(super) mesh: Arc<Mesh>,
     pub(super) world_from_part: DAffine3,
     pub(super) driver: Option<Arc<Driver>>,
@@ -29,6 +31,7 @@ impl Placed {
             materials: solid.materials,
             is_transparent: solid.is_transparent,
             role: None,
+            is_closed: solid.is_closed,
             mesh: Arc::new(solid.mesh),
             world_from_part: DAffine3::IDENTITY,
             driver: None,

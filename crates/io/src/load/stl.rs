@@ -1,4 +1,5 @@
-//! Reads STL, binary and ASCII. Each triangle has its own three corners; the caller welds them.
+//! Reads STL, binary and ASCII. In the file, each triangle has its own three corners. Those of a binary file are welded here, so that there is
+//! never an array of them; those of an ASCII file are welded by the caller.
 //!
 //! A file is binary if its length matches its triangle count (84 + 50 n), whatever its first word, because some exporters begin binary
 //! files with `solid`. Otherwise a file that begins with `solid` and continues as text is ASCII, and any other file is damaged. Facet
@@ -8,11 +9,12 @@ use std::path::Path;
 
 use cutaway::error::{Diagnostic, Error, Result};
 use cutaway::scene::Mesh;
-use cutaway::scene::weld::thousands;
+use cutaway::scene::weld::{thousands, weld_soup};
 use glam::DVec3;
+use rayon::prelude::*;
 
 use super::lines::lines;
-use super::{Draft, Group, without_mark};
+use super::{Draft, DraftWelding, Group, without_mark};
 
 const HEADER_BYTES: usize = 84;
 const FACET_BYTES: usize = 50;
@@ -74,21 +76,40 @@ fn is_text(bytes: &[u8]) -> bool {
 }
 
 fn binary(facets: &[u8]) -> Draft {
-    let mut mesh = Mesh::default();
-    for facet in facets.chunks_exact(FACET_BYTES) {
+    let count = facets.len() / FACET_BYTES;
+    let corner = |index: usize| {
         // The normal comes first: 12 bytes.
-        let mut numbers = facet[12..48].chunks_exact(4).map(|b| {
-            let number = b.first_chunk().map_or(f32::NAN, |b| f32::from_le_bytes(*b));
-            f64::from(number)
-        });
-        let mut next = || numbers.next().unwrap_or(f64::NAN);
-        push_triangle(
-            &mut mesh,
-            std::array::from_fn(|_| DVec3::from_array(std::array::from_fn(|_| next()))),
-        );
+        let at = FACET_BYTES * (index / 3) + 12 * (1 + index % 3);
+        let number = |k: usize| {
+            let bytes = facets[at + 4 * k..].first_chunk();
+            f64::from(bytes.map_or(f32::NAN, |b| f32::from_le_bytes(*b)))
+        };
+        DVec3::new(number(0), number(1), number(2))
+    };
+    let corners = (0..3 * count).into_par_iter().with_min_len(1 << 14);
+    if count == 0 || !corners.clone().all(|index| corner(index).is_finite()) {
+        // What is wrong with the file is found in its own order of corners.
+        let triangle = |t: usize| [0, 1, 2].map(|k| (3 * t + k) as u32);
+        return Draft {
+            mesh: Mesh {
+                positions: corners.map(corner).collect(),
+                triangles: (0..count).map(triangle).collect(),
+                ..Mesh::default()
+            },
+            ..Draft::default()
+        };
     }
+    let soup = weld_soup(count, corner);
     Draft {
-        mesh,
+        mesh: Mesh {
+            positions: soup.positions,
+            triangles: soup.triangles,
+            ..Mesh::default()
+        },
+        welding: Some(DraftWelding {
+            note: soup.note,
+            open: soup.open,
+        }),
         ..Draft::default()
     }
 }
@@ -304,7 +325,8 @@ mod tests {
     fn binary_that_begins_with_solid_is_binary() {
         let draft = parse(&binary_file(b"solid made by CAD", 3, 3)).unwrap();
         assert_eq!(draft.mesh.triangles.len(), 3);
-        assert_eq!(draft.mesh.positions[8], DVec3::new(0.0, 1.0, 2.0));
+        let [_, _, corner] = draft.mesh.corners(2);
+        assert_eq!(corner, DVec3::new(0.0, 1.0, 2.0));
     }
 
     #[test]

@@ -227,6 +227,7 @@ struct GltfSolid {
     color: Option<glam::Vec3>,
     materials: Vec<String>,
     is_transparent: bool,
+    is_closed: bool,
     bound: Arc<BoundMesh>,
     hold: RigAttachment,
 }
@@ -247,6 +248,7 @@ impl GltfSolid {
             color: solid.color,
             materials: solid.materials,
             is_transparent: solid.is_transparent,
+            is_closed: solid.is_closed,
             bound: Arc::new(BoundMesh::new(solid.mesh, solid.motion)),
             hold,
         }
@@ -268,6 +270,7 @@ impl GltfSolid {
             materials: self.materials.clone(),
             is_transparent: self.is_transparent,
             role: None,
+            is_closed: self.is_closed,
             mesh,
             world_from_part,
             driver: driver.is_needed().then(|| Arc::new(driver)),

@@ -93,7 +93,7 @@ pub(super) fn draft(
         notes.push(Diagnostic::note("morph-targets-differ", "its primitives differ in their number of morph targets: vertices without a target stay"));
     }
     draft.mesh.corner_normals = normals;
-    draft.mesh.vertex_paint = vertex_paint(&paints, &painted);
+    draft.mesh.vertex_paint = vertex_paint(&paints, true, painted.iter().copied());
     draft.motion = followers.finish(draft.mesh.positions.len(), notes);
     if left_out > 0 {
         notes.push(Diagnostic::note(

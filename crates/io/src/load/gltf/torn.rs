@@ -22,7 +22,10 @@ type EdgeEnd = [u32; 3];
 pub(super) fn joined(placed: Vec<Placed>, notes: &mut Vec<Diagnostic>) -> Vec<Placed> {
     let mut open: Vec<([EdgeEnd; 2], u32)> = Vec::new();
     for (number, part) in (0..).zip(&placed) {
-        if part.driver.is_none() && part.world_from_part.matrix3.determinant() > 0.0 {
+        if !part.is_closed
+            && part.driver.is_none()
+            && part.world_from_part.matrix3.determinant() > 0.0
+        {
             open.extend(open_edges(part).map(|edge| (edge, number)));
         }
     }
@@ -81,14 +84,15 @@ fn whole(pieces: &[&Placed]) -> Option<Placed> {
         mesh.triangles
             .extend(triangles.map(|t| t.map(|i| i + before)));
     }
-    if let Some(welded) = weld(&mesh.positions, &mesh.triangles) {
+    let welding = weld(&mesh.positions, &mesh.triangles);
+    if welding.open > 0 {
+        return None;
+    }
+    if let Some(welded) = welding.weld {
         mesh.positions = welded.positions;
         for t in &mut mesh.triangles {
             *t = t.map(|i| welded.new_from_old[i as usize]);
         }
-    }
-    if Edges::of(&mesh.triangles).count().open > 0 {
-        return None;
     }
     mesh.corner_normals = normals(pieces);
     mesh.vertex_paint = vertex_paint(pieces);
@@ -101,6 +105,7 @@ fn whole(pieces: &[&Placed]) -> Option<Placed> {
             .collect(),
         is_transparent: pieces.iter().all(|piece| piece.is_transparent),
         role: first.role,
+        is_closed: true,
         mesh: Arc::new(mesh),
         world_from_part: DAffine3::IDENTITY,
         driver: None,

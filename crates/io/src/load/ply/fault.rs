@@ -1,8 +1,9 @@
-//! Converts errors in a PLY file to messages of one line. The parser accepts neither NaN nor infinity.
+//! Converts errors in a PLY file to messages of one line.
 
 use std::io::ErrorKind;
 
 use ply_rs_bw::parser::ParseError;
+use ply_rs_bw::ply::ElementDef;
 
 /// An error message, and the line of the error.
 pub(super) struct PlyError {
@@ -34,6 +35,15 @@ impl PlyError {
                 line,
                 ..Self::of(error)
             },
+        }
+    }
+
+    /// The error of a payload that ends before the last row of an element.
+    pub(super) fn cut_off(line: Option<usize>, rows: usize, element: &ElementDef) -> Self {
+        let (count, name) = (element.count, &element.name);
+        Self {
+            line,
+            what: format!("the file ends after {rows} of {count} `{name}`"),
         }
     }
 

@@ -1,196 +1,88 @@
-//! Reads PLY files, ASCII or binary in either byte order. The crate `ply-rs-bw` parses headers and binary elements.
+//! Reads PLY files, ASCII or binary in either byte order. The crate `ply-rs-bw` parses headers.
 //!
 //! An element `vertex` has `x`, `y`, `z`, optionally `nx`, `ny`, `nz`, of any number type, and optionally `red`, `green`, `blue` of
 //! `uchar`, `ushort`, `float` or `double`. A `face` has `vertex_indices`, under any name; polygons become fans from their first corner. In
 //! `tristrips`, a negative index ends each strip. Other elements are parsed and dropped.
 
+mod binary;
+mod elements;
 mod fault;
 mod header;
 mod text;
 
-use std::io::{BufRead, Read};
 use std::path::Path;
 
 use cutaway::error::{Diagnostic, Error, Result};
-use cutaway::scene::weld::has_three;
-use cutaway::scene::{Mesh, TexturedTriangle, VertexPaint};
-use glam::{DVec3, Vec3};
 use ply_rs_bw::parser::{Parser, Reader};
 use ply_rs_bw::ply::{
-    ElementDef, Encoding, Header, Property, PropertyAccess, PropertyAccessResult, PropertyDef,
-    PropertyType,
+    ElementDef, Encoding, Property, PropertyAccess, PropertyAccessResult, PropertyDef, PropertyType,
 };
 
 use super::{Draft, without_mark};
 
+use binary::Payload;
+use elements::{CORNERS, Dropped, Elements, PolygonKind, Polygons, Rows, Vertices};
 use fault::PlyError;
 use text::Words;
-
-/// Name used here for the property that lists a face's corners.
-const CORNERS: &str = "vertex_indices";
 
 /// Name of the triangle-strip element.
 const STRIPS: &str = "tristrips";
 
 const DAMAGED: &str = "the file is cut off, damaged or not a PLY: export or download it again";
 
-/// Properties of vertex colours.
-const COLORS: [&str; 3] = ["red", "green", "blue"];
-
-#[derive(Debug, Default)]
-struct PlyVertex {
-    at: DVec3,
-    normal: Vec3,
-    /// Colour in sRGB. In the file, integer channels range from 0 to the largest value of their type, and others from 0 to 1.
-    color: [u8; 4],
-}
-
-#[derive(Debug, Default)]
-struct PlyFace {
-    corners: Corners,
-}
-
-/// Indices in the integer type of the file. Converting each list separately would double the number of allocations.
-#[derive(Debug)]
-enum Corners {
-    Signed(Vec<i32>),
-    Unsigned(Vec<u32>),
-    /// The indices are not whole numbers.
-    Broken,
-}
-
-impl Corners {
-    /// Converts indices that are stored as floating-point numbers, as some programs do.
-    fn of_floats(all: impl Iterator<Item = f64>) -> Self {
-        let whole = |n: f64| (n == f64::from(n as i32)).then_some(n as i32);
-        all.map(whole)
-            .collect::<Option<_>>()
-            .map_or(Self::Broken, Self::Signed)
-    }
-}
-
-impl Default for Corners {
-    fn default() -> Self {
-        Self::Unsigned(Vec::new())
-    }
-}
-
-#[derive(Debug, Default)]
-struct Ignored;
-
-impl PropertyAccess for PlyVertex {
-    fn new() -> Self {
-        Self::default()
-    }
-
-    fn set_property(&mut self, name: &str, value: Property) -> PropertyAccessResult {
-        if let Some(channel) = COLORS.iter().position(|known| *known == name) {
-            self.color[channel] = match value {
-                Property::UChar(n) => n,
-                Property::UShort(n) => (n >> 8) as u8,
-                Property::Float(n) => (n.clamp(0.0, 1.0) * 255.0).round() as u8,
-                Property::Double(n) => (n.clamp(0.0, 1.0) * 255.0).round() as u8,
-                _ => return PropertyAccessResult::Ignored,
-            };
-            return PropertyAccessResult::Set;
-        }
-        let number = match value {
-            Property::Char(n) => f64::from(n),
-            Property::UChar(n) => f64::from(n),
-            Property::Short(n) => f64::from(n),
-            Property::UShort(n) => f64::from(n),
-            Property::Int(n) => f64::from(n),
-            Property::UInt(n) => f64::from(n),
-            Property::Float(n) => f64::from(n),
-            Property::Double(n) => n,
-            _ => return PropertyAccessResult::Ignored,
-        };
-        match name {
-            "x" => self.at.x = number,
-            "y" => self.at.y = number,
-            "z" => self.at.z = number,
-            "nx" => self.normal.x = number as f32,
-            "ny" => self.normal.y = number as f32,
-            "nz" => self.normal.z = number as f32,
-            _ => return PropertyAccessResult::Ignored,
-        }
-        PropertyAccessResult::Set
-    }
-}
-
-impl PropertyAccess for PlyFace {
-    fn new() -> Self {
-        Self::default()
-    }
-
-    fn set_property(&mut self, name: &str, value: Property) -> PropertyAccessResult {
-        if name != CORNERS {
-            return PropertyAccessResult::Ignored;
-        }
-        self.corners = match value {
-            Property::ListInt(all) => Corners::Signed(all),
-            Property::ListUInt(all) => Corners::Unsigned(all),
-            Property::ListUChar(all) => Corners::Unsigned(all.into_iter().map(u32::from).collect()),
-            Property::ListUShort(all) => {
-                Corners::Unsigned(all.into_iter().map(u32::from).collect())
-            }
-            Property::ListFloat(all) => Corners::of_floats(all.into_iter().map(f64::from)),
-            Property::ListDouble(all) => Corners::of_floats(all.into_iter()),
-            Property::ListChar(all) => Corners::Signed(all.into_iter().map(i32::from).collect()),
-            Property::ListShort(all) => Corners::Signed(all.into_iter().map(i32::from).collect()),
-            _ => return PropertyAccessResult::UnsupportedType,
-        };
-        PropertyAccessResult::Set
-    }
-}
-
-impl PropertyAccess for Ignored {
-    fn new() -> Self {
-        Self
-    }
-}
-
-/// Elements of a mesh, with flags for whether the vertices have complete normals and complete colours.
-#[derive(Default)]
-struct Elements {
-    vertices: Vec<PlyVertex>,
-    faces: Vec<PlyFace>,
-    strips: Vec<PlyFace>,
-    has_normals: bool,
-    has_colors: bool,
-}
-
 /// Source of the elements, in header order.
-enum ElementSource<'a, 'b, R: BufRead> {
-    Binary(&'a mut Reader<R>, &'a Header),
+enum ElementSource<'a, 'b> {
+    Binary(Payload<'b>),
     Text(&'a mut Words<'b>),
 }
 
-impl<R: BufRead> ElementSource<'_, '_, R> {
-    fn read<E: PropertyAccess>(&mut self, element: &ElementDef) -> Result<Vec<E>, PlyError> {
+impl ElementSource<'_, '_> {
+    fn read<R: Rows>(
+        &mut self,
+        element: &ElementDef,
+        empty: impl Fn(usize) -> R + Sync,
+    ) -> Result<R, PlyError> {
         match self {
-            Self::Binary(reader, header) => Parser::<E>::new()
-                .read_payload_for_element(reader, element, header)
-                .map_err(|e| PlyError::of(&e)),
-            Self::Text(words) => words.read(element),
+            Self::Binary(payload) => payload.read(element, empty),
+            Self::Text(words) => words.read(element, empty(0)),
         }
     }
 
     fn elements(&mut self, elements: &[ElementDef]) -> Result<Elements, PlyError> {
         let mut read = Elements::default();
         for element in elements {
+            let polygons = |kind| move |before| Polygons::of(element, kind, before);
             match element.name.as_str() {
                 "vertex" => {
-                    read.has_normals = ["nx", "ny", "nz"].iter().all(|n| has(element, n));
-                    read.has_colors = COLORS.iter().all(|n| has(element, n));
-                    read.vertices = self.read(element)?;
+                    let vertices = Vertices::of(element);
+                    read.vertices = self.read(element, |_| vertices.clone())?;
                 }
-                "face" => read.faces = self.read(element)?,
-                STRIPS => read.strips = self.read(element)?,
-                _ => _ = self.read::<Ignored>(element)?,
+                "face" => {
+                    read.faces = self.read(element, polygons(PolygonKind::Face))?;
+                    read.polygons += element.count;
+                }
+                STRIPS => {
+                    read.strips = self.read(element, polygons(PolygonKind::Strip))?;
+                    read.polygons += element.count;
+                }
+                _ => _ = self.read(element, |_| Dropped)?,
             }
         }
         Ok(read)
+    }
+}
+
+/// An element of which only the header is read by the crate.
+#[derive(Debug)]
+struct Unread;
+
+impl PropertyAccess for Unread {
+    fn new() -> Self {
+        Self
+    }
+
+    fn set_property(&mut self, _: &str, _: Property) -> PropertyAccessResult {
+        PropertyAccessResult::Ignored
     }
 }
 
@@ -201,9 +93,8 @@ pub(super) fn read(path: &Path, bytes: &[u8], notes: &mut Vec<Diagnostic>) -> Re
         Some(line) => Error::file_line(path, line, fault.what, DAMAGED),
         None => Error::file(path, fault.what, DAMAGED),
     };
-    let mut reader = Reader::new(header_text.as_bytes().chain(payload));
-    let header = Parser::<Ignored>::new()
-        .read_header(&mut reader)
+    let header = Parser::<Unread>::new()
+        .read_header(&mut Reader::new(header_text.as_bytes()))
         .map_err(|e| refuse(PlyError::in_header(&e, &header_text)))?;
     let mut elements: Vec<ElementDef> = header.elements.values().cloned().collect();
     for element in &mut elements {
@@ -215,13 +106,19 @@ pub(super) fn read(path: &Path, bytes: &[u8], notes: &mut Vec<Diagnostic>) -> Re
             let text = String::from_utf8_lossy(payload);
             let before = header_text.lines().count();
             text::in_either_layout(&text, before, |words| {
-                ElementSource::<&[u8]>::Text(words).elements(&elements)
+                ElementSource::Text(words).elements(&elements)
             })
         }
-        _ => ElementSource::Binary(&mut reader, &header).elements(&elements),
+        encoding => {
+            let payload = Payload {
+                bytes: payload,
+                is_big_endian: encoding == Encoding::BinaryBigEndian,
+            };
+            ElementSource::Binary(payload).elements(&elements)
+        }
     };
     let read = read.map_err(refuse)?;
-    if read.faces.is_empty() && read.strips.is_empty() {
+    if read.polygons == 0 {
         return Err(Error::file(
             path,
             format!("it has {} vertices and no faces", read.vertices.len()),
@@ -229,7 +126,7 @@ pub(super) fn read(path: &Path, bytes: &[u8], notes: &mut Vec<Diagnostic>) -> Re
         ));
     }
     Ok(Draft {
-        mesh: mesh_of(path, &read)?,
+        mesh: read.into_mesh(),
         ..Draft::default()
     })
 }
@@ -289,84 +186,10 @@ fn check(path: &Path, element: &ElementDef) -> Result<()> {
     Ok(())
 }
 
-fn mesh_of(path: &Path, read: &Elements) -> Result<Mesh> {
-    let wrong = |what: String| Error::file(path, what, "the file is damaged: export it again");
-    let vertices = &read.vertices;
-    let mut triangles = Vec::with_capacity(read.faces.len());
-    for (number, face) in read.faces.iter().enumerate() {
-        match &face.corners {
-            Corners::Signed(all) => {
-                if let Some(index) = all.iter().find(|i| **i < 0) {
-                    return Err(wrong(format!("face {number} refers to vertex {index}")));
-                }
-                fan(all, |i| i as u32, &mut triangles);
-            }
-            Corners::Unsigned(all) => fan(all, |i| i, &mut triangles),
-            Corners::Broken => {
-                let what = format!("the corners of face {number} are not whole numbers");
-                return Err(wrong(what));
-            }
-        }
-    }
-    for (number, strip) in read.strips.iter().enumerate() {
-        let corners: Vec<i64> = match &strip.corners {
-            Corners::Signed(all) => all.iter().map(|i| i64::from(*i)).collect(),
-            Corners::Unsigned(all) => all.iter().map(|i| i64::from(*i)).collect(),
-            Corners::Broken => {
-                let what = format!("the corners of strip {number} are not whole numbers");
-                return Err(wrong(what));
-            }
-        };
-        // A negative index ends a strip.
-        for strip in corners.split(|i| *i < 0) {
-            let strip = strip.windows(3).enumerate().map(|(k, w)| match k % 2 {
-                0 => [w[0], w[1], w[2]],
-                _ => [w[1], w[0], w[2]],
-            });
-            let strip = strip.map(|t| t.map(|i| i as u32));
-            // Strips are joined by degenerate triangles, which have repeated corners and are dropped here.
-            triangles.extend(strip.filter(has_three));
-        }
-    }
-    // The later mesh check refuses indices that are out of range. Normals are only looked up if all indices are in range.
-    let in_range = triangles
-        .iter()
-        .flatten()
-        .all(|i| (*i as usize) < vertices.len());
-    let corner_normals = (read.has_normals && in_range).then(|| {
-        let normal = |i: u32| vertices[i as usize].normal.normalize_or_zero();
-        triangles.iter().map(|t| t.map(normal)).collect()
-    });
-    let vertex_paint = (read.has_colors && in_range).then(|| {
-        let color = |i: u32| vertices[i as usize].color;
-        let textured = triangles.iter().map(|t: &[u32; 3]| TexturedTriangle {
-            colors: t.map(color),
-            ..TexturedTriangle::default()
-        });
-        VertexPaint {
-            images: Vec::new(),
-            triangles: textured.collect(),
-        }
-    });
-    Ok(Mesh {
-        vertex_paint,
-        positions: vertices.iter().map(|v| v.at).collect(),
-        triangles,
-        corner_normals,
-    })
-}
-
-/// Splits a polygon into a triangle fan from its first corner.
-fn fan<T: Copy>(corners: &[T], index: impl Fn(T) -> u32, triangles: &mut Vec<[u32; 3]>) {
-    if let [first, rest @ ..] = corners {
-        let fan = rest.windows(2).map(|w| [*first, w[0], w[1]].map(&index));
-        triangles.extend(fan);
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use glam::DVec3;
 
     const HEADER: &str = "element vertex 4\nproperty double x\nproperty float y\nproperty short z\nproperty uchar red\nelement face 2\nproperty list uchar int vertex_index\nproperty float quality\nend_header\n";
 
@@ -413,6 +236,59 @@ mod tests {
         assert_eq!(mesh.positions[3], DVec3::new(0.1, 1.0, 2.0));
         assert_eq!(of(&binary(false)), mesh);
         assert_eq!(of(&binary(true)), mesh);
+    }
+
+    #[test]
+    fn rows_of_one_length_come_to_what_rows_of_any_length_come_to() {
+        // More rows than a thread takes at once.
+        let triangles = 40_000_u32;
+        let header = "ply\nformat binary_little_endian 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty float z\n\
+            element face N\nproperty list uchar uint vertex_index\nproperty uchar quality\nend_header\n";
+        let file = |last: &[&[u32]]| {
+            let count = triangles as usize + last.len();
+            let mut to = header.replace('N', &count.to_string()).into_bytes();
+            let coordinates = (0..15).map(|i| (i * i) as f32);
+            to.extend(coordinates.flat_map(f32::to_le_bytes));
+            let faces = (0..triangles).map(|t| [t % 5, (t + 1) % 5, (t + 2) % 5]);
+            let last = last.iter().map(|face| face.to_vec());
+            for face in faces.map(|f| f.to_vec()).chain(last) {
+                to.push(face.len() as u8);
+                to.extend(face.iter().flat_map(|i| i.to_le_bytes()));
+                to.push(1);
+            }
+            to
+        };
+        let of = |bytes: &[u8]| read(Path::new("t.ply"), bytes, &mut Vec::new());
+        let uniform = of(&file(&[&[0, 1, 2]])).unwrap().mesh;
+        let mixed = of(&file(&[&[0, 1, 2, 3]])).unwrap().mesh;
+        assert_eq!(uniform.triangles.len(), triangles as usize + 1);
+        assert_eq!(uniform.triangles, mixed.triangles[..triangles as usize + 1]);
+        assert_eq!(mixed.triangles.last(), Some(&[0, 2, 3]));
+        assert_eq!(uniform.triangles[39_999], [4, 0, 1]);
+        assert_eq!(uniform.positions, mixed.positions);
+        // A row that is too short, and as many bytes after the last row as it lacks.
+        let bytes = [file(&[&[0, 1], &[2, 3, 4]]), vec![9; 4]].concat();
+        let last = of(&bytes).unwrap().mesh.triangles;
+        assert_eq!(last[triangles as usize..], [[2, 3, 4]]);
+        let short = of(&file(&[&[0, 1, 2]])[..500_000]).unwrap_err().to_string();
+        assert!(short.contains("of 40001 `face`"), "{short}");
+    }
+
+    #[test]
+    fn corners_that_are_no_indices_are_refused() {
+        for (corners, said) in [
+            ("3 0 1 -2", "face 1 refers to vertex -2"),
+            ("3 0 1 4294967296", "face 1 refers to vertex 4294967296"),
+            ("3 0 1 1.5", "the corners of face 1 are not whole numbers"),
+        ] {
+            let text = format!(
+                "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 2\n\
+                property list uchar double vertex_index\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n{corners}\n"
+            );
+            let error = read(Path::new("t.ply"), text.as_bytes(), &mut Vec::new());
+            let error = error.unwrap_err().to_string();
+            assert!(error.contains(said), "{error}");
+        }
     }
 
     #[test]

@@ -5,15 +5,11 @@
 
 use std::str::SplitAsciiWhitespace;
 
-use ply_rs_bw::ply::{
-    ElementDef, Property, PropertyAccess, PropertyAccessResult, PropertyType, ScalarType,
-};
+use ply_rs_bw::ply::{ElementDef, PropertyType, ScalarType};
 
 use super::PlyError;
+use super::elements::Rows;
 use crate::load::lines::{Lines, lines};
-
-/// Maximum capacity that is reserved before the elements that the header counts have been seen.
-const MOST_RESERVED: usize = 1 << 16;
 
 /// The words of a payload, grouped by line.
 #[derive(Clone)]
@@ -50,35 +46,34 @@ pub(super) fn in_either_layout<T>(
 }
 
 impl<'a> Words<'a> {
-    pub(super) fn read<E: PropertyAccess>(
+    pub(super) fn read<R: Rows>(
         &mut self,
         element: &ElementDef,
-    ) -> Result<Vec<E>, PlyError> {
-        let mut all = Vec::with_capacity(element.count.min(MOST_RESERVED));
+        mut rows: R,
+    ) -> Result<R, PlyError> {
+        let mut values = Vec::new();
         for number in 0..element.count {
             if self.by_line && !self.next_line() {
-                return Err(PlyError {
-                    line: Some(self.number),
-                    what: format!(
-                        "the file ends after {number} of {} `{}`",
-                        element.count, element.name
-                    ),
-                });
+                return Err(PlyError::cut_off(Some(self.number), number, element));
             }
-            let mut item = E::new();
-            for (name, property) in &element.properties {
-                let value = self.value(&property.data_type);
-                let set = value.map(|value| item.set_property(name, value));
-                if !matches!(
-                    set,
-                    Some(PropertyAccessResult::Set | PropertyAccessResult::Ignored)
-                ) {
+            rows.begin();
+            for (column, property) in element.properties.values().enumerate() {
+                let (count, kind) = match &property.data_type {
+                    PropertyType::Scalar(kind) => (Some(1), kind),
+                    PropertyType::List(_, kind) => (self.next().and_then(whole), kind),
+                };
+                let is_read = count.is_some_and(|count| self.values(count, kind, &mut values));
+                if !is_read {
                     return Err(PlyError::of_line(self.number, self.line));
                 }
+                let taken = rows.property(column, kind, &values);
+                taken.map_err(|what| PlyError {
+                    line: Some(self.number),
+                    what,
+                })?;
             }
-            all.push(item);
         }
-        Ok(all)
+        Ok(rows)
     }
 
     /// Advances to the next line with words.
@@ -105,44 +100,39 @@ impl<'a> Words<'a> {
         }
     }
 
-    /// Returns the next value, or `None` if the next word is not of this type.
-    fn value(&mut self, kind: &PropertyType) -> Option<Property> {
-        use ScalarType as Of;
-        let (length, kind) = match kind {
-            PropertyType::List(_, kind) => (usize::try_from(whole(self.next()?)?).ok()?, kind),
-            PropertyType::Scalar(kind) => {
-                let word = self.next()?;
-                return Some(match kind {
-                    Of::Char => Property::Char(whole(word)?.try_into().ok()?),
-                    Of::UChar => Property::UChar(whole(word)?.try_into().ok()?),
-                    Of::Short => Property::Short(whole(word)?.try_into().ok()?),
-                    Of::UShort => Property::UShort(whole(word)?.try_into().ok()?),
-                    Of::Int => Property::Int(whole(word)?.try_into().ok()?),
-                    Of::UInt => Property::UInt(whole(word)?.try_into().ok()?),
-                    Of::Float => {
-                        Property::Float(word.parse().ok().filter(|n: &f32| n.is_finite())?)
-                    }
-                    Of::Double => Property::Double(finite(word)?),
-                });
-            }
-        };
-        let mut words = (0..length).map(|_| self.next());
-        Some(match kind {
-            Of::Char | Of::Short | Of::Int => Property::ListInt(
-                words
-                    .map(|w| whole(w?)?.try_into().ok())
-                    .collect::<Option<_>>()?,
-            ),
-            Of::UChar | Of::UShort | Of::UInt => Property::ListUInt(
-                words
-                    .map(|w| whole(w?)?.try_into().ok())
-                    .collect::<Option<_>>()?,
-            ),
-            Of::Float | Of::Double => {
-                Property::ListDouble(words.by_ref().map(|w| finite(w?)).collect::<Option<_>>()?)
-            }
-        })
+    /// Reads the next values. Returns false if a word is not of this type.
+    fn values(&mut self, count: i64, kind: &ScalarType, values: &mut Vec<f64>) -> bool {
+        values.clear();
+        for _ in 0..count {
+            let Some(value) = self.next().and_then(|word| value(kind, word)) else {
+                return false;
+            };
+            values.push(value);
+        }
+        count >= 0
     }
+}
+
+/// Parses a number of this type.
+fn value(kind: &ScalarType, word: &str) -> Option<f64> {
+    use ScalarType as Of;
+    let (least, greatest) = match kind {
+        Of::Char => (i8::MIN.into(), i8::MAX.into()),
+        Of::UChar => (0, u8::MAX.into()),
+        Of::Short => (i16::MIN.into(), i16::MAX.into()),
+        Of::UShort => (0, u16::MAX.into()),
+        Of::Int => (i32::MIN.into(), i32::MAX.into()),
+        Of::UInt => (0, u32::MAX.into()),
+        Of::Float => {
+            let number: f32 = word.parse().ok()?;
+            return Some(number.into()).filter(|n: &f64| n.is_finite());
+        }
+        Of::Double => return finite(word),
+    };
+    let number: i64 = whole(word)?;
+    (least..=greatest)
+        .contains(&number)
+        .then_some(number as f64)
 }
 
 fn finite(word: &str) -> Option<f64> {

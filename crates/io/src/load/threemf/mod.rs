@@ -316,6 +316,7 @@ impl Reader<'_> {
             materials: solid.materials,
             is_transparent: solid.is_transparent,
             role: None,
+            is_closed: solid.is_closed,
             mesh: solid.mesh,
             world_from_part,
             driver: None,

@@ -284,7 +284,7 @@ impl Properties {
             opaque += usize::from(triangle.colors.is_none());
             painted.push(triangle);
         }
-        look.vertex_paint = vertex_paint(&paints, &painted);
+        look.vertex_paint = vertex_paint(&paints, true, painted.iter().copied());
         let by_count = count_of.iter().rev().max_by_key(|(_, count)| **count);
         look.color = by_count.map(|(color, _)| vec3(*color));
         look.is_transparent = opaque == 0 && !painted.is_empty();

@@ -19,6 +19,7 @@ pub(super) struct ShownSolid {
     pub(super) color: Option<Vec3>,
     pub(super) materials: Vec<String>,
     pub(super) is_transparent: bool,
+    pub(super) is_closed: bool,
 }
 
 /// Builds the solid of an object and consumes the object's mesh. Further placements reuse the result.
@@ -75,6 +76,7 @@ pub(super) fn solid(
         color: solid.color,
         materials: look.materials,
         is_transparent: solid.is_transparent,
+        is_closed: solid.is_closed,
     }))
 }
 
