@@ -54,6 +54,8 @@ pub use coincidence::preclassified::PreclassifiedTriangle;
 #[doc(hidden)]
 pub use coincidence::shared_planes::SharedPlanes;
 pub use contents::Scene;
+#[doc(hidden)]
+pub use cutaway::KeptHulls;
 pub(crate) use cutaway::is_removed_whole;
 pub use cutaway::{
     AxisRule, Breakaway, BreakawayView, Clusters, CutoutFrame, MainAxes, Sight, sights,

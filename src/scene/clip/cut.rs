@@ -2,7 +2,7 @@
 //!
 //! A part can have its own removed region: an [`Offset`] moves all clip-surfaces of a cut for the parts that it names.
 
-use crate::scene::{Breakaway, ClipSurface, Cutter, Part, Role};
+use crate::scene::{Breakaway, ClipSurface, Cutter, KeptHulls, Part, Role};
 
 /// Removes the intersection of the removed sides of its clip-surfaces and cutter from the parts it applies to.
 #[derive(Clone, Debug)]
@@ -27,6 +27,9 @@ pub struct Cut {
     pub offsets: Vec<Offset>,
     /// False if the cut is switched off and removes nothing; its clip-surfaces keep their numbers.
     pub enabled: bool,
+    /// Hulls of the breakaway at other positions of the camera.
+    #[doc(hidden)]
+    pub kept_hulls: KeptHulls,
 }
 
 /// Offset of a cut for some parts: removes less of them, or more.
@@ -53,6 +56,7 @@ impl Cut {
             except: Vec::new(),
             offsets: Vec::new(),
             enabled: true,
+            kept_hulls: KeptHulls::default(),
         }
     }
 

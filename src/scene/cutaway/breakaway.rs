@@ -5,8 +5,8 @@
 //! in the picture, in front of the extended hull's foremost surface, and can show walls only in part.
 //!
 //! All points between an interior part and the eye are inside: for a point p of the extended hull and a direction u of the cone, p + t u
-//! is in the hull of both ends for all t up to the sweep's length. Cost: the hull of the interior parts' vertices, and a hull of some ten
-//! thousand points per opening. Cannot: open towards an eye inside the extended hull; there is no opening then.
+//! is in the hull of both ends for all t up to the sweep's length. That hull is the sum of the extended hull and the cone. Cost: the hull of
+//! the interior parts' vertices, kept while the camera alone moves, and a sum per opening. Cannot: open towards an eye inside the extended hull; there is no opening then.
 
 use std::sync::LazyLock;
 
@@ -84,16 +84,15 @@ impl Default for Breakaway {
 
 impl Breakaway {
     /// Clearance in world units.
-    fn distance_in(&self, bounds: &Bounds) -> f64 {
+    pub(super) fn distance_in(&self, bounds: &Bounds) -> f64 {
         match self.distance {
             Amount::Units(units) => units,
             Amount::Percent(percent) => bounds.size().length() * percent / 100.0,
         }
     }
 
-    /// The extended hulls of solids, given by their points in world space; solids whose extended hulls intersect share one.
-    pub(crate) fn hulls(&self, solids: Vec<Vec<DVec3>>, bounds: &Bounds) -> Vec<ConvexHull> {
-        let distance = self.distance_in(bounds);
+    /// The hulls of solids, given by their points in world space, extended by a distance; solids whose extended hulls intersect share one.
+    pub(super) fn hulls(&self, solids: Vec<Vec<DVec3>>, distance: f64) -> Vec<ConvexHull> {
         let mut apart: Vec<(Vec<DVec3>, ConvexHull)> = Vec::new();
         for mut own in solids {
             // Merge the hulls that it intersects; the merged hull may then intersect further ones.
@@ -162,13 +161,17 @@ impl Breakaway {
             },
         };
         let (x, y) = axis.any_orthonormal_pair();
-        let mut points = hull.corners.clone();
+        let mut cone = vec![DVec3::ZERO];
         for side in 0..SIDES {
             let (sin, cos) = (std::f64::consts::TAU * f64::from(side) / f64::from(SIDES)).sin_cos();
-            let end = (axis + (x * cos + y * sin) * spread) * length;
-            points.extend(hull.corners.iter().map(|c| *c + end));
+            cone.push((axis + (x * cos + y * sin) * spread) * length);
         }
-        let Some(ConvexHull { corners, triangles }) = ConvexHull::of(&points) else {
+        let sweep = match ConvexHull::of(&cone) {
+            Some(cone) => hull.sum(&cone),
+            // Without a spread, all sides of the cone are the same.
+            None => ConvexHull::of(&both_ends(&hull.corners, cone[1])),
+        };
+        let Some(ConvexHull { corners, triangles }) = sweep else {
             return Ok(None);
         };
         let mesh = Mesh {
@@ -183,24 +186,29 @@ impl Breakaway {
     }
 }
 
+/// Points, and the same points moved.
+fn both_ends(points: &[DVec3], by: DVec3) -> Vec<DVec3> {
+    let moved = points.iter().map(|p| *p + by);
+    points.iter().copied().chain(moved).collect()
+}
+
 /// The significant corners, and the hull of a ball around each of them; `None` if that hull has no volume. The ball's radius is enlarged by
 /// the protrusion of the corners that were left out.
 fn extended(points: &[DVec3], distance: f64) -> Option<(Vec<DVec3>, ConvexHull)> {
     let size = Bounds::from_points(points.iter().copied()).size().length();
     let aside = (LEFT_OUT * distance / size).clamp(1e-6, 1e-3);
-    let corners = match ConvexHull::roughly(points, aside) {
-        Some(hull) => hull.corners,
-        None => points.to_vec(),
-    };
     let radius = distance + aside * size;
-    let around = corners
-        .iter()
-        .flat_map(|p| BALL.iter().map(move |b| *p + *b * radius));
-    let hull = ConvexHull::of(&around.collect::<Vec<_>>())?;
-    Some((corners, hull))
+    let ball = BALL.as_ref()?.scaled(radius);
+    if let Some(hull) = ConvexHull::roughly(points, aside) {
+        let extended = hull.sum(&ball)?;
+        return Some((hull.corners, extended));
+    }
+    let around = (points.iter()).flat_map(|p| ball.corners.iter().map(move |b| *p + *b));
+    let extended = ConvexHull::of(&around.collect::<Vec<_>>())?;
+    Some((points.to_vec(), extended))
 }
 
-static BALL: LazyLock<Vec<DVec3>> = LazyLock::new(ball);
+static BALL: LazyLock<Option<ConvexHull>> = LazyLock::new(|| ConvexHull::of(&ball()));
 
 /// Points whose hull contains the unit ball: face centres and corners of an icosahedron, moved out until none of the hull's faces cuts it.
 fn ball() -> Vec<DVec3> {
@@ -320,7 +328,9 @@ mod tests {
                 clusters,
                 ..breakaway
             };
-            breakaway.hulls(solids, &bounds).len()
+            breakaway
+                .hulls(solids, breakaway.distance_in(&bounds))
+                .len()
         };
         assert_eq!(hulls(&[0.0, 1.1, 5.0], Clusters::Auto), 2);
         assert_eq!(hulls(&[0.0, 1.5, 3.0], Clusters::Auto), 3);
@@ -358,7 +368,7 @@ mod tests {
                 ..Breakaway::default()
             };
             let solids = vec![cube(DVec3::new(1.0, 0.5, 0.0), 0.5)];
-            let hulls = breakaway.hulls(solids, &bounds);
+            let hulls = breakaway.hulls(solids, breakaway.distance_in(&bounds));
             let view = Camera::default().view(|p| p, 1.0, bounds, [400, 300]);
             let cutter = breakaway.cutter(&hulls[0], &view, &bounds);
             let cutter = cutter.unwrap_or_else(|e| panic!("{e}"));
@@ -391,7 +401,7 @@ mod tests {
     fn an_eye_within_has_no_opening() {
         let bounds = Bounds::from_points(cube(DVec3::ZERO, 4.0));
         let breakaway = Breakaway::default();
-        let hulls = breakaway.hulls(vec![cube(DVec3::ZERO, 1.0)], &bounds);
+        let hulls = breakaway.hulls(vec![cube(DVec3::ZERO, 1.0)], 0.1);
         let view = View {
             eye: DVec3::splat(0.1),
             ..Camera::default().view(|p| p, 1.0, bounds, [400, 300])

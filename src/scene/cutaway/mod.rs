@@ -3,11 +3,13 @@
 
 mod axes;
 mod breakaway;
+mod kept_hulls;
 mod open;
 mod roles;
 mod whole;
 
 pub use axes::{AxisRule, CutoutFrame, MainAxes};
 pub use breakaway::{Breakaway, BreakawayView, Clusters};
+pub use kept_hulls::KeptHulls;
 pub use roles::{Sight, sights};
 pub(crate) use whole::is_removed_whole;

@@ -1,12 +1,13 @@
 //! Breakaways of a scene, opened towards an eye.
 //!
-//! Cost: the hull of the interior parts and one hull per opening, whenever the eye moves; the rest of the scene is not touched.
+//! Cost: one sum of hulls per opening, whenever the eye moves; the hulls of the interior parts are kept until one of them changes. The rest
+//! of the scene is not touched.
 
 use glam::DVec3;
 
 use super::{Breakaway, BreakawayView};
 use crate::error::{Error, Result};
-use crate::scene::{Camera, Cut, Outline, Part, Role, Scene, View};
+use crate::scene::{Camera, Cut, Outline, Role, Scene, View};
 
 impl Scene {
     /// Opens breakaways ([`Cut::breakaway`]) towards the scene camera's eye, for a picture of the given size: each gets its cutter, and
@@ -59,9 +60,7 @@ impl Scene {
     /// A breakaway as one cut per opening; if there is no opening, a single cut that removes nothing.
     fn openings(&self, cut: &Cut, breakaway: &Breakaway, view: &View) -> Result<Vec<Cut>> {
         let bounds = self.bounds();
-        let interiors = self.parts.iter().filter(|p| p.role == Role::Interior);
-        let solids: Vec<Vec<DVec3>> = interiors.map(|p| p.points_in_world().collect()).collect();
-        if solids.is_empty() {
+        if !self.parts.iter().any(|p| p.role == Role::Interior) {
             let help = "mark the interior parts with role = \"interior\", [roles] or --roles; --split turns a mesh's bodies into parts";
             let what = "there is nothing to show: no part is interior";
             return Err(Error::input(
@@ -70,22 +69,16 @@ impl Scene {
                 help,
             ));
         }
-        let hulls = breakaway.hulls(solids, &bounds);
-        let wholes = self.parts.iter().filter(|p| p.role == Role::Whole);
-        let is_shown = |part: &&Part| {
-            let mut within = hulls
-                .iter()
-                .map(|hull| part.points_in_world().all(|p| hull.holds(p)));
-            within.any(|w| w)
-        };
+        let hulls = cut.kept_hulls.of(breakaway, self);
+        let names = hulls.shows.iter().map(|i| self.parts[*i].name.clone());
         let closed = Cut {
             volume: None,
             opening: 0,
-            shows: wholes.filter(is_shown).map(|p| p.name.clone()).collect(),
+            shows: names.collect(),
             ..cut.clone()
         };
         let mut openings = Vec::new();
-        for hull in &hulls {
+        for hull in &hulls.extended {
             openings.extend(breakaway.cutter(hull, view, &bounds)?);
         }
         if openings.is_empty() {

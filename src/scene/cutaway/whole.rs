@@ -3,7 +3,7 @@
 //!
 //! A part is hidden if each of its triangles has all corners in the removed region of one cut; edges may still leave a non-convex cutter
 //! between corners. A breakaway does not hide the parts that it shows. Cost: for each such part, classifying corners up to the first
-//! triangle that is kept.
+//! triangle that is kept; for a cutter, each corner meets the triangles of one cell of a grid.
 
 use glam::{DVec2, DVec3};
 use robust::{Coord, orient2d};
@@ -38,6 +38,9 @@ pub(crate) fn is_removed_whole(scene: &Scene, world: &Bounds, part: &Part) -> bo
         && triangles.all(|t| cuts.iter().any(|cut| t.iter().all(|p| cut.holds(*p))))
 }
 
+/// Most cells on a side of a cutter's grid.
+const MOST_CELLS: usize = 256;
+
 /// Region that a cut removes from a part.
 struct Removed {
     surfaces: Vec<ClipSurface>,
@@ -49,6 +52,10 @@ struct Removed {
 struct CutterSide {
     bounds: Bounds,
     triangles: Vec<[DVec3; 3]>,
+    /// Cells on each side of a grid over the bounds, seen along z.
+    cells: usize,
+    /// Indices of the triangles that may lie in a cell, by row.
+    in_cell: Vec<Vec<u32>>,
     keeps_inside: bool,
 }
 
@@ -80,11 +87,29 @@ impl CutterSide {
                 .world_from_cutter
                 .transform_point3(mesh.positions[i as usize])
         };
-        Self {
+        let cells = mesh.triangles.len().isqrt().clamp(1, MOST_CELLS);
+        let mut side = Self {
             bounds: cutter.bounds_in_world(),
             triangles: mesh.triangles.iter().map(|t| t.map(place)).collect(),
+            cells,
+            in_cell: vec![Vec::new(); cells * cells],
             keeps_inside: cutter.keeps_inside,
+        };
+        for (index, [a, b, c]) in (0..).zip(&side.triangles) {
+            let [first, last] = [a.min(*b).min(*c), a.max(*b).max(*c)].map(|p| side.cell(p));
+            for y in first[1]..=last[1] {
+                for x in first[0]..=last[0] {
+                    side.in_cell[y * cells + x].push(index);
+                }
+            }
         }
+        side
+    }
+
+    /// Column and row of a point's cell. They do not decrease along x and y.
+    fn cell(&self, point: DVec3) -> [usize; 2] {
+        let share = (point - self.bounds.min) / self.bounds.size();
+        [share.x, share.y].map(|share| ((share * self.cells as f64) as usize).min(self.cells - 1))
     }
 
     fn removes(&self, point: DVec3) -> bool {
@@ -104,7 +129,10 @@ impl CutterSide {
             // True if the plane is above the point, measured along z.
             normal.z != 0.0 && (a - point).dot(normal) / normal.z > 0.0
         };
-        self.triangles.iter().filter(crosses).count() % 2 == 1
+        let [x, y] = self.cell(point);
+        let near = self.in_cell[y * self.cells + x].iter();
+        let crossed = near.map(|i| &self.triangles[*i as usize]).filter(crosses);
+        crossed.count() % 2 == 1
     }
 }
 
@@ -159,6 +187,31 @@ mod tests {
             !is_removed_whole(&scene, &scene.bounds(), &cube_at(0.0)),
             "it is what an opening shows"
         );
+    }
+
+    #[test]
+    fn a_cell_of_the_grid_has_all_triangles_that_a_ray_can_cross() {
+        let torus = shape("torus").unwrap_or_else(|e| panic!("{e}"));
+        let mut torus = Cutter::from_parts("torus", &torus).unwrap_or_else(|e| panic!("{e}"));
+        for turn in [0.0, 0.7] {
+            torus.world_from_cutter = DAffine3::from_rotation_x(turn);
+            let side = CutterSide::of(&torus);
+            assert!(side.cells > 10);
+            let brute_force = CutterSide {
+                cells: 1,
+                in_cell: vec![(0..side.triangles.len() as u32).collect()],
+                ..CutterSide::of(&torus)
+            };
+            // Its vertices, whose rays meet edges, and points around them.
+            let vertices = side.triangles.iter().flatten();
+            let around = vertices.flat_map(|p| [*p, *p * 0.95, *p + DVec3::Z * 0.1]);
+            let points: Vec<DVec3> = around.collect();
+            let held = points.iter().filter(|p| side.holds(**p)).count();
+            assert!(held > 100 && held < points.len(), "the control: {held}");
+            for point in points {
+                assert_eq!(side.holds(point), brute_force.holds(point), "{point}");
+            }
+        }
     }
 
     #[test]

@@ -45,6 +45,14 @@ impl ConvexHull {
         Hull::around(points, aside).map(|hull| hull.as_mesh())
     }
 
+    /// The hull scaled about the origin by a positive factor.
+    pub(crate) fn scaled(&self, factor: f64) -> Self {
+        Self {
+            corners: self.corners.iter().map(|corner| *corner * factor).collect(),
+            triangles: self.triangles.clone(),
+        }
+    }
+
     /// The corner that lies farthest in a direction.
     pub(crate) fn farthest(&self, direction: DVec3) -> DVec3 {
         let all = self.corners.iter().copied();

@@ -44,7 +44,7 @@ impl ElementCounts {
     pub(super) fn of(text: &str, line_end: char) -> Self {
         let mut counts = Self::default();
         for (_, line) in Statements::of(text, line_end, 0) {
-            match split_word(&line).0 {
+            match first_word(&line) {
                 "v" => counts.positions += 1,
                 "vt" => counts.places += 1,
                 "vn" => counts.normals += 1,
@@ -216,11 +216,19 @@ impl<'a> Iterator for Statements<'a> {
     }
 }
 
+/// The first word of a line; empty if there is none before a comment.
+fn first_word(line: &str) -> &str {
+    let line = line.trim_start();
+    let end = line.find(|c: char| c.is_whitespace() || c == '#');
+    &line[..end.unwrap_or(line.len())]
+}
+
 /// The first word of a line, and what follows it, without its comment.
 fn split_word(line: &str) -> (&str, &str) {
-    let line = line.split('#').next().unwrap_or(line).trim();
-    let (word, rest) = line.split_once(char::is_whitespace).unwrap_or((line, ""));
-    (word, rest.trim_start())
+    let word = first_word(line);
+    let rest = &line.trim_start()[word.len()..];
+    let rest = rest.split('#').next().unwrap_or(rest);
+    (word, rest.trim())
 }
 
 impl ShareReader<'_> {
