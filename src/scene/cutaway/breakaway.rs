@@ -6,7 +6,8 @@
 //!
 //! All points between an interior part and the eye are inside: for a point p of the extended hull and a direction u of the cone, p + t u
 //! is in the hull of both ends for all t up to the sweep's length. That hull is the sum of the extended hull and the cone. Cost: the hull of
-//! the interior parts' vertices, kept while the camera alone moves, and a sum per opening. Cannot: open towards an eye inside the extended hull; there is no opening then.
+//! the interior parts' vertices, kept while the camera alone moves, and a sum per opening. Cannot: open towards an eye inside the
+//! extended hull; there is no opening then.
 
 use std::sync::LazyLock;
 

@@ -69,7 +69,7 @@ impl Scene {
                 help,
             ));
         }
-        let hulls = cut.kept_hulls.of(breakaway, self);
+        let hulls = cut.kept_hulls.of(breakaway, &self.parts, &bounds);
         let names = hulls.shows.iter().map(|i| self.parts[*i].name.clone());
         let closed = Cut {
             volume: None,

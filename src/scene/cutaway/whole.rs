@@ -191,7 +191,7 @@ mod tests {
 
     #[test]
     fn a_cell_of_the_grid_has_all_triangles_that_a_ray_can_cross() {
-        let torus = shape("torus").unwrap_or_else(|e| panic!("{e}"));
+        let torus = shape("torus?segments=40&sides=20").unwrap_or_else(|e| panic!("{e}"));
         let mut torus = Cutter::from_parts("torus", &torus).unwrap_or_else(|e| panic!("{e}"));
         for turn in [0.0, 0.7] {
             torus.world_from_cutter = DAffine3::from_rotation_x(turn);

@@ -128,7 +128,7 @@ mod tests {
 
     #[test]
     fn few_pairs_of_corners_are_left() {
-        let points = scattered(4000, 0.2).into_iter();
+        let points = scattered(600, 0.2).into_iter();
         let a = hull(&points.map(|p| p.normalize_or(DVec3::X)).collect::<Vec<_>>());
         let corners = HullCorner::of(&a);
         let left = corners.iter().flat_map(|b| {

@@ -40,7 +40,7 @@ fn base(parts: &[Part], bounds: &Bounds, axis: usize) -> f64 {
     for part in parts {
         area += part.mesh.sum_of_triangles(|corners| {
             let place = |p: DVec3| part.world_from_part.transform_point3(p);
-            // Most triangles are not low, and of these one corner is enough.
+            // One high corner rules a triangle out, as it does most of them.
             if !corners.iter().all(|p| place(*p)[axis] <= most) {
                 return 0.0;
             }

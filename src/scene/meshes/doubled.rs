@@ -3,7 +3,8 @@
 //! Positions are compared, not indices, so vertices that were not welded count too. Of two coincident faces, the one that faces the eye is
 //! shown; rasterisers compute the same depth for both, so they need the list of these faces.
 //!
-//! Cost: one hash per position and a parallel sort of one hash per triangle, by ranges of hashes; faces are compared only if their hashes are equal.
+//! Cost: one hash per position and a parallel sort of one hash per triangle, by ranges of hashes; faces are compared
+//! only if their hashes are equal.
 
 use glam::DVec3;
 use rayon::prelude::*;

@@ -114,7 +114,7 @@ fn in_ranges<T: Copy + Send + Sync>(
     let bits_of_index = greatest.map_or(0, |i| u32::BITS - i.leading_zeros());
     let bits = bits_for(3 * triangles.len()).min(bits_of_index);
     let shift = u32::BITS + bits_of_index - bits;
-    // All keys are in one range if an index takes 32 bits: the shift is 64.
+    // The shift is 64 if an index takes 32 bits and there is one range.
     let range_of = |key: u64| key.checked_shr(shift).unwrap_or(0) as usize;
     Buckets::of(triangles, 1 << bits, |index, t| {
         keys_of(t).map(|key| (range_of(key), item(key, index as u32)))

@@ -9,7 +9,7 @@ use std::sync::Arc;
 use cutaway::error::Diagnostic;
 use cutaway::scene::Edges;
 use cutaway::scene::topology::Sets;
-use cutaway::scene::weld::weld;
+use cutaway::scene::weld::{has_three, weld};
 use cutaway::scene::{Material, Mesh, Texture, TexturedTriangle, VertexPaint};
 use glam::{DAffine3, Vec3};
 
@@ -105,7 +105,8 @@ fn whole(pieces: &[&Placed]) -> Option<Placed> {
             .collect(),
         is_transparent: pieces.iter().all(|piece| piece.is_transparent),
         role: first.role,
-        is_closed: true,
+        // A triangle that is flat only at the size of the whole has an edge from a vertex to itself, which counts as open.
+        is_closed: mesh.triangles.iter().all(has_three),
         mesh: Arc::new(mesh),
         world_from_part: DAffine3::IDENTITY,
         driver: None,

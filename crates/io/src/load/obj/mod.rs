@@ -8,7 +8,7 @@
 //!
 //! Large files are read in [shares](share) of their lines, in parallel.
 //!
-//! Cost: two passes over the text, of which the first counts elements. If a file is truncated between two lines, that is only detected if a
+//! Cost: two passes over the text, of which the first counts elements. Memory: the mesh twice, while shares are joined. If a file is truncated between two lines, that is only detected if a
 //! face refers to a missing vertex.
 
 mod share;

@@ -63,7 +63,7 @@ impl ShareOfPaint {
 pub(super) struct ObjVertexPaint(ShareOfPaint);
 
 impl ObjVertexPaint {
-    /// Adds those of a share that follows so many vertices and triangles.
+    /// Adds the paint of a share that follows so many vertices and triangles.
     pub(super) fn append(&mut self, share: ShareOfPaint, vertices: usize, triangles: usize) {
         let all = &mut self.0;
         all.places.extend(share.places);

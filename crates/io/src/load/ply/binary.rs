@@ -7,7 +7,7 @@ use ply_rs_bw::ply::{ElementDef, PropertyType, ScalarType};
 use rayon::prelude::*;
 
 use super::PlyError;
-use super::elements::Rows;
+use super::elements::{Dropped, Rows};
 
 /// Number of rows that a thread reads at once.
 const SHARE: usize = 1 << 14;
@@ -31,6 +31,9 @@ impl<'a> Payload<'a> {
         element: &ElementDef,
         empty: impl Fn(usize) -> R + Sync,
     ) -> Result<R, PlyError> {
+        if element.count == 0 {
+            return Ok(empty(0));
+        }
         if let Some((rows, rest)) = self.uniform_rows(element, &empty) {
             self.bytes = rest;
             return Ok(rows);
@@ -53,7 +56,7 @@ impl<'a> Payload<'a> {
         element: &ElementDef,
         empty: &(impl Fn(usize) -> R + Sync),
     ) -> Option<(R, &'a [u8])> {
-        let rest = self.row(element, &mut empty(0), &mut Vec::new()).ok()?;
+        let rest = self.row(element, &mut Dropped, &mut Vec::new()).ok()?;
         let length = self.bytes.len() - rest.len();
         let all = self.bytes.get(..length.checked_mul(element.count)?)?;
         let shares = all.par_chunks(SHARE * length).enumerate();
@@ -93,6 +96,11 @@ impl<'a> Payload<'a> {
                     (count as usize, of)
                 }
             };
+            if !rows.wants(column) {
+                let length = count.checked_mul(size_of(kind));
+                bytes = length.and_then(|l| bytes.get(l..)).ok_or(Fault::CutOff)?;
+                continue;
+            }
             values.clear();
             for _ in 0..count {
                 values.push(self.take(&mut bytes, kind)?);
@@ -116,6 +124,17 @@ impl<'a> Payload<'a> {
             Of::Double => first(bytes, big).map(f64::from_le_bytes),
         };
         number.ok_or(Fault::CutOff)
+    }
+}
+
+/// Size of a number in bytes.
+fn size_of(kind: &ScalarType) -> usize {
+    use ScalarType as Of;
+    match kind {
+        Of::Char | Of::UChar => 1,
+        Of::Short | Of::UShort => 2,
+        Of::Int | Of::UInt | Of::Float => 4,
+        Of::Double => 8,
     }
 }
 

@@ -3,7 +3,7 @@
 use cutaway::scene::weld::has_three;
 use cutaway::scene::{Mesh, TexturedTriangle, VertexPaint};
 use glam::{DVec3, Vec3};
-use ply_rs_bw::ply::{ElementDef, ScalarType};
+use ply_rs_bw::ply::{ElementDef, PropertyDef, PropertyType, ScalarType};
 
 /// Properties of a vertex, in the order in which they are kept. Of colours, red comes first.
 const VERTEX_PROPERTIES: [&str; 9] = ["x", "y", "z", "nx", "ny", "nz", "red", "green", "blue"];
@@ -11,10 +11,18 @@ const VERTEX_PROPERTIES: [&str; 9] = ["x", "y", "z", "nx", "ny", "nz", "red", "g
 /// Name used here for the property that lists the corners of a face or a strip.
 pub(super) const CORNERS: &str = "vertex_indices";
 
+/// Returns true for the property that lists the corners of a face or a strip.
+pub(super) fn lists_corners(property: &PropertyDef) -> bool {
+    property.name == CORNERS && matches!(property.data_type, PropertyType::List(..))
+}
+
 /// Receiver of the rows of an element, or of a share of them.
 pub(super) trait Rows: Send + Sized {
     /// Begins a row.
     fn begin(&mut self);
+
+    /// Returns true if the property in this column is used.
+    fn wants(&self, column: usize) -> bool;
 
     /// Takes the values of the property in this column: one of a scalar, any number of a list. The error's text says what is wrong.
     fn property(&mut self, column: usize, kind: &ScalarType, values: &[f64]) -> Result<(), String>;
@@ -40,10 +48,14 @@ pub(super) struct Vertices {
 
 impl Vertices {
     pub(super) fn of(element: &ElementDef) -> Self {
-        let place = |name: &String| VERTEX_PROPERTIES.iter().position(|known| known == name);
-        let property_of_column: Vec<_> = (element.properties.iter())
-            .map(|(name, _)| place(name))
-            .collect();
+        let place = |property: &PropertyDef| {
+            let is_scalar = matches!(property.data_type, PropertyType::Scalar(_));
+            let place = VERTEX_PROPERTIES
+                .iter()
+                .position(|known| *known == property.name);
+            place.filter(|_| is_scalar)
+        };
+        let property_of_column: Vec<_> = element.properties.values().map(place).collect();
         let has = |places: [usize; 3]| {
             let mut places = places.into_iter();
             places.all(|place| property_of_column.contains(&Some(place)))
@@ -70,6 +82,10 @@ impl Rows for Vertices {
         if self.has_colors {
             self.colors.push([0; 4]);
         }
+    }
+
+    fn wants(&self, column: usize) -> bool {
+        self.property_of_column[column].is_some()
     }
 
     fn property(&mut self, column: usize, kind: &ScalarType, values: &[f64]) -> Result<(), String> {
@@ -129,7 +145,7 @@ pub(super) struct Polygons {
     kind: PolygonKind,
     corners_column: Option<usize>,
     /// Number of rows that have begun, in this share and before it.
-    rows: usize,
+    begun: usize,
     /// Indices of the vertices. They are not checked.
     triangles: Vec<[u32; 3]>,
 }
@@ -144,25 +160,26 @@ pub(super) enum PolygonKind {
 impl Polygons {
     /// The receiver of the rows after the first `before`.
     pub(super) fn of(element: &ElementDef, kind: PolygonKind, before: usize) -> Self {
-        let mut columns = element.properties.iter();
+        let mut columns = element.properties.values();
         Self {
             kind,
-            corners_column: columns.position(|(name, _)| name == CORNERS),
-            rows: before,
+            corners_column: columns.position(lists_corners),
+            begun: before,
             triangles: Vec::new(),
         }
     }
 
     fn strips(&mut self, corners: &[f64]) -> Result<(), String> {
+        self.check(
+            corners
+                .iter()
+                .filter(|corner| **corner != corner.floor() || **corner >= 0.0),
+        )?;
         // A negative index ends a strip.
-        for strip in corners.split(|i| *i < 0.0) {
-            for (k, w) in strip.windows(3).enumerate() {
-                let turned = if k % 2 == 0 {
-                    [w[0], w[1], w[2]]
-                } else {
-                    [w[1], w[0], w[2]]
-                };
-                let triangle = self.triangle(turned)?;
+        for strip in corners.split(|corner| *corner < 0.0) {
+            for (k, corners) in strip.windows(3).enumerate() {
+                let [a, b, c] = [0, 1, 2].map(|i| corners[i] as u32);
+                let triangle = if k % 2 == 0 { [a, b, c] } else { [b, a, c] };
                 // Strips are joined by degenerate triangles, which have repeated corners and are dropped here.
                 self.triangles.extend(Some(triangle).filter(has_three));
             }
@@ -172,38 +189,38 @@ impl Polygons {
 
     /// Splits a polygon into a triangle fan from its first corner.
     fn fan(&mut self, corners: &[f64]) -> Result<(), String> {
+        self.check(corners.iter())?;
         for k in 2..corners.len() {
-            let triangle = self.triangle([corners[0], corners[k - 1], corners[k]])?;
+            let triangle = [0, k - 1, k].map(|i| corners[i] as u32);
             self.triangles.push(triangle);
         }
         Ok(())
     }
 
-    fn triangle(&self, corners: [f64; 3]) -> Result<[u32; 3], String> {
-        let indices = corners.map(|corner| corner as u32);
-        if indices.map(f64::from) == corners {
-            return Ok(indices);
-        }
-        let (number, name) = (
-            self.rows - 1,
-            match self.kind {
-                PolygonKind::Face => "face",
-                PolygonKind::Strip => "strip",
-            },
-        );
-        let outside = corners
-            .iter()
-            .find(|corner| corner.fract() == 0.0 && **corner as u32 as f64 != **corner);
-        Err(match outside {
-            Some(index) => format!("{name} {number} refers to vertex {index}"),
-            None => format!("the corners of {name} {number} are not whole numbers"),
+    /// Refuses corners that are not indices.
+    fn check<'a>(&self, mut corners: impl Iterator<Item = &'a f64>) -> Result<(), String> {
+        let Some(corner) = corners.find(|corner| f64::from(**corner as u32) != **corner) else {
+            return Ok(());
+        };
+        let name = match self.kind {
+            PolygonKind::Face => "face",
+            PolygonKind::Strip => "strip",
+        };
+        let number = self.begun - 1;
+        Err(match *corner == corner.floor() {
+            true => format!("{name} {number} refers to vertex {corner}"),
+            false => format!("the corners of {name} {number} are not whole numbers"),
         })
     }
 }
 
 impl Rows for Polygons {
     fn begin(&mut self) {
-        self.rows += 1;
+        self.begun += 1;
+    }
+
+    fn wants(&self, column: usize) -> bool {
+        self.corners_column == Some(column)
     }
 
     fn property(&mut self, column: usize, _: &ScalarType, values: &[f64]) -> Result<(), String> {
@@ -234,6 +251,10 @@ pub(super) struct Dropped;
 
 impl Rows for Dropped {
     fn begin(&mut self) {}
+
+    fn wants(&self, _: usize) -> bool {
+        false
+    }
 
     fn property(&mut self, _: usize, _: &ScalarType, _: &[f64]) -> Result<(), String> {
         Ok(())

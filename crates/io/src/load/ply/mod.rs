@@ -21,7 +21,7 @@ use ply_rs_bw::ply::{
 use super::{Draft, without_mark};
 
 use binary::Payload;
-use elements::{CORNERS, Dropped, Elements, PolygonKind, Polygons, Rows, Vertices};
+use elements::{CORNERS, Dropped, Elements, PolygonKind, Polygons, Rows, Vertices, lists_corners};
 use fault::PlyError;
 use text::Words;
 
@@ -163,15 +163,18 @@ fn name_corner_list(element: &mut ElementDef) {
     element.properties = renamed.collect();
 }
 
-fn has(element: &ElementDef, property: &str) -> bool {
-    element.properties.iter().any(|(name, _)| name == property)
+fn has_number(element: &ElementDef, name: &str) -> bool {
+    let mut properties = element.properties.values();
+    properties.any(|p| p.name == name && matches!(p.data_type, PropertyType::Scalar(_)))
 }
 
 /// Refuses elements that lack a required property or have none. Without properties an element takes no bytes, whatever its count.
 fn check(path: &Path, element: &ElementDef) -> Result<()> {
     let missing = match element.name.as_str() {
-        "vertex" => ["x", "y", "z"].into_iter().find(|n| !has(element, n)),
-        "face" | STRIPS if !has(element, CORNERS) => Some(CORNERS),
+        "vertex" => ["x", "y", "z"]
+            .into_iter()
+            .find(|n| !has_number(element, n)),
+        "face" | STRIPS if !element.properties.values().any(lists_corners) => Some(CORNERS),
         _ if element.properties.iter().count() == 0 => Some("any property"),
         _ => None,
     };
@@ -280,6 +283,8 @@ mod tests {
             ("3 0 1 -2", "face 1 refers to vertex -2"),
             ("3 0 1 4294967296", "face 1 refers to vertex 4294967296"),
             ("3 0 1 1.5", "the corners of face 1 are not whole numbers"),
+            ("2 -1 0", "face 1 refers to vertex -1"),
+            ("1 0.5", "the corners of face 1 are not whole numbers"),
         ] {
             let text = format!(
                 "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 2\n\
@@ -289,6 +294,52 @@ mod tests {
             let error = error.unwrap_err().to_string();
             assert!(error.contains(said), "{error}");
         }
+    }
+
+    #[test]
+    fn lists_of_text_hold_numbers_of_any_size() {
+        let file = |list: &str, index: &str| {
+            format!(
+                "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n\
+                property {list} vertex_index\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 {index}\n"
+            )
+        };
+        for (list, index) in [
+            ("list uchar uchar", "70000"),
+            ("list uchar short", "70000"),
+            ("list uchar float", "16777217"),
+        ] {
+            let text = file(list, index);
+            let draft = read(Path::new("t.ply"), text.as_bytes(), &mut Vec::new()).unwrap();
+            assert_eq!(draft.mesh.triangles, [[0, 1, index.parse().unwrap()]]);
+        }
+        // One number is no list, and a list no number.
+        for text in [
+            file("int", "2"),
+            file("list uchar int", "2").replace("float x", "list uchar float x"),
+        ] {
+            let error = read(Path::new("t.ply"), text.as_bytes(), &mut Vec::new());
+            assert!(error.unwrap_err().to_string().contains("lacks"), "{text}");
+        }
+    }
+
+    #[test]
+    fn elements_that_are_not_there_cost_nothing() {
+        // The payload, read as a list, would be as long as itself.
+        let header: String = (0..20_000)
+            .map(|i| format!("element e{i} 0\nproperty list uint uchar b\n"))
+            .collect();
+        let mut bytes = binary(false);
+        let at = bytes.iter().position(|b| *b == b'e').unwrap();
+        let at = at
+            + bytes[at..]
+                .windows(8)
+                .position(|w| w == b"element ")
+                .unwrap();
+        bytes.splice(at..at, header.into_bytes());
+        bytes.extend(vec![0; 1 << 22]);
+        let draft = read(Path::new("t.ply"), &bytes, &mut Vec::new()).unwrap();
+        assert_eq!(draft.mesh.triangles.len(), 3);
     }
 
     #[test]

@@ -60,7 +60,7 @@ impl<'a> Words<'a> {
             for (column, property) in element.properties.values().enumerate() {
                 let (count, kind) = match &property.data_type {
                     PropertyType::Scalar(kind) => (Some(1), kind),
-                    PropertyType::List(_, kind) => (self.next().and_then(whole), kind),
+                    PropertyType::List(_, kind) => (self.next().and_then(whole), widened(kind)),
                 };
                 let is_read = count.is_some_and(|count| self.values(count, kind, &mut values));
                 if !is_read {
@@ -110,6 +110,16 @@ impl<'a> Words<'a> {
             values.push(value);
         }
         count >= 0
+    }
+}
+
+/// The widest type of the same kind. Programs declare lists of bytes and write indices of any size.
+fn widened(kind: &ScalarType) -> &ScalarType {
+    use ScalarType as Of;
+    match kind {
+        Of::Char | Of::Short | Of::Int => &Of::Int,
+        Of::UChar | Of::UShort | Of::UInt => &Of::UInt,
+        Of::Float | Of::Double => &Of::Double,
     }
 }
 
