@@ -255,11 +255,10 @@ fn append(out: &mut Chunk, position: u32, around: &mut [TriangleCorner]) {
             around[leader].pull += pull;
         }
     }
-    for i in 0..around.len() {
-        let leader = around[i].group as usize;
-        if leader == i {
-            let unit = around[i].pull.try_normalize().unwrap_or(fallback);
-            around[i].vertex = vertex_of(out, first, position, unit.as_vec3());
+    for (i, corner) in around.iter_mut().enumerate() {
+        if corner.group as usize == i {
+            let unit = corner.pull.try_normalize().unwrap_or(fallback);
+            corner.vertex = vertex_of(out, first, position, unit.as_vec3());
         }
     }
 }
