@@ -1,6 +1,6 @@
 //! Breakaways of a scene, opened towards an eye.
 //!
-//! Cost: one sum of hulls per opening, whenever the eye moves; the hulls of the interior parts are kept until one of them changes. The rest
+//! Cost: one hull per opening, whenever the eye moves; the hulls of the interior parts are kept until one of them changes. The rest
 //! of the scene is not touched.
 
 use glam::DVec3;

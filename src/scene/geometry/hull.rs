@@ -45,14 +45,6 @@ impl ConvexHull {
         Hull::around(points, aside).map(|hull| hull.as_mesh())
     }
 
-    /// The hull scaled about the origin by a positive factor.
-    pub(crate) fn scaled(&self, factor: f64) -> Self {
-        Self {
-            corners: self.corners.iter().map(|corner| *corner * factor).collect(),
-            triangles: self.triangles.clone(),
-        }
-    }
-
     /// The corner that lies farthest in a direction.
     pub(crate) fn farthest(&self, direction: DVec3) -> DVec3 {
         let all = self.corners.iter().copied();
@@ -210,11 +202,12 @@ impl<'a> Hull<'a> {
     }
 
     fn farthest_before(&self, facet: usize) -> Option<usize> {
-        let all = self.facets[facet].before.par_iter().with_min_len(SHARE);
-        let all = all.map(|point| (self.distance(facet, *point), *point));
+        let before = &self.facets[facet].before;
+        let all = before.par_iter().enumerate().with_min_len(SHARE);
+        let all = all.map(|(place, point)| (self.distance(facet, *point), place));
         // Of points at the same distance the last, whatever the number of threads.
         let farthest = all.max_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-        farthest.map(|(_, point)| point)
+        farthest.map(|(_, place)| before[place])
     }
 
     /// Adds a point in front of the facet `seen_first` to the hull.

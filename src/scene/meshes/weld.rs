@@ -475,7 +475,7 @@ mod tests {
             let bits = (*p + DVec3::ZERO).to_array().map(f64::to_bits);
             assert_eq!(*known.entry(bits).or_insert(number), *joined, "{p}");
         }
-        assert!(known.len() < corners.len() / 20);
+        assert!(known.len() < corners.len() / 10);
     }
 
     #[test]

@@ -298,7 +298,7 @@ fn hostile_ply() {
         (
             "cut",
             bytes[..bytes.len() - 1].to_vec(),
-            "expected 4, got 3",
+            "after 3 of 4 `face`",
         ),
         ("header", bytes[..60].to_vec(), ""),
         ("lines", text[..text.len() - 9].into(), ""),
@@ -326,7 +326,7 @@ fn hostile_ply() {
         (
             "more",
             ply_header("binary_big_endian", "4000000000", "4000000000").into(),
-            "got 0",
+            "after 0 of 4000000000 `vertex`",
         ),
         (
             "list",
