@@ -59,4 +59,20 @@ impl<T: Copy + Send + Sync> Buckets<T> {
             shares.flat_map(move |share| share[bucket].iter().copied())
         })
     }
+
+    /// Sorts the items of each bucket and maps them.
+    pub(super) fn par_map_sorted<R: Send>(
+        &self,
+        map: impl Fn(&[T]) -> R + Sync + Send,
+    ) -> impl IndexedParallelIterator<Item = R>
+    where
+        T: Ord,
+    {
+        self.par_iter().map_init(Vec::new, move |sorted, items| {
+            sorted.clear();
+            sorted.extend(items);
+            sorted.sort_unstable();
+            map(sorted)
+        })
+    }
 }

@@ -10,17 +10,18 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use super::buckets::{Buckets, bits_for};
+use super::equal_positions::hash;
 use crate::scene::Mesh;
 
 /// The triangles that coincide with another one, in order; both of a pair are listed.
 pub(crate) fn doubled_faces(mesh: &Mesh) -> Vec<u32> {
-    let names: Vec<u64> = (mesh.positions.par_iter().with_min_len(1 << 13))
-        .map(|p| name_of(*p))
+    let hashes: Vec<u64> = (mesh.positions.par_iter().with_min_len(1 << 13))
+        .map(|p| hash(*p))
         .collect();
     let bits = bits_for(mesh.triangles.len());
     let buckets = Buckets::of(&mesh.triangles, 1 << bits, |index, t| {
         // Independent of the order of the corners.
-        let [a, b, c] = t.map(|i| names[i as usize]);
+        let [a, b, c] = t.map(|i| hashes[i as usize]);
         let sum = a.wrapping_add(b).wrapping_add(c);
         let bucket = sum.rotate_left(bits) as usize & ((1 << bits) - 1);
         [(bucket, (sum, index as u32))]
@@ -44,28 +45,10 @@ pub(crate) fn doubled_faces(mesh: &Mesh) -> Vec<u32> {
             })
             .collect()
     };
-    let doubled = buckets.par_iter().flat_map_iter(|items| {
-        let mut order: Vec<(u64, u32)> = items.collect();
-        order.sort_unstable();
-        doubled_in(&order)
-    });
+    let doubled = buckets.par_map_sorted(doubled_in).flatten_iter();
     let mut doubled: Vec<u32> = doubled.collect();
     doubled.sort_unstable();
     doubled
-}
-
-/// A hash of a position (the finaliser of Steele, Lea & Flood's SplitMix, 2014).
-fn name_of(position: DVec3) -> u64 {
-    // Adding 0 turns -0 into 0.
-    (position + DVec3::ZERO)
-        .to_array()
-        .into_iter()
-        .fold(0, |name: u64, c| {
-            let mut x = name.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ c.to_bits();
-            x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-            x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-            x ^ (x >> 31)
-        })
 }
 
 #[cfg(test)]

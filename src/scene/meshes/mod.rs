@@ -3,6 +3,7 @@
 pub(super) mod base;
 mod buckets;
 pub(super) mod doubled;
+mod equal_positions;
 pub(super) mod filled_part;
 pub(super) mod mesh;
 pub(super) mod smooth;

@@ -11,10 +11,9 @@ use std::path::Path;
 use cutaway::error::{Diagnostic, Error, Result};
 use cutaway::scene::Edges;
 use cutaway::scene::topology::Sets;
-use cutaway::scene::weld::{has_three, thousands, weld};
+use cutaway::scene::weld::{has_three, renumber, thousands, weld};
 use cutaway::scene::{Mesh, MeshDefect, Motion, VertexPaint, range};
 use glam::Vec3;
-use rayon::prelude::*;
 
 use super::welded;
 
@@ -116,8 +115,7 @@ impl Draft {
         let note = welding.weld.map(|welded| {
             self.motion = welded::motion(&self.mesh, &self.motion, &welded.new_from_old, notes);
             self.mesh.positions = welded.positions;
-            let new_from_old = |t: &mut [u32; 3]| *t = t.map(|i| welded.new_from_old[i as usize]);
-            self.mesh.triangles.par_iter_mut().for_each(new_from_old);
+            renumber(&mut self.mesh.triangles, &welded.new_from_old);
             welded.note
         });
         DraftWelding {
@@ -158,9 +156,7 @@ impl Draft {
                 }
             }
             retain(&mut mesh.positions, &used);
-            for t in &mut mesh.triangles {
-                *t = t.map(|i| number[i as usize]);
-            }
+            renumber(&mut mesh.triangles, &number);
             self.motion = self.motion.of_positions(&left);
         }
         self.mesh.positions.len()

@@ -31,14 +31,9 @@ pub struct EdgeCount {
 impl Edges {
     pub fn of(triangles: &[[u32; 3]]) -> Self {
         let ranges = in_ranges(triangles, |key, _| key);
-        let ranges = ranges.par_iter().map_init(Vec::new, |keys, items| {
-            keys.clear();
-            keys.extend(items);
-            keys.sort_unstable();
-            Self::of_range(keys)
-        });
+        let ranges: Vec<Self> = ranges.par_map_sorted(Self::of_range).collect();
         let mut all = Self::default();
-        for range in ranges.collect::<Vec<_>>() {
+        for range in ranges {
             all.count = all.count.and(range.count);
             all.open.extend(range.open);
             all.left_over.extend(range.left_over);
@@ -144,12 +139,7 @@ pub(crate) struct EdgeUses(Vec<Vec<(u64, u32)>>);
 impl EdgeUses {
     pub(crate) fn of(triangles: &[[u32; 3]]) -> Self {
         let ranges = in_ranges(triangles, |key, triangle| (key, triangle));
-        let sorted = ranges.par_iter().map(|items| {
-            let mut uses: Vec<(u64, u32)> = items.collect();
-            uses.sort_unstable();
-            uses
-        });
-        Self(sorted.collect())
+        Self(ranges.par_map_sorted(<[_]>::to_vec).collect())
     }
 
     /// The vertices of each edge, the smaller index first, and its uses.

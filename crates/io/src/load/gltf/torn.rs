@@ -9,7 +9,7 @@ use std::sync::Arc;
 use cutaway::error::Diagnostic;
 use cutaway::scene::Edges;
 use cutaway::scene::topology::Sets;
-use cutaway::scene::weld::{has_three, weld};
+use cutaway::scene::weld::{has_three, renumber, weld};
 use cutaway::scene::{Material, Mesh, Texture, TexturedTriangle, VertexPaint};
 use glam::{DAffine3, Vec3};
 
@@ -90,9 +90,7 @@ fn whole(pieces: &[&Placed]) -> Option<Placed> {
     }
     if let Some(welded) = welding.weld {
         mesh.positions = welded.positions;
-        for t in &mut mesh.triangles {
-            *t = t.map(|i| welded.new_from_old[i as usize]);
-        }
+        renumber(&mut mesh.triangles, &welded.new_from_old);
     }
     mesh.corner_normals = normals(pieces);
     mesh.vertex_paint = vertex_paint(pieces);

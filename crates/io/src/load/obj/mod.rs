@@ -6,26 +6,26 @@
 //! and texture coordinates are used if valid ([`vertex_paint`]). An invalid normal index is dropped with a note, as is a line whose first
 //! word is unknown.
 //!
-//! Large files are read in [shares](share) of their lines, in parallel.
+//! Large files are read in [shares](read_share) of their lines, in parallel.
 //!
-//! Cost: two passes over the text, of which the first counts elements. Memory: the mesh twice, while shares are joined. If a file is truncated between two lines, that is only detected if a
-//! face refers to a missing vertex.
+//! Cost: two passes over the text, of which the first counts elements. Memory: the mesh twice, while shares are joined. If a file is truncated
+//! between two lines, that is only detected if a face refers to a missing vertex.
 
+mod read_share;
 mod share;
 mod vertex_paint;
 
-use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
 use cutaway::error::{Diagnostic, Error, Result};
-use glam::Vec3;
+use cutaway::scene::Mesh;
 use rayon::prelude::*;
 
 use super::lines::line_end;
 use super::painted::Paint;
 use super::{Draft, Files, Group, mtl, without_mark};
-use share::{ElementCounts, ForwardReference, Label, LeftOut, ObjShare};
-use vertex_paint::ObjVertexPaint;
+use read_share::ElementCounts;
+use share::{Label, ObjShare};
 
 /// Fewest bytes of a share.
 const LEAST_SHARE: usize = 1 << 20;
@@ -36,18 +36,7 @@ const SHARES_PER_THREAD: usize = 4;
 /// The shares of a file, joined.
 struct ObjReader<'a> {
     path: &'a Path,
-    draft: Draft,
-    normals: Vec<Vec3>,
-    /// As in a share.
-    normal_of_corner: Vec<Option<[u32; 3]>>,
-    vertex_paint: ObjVertexPaint,
-    /// The label after the last share.
-    label: Label,
-    group_of_label: HashMap<Label, u32>,
-    libraries: Vec<String>,
-    ahead: [ForwardReference; 2],
-    unknown_words: LeftOut,
-    no_normals: LeftOut,
+    whole: ObjShare,
 }
 
 pub(super) fn read(
@@ -88,11 +77,12 @@ fn read_in_shares(
         all = all.and(counts);
     }
     let shares: Vec<Result<ObjShare>> = (texts.into_par_iter().zip(before))
-        .map(|(text, before)| share::read(path, &text, line_end, before))
+        .map(|(text, before)| read_share::read(path, &text, line_end, before))
         .collect();
     // The first error in the file is reported.
     let shares: Vec<ObjShare> = shares.into_iter().collect::<Result<_>>()?;
-    ObjReader::of(path, shares).finish(store, notes, files)
+    let whole = ObjShare::joined(shares);
+    ObjReader { path, whole }.finish(store, notes, files)
 }
 
 /// Splits a text at ends of lines that do not continue in the next line.
@@ -118,85 +108,18 @@ fn error(path: &Path, line: usize, what: impl Into<String>) -> Error {
     Error::file_line(path, line, what, help)
 }
 
-impl<'a> ObjReader<'a> {
-    fn of(path: &'a Path, shares: Vec<ObjShare>) -> Self {
-        let mut reader = Self {
-            path,
-            draft: Draft::default(),
-            normals: Vec::new(),
-            normal_of_corner: Vec::new(),
-            vertex_paint: ObjVertexPaint::default(),
-            label: Label::unnamed(),
-            group_of_label: HashMap::new(),
-            libraries: Vec::new(),
-            ahead: [None; 2],
-            unknown_words: LeftOut::default(),
-            no_normals: LeftOut::default(),
-        };
-        let count = |of: fn(&ObjShare) -> usize| shares.iter().map(of).sum();
-        let mesh = &mut reader.draft.mesh;
-        mesh.positions.reserve_exact(count(|s| s.positions.len()));
-        mesh.triangles.reserve_exact(count(|s| s.triangles.len()));
-        shares.into_iter().for_each(|share| reader.append(share));
-        reader
-    }
-
-    fn append(&mut self, share: ObjShare) {
-        let mesh = &mut self.draft.mesh;
-        let (positions, triangles) = (mesh.positions.len(), mesh.triangles.len());
-        mesh.positions.extend(share.positions);
-        mesh.triangles.extend(share.triangles);
-        self.normals.extend(share.normals);
-        if !share.normal_of_corner.is_empty() {
-            self.normal_of_corner.resize(triangles, None);
-            self.normal_of_corner.extend(share.normal_of_corner);
-        }
-        self.vertex_paint.append(share.paint, positions, triangles);
-        let groups = share.labels.iter().map(|label| label.after(&self.label));
-        let groups: Vec<Label> = groups.collect();
-        let groups: Vec<u32> = groups.into_iter().map(|label| self.group(label)).collect();
-        let group_of_triangle = share.label_of_triangle.iter();
-        let group_of_triangle = group_of_triangle.map(|label| groups[*label as usize]);
-        self.draft.group_of_triangle.extend(group_of_triangle);
-        self.label = share.label.after(&self.label);
-        self.libraries.extend(share.libraries);
-        for (known, ahead) in self.ahead.iter_mut().zip(share.ahead) {
-            // Of equal indices, the first line.
-            if ahead.is_some_and(|(index, _)| known.is_none_or(|(largest, _)| largest < index)) {
-                *known = ahead;
-            }
-        }
-        self.unknown_words.append(share.unknown_words);
-        self.no_normals.append(share.no_normals);
-    }
-
-    fn group(&mut self, label: Label) -> u32 {
-        let next = self.group_of_label.len() as u32;
-        let names = [&label.object, &label.group, &label.material];
-        let name = names.into_iter().flatten().find(|name| !name.is_empty());
-        let group = Group {
-            name: name.cloned(),
-            material: label.material.clone().filter(|m| !m.is_empty()),
-            ..Group::default()
-        };
-        let number = *self.group_of_label.entry(label).or_insert(next);
-        if number == next {
-            self.draft.groups.push(group);
-        }
-        number
-    }
-
+impl ObjReader<'_> {
     /// Removes the normals of faces that refer to missing normals.
     fn drop_missing_normals(&mut self) {
-        let there = self.normals.len();
-        let Some((_, line)) = self.ahead[1].filter(|a| a.0 >= there) else {
+        let there = self.whole.normals.len();
+        let Some((_, line)) = self.whole.ahead[1].filter(|a| a.0 >= there) else {
             return;
         };
-        for normals in &mut self.normal_of_corner {
+        for normals in &mut self.whole.normal_of_corner {
             let missing = |all: &[u32; 3]| all.iter().find(|i| **i as usize >= there).copied();
             if let Some(index) = normals.as_ref().and_then(missing) {
                 *normals = None;
-                self.no_normals.add(line, &(index + 1).to_string());
+                self.whole.no_normals.add(line, &(index + 1).to_string());
             }
         }
     }
@@ -207,8 +130,8 @@ impl<'a> ObjReader<'a> {
             count => format!(" (and {} more)", count - 1),
         };
         let mut notes = Vec::new();
-        if let Some((line, word)) = &self.unknown_words.first {
-            let more = and_more(self.unknown_words.count);
+        if let Some((line, word)) = &self.whole.unknown_words.first {
+            let more = and_more(self.whole.unknown_words.count);
             let word: String = word.chars().take(40).collect();
             notes.push(
                 Diagnostic::note(
@@ -218,8 +141,11 @@ impl<'a> ObjReader<'a> {
                 .at_line(self.path, *line),
             );
         }
-        if let Some((line, index)) = &self.no_normals.first {
-            let (there, more) = (self.normals.len(), and_more(self.no_normals.count));
+        if let Some((line, index)) = &self.whole.no_normals.first {
+            let (there, more) = (
+                self.whole.normals.len(),
+                and_more(self.whole.no_normals.count),
+            );
             notes.push(Diagnostic::note("obj-normal-missing", format!(
                 "a face refers to normal {index}, but there are {there}{more}: the file's normals are not used"
             )).at_line(self.path, *line));
@@ -233,41 +159,52 @@ impl<'a> ObjReader<'a> {
         notes: &mut Vec<Diagnostic>,
         files: &mut Vec<PathBuf>,
     ) -> Result<Draft> {
-        let vertices = self.draft.mesh.positions.len();
-        if let Some((index, line)) = self.ahead[0].filter(|a| a.0 >= vertices) {
+        let vertices = self.whole.positions.len();
+        if let Some((index, line)) = self.whole.ahead[0].filter(|a| a.0 >= vertices) {
             let index = index + 1;
             let what = format!("a face refers to vertex {index}, but there are only {vertices}");
             return Err(error(self.path, line, what));
         }
         self.drop_missing_normals();
         notes.extend(self.notes_of_left_out());
-        let with_normals = self.normal_of_corner.iter().flatten().count();
-        if with_normals == self.draft.mesh.triangles.len() {
-            let pick = |t: &[u32; 3]| t.map(|i| self.normals[i as usize]);
-            let corner_normals = self.normal_of_corner.iter().flatten().map(pick).collect();
-            self.draft.mesh.corner_normals = Some(corner_normals);
-        } else if with_normals > 0 && self.no_normals.count == 0 {
+        let whole = self.whole;
+        let with_normals = whole.normal_of_corner.iter().flatten().count();
+        let mut corner_normals = None;
+        if with_normals == whole.triangles.len() {
+            let pick = |t: &[u32; 3]| t.map(|i| whole.normals[i as usize]);
+            let all = whole.normal_of_corner.iter().flatten().map(pick);
+            corner_normals = Some(all.collect());
+        } else if with_normals > 0 && whole.no_normals.count == 0 {
             notes.push(Diagnostic::note(
                 "obj-some-normals",
                 "only some faces have normals: they are not used",
             ));
         }
-        let paints = mtl::read_all(self.path, &self.libraries, store, (notes, files));
-        let paints: Vec<Paint> = (self.draft.groups.iter())
-            .map(|group| {
-                let material = group.material.as_deref().unwrap_or_default();
-                paints.get(material).cloned().unwrap_or_default()
-            })
-            .collect();
-        for (group, paint) in self.draft.groups.iter_mut().zip(&paints) {
-            group.color = paint.color;
-            group.is_transparent = paint.is_transparent;
-        }
-        let mesh = &mut self.draft.mesh;
-        mesh.vertex_paint =
-            self.vertex_paint
-                .finish(&mesh.triangles, &self.draft.group_of_triangle, &paints);
-        Ok(self.draft)
+        let materials = mtl::read_all(self.path, &whole.libraries, store, (notes, files));
+        let labels = whole.labels.all();
+        let paint = |label: &Label| {
+            let material = label.material.as_ref().and_then(|name| materials.get(name));
+            material.cloned().unwrap_or_default()
+        };
+        let paints: Vec<Paint> = labels.iter().map(paint).collect();
+        let group = |(label, paint): (&Label, &Paint)| Group {
+            color: paint.color,
+            is_transparent: paint.is_transparent,
+            ..label.group()
+        };
+        let vertex_paint =
+            (whole.paint).finish(&whole.triangles, &whole.label_of_triangle, &paints);
+        Ok(Draft {
+            groups: labels.iter().zip(&paints).map(group).collect(),
+            group_of_triangle: whole.label_of_triangle,
+            mesh: Mesh {
+                positions: whole.positions,
+                triangles: whole.triangles,
+                corner_normals,
+                vertex_paint,
+            },
+            ..Draft::default()
+        })
     }
 }
 
@@ -275,6 +212,7 @@ impl<'a> ObjReader<'a> {
 mod tests {
     use super::*;
     use crate::load::Memory;
+    use glam::Vec3;
 
     fn parse(text: &str) -> Result<Draft> {
         read(

@@ -1,69 +1,13 @@
-//! Reads a share of the lines of an OBJ file.
+//! What a share of the lines of an OBJ file defines, and the whole file as shares joined.
 //!
-//! Indices that count backwards, and whether an index is defined yet, depend on the number of elements before the share, so these are
-//! counted first. The object, group and material that the share begins with depend on the shares before it; its labels leave them open.
+//! The object, group and material that a share begins with depend on the shares before it; its labels leave them open.
 
-use std::borrow::Cow;
 use std::collections::HashMap;
-use std::path::Path;
 
-use cutaway::error::{Error, Result};
 use glam::{DVec3, Vec3};
 
-use super::vertex_paint::ShareOfPaint;
-use crate::load::lines::{Lines, lines_ending};
-
-/// First words of lines that do not affect the surface, such as parameter coordinates, smoothing, points, lines and display settings.
-const PASSED_OVER: [&str; 13] = [
-    "",
-    "vp",
-    "s",
-    "mg",
-    "p",
-    "l",
-    "bevel",
-    "c_interp",
-    "d_interp",
-    "lod",
-    "maplib",
-    "usemap",
-    "shadow_obj",
-];
-
-/// Number of elements and lines.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct ElementCounts {
-    pub(super) lines: usize,
-    pub(super) positions: usize,
-    pub(super) places: usize,
-    pub(super) normals: usize,
-}
-
-impl ElementCounts {
-    /// Counts the elements of a text.
-    pub(super) fn of(text: &str, line_end: char) -> Self {
-        let mut counts = Self::default();
-        for (_, line) in Statements::of(text, line_end, 0) {
-            match first_word(&line) {
-                "v" => counts.positions += 1,
-                "vt" => counts.places += 1,
-                "vn" => counts.normals += 1,
-                _ => {}
-            }
-        }
-        counts.lines = lines_ending(text, line_end).count();
-        counts
-    }
-
-    pub(super) fn and(self, other: Self) -> Self {
-        Self {
-            lines: self.lines + other.lines,
-            positions: self.positions + other.positions,
-            places: self.places + other.places,
-            normals: self.normals + other.normals,
-        }
-    }
-}
+use super::vertex_paint::ObjVertexPaint;
+use crate::load::Group;
 
 /// What triangles are labelled with. Those with the same label belong to the same group. In a share, an entry is `None` if it is that of
 /// the share before it.
@@ -76,7 +20,7 @@ pub(super) struct Label {
 
 impl Label {
     /// The label at the start of a file.
-    pub(super) fn unnamed() -> Self {
+    fn unnamed() -> Self {
         let empty = Some(String::new());
         Self {
             object: empty.clone(),
@@ -86,13 +30,47 @@ impl Label {
     }
 
     /// The label with the entries of `before` where it has none.
-    pub(super) fn after(&self, before: &Self) -> Self {
+    fn after(&self, before: &Self) -> Self {
         let or = |own: &Option<String>, before: &Option<String>| own.clone().or(before.clone());
         Self {
             object: or(&self.object, &before.object),
             group: or(&self.group, &before.group),
             material: or(&self.material, &before.material),
         }
+    }
+
+    /// The group of the triangles with this label.
+    pub(super) fn group(&self) -> Group {
+        let mut names = [&self.object, &self.group, &self.material].into_iter();
+        let is_named = |name: &&String| !name.is_empty();
+        Group {
+            name: names.find_map(|name| name.as_ref().filter(is_named).cloned()),
+            material: self.material.clone().filter(|name| !name.is_empty()),
+            ..Group::default()
+        }
+    }
+}
+
+/// Labels of triangles, numbered in the order of their first triangle.
+#[derive(Debug, Default)]
+pub(super) struct Labels {
+    all: Vec<Label>,
+    numbers: HashMap<Label, u32>,
+}
+
+impl Labels {
+    pub(super) fn all(&self) -> &[Label] {
+        &self.all
+    }
+
+    pub(super) fn number(&mut self, label: &Label) -> u32 {
+        if let Some(number) = self.numbers.get(label) {
+            return *number;
+        }
+        let next = self.all.len() as u32;
+        self.all.push(label.clone());
+        self.numbers.insert(label.clone(), next);
+        next
     }
 }
 
@@ -112,18 +90,10 @@ impl LeftOut {
         self.count += 1;
     }
 
-    pub(super) fn append(&mut self, next: Self) {
+    fn append(&mut self, next: Self) {
         self.first = self.first.take().or(next.first);
         self.count += next.count;
     }
-}
-
-/// Indices of a face corner, from 0.
-#[derive(Clone, Copy, Debug)]
-struct ObjCorner {
-    position: u32,
-    place: Option<u32>,
-    normal: Option<u32>,
 }
 
 /// What a share of the lines defines.
@@ -133,14 +103,13 @@ pub(super) struct ObjShare {
     pub(super) normals: Vec<Vec3>,
     /// Indices of positions of the whole file.
     pub(super) triangles: Vec<[u32; 3]>,
-    /// Index into `labels` of each triangle.
+    /// Number of the label of each triangle.
     pub(super) label_of_triangle: Vec<u32>,
     /// For each corner, its index into the normals of the whole file. Resolved at the end, because a face may precede its normals. Empty
     /// if no face has normals.
     pub(super) normal_of_corner: Vec<Option<[u32; 3]>>,
-    pub(super) paint: ShareOfPaint,
-    /// Labels of triangles, in the order of their first triangle.
-    pub(super) labels: Vec<Label>,
+    pub(super) paint: ObjVertexPaint,
+    pub(super) labels: Labels,
     /// The label after the last line.
     pub(super) label: Label,
     pub(super) libraries: Vec<String>,
@@ -149,246 +118,44 @@ pub(super) struct ObjShare {
     pub(super) no_normals: LeftOut,
 }
 
-/// Reader of the lines of a share.
-struct ShareReader<'a> {
-    path: &'a Path,
-    before: ElementCounts,
-    share: ObjShare,
-    polygon: Vec<ObjCorner>,
-    number_of_label: HashMap<Label, u32>,
-    /// Number of the label in force, once a triangle has it.
-    label: Option<u32>,
-}
-
-/// Reads a share of the lines of a file, after the elements `before` it.
-pub(super) fn read(
-    path: &Path,
-    text: &str,
-    line_end: char,
-    before: ElementCounts,
-) -> Result<ObjShare> {
-    let mut reader = ShareReader {
-        path,
-        before,
-        share: ObjShare::default(),
-        polygon: Vec::new(),
-        number_of_label: HashMap::new(),
-        label: None,
-    };
-    for (number, line) in Statements::of(text, line_end, before.lines) {
-        reader.line(number, &line)?;
-    }
-    Ok(reader.share)
-}
-
-/// The lines of a text with their numbers. Lines that end with a backslash go on in the next line, and have its number.
-struct Statements<'a> {
-    lines: Lines<'a>,
-    number: usize,
-}
-
-impl<'a> Statements<'a> {
-    fn of(text: &'a str, line_end: char, lines_before: usize) -> Self {
-        Self {
-            lines: lines_ending(text, line_end),
-            number: lines_before,
-        }
-    }
-}
-
-impl<'a> Iterator for Statements<'a> {
-    type Item = (usize, Cow<'a, str>);
-
-    fn next(&mut self) -> Option<Self::Item> {
-        let mut continued = String::new();
-        loop {
-            let line = self.lines.next()?;
-            self.number += 1;
-            if let Some(head) = line.strip_suffix('\\') {
-                continued.push_str(head);
-                continued.push(' ');
-            } else if continued.is_empty() {
-                return Some((self.number, line.into()));
-            } else {
-                return Some((self.number, (continued + line).into()));
-            }
-        }
-    }
-}
-
-/// The first word of a line; empty if there is none before a comment.
-fn first_word(line: &str) -> &str {
-    let line = line.trim_start();
-    let end = line.find(|c: char| c.is_whitespace() || c == '#');
-    &line[..end.unwrap_or(line.len())]
-}
-
-/// The first word of a line, and what follows it, without its comment.
-fn split_word(line: &str) -> (&str, &str) {
-    let word = first_word(line);
-    let rest = &line.trim_start()[word.len()..];
-    let rest = rest.split('#').next().unwrap_or(rest);
-    (word, rest.trim())
-}
-
-impl ShareReader<'_> {
-    fn line(&mut self, number: usize, line: &str) -> Result<()> {
-        let (word, rest) = split_word(line);
-        match word {
-            "v" => {
-                let p = self.three(number, rest, "a vertex")?;
-                self.share.paint.color(self.share.positions.len(), rest);
-                self.share.positions.push(DVec3::from(p));
-            }
-            "vt" => self.share.paint.place(rest),
-            "vn" => {
-                let n = DVec3::from(self.three(number, rest, "a normal")?);
-                self.share.normals.push(n.normalize_or_zero().as_vec3());
-            }
-            "f" | "fo" => self.face(number, rest)?,
-            "o" => self.relabel().object = Some(rest.to_owned()),
-            "g" => self.relabel().group = Some(rest.to_owned()),
-            "usemtl" => self.relabel().material = Some(rest.to_owned()),
-            "mtllib" => self.share.libraries.push(rest.to_owned()),
-            _ if PASSED_OVER.contains(&word) => {}
-            _ => self.share.unknown_words.add(number, word),
-        }
-        Ok(())
-    }
-
-    fn error(&self, line: usize, what: impl Into<String>) -> Error {
-        super::error(self.path, line, what)
-    }
-
-    fn three(&self, line: usize, rest: &str, what: &str) -> Result<[f64; 3]> {
-        let mut numbers = [0.0_f64; 3];
-        let mut words = rest.split_ascii_whitespace();
-        for (k, n) in numbers.iter_mut().enumerate() {
-            let word = words
-                .next()
-                .ok_or_else(|| self.error(line, format!("{what} has only {k} of 3 numbers")))?;
-            *n = word
-                .parse()
-                .map_err(|_| self.error(line, format!("`{word}` is not a number")))?;
-            if !n.is_finite() {
-                return Err(self.error(line, format!("{what} has the coordinate {word}")));
-            }
-        }
-        Ok(numbers)
-    }
-
-    fn relabel(&mut self) -> &mut Label {
-        self.label = None;
-        &mut self.share.label
-    }
-
-    fn face(&mut self, line: usize, rest: &str) -> Result<()> {
-        self.polygon.clear();
-        for word in rest.split_ascii_whitespace() {
-            let corner = self.corner(line, word)?;
-            self.polygon.push(corner);
-        }
-        if self.polygon.len() < 3 {
-            let found = self.polygon.len();
-            return Err(self.error(line, format!("a face has {found} corners, it needs 3")));
-        }
-        let label = self.current_label();
-        for k in 2..self.polygon.len() {
-            let t = [0, k - 1, k].map(|k| self.polygon[k]);
-            let before = self.share.triangles.len();
-            self.share.triangles.push(t.map(|c| c.position));
-            self.share.label_of_triangle.push(label);
-            self.share.paint.corners(before, t.map(|c| c.place));
-            let normals = match t.map(|c| c.normal) {
-                [Some(a), Some(b), Some(c)] => Some([a, b, c]),
-                _ => None,
-            };
-            if normals.is_some() || !self.share.normal_of_corner.is_empty() {
-                self.share.normal_of_corner.resize(before, None);
-                self.share.normal_of_corner.push(normals);
-            }
-        }
-        Ok(())
-    }
-
-    /// `v`, `v/vt`, `v//vn` or `v/vt/vn`.
-    fn corner(&mut self, line: usize, word: &str) -> Result<ObjCorner> {
-        let mut fields = word.split('/');
-        let position = fields.next().unwrap_or("");
-        let place = fields.next().and_then(|word| word.parse().ok());
-        let normal = fields.next().filter(|f| !f.is_empty());
-        if fields.next().is_some() {
-            return Err(self.error(line, format!("`{word}` has more than two slashes")));
-        }
-        let places = self.before.places + self.share.paint.places.len();
-        let place = place.and_then(|index| from_zero(index, places));
-        Ok(ObjCorner {
-            position: self.position(line, position)?,
-            place: place.and_then(|place| u32::try_from(place).ok()),
-            normal: normal.and_then(|n| self.normal(line, n)),
-        })
-    }
-
-    /// Parses the index of a normal. Returns `None` if the index cannot be valid.
-    fn normal(&mut self, line: usize, word: &str) -> Option<u32> {
-        let known = self.before.normals + self.share.normals.len();
-        let from_zero = word.parse().ok().and_then(|index| from_zero(index, known));
-        match from_zero {
-            Some(index) => {
-                self.note_ahead(1, index, known, line);
-                u32::try_from(index).ok()
-            }
-            None => {
-                self.share.no_normals.add(line, word);
-                None
-            }
-        }
-    }
-
-    fn position(&mut self, line: usize, word: &str) -> Result<u32> {
-        let known = self.before.positions + self.share.positions.len();
-        let index: i64 = word
-            .parse()
-            .map_err(|_| self.error(line, format!("`{word}` is not the index of a vertex")))?;
-        let Some(from_zero) = from_zero(index, known) else {
-            let what =
-                format!("a face refers to vertex {index}, but only {known} are defined so far");
-            return Err(self.error(line, what));
+impl ObjShare {
+    /// The whole file.
+    pub(super) fn joined(shares: Vec<Self>) -> Self {
+        let count = |of: fn(&Self) -> usize| shares.iter().map(of).sum();
+        let mut whole = Self {
+            positions: Vec::with_capacity(count(|s| s.positions.len())),
+            triangles: Vec::with_capacity(count(|s| s.triangles.len())),
+            label: Label::unnamed(),
+            ..Self::default()
         };
-        self.note_ahead(0, from_zero, known, line);
-        u32::try_from(from_zero)
-            .map_err(|_| self.error(line, format!("a face refers to vertex {index}")))
+        shares.into_iter().for_each(|share| whole.append(share));
+        whole
     }
 
-    /// Records the index of a vertex or normal that may be defined later.
-    fn note_ahead(&mut self, kind: usize, index: usize, known: usize, line: usize) {
-        let ahead = &mut self.share.ahead[kind];
-        if index >= known && ahead.is_none_or(|a| a.0 < index) {
-            *ahead = Some((index, line));
+    fn append(&mut self, next: Self) {
+        let (positions, triangles) = (self.positions.len(), self.triangles.len());
+        self.positions.extend(next.positions);
+        self.triangles.extend(next.triangles);
+        self.normals.extend(next.normals);
+        if !next.normal_of_corner.is_empty() {
+            self.normal_of_corner.resize(triangles, None);
+            self.normal_of_corner.extend(next.normal_of_corner);
         }
+        self.paint.append(next.paint, positions, triangles);
+        let labels = next.labels.all.iter().map(|label| label.after(&self.label));
+        let numbers: Vec<u32> = labels.map(|label| self.labels.number(&label)).collect();
+        let of_triangle = next.label_of_triangle.iter();
+        let of_triangle = of_triangle.map(|label| numbers[*label as usize]);
+        self.label_of_triangle.extend(of_triangle);
+        self.label = next.label.after(&self.label);
+        self.libraries.extend(next.libraries);
+        for (known, ahead) in self.ahead.iter_mut().zip(next.ahead) {
+            // Of equal indices, the first line.
+            if ahead.is_some_and(|(index, _)| known.is_none_or(|(largest, _)| largest < index)) {
+                *known = ahead;
+            }
+        }
+        self.unknown_words.append(next.unknown_words);
+        self.no_normals.append(next.no_normals);
     }
-
-    fn current_label(&mut self) -> u32 {
-        if let Some(label) = self.label {
-            return label;
-        }
-        let next = self.share.labels.len() as u32;
-        let label = &self.share.label;
-        let number = *self.number_of_label.entry(label.clone()).or_insert(next);
-        if number == next {
-            self.share.labels.push(label.clone());
-        }
-        self.label = Some(number);
-        number
-    }
-}
-
-/// Converts an index that counts from 1, or backwards from -1, to an index that counts from 0.
-fn from_zero(index: i64, known: usize) -> Option<usize> {
-    let from_zero = if index > 0 {
-        index - 1
-    } else {
-        index + known as i64
-    };
-    (index != 0).then_some(from_zero)?.try_into().ok()
 }

@@ -8,9 +8,9 @@ use crate::load::painted::{Paint, PaintedTriangle, vertex_paint};
 /// Marks a missing index.
 const NONE: u32 = u32::MAX;
 
-/// Paint data of a share of the lines.
+/// Paint data of a file, or of a share of its lines.
 #[derive(Debug, Default)]
-pub(super) struct ShareOfPaint {
+pub(super) struct ObjVertexPaint {
     /// Texture coordinates, where (0, 0) is the upper left corner of the image.
     pub(super) places: Vec<Vec2>,
     /// For each corner of a triangle, its index into the places of the file. Empty until a triangle has one.
@@ -21,7 +21,7 @@ pub(super) struct ShareOfPaint {
     greatest: f32,
 }
 
-impl ShareOfPaint {
+impl ObjVertexPaint {
     /// Adds a `vt`. A coordinate that cannot be parsed becomes 0, because it affects only the paint.
     pub(super) fn place(&mut self, rest: &str) {
         let mut numbers = rest.split_ascii_whitespace().map(|word| word.parse().ok());
@@ -56,26 +56,19 @@ impl ShareOfPaint {
             self.place_of_corner.push(places);
         }
     }
-}
 
-/// Paint data of a file.
-#[derive(Debug, Default)]
-pub(super) struct ObjVertexPaint(ShareOfPaint);
-
-impl ObjVertexPaint {
-    /// Adds the paint of a share that follows so many vertices and triangles.
-    pub(super) fn append(&mut self, share: ShareOfPaint, vertices: usize, triangles: usize) {
-        let all = &mut self.0;
-        all.places.extend(share.places);
-        if !share.place_of_corner.is_empty() {
-            all.place_of_corner.resize(triangles, [NONE; 3]);
-            all.place_of_corner.extend(share.place_of_corner);
+    /// Adds the paint of the next share, which follows so many vertices and triangles.
+    pub(super) fn append(&mut self, next: Self, vertices: usize, triangles: usize) {
+        self.places.extend(next.places);
+        if !next.place_of_corner.is_empty() {
+            self.place_of_corner.resize(triangles, [NONE; 3]);
+            self.place_of_corner.extend(next.place_of_corner);
         }
-        if !share.colors.is_empty() {
-            all.colors.resize(vertices, None);
-            all.colors.extend(share.colors);
+        if !next.colors.is_empty() {
+            self.colors.resize(vertices, None);
+            self.colors.extend(next.colors);
         }
-        all.greatest = all.greatest.max(share.greatest);
+        self.greatest = self.greatest.max(next.greatest);
     }
 
     /// Builds the vertex paint of the triangles of these groups.
@@ -85,28 +78,27 @@ impl ObjVertexPaint {
         group_of_triangle: &[u32],
         paints: &[Paint],
     ) -> Option<VertexPaint> {
-        let all = &self.0;
         // The greatest channel shows whether a program writes 0 to 255 instead of 0 to 1.
-        let most = if all.greatest > 1.0 { 255.0 } else { 1.0 };
+        let most = if self.greatest > 1.0 { 255.0 } else { 1.0 };
         let painted = triangles.iter().zip(group_of_triangle).enumerate();
         let painted = painted.map(|(index, (triangle, group))| {
-            let corners = all.place_of_corner.get(index).unwrap_or(&[NONE; 3]);
-            let place = |i: u32| all.places.get(i as usize).copied();
+            let corners = self.place_of_corner.get(index).unwrap_or(&[NONE; 3]);
+            let place = |i: u32| self.places.get(i as usize).copied();
             let color = |i: u32| {
-                let color = all.colors.get(i as usize).copied().flatten()?;
+                let color = self.colors.get(i as usize).copied().flatten()?;
                 Some((color / most).clamp(Vec3::ZERO, Vec3::ONE))
             };
             PaintedTriangle {
                 group: *group,
-                uv: all_of(corners.map(place)),
-                colors: all_of(triangle.map(color)),
+                uv: all(corners.map(place)),
+                colors: all(triangle.map(color)),
             }
         });
-        vertex_paint(paints, !all.colors.is_empty(), painted)
+        vertex_paint(paints, !self.colors.is_empty(), painted)
     }
 }
 
 /// Returns all three values, if none is missing.
-fn all_of<T>([a, b, c]: [Option<T>; 3]) -> Option<[T; 3]> {
+fn all<T>([a, b, c]: [Option<T>; 3]) -> Option<[T; 3]> {
     Some([a?, b?, c?])
 }

@@ -24,7 +24,7 @@ pub(super) trait Rows: Send + Sized {
     /// Returns true if the property in this column is used.
     fn wants(&self, column: usize) -> bool;
 
-    /// Takes the values of the property in this column: one of a scalar, any number of a list. The error's text says what is wrong.
+    /// Takes the values of a property that is used: one of a scalar, any number of a list. The error's text says what is wrong.
     fn property(&mut self, column: usize, kind: &ScalarType, values: &[f64]) -> Result<(), String>;
 
     /// Joins receivers of consecutive rows.
@@ -170,13 +170,9 @@ impl Polygons {
     }
 
     fn strips(&mut self, corners: &[f64]) -> Result<(), String> {
-        self.check(
-            corners
-                .iter()
-                .filter(|corner| **corner != corner.floor() || **corner >= 0.0),
-        )?;
         // A negative index ends a strip.
-        for strip in corners.split(|corner| *corner < 0.0) {
+        for strip in corners.split(|corner| *corner < 0.0 && *corner == corner.floor()) {
+            self.check(strip)?;
             for (k, corners) in strip.windows(3).enumerate() {
                 let [a, b, c] = [0, 1, 2].map(|i| corners[i] as u32);
                 let triangle = if k % 2 == 0 { [a, b, c] } else { [b, a, c] };
@@ -189,7 +185,7 @@ impl Polygons {
 
     /// Splits a polygon into a triangle fan from its first corner.
     fn fan(&mut self, corners: &[f64]) -> Result<(), String> {
-        self.check(corners.iter())?;
+        self.check(corners)?;
         for k in 2..corners.len() {
             let triangle = [0, k - 1, k].map(|i| corners[i] as u32);
             self.triangles.push(triangle);
@@ -198,8 +194,9 @@ impl Polygons {
     }
 
     /// Refuses corners that are not indices.
-    fn check<'a>(&self, mut corners: impl Iterator<Item = &'a f64>) -> Result<(), String> {
-        let Some(corner) = corners.find(|corner| f64::from(**corner as u32) != **corner) else {
+    fn check(&self, corners: &[f64]) -> Result<(), String> {
+        let is_wrong = |corner: &&f64| f64::from(**corner as u32) != **corner;
+        let Some(corner) = corners.iter().find(is_wrong) else {
             return Ok(());
         };
         let name = match self.kind {
@@ -223,10 +220,7 @@ impl Rows for Polygons {
         self.corners_column == Some(column)
     }
 
-    fn property(&mut self, column: usize, _: &ScalarType, values: &[f64]) -> Result<(), String> {
-        if self.corners_column != Some(column) {
-            return Ok(());
-        }
+    fn property(&mut self, _: usize, _: &ScalarType, values: &[f64]) -> Result<(), String> {
         match self.kind {
             PolygonKind::Face => self.fan(values),
             PolygonKind::Strip => self.strips(values),

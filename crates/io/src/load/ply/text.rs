@@ -66,11 +66,11 @@ impl<'a> Words<'a> {
                 if !is_read {
                     return Err(PlyError::of_line(self.number, self.line));
                 }
-                let taken = rows.property(column, kind, &values);
-                taken.map_err(|what| PlyError {
-                    line: Some(self.number),
-                    what,
-                })?;
+                if rows.wants(column) {
+                    let taken = rows.property(column, kind, &values);
+                    let line = Some(self.number);
+                    taken.map_err(|what| PlyError { line, what })?;
+                }
             }
         }
         Ok(rows)
